@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Writes visualize/figure/font_metrics.inc: the advance widths of the DejaVu fonts for the characters figures use.
+
+The layout needs the width of a text without asking a font library (it also runs where there is none).
+    tests/support/font_metrics.py [--check] FONT_FOLDER
+--check compares with the committed file and exits 1 when they differ.
+"""
+import pathlib
+import struct
+import sys
+
+RANGES = [(0x20, 0x7E), (0xA0, 0x17F), (0x391, 0x3C9), (0x2010, 0x2026), (0x2032, 0x2033), (0x2070, 0x209C),
+          (0x2190, 0x21FF), (0x2200, 0x22FF), (0x2308, 0x230B), (0x25A0, 0x25FF), (0x2713, 0x2718),
+          (0x27E8, 0x27E9)]
+FACES = ["DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSansMono.ttf",
+         "DejaVuSansMono-Bold.ttf"]
+TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/font_metrics.inc"
+
+
+def tables(data):
+    count = struct.unpack(">H", data[4:6])[0]
+    found = {}
+    for i in range(count):
+        tag, _, offset, length = struct.unpack(">4sIII", data[12 + 16 * i:28 + 16 * i])
+        found[tag.decode()] = data[offset:offset + length]
+    return found
+
+
+def glyph_index(cmap):
+    """Character -> glyph, from the format 4 (basic plane) subtable."""
+    for i in range(struct.unpack(">H", cmap[2:4])[0]):
+        platform, encoding, offset = struct.unpack(">HHI", cmap[4 + 8 * i:12 + 8 * i])
+        if struct.unpack(">H", cmap[offset:offset + 2])[0] == 4 and (platform, encoding) in ((3, 1), (0, 3)):
+            break
+    else:
+        raise SystemExit("no format 4 cmap")
+    sub = cmap[offset:]
+    segments = struct.unpack(">H", sub[6:8])[0] // 2
+
+    def words(at):
+        return struct.unpack(f">{segments}H", sub[at:at + 2 * segments])
+
+    ends, starts = words(14), words(16 + 2 * segments)
+    deltas, offsets = words(16 + 4 * segments), words(16 + 6 * segments)
+    mapping = {}
+    for k in range(segments):
+        for char in range(starts[k], ends[k] + 1):
+            if offsets[k] == 0:
+                glyph = (char + deltas[k]) & 0xFFFF
+            else:
+                at = 16 + 6 * segments + 2 * k + offsets[k] + 2 * (char - starts[k])
+                glyph = struct.unpack(">H", sub[at:at + 2])[0]
+                glyph = (glyph + deltas[k]) & 0xFFFF if glyph else 0
+            if glyph:
+                mapping[char] = glyph
+    return mapping
+
+
+def widths(path):
+    found = tables(path.read_bytes())
+    assert struct.unpack(">H", found["head"][18:20])[0] == 2048, "2048 units an em expected"
+    metrics = struct.unpack(">H", found["hhea"][34:36])[0]
+    index = glyph_index(found["cmap"])
+
+    def width(char):
+        at = 4 * min(index[char], metrics - 1)
+        return struct.unpack(">H", found["hmtx"][at:at + 2])[0]
+
+    return {char: width(char) for low, high in RANGES for char in range(low, high + 1) if char in index}
+
+
+def main():
+    arguments = [a for a in sys.argv[1:] if a != "--check"]
+    folder = pathlib.Path(arguments[0] if arguments else "/usr/share/fonts/truetype/dejavu")
+    faces = [widths(folder / name) for name in FACES]
+    lines = ["// Made by tests/support/font_metrics.py: advance widths in 1/2048 em of sans, bold, italic, mono and",
+             "// mono bold; 0 where the face lacks the character."]
+    for char in sorted(set().union(*faces)):
+        row = ", ".join(str(face.get(char, 0)) for face in faces)
+        lines.append(f"{{0x{char:04X}, {{{row}}}}},")
+    text = "\n".join(lines) + "\n"
+    if "--check" in sys.argv:
+        sys.exit(0 if TARGET.read_text() == text else "font_metrics.inc does not match the installed fonts")
+    TARGET.write_text(text)
+
+
+main()

@@ -1,0 +1,114 @@
+#pragma once
+// The drawing slot as plain data: cells of a grid and marks over them, in the algorithm's own coordinates.
+// Everything has a stable id (a cell: its coordinates), so that a step is told as what it changes.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "core/image.hpp"
+#include "figure/role.hpp"
+
+namespace gradus {
+
+/// A round marker.
+struct Dot {
+  dvec2 at;
+  bool ring = false;  ///< hollow: looked at, not taken
+  friend bool operator==(const Dot&, const Dot&) = default;
+};
+
+/// A straight line between two points; with `arrow`, a head at b.
+struct Stroke {
+  dvec2 a, b;
+  bool arrow = false;
+  friend bool operator==(const Stroke&, const Stroke&) = default;
+};
+
+/// A chain of points, closed or not.
+struct Path {
+  std::vector<dvec2> points;
+  bool closed = false;
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// Text beside a point. The layout finds a free place near it and draws a leader when that is not adjacent.
+struct Label {
+  dvec2 at;
+  std::string text;
+  friend bool operator==(const Label&, const Label&) = default;
+};
+
+/// One thing drawn over the grid.
+struct Mark {
+  std::string id;  ///< stable over all steps; setting a mark with a known id replaces it
+  Role role;
+  std::variant<Dot, Stroke, Path, Label> shape;
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+/// How a cell of the grid looks: its role, and a short text in it (drawn where the cell is large enough).
+struct CellLook {
+  Role role;
+  std::string text;
+  friend bool operator==(const CellLook&, const CellLook&) = default;
+};
+
+/// A cell that changes its look; nothing: back to the bare grid.
+struct CellChange {
+  ivec2 at;
+  std::optional<CellLook> look;
+};
+
+/// What one step changes in the drawing, in this order: marks go, cells change (later entries win), marks
+/// come.
+struct Delta {
+  std::vector<std::string> removed;  ///< ids of marks that go
+  std::vector<CellChange> cells;
+  std::vector<Mark> set;  ///< marks that are new or replaced, by id
+  std::size_t size() const { return cells.size() + set.size() + removed.size(); }
+};
+
+/// What the drawing shows after some step: how each cell looks, and the marks by id.
+/// Memory: a byte a cell for grids of up to 2^26 cells; for larger ones as much as has been changed.
+class Canvas {
+ public:
+  Canvas() = default;
+  explicit Canvas(const Window& cells);
+
+  void apply(const Delta& delta);
+
+  /// How the cell looks, if it is not bare. Any cell may be asked for.
+  std::optional<CellLook> at(ivec2 p) const;
+  const std::map<std::string, Mark>& marks() const { return marks_; }
+  /// Roughly what a copy costs, in units of one change.
+  std::size_t size() const;
+
+  friend bool operator==(const Canvas& a, const Canvas& b);
+
+ private:
+  static constexpr std::uint8_t bare = 0xff;
+  void put(ivec2 p, std::uint8_t role);
+
+  Window window_;
+  std::vector<std::uint8_t> dense_;                         ///< a role a cell, or bare; empty for a huge grid
+  std::unordered_map<std::uint64_t, std::uint8_t> sparse_;  ///< the same where cells are too many
+  std::unordered_map<std::uint64_t, std::string> texts_;
+  std::map<std::string, Mark> marks_;
+};
+
+/// The grid a drawing stands on. Cell (x, y) is the unit square whose centre is the point (x, y) of the
+/// marks' coordinates: integers lie at cell centres.
+struct Grid {
+  Window cells;      ///< the cells there are; all of int32 is allowed
+  bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
+  std::string x_name = "x", y_name = "y";
+  std::optional<Image> picture;  ///< the input picture, one texel a cell, from cells.lower; row 0 first
+};
+
+}  // namespace gradus

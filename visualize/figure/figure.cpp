@@ -1,0 +1,99 @@
+#include "figure/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gradus {
+namespace {
+
+/// Rows a figure could ever show; older ones are only said to exist.
+constexpr std::size_t most_rows = 40;
+
+/// Position in the listing of the nearest shown line at or above `line`; listing.size() where there is none.
+std::size_t shown_line(const std::vector<SourceLine>& listing, int line) {
+  const auto after = std::ranges::upper_bound(listing, line, {}, &SourceLine::number);
+  if (line == 0 || after == listing.begin()) return listing.size();
+  return static_cast<std::size_t>(after - listing.begin()) - 1;
+}
+
+/// The step before this one at its own level: for a milestone the last milestone, for a finer event any.
+const TraceStep* previous_step(const Trace& trace, std::size_t index) {
+  const bool fine = trace.steps[index].number.fine != 0;
+  while (index-- > 0) {
+    if (fine || trace.steps[index].number.fine == 0) return &trace.steps[index];
+  }
+  return nullptr;
+}
+
+std::vector<Figure::ListingLine> listing_at(const Trace& trace, std::size_t index) {
+  std::vector<Figure::ListingLine> lines;
+  for (const SourceLine& line : trace.listing) lines.push_back({line, Emphasis::none});
+  const TraceStep* previous = previous_step(trace, index);
+  if (const std::size_t weak = previous ? shown_line(trace.listing, previous->line) : lines.size();
+      weak < lines.size()) {
+    lines[weak].emphasis = Emphasis::weak;
+  }
+  if (const std::size_t strong = shown_line(trace.listing, trace.steps[index].line); strong < lines.size()) {
+    lines[strong].emphasis = Emphasis::strong;
+  }
+  return lines;
+}
+
+void mark_changes(std::vector<Figure::TableRow>& rows) {
+  Figure::TableRow& now = rows.back();
+  now.changed.assign(now.cells.size(), false);
+  if (rows.size() < 2) return;
+  const Row& before = rows[rows.size() - 2].cells;
+  for (std::size_t c = 1; c < now.cells.size(); ++c) {
+    now.changed[c] = !now.cells[c].empty() && (c >= before.size() || now.cells[c] != before[c]);
+  }
+}
+
+std::vector<Figure::TableRow> rows_at(const Trace& trace, std::size_t index) {
+  // Back to the oldest step that can still be seen, then forward again
+  std::size_t first = index, seen = 0;
+  for (std::size_t i = index + 1; i-- > 0 && seen < most_rows;) {
+    first = i;
+    if (!trace.steps[i].row.empty()) ++seen;
+  }
+  std::vector<Figure::TableRow> rows;
+  for (std::size_t i = first; i <= index; ++i) {
+    const TraceStep& step = trace.steps[i];
+    for (Figure::TableRow& row : rows) row.emphasis = Emphasis::none;
+    if (!step.read.empty() && !rows.empty()) rows.back() = {step.read, Emphasis::weak, {}};
+    if (step.row.empty()) continue;
+    rows.push_back({step.row, Emphasis::strong, {}});
+  }
+  if (!rows.empty() && rows.back().emphasis == Emphasis::strong) mark_changes(rows);
+  return rows;
+}
+
+}  // namespace
+
+Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number) {
+  const std::size_t index = index_of(trace, number);
+  const TraceStep& step = trace.steps[index];
+  Figure figure;
+  figure.trace = &trace;
+  figure.canvas = &playhead.at(index);
+  figure.number = number;
+  figure.focus = step.focus;
+  figure.title = trace.title;
+  figure.subtitle = trace.subtitle;
+  figure.sentence = step.sentence;
+  figure.position = fmt::format("step {} / {}", text_of(number), trace.last);
+  figure.phase = step.phase;
+  figure.listing = listing_at(trace, index);
+  figure.rows = rows_at(trace, index);
+  return figure;
+}
+
+std::string caption_of(const Figure& figure) {
+  const Trace& trace = *figure.trace;
+  const std::string fault = trace.faulty.empty() ? "" : fmt::format(" (faulty: {})", trace.faulty);
+  return fmt::format("{}{}, {}, step {} of {}: {} Input: {}.", trace.title, fault, trace.method_title,
+                     text_of(figure.number), trace.last, figure.sentence, trace.subtitle);
+}
+
+}  // namespace gradus

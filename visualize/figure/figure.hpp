@@ -1,0 +1,55 @@
+#pragma once
+// One step of a trace as slots of plain data, and its layout on a sheet.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "figure/colophon.hpp"
+#include "figure/sheet.hpp"
+#include "figure/trace.hpp"
+
+namespace gradus {
+
+/// How a line of the listing or a row of the table stands to this step.
+enum class Emphasis : std::uint8_t { none, weak, strong };
+
+struct Figure {
+  std::string title, subtitle, sentence;
+  std::string position, phase;  ///< "step 4 / 7", "main loop"
+  const Trace* trace = nullptr;
+  const Canvas* canvas = nullptr;  ///< the drawing after this step
+  ivec2 focus{0, 0};
+  StepNumber number;
+
+  struct ListingLine {
+    SourceLine line;
+    Emphasis emphasis;
+  };
+  std::vector<ListingLine> listing;
+
+  struct TableRow {
+    Row cells;
+    Emphasis emphasis = Emphasis::none;
+    std::vector<bool> changed;  ///< a cell a column: changed by this step
+  };
+  std::vector<TableRow> rows;  ///< all rows so far; the layout shows the last ones that fit
+};
+
+/// What the reader asked for.
+struct Look {
+  double width = 1280, height = 720;
+  std::set<Slot> slots{all_slots.begin(), all_slots.end()};
+};
+
+/// The slots of one recorded step. `playhead` must be of the same trace; both must outlive the figure.
+Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number);
+
+/// Puts the slots in their places. What does not fit is shortened (elided rows, a window of lines, a view
+/// that follows the step), never shrunk. Places depend on the trace and the look only, not on the step.
+Sheet lay_out(const Figure& figure, const Look& look);
+
+/// "Figure: Bresenham line, step 4 of 7: <sentence> Input: <subtitle>." — caption and alt text.
+std::string caption_of(const Figure& figure);
+
+}  // namespace gradus

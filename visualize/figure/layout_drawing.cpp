@@ -1,0 +1,543 @@
+// The drawing slot: a grid, its cells, the marks over it, and labels where they are free of each other.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "figure/layout.hpp"
+
+namespace gradus::layout {
+namespace {
+
+constexpr double largest_cell = 84, followed_cell = 30;  ///< pixels at 720 lines
+constexpr double axis_below = 34, axis_above = 30, inset_height = 104;
+
+/// From the grid's coordinates to pixels: cell (x, y) is the square round the point (x, y).
+struct Frame {
+  Window view;
+  Box box;  ///< of the visible cells
+  double cell = 0;
+  bool y_up = true;
+
+  double column(double x) const { return box.x + (x - view.lower.x + 0.5) * cell; }
+  double row(double y) const {
+    const double from_lower = (y - view.lower.y + 0.5) * cell;
+    return y_up ? box.bottom() - from_lower : box.y + from_lower;
+  }
+  dvec2 point(dvec2 p) const { return {column(p.x), row(p.y)}; }
+  Box square(ivec2 p) const {
+    const dvec2 centre = point({p.x, p.y});
+    return {centre.x - cell / 2, centre.y - cell / 2, cell, cell};
+  }
+};
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+double overlap_area(const Box& a, const Box& b) {
+  const double width = std::min(a.right(), b.right()) - std::max(a.x, b.x);
+  const double height = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
+  return width > 0 && height > 0 ? width * height : 0;
+}
+bool inside(const Box& inner, const Box& outer) {
+  return inner.x >= outer.x && inner.y >= outer.y && inner.right() <= outer.right() &&
+         inner.bottom() <= outer.bottom();
+}
+Box grown(const Box& b, double by) { return {b.x - by, b.y - by, b.width + 2 * by, b.height + 2 * by}; }
+
+/// The part of a stroke inside a box; nothing when it misses it. (Liang and Barsky's parameters.)
+std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box) {
+  double enter = 0, leave = 1;
+  const dvec2 d = b - a;
+  const auto side = [&](double p, double q) {
+    if (p == 0) return q >= 0;
+    const double t = q / p;
+    if (p < 0) enter = std::max(enter, t);
+    if (p > 0) leave = std::min(leave, t);
+    return enter <= leave;
+  };
+  if (!side(-d.x, a.x - box.x) || !side(d.x, box.right() - a.x) || !side(-d.y, a.y - box.y) ||
+      !side(d.y, box.bottom() - a.y)) {
+    return std::nullopt;
+  }
+  return std::pair{a + enter * d, a + leave * d};
+}
+
+double tick_width(const Window& view, double s) {
+  const double low = text_width(fmt::format("{}", view.lower.y), Face::sans, text_size * s);
+  const double high = text_width(fmt::format("{}", view.upper.y), Face::sans, text_size * s);
+  return std::max({low, high, 24 * s});
+}
+
+/// Cells shown along one axis, following `focus` by jumps of half a view: the first one.
+std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count, std::int64_t focus) {
+  if (upper - lower + 1 <= count) return lower;
+  const std::int64_t half = std::max<std::int64_t>(count / 2, 1);
+  const std::int64_t page = (focus - lower) / half;
+  const std::int64_t first = lower + page * half - half / 2;
+  return std::clamp(first, lower, upper - count + 1);
+}
+
+struct Arrangement {
+  Frame frame;
+  bool follows = false;  ///< the grid does not fit: a view with an overview above it
+  Box inset;
+};
+
+Arrangement arrange(const Figure& figure, const Box& box, double s) {
+  const Grid& grid = figure.trace->grid;
+  Arrangement at;
+  at.frame.y_up = grid.y_up;
+  const double left = tick_width(grid.cells, s) + 12 * s;
+  const double right = std::max(24 * s, text_width(grid.x_name, Face::italic, text_size * s) + 12 * s);
+  const auto cell_for = [&](double columns, double rows) {
+    return std::min({(box.width - left - right) / columns,
+                     (box.height - (axis_below + axis_above) * s) / rows, largest_cell * s});
+  };
+  double cell = cell_for(static_cast<double>(grid.cells.width()), static_cast<double>(grid.cells.height()));
+  Window view = grid.cells;
+  double top = box.y + axis_above * s;
+  if (cell < least_cell * s) {
+    at.follows = true;
+    cell = followed_cell * s;
+    at.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
+    top += inset_height * s + 8 * s;
+    const auto columns = static_cast<std::int64_t>((box.width - left - right) / cell);
+    const auto rows = static_cast<std::int64_t>((box.bottom() - axis_below * s - top) / cell);
+    const std::int64_t x = followed(grid.cells.lower.x, grid.cells.upper.x, columns, figure.focus.x);
+    const std::int64_t y = followed(grid.cells.lower.y, grid.cells.upper.y, rows, figure.focus.y);
+    view.lower = {static_cast<int>(x), static_cast<int>(y)};
+    view.upper = {static_cast<int>(std::min<std::int64_t>(x + columns - 1, grid.cells.upper.x)),
+                  static_cast<int>(std::min<std::int64_t>(y + rows - 1, grid.cells.upper.y))};
+  }
+  const double width = cell * static_cast<double>(view.width());
+  const double height = cell * static_cast<double>(view.height());
+  const double spare_x = box.width - left - right - width;
+  const double spare_y = box.bottom() - axis_below * s - top - height;
+  at.frame.view = view;
+  at.frame.cell = cell;
+  at.frame.box = {box.x + left + std::max(0.0, spare_x) / 2, top + std::max(0.0, spare_y) / 2, width, height};
+  return at;
+}
+
+/// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
+std::int64_t tick_step(double cell, double needed) {
+  std::int64_t step = 1;
+  for (int i = 0; static_cast<double>(step) * cell < needed; ++i) step = i % 3 == 1 ? step / 2 * 5 : step * 2;
+  return step;
+}
+
+/// The first multiple of `step` that is not below `lower`.
+std::int64_t first_tick(std::int64_t lower, std::int64_t step) {
+  const std::int64_t rest = ((lower % step) + step) % step;
+  return rest == 0 ? lower : lower + step - rest;
+}
+
+class DrawingLayout {
+ public:
+  DrawingLayout(Pen& pen, const Figure& figure, const Box& box)
+      : pen_(pen),
+        figure_(figure),
+        trace_(*figure.trace),
+        slot_(box),
+        s_(pen.scale()),
+        at_(arrange(figure, box, s_)),
+        frame_(at_.frame) {}
+
+  void draw() {
+    draw_picture();
+    draw_cell_grounds();
+    draw_grid();
+    draw_axes();
+    draw_cell_outlines();
+    draw_marks();
+    if (at_.follows) draw_overview();
+    place_labels();
+  }
+
+ private:
+  template <class F>
+  void for_each_cell(F f) const {
+    const Window& view = frame_.view;
+    for (std::int64_t y = view.lower.y; y <= view.upper.y; ++y) {
+      for (std::int64_t x = view.lower.x; x <= view.upper.x; ++x) {
+        f(ivec2{static_cast<int>(x), static_cast<int>(y)});
+      }
+    }
+  }
+
+  void draw_picture() {
+    const auto& picture = trace_.grid.picture;
+    if (!picture) return;
+    const Window& view = frame_.view;
+    Image part(static_cast<int>(view.width()), static_cast<int>(view.height()));
+    for_each_cell([&](ivec2 p) {
+      const ivec2 at = p - trace_.grid.cells.lower;
+      if (picture->contains(at)) part[p - view.lower] = (*picture)[at];
+    });
+    pen_.image("picture", {frame_.box, std::move(part), {}});
+  }
+
+  void draw_cell_grounds() {
+    for_each_cell([&](ivec2 p) {
+      const auto look = figure_.canvas->at(p);
+      if (!look) return;
+      const std::string id = fmt::format("cell {},{}", p.x, p.y);
+      draw_cell_ground(pen_, id, look->role, frame_.square(p));
+      if (!look->text.empty()) cell_texts_.emplace_back(p, *look);
+      note_cell(p, look->role);
+    });
+  }
+
+  /// What labels should not cover.
+  void note_cell(ivec2 p, Role role) {
+    if (role == Role::past || role == Role::boundary || role == Role::result) {
+      crowded_.push_back(frame_.square(p));
+    } else {
+      taken_.push_back(frame_.square(p));
+    }
+  }
+
+  void draw_grid() {
+    const Box& b = frame_.box;
+    const Paint rule = Paint::of(Tone::rule);
+    for (std::int64_t i = 0; i <= frame_.view.width(); ++i) {
+      const double x = b.x + static_cast<double>(i) * frame_.cell;
+      pen_.line(fmt::format("column line {}", i),
+                {{{x, b.y}, {x, b.bottom()}}, rule, 1.5 * s_, false, false, false});
+    }
+    for (std::int64_t i = 0; i <= frame_.view.height(); ++i) {
+      const double y = b.y + static_cast<double>(i) * frame_.cell;
+      pen_.line(fmt::format("row line {}", i),
+                {{{b.x, y}, {b.right(), y}}, rule, 1.5 * s_, false, false, false});
+    }
+    if (trace_.grid.picture) return;
+    for_each_cell([&](ivec2 p) {
+      const auto look = figure_.canvas->at(p);
+      if (look && (look->role == Role::boundary || !look->text.empty())) return;
+      pen_.disc(fmt::format("centre {},{}", p.x, p.y),
+                {frame_.point({p.x, p.y}), 2.2 * s_, Paint::mark(Role::past), {}, 0});
+    });
+  }
+
+  void tick(std::string id, dvec2 baseline, std::string text, Align align) {
+    TextShape shape{baseline, std::move(text), Face::sans, text_size * s_, align, Paint::of(Tone::muted)};
+    texts_.push_back(shape.box());
+    pen_.text(std::move(id), std::move(shape));
+  }
+
+  void draw_axes() {
+    const Box& b = frame_.box;
+    const Window& view = frame_.view;
+    const double widest = std::max(text_width(fmt::format("{}", view.lower.x), Face::sans, text_size * s_),
+                                   text_width(fmt::format("{}", view.upper.x), Face::sans, text_size * s_));
+    const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
+    double last_right = b.x;
+    for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
+      const std::string text = fmt::format("{}", x);
+      tick("x " + text, {frame_.column(static_cast<double>(x)), b.bottom() + 26 * s_}, text, Align::centre);
+      last_right = texts_.back().right();
+    }
+    const std::int64_t up = tick_step(frame_.cell, 24 * s_);
+    for (std::int64_t y = first_tick(view.lower.y, up); y <= view.upper.y; y += up) {
+      const std::string text = fmt::format("{}", y);
+      tick("y " + text, {b.x - 10 * s_, frame_.row(static_cast<double>(y)) + 7 * s_}, text, Align::right);
+    }
+    const double x_name = std::max(b.right() + 6 * s_, last_right + 8 * s_);
+    name_axis("x axis", {x_name, b.bottom() + 26 * s_}, trace_.grid.x_name, Align::left);
+    name_axis("y axis", {b.x - 10 * s_, b.y - 10 * s_}, trace_.grid.y_name, Align::right);
+  }
+
+  void name_axis(std::string id, dvec2 baseline, const std::string& name, Align align) {
+    TextShape shape{baseline, name, Face::italic, text_size * s_, align, Paint::of(Tone::muted)};
+    texts_.push_back(shape.box());
+    pen_.text(std::move(id), std::move(shape));
+  }
+
+  void draw_cell_outlines() {
+    for_each_cell([&](ivec2 p) {
+      if (const auto look = figure_.canvas->at(p)) {
+        draw_cell_outline(pen_, fmt::format("outline {},{}", p.x, p.y), look->role, frame_.square(p));
+      }
+    });
+    for (const auto& [p, look] : cell_texts_) {
+      const double size = text_size * s_;
+      if (text_width(look.text, Face::sans, size) > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
+      const dvec2 centre = frame_.point({p.x, p.y});
+      pen_.text(fmt::format("text {},{}", p.x, p.y), {{centre.x, centre.y + 7 * s_},
+                                                      look.text,
+                                                      Face::sans,
+                                                      size,
+                                                      Align::centre,
+                                                      Paint::on(look.role),
+                                                      true,
+                                                      Paint::fill(look.role)});
+    }
+  }
+
+  void draw_marks() {
+    for (const Mark& mark : trace_.backdrop) draw_mark(mark, true);
+    for (const auto& [id, mark] : figure_.canvas->marks()) draw_mark(mark, false);
+  }
+
+  void draw_mark(const Mark& mark, bool fixed) {
+    if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+      draw_chain(mark, {stroke->a, stroke->b}, false, stroke->arrow);
+    } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+      draw_chain(mark, path->points, path->closed, false);
+    } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
+      draw_dot(mark, *dot);
+    } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
+      (fixed ? fixed_labels_ : labels_).emplace_back(&mark, label);
+    }
+  }
+
+  void draw_chain(const Mark& mark, const std::vector<dvec2>& points, bool closed, bool arrow) {
+    const double width = (mark.role == Role::measure ? 7 : 2.6) * s_;
+    const std::size_t ends = closed ? points.size() : points.size() - 1;
+    for (std::size_t i = 0; i < ends; ++i) {
+      const auto part =
+          clipped(frame_.point(points[i]), frame_.point(points[(i + 1) % points.size()]), frame_.box);
+      if (!part) continue;
+      strokes_.push_back(*part);
+      pen_.line(mark.id, {{part->first, part->second},
+                          Paint::mark(mark.role),
+                          width,
+                          mark.role == Role::candidate || mark.role == Role::rejected,
+                          false,
+                          arrow && i + 1 == ends});
+    }
+  }
+
+  void draw_dot(const Mark& mark, const Dot& dot) {
+    const dvec2 at = frame_.point(dot.at);
+    if (at.x < frame_.box.x || at.x > frame_.box.right() || at.y < frame_.box.y || at.y > frame_.box.bottom())
+      return;
+    const double radius = (mark.role == Role::input ? 7 : 6) * s_;
+    taken_.push_back({at.x - radius, at.y - radius, 2 * radius, 2 * radius});
+    if (dot.ring) {
+      pen_.disc(mark.id, {at, radius, Paint::of(Tone::paper), Paint::mark(mark.role), 3 * s_});
+    } else {
+      pen_.disc(mark.id, {at, radius, Paint::mark(mark.role), {}, 0});
+    }
+  }
+
+  /// How bad a place for a label is: covering what matters, lying on lines, being far away. Nothing:
+  /// impossible. `clear`: how far it should keep from lines.
+  std::optional<double> badness(const Box& at, double distance, double clear) const {
+    const Box room{slot_.x, at_.follows ? frame_.box.y - 28 * s_ : slot_.y, slot_.width,
+                   slot_.bottom() - (at_.follows ? frame_.box.y - 28 * s_ : slot_.y)};
+    if (!inside(at, room)) return std::nullopt;
+    const auto hits = [&at, this](const Box& text) { return overlap(grown(at, 3 * s_), text); };
+    if (std::ranges::any_of(texts_, hits)) return std::nullopt;
+    double cost = distance;
+    const double area = at.width * at.height;
+    for (const Box& box : taken_) cost += 900 * s_ * overlap_area(at, box) / area;
+    for (const Box& box : crowded_) cost += 60 * s_ * overlap_area(at, box) / area;
+    for (const auto& [a, b] : strokes_) {
+      if (clipped(a, b, grown(at, clear))) cost += 160 * s_;
+    }
+    return cost;
+  }
+
+  /// Tries places round the anchor, near ones first; draws a leader when the best is not beside it.
+  void place(const Mark& mark, const Label& label, double clear) {
+    const dvec2 anchor = frame_.point(label.at);
+    if (!inside({anchor.x, anchor.y, 0, 0}, grown(frame_.box, 1))) return;
+    const double size = text_size * s_, width = text_width(label.text, Face::sans, size);
+    const double gap = frame_.cell / 2 + 10 * s_;
+    std::optional<Box> best;
+    double least = 0, best_distance = 0;
+    for (const double distance :
+         {gap, gap + 26 * s_, gap + 60 * s_, gap + 100 * s_, gap + 150 * s_, gap + 210 * s_}) {
+      for (const auto& [dx, dy] : {std::pair{-1.0, 0.0},
+                                   {1.0, 0.0},
+                                   {-1.0, -1.0},
+                                   {1.0, -1.0},
+                                   {-1.0, 1.0},
+                                   {1.0, 1.0},
+                                   {0.0, -1.0},
+                                   {0.0, 1.0},
+                                   {-1.0, -0.5},
+                                   {1.0, -0.5},
+                                   {-1.0, 0.5},
+                                   {1.0, 0.5},
+                                   {-0.5, -1.0},
+                                   {0.5, -1.0},
+                                   {-0.5, 1.0},
+                                   {0.5, 1.0}}) {
+        const double x = anchor.x + dx * distance - (dx < 0 ? width : dx > 0 ? 0 : width / 2);
+        const double y = anchor.y + dy * distance - size / 2;
+        const Box at{x, y, width, size};
+        const auto cost = badness(at, distance, clear);
+        if (!cost || (best && *cost >= least)) continue;
+        best = at;
+        least = *cost;
+        best_distance = distance;
+      }
+    }
+    if (best) draw_label(mark, label, anchor, *best, best_distance > gap + 1);
+  }
+
+  void draw_label(const Mark& mark, const Label& label, dvec2 anchor, const Box& at, bool leader) {
+    if (leader) {
+      const dvec2 end{std::clamp(anchor.x, at.x, at.right()), std::clamp(anchor.y, at.y, at.bottom())};
+      pen_.line("leader " + mark.id, {{end, anchor}, Paint::text(mark.role), 1.4 * s_, false, false, false});
+    }
+    TextShape shape{{at.x, at.y + 0.78 * at.height},
+                    label.text,
+                    Face::sans,
+                    text_size * s_,
+                    Align::left,
+                    Paint::text(mark.role),
+                    true,
+                    Paint::of(Tone::paper)};
+    texts_.push_back(shape.box());
+    pen_.text(mark.id, std::move(shape));
+  }
+
+  void place_labels() {
+    // Those that stand through all steps come first and look only at what stands too, so that they keep still
+    std::vector<Box> step_taken, step_crowded;
+    std::vector<std::pair<dvec2, dvec2>> step_strokes;
+    std::swap(taken_, step_taken);
+    std::swap(crowded_, step_crowded);
+    const std::size_t fixed_strokes = trace_.backdrop.size();
+    step_strokes = strokes_;
+    strokes_.resize(std::min(strokes_.size(), fixed_strokes));
+    for (const auto& [mark, label] : fixed_labels_) place(*mark, *label, frame_.cell);
+    std::swap(taken_, step_taken);
+    std::swap(crowded_, step_crowded);
+    strokes_ = step_strokes;
+    for (const auto& [mark, label] : labels_) place(*mark, *label, 2 * s_);
+  }
+
+  /// The whole grid, small, with the part that the view shows.
+  void draw_overview() {
+    const Window& all = trace_.grid.cells;
+    const double ratio = static_cast<double>(all.width()) / static_cast<double>(all.height());
+    const double most_width = 0.55 * at_.inset.width, height = at_.inset.height;
+    Box whole{at_.inset.x, at_.inset.y, height * ratio, height};
+    if (whole.width > most_width) {
+      whole.width = most_width;
+      whole.height = std::max(most_width / ratio, 6 * s_);
+    }
+    whole.width = std::max(whole.width, 6 * s_);
+    draw_overview_cells(whole);
+    pen_.rect("overview frame", {whole, {}, Paint::of(Tone::muted), 1.5 * s_, 0, false, Hatch::none, {}});
+    const auto to_whole = [&](dvec2 p) {
+      const double x = (p.x - all.lower.x + 0.5) / static_cast<double>(all.width());
+      const double y = (p.y - all.lower.y + 0.5) / static_cast<double>(all.height());
+      return dvec2{whole.x + x * whole.width,
+                   trace_.grid.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
+    };
+    for (const Mark& mark : trace_.backdrop) {
+      if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+        pen_.line("overview " + mark.id, {{to_whole(stroke->a), to_whole(stroke->b)},
+                                          Paint::mark(mark.role),
+                                          2 * s_,
+                                          false,
+                                          false,
+                                          false});
+      }
+    }
+    const Window& view = frame_.view;
+    const dvec2 a = to_whole({view.lower.x - 0.5, view.lower.y - 0.5});
+    const dvec2 b = to_whole({view.upper.x + 0.5, view.upper.y + 0.5});
+    Box part{std::min(a.x, b.x), std::min(a.y, b.y), std::abs(a.x - b.x), std::abs(a.y - b.y)};
+    if (part.width < 8 * s_) part = {part.x + part.width / 2 - 4 * s_, part.y, 8 * s_, part.height};
+    if (part.height < 8 * s_) part = {part.x, part.y + part.height / 2 - 4 * s_, part.width, 8 * s_};
+    pen_.rect("overview view", {part, {}, Paint::mark(Role::current), 3 * s_, 0, false, Hatch::none, {}});
+    caption_overview(whole);
+  }
+
+  void draw_overview_cells(const Box& whole) {
+    const Window& all = trace_.grid.cells;
+    constexpr int most = 400;  // a raster of at most 400 x 400 samples
+    if (!trace_.grid.picture && static_cast<double>(all.width()) * static_cast<double>(all.height()) > 4e6)
+      return;
+    const int width = static_cast<int>(std::min<std::int64_t>(all.width(), most));
+    const int height = static_cast<int>(std::min<std::int64_t>(all.height(), most));
+    pen_.image("overview", overview_image(whole, width, height));
+  }
+
+  /// One sample a cell of the small picture; cells with a role win over the input picture.
+  ImageShape overview_image(const Box& whole, int width, int height) const {
+    const Window& all = trace_.grid.cells;
+    ImageShape small{whole, Image(width, height, Rgba8{0, 0, 0, 0}), Raster<std::uint8_t>(width, height)};
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column) {
+        const ivec2 p{static_cast<int>(all.lower.x + column * all.width() / width),
+                      static_cast<int>(all.lower.y + row * all.height() / height)};
+        const ivec2 to{column, trace_.grid.y_up ? height - 1 - row : row};
+        if (trace_.grid.picture) small.image[to] = (*trace_.grid.picture)[p - all.lower];
+        if (const auto look = figure_.canvas->at(p)) {
+          small.roles[to] = static_cast<std::uint8_t>(1 + static_cast<int>(look->role));
+        }
+      }
+    }
+    return small;
+  }
+
+  void caption_overview(const Box& whole) {
+    const Window& all = trace_.grid.cells;
+    const Window& view = frame_.view;
+    const double x = whole.right() + 14 * s_, room = at_.inset.right() - x;
+    const auto line = [&](std::string id, double y, const std::string& text) {
+      TextShape shape{{x, y},      elided(text, Face::sans, text_size * s_, room),
+                      Face::sans,  text_size * s_,
+                      Align::left, Paint::of(Tone::muted)};
+      texts_.push_back(shape.box());
+      pen_.text(std::move(id), std::move(shape));
+    };
+    line("overview size", whole.y + 20 * s_, fmt::format("whole: {} × {}", all.width(), all.height()));
+    line("overview columns", whole.y + 48 * s_,
+         fmt::format("{} {} … {}", trace_.grid.x_name, view.lower.x, view.upper.x));
+    line("overview rows", whole.y + 76 * s_,
+         fmt::format("{} {} … {}", trace_.grid.y_name, view.lower.y, view.upper.y));
+  }
+
+  Pen& pen_;
+  const Figure& figure_;
+  const Trace& trace_;
+  Box slot_;
+  double s_;
+  Arrangement at_;
+  const Frame& frame_;
+  std::vector<std::pair<ivec2, CellLook>> cell_texts_;
+  std::vector<Box> texts_;            ///< of texts placed so far: nothing may overlap them
+  std::vector<Box> taken_, crowded_;  ///< cells and dots that a label must not, should not cover
+  std::vector<std::pair<dvec2, dvec2>> strokes_;
+  std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
+};
+
+}  // namespace
+
+void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box) {
+  const Channel channel = channel_of(role);
+  pen.rect(id, {box, Paint::fill(role), {}, 0, 0, false, channel.hatch, Paint::mark(role)});
+}
+
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box) {
+  const Channel channel = channel_of(role);
+  if (channel.outline == 0) return;
+  const double s = pen.scale(), inset = channel.outline * s / 2;
+  const double width = std::min(channel.outline * s, box.height / 5);
+  pen.rect(id, {grown(box, -inset), {}, Paint::mark(role), width, 0, channel.dashed, Hatch::none, {}});
+  if (!channel.cross) return;
+  const Box in = grown(box, -box.height * 0.3);
+  pen.line(id, {{{in.x, in.y}, {in.right(), in.bottom()}}, Paint::mark(role), 2 * s, false, false, false});
+  pen.line(id, {{{in.x, in.bottom()}, {in.right(), in.y}}, Paint::mark(role), 2 * s, false, false, false});
+}
+
+Window visible_cells(const Figure& figure, const Box& box, double scale) {
+  return arrange(figure, box, scale).frame.view;
+}
+
+void lay_out_drawing(Pen& pen, const Figure& figure, const Box& box) {
+  DrawingLayout(pen, figure, box).draw();
+}
+
+}  // namespace gradus::layout

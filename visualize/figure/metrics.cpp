@@ -1,0 +1,136 @@
+#include "figure/metrics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace gradus {
+namespace {
+
+struct Advance {
+  std::uint16_t character;
+  std::array<std::uint16_t, 5> units;  ///< by Face, in 1/2048 em
+};
+
+constexpr Advance advances[] = {
+#include "figure/font_metrics.inc"
+};
+constexpr double units_per_em = 2048;
+
+/// Advance in font units, or 0 where the face lacks the character.
+int advance_of(char32_t character, Face face) {
+  const auto found = std::ranges::lower_bound(advances, character, {},
+                                              [](const Advance& a) { return char32_t{a.character}; });
+  if (found == std::end(advances) || found->character != character) return 0;
+  return found->units[static_cast<std::size_t>(face)];
+}
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+}  // namespace
+
+std::u32string code_points(std::string_view text) {
+  std::u32string characters;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80   ? 1
+                               : lead < 0xc2 ? 0
+                               : lead < 0xe0 ? 2
+                               : lead < 0xf0 ? 3
+                               : lead < 0xf5 ? 4
+                                             : 0;
+    bool whole = length > 0 && i + length <= text.size();
+    for (std::size_t k = 1; whole && k < length; ++k) whole = is_continuation(text[i + k]);
+    if (!whole) {
+      characters += U'\xfffd';
+      ++i;
+      continue;
+    }
+    char32_t character = length == 1 ? lead : lead & (0x7fu >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+      character = (character << 6) | (static_cast<unsigned char>(text[i + k]) & 0x3fu);
+    }
+    characters += character;
+    i += length;
+  }
+  return characters;
+}
+
+std::string utf8_of(std::u32string_view characters) {
+  std::string text;
+  const auto put = [&text](char32_t bits) { text += static_cast<char>(static_cast<unsigned char>(bits)); };
+  for (const char32_t c : characters) {
+    if (c < 0x80) {
+      put(c);
+    } else if (c < 0x800) {
+      put(0xc0 | (c >> 6));
+      put(0x80 | (c & 0x3f));
+    } else if (c < 0x10000) {
+      put(0xe0 | (c >> 12));
+      put(0x80 | ((c >> 6) & 0x3f));
+      put(0x80 | (c & 0x3f));
+    } else {
+      put(0xf0 | (c >> 18));
+      put(0x80 | ((c >> 12) & 0x3f));
+      put(0x80 | ((c >> 6) & 0x3f));
+      put(0x80 | (c & 0x3f));
+    }
+  }
+  return text;
+}
+
+double text_width(std::string_view text, Face face, double size) {
+  double units = 0;
+  for (const char32_t character : code_points(text)) {
+    const int advance = advance_of(character, face);
+    units += advance > 0 ? advance : units_per_em;
+  }
+  return units * size / units_per_em;
+}
+
+std::vector<char32_t> missing_characters(std::string_view text, Face face) {
+  std::vector<char32_t> missing;
+  for (const char32_t character : code_points(text)) {
+    if (advance_of(character, face) == 0) missing.push_back(character);
+  }
+  return missing;
+}
+
+std::string elided(std::string_view text, Face face, double size, double width) {
+  if (text_width(text, face, size) <= width) return std::string(text);
+  const std::u32string characters = code_points(text);
+  for (std::size_t keep = characters.size(); keep > 0; --keep) {
+    const std::size_t head = (keep + 1) / 2, tail = keep / 2;
+    const std::string shorter =
+        utf8_of(characters.substr(0, head)) + "…" + utf8_of(characters.substr(characters.size() - tail));
+    if (text_width(shorter, face, size) <= width) return shorter;
+  }
+  return "…";
+}
+
+std::vector<std::string> wrapped(std::string_view text, Face face, double size, double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  while (!text.empty()) {
+    const std::size_t space = text.find(' ');
+    const std::string word(text.substr(0, space));
+    text.remove_prefix(space == std::string_view::npos ? text.size() : space + 1);
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && text_width(longer, face, size) > width) {
+      lines.push_back(std::move(line));
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  if (!line.empty()) lines.push_back(std::move(line));
+  return lines;
+}
+
+Box TextShape::box() const {
+  const double width = text_width(text, face, size);
+  const double left = align == Align::left ? 0 : align == Align::centre ? width / 2 : width;
+  return {baseline.x - left, baseline.y - 0.78 * size, width, size};
+}
+
+}  // namespace gradus

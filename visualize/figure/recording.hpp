@@ -1,0 +1,70 @@
+#pragma once
+// Telling a run: a story calls this for each step its algorithm reports.
+
+#include <functional>
+#include <string>
+
+#include "figure/trace.hpp"
+
+namespace gradus {
+
+/// Which part of a run to keep. A run may be longer than memory: steps before `first` only shape the drawing,
+/// steps after `first + most - 1` are only counted.
+struct Recording {
+  static constexpr std::int64_t default_most = 100'000;
+  std::int64_t first = 0;
+  std::int64_t most = default_most;  ///< events kept, finer ones included; at least 1
+};
+
+/// Writes a Trace, step by step. The story fills in trace() (titles, columns, grid, backdrop) before the
+/// first step.
+class TraceWriter {
+ public:
+  explicit TraceWriter(Recording recording) : recording_(recording) {}
+  Trace& trace() { return trace_; }
+
+  /// A milestone: the next whole number. `describe(TraceStep&)` fills in sentence, fields, row …, and is only
+  /// called when the step is kept; the delta is always needed.
+  template <class Describe>
+  void step(Delta delta, ivec2 focus, int line, Describe describe) {
+    add({next_++, 0}, std::move(delta), focus, line, Level::step, describe);
+    fine_ = 0;
+  }
+  /// A finer event after the last milestone.
+  template <class Describe>
+  void fine(Delta delta, ivec2 focus, int line, Describe describe) {
+    add({next_ - 1, ++fine_}, std::move(delta), focus, line, Level::arithmetic, describe);
+  }
+  /// The next milestone gets this number: those between are not told. For stories that can jump.
+  void skip_to(std::int64_t number) {
+    next_ = number;
+    fine_ = 0;
+  }
+  /// The number of the last milestone so far.
+  std::int64_t current() const { return next_ - 1; }
+
+  /// Ends the run: its last step is the last milestone told.
+  Trace finish() &&;
+
+ private:
+  template <class Describe>
+  void add(StepNumber number, Delta delta, ivec2 focus, int line, Level level, Describe& describe) {
+    if (!keep(number, delta)) return;
+    TraceStep step;
+    step.number = number;
+    step.level = level;
+    step.line = line;
+    step.focus = focus;
+    step.delta = std::move(delta);
+    describe(step);
+    trace_.steps.push_back(std::move(step));
+  }
+  bool keep(StepNumber number, const Delta& delta);
+
+  Recording recording_;
+  Trace trace_;
+  std::int64_t next_ = 0;
+  int fine_ = 0;
+};
+
+}  // namespace gradus

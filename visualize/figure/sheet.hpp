@@ -1,0 +1,118 @@
+#pragma once
+// A figure laid out: shapes at pixel positions, in drawing order, each still with its role instead of a
+// colour and with the slot and id it belongs to. What Cairo draws, what the overlap and contrast tests
+// measure.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "core/image.hpp"
+#include "figure/role.hpp"
+
+namespace gradus {
+
+/// Pixels of the figure; y down.
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+};
+
+/// The furniture's own roles, beside those of marks.
+enum class Tone : std::uint8_t {
+  paper,   ///< the ground
+  panel,   ///< the ground of listing, table and sentence
+  header,  ///< the ground of a table's heading
+  weak,    ///< ground of the previous line and the row that was read
+  strong,  ///< ground of the current line and row
+  rule,    ///< grid lines, borders
+  ink,     ///< text
+  muted,   ///< secondary text
+  accent,  ///< the bar beside what is current
+};
+
+/// What colours a shape: a tone of the furniture, or one part of a role's look.
+struct Paint {
+  enum class Part : std::uint8_t { none, tone, role_mark, role_fill, role_text, on_role };
+  Part part = Part::none;
+  Tone tone = Tone::ink;
+  Role role = Role::input;
+
+  static constexpr Paint of(Tone tone) { return {Part::tone, tone, Role::input}; }
+  static constexpr Paint mark(Role role) { return {Part::role_mark, Tone::ink, role}; }
+  static constexpr Paint fill(Role role) { return {Part::role_fill, Tone::ink, role}; }
+  static constexpr Paint text(Role role) { return {Part::role_text, Tone::ink, role}; }
+  /// Text on the role's fill.
+  static constexpr Paint on(Role role) { return {Part::on_role, Tone::ink, role}; }
+  friend bool operator==(const Paint&, const Paint&) = default;
+};
+
+enum class Slot : std::uint8_t { title, drawing, listing, table, sentence, footer };
+inline constexpr std::array all_slots{Slot::title, Slot::drawing,  Slot::listing,
+                                      Slot::table, Slot::sentence, Slot::footer};
+constexpr std::string_view name_of(Slot slot) {
+  constexpr std::array<std::string_view, 6> names{"title", "drawing",  "listing",
+                                                  "table", "sentence", "footer"};
+  return names[static_cast<std::size_t>(slot)];
+}
+
+struct RectShape {
+  Box box;
+  Paint fill, stroke;
+  double stroke_width = 0, radius = 0;
+  bool dashed = false;
+  Hatch hatch = Hatch::none;  ///< over the fill
+  Paint hatch_paint;
+};
+struct LineShape {
+  std::vector<dvec2> points;
+  Paint stroke;
+  double width = 1;
+  bool dashed = false, closed = false, arrow = false;
+};
+struct DiscShape {
+  dvec2 centre;
+  double radius;
+  Paint fill, stroke;
+  double stroke_width = 0;
+};
+
+enum class Face : std::uint8_t { sans, bold, italic, mono, mono_bold };
+enum class Align : std::uint8_t { left, centre, right };
+
+struct TextShape {
+  dvec2 baseline;  ///< of the text's left end, centre or right end, by `align`
+  std::string text;
+  Face face = Face::sans;
+  double size = 20;
+  Align align = Align::left;
+  Paint paint;
+  bool halo = false;                      ///< a rim in the paper's colour, where it crosses lines
+  Paint ground = Paint::of(Tone::paper);  ///< what it stands on: the halo's colour, and for the contrast test
+  Box box() const;                        ///< ascent to descent, by the metrics table
+};
+/// A raster of cells drawn as squares without smoothing.
+struct ImageShape {
+  Box box;
+  Image image;
+  Raster<std::uint8_t>
+      roles{};  ///< empty, or of the image's size: 1 + a role paints that role's mark over it
+};
+
+struct Shape {
+  Slot slot;
+  std::string id;
+  std::variant<RectShape, LineShape, DiscShape, TextShape, ImageShape> what;
+};
+
+struct Sheet {
+  double width = 1280, height = 720;
+  std::vector<Shape> shapes;
+};
+
+}  // namespace gradus

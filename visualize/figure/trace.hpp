@@ -1,0 +1,132 @@
+#pragma once
+// A recorded run: the only thing figures, player, tables and JSON are made from.
+//
+// Steps are numbered 0 (the input) to `last` (the result); finer events between step n and n + 1 are n.1, n.2
+// … Footer, table, address bar, --step, file names, PDF pages and JSON all use these numbers.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "figure/drawing.hpp"
+
+namespace gradus {
+
+/// The version of the trace's JSON form; raised when a reader of the old one would go wrong.
+inline constexpr int trace_schema = 1;
+
+/// How much a step tells: the idea (first, last, phases), a step, or the arithmetic inside one.
+enum class Level : std::uint8_t { idea, step, arithmetic };
+
+struct StepNumber {
+  std::int64_t step = 0;
+  int fine = 0;  ///< 0: the step itself; k: the k-th finer event after it
+  friend auto operator<=>(const StepNumber&, const StepNumber&) = default;
+};
+/// "7" or "7.2".
+std::string text_of(StepNumber number);
+
+/// The value of a field, as JSON will show it.
+using Value = std::variant<std::int64_t, double, bool, std::string, ivec2>;
+struct Field {
+  std::string name;
+  Value value;
+};
+
+/// The cells of one table row, one text per column of the trace; empty where it has none.
+using Row = std::vector<std::string>;
+
+/// One thing that happened.
+struct TraceStep {
+  StepNumber number;
+  Level level = Level::step;
+  std::string type;           ///< the step type's name in the algorithm: "Stepped"
+  std::string phase;          ///< part of the run: "set up", "main loop"
+  std::string key;            ///< what it is about: "4,2" for a pixel
+  int line = 0;               ///< the algorithm's source line that reported it; 0 where none did
+  std::vector<Field> fields;  ///< the step's data
+  std::string sentence;       ///< cause, then effect, with the numbers put in
+  /// The table after this step: `read` completes the row in which the test was read (the last one so far),
+  /// `row` is the row that the step produced. Either may be empty.
+  Row read, row;
+  Delta delta;  ///< what changed in the drawing
+  ivec2 focus;  ///< the cell that a view which cannot show all should follow
+};
+
+/// A column of the decision table: the variable's name as in the source.
+struct Column {
+  std::string name;
+  bool numeric = true;  ///< right-aligned digits; else centred text
+};
+
+/// One shown line of an algorithm's real source.
+struct SourceLine {
+  int number;
+  std::string text;  ///< without the function's own indentation
+};
+
+/// A parameter's name with the value used, in the canonical spelling.
+struct Argument {
+  std::string name, value;
+};
+
+/// What a role means in this topic, for the legend.
+struct LegendEntry {
+  Role role;
+  std::string text;
+};
+
+struct Trace {
+  std::string topic, title, subtitle;  ///< "bresenham_line", "Bresenham line", "(0, 0) to (7, 3)"
+  std::string method, method_title;
+  std::string faulty;  ///< empty, or what is wrong with this run; goes into title, caption and JSON
+  std::string goal;    ///< the idea in one sentence
+  std::vector<Argument> arguments;  ///< canonical: the command that makes this trace again
+  std::string input_hash;           ///< of input files' contents; empty where there were none
+
+  std::string source_file;          ///< "algorithms/scan_conversion/…/….hpp"
+  std::vector<SourceLine> listing;  ///< the method's lines, plumbing left out
+  std::vector<Column> columns;
+  std::vector<LegendEntry> legend;
+  Grid grid;
+  std::vector<Mark> backdrop;  ///< stands unchanged through all steps
+
+  Canvas before;                    ///< the drawing just before steps.front()
+  std::vector<TraceStep> steps;     ///< the recorded part, in order
+  std::vector<std::string> widest;  ///< a column each: the longest text it holds, so that tables keep still
+  std::vector<int> lines;           ///< the source lines that reported steps, ascending
+  std::int64_t last = 0;            ///< number of the run's last step, recorded or not
+  bool whole() const;               ///< whether every step of the run is in `steps`
+
+  std::vector<Field> result;
+  std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
+
+  /// The step whose drawing tells most (for thumbnails).
+  StepNumber telling;
+};
+
+/// Position in trace.steps of a step. The number must be recorded: see `find_step`.
+std::size_t index_of(const Trace& trace, StepNumber number);
+/// Whether this step is recorded.
+bool has_step(const Trace& trace, StepNumber number);
+
+/// The drawing after any recorded step, by keyframes and deltas. Moving back is the same as never having
+/// moved on. Cost: O(size of the drawing) for a jump, O(delta) for a step forward; memory linear in the sum
+/// of deltas.
+class Playhead {
+ public:
+  explicit Playhead(const Trace& trace);
+  /// Goes to trace.steps[index].
+  const Canvas& at(std::size_t index);
+
+ private:
+  const Trace& trace_;
+  std::vector<std::pair<std::size_t, Canvas>> keyframes_;  ///< (index, canvas after it), ascending
+  std::size_t position_;                                   ///< steps applied to canvas_
+  Canvas canvas_;
+};
+
+}  // namespace gradus

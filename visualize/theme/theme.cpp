@@ -1,0 +1,142 @@
+#include "theme/theme.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gradus {
+namespace {
+
+// Marks are Okabe and Ito's colours (2002), darkened on light grounds until they reach 3:1.
+// Order of tones: paper panel header weak strong rule ink muted accent.
+// Order of roles: input boundary past current candidate accepted rejected result measure.
+const std::array<Theme, 4> all_themes{{
+    {"light",
+     {{{0xffffff},
+       {0xf6f8fa},
+       {0xe4e9ee},
+       {0xe4e9ee},
+       {0xcfe6f5},
+       {0xd0d7de},
+       {0x1b1f24},
+       {0x4b5560},
+       {0x0072b2}}},
+     {{
+         {{0x1b1f24}, {0xffffff}, {0x1b1f24}},
+         {{0x1b1f24}, {0x59636e}, {0x1b1f24}},
+         {{0x7a8794}, {0xe8eef4}, {0x4b5560}},
+         {{0x0072b2}, {0xcfe6f5}, {0x005a8c}},
+         {{0xa8527f}, {0xf7e9f1}, {0x8f3a67}},
+         {{0x008a64}, {0xd2efe5}, {0x006b4e}},
+         {{0xb37400}, {0xfff6e0}, {0x805300}},
+         {{0x0072b2}, {0x9ccdeb}, {0x005a8c}},
+         {{0xd55e00}, {0xfbe3d3}, {0xa34700}},
+     }}},
+    {"dark",
+     {{{0x14181d},
+       {0x1d2329},
+       {0x2b343d},
+       {0x2b343d},
+       {0x12405e},
+       {0x3c4650},
+       {0xf0f3f6},
+       {0xb3bdc7},
+       {0x56b4e9}}},
+     {{
+         {{0xf0f3f6}, {0x14181d}, {0xf0f3f6}},
+         {{0xf0f3f6}, {0x93a0ac}, {0xf0f3f6}},
+         {{0x7d8a97}, {0x262e36}, {0xb3bdc7}},
+         {{0x56b4e9}, {0x12405e}, {0x8fcdf3}},
+         {{0xe08fbd}, {0x3a2131}, {0xeab0d0}},
+         {{0x2cc998}, {0x0f3c2f}, {0x62dcb5}},
+         {{0xe69f00}, {0x3a2c0a}, {0xf2bf4d}},
+         {{0x56b4e9}, {0x1f6f9f}, {0x8fcdf3}},
+         {{0xff8a3d}, {0x44240f}, {0xffa66b}},
+     }}},
+    {"greyscale",
+     {{{0xffffff},
+       {0xf5f5f5},
+       {0xe6e6e6},
+       {0xe6e6e6},
+       {0xd2d2d2},
+       {0xcfcfcf},
+       {0x161616},
+       {0x4a4a4a},
+       {0x161616}}},
+     {{
+         {{0x161616}, {0xffffff}, {0x161616}},
+         {{0x161616}, {0x4f4f4f}, {0x161616}},
+         {{0x808080}, {0xececec}, {0x4a4a4a}},
+         {{0x161616}, {0xd2d2d2}, {0x161616}},
+         {{0x5a5a5a}, {0xffffff}, {0x3c3c3c}},
+         {{0x333333}, {0xe0e0e0}, {0x333333}},
+         {{0x5a5a5a}, {0xf7f7f7}, {0x3c3c3c}},
+         {{0x333333}, {0xb8b8b8}, {0x333333}},
+         {{0x161616}, {0xe6e6e6}, {0x161616}},
+     }}},
+    {"high_contrast",
+     {{{0xffffff},
+       {0xffffff},
+       {0xe8e8e8},
+       {0xe8e8e8},
+       {0xffe94d},
+       {0x767676},
+       {0x000000},
+       {0x222222},
+       {0x000000}}},
+     {{
+         {{0x000000}, {0xffffff}, {0x000000}},
+         {{0x000000}, {0x000000}, {0x000000}},
+         {{0x555555}, {0xe0e0e0}, {0x222222}},
+         {{0x000000}, {0xffe94d}, {0x000000}},
+         {{0x7a0050}, {0xffffff}, {0x7a0050}},
+         {{0x00573b}, {0xc8f2e2}, {0x00573b}},
+         {{0x8a3c00}, {0xffffff}, {0x8a3c00}},
+         {{0x000000}, {0x8fd0ff}, {0x000000}},
+         {{0xb30000}, {0xffffff}, {0xb30000}},
+     }}},
+}};
+
+double linear(double channel) {
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(Rgb c) {
+  return 0.2126 * linear(c.red()) + 0.7152 * linear(c.green()) + 0.0722 * linear(c.blue());
+}
+
+}  // namespace
+
+std::span<const Theme> themes() { return all_themes; }
+
+const Theme* find_theme(std::string_view name) {
+  const auto found = std::ranges::find(all_themes, name, &Theme::name);
+  return found == all_themes.end() ? nullptr : &*found;
+}
+
+double contrast(Rgb a, Rgb b) {
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+Tone text_on(Rgb ground, const Theme& theme) {
+  return contrast(theme[Tone::ink], ground) >= contrast(theme[Tone::paper], ground) ? Tone::ink : Tone::paper;
+}
+
+Rgb color_of(Paint paint, const Theme& theme) {
+  switch (paint.part) {
+    case Paint::Part::role_mark:
+      return theme[paint.role].mark;
+    case Paint::Part::role_fill:
+      return theme[paint.role].fill;
+    case Paint::Part::role_text:
+      return theme[paint.role].text;
+    case Paint::Part::on_role:
+      return theme[text_on(theme[paint.role].fill, theme)];
+    case Paint::Part::tone:
+    case Paint::Part::none:
+      break;
+  }
+  return theme[paint.tone];
+}
+
+}  // namespace gradus

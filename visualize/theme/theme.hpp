@@ -1,0 +1,52 @@
+#pragma once
+// From role to look: the only place that knows colours.
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "figure/role.hpp"
+#include "figure/sheet.hpp"
+
+namespace gradus {
+
+/// An opaque sRGB colour, 0xrrggbb.
+struct Rgb {
+  std::uint32_t hex = 0;
+  double red() const { return ((hex >> 16) & 255) / 255.0; }
+  double green() const { return ((hex >> 8) & 255) / 255.0; }
+  double blue() const { return (hex & 255) / 255.0; }
+  friend bool operator==(Rgb, Rgb) = default;
+};
+
+/// A role's colours. (Its second channel, dash or hatch, is the same in every theme: see Channel.)
+struct RoleLook {
+  Rgb mark;  ///< outlines, dots, lines: at least 3:1 on the paper
+  Rgb fill;  ///< the ground of a cell
+  Rgb text;  ///< labels: at least 4.5:1 on the paper
+};
+
+struct Theme {
+  std::string name;
+  std::array<Rgb, 9> tone;                      ///< by Tone
+  std::array<RoleLook, all_roles.size()> role;  ///< by Role
+  Rgb operator[](Tone t) const { return tone[static_cast<std::size_t>(t)]; }
+  const RoleLook& operator[](Role r) const { return role[static_cast<std::size_t>(r)]; }
+};
+
+/// light (the default), dark, greyscale, high_contrast.
+std::span<const Theme> themes();
+/// The theme of that name, or nullptr.
+const Theme* find_theme(std::string_view name);
+
+/// What a paint looks like in a theme.
+Rgb color_of(Paint paint, const Theme& theme);
+
+/// The tone, ink or paper, that reads best on this ground.
+Tone text_on(Rgb ground, const Theme& theme);
+
+/// WCAG contrast of two colours, 1 to 21.
+double contrast(Rgb a, Rgb b);
+
+}  // namespace gradus
