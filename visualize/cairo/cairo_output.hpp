@@ -1,0 +1,22 @@
+#pragma once
+// Sheets as files' bytes. The same sheet, theme and colophon give the same bytes, in any process and thread.
+// Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
+
+#include <span>
+#include <string>
+
+#include "figure/colophon.hpp"
+#include "figure/sheet.hpp"
+#include "theme/theme.hpp"
+
+namespace gradus {
+
+std::string svg_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
+std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
+/// One page a sheet.
+std::string pdf_of(std::span<const Sheet> sheets, const Theme& theme, const Colophon& colophon);
+
+/// What a file made by the functions above, or a player page, says of itself; nothing when it says nothing.
+std::optional<Colophon> colophon_in(std::string_view file_bytes);
+
+}  // namespace gradus

@@ -1,0 +1,110 @@
+#include "text/text_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "figure/metrics.hpp"
+
+namespace gradus {
+namespace {
+
+/// Columns that a text takes in a terminal (every character in figures is one wide).
+std::size_t columns(const std::string& text) { return code_points(text).size(); }
+
+std::string padded(const std::string& text, std::size_t width, bool right) {
+  const std::size_t have = columns(text);
+  const std::string space(width > have ? width - have : 0, ' ');
+  return right ? space + text : text + space;
+}
+
+/// What the step's row looks like once its test has been read: the row that a later step completes.
+std::vector<Row> completed_rows(const Trace& trace, std::vector<const TraceStep*>& owners) {
+  std::vector<Row> rows;
+  for (const TraceStep& step : trace.steps) {
+    if (!step.read.empty() && !rows.empty()) rows.back() = step.read;
+    if (step.row.empty()) continue;
+    rows.push_back(step.row);
+    owners.push_back(&step);
+  }
+  return rows;
+}
+
+std::string value_text(const Value& value) {
+  struct Visitor {
+    std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{}", v); }
+    std::string operator()(bool v) const { return v ? "yes" : "no"; }
+    std::string operator()(const std::string& v) const { return v; }
+    std::string operator()(ivec2 v) const { return fmt::format("{},{}", v.x, v.y); }
+  };
+  return std::visit(Visitor{}, value);
+}
+
+/// Plain digits for programs: the typographic minus is for people.
+std::string plain(std::string text) {
+  constexpr std::string_view minus = "−";
+  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus, at + 1)) {
+    text.replace(at, minus.size(), "-");
+  }
+  return text;
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string text_of(const Trace& trace, bool color) {
+  const auto bold = [color](const std::string& text) { return color ? "\033[1m" + text + "\033[0m" : text; };
+  const auto dim = [color](const std::string& text) { return color ? "\033[2m" + text + "\033[0m" : text; };
+  std::string out = fmt::format("{} {} · {}\n", bold(trace.title), trace.subtitle, trace.method_title);
+  if (!trace.faulty.empty()) out += fmt::format("faulty: {}\n", trace.faulty);
+
+  std::vector<const TraceStep*> owners;
+  const std::vector<Row> rows = completed_rows(trace, owners);
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+    std::size_t width = columns(trace.columns[c].name);
+    for (const Row& row : rows) width = std::max(width, c < row.size() ? columns(row[c]) : 0);
+    widths.push_back(width);
+  }
+  out += "\n";
+  std::string heading;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    heading += padded(trace.columns[c].name, widths[c], trace.columns[c].numeric) + "  ";
+  }
+  out += bold(heading.substr(0, heading.find_last_not_of(' ') + 1)) + "\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::string line;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      line += padded(c < rows[i].size() ? rows[i][c] : "", widths[c], trace.columns[c].numeric) + "  ";
+    }
+    out += line + dim(owners[i]->sentence) + "\n";
+  }
+  out += "\n";
+  for (const Field& field : trace.result) out += fmt::format("{}: {}\n", field.name, value_text(field.value));
+  return out;
+}
+
+std::string csv_of(const Trace& trace) {
+  std::vector<const TraceStep*> owners;
+  const std::vector<Row> rows = completed_rows(trace, owners);
+  std::string out = "number,type,line";
+  for (const Column& column : trace.columns) out += "," + csv_cell(column.name);
+  out += ",sentence\r\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    out += fmt::format("{},{},{}", text_of(owners[i]->number), csv_cell(owners[i]->type), owners[i]->line);
+    for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+      out += "," + csv_cell(plain(c < rows[i].size() ? rows[i][c] : ""));
+    }
+    out += "," + csv_cell(owners[i]->sentence) + "\r\n";
+  }
+  return out;
+}
+
+}  // namespace gradus

@@ -1,0 +1,16 @@
+#pragma once
+// A trace as plain text: the step table for terminals, CSV, and the drawing in characters.
+
+#include <string>
+
+#include "figure/trace.hpp"
+
+namespace gradus {
+
+/// Title, the step table (number, columns, sentence) and the result. `color`: ANSI emphasis.
+std::string text_of(const Trace& trace, bool color);
+
+/// The table as CSV (RFC 4180): step, type, line, the columns, sentence.
+std::string csv_of(const Trace& trace);
+
+}  // namespace gradus
