@@ -1,0 +1,100 @@
+// A method's listing: its real source without the plumbing.
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "stories/topic.hpp"
+
+namespace gradus {
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+std::string_view without_indent(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  return line;
+}
+
+bool is_comment(std::string_view line) { return without_indent(line).starts_with("//"); }
+
+bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// The code of a line: without a trailing comment.
+std::string_view code_of(std::string_view line) { return line.substr(0, line.find("//")); }
+
+/// Adds up what opens and closes in a line.
+int balance(std::string_view line, char open, char close) {
+  const std::string_view code = code_of(line);
+  return static_cast<int>(std::ranges::count(code, open) - std::ranges::count(code, close));
+}
+
+/// Whether the line starts the declaration of a function of that name: "name(" with a type before it.
+bool declares(std::string_view line, std::string_view name) {
+  if (is_comment(line)) return false;
+  const std::size_t at = line.find(std::string(name) + "(");
+  if (at == std::string_view::npos || at == 0) return false;
+  const std::string_view before = line.substr(0, at);
+  return before.back() == ' ' && before.find_first_of("=(;.") == std::string_view::npos &&
+         without_indent(before).find("return ") != 0;
+}
+
+/// First and one past the last line of the function's body, or nothing where the line declares without
+/// defining.
+std::optional<std::pair<std::size_t, std::size_t>> body_from(const std::vector<std::string_view>& lines,
+                                                             std::size_t start) {
+  std::size_t i = start;
+  while (i < lines.size() && code_of(lines[i]).find_first_of("{;") == std::string_view::npos) ++i;
+  // The last brace of the line opens the body; those before belong to default arguments
+  while (i < lines.size() && without_indent(code_of(lines[i])).find_last_of('{') != std::string_view::npos &&
+         balance(lines[i], '{', '}') <= 0) {
+    ++i;
+  }
+  if (i == lines.size() || balance(lines[i], '{', '}') <= 0) return std::nullopt;
+  int depth = 1;
+  for (std::size_t end = i + 1; end < lines.size(); ++end) {
+    depth += balance(lines[end], '{', '}');
+    if (depth <= 0) return std::pair{i + 1, end};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<SourceLine> listing_of(std::string_view source, std::string_view function) {
+  const std::vector<std::string_view> lines = lines_of(source);
+  std::vector<SourceLine> listing;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!declares(lines[i], function)) continue;
+    const auto body = body_from(lines, i);
+    if (!body) continue;
+    std::size_t indent = std::string_view::npos;
+    for (std::size_t k = body->first; k < body->second; ++k) {
+      indent = std::min(indent, lines[k].find_first_not_of(' '));
+    }
+    int open = 0;  // of a plumbing statement that goes on
+    for (std::size_t k = body->first; k < body->second; ++k) {
+      const std::string_view code = without_indent(lines[k]);
+      const bool plumbing =
+          open > 0 || code.starts_with("if constexpr (observed<") || code.starts_with("expects(");
+      if (plumbing) {
+        open += balance(lines[k], '(', ')');
+        continue;
+      }
+      if (code.empty()) continue;
+      listing.push_back({static_cast<int>(k) + 1, std::string(lines[k].substr(indent))});
+    }
+    return listing;
+  }
+  return listing;
+}
+
+}  // namespace gradus

@@ -1,0 +1,596 @@
+// The story of a line: which pixel comes next, and why.
+
+#include "scan_conversion/bresenham_line/bresenham_line.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus::bresenham_line {
+namespace {
+
+constexpr std::string_view folder = "algorithms/scan_conversion/bresenham_line/";
+
+/// Up to this many pixels a run is watched from its start; the exact methods jump into longer ones.
+constexpr std::int64_t longest_watched = 1'000'000;
+
+struct Line {
+  ivec2 from, to;
+  Extent size;
+  Moves go;
+};
+Line line_of(const Arguments& arguments) {
+  const ivec2 from = arguments.cell("from"), to = arguments.cell("to");
+  return {from, to, extent(from, to), moves(from, to)};
+}
+
+dvec2 centre(ivec2 p) { return {p.x, p.y}; }
+
+/// The exact line's point at the k-th pixel's place along the leading axis.
+dvec2 ideal_at(const Line& line, std::int64_t k) {
+  const double along = line.size.dx == 0 ? 0 : static_cast<double>(k) / static_cast<double>(line.size.dx);
+  const dvec2 way{static_cast<double>(line.to.x) - line.from.x, static_cast<double>(line.to.y) - line.from.y};
+  return centre(line.from) + along * way;
+}
+
+/// |ideal line - pixel| along the axis that does not lead, times dx: exact.
+std::int64_t miss_times_dx(const Line& line, ivec2 p, std::int64_t k) {
+  const std::int64_t row = steep(line.from, line.to) ? distance_x(line.from, p) : distance_y(line.from, p);
+  const int128_t miss = int128_t{k} * line.size.dy - int128_t{row} * line.size.dx;
+  return static_cast<std::int64_t>(miss < 0 ? -miss : miss);
+}
+
+/// The cells of the line, and one row more for the diagonal neighbour that is turned down at the end.
+Window scene_of(const Line& line) {
+  Window cells = window_around(line.from, line.to);
+  const ivec2 aside = line.go.diagonal - line.go.straight;
+  for (const int axis : {0, 1}) {
+    if (aside[axis] > 0 && cells.upper[axis] < INT32_MAX) ++cells.upper[axis];
+    if (aside[axis] < 0 && cells.lower[axis] > INT32_MIN) --cells.lower[axis];
+  }
+  return cells;
+}
+
+std::string ideal_name(const Line& line) {
+  if (line.size.dx == 0) return "both ends";
+  if (line.from.x == line.to.x) return fmt::format("ideal line x = {}", figure_number(line.from.x));
+  if (line.from.y == line.to.y) return fmt::format("ideal line y = {}", figure_number(line.from.y));
+  const std::int64_t dy = std::int64_t{line.to.y} - line.from.y, dx = std::int64_t{line.to.x} - line.from.x;
+  const std::string sign = (dy < 0) != (dx < 0) ? "−" : "";
+  const std::int64_t common = std::gcd(dy, dx), a = std::abs(dy / common), b = std::abs(dx / common);
+  const std::string slope = b == 1 ? (a == 1 ? "x" : fmt::format("{}x", a))
+                                   : (a == 1 ? fmt::format("x/{}", b) : fmt::format("{}x/{}", a, b));
+  if (line.from == ivec2{0, 0}) return fmt::format("ideal line y = {}{}", sign, slope);
+  return fmt::format("ideal line, slope {}{}", sign,
+                     b == 1 ? fmt::format("{}", a) : fmt::format("{}/{}", a, b));
+}
+
+/// What stands unchanged behind all steps.
+void set_scene(Trace& trace, const Line& line) {
+  trace.grid.cells = scene_of(line);
+  trace.grid.y_up = true;
+  if (line.size.dx > 0) {
+    trace.backdrop.push_back({"ideal line", Role::boundary, Stroke{centre(line.from), centre(line.to)}});
+  }
+  trace.backdrop.push_back({"from", Role::input, Dot{centre(line.from)}});
+  trace.backdrop.push_back({"to", Role::input, Dot{centre(line.to)}});
+  if (line.size.dx > 0) {
+    trace.backdrop.push_back(
+        {"ideal line name", Role::boundary, Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(line)}});
+  }
+  trace.legend = {{Role::past, "drawn before"},        {Role::current, "chosen now"},
+                  {Role::candidate, "compared"},       {Role::rejected, "rejected"},
+                  {Role::result, "the line's pixels"}, {Role::measure, "distance to the line"}};
+}
+
+/// Tells the steps of the integer methods: the taught one, the jump into a window, the notes' listings.
+class DecisionTeller {
+ public:
+  DecisionTeller(TraceWriter& writer, const Line& line, bool faulty)
+      : writer_(writer), line_(line), faulty_(faulty) {
+    writer.trace().columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}};
+  }
+
+  void operator()(const Started& s, int source_line = __builtin_LINE(), const char* = nullptr) {
+    size_ = {s.dx, s.dy};
+    pixel_ = s.from;
+    p_ = s.p;
+    Delta delta;
+    delta.cells.push_back({s.from, CellLook{Role::current, ""}});
+    current_ = s.from;
+    writer_.step(std::move(delta), s.from, source_line, [&](TraceStep& step) {
+      step.type = "Started";
+      step.phase = "set up";
+      step.key = pixel_key(s.from);
+      step.fields = {{"from", s.from}, {"to", s.to}, {"dx", s.dx}, {"dy", s.dy}, {"p", s.p}};
+      step.sentence = fmt::format("Start at {}. The line covers dx = {} and dy = {}, so p = 2·{} − {} = {}.",
+                                  figure_point(s.from), figure_number(s.dx), figure_number(s.dy),
+                                  figure_factor(s.dy), figure_factor(s.dx), figure_number(s.p));
+      step.row = row();
+    });
+    writer_.trace().pixels.push_back(s.from);
+  }
+
+  /// The run goes on in the middle: pixels before are drawn, as far back as a view can reach.
+  void operator()(const Jumped& j, int source_line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta;
+    delta.cells.push_back({current_, CellLook{Role::past, ""}});
+    for (std::int64_t k = std::max<std::int64_t>(0, j.shown.first - 100); k < j.shown.first; ++k) {
+      delta.cells.push_back({pixel_at(line_.from, line_.to, k), CellLook{Role::past, ""}});
+    }
+    delta.cells.push_back({j.pixel, CellLook{Role::current, ""}});
+    current_ = j.pixel;
+    pixel_ = j.pixel;
+    p_ = j.p;
+    k_ = j.shown.first;
+    if (j.shown.first == 0) return;
+    writer_.skip_to(j.shown.first);
+    writer_.step(std::move(delta), j.pixel, source_line, [&](TraceStep& step) {
+      step.type = "Jumped";
+      step.phase = "main loop";
+      step.key = pixel_key(j.pixel);
+      step.fields = {{"pixel", j.pixel}, {"p", j.p}};
+      step.sentence = fmt::format("Pixel {} of the line is {}, found without drawing those before; p = {}.",
+                                  j.shown.first, figure_point(j.pixel), figure_number(j.p));
+      step.row = row();
+    });
+    writer_.trace().pixels.push_back(j.pixel);
+  }
+
+  void operator()(const Compared& c, int source_line = __builtin_LINE(), const char* = nullptr) {
+    compared_ = c;
+    Delta delta = cleared();
+    const dvec2 straight = centre(c.pixel) + centre(c.moves.straight);
+    const dvec2 diagonal = centre(c.pixel) + centre(c.moves.diagonal);
+    for (const dvec2 at : {straight, diagonal}) candidate(delta, at);
+    delta.set.push_back({"midpoint", Role::candidate, Dot{0.5 * (straight + diagonal), true}});
+    delta.set.push_back({"midpoint name", Role::candidate, Label{0.5 * (straight + diagonal), "midpoint"}});
+    delta.set.push_back(
+        {"straight name", Role::candidate, Label{straight, std::string(compass(c.moves.straight))}});
+    delta.set.push_back(
+        {"diagonal name", Role::candidate, Label{diagonal, std::string(compass(c.moves.diagonal))}});
+    writer_.fine(std::move(delta), c.pixel, source_line, [&](TraceStep& step) {
+      step.type = "Compared";
+      step.phase = "main loop";
+      step.key = pixel_key(c.pixel);
+      step.fields = {{"pixel", c.pixel}, {"p", c.p}, {"straight", c.straight}};
+      step.sentence = fmt::format("{} or {} next? {}: {}.", compass(c.moves.straight),
+                                  compass(c.moves.diagonal), test_text(), reason());
+      step.read = read_row();
+    });
+  }
+
+  void operator()(const Stepped& s, int source_line = __builtin_LINE(), const char* = nullptr) {
+    const Row read = read_row();
+    Delta delta = cleared();
+    delta.cells.push_back({s.from, CellLook{Role::past, ""}});
+    const ivec2 taken = s.straight ? compared_.moves.straight : compared_.moves.diagonal;
+    const ivec2 other = s.straight ? compared_.moves.diagonal : compared_.moves.straight;
+    reject(delta, s.from, other);
+    delta.cells.push_back({s.pixel, CellLook{Role::current, ""}});
+    delta.set.push_back(
+        {"chosen name", Role::current, Label{centre(s.pixel), fmt::format("{} chosen", compass(taken))}});
+    ++k_;
+    measure(delta, s.pixel);
+    current_ = s.pixel;
+    pixel_ = s.pixel;
+    p_ = s.p;
+    writer_.step(std::move(delta), s.pixel, source_line, [&](TraceStep& step) {
+      step.type = "Stepped";
+      step.phase = "main loop";
+      step.key = pixel_key(s.pixel);
+      step.fields = {{"from", s.from},
+                     {"pixel", s.pixel},
+                     {"p_before", s.p_before},
+                     {"p", s.p},
+                     {"straight", s.straight}};
+      step.sentence = fmt::format("{}: {}, so step {} to {}; p = {}.", test_text(), reason(), compass(taken),
+                                  figure_point(s.pixel), update_text(s));
+      step.read = read;
+      step.row = row();
+    });
+    writer_.trace().pixels.push_back(s.pixel);
+  }
+
+  void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
+    if (!faulty_ && k_ < size_.dx) return;  // only a part was watched
+    Delta delta = cleared();
+    for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
+    writer_.fine(std::move(delta), pixel_, source_line, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = "result";
+      step.level = Level::idea;
+      step.fields = {{"pixels", f.pixels}};
+      step.sentence =
+          faulty_
+              ? fmt::format(
+                    "The listing ends with {} pixels, the last one at {}; the line should end "
+                    "at {}.",
+                    f.pixels, figure_point(pixel_), figure_point(line_.to))
+              : fmt::format("Done: {} pixel{} from {} to {}, each at most 1/2 away from the line.", f.pixels,
+                            f.pixels == 1 ? "" : "s", figure_point(line_.from), figure_point(line_.to));
+    });
+  }
+
+ private:
+  Row row() const {
+    return {figure_number(k_), figure_number(pixel_.x), figure_number(pixel_.y), figure_number(p_), "", ""};
+  }
+  Row read_row() const {
+    Row completed = row();
+    completed[4] = compared_.p < 0 ? "p < 0" : compared_.p > 0 ? "p > 0" : "p = 0";
+    completed[5] = compass(compared_.straight ? compared_.moves.straight : compared_.moves.diagonal);
+    return completed;
+  }
+
+  std::string test_text() const {
+    return fmt::format("p = {}{}", figure_number(compared_.p),
+                       compared_.p < 0   ? " < 0"
+                       : compared_.p > 0 ? " > 0"
+                                         : "");
+  }
+  std::string reason() const {
+    if (compared_.p == 0) {
+      const bool tall = compared_.moves.straight.x == 0;
+      return fmt::format("the line meets the midpoint, and a tie goes to the smaller {}", tall ? "x" : "y");
+    }
+    return fmt::format("the line passes on {}'s side of the midpoint",
+                       compass(compared_.p < 0 ? compared_.moves.straight : compared_.moves.diagonal));
+  }
+  std::string update_text(const Stepped& s) const {
+    const std::string before = figure_number(s.p_before), after = figure_number(s.p);
+    if (s.straight) return fmt::format("{} + 2·{} = {}", before, figure_factor(size_.dy), after);
+    return fmt::format("{} + 2·({} − {}) = {}", before, figure_number(size_.dy), figure_number(size_.dx),
+                       after);
+  }
+
+  /// Takes away what the last step pointed at.
+  Delta cleared() {
+    Delta delta;
+    for (const ivec2 p : pointed_) delta.cells.push_back({p, std::nullopt});
+    pointed_.clear();
+    delta.removed = {"midpoint",    "midpoint name", "straight name", "diagonal name",
+                     "chosen name", "rejected name", "error",         "error name"};
+    return delta;
+  }
+  bool on_grid(dvec2 at) const {
+    const Window& cells = writer_.trace().grid.cells;
+    return at.x >= cells.lower.x && at.x <= cells.upper.x && at.y >= cells.lower.y && at.y <= cells.upper.y;
+  }
+  void candidate(Delta& delta, dvec2 at) {
+    if (!on_grid(at)) return;
+    pointed_.push_back({static_cast<int>(at.x), static_cast<int>(at.y)});
+    delta.cells.push_back({pointed_.back(), CellLook{Role::candidate, ""}});
+  }
+  void reject(Delta& delta, ivec2 from, ivec2 move) {
+    const dvec2 at = centre(from) + centre(move);
+    if (!on_grid(at)) return;
+    pointed_.push_back(from + move);
+    delta.cells.push_back({from + move, CellLook{Role::rejected, ""}});
+    delta.set.push_back(
+        {"rejected name", Role::rejected, Label{at, fmt::format("{} rejected", compass(move))}});
+  }
+  /// The distance from the pixel's centre to the exact line, along the axis that does not lead.
+  void measure(Delta& delta, ivec2 pixel) {
+    if (faulty_ || size_.dx == 0) return;
+    const std::int64_t miss = miss_times_dx(line_, pixel, k_);
+    if (miss == 0) return;
+    const dvec2 ideal = ideal_at(line_, k_);
+    delta.set.push_back({"error", Role::measure, Stroke{centre(pixel), ideal}});
+    delta.set.push_back({"error name", Role::measure,
+                         Label{0.5 * (centre(pixel) + ideal), "error " + figure_fraction(miss, size_.dx)}});
+  }
+
+  TraceWriter& writer_;
+  Line line_;
+  bool faulty_;
+  Extent size_{};
+  ivec2 pixel_{}, current_{};
+  std::int64_t p_ = 0, k_ = 0;
+  Compared compared_{};
+  std::vector<ivec2> pointed_;
+};
+
+/// The shortest decimal text that gives the float back.
+std::string scalar_text(float value) { return fmt::format("{}", value); }
+
+/// Tells the steps of the digital differential analyser.
+class AnalyserTeller {
+ public:
+  AnalyserTeller(TraceWriter& writer, const Line& line) : writer_(writer), line_(line) {
+    writer.trace().columns = {{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right?", false}};
+  }
+  /// Number of the first pixel that is not the nearest one.
+  std::optional<std::int64_t> first_wrong() const { return first_wrong_; }
+
+  void operator()(const Divided<float>& d, int source_line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta;
+    delta.cells.push_back({d.from, CellLook{Role::current, ""}});
+    current_ = d.from;
+    writer_.step(std::move(delta), d.from, source_line, [&](TraceStep& step) {
+      step.type = "Divided";
+      step.phase = "set up";
+      step.key = pixel_key(d.from);
+      step.fields = {{"from", d.from}, {"to", d.to}, {"dx", d.dx}, {"dy", d.dy}, {"slope", double{d.slope}}};
+      step.sentence =
+          fmt::format("The slope is divided once: {}/{} is {} as a float.", d.dy, d.dx, scalar_text(d.slope));
+      step.row = {"0", "0", "0", figure_number(d.from.x), figure_number(d.from.y), "yes"};
+    });
+    writer_.trace().pixels.push_back(d.from);
+    slope_ = d.slope;
+  }
+  void operator()(const Added<float>& a, int source_line = __builtin_LINE(), const char* = nullptr) {
+    added_ = a;
+    Delta delta = cleared();
+    writer_.fine(std::move(delta), current_, source_line, [&](TraceStep& step) {
+      step.type = "Added";
+      step.phase = "main loop";
+      step.key = pixel_key(current_);
+      step.fields = {{"k", a.k}, {"before", double{a.before}}, {"offset", double{a.offset}}};
+      step.sentence = fmt::format("Add the slope: {} + {} is {} as a float.", scalar_text(a.before),
+                                  scalar_text(slope_), scalar_text(a.offset));
+    });
+  }
+  void operator()(const Rounded<float>& r, int source_line = __builtin_LINE(), const char* = nullptr) {
+    const ivec2 right = pixel_at(line_.from, line_.to, r.k);
+    const bool wrong = right != r.pixel;
+    if (wrong && !first_wrong_) first_wrong_ = r.k;
+    Delta delta = cleared();
+    delta.cells.push_back({current_, CellLook{Role::past, ""}});
+    if (wrong) {
+      delta.cells.push_back({right, CellLook{Role::accepted, ""}});
+      delta.set.push_back({"right name", Role::accepted, Label{centre(right), "nearest pixel"}});
+      pointed_.push_back(right);
+    }
+    delta.cells.push_back({r.pixel, CellLook{Role::current, ""}});
+    delta.set.push_back({"offset", Role::measure, Dot{offset_place(r), false}});
+    delta.set.push_back(
+        {"offset name", Role::measure, Label{offset_place(r), "offset " + scalar_text(r.offset)}});
+    current_ = r.pixel;
+    writer_.step(std::move(delta), r.pixel, source_line, [&](TraceStep& step) {
+      step.type = "Rounded";
+      step.phase = "main loop";
+      step.key = pixel_key(r.pixel);
+      step.fields = {{"k", r.k}, {"offset", double{r.offset}}, {"row", r.row}, {"pixel", r.pixel}};
+      step.sentence =
+          fmt::format("{} + {} is {} as a float, nearest to {}, so plot {}{}.", scalar_text(added_.before),
+                      scalar_text(slope_), scalar_text(r.offset), r.row, figure_point(r.pixel),
+                      wrong ? "; the exact line is nearer to " + figure_point(right) : std::string());
+      step.row = {figure_number(r.k),       scalar_text(r.offset),    figure_number(r.row),
+                  figure_number(r.pixel.x), figure_number(r.pixel.y), wrong ? "no" : "yes"};
+    });
+    writer_.trace().pixels.push_back(r.pixel);
+  }
+  void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
+    writer_.fine(std::move(delta), current_, source_line, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = "result";
+      step.level = Level::idea;
+      step.fields = {{"pixels", f.pixels}};
+      step.sentence =
+          first_wrong_
+              ? fmt::format("{} pixels; the first wrong one is number {}.", f.pixels, *first_wrong_)
+              : fmt::format("{} pixels, all of them the nearest ones: this line is short enough.", f.pixels);
+    });
+  }
+
+ private:
+  dvec2 offset_place(const Rounded<float>& r) const {
+    const dvec2 aside = centre(line_.go.diagonal) - centre(line_.go.straight);
+    return centre(line_.from) + static_cast<double>(r.k) * centre(line_.go.straight) +
+           double{r.offset} * aside;
+  }
+  Delta cleared() {
+    Delta delta;
+    for (const ivec2 p : pointed_) delta.cells.push_back({p, std::nullopt});
+    pointed_.clear();
+    delta.removed = {"offset", "offset name", "right name"};
+    return delta;
+  }
+
+  TraceWriter& writer_;
+  Line line_;
+  float slope_ = 0;
+  Added<float> added_{};
+  ivec2 current_{};
+  std::optional<std::int64_t> first_wrong_;
+  std::vector<ivec2> pointed_;
+};
+
+/// Tells the runs of the batch method.
+class RunTeller {
+ public:
+  RunTeller(TraceWriter& writer, const Line& line) : writer_(writer), line_(line) {
+    writer.trace().columns = {{"run"}, {"x"}, {"y"}, {"count"}, {"pixels so far"}};
+  }
+
+  void operator()(const RunsStarted& s, int source_line = __builtin_LINE(), const char* = nullptr) {
+    writer_.step({}, s.from, source_line, [&](TraceStep& step) {
+      step.type = "RunsStarted";
+      step.phase = "set up";
+      step.key = pixel_key(s.from);
+      step.fields = {{"from", s.from}, {"to", s.to}, {"dx", s.dx}, {"dy", s.dy}, {"shortest", s.shortest}};
+      step.sentence = s.dy == 0
+                          ? fmt::format("dy = 0: the line is a single run of {} pixels.", s.dx + 1)
+                          : fmt::format("{} / {} is {} and a rest of {}, so inner runs have {} or {} pixels.",
+                                        s.dx, s.dy, s.shortest, s.dx % s.dy, s.shortest, s.shortest + 1);
+    });
+  }
+  void operator()(const RunEmitted& r, int source_line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta;
+    for (const ivec2 p : current_) delta.cells.push_back({p, CellLook{Role::past, ""}});
+    current_.clear();
+    for (std::int64_t i = 0; i < r.count; ++i) {
+      const ivec2 p = place(r.start, r.moves, i, 0);
+      current_.push_back(p);
+      delta.cells.push_back({p, CellLook{Role::current, ""}});
+      writer_.trace().pixels.push_back(p);
+    }
+    total_ += r.count;
+    ++runs_;
+    writer_.step(std::move(delta), r.start, source_line, [&](TraceStep& step) {
+      step.type = "RunEmitted";
+      step.phase = "main loop";
+      step.key = pixel_key(r.start);
+      step.fields = {{"start", r.start}, {"count", r.count}};
+      step.sentence =
+          fmt::format("Run {} starts at {} and has {} pixel{}; the next one starts {} of its end.", runs_,
+                      figure_point(r.start), r.count, r.count == 1 ? "" : "s", compass(r.moves.diagonal));
+      if (total_ == line_.size.dx + 1) {
+        step.sentence = fmt::format("Run {} starts at {} and has {} pixel{}; it ends the line.", runs_,
+                                    figure_point(r.start), r.count, r.count == 1 ? "" : "s");
+      }
+      step.row = {figure_number(runs_), figure_number(r.start.x), figure_number(r.start.y),
+                  figure_number(r.count), figure_number(total_)};
+    });
+  }
+  void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta;
+    for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
+    writer_.fine(std::move(delta), line_.to, source_line, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = "result";
+      step.level = Level::idea;
+      step.fields = {{"pixels", f.pixels}};
+      step.sentence = fmt::format("Done: {} pixel{} in {} run{}, the very pixels of the decision parameter.",
+                                  f.pixels, f.pixels == 1 ? "" : "s", runs_, runs_ == 1 ? "" : "s");
+    });
+  }
+
+ private:
+  TraceWriter& writer_;
+  Line line_;
+  std::int64_t total_ = 0, runs_ = 0;
+  std::vector<ivec2> current_;
+};
+
+const std::vector<Method>& all_methods() {
+  static const std::vector<Method> methods{
+      {"decision_parameter", "decision parameter", Standing::taught, "integers only; the textbook's"},
+      {"run_length", "run lengths", Standing::fast, "a whole run of pixels at a time; the same pixels"},
+      {"dda", "digital differential analyser, float", Standing::plain,
+       "adds a rounded slope again and again; long lines drift"},
+      {"first_octant", "first octant only", Standing::faulty,
+       "slopes outside 0 to 1 are not handled: the line ends elsewhere"},
+      {"swapped_ends", "ends swapped, 32 bits", Standing::faulty,
+       "starts at the wrong end, p overflows on long lines, a tie depends on the direction"},
+  };
+  return methods;
+}
+
+const Method& method_named(std::string_view name) {
+  for (const Method& method : all_methods()) {
+    if (method.name == name) return method;
+  }
+  throw ArgumentError("method", "a method of bresenham_line expected");
+}
+
+void require_short(const Line& line, std::string_view method) {
+  if (line.size.dx > longest_watched) {
+    throw ArgumentError(
+        "to", fmt::format("method {} is watched from its start, so at most {} pixels: this line has {}",
+                          method, longest_watched + 1, line.size.dx + 1));
+  }
+}
+
+/// Watches the exact method: from its start, or, on a long line, only the part that is kept.
+void tell_decision(TraceWriter& writer, const Line& line, const Recording& recording) {
+  DecisionTeller teller(writer, line, false);
+  if (line.size.dx <= longest_watched) {
+    decision_parameter(line.from, line.to, [](ivec2) {}, teller);
+    return;
+  }
+  const std::int64_t first = std::clamp<std::int64_t>(recording.first, 0, line.size.dx);
+  const std::int64_t last = std::min(line.size.dx, first + recording.most / 2);
+  const Window part = window_around(pixel_at(line.from, line.to, first), pixel_at(line.from, line.to, last));
+  writer.trace().method_title += ", jumped to the part shown";
+  in_window(line.from, line.to, part, [](ivec2) {}, teller);
+  writer.skip_to(line.size.dx + 1);
+}
+
+void describe(Trace& trace, const Line& line, const Method& method, const Arguments& arguments) {
+  trace.topic = "bresenham_line";
+  trace.title = "Bresenham line";
+  trace.subtitle = fmt::format("{} to {}", figure_point(line.from), figure_point(line.to));
+  trace.method = method.name;
+  trace.method_title = method.title;
+  if (method.standing == Standing::faulty) trace.faulty = method.note;
+  trace.goal = "Draw the pixels nearest to a straight line, with integer additions only.";
+  for (const Arguments::Entry& entry : arguments.entries())
+    trace.arguments.push_back({entry.name, entry.text});
+}
+
+void list_source(Trace& trace, std::string_view file, std::string_view function) {
+  trace.source_file = std::string(folder) + std::string(file);
+  trace.listing = listing_of(source_text(trace.source_file), function);
+}
+
+Trace run(const Arguments& arguments, Recording recording) {
+  const Line line = line_of(arguments);
+  const Method& method = method_named(arguments.text("method"));
+  TraceWriter writer(recording);
+  describe(writer.trace(), line, method, arguments);
+  set_scene(writer.trace(), line);
+  const auto drop = [](ivec2) {};
+  if (method.name == "decision_parameter") {
+    list_source(writer.trace(), "bresenham_line.hpp",
+                line.size.dx <= longest_watched ? "decision_parameter" : "in_window");
+    tell_decision(writer, line, recording);
+  } else if (method.name == "dda") {
+    require_short(line, method.name);
+    list_source(writer.trace(), "bresenham_line.hpp", "dda");
+    AnalyserTeller teller(writer, line);
+    dda<float>(line.from, line.to, drop, teller);
+    if (const auto wrong = teller.first_wrong()) {
+      writer.trace().faulty =
+          fmt::format("the rounded slope adds up; pixel {} is the first wrong one", *wrong);
+    }
+  } else if (method.name == "run_length") {
+    require_short(line, method.name);
+    list_source(writer.trace(), "bresenham_line_batch.hpp", "emit_runs");
+    RunTeller teller(writer, line);
+    run_length(line.from, line.to, [](ivec2, std::int64_t) {}, teller);
+  } else {
+    require_short(line, method.name);
+    list_source(writer.trace(), "bresenham_line_notes.hpp", method.name);
+    DecisionTeller teller(writer, line, true);
+    if (method.name == "first_octant") first_octant(line.from, line.to, drop, teller);
+    if (method.name == "swapped_ends") swapped_ends(line.from, line.to, drop, teller);
+  }
+  Trace trace = std::move(writer).finish();
+  const auto half = static_cast<std::int64_t>(trace.steps.size()) / 2;
+  trace.telling = {std::min<std::int64_t>((trace.last + 1) / 2, half), 0};
+  trace.result = {{"count", pixel_count(line.from, line.to)}};
+  return trace;
+}
+
+}  // namespace
+
+extern const TopicEntry& entry();
+const TopicEntry& entry() {
+  static const TopicEntry topic{
+      .name = "bresenham_line",
+      .title = "Bresenham line",
+      .chapter = "scan_conversion",
+      .aliases = {"line", "line drawing", "midpoint line", "dda"},
+      .summary = "the pixels nearest to a straight line, with integer additions only",
+      .methods = all_methods(),
+      .default_method = "decision_parameter",
+      .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
+                     {"to", ParameterType::cell, "7,3", "7,3", "last pixel"}},
+      .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
+      .gallery = {{"bresenham_line",
+                   {{"from", "0,0"}, {"to", "7,3"}},
+                   "One addition and one sign decide each pixel of a line."}},
+      .run = run};
+  return topic;
+}
+
+}  // namespace gradus::bresenham_line

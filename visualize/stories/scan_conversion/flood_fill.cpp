@@ -1,0 +1,464 @@
+// The story of a fill: which pixel is painted next, and what still waits.
+
+#include "scan_conversion/flood_fill/flood_fill.hpp"
+
+#include <algorithm>
+
+#include "scan_conversion/flood_fill/maze.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus::flood_fill {
+namespace {
+
+constexpr std::string_view source = "algorithms/scan_conversion/flood_fill/flood_fill.hpp";
+
+/// A small maze with a corner to turn, a dead end and a diagonal gap: 4- and 8-connected fills differ.
+constexpr std::string_view example_maze =
+    "##########/#....#...#/#.##.#.#.#/#.#....#.#/#.#.####.#/#...#..#.#/##########";
+
+/// What is filled: an image, or the letters of a maze.
+struct Subject {
+  Image image;  ///< the picture to fill; for a maze: one colour a kind of cell
+  bool is_maze = false;
+  Maze maze;
+};
+
+Rgba8 maze_color(char cell) {
+  // Only equality matters to the fill: every kind of cell gets a colour of its own
+  const auto code = static_cast<std::uint8_t>(cell);
+  return {code, code, code, 255};
+}
+
+Subject subject_of(const Arguments& arguments) {
+  Subject subject;
+  if (arguments.has("image") && !arguments.text("image").empty()) {
+    subject.image = arguments.entry("image").image.value();
+    return subject;
+  }
+  const Arguments::Entry& entry = arguments.entry("maze");
+  const auto parsed =
+      parse_maze(entry.content, entry.text.find('/') == std::string::npos ? entry.text : "maze");
+  if (const MazeError* error = std::get_if<MazeError>(&parsed)) throw InputError(error->what);
+  subject.is_maze = true;
+  subject.maze = std::get<Maze>(parsed);
+  subject.image = Image(subject.maze.width(), subject.maze.height());
+  for (int y = 0; y < subject.maze.height(); ++y) {
+    for (int x = 0; x < subject.maze.width(); ++x) subject.image[{x, y}] = maze_color(subject.maze[{x, y}]);
+  }
+  return subject;
+}
+
+/// What a maze shows behind all steps: its walls and letters.
+Delta maze_cells(const Maze& maze) {
+  Delta delta;
+  for (int y = 0; y < maze.height(); ++y) {
+    for (int x = 0; x < maze.width(); ++x) {
+      const char cell = maze[{x, y}];
+      if (cell == wall) delta.cells.push_back({{x, y}, CellLook{Role::boundary, ""}});
+      if (is_color(cell)) delta.cells.push_back({{x, y}, CellLook{Role::input, std::string(1, cell)}});
+    }
+  }
+  return delta;
+}
+
+std::string_view what_waits(std::string_view method) {
+  if (method == "depth_first") return "path";
+  if (method == "breadth_first") return "queue";
+  return "stack";
+}
+
+/// "down from": where a neighbour lies, rows counting downwards.
+std::string_view side(ivec2 from, ivec2 to) {
+  constexpr std::string_view names[3][3] = {{"above left of", "above", "above right of"},
+                                            {"left of", "at", "right of"},
+                                            {"below left of", "below", "below right of"}};
+  const ivec2 way{std::clamp(to.x - from.x, -1, 1), std::clamp(to.y - from.y, -1, 1)};
+  return names[way.y + 1][way.x + 1];
+}
+
+/// Tells the steps of all three methods. A pixel painted is a milestone, as is a span; looking is finer.
+class FillTeller {
+ public:
+  FillTeller(TraceWriter& writer, const Subject& subject, std::string_view method)
+      : writer_(writer), subject_(subject), waits_(what_waits(method)) {
+    const std::string waiting(waits_);
+    writer.trace().columns = {{"n"}, {"column"}, {"row"}, {"from", false}, {waiting}, {"painted"}};
+    if (method == "span") {
+      writer.trace().columns = {{"n"}, {"row"}, {"left"}, {"right"}, {"pixels"}, {"painted"}};
+    }
+  }
+
+  void operator()(const Started& s, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = subject_.is_maze ? maze_cells(subject_.maze) : Delta{};
+    delta.set.push_back({"seed", Role::input, Dot{{s.seed.x, s.seed.y}}});
+    delta.set.push_back({"seed name", Role::input, Label{{s.seed.x, s.seed.y}, "seed"}});
+    focus_ = s.seed;
+    writer_.step(std::move(delta), s.seed, line, [&](TraceStep& step) {
+      step.type = "Started";
+      step.phase = "set up";
+      step.key = pixel_key(s.seed);
+      step.fields = {{"seed", s.seed},
+                     {"connectivity", std::int64_t{static_cast<int>(s.connectivity)}},
+                     {"inside", s.inside}};
+      step.sentence =
+          s.inside
+              ? fmt::format("Start at the seed {}: fill all that is {}-connected to it and looks the same.",
+                            figure_point(s.seed), static_cast<int>(s.connectivity))
+              : fmt::format("The seed {} need not be painted: there is nothing to do.", figure_point(s.seed));
+    });
+  }
+
+  void operator()(const Painted& p, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    if (painted_ == 0) delta.removed.push_back("seed name");
+    retire(delta);
+    make_current(delta, p.pixel);
+    ++painted_;
+    note(p.pixel);
+    writer_.step(std::move(delta), p.pixel, line, [&](TraceStep& step) {
+      step.type = "Painted";
+      step.phase = "filling";
+      step.key = pixel_key(p.pixel);
+      step.fields = {{"from", p.from}, {"pixel", p.pixel}, {"waiting", std::int64_t(p.waiting)}};
+      step.sentence = p.from == p.pixel ? fmt::format("The seed {} is free, so paint it; the {} holds {}.",
+                                                      figure_point(p.pixel), waits_, p.waiting)
+                                        : fmt::format("{} is free and {} {}, so paint it; the {} holds {}.",
+                                                      figure_point(p.pixel), side(p.from, p.pixel),
+                                                      figure_point(p.from), waits_, p.waiting);
+      step.row = {figure_number(painted_),
+                  figure_number(p.pixel.x),
+                  figure_number(p.pixel.y),
+                  p.from == p.pixel ? "seed" : figure_point(p.from),
+                  figure_number(std::int64_t(p.waiting)),
+                  figure_number(painted_)};
+    });
+  }
+
+  void operator()(const Examined& e, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    point_at(delta, e.pixel, e.inside);
+    writer_.fine(std::move(delta), e.from, line, [&](TraceStep& step) {
+      step.type = "Examined";
+      step.phase = "filling";
+      step.key = pixel_key(e.pixel);
+      step.fields = {{"from", e.from}, {"pixel", e.pixel}, {"inside", e.inside}};
+      step.sentence = fmt::format("{}, {} {}, is {}.", figure_point(e.pixel), side(e.from, e.pixel),
+                                  figure_point(e.from), e.inside ? "free" : why_not(e.pixel));
+    });
+  }
+
+  void operator()(const Retreated& r, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    put(delta, r.pixel, Role::past);
+    if (current_ == r.pixel) current_.reset();
+    writer_.fine(std::move(delta), r.pixel, line, [&](TraceStep& step) {
+      step.type = "Retreated";
+      step.phase = "filling";
+      step.key = pixel_key(r.pixel);
+      step.fields = {{"pixel", r.pixel}, {"waiting", std::int64_t(r.waiting)}};
+      step.sentence = fmt::format("{} has no free neighbour left, so go back; the path holds {}.",
+                                  figure_point(r.pixel), r.waiting);
+    });
+  }
+
+  void operator()(const Dequeued& d, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    retire(delta);
+    put(delta, d.pixel, Role::current);
+    current_ = d.pixel;
+    current_waits_ = false;
+    writer_.fine(std::move(delta), d.pixel, line, [&](TraceStep& step) {
+      step.type = "Dequeued";
+      step.phase = "filling";
+      step.key = pixel_key(d.pixel);
+      step.fields = {{"pixel", d.pixel}, {"waiting", std::int64_t(d.waiting)}};
+      step.sentence = fmt::format("{} has waited longest: take it out and look round it; {} wait{}.",
+                                  figure_point(d.pixel), d.waiting, d.waiting == 1 ? "s" : "");
+    });
+  }
+
+  void operator()(const SpanFilled& s, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    if (painted_ == 0) delta.removed.push_back("seed name");
+    for (const ivec2 p : run_) put(delta, p, Role::past);
+    run_.clear();
+    for (int x = s.span.left; x <= s.span.right; ++x) {
+      run_.push_back({x, s.span.row});
+      note(run_.back());
+      put(delta, run_.back(), Role::current);
+    }
+    painted_ += s.span.length();
+    ++spans_;
+    focus_ = s.found;
+    writer_.step(std::move(delta), s.found, line, [&](TraceStep& step) {
+      step.type = "SpanFilled";
+      step.phase = "filling";
+      step.key = pixel_key(s.found);
+      step.fields = {{"row", std::int64_t{s.span.row}},
+                     {"left", std::int64_t{s.span.left}},
+                     {"right", std::int64_t{s.span.right}},
+                     {"found", s.found}};
+      step.sentence = fmt::format(
+          "{} is free: grow it to the left and to the right, and paint row {} from column {} to {}.",
+          figure_point(s.found), s.span.row, s.span.left, s.span.right);
+      step.row = {figure_number(spans_),       figure_number(s.span.row),      figure_number(s.span.left),
+                  figure_number(s.span.right), figure_number(s.span.length()), figure_number(painted_)};
+    });
+  }
+
+  void operator()(const SpanQueued& s, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    arrow(delta, "waiting span", Role::candidate, s.span);
+    writer_.fine(std::move(delta), {s.span.left, s.span.row}, line, [&](TraceStep& step) {
+      step.type = "SpanQueued";
+      step.phase = "filling";
+      step.key = pixel_key({s.span.left, s.span.row});
+      step.fields = span_fields(s.span, s.waiting);
+      step.sentence = fmt::format("Remember to look at row {} beside columns {} to {}; the stack holds {}.",
+                                  s.span.row + s.span.way, s.span.left, s.span.right, s.waiting);
+    });
+  }
+
+  void operator()(const SpanTaken& s, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    for (const ivec2 p : run_) put(delta, p, Role::past);
+    run_.clear();
+    arrow(delta, "taken span", Role::current, s.span);
+    taken_ = true;
+    writer_.fine(std::move(delta), {s.span.left, s.span.row}, line, [&](TraceStep& step) {
+      step.type = "SpanTaken";
+      step.phase = "filling";
+      step.key = pixel_key({s.span.left, s.span.row});
+      step.fields = span_fields(s.span, s.waiting);
+      step.sentence = fmt::format("Take the span on top and look along row {} from column {} to {}; {} left.",
+                                  s.span.row + s.span.way, s.span.left, s.span.right, s.waiting);
+    });
+  }
+
+  void operator()(const Finished& f, int line = __builtin_LINE(), const char* = nullptr) {
+    Delta delta = cleared();
+    delta.removed.push_back("taken span");
+    if (painted_ <= Recording::default_most) {
+      for (const ivec2 p : writer_.trace().pixels) put(delta, p, Role::result);
+    }
+    writer_.fine(std::move(delta), focus_, line, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = "result";
+      step.level = Level::idea;
+      step.fields = {{"painted", f.filled.painted},
+                     {"peak_waiting", std::int64_t(f.filled.peak_waiting)},
+                     {"peak_bytes", std::int64_t(f.filled.peak_bytes)}};
+      step.sentence = fmt::format(
+          "Nothing waits any more: {} pixel{} painted; the {} held {} at most, {} bytes.", f.filled.painted,
+          f.filled.painted == 1 ? "" : "s", waits_, f.filled.peak_waiting, f.filled.peak_bytes);
+    });
+  }
+
+ private:
+  static std::vector<Field> span_fields(const Span& s, std::size_t waiting) {
+    return {{"row", std::int64_t{s.row}},
+            {"left", std::int64_t{s.left}},
+            {"right", std::int64_t{s.right}},
+            {"way", std::int64_t{s.way}},
+            {"waiting", std::int64_t(waiting)}};
+  }
+
+  /// Keeps the pixels in order, as far as a trace keeps steps.
+  void note(ivec2 p) {
+    auto& pixels = writer_.trace().pixels;
+    if (static_cast<std::int64_t>(pixels.size()) < Recording::default_most) pixels.push_back(p);
+  }
+
+  bool on_grid(ivec2 p) const { return subject_.image.contains(p); }
+
+  void put(Delta& delta, ivec2 p, Role role) { delta.cells.push_back({p, CellLook{role, ""}}); }
+
+  /// The pixel painted last is one of those that wait, from now on.
+  void retire(Delta& delta) {
+    if (current_) put(delta, *current_, current_waits_ ? Role::candidate : Role::past);
+  }
+  void make_current(Delta& delta, ivec2 p) {
+    put(delta, p, Role::current);
+    current_ = p;
+    current_waits_ = true;
+  }
+
+  std::string_view why_not(ivec2 p) const {
+    if (!on_grid(p)) return "outside the picture";
+    if (subject_.is_maze && subject_.maze[p] == wall) return "a wall";
+    return "painted already or of another colour";
+  }
+
+  /// Shows what was looked at without changing how its cell looks.
+  void point_at(Delta& delta, ivec2 p, bool free) {
+    if (!on_grid(p)) return;
+    const dvec2 at{p.x, p.y};
+    if (free) {
+      delta.set.push_back({"looked at", Role::accepted, Dot{at, true}});
+      return;
+    }
+    delta.set.push_back(
+        {"looked at", Role::rejected, Stroke{at - dvec2{0.25, 0.25}, at + dvec2{0.25, 0.25}}});
+    delta.set.push_back(
+        {"looked at too", Role::rejected, Stroke{at + dvec2{-0.25, 0.25}, at + dvec2{0.25, -0.25}}});
+  }
+
+  void arrow(Delta& delta, std::string id, Role role, const Span& s) {
+    const double middle = (s.left + s.right) / 2.0;
+    delta.set.push_back(
+        {std::move(id), role, Stroke{{middle, double(s.row)}, {middle, s.row + 0.75 * s.way}, true}});
+  }
+
+  Delta cleared() {
+    Delta delta;
+    delta.removed = {"looked at", "looked at too", "waiting span"};
+    if (taken_) delta.removed.push_back("taken span");
+    taken_ = false;
+    return delta;
+  }
+
+  TraceWriter& writer_;
+  const Subject& subject_;
+  std::string_view waits_;
+  std::int64_t painted_ = 0, spans_ = 0;
+  ivec2 focus_{0, 0};
+  std::optional<ivec2> current_;
+  bool current_waits_ = true;
+  bool taken_ = false;
+  std::vector<ivec2> run_;
+};
+
+Connectivity connectivity_of(const Arguments& arguments) {
+  return arguments.text("connectivity") == "8" ? Connectivity::eight : Connectivity::four;
+}
+
+const std::vector<gradus::Method>& all_methods() {
+  static const std::vector<gradus::Method> methods{
+      {"depth_first", "depth first, own stack", Standing::taught,
+       "goes on from every painted pixel; long paths"},
+      {"breadth_first", "breadth first, queue", Standing::plain, "in waves round the seed"},
+      {"span", "spans", Standing::fast, "a whole run of a row at a time; little memory"},
+  };
+  return methods;
+}
+
+void describe(Trace& trace, const Subject& subject, const Arguments& arguments) {
+  const std::string& method = arguments.text("method");
+  const ivec2 seed = arguments.cell("at");
+  trace.topic = "flood_fill";
+  trace.title = "Flood fill";
+  trace.subtitle = fmt::format("{} × {} {}, seed {}", subject.image.width(), subject.image.height(),
+                               subject.is_maze ? "maze" : "image", figure_point(seed));
+  trace.method = method;
+  const auto found = std::ranges::find(all_methods(), method, &gradus::Method::name);
+  trace.method_title = fmt::format("{}, {}-connected", found->title, arguments.text("connectivity"));
+  trace.goal = "Paint everything that is connected to a seed and looks like it.";
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (!entry.hash.empty()) trace.input_hash = entry.hash;
+    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
+  }
+  trace.source_file = std::string(source);
+  trace.listing = listing_of(source_text(source), method);
+  trace.grid.cells = subject.image.window();
+  trace.grid.y_up = false;
+  trace.grid.x_name = "column";
+  trace.grid.y_name = "row";
+  if (!subject.is_maze) trace.grid.picture = subject.image;
+  trace.legend = {{Role::current, "now"},
+                  {Role::candidate,
+                   method == "span"
+                       ? "row to look at"
+                       : fmt::format("{} the {}", method == "depth_first" ? "on" : "in", what_waits(method))},
+                  {Role::past, "done"},
+                  {Role::accepted, "free"},
+                  {Role::rejected, "not free"},
+                  {Role::result, "painted"},
+                  {Role::boundary, "wall"}};
+}
+
+Filled fill_subject(Subject& subject, const Arguments& arguments, FillTeller& teller) {
+  const std::string& name = arguments.text("method");
+  const Options options{static_cast<int>(arguments.integer("tolerance")), connectivity_of(arguments),
+                        name == "depth_first"     ? Method::depth_first
+                        : name == "breadth_first" ? Method::breadth_first
+                                                  : Method::span};
+  const ivec2 seed = arguments.cell("at");
+  if (!subject.is_maze) return fill_image(subject.image, seed, arguments.color("color"), options, teller);
+  // A wall is never filled; every other cell becomes a colour that no letter has
+  const Rgba8 wall_color = maze_color(wall);
+  const Rgba8 painted = subject.image[seed] == wall_color ? wall_color : Rgba8{255, 255, 255, 255};
+  Options exact = options;
+  exact.tolerance = 0;
+  return fill_image(subject.image, seed, painted, exact, teller);
+}
+
+Trace run(const Arguments& arguments, Recording recording) {
+  const Subject subject = subject_of(arguments);
+  const ivec2 seed = arguments.cell("at");
+  if (!subject.image.contains(seed)) {
+    throw ArgumentError(
+        "at", fmt::format("expected a pixel inside the {} × {} picture (columns 0 to {}, rows 0 to {}), "
+                          "found {},{}",
+                          subject.image.width(), subject.image.height(), subject.image.width() - 1,
+                          subject.image.height() - 1, seed.x, seed.y));
+  }
+  TraceWriter writer(recording);
+  describe(writer.trace(), subject, arguments);
+  FillTeller teller(writer, subject, arguments.text("method"));
+  Subject filled = subject;
+  const Filled done = fill_subject(filled, arguments, teller);
+  Trace trace = std::move(writer).finish();
+  trace.result = {{"painted", done.painted},
+                  {"peak_waiting", std::int64_t(done.peak_waiting)},
+                  {"peak_bytes", std::int64_t(done.peak_bytes)},
+                  {"mask_bytes", std::int64_t(done.mask_bytes)}};
+  trace.telling = {std::min(trace.last * 2 / 3, trace.steps.empty() ? 0 : trace.steps.back().number.step), 0};
+  return trace;
+}
+
+}  // namespace
+
+extern const TopicEntry& entry();
+const TopicEntry& entry() {
+  static const TopicEntry topic{
+      .name = "flood_fill",
+      .title = "Flood fill",
+      .chapter = "scan_conversion",
+      .aliases = {"fill", "bucket fill", "seed fill", "paint bucket"},
+      .summary = "paint everything that is connected to a seed",
+      .methods = all_methods(),
+      .default_method = "span",
+      .parameters =
+          {{"maze", ParameterType::maze, std::string(example_maze), "maze.txt",
+            "what to fill: a text file, - or rows joined by /; # wall, . free, letters are colours"},
+           {"image", ParameterType::picture, "", "photo.png", "what to fill instead: a PNG file"},
+           {"at", ParameterType::cell, "1,1", "3,4", "seed: column,row from the top left"},
+           {"color", ParameterType::color, "#0072b2", "#d55e00", "new colour of an image's pixels"},
+           {"tolerance", ParameterType::integer, "0", "12",
+            "by how much each channel may differ from the seed's, 0 to 255", 0, 255},
+           {"connectivity",
+            ParameterType::choice,
+            "4",
+            "8",
+            "neighbours of a pixel: 4 or 8",
+            INT32_MIN,
+            INT32_MAX,
+            {"4", "8"}}},
+      .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",
+                   "--image photo.png --at 40,30 --color '#d55e00' --tolerance 12"},
+      .gallery = {{"flood_fill_span", {}, "Whole runs of a row at a time: little memory, few questions."},
+                  {"flood_fill_depth_first",
+                   {{"method", "depth_first"}},
+                   "Depth first: on from every painted pixel, back when there is nowhere to go."},
+                  {"flood_fill_breadth_first",
+                   {{"method", "breadth_first"}},
+                   "Breadth first: in waves, the pixel that has waited longest comes next."},
+                  {"flood_fill_eight",
+                   {{"method", "breadth_first"}, {"connectivity", "8"}},
+                   "With 8 neighbours the fill slips through the diagonal gap."}},
+      .run = run};
+  return topic;
+}
+
+}  // namespace gradus::flood_fill

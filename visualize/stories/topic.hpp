@@ -1,0 +1,116 @@
+#pragma once
+// What a topic is to everyone outside its own files: one TopicEntry, exported by its story. Command-line
+// flags, `list --json`, help, gallery and the page's form are all made from it.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "core/image.hpp"
+#include "figure/recording.hpp"
+#include "figure/trace.hpp"
+
+namespace gradus {
+
+/// What kind of value a parameter takes; decides how it is read and how a wrong one is explained.
+enum class ParameterType {
+  cell,     ///< two whole numbers "3,4"
+  integer,  ///< one whole number
+  choice,   ///< one of `choices`
+  color,    ///< "#rrggbb" or a CSS basic colour name; canonical "#rrggbb"
+  picture,  ///< a PNG file
+  maze,  ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
+};
+
+struct Parameter {
+  std::string name;  ///< as in the source; the flag is the same with hyphens
+  ParameterType type;
+  std::string default_value;                         ///< canonical; empty: none
+  std::string example;                               ///< a value to paste
+  std::string help;                                  ///< one line: meaning and unit
+  std::int64_t least = INT32_MIN, most = INT32_MAX;  ///< for numbers: the range, both included
+  std::vector<std::string> choices{};
+  std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
+};
+
+enum class Standing { plain, taught, fast, faulty };
+struct Method {
+  std::string name, title;
+  Standing standing;
+  std::string note;  ///< one line; for a faulty one: what is wrong with it
+};
+
+/// The arguments of a run, complete (defaults filled in) and canonical. Files have already been read.
+class Arguments {
+ public:
+  struct Entry {
+    std::string name;
+    std::string text;              ///< canonical spelling
+    std::optional<Image> image{};  ///< picture parameters: what the file holds
+    std::string content{};         ///< maze parameters: the rows, one a line, wherever they came from
+    std::string hash{};            ///< of the file's bytes, where the value is a file
+  };
+  void set(Entry entry);
+  bool has(std::string_view name) const;
+  const Entry& entry(std::string_view name) const;
+  const std::string& text(std::string_view name) const { return entry(name).text; }
+  ivec2 cell(std::string_view name) const;
+  std::int64_t integer(std::string_view name) const;
+  Rgba8 color(std::string_view name) const;
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;  ///< in the order of the topic's parameters; "method" first
+};
+
+/// An argument a topic can't take: the parameter's flag is put in front by whoever shows it.
+class ArgumentError : public std::runtime_error {
+ public:
+  ArgumentError(std::string name, const std::string& what_was_expected)
+      : std::runtime_error(what_was_expected), parameter(std::move(name)) {}
+  std::string parameter;
+};
+
+/// Reads one argument as the user wrote it into its canonical spelling: "(3, 4)" -> "3,4".
+/// Throws ArgumentError saying what was expected and what was found. Does not read files.
+std::string canonical(const Parameter& parameter, std::string_view text);
+
+/// Whether a maze argument is the rows themselves, with "/" or line ends between them, rather than a file's
+/// name: a maze's characters alone, and either a wall among them or rows of one length.
+bool is_maze_rows(std::string_view text);
+
+/// A figure of the built-in gallery.
+struct Showcase {
+  std::string slug;                 ///< file name without ending, unique in the gallery
+  std::vector<Argument> arguments;  ///< what differs from the defaults; "method" too
+  std::string caption;
+};
+
+struct TopicEntry {
+  std::string name, title, chapter;  ///< "bresenham_line", "Bresenham line", "scan_conversion"
+  std::vector<std::string> aliases;
+  std::string summary;  ///< one line for `list`
+  std::vector<Method> methods;
+  std::string default_method;
+  std::vector<Parameter> parameters;
+  std::vector<std::string> examples;  ///< three argument lists to paste: "--from 0,0 --to 7,3"
+  std::vector<Showcase> gallery;
+  Trace (*run)(const Arguments&, Recording);
+};
+
+/// Every topic there is, by chapter, then name.
+std::span<const TopicEntry* const> catalogue();
+
+/// A source file of the catalogue as the build saw it, by its path from the project's root.
+std::string_view source_text(std::string_view path);
+
+/// The shown lines of a function in a source file: its body without the plumbing (observer lines, expects,
+/// template heads), real line numbers, the function's own indentation removed.
+std::vector<SourceLine> listing_of(std::string_view source, std::string_view function);
+
+}  // namespace gradus

@@ -1,0 +1,45 @@
+#pragma once
+// Words and numbers that stories share.
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <string>
+
+#include "core/geometry.hpp"
+
+namespace gradus {
+
+/// A number with the typographic minus, as figures show it.
+inline std::string figure_number(std::int64_t value) {
+  const std::string digits = fmt::format("{}", value);
+  return value < 0 ? "−" + digits.substr(1) : digits;
+}
+
+/// The same as a later term of a sum or a factor: "(−4)" when negative.
+inline std::string figure_factor(std::int64_t value) {
+  return value < 0 ? "(" + figure_number(value) + ")" : figure_number(value);
+}
+
+/// A point as figures show it: "(4, −2)", with a no-break space.
+inline std::string figure_point(ivec2 p) {
+  return fmt::format("({},\u00a0{})", figure_number(p.x), figure_number(p.y));
+}
+
+/// A fraction of non-negative numbers in lowest terms: "2/7", "0", "3".
+inline std::string figure_fraction(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t common = std::gcd(numerator, denominator);
+  if (common == denominator) return fmt::format("{}", numerator / denominator);
+  return fmt::format("{}/{}", numerator / common, denominator / common);
+}
+
+/// The key of a pixel in a trace: "4,-2".
+inline std::string pixel_key(ivec2 p) { return fmt::format("{},{}", p.x, p.y); }
+
+/// The compass name of a move to a neighbouring pixel, y up.
+inline std::string_view compass(ivec2 move) {
+  constexpr std::string_view names[3][3] = {{"SW", "S", "SE"}, {"W", "", "E"}, {"NW", "N", "NE"}};
+  return names[move.y + 1][move.x + 1];
+}
+
+}  // namespace gradus
