@@ -218,14 +218,9 @@ class Painter {
 void check_fonts() {
   static std::once_flag once;
   std::call_once(once, [] {
-    Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-    Context context(cairo_create(surface.get()));
-    set_font_options(context.get());
     for (const Face face : {Face::sans, Face::bold, Face::italic, Face::mono, Face::mono_bold}) {
-      select_face(context.get(), face, 100);
-      cairo_text_extents_t extents;
-      cairo_text_extents(context.get(), "gradus Σ≥", &extents);
-      if (std::abs(extents.x_advance - text_width("gradus Σ≥", face, 100)) > 1) {
+      const std::string text = "gradus Σ≥";
+      if (std::abs(drawn_width(text, face, 100) - text_width(text, face, 100)) > 1) {
         throw std::runtime_error(
             "the DejaVu fonts are missing: install fonts-dejavu-core and fonts-dejavu-extra");
       }
@@ -251,6 +246,16 @@ void finish(cairo_surface_t* surface) {
 }
 
 }  // namespace
+
+double drawn_width(const std::string& text, Face face, double size) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const Context context(cairo_create(surface.get()));
+  set_font_options(context.get());
+  select_face(context.get(), face, size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context.get(), text.c_str(), &extents);
+  return extents.x_advance;
+}
 
 std::string svg_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon) {
   check_fonts();

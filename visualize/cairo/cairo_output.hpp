@@ -16,6 +16,9 @@ std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colop
 /// One page a sheet.
 std::string pdf_of(std::span<const Sheet> sheets, const Theme& theme, const Colophon& colophon);
 
+/// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
+double drawn_width(const std::string& text, Face face, double size);
+
 /// What a file made by the functions above, or a player page, says of itself; nothing when it says nothing.
 std::optional<Colophon> colophon_in(std::string_view file_bytes);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "figure/layout.hpp"
+#include "figure/number_text.hpp"
 
 namespace gradus::layout {
 namespace {
@@ -66,8 +67,8 @@ std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box)
 }
 
 double tick_width(const Window& view, double s) {
-  const double low = text_width(fmt::format("{}", view.lower.y), Face::sans, text_size * s);
-  const double high = text_width(fmt::format("{}", view.upper.y), Face::sans, text_size * s);
+  const double low = text_width(figure_number(view.lower.y), Face::sans, text_size * s);
+  const double high = text_width(figure_number(view.upper.y), Face::sans, text_size * s);
   return std::max({low, high, 24 * s});
 }
 
@@ -231,18 +232,23 @@ class DrawingLayout {
   void draw_axes() {
     const Box& b = frame_.box;
     const Window& view = frame_.view;
-    const double widest = std::max(text_width(fmt::format("{}", view.lower.x), Face::sans, text_size * s_),
-                                   text_width(fmt::format("{}", view.upper.x), Face::sans, text_size * s_));
+    const double widest = std::max(text_width(figure_number(view.lower.x), Face::sans, text_size * s_),
+                                   text_width(figure_number(view.upper.x), Face::sans, text_size * s_));
     const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
+    // The axis' name stands behind the last label, inside the slot
+    const double most_right =
+        slot_.right() - text_width(trace_.grid.x_name, Face::italic, text_size * s_) - 8 * s_;
     double last_right = b.x;
     for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
-      const std::string text = fmt::format("{}", x);
+      const std::string text = figure_number(x);
+      const double half = text_width(text, Face::sans, text_size * s_) / 2;
+      if (frame_.column(static_cast<double>(x)) + half > most_right) break;
       tick("x " + text, {frame_.column(static_cast<double>(x)), b.bottom() + 26 * s_}, text, Align::centre);
       last_right = texts_.back().right();
     }
     const std::int64_t up = tick_step(frame_.cell, 24 * s_);
     for (std::int64_t y = first_tick(view.lower.y, up); y <= view.upper.y; y += up) {
-      const std::string text = fmt::format("{}", y);
+      const std::string text = figure_number(y);
       tick("y " + text, {b.x - 10 * s_, frame_.row(static_cast<double>(y)) + 7 * s_}, text, Align::right);
     }
     const double x_name = std::max(b.right() + 6 * s_, last_right + 8 * s_);
@@ -494,9 +500,11 @@ class DrawingLayout {
     };
     line("overview size", whole.y + 20 * s_, fmt::format("whole: {} × {}", all.width(), all.height()));
     line("overview columns", whole.y + 48 * s_,
-         fmt::format("{} {} … {}", trace_.grid.x_name, view.lower.x, view.upper.x));
+         fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
+                     figure_number(view.upper.x)));
     line("overview rows", whole.y + 76 * s_,
-         fmt::format("{} {} … {}", trace_.grid.y_name, view.lower.y, view.upper.y));
+         fmt::format("{} {} … {}", trace_.grid.y_name, figure_number(view.lower.y),
+                     figure_number(view.upper.y)));
   }
 
   Pen& pen_;

@@ -7,14 +7,9 @@
 #include <string>
 
 #include "core/geometry.hpp"
+#include "figure/number_text.hpp"
 
 namespace gradus {
-
-/// A number with the typographic minus, as figures show it.
-inline std::string figure_number(std::int64_t value) {
-  const std::string digits = fmt::format("{}", value);
-  return value < 0 ? "−" + digits.substr(1) : digits;
-}
 
 /// The same as a later term of a sum or a factor: "(−4)" when negative.
 inline std::string figure_factor(std::int64_t value) {

@@ -1,0 +1,80 @@
+#pragma once
+// Traces of real runs, for tests of what is made from them.
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stories/topic.hpp"
+
+namespace gradus::test {
+
+inline const TopicEntry& topic(std::string_view name) {
+  for (const TopicEntry* entry : catalogue()) {
+    if (entry->name == name) return *entry;
+  }
+  throw std::invalid_argument("no topic of that name");
+}
+
+/// The topic's arguments: these, and the defaults of all others. Mazes are given as rows joined by "/".
+inline Arguments complete(const TopicEntry& entry, const std::map<std::string, std::string>& given) {
+  Arguments arguments;
+  const auto method = given.find("method");
+  arguments.set({"method", method == given.end() ? entry.default_method : method->second});
+  for (const Parameter& parameter : entry.parameters) {
+    const auto found = given.find(parameter.name);
+    Arguments::Entry argument{parameter.name, found == given.end() ? parameter.default_value : found->second};
+    if (parameter.type == ParameterType::maze) {
+      argument.content = argument.text;
+      std::ranges::replace(argument.content, '/', '\n');
+    }
+    if (parameter.type == ParameterType::picture && !argument.text.empty()) {
+      argument.image = read_png(argument.text);
+    }
+    arguments.set(std::move(argument));
+  }
+  return arguments;
+}
+
+inline Trace trace_of(std::string_view name, const std::map<std::string, std::string>& given = {},
+                      Recording recording = {}) {
+  const TopicEntry& entry = topic(name);
+  return entry.run(complete(entry, given), recording);
+}
+
+/// One trace of every method of every topic, and the inputs that strain a figure most.
+inline std::vector<Trace> telling_traces() {
+  std::vector<Trace> traces;
+  for (const TopicEntry* entry : catalogue()) {
+    for (const Method& method : entry->methods)
+      traces.push_back(trace_of(entry->name, {{"method", method.name}}));
+  }
+  const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
+    traces.push_back(trace_of("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, {0, 200}));
+  };
+  line("0,0", "0,0");
+  line("2,5", "-3,-4");
+  line("0,0", "2,1");
+  line("3,-2", "3,9");
+  line("0,0", "60,23");
+  line("0,0", "60,23", "dda");
+  line("-2147483648,-2147483648", "2147483647,2147483647");
+  line("2147483647,-2147483648", "-2147483648,2147483646");
+  line("0,0", "4,-2", "first_octant");
+  for (const char* method : {"depth_first", "breadth_first", "span"}) {
+    traces.push_back(trace_of("flood_fill", {{"method", method}, {"connectivity", "8"}}));
+    traces.push_back(trace_of("flood_fill", {{"method", method}, {"maze", "aab/#.b/.##"}, {"at", "2,1"}}));
+    traces.push_back(trace_of("flood_fill", {{"method", method}, {"at", "0,0"}}));
+    traces.push_back(trace_of("flood_fill",
+                              {{"method", method},
+                               {"image", std::string(GRADUS_SOURCE_DIR) + "/tests/data/images/camera.png"},
+                               {"at", "300,60"},
+                               {"tolerance", "20"}},
+                              {0, 300}));
+  }
+  return traces;
+}
+
+}  // namespace gradus::test
