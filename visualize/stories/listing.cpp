@@ -26,8 +26,6 @@ std::string_view without_indent(std::string_view line) {
 
 bool is_comment(std::string_view line) { return without_indent(line).starts_with("//"); }
 
-bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
 /// The code of a line: without a trailing comment.
 std::string_view code_of(std::string_view line) { return line.substr(0, line.find("//")); }
 

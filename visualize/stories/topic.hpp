@@ -3,7 +3,7 @@
 // flags, `list --json`, help, gallery and the page's form are all made from it.
 
 #include <cstdint>
-#include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -105,6 +105,16 @@ struct TopicEntry {
 
 /// Every topic there is, by chapter, then name.
 std::span<const TopicEntry* const> catalogue();
+
+/// The topic of exactly this name, or nullptr.
+const TopicEntry* find_entry(std::string_view name);
+
+/// The topic's arguments: those given, canonical, and the defaults of all others. Reads no files: a maze is
+/// given as rows joined by "/". Throws ArgumentError for an unknown name or a wrong value.
+Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given);
+
+/// Runs a topic on these arguments: arguments_of, then topic.run.
+Trace trace_of(const TopicEntry& topic, std::initializer_list<Argument> given = {}, Recording recording = {});
 
 /// A source file of the catalogue as the build saw it, by its path from the project's root.
 std::string_view source_text(std::string_view path);

@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "stories/point_text.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus {
+namespace {
+
+[[noreturn]] void refuse(const std::string& parameter, const std::string& what) {
+#if defined(__cpp_exceptions)
+  throw ArgumentError(parameter, what);
+#else
+  contract_violated(std::string_view(parameter + ": " + what));
+#endif
+}
+
+[[noreturn]] void refuse(const Parameter& parameter, const std::string& expected, std::string_view found) {
+  refuse(parameter.name, fmt::format("expected {}, found {}", expected, shown(found)));
+}
+
+// --- Colours
+// -----------------------------------------------------------------------------------------------------
+
+struct NamedColor {
+  std::string_view name, hex;
+};
+/// The sixteen basic colours of CSS.
+constexpr std::array<NamedColor, 16> basic_colors{{{"black", "#000000"},
+                                                   {"silver", "#c0c0c0"},
+                                                   {"gray", "#808080"},
+                                                   {"white", "#ffffff"},
+                                                   {"maroon", "#800000"},
+                                                   {"red", "#ff0000"},
+                                                   {"purple", "#800080"},
+                                                   {"fuchsia", "#ff00ff"},
+                                                   {"green", "#008000"},
+                                                   {"lime", "#00ff00"},
+                                                   {"olive", "#808000"},
+                                                   {"yellow", "#ffff00"},
+                                                   {"navy", "#000080"},
+                                                   {"blue", "#0000ff"},
+                                                   {"teal", "#008080"},
+                                                   {"aqua", "#00ffff"}}};
+
+char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), lower);
+  return result;
+}
+
+int hex_digit(char c) {
+  if ('0' <= c && c <= '9') return c - '0';
+  return 'a' <= c && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+/// "#rgb" and "#rrggbb" become "#rrggbb"; "" when it is neither.
+std::string hex_color(std::string_view text) {
+  if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7)) return "";
+  std::string hex = "#";
+  for (const char c : text.substr(1)) {
+    if (hex_digit(c) < 0) return "";
+    hex.append(text.size() == 4 ? 2 : 1, c);
+  }
+  return hex;
+}
+
+std::string canonical_color(const Parameter& parameter, std::string_view text) {
+  const std::string word = lowered(trimmed(text));
+  const auto named = std::ranges::find(basic_colors, word == "grey" ? "gray" : word, &NamedColor::name);
+  if (named != basic_colors.end()) return std::string(named->hex);
+  const std::string hex = hex_color(word);
+  if (hex.empty()) {
+    std::vector<std::string_view> names;
+    for (const NamedColor& color : basic_colors) names.push_back(color.name);
+    refuse(parameter, fmt::format("a colour #rrggbb or one of {}", fmt::join(names, ", ")), text);
+  }
+  return hex;
+}
+
+// --- The other types
+// ---------------------------------------------------------------------------------------------
+
+std::string canonical_cell(const Parameter& parameter, std::string_view text) {
+  const auto pair = pair_in(text);
+  const auto x = pair ? whole_number(pair->x) : std::nullopt, y = pair ? whole_number(pair->y) : std::nullopt;
+  const auto in_range = [&parameter](const auto& v) {
+    return v && parameter.least <= *v && *v <= parameter.most;
+  };
+  if (!in_range(x) || !in_range(y)) {
+    refuse(parameter,
+           fmt::format("two whole numbers from {} to {} like 3,4", parameter.least, parameter.most), text);
+  }
+  return fmt::format("{},{}", *x, *y);
+}
+
+std::string canonical_integer(const Parameter& parameter, std::string_view text) {
+  const auto value = whole_number(text);
+  if (!value || *value < parameter.least || *value > parameter.most) {
+    refuse(parameter, fmt::format("a whole number from {} to {}", parameter.least, parameter.most), text);
+  }
+  return fmt::format("{}", *value);
+}
+
+std::string canonical_choice(const Parameter& parameter, std::string_view text) {
+  const auto folded = [](std::string_view name) {
+    std::string word = lowered(trimmed(name));
+    std::ranges::replace(word, '-', '_');
+    return word;
+  };
+  const auto chosen = std::ranges::find(parameter.choices, folded(text), folded);
+  if (chosen == parameter.choices.end()) {
+    refuse(parameter, fmt::format("one of {}", fmt::join(parameter.choices, ", ")), text);
+  }
+  return *chosen;
+}
+
+/// A file goes by its name without folders, so that a figure's command is the same wherever it was made.
+std::string base_name(std::string_view path) { return std::string(path.substr(path.find_last_of('/') + 1)); }
+
+std::string canonical_picture(const Parameter& parameter, std::string_view text) {
+  const std::string name = base_name(text);
+  if (name.empty()) refuse(parameter, "a PNG file", text);
+  return name;
+}
+
+std::string canonical_maze(const Parameter& parameter, std::string_view text) {
+  const std::string_view word = trimmed(text);
+  if (is_maze_rows(word)) {
+    std::string rows(word);
+    std::ranges::replace(rows, '\n', '/');
+    return rows;
+  }
+  const std::string name = base_name(word);
+  if (name.empty()) refuse(parameter, "a text file or rows like '#.#/...'", text);
+  return name;
+}
+
+}  // namespace
+
+bool is_maze_rows(std::string_view text) {
+  const auto in_maze = [](char c) { return c == '#' || c == '.' || ('a' <= lower(c) && lower(c) <= 'z'); };
+  const std::size_t width = text.find_first_of("/\n");
+  bool even = true, free = false;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of("/\n", start), text.size());
+    const std::string_view row = text.substr(start, end - start);
+    if (row.empty() || !std::ranges::all_of(row, in_maze)) return false;
+    even = even && row.size() == std::min(width, text.size());
+    free = free || row.find('.') != std::string_view::npos;
+    start = end + 1;
+  }
+  return text.find('#') != std::string_view::npos || (even && free && !text.ends_with(".txt"));
+}
+
+void Arguments::set(Entry entry) {
+  const auto known = std::ranges::find(entries_, entry.name, &Entry::name);
+  if (known != entries_.end()) {
+    *known = std::move(entry);
+  } else {
+    entries_.push_back(std::move(entry));
+  }
+}
+
+bool Arguments::has(std::string_view name) const {
+  return std::ranges::find(entries_, name, &Entry::name) != entries_.end();
+}
+
+const Arguments::Entry& Arguments::entry(std::string_view name) const {
+  const auto known = std::ranges::find(entries_, name, &Entry::name);
+  if (known == entries_.end()) refuse(std::string(name), "expected a value, found none");
+  return *known;
+}
+
+ivec2 Arguments::cell(std::string_view name) const {
+  const std::string& value = text(name);
+  const auto pair = pair_in(value);
+  const auto x = pair ? whole_number(pair->x) : std::nullopt, y = pair ? whole_number(pair->y) : std::nullopt;
+  const auto fits = [](const auto& v) { return v && INT32_MIN <= *v && *v <= INT32_MAX; };
+  expects(fits(x) && fits(y), "{} is a cell in its canonical spelling, not '{}'", name, value);
+  return {static_cast<int>(*x), static_cast<int>(*y)};
+}
+
+std::int64_t Arguments::integer(std::string_view name) const {
+  const auto value = whole_number(text(name));
+  expects(value.has_value(), "{} is a whole number, not '{}'", name, text(name));
+  return *value;
+}
+
+Rgba8 Arguments::color(std::string_view name) const {
+  const std::string& value = text(name);
+  expects(value.size() == 7 && hex_color(value) == value, "{} is a colour #rrggbb, not '{}'", name, value);
+  const auto part = [&value](std::size_t at) {
+    return static_cast<std::uint8_t>(16 * hex_digit(value[at]) + hex_digit(value[at + 1]));
+  };
+  return {part(1), part(3), part(5), 255};
+}
+
+std::string canonical(const Parameter& parameter, std::string_view text) {
+  switch (parameter.type) {
+    case ParameterType::cell:
+      return canonical_cell(parameter, text);
+    case ParameterType::integer:
+      return canonical_integer(parameter, text);
+    case ParameterType::choice:
+      return canonical_choice(parameter, text);
+    case ParameterType::color:
+      return canonical_color(parameter, text);
+    case ParameterType::picture:
+      return canonical_picture(parameter, text);
+    case ParameterType::maze:
+      return canonical_maze(parameter, text);
+  }
+  refuse(parameter.name, "expected a known type of value, found none");
+}
+
+}  // namespace gradus

@@ -1,0 +1,308 @@
+#include "stories/point_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+
+namespace gradus {
+namespace {
+
+__extension__ typedef unsigned __int128 uint128_t;
+
+constexpr std::string_view white = " \t\r\n\f\v";
+constexpr std::string_view number_hint = "a number like 3, -5, 1/3 or 0.25";
+constexpr std::string_view point_hint = "a point like 3,4 or 1/3,2";
+
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+// --- shown
+// -------------------------------------------------------------------------------------------------------
+
+/// Bytes of the well-formed UTF-8 character that starts here; 0 when there is none.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  const std::size_t size = lead < 0x80   ? 1
+                           : lead < 0xc2 ? 0
+                           : lead < 0xe0 ? 2
+                           : lead < 0xf0 ? 3
+                           : lead < 0xf5 ? 4
+                                         : 0;
+  if (size == 0 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  // Overlong forms, surrogates and what lies beyond U+10FFFF
+  if (size > 2) {
+    const unsigned char next = byte(1);
+    if ((lead == 0xe0 && next < 0xa0) || (lead == 0xed && next > 0x9f)) return 0;
+    if ((lead == 0xf0 && next < 0x90) || (lead == 0xf4 && next > 0x8f)) return 0;
+  }
+  return size;
+}
+
+/// Characters that move the cursor, or turn the text's direction, instead of showing anything.
+bool is_control(std::string_view c) {
+  if (c.size() == 1) return static_cast<unsigned char>(c[0]) < 0x20 || c[0] == 0x7f;
+  if (c[0] == '\xc2') return static_cast<unsigned char>(c[1]) < 0xa0;
+  if (!c.starts_with("\xe2\x80") && !c.starts_with("\xe2\x81")) return false;
+  const auto last = static_cast<unsigned char>(c[2]);
+  return c[1] == '\x80' ? (0x8b <= last && last <= 0x8f) || (0xa8 <= last && last <= 0xae)
+                        : 0xa6 <= last && last <= 0xaf;
+}
+
+std::string escaped(std::string_view bytes) {
+  if (bytes == "\n") return "\\n";
+  if (bytes == "\t") return "\\t";
+  std::string text;
+  for (const char c : bytes) text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  return text;
+}
+
+// --- Numbers
+// -----------------------------------------------------------------------------------------------------
+
+std::uint64_t magnitude(std::int64_t v) {
+  return v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
+}
+
+/// The double nearest to numerator / denominator: 63 bits of the quotient or more and a sticky bit, rounded
+/// once.
+double nearest(std::uint64_t numerator, std::uint64_t denominator) {
+  if (numerator == 0) return 0;
+  const int shift =
+      63 + static_cast<int>(std::bit_width(denominator)) - static_cast<int>(std::bit_width(numerator));
+  const uint128_t dividend = static_cast<uint128_t>(numerator) << shift;
+  const auto quotient = static_cast<std::uint64_t>(dividend / denominator);
+  const bool inexact = dividend % denominator != 0;
+  return std::ldexp(static_cast<double>(quotient | static_cast<std::uint64_t>(inexact)), -shift);
+}
+
+/// Lowest terms; nothing when the numerator is beyond int64.
+std::optional<Fraction> reduced(bool negative, std::uint64_t numerator, std::uint64_t denominator) {
+  const std::uint64_t common = std::gcd(numerator, denominator);
+  numerator /= common;
+  denominator /= common;
+  const std::uint64_t most = std::uint64_t{INT64_MAX} + (negative ? 1 : 0);
+  if (numerator > most || denominator > std::uint64_t{INT64_MAX}) return std::nullopt;
+  return Fraction{static_cast<std::int64_t>(negative ? 0 - numerator : numerator),
+                  static_cast<std::int64_t>(denominator)};
+}
+
+std::string text_of(const Fraction& f) {
+  return f.denominator == 1 ? fmt::format("{}", f.numerator)
+                            : fmt::format("{}/{}", f.numerator, f.denominator);
+}
+
+Misread no_number(std::string_view text) {
+  return {fmt::format("expected {}, found {}", number_hint, shown(text))};
+}
+
+Read<Number> read_fraction(std::string_view text, std::size_t slash) {
+  const auto above = whole_number(text.substr(0, slash)), below = whole_number(text.substr(slash + 1));
+  if (!above || !below) return no_number(text);
+  if (*below == 0) return Misread{fmt::format("expected a denominator other than 0, found {}", shown(text))};
+  const bool negative = *above != 0 && (*above < 0) != (*below < 0);
+  const auto exact = reduced(negative, magnitude(*above), magnitude(*below));
+  if (!exact) return no_number(text);
+  const double value = nearest(magnitude(exact->numerator), magnitude(exact->denominator));
+  return Number{negative ? -value : value, exact, text_of(*exact)};
+}
+
+/// A decimal number taken apart: digits without leading and trailing zeros, times ten to the exponent.
+struct Decimal {
+  bool negative = false;
+  std::string digits;
+  long exponent = 0;
+};
+
+std::optional<Decimal> decimal_in(std::string_view text) {
+  Decimal decimal;
+  std::size_t at = 0, digits = 0;
+  if (at < text.size() && (text[at] == '-' || text[at] == '+')) decimal.negative = text[at++] == '-';
+  bool point = false;
+  for (; at < text.size() && (is_digit(text[at]) || (text[at] == '.' && !point)); ++at) {
+    if (text[at] == '.') {
+      point = true;
+      continue;
+    }
+    ++digits;
+    decimal.exponent -= point;
+    if (!decimal.digits.empty() || text[at] != '0') decimal.digits += text[at];
+  }
+  if (digits == 0) return std::nullopt;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    const std::string_view power = text.substr(at + 1);
+    if (power.empty() || power.size() > 4 || power.front() == ' ') return std::nullopt;
+    const auto exponent = whole_number(power);
+    if (!exponent) return std::nullopt;
+    decimal.exponent += static_cast<long>(*exponent);
+    at = text.size();
+  }
+  if (at != text.size()) return std::nullopt;
+  while (!decimal.digits.empty() && decimal.digits.back() == '0') {
+    decimal.digits.pop_back();
+    ++decimal.exponent;
+  }
+  if (decimal.digits.empty()) return Decimal{};
+  return decimal;
+}
+
+std::optional<Fraction> exactly(const Decimal& decimal) {
+  constexpr long most_digits = 18;  // so that every product below stays within int64
+  const long size = static_cast<long>(decimal.digits.size());
+  if (size > most_digits || decimal.exponent < -most_digits || size + decimal.exponent > most_digits)
+    return std::nullopt;
+  std::uint64_t numerator = 0, denominator = 1;
+  for (const char c : decimal.digits) numerator = 10 * numerator + static_cast<std::uint64_t>(c - '0');
+  for (long i = 0; i < decimal.exponent; ++i) numerator *= 10;
+  for (long i = decimal.exponent; i < 0; ++i) denominator *= 10;
+  return reduced(decimal.negative, numerator, denominator);
+}
+
+std::string text_of(const Decimal& decimal) {
+  if (decimal.digits.empty()) return "0";
+  std::string text = decimal.digits;
+  const long size = static_cast<long>(text.size()), before_point = size + decimal.exponent;
+  if (before_point > 21 || before_point < -6) {
+    text += fmt::format("e{}", decimal.exponent);
+  } else if (decimal.exponent >= 0) {
+    text.append(static_cast<std::size_t>(decimal.exponent), '0');
+  } else if (before_point > 0) {
+    text.insert(static_cast<std::size_t>(before_point), ".");
+  } else {
+    text = "0." + std::string(static_cast<std::size_t>(-before_point), '0') + text;
+  }
+  return (decimal.negative ? "-" : "") + text;
+}
+
+}  // namespace
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t most = 80;
+  std::string safe = "'";
+  while (!text.empty()) {
+    if (safe.size() > most) return safe + "…'";
+    const std::size_t size = character_size(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(size, 1));
+    safe += size == 0 || is_control(character) ? escaped(character) : std::string(character);
+    text.remove_prefix(character.size());
+  }
+  return safe + "'";
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(white);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(white) - first + 1);
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+') && text.size() > 1 && is_digit(text[1])) text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<Pair> pair_in(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('(') != text.ends_with(')') || text == "(") return std::nullopt;
+  if (text.starts_with('(')) text = text.substr(1, text.size() - 2);
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const Pair pair{trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))};
+  if (pair.x.empty() || pair.y.empty()) return std::nullopt;
+  return pair;
+}
+
+Read<Number> read_number(std::string_view text) {
+  const std::string_view word = trimmed(text);
+  if (const std::size_t slash = word.find('/'); slash != std::string_view::npos)
+    return read_fraction(word, slash);
+  const auto decimal = decimal_in(word);
+  if (!decimal) return no_number(text);
+  Number number{0, exactly(*decimal), text_of(*decimal)};
+  number.value = std::strtod(number.text.c_str(), nullptr);  // from_chars(double) is missing in WebAssembly
+  if (!std::isfinite(number.value)) return no_number(text);
+  return number;
+}
+
+Read<Point> read_point(std::string_view text) {
+  const auto pair = pair_in(text);
+  if (!pair) return Misread{fmt::format("expected {}, found {}", point_hint, shown(text))};
+  Read<Number> x = read_number(pair->x), y = read_number(pair->y);
+  if (const Misread* misread = std::get_if<Misread>(&x)) return *misread;
+  if (const Misread* misread = std::get_if<Misread>(&y)) return *misread;
+  return Point{std::get<Number>(std::move(x)), std::get<Number>(std::move(y))};
+}
+
+namespace {
+
+/// Where the point that starts at text[0] ends: at white space or ";", but not inside parentheses nor at a
+/// comma.
+std::size_t point_end(std::string_view text) {
+  bool inside = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') inside = true;
+    if (text[i] == ')') return i + 1;
+    if (inside) continue;
+    if (text[i] == ';') return i;
+    if (white.find(text[i]) == std::string_view::npos) continue;
+    const std::size_t next = text.find_first_not_of(white, i);
+    const bool comma_follows = next != std::string_view::npos && text[next] == ',';
+    if (!comma_follows && text[i - 1] != ',') return i;
+  }
+  return text.size();
+}
+
+std::string without_comments(std::string_view text) {
+  std::string kept;
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '#') comment = true;
+    if (c == '\n') comment = false;
+    if (!comment) kept += c;
+  }
+  return kept;
+}
+
+}  // namespace
+
+Read<std::vector<Point>> read_points(std::string_view text) {
+  const std::string plain = without_comments(text);
+  std::string_view rest = plain;
+  std::vector<Point> points;
+  while (true) {
+    const std::size_t start = rest.find_first_not_of(" \t\r\n\f\v;");
+    if (start == std::string_view::npos) break;
+    rest.remove_prefix(start);
+    const std::size_t end = point_end(rest);
+    Read<Point> point = read_point(rest.substr(0, end));
+    if (const Misread* misread = std::get_if<Misread>(&point)) {
+      return Misread{fmt::format("point {}: {}", points.size() + 1, misread->what)};
+    }
+    points.push_back(std::get<Point>(std::move(point)));
+    rest.remove_prefix(end);
+  }
+  if (points.empty())
+    return Misread{fmt::format("expected points like '0,0 6,0 6,3', found {}", shown(text))};
+  return points;
+}
+
+std::string text_of(const Point& point) { return point.x.text + "," + point.y.text; }
+
+std::string text_of(const std::vector<Point>& points) {
+  std::string text;
+  for (const Point& point : points) text += (text.empty() ? "" : " ") + text_of(point);
+  return text;
+}
+
+}  // namespace gradus

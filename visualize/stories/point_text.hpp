@@ -1,0 +1,64 @@
+#pragma once
+// Numbers, points and lists of points as people write them. Files and standard input are not read here.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gradus {
+
+/// A user's text as it may stand inside a message: quoted, control characters and broken UTF-8 escaped, cut
+/// short.
+std::string shown(std::string_view text);
+
+/// The text without white space at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// A whole number, nothing before or after it but white space; nothing when it is none or beyond int64.
+std::optional<std::int64_t> whole_number(std::string_view text);
+
+/// The two halves of "3,4", "-5,8" or "(3, 4)", white space trimmed; nothing when it is no such pair.
+struct Pair {
+  std::string_view x, y;
+};
+std::optional<Pair> pair_in(std::string_view text);
+
+/// A fraction, denominator >= 1, in lowest terms.
+struct Fraction {
+  std::int64_t numerator = 0, denominator = 1;
+  friend bool operator==(const Fraction&, const Fraction&) = default;
+};
+
+/// A number as written: "3", "-1/3", "0.25", "1e-3".
+struct Number {
+  double value = 0;               ///< the double nearest to it
+  std::optional<Fraction> exact;  ///< nothing where 64 bits do not hold it
+  std::string text;               ///< canonical: "1/3" for "+2/6", "0.25" for "0.250"
+};
+struct Point {
+  Number x, y;
+};
+
+/// What is wrong with a text: the place as words ("" or "point 3: ") and what was expected.
+struct Misread {
+  std::string what;
+};
+template <class T>
+using Read = std::variant<T, Misread>;
+
+/// Domain: digits with a sign, one decimal point, an exponent up to three digits; or a fraction of two int64.
+Read<Number> read_number(std::string_view text);
+/// "3,4", "-5,8", "(3, 4)", "1/3,2".
+Read<Point> read_point(std::string_view text);
+/// Points with white space or ";" between them: "0,0 6,0 6,3". Errors say which point. A "#" starts a comment
+/// to the end of its line, so that lists in files may have some.
+Read<std::vector<Point>> read_points(std::string_view text);
+
+/// The canonical spelling: "1/3,2", and "0,0 6,0 6,3".
+std::string text_of(const Point& point);
+std::string text_of(const std::vector<Point>& points);
+
+}  // namespace gradus

@@ -1,0 +1,59 @@
+// Running a topic from code, without a command line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "stories/topic.hpp"
+
+namespace gradus {
+namespace {
+
+std::string method_of(const TopicEntry& topic, std::span<const Argument> given) {
+  const auto found = std::ranges::find(given, "method", &Argument::name);
+  if (found == given.end()) return topic.default_method;
+  if (std::ranges::find(topic.methods, found->value, &Method::name) == topic.methods.end()) {
+    throw ArgumentError("method", fmt::format("{} has no method {}", topic.name, found->value));
+  }
+  return found->value;
+}
+
+void require_known(const TopicEntry& topic, std::span<const Argument> given) {
+  for (const Argument& argument : given) {
+    if (argument.name != "method" &&
+        std::ranges::find(topic.parameters, argument.name, &Parameter::name) == topic.parameters.end()) {
+      throw ArgumentError(argument.name, fmt::format("{} has no such parameter", topic.name));
+    }
+  }
+}
+
+}  // namespace
+
+const TopicEntry* find_entry(std::string_view name) {
+  const auto topics = catalogue();
+  const auto found = std::ranges::find(topics, name, &TopicEntry::name);
+  return found == topics.end() ? nullptr : *found;
+}
+
+Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given) {
+  require_known(topic, given);
+  Arguments arguments;
+  arguments.set({"method", method_of(topic, given)});
+  for (const Parameter& parameter : topic.parameters) {
+    const auto found = std::ranges::find(given, parameter.name, &Argument::name);
+    Arguments::Entry entry{parameter.name, parameter.default_value};
+    if (found != given.end()) entry.text = canonical(parameter, found->value);
+    if (parameter.type == ParameterType::maze) {
+      entry.content = entry.text;
+      std::ranges::replace(entry.content, '/', '\n');
+    }
+    arguments.set(std::move(entry));
+  }
+  return arguments;
+}
+
+Trace trace_of(const TopicEntry& topic, std::initializer_list<Argument> given, Recording recording) {
+  return topic.run(arguments_of(topic, {given.begin(), given.size()}), recording);
+}
+
+}  // namespace gradus
