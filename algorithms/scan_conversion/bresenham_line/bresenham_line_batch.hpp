@@ -1,0 +1,172 @@
+#pragma once
+// Lines for speed: the pixels of bresenham_line.hpp, found a run at a time and written straight into memory.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/raster.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line.hpp"
+
+namespace gradus::bresenham_line {
+
+/// The lengths are divided: all runs but the first and the last have `shortest` or `shortest` + 1 pixels.
+struct RunsStarted {
+  ivec2 from, to;
+  std::int64_t dx, dy;
+  std::int64_t shortest;  ///< dx / dy, rounded down; dx + 1 when dy is 0 (one run)
+};
+
+/// A run was given out: `count` pixels in a straight line.
+struct RunEmitted {
+  ivec2 start;
+  Moves moves;  ///< the run goes on by moves.straight; the next one starts moves.diagonal after its end
+  std::int64_t count;
+};
+
+/// A run to come: its first pixel and that one's number, the number of the first pixel after it, and what the
+/// division that gave `next` left over (of 2 dy).
+struct Run {
+  ivec2 start;
+  std::int64_t k, next, rest;
+};
+
+/// The run that pixel number k of a line lies in, from that pixel on. Domain: 0 <= k <= dx.
+constexpr Run run_from(ivec2 from, ivec2 to, std::int64_t k) {
+  const auto [dx, dy] = extent(from, to);
+  const Moves go = moves(from, to);
+  if (dy == 0) return {place(from, go, k, 0), k, dx + 1, 0};
+  // The line passes the middle of rows `row` and `row` + 1 at (2 row + 1) dx / (2 dy)
+  if (k == 0) {
+    const std::int64_t passed = dx - !go.tie_straight;
+    return {from, 0, passed / (2 * dy) + 1, passed % (2 * dy)};
+  }
+  const std::int64_t row = row_at({dx, dy}, go.tie_straight, k);
+  const int128_t passed = (2 * int128_t{row} + 1) * dx - !go.tie_straight;
+  return {place(from, go, k, row), k, static_cast<std::int64_t>(passed / (2 * dy)) + 1,
+          static_cast<std::int64_t>(passed % (2 * dy))};
+}
+
+/// Where the next run starts: `count` pixels on and one aside.
+constexpr ivec2 after(ivec2 start, const Moves& go, std::int64_t count) { return place(start, go, count, 1); }
+
+/// The part `shown` of a line as runs. Domain: 0 <= shown.first <= shown.last <= dx.
+template <class Emit, Observer<RunsStarted, RunEmitted, Finished> O>
+constexpr void emit_runs(ivec2 from, ivec2 to, Stretch shown, Emit& emit, O& observer) {
+  const auto [dx, dy] = extent(from, to);
+  const Moves go = moves(from, to);
+  // Divide once: dx / dy pixels, or one more
+  auto shortest = dy ? dx / dy : dx + 1;
+  auto step = dy ? 2 * (dx % dy) : 0;
+  if constexpr (observed<O>) observer(RunsStarted{from, to, dx, dy, shortest});
+  Run run = run_from(from, to, shown.first);
+  while (run.next <= shown.last) {
+    const auto count = run.next - run.k;
+    emit(run.start, count);
+    if constexpr (observed<O>) observer(RunEmitted{run.start, go, count});
+    run.start = after(run.start, go, count);
+    run.k = run.next;
+    // The remainder says when it is one more
+    run.next += shortest;
+    run.rest += step;
+    if (run.rest >= 2 * dy) {
+      ++run.next;
+      run.rest -= 2 * dy;
+    }
+  }
+  // The last run stops at the end point
+  const auto count = shown.last - run.k + 1;
+  emit(run.start, count);
+  if constexpr (observed<O>) observer(RunEmitted{run.start, go, count});
+  if constexpr (observed<O>) observer(Finished{shown.last - shown.first + 1});
+}
+
+/// Gives out a line as runs of pixels along its leading axis, in order from `from` to `to`: the same pixels
+/// as decision_parameter. Every run but the first and the last has dx / dy pixels, rounded down or up, so
+/// that one division finds them all.
+/// J. E. Bresenham, Run length slice algorithm for incremental lines, in: Fundamental algorithms for
+/// computer graphics, 1985, 59-104.
+///
+/// from, to: any int32 coordinates. run(ivec2 start, std::int64_t count) is called once a run; its pixels
+///   are start + i * moves(from, to).straight for 0 <= i < count.
+///
+/// Domain: everything; from == to gives one run of one pixel.
+/// Steps: RunsStarted RunEmitted+ Finished
+/// Accuracy: exactly the pixels of decision_parameter.
+/// Cost: two divisions, then O(1) a run; min(|dx|, |dy|) + 1 runs.
+template <class EmitRun, Observer<RunsStarted, RunEmitted, Finished> O = Unobserved>
+constexpr void run_length(ivec2 from, ivec2 to, EmitRun&& run, O&& observer = {}) {
+  emit_runs(from, to, {0, extent(from, to).dx}, run, observer);
+}
+
+/// The runs of the part of the line that lies in a window: exactly the pixels of in_window.
+///
+/// Domain: everything; a line that misses the window gives no run and no step.
+/// Steps: (RunsStarted RunEmitted+ Finished)?
+/// Cost: O(runs shown), at most the smaller side of the window; a few 128-bit divisions.
+template <class EmitRun, Observer<RunsStarted, RunEmitted, Finished> O = Unobserved>
+constexpr void run_length_in_window(ivec2 from, ivec2 to, const Window& window, EmitRun&& run,
+                                    O&& observer = {}) {
+  const Stretch shown = visible(from, to, window);
+  if (shown.first <= shown.last) emit_runs(from, to, shown, run, observer);
+}
+
+/// From one pixel centre to another.
+struct Segment {
+  ivec2 from, to;
+};
+
+/// Draws a line into a raster: gives `value` to the cells of decision_parameter that lie in it.
+///
+/// Domain: any int32 end points; what lies outside the raster is not drawn.
+/// Accuracy: exactly the pixels of in_window.
+/// Cost: O(width + height) of the raster at most, however long the line; 128-bit divisions only when it is
+///   cut.
+template <class Cell>
+void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
+  const auto [dx, dy] = extent(from, to);
+  const Moves go = moves(from, to);
+  Stretch shown{0, dx};
+  ivec2 start = from;
+  std::int64_t p = 2 * dy - dx;
+  if (!raster.contains(from) || !raster.contains(to)) {
+    shown = visible(from, to, raster.window());
+    if (shown.last < shown.first) return;
+    start = pixel_at(from, to, shown.first);
+    p = decision_at(from, to, shown.first);
+  }
+  // Long runs within a row: whole runs at once
+  constexpr std::int64_t long_run = 8;
+  if (go.straight.y == 0 && dx >= long_run * dy) {
+    const bool right = go.straight.x > 0;
+    Unobserved nobody;
+    auto fill = [&](ivec2 first, std::int64_t count) {
+      Cell* cell = &raster[first];
+      std::fill_n(right ? cell : cell - (count - 1), count, value);
+    };
+    emit_runs(from, to, shown, fill, nobody);
+    return;
+  }
+  // Else pixel by pixel: an addition to a pointer each
+  const std::ptrdiff_t width = raster.width();
+  const std::ptrdiff_t straight = go.straight.x + go.straight.y * width;
+  const std::ptrdiff_t diagonal = go.diagonal.x + go.diagonal.y * width;
+  const std::int64_t tie = go.tie_straight ? 1 : 0;
+  Cell* cell = &raster[start];
+  *cell = value;
+  for (std::int64_t left = shown.last - shown.first; left > 0; --left) {
+    const bool ahead = p < tie;
+    cell += ahead ? straight : diagonal;
+    p += ahead ? 2 * dy : 2 * (dy - dx);
+    *cell = value;
+  }
+}
+
+/// Draws many lines, in order. Cost: the sum of the lines'.
+template <class Cell>
+void draw(Raster<Cell>& raster, std::span<const Segment> segments, const Cell& value) {
+  for (const Segment& segment : segments) draw(raster, segment.from, segment.to, value);
+}
+
+}  // namespace gradus::bresenham_line

@@ -1,0 +1,126 @@
+#pragma once
+// Exhibits: two listings of lecture notes that draw wrong lines, kept as printed so that a figure can show
+// where. Never use them to draw; bresenham_line.hpp has the right ones.
+
+#include <cstdint>
+#include <utility>
+
+#include "scan_conversion/bresenham_line/bresenham_line.hpp"
+
+namespace gradus::bresenham_line {
+
+/// to - from, with its signs.
+constexpr Extent offset(ivec2 from, ivec2 to) {
+  return {std::int64_t{to.x} - from.x, std::int64_t{to.y} - from.y};
+}
+
+/// FAULTY outside the first octant: Bresenham's loop for slopes 0 <= m <= 1, with the end points swapped to
+/// go from left to right, and nothing done about any other slope.
+/// The notes' first listing (they do say for which slopes it holds; errata E001-03).
+///
+/// from, to: any int32 coordinates (the arithmetic is widened; the printed int overflows: see swapped_ends).
+///   Pixels come from the left end to the right one.
+///
+/// Domain: right for 0 <= dy <= dx only. Downward lines come out flat ((0,0)-(4,-2) stays in row 0), steep
+///   ones as diagonals cut short ((0,0)-(2,4) ends at (2,2)), vertical ones as one pixel.
+/// Steps: Started (Compared Stepped)* Finished. Started.dy may be negative or above dx.
+/// Accuracy: none outside the first octant: `to` itself is not reached.
+/// Cost: |to.x - from.x| steps.
+template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
+constexpr void first_octant(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
+  constexpr Moves go{{1, 0}, {1, 1}, false};
+  if (from.x > to.x) std::swap(from, to);
+  const auto [dx, dy] = offset(from, to);
+  std::int64_t p = 2 * dy - dx;
+  if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
+  ivec2 pixel = from;
+  plot(pixel);
+  while (pixel.x < to.x) {
+    if (p < 0) {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
+      pixel += go.straight;  // E
+      p += 2 * dy;
+      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, p - 2 * dy, p, true});
+    } else {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
+      pixel += go.diagonal;  // NE
+      p += 2 * (dy - dx);
+      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, p - 2 * (dy - dx), p, false});
+    }
+    plot(pixel);
+  }
+  if constexpr (observed<O>) observer(Finished{dx + 1});
+}
+
+/// The value that two's complement int arithmetic keeps of a sum: modulo 2^32, in [-2^31, 2^31).
+constexpr std::int32_t wrapped(std::int64_t value) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value)));
+}
+
+constexpr std::int32_t minus(std::int32_t a, std::int32_t b) { return wrapped(std::int64_t{a} - b); }
+constexpr std::int32_t plus(std::int32_t a, std::int32_t b) { return wrapped(std::int64_t{a} + b); }
+constexpr std::int32_t twice(std::int32_t a) { return plus(a, a); }
+constexpr std::int32_t gap(std::int32_t a, std::int32_t b) {
+  const std::int32_t difference = minus(b, a);
+  return difference < 0 ? minus(0, difference) : difference;
+}
+
+constexpr bool seems_steep(ivec2 from, ivec2 to) { return gap(from.y, to.y) > gap(from.x, to.x); }
+
+/// E and NE of a line whose leading axis ascends.
+constexpr Moves ascending(ivec2 from, ivec2 to, bool steep) {
+  if (steep) return {{0, 1}, {from.x < to.x ? 1 : -1, 1}, false};
+  return {{1, 0}, {1, from.y < to.y ? 1 : -1}, false};
+}
+
+/// FAULTY for long lines, and not in the order asked for: Bresenham's loop for all slopes with p in 32 bits
+/// and the end points swapped so that the leading axis ascends.
+/// The notes' second listing (errata E001-04, and the line entries of part 4). In C++ its int overflow is
+/// undefined; here it wraps, as it does on today's machines.
+///
+/// from, to: any int32 coordinates. Pixels come in ascending order of the leading axis, whatever `from` is.
+///
+/// Domain: right, but for ties and the order, while |dx| and |dy| are below 2^30. Above, a value of p may not
+///   fit into 32 bits, and one wrap is one wrong turn: (0,0)-(1500000000,200000000) takes (5,2) where the
+///   line passes at 2/3. From 2^31 on dx itself does not fit: (-1500000000,-1)-(1500000000,1) turns aside at
+///   its first step. (Where only the increments wrap, the sums come out right all the same: 2 dy = 2.4e9 on
+///   the way to (1500000000,1200000000) does no harm.)
+/// Steps: Started (Compared Stepped)* Finished
+/// Accuracy: within 1/2 pixel while it is right. Midway it turns aside, seen along the ascending axis, so
+///   that (0,0)-(2,1) takes (1,1) but (0,0)-(-2,-1) takes (-1,0).
+/// Cost: as decision_parameter.
+template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
+constexpr void swapped_ends(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
+  const bool steep = seems_steep(from, to);
+  const int lead = steep ? 1 : 0;
+  const int side = steep ? 0 : 1;
+  if (from[lead] > to[lead]) {
+    std::swap(from, to);
+  }
+  int dx = minus(to[lead], from[lead]);
+  int dy = gap(from[side], to[side]);
+  Moves go = ascending(from, to, steep);
+  int p = minus(twice(dy), dx);
+  const int c1 = twice(dy);
+  const int c2 = twice(minus(dy, dx));
+  if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
+  ivec2 pixel = from;
+  plot(pixel);
+  while (pixel[lead] < to[lead]) {
+    if (p < 0) {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
+      pixel += go.straight;  // E
+      p = plus(p, c1);
+      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, minus(p, c1), p, true});
+    } else {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
+      pixel += go.diagonal;  // NE
+      p = plus(p, c2);
+      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, minus(p, c2), p, false});
+    }
+    plot(pixel);
+  }
+  if constexpr (observed<O>) observer(Finished{std::int64_t{to[lead]} - from[lead] + 1});
+}
+
+}  // namespace gradus::bresenham_line

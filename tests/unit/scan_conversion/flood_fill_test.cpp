@@ -1,0 +1,381 @@
+#include "scan_conversion/flood_fill/flood_fill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/record.hpp"
+#include "scan_conversion/flood_fill/flood_fill_notes.hpp"
+#include "scan_conversion/flood_fill/maze.hpp"
+
+namespace gradus::flood_fill {
+namespace {
+
+constexpr Method methods[] = {Method::depth_first, Method::breadth_first, Method::span};
+constexpr Connectivity connectivities[] = {Connectivity::four, Connectivity::eight};
+using AllSteps =
+    Recorder<Started, Painted, Examined, Retreated, Dequeued, SpanFilled, SpanQueued, SpanTaken, Finished>;
+
+Maze maze(std::string_view text) {
+  auto parsed = parse_maze(text, "test");
+  EXPECT_TRUE(std::holds_alternative<Maze>(parsed)) << text;
+  return std::get<Maze>(parsed);
+}
+
+std::string error_of(std::string_view text) {
+  const auto parsed = parse_maze(text, "m.txt");
+  const auto* error = std::get_if<MazeError>(&parsed);
+  return error ? error->what : "none";
+}
+
+TEST(FloodFill, FillsARoomThroughItsDoor) {
+  for (const Method method : methods) {
+    Maze m = maze(
+        "#######\n"
+        "#..#..#\n"
+        "#.....#\n"
+        "#..#..#\n"
+        "#######\n");
+    const Filled filled = fill_maze(m, {1, 1}, 'a', {.method = method});
+    EXPECT_EQ(filled.painted, 13);
+    EXPECT_EQ(maze_text(m),
+              "#######\n"
+              "#aa#aa#\n"
+              "#aaaaa#\n"
+              "#aa#aa#\n"
+              "#######\n");
+  }
+}
+
+TEST(FloodFill, CornersConnectOnlyWhenAskedTo) {
+  for (const Method method : methods) {
+    Maze four = maze("..##\n..##\n##..\n##..\n"), eight = four;
+    EXPECT_EQ(fill_maze(four, {0, 0}, 'a', {.connectivity = Connectivity::four, .method = method}).painted,
+              4);
+    EXPECT_EQ(maze_text(four), "aa##\naa##\n##..\n##..\n");
+    EXPECT_EQ(fill_maze(eight, {3, 3}, 'a', {.connectivity = Connectivity::eight, .method = method}).painted,
+              8);
+    EXPECT_EQ(maze_text(eight), "aa##\naa##\n##aa\n##aa\n");
+    // A chessboard is one region or 32
+    Maze board(8, 8, wall);
+    for (int y = 0; y < 8; ++y) {
+      for (int x = y % 2; x < 8; x += 2) board[{x, y}] = free_cell;
+    }
+    Maze same = board;
+    EXPECT_EQ(fill_maze(board, {3, 3}, 'a', {.connectivity = Connectivity::four, .method = method}).painted,
+              1);
+    EXPECT_EQ(fill_maze(same, {3, 3}, 'a', {.connectivity = Connectivity::eight, .method = method}).painted,
+              32);
+  }
+}
+
+TEST(FloodFill, GoldenDepthsAndQueues) {
+  // G001-16: order right, left, down, up
+  struct Case {
+    int side;
+    ivec2 seed;
+    std::size_t depth, queue;
+  };
+  for (const Case& c :
+       {Case{64, {0, 0}, 4096, 64}, Case{512, {256, 256}, 131841, 1023}, Case{1000, {0, 0}, 1000000, 1000}}) {
+    for (const Method method : methods) {
+      Maze m(c.side, c.side, free_cell);
+      const Filled filled = fill_maze(m, c.seed, 'a', {.method = method});
+      EXPECT_EQ(filled.painted, std::int64_t{c.side} * c.side);
+      const std::size_t expected = method == Method::depth_first     ? c.depth
+                                   : method == Method::breadth_first ? c.queue
+                                                                     : 2;
+      EXPECT_EQ(filled.peak_waiting, expected) << c.side;
+      const std::size_t entry = method == Method::depth_first ? 12 : method == Method::breadth_first ? 8 : 16;
+      EXPECT_EQ(filled.peak_bytes, filled.peak_waiting * entry);
+    }
+  }
+}
+
+TEST(FloodFill, EmptyCanvasTakesMemoryOfItsSidesOnly) {
+  // Every seed of small canvases, the telling seeds of large ones; span never holds more than two spans
+  int cases = 0;
+  const auto check = [&](int width, int height, ivec2 seed, Connectivity connectivity) {
+    Maze m(width, height, free_cell);
+    const auto sides = static_cast<std::size_t>(width + height);
+    const Filled spans = fill_maze(m, seed, 'a', {.connectivity = connectivity, .method = Method::span});
+    const Filled waves =
+        fill_maze(m, seed, 'b', {.connectivity = connectivity, .method = Method::breadth_first});
+    ASSERT_EQ(spans.painted, std::int64_t{width} * height);
+    ASSERT_EQ(waves.painted, std::int64_t{width} * height);
+    ASSERT_LE(spans.peak_waiting, 2u);
+    ASSERT_LE(waves.peak_waiting, connectivity == Connectivity::four ? sides : 3 * sides)
+        << width << 'x' << height;
+    ++cases;
+  };
+  for (const Connectivity c : connectivities) {
+    for (int width = 1; width <= 7; ++width) {
+      for (int height = 1; height <= 7; ++height) {
+        for (int y = 0; y < height; ++y) {
+          for (int x = 0; x < width; ++x) check(width, height, {x, y}, c);
+        }
+      }
+    }
+    for (const ivec2 size : {ivec2{300, 200}, ivec2{1, 1000}, ivec2{1000, 1}, ivec2{257, 255}}) {
+      const int w = size.x - 1, h = size.y - 1;
+      for (const ivec2 seed :
+           {ivec2{0, 0}, ivec2{w, 0}, ivec2{0, h}, ivec2{w, h}, ivec2{w / 2, h / 2}, ivec2{w / 3, h}}) {
+        check(size.x, size.y, seed, c);
+      }
+    }
+  }
+  EXPECT_EQ(cases, 2 * (28 * 28 + 4 * 6));
+}
+
+TEST(FloodFill, StepsOfDepthFirst) {
+  AllSteps seen;
+  Maze m = maze("..\n#.\n");
+  fill_maze(m, {0, 0}, 'a', {.method = Method::depth_first}, seen);
+  std::string order;
+  std::vector<ivec2> path;
+  for (const auto& event : seen.events()) {
+    if (std::get_if<Started>(&event.step)) order += 'S';
+    if (std::get_if<Examined>(&event.step)) order += 'e';
+    if (std::get_if<Finished>(&event.step)) order += 'F';
+    if (const auto* p = std::get_if<Painted>(&event.step)) {
+      order += 'P';
+      path.push_back(p->pixel);
+      EXPECT_EQ(p->waiting, path.size());
+    }
+    if (const auto* r = std::get_if<Retreated>(&event.step)) {
+      order += 'r';
+      EXPECT_EQ(r->pixel, path.back());
+      path.pop_back();
+      EXPECT_EQ(r->waiting, path.size());
+    }
+  }
+  // (0,0); right: (1,0); right, left no; down: (1,1), nowhere to go; up no; back at (0,0): left, down, up no
+  EXPECT_EQ(order, "SPePeeePeeeerereeerF");
+  EXPECT_TRUE(path.empty());
+  EXPECT_EQ(all<Finished>(seen).at(0).filled.painted, 3);
+}
+
+TEST(FloodFill, StepsOfBreadthFirst) {
+  AllSteps seen;
+  Maze m = maze("...\n.#.\n...\n");
+  fill_maze(m, {0, 0}, 'a', {.method = Method::breadth_first}, seen);
+  std::vector<ivec2> queue, out;
+  for (const auto& event : seen.events()) {
+    if (const auto* p = std::get_if<Painted>(&event.step)) {
+      queue.push_back(p->pixel);
+      EXPECT_EQ(p->waiting, queue.size() - out.size());
+    }
+    if (const auto* d = std::get_if<Dequeued>(&event.step)) {
+      out.push_back(d->pixel);
+      EXPECT_EQ(d->waiting, queue.size() - out.size());
+    }
+  }
+  EXPECT_EQ(queue, out);  // first in, first out
+  EXPECT_EQ(queue, (std::vector<ivec2>{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}}));
+  EXPECT_EQ(all<Examined>(seen).size(), 4u * 8u);
+}
+
+TEST(FloodFill, StepsOfSpan) {
+  AllSteps seen;
+  Maze m = maze("..#.\n.#..\n....\n");
+  fill_maze(m, {0, 0}, 'a', {.method = Method::span}, seen);
+  const auto filled = all<SpanFilled>(seen);
+  ASSERT_EQ(filled.size(), 5u);
+  const auto is = [](const Span& s, int row, int left, int right, int way) {
+    return s.row == row && s.left == left && s.right == right && s.way == way;
+  };
+  EXPECT_TRUE(is(filled[0].span, 0, 0, 1, 1));
+  EXPECT_TRUE(is(filled[1].span, 1, 0, 0, 1));
+  EXPECT_TRUE(is(filled[2].span, 2, 0, 3, 1));
+  EXPECT_TRUE(is(filled[3].span, 1, 2, 3, -1));  // back up where row 2 sticks out
+  EXPECT_TRUE(is(filled[4].span, 0, 3, 3, -1));
+  EXPECT_EQ(all<SpanQueued>(seen).size(), all<SpanTaken>(seen).size());
+  std::size_t waiting = 0;
+  for (const auto& event : seen.events()) {
+    if (const auto* q = std::get_if<SpanQueued>(&event.step)) {
+      EXPECT_EQ(q->waiting, ++waiting);
+    }
+    if (const auto* t = std::get_if<SpanTaken>(&event.step)) {
+      EXPECT_EQ(t->waiting, --waiting);
+    }
+  }
+  EXPECT_EQ(all<Finished>(seen).at(0).filled.painted, 10);
+}
+
+TEST(FloodFill, ASeedThatIsNotInsidePaintsNothing) {
+  for (const Method method : methods) {
+    AllSteps seen;
+    int painted = 0;
+    const auto never = [](ivec2) { return false; };
+    const Filled filled = fill(method, {3, 3}, never, [&](ivec2) { ++painted; }, Connectivity::four, seen);
+    EXPECT_EQ(filled, Filled{});
+    EXPECT_EQ(painted, 0);
+    ASSERT_EQ(seen.events().size(), 2u);
+    EXPECT_FALSE(all<Started>(seen).at(0).inside);
+    // Outside the window, and in an empty one
+    const auto always = [](ivec2) { return true; };
+    const auto paint = [&](ivec2) { ++painted; };
+    EXPECT_EQ(in_window(method, {5, 0}, {{0, 0}, {4, 4}}, always, paint).painted, 0);
+    EXPECT_EQ(in_window(method, {0, 0}, {}, always, paint).painted, 0);
+    EXPECT_EQ(painted, 0);
+    Maze walls(3, 3, wall);
+    EXPECT_EQ(fill_maze(walls, {1, 1}, 'a', {.method = method}).painted, 0);
+    EXPECT_EQ(walls, Maze(3, 3, wall));
+  }
+}
+
+TEST(FloodFill, WindowBoundsWhatIsAskedAndPainted) {
+  const Window window{{-3, -2}, {4, 6}};
+  for (const Method method : methods) {
+    for (const Connectivity connectivity : connectivities) {
+      Raster<char> painted(8, 9);  // inside is true for the whole plane, but for what is painted
+      std::int64_t asked = 0;
+      const auto inside = [&](ivec2 p) {
+        EXPECT_TRUE(window.contains(p));
+        ++asked;
+        return !painted[p - window.lower];
+      };
+      const auto paint = [&](ivec2 p) {
+        EXPECT_TRUE(window.contains(p));
+        painted[p - window.lower] = 1;
+      };
+      const Filled filled = in_window(method, {0, 0}, window, inside, paint, connectivity);
+      EXPECT_EQ(filled.painted, 72);
+      EXPECT_LE(asked, 9 * 72);
+    }
+  }
+  const auto no = [](ivec2) { return false; };
+  const auto nothing = [](ivec2) {};
+  EXPECT_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX, 0}}, no, nothing), ContractViolation);
+  EXPECT_NO_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX - 2, 0}}, no, nothing));
+}
+
+TEST(FloodFill, ImageBySeedColourAndTolerance) {
+  const Rgba8 sky{10, 20, 200}, nearly{12, 18, 203}, other{40, 20, 200}, red{255, 0, 0};
+  for (const Method method : methods) {
+    Image image(4, 2, sky);
+    image[{2, 0}] = nearly;
+    image[{2, 1}] = nearly;
+    image[{3, 1}] = other;
+    Image plain = image;
+    EXPECT_EQ(fill_image(plain, {0, 0}, red, {.method = method}).painted, 4);
+    EXPECT_EQ((plain[{2, 0}]), nearly);
+    Image close = image;
+    const Filled filled = fill_image(close, {0, 0}, red, {.tolerance = 3, .method = method});
+    EXPECT_EQ(filled.painted, 7);
+    EXPECT_EQ(filled.mask_bytes, 0u);
+    EXPECT_EQ((close[{3, 0}]), red);
+    EXPECT_EQ((close[{3, 1}]), other);
+    // The new colour is itself within the tolerance: a mask keeps painted pixels apart
+    Image same = image;
+    const Filled masked = fill_image(same, {0, 0}, sky, {.tolerance = 3, .method = method});
+    EXPECT_EQ(masked.painted, 7);
+    EXPECT_EQ(masked.mask_bytes, 8u);
+    EXPECT_EQ((same[{2, 1}]), sky);
+    EXPECT_EQ((same[{3, 1}]), other);
+    EXPECT_EQ(fill_image(same, {0, 0}, red, {.tolerance = 255, .method = method}).painted, 8);
+    // The seed's own colour: nothing to do, nothing painted
+    Image unchanged = image;
+    EXPECT_EQ(fill_image(unchanged, {0, 0}, sky, {.method = method}).painted, 0);
+    EXPECT_EQ(unchanged, image);
+  }
+  // Alpha counts as a channel
+  Image clear(2, 1, Rgba8{0, 0, 0, 0});
+  clear[{1, 0}] = Rgba8{0, 0, 0, 255};
+  EXPECT_EQ(fill_image(clear, {0, 0}, red).painted, 1);
+}
+
+TEST(FloodFill, MistakesAreNamed) {
+  Image image(4, 2);
+  for (const ivec2 seed : {ivec2{4, 0}, ivec2{0, 2}, ivec2{-1, 0}}) {
+    EXPECT_THROW(fill_image(image, seed, {}), ContractViolation);  // E001-08
+  }
+  try {
+    fill_image(image, {4, 0}, {});
+  } catch (const ContractViolation& e) {
+    EXPECT_STREQ(e.what(),
+                 "the seed 4,0 lies outside the image of 4 x 2 pixels (columns 0 to 3, rows 0 to 1)");
+  }
+  EXPECT_THROW(fill_image(image, {0, 0}, {}, {.tolerance = -1}), ContractViolation);
+  EXPECT_THROW(fill_image(image, {0, 0}, {}, {.tolerance = 256}), ContractViolation);
+  Maze m(2, 2, free_cell);
+  EXPECT_THROW(fill_maze(m, {0, 0}, '#'), ContractViolation);
+  EXPECT_THROW(fill_maze(m, {2, 0}, 'a'), ContractViolation);
+  Image none;
+  EXPECT_THROW(fill_image(none, {0, 0}, {}), ContractViolation);
+}
+
+TEST(FloodFill, ObservedEqualsUnobserved) {
+  for (const Method method : methods) {
+    for (const Connectivity connectivity : connectivities) {
+      const Maze m = maze("..#.b\n.#..b\n....#\n#.##.\n");
+      Maze a = m, b = m;
+      int steps = 0;
+      auto count = [&](const auto&) { ++steps; };
+      const Options options{.connectivity = connectivity, .method = method};
+      EXPECT_EQ(fill_maze(a, {0, 0}, 'a', options), fill_maze(b, {0, 0}, 'a', options, count));
+      EXPECT_EQ(a, b);
+      EXPECT_GT(steps, 20);
+    }
+  }
+}
+
+TEST(FloodFillMaze, ReadsTextAndGivesItBack) {
+  const Maze m = maze("#.a\nZ.#\n");
+  EXPECT_EQ(m.width(), 3);
+  EXPECT_EQ(m.height(), 2);
+  EXPECT_EQ((m[{2, 0}]), 'a');
+  EXPECT_EQ((m[{0, 1}]), 'Z');
+  EXPECT_EQ(maze_text(m), "#.a\nZ.#\n");
+  EXPECT_EQ(maze("#.a\r\nZ.#\r\n"), m);
+  EXPECT_EQ(maze("#.a\nZ.#"), m);
+  EXPECT_EQ(maze("#.a\r\nZ.#\r"), m);
+  EXPECT_EQ(maze(".").width(), 1);
+}
+
+TEST(FloodFillMaze, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(error_of(""),
+            "m.txt:1: found nothing, expected rows of # (wall), . (free) and letters (colours)");
+  EXPECT_EQ(error_of("...\n..\n"), "m.txt:2: found 2 cells, expected 3 as in the first line");
+  EXPECT_EQ(error_of("...\n....\n"), "m.txt:2: found 4 cells, expected 3 as in the first line");
+  EXPECT_EQ(error_of("..\n.5\n"),
+            "m.txt:2: found '5' in column 1, expected # (wall), . (free) or a letter (colour)");
+  EXPECT_EQ(error_of(". ."),
+            "m.txt:1: found a space in column 1, expected # (wall), . (free) or a letter (colour)");
+  EXPECT_EQ(error_of(".\t"),
+            "m.txt:1: found a tab in column 1, expected # (wall), . (free) or a letter (colour)");
+  EXPECT_EQ(error_of(".\xC3\xA4"),
+            "m.txt:1: found the byte 195 in column 1, expected # (wall), . (free) or a letter (colour)");
+  EXPECT_EQ(error_of("..\n\n..\n"), "m.txt:2: found an empty line, expected a row of # . and letters");
+  EXPECT_EQ(error_of("..\n\n"), "m.txt:2: found an empty line, expected a row of # . and letters");
+}
+
+TEST(FloodFillNotes, RecursionIsDepthFirst) {
+  for (const Connectivity connectivity : connectivities) {
+    Maze a = maze("..#.b\n.#..b\n....#\n#.##.\n"), b = a;
+    const auto inside = [&](ivec2 p) { return a.contains(p) && a[p] == free_cell; };
+    Recorder<Painted, Examined, Retreated> called;
+    const Depth depth = recursive({0, 0}, inside, [&](ivec2 p) { a[p] = 'a'; }, connectivity, called);
+    AllSteps stacked;
+    const Filled filled =
+        fill_maze(b, {0, 0}, 'a', {.connectivity = connectivity, .method = Method::depth_first}, stacked);
+    EXPECT_EQ(a, b);
+    EXPECT_EQ(depth.painted, filled.painted);
+    EXPECT_EQ(depth.peak, static_cast<std::int64_t>(filled.peak_waiting));
+    const auto p = all<Painted>(called), q = all<Painted>(stacked);
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      EXPECT_EQ(p[i].pixel, q[i].pixel);
+      EXPECT_EQ(p[i].waiting, q[i].waiting);
+    }
+    EXPECT_EQ(all<Retreated>(called).size(), p.size());
+  }
+}
+
+}  // namespace
+}  // namespace gradus::flood_fill
