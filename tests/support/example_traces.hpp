@@ -63,6 +63,10 @@ inline std::vector<Trace> telling_traces() {
   line("-2147483648,-2147483648", "2147483647,2147483647");
   line("2147483647,-2147483648", "-2147483648,2147483646");
   line("0,0", "4,-2", "first_octant");
+  traces.push_back(trace_of("bresenham_line",
+                            {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}}));
+  traces.push_back(trace_of("bresenham_line", {{"window", "20,20,30,30"}}));
+  traces.push_back(trace_of("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}}));
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
     traces.push_back(trace_of("flood_fill", {{"method", method}, {"connectivity", "8"}}));
     traces.push_back(trace_of("flood_fill", {{"method", method}, {"maze", "aab/#.b/.##"}, {"at", "2,1"}}));

@@ -440,13 +440,11 @@ class DrawingLayout {
                    trace_.grid.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
     };
     for (const Mark& mark : trace_.backdrop) {
-      if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
-        pen_.line("overview " + mark.id, {{to_whole(stroke->a), to_whole(stroke->b)},
-                                          Paint::mark(mark.role),
-                                          2 * s_,
-                                          false,
-                                          false,
-                                          false});
+      const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
+      if (!stroke) continue;
+      if (const auto part = clipped(to_whole(stroke->a), to_whole(stroke->b), whole)) {
+        pen_.line("overview " + mark.id,
+                  {{part->first, part->second}, Paint::mark(mark.role), 2 * s_, false, false, false});
       }
     }
     const Window& view = frame_.view;

@@ -33,6 +33,14 @@ std::size_t index_of(const Trace& trace, StepNumber number) {
   return static_cast<std::size_t>(position(trace, number) - trace.steps.begin());
 }
 
+StepNumber middle_step(const Trace& trace) {
+  const std::size_t middle = trace.steps.size() / 2;
+  for (std::size_t i = middle; i < trace.steps.size(); ++i) {
+    if (trace.steps[i].number.fine == 0) return trace.steps[i].number;
+  }
+  return trace.steps.empty() ? StepNumber{} : StepNumber{trace.steps.front().number.step, 0};
+}
+
 Playhead::Playhead(const Trace& trace) : trace_(trace), position_(0), canvas_(trace.before) {
   // A keyframe whenever as much has changed as a copy costs: memory stays linear, and so does a jump
   Canvas canvas = trace.before;

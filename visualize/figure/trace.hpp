@@ -113,6 +113,9 @@ std::size_t index_of(const Trace& trace, StepNumber number);
 /// Whether this step is recorded.
 bool has_step(const Trace& trace, StepNumber number);
 
+/// The milestone in the middle of what is recorded.
+StepNumber middle_step(const Trace& trace);
+
 /// The drawing after any recorded step, by keyframes and deltas. Moving back is the same as never having
 /// moved on. Cost: O(size of the drawing) for a jump, O(delta) for a step forward; memory linear in the sum
 /// of deltas.

@@ -99,6 +99,29 @@ std::string canonical_cell(const Parameter& parameter, std::string_view text) {
   return fmt::format("{},{}", *x, *y);
 }
 
+/// The four numbers between commas, if there are just four.
+std::optional<std::array<std::int64_t, 4>> four_numbers(std::string_view text) {
+  std::array<std::int64_t, 4> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 3)) return std::nullopt;
+    const auto number = whole_number(trimmed(text.substr(0, comma)));
+    if (!number || *number < INT32_MIN || *number > INT32_MAX) return std::nullopt;
+    numbers[i] = *number;
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+  }
+  return numbers;
+}
+
+std::string canonical_window(const Parameter& parameter, std::string_view text) {
+  const auto numbers = four_numbers(trimmed(text));
+  if (!numbers) refuse(parameter, "four whole numbers xmin,ymin,xmax,ymax like 0,0,10,10", text);
+  const auto [xmin, ymin, xmax, ymax] = *numbers;
+  if (xmin > xmax) refuse(parameter, fmt::format("xmin <= xmax, not {} > {}", xmin, xmax), text);
+  if (ymin > ymax) refuse(parameter, fmt::format("ymin <= ymax, not {} > {}", ymin, ymax), text);
+  return fmt::format("{},{},{},{}", xmin, ymin, xmax, ymax);
+}
+
 std::string canonical_integer(const Parameter& parameter, std::string_view text) {
   const auto value = whole_number(text);
   if (!value || *value < parameter.least || *value > parameter.most) {
@@ -186,6 +209,14 @@ ivec2 Arguments::cell(std::string_view name) const {
   return {static_cast<int>(*x), static_cast<int>(*y)};
 }
 
+std::optional<Window> Arguments::window(std::string_view name) const {
+  if (!has(name) || text(name).empty()) return std::nullopt;
+  const auto numbers = four_numbers(text(name));
+  expects(numbers.has_value(), "{} is a window in its canonical spelling, not '{}'", name, text(name));
+  const auto at = [&numbers](std::size_t i) { return static_cast<int>((*numbers)[i]); };
+  return Window{{at(0), at(1)}, {at(2), at(3)}};
+}
+
 std::int64_t Arguments::integer(std::string_view name) const {
   const auto value = whole_number(text(name));
   expects(value.has_value(), "{} is a whole number, not '{}'", name, text(name));
@@ -205,6 +236,8 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
   switch (parameter.type) {
     case ParameterType::cell:
       return canonical_cell(parameter, text);
+    case ParameterType::window:
+      return canonical_window(parameter, text);
     case ParameterType::integer:
       return canonical_integer(parameter, text);
     case ParameterType::choice:

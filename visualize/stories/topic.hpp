@@ -20,6 +20,7 @@ namespace gradus {
 /// What kind of value a parameter takes; decides how it is read and how a wrong one is explained.
 enum class ParameterType {
   cell,     ///< two whole numbers "3,4"
+  window,   ///< four whole numbers "xmin,ymin,xmax,ymax", both corners included
   integer,  ///< one whole number
   choice,   ///< one of `choices`
   color,    ///< "#rrggbb" or a CSS basic colour name; canonical "#rrggbb"
@@ -60,6 +61,8 @@ class Arguments {
   const Entry& entry(std::string_view name) const;
   const std::string& text(std::string_view name) const { return entry(name).text; }
   ivec2 cell(std::string_view name) const;
+  /// Nothing where none was given.
+  std::optional<Window> window(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
   const std::vector<Entry>& entries() const { return entries_; }

@@ -23,10 +23,14 @@ struct Line {
   ivec2 from, to;
   Extent size;
   Moves go;
+  std::optional<Window> window;  ///< only what lies in it is drawn
+  Stretch shown;                 ///< the pixels to draw: all, or those in the window
 };
 Line line_of(const Arguments& arguments) {
   const ivec2 from = arguments.cell("from"), to = arguments.cell("to");
-  return {from, to, extent(from, to), moves(from, to)};
+  const Extent size = extent(from, to);
+  const std::optional<Window> window = arguments.window("window");
+  return {from, to, size, moves(from, to), window, window ? visible(from, to, *window) : Stretch{0, size.dx}};
 }
 
 dvec2 centre(ivec2 p) { return {p.x, p.y}; }
@@ -72,7 +76,7 @@ std::string ideal_name(const Line& line) {
 
 /// What stands unchanged behind all steps.
 void set_scene(Trace& trace, const Line& line) {
-  trace.grid.cells = scene_of(line);
+  trace.grid.cells = line.window ? *line.window : scene_of(line);
   trace.grid.y_up = true;
   if (line.size.dx > 0) {
     trace.backdrop.push_back({"ideal line", Role::boundary, Stroke{centre(line.from), centre(line.to)}});
@@ -198,7 +202,7 @@ class DecisionTeller {
   }
 
   void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
-    if (!faulty_ && k_ < size_.dx) return;  // only a part was watched
+    if (!faulty_ && k_ < line_.shown.last) return;  // only a part was watched
     Delta delta = cleared();
     for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     writer_.fine(std::move(delta), pixel_, source_line, [&](TraceStep& step) {
@@ -207,7 +211,8 @@ class DecisionTeller {
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
       step.sentence =
-          faulty_
+          f.pixels == 0 ? "The line misses the window: nothing is drawn, and nothing was walked."
+          : faulty_
               ? fmt::format(
                     "The listing ends with {} pixels, the last one at {}; the line should end "
                     "at {}.",
@@ -304,6 +309,11 @@ class AnalyserTeller {
  public:
   AnalyserTeller(TraceWriter& writer, const Line& line) : writer_(writer), line_(line) {
     writer.trace().columns = {{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right?", false}};
+    writer.trace().legend = {{Role::past, "drawn before"},
+                             {Role::current, "chosen now"},
+                             {Role::accepted, "nearest pixel"},
+                             {Role::result, "the line's pixels"},
+                             {Role::measure, "the sum as a float"}};
   }
   /// Number of the first pixel that is not the nearest one.
   std::optional<std::int64_t> first_wrong() const { return first_wrong_; }
@@ -492,6 +502,15 @@ const Method& method_named(std::string_view name) {
   throw ArgumentError("method", "a method of bresenham_line expected");
 }
 
+/// Whether the exact method starts in the middle.
+bool jumps(const Line& line) { return line.window.has_value() || line.size.dx > longest_watched; }
+
+void require_whole(const Line& line, std::string_view method) {
+  if (line.window) {
+    throw ArgumentError("window", fmt::format("method {} has none: it walks to every pixel", method));
+  }
+}
+
 void require_short(const Line& line, std::string_view method) {
   if (line.size.dx > longest_watched) {
     throw ArgumentError(
@@ -500,19 +519,24 @@ void require_short(const Line& line, std::string_view method) {
   }
 }
 
-/// Watches the exact method: from its start, or, on a long line, only the part that is kept.
+/// Watches the exact method: from its start, or, through a window or on a long line, only the part that is
+/// kept.
 void tell_decision(TraceWriter& writer, const Line& line, const Recording& recording) {
   DecisionTeller teller(writer, line, false);
-  if (line.size.dx <= longest_watched) {
+  if (!jumps(line)) {
     decision_parameter(line.from, line.to, [](ivec2) {}, teller);
     return;
   }
-  const std::int64_t first = std::clamp<std::int64_t>(recording.first, 0, line.size.dx);
-  const std::int64_t last = std::min(line.size.dx, first + recording.most / 2);
+  writer.trace().method_title += line.window ? ", in a window" : ", jumped to the part shown";
+  if (line.shown.last < line.shown.first) {
+    in_window(line.from, line.to, *line.window, [](ivec2) {}, teller);
+    return;
+  }
+  const std::int64_t first = std::clamp(recording.first, line.shown.first, line.shown.last);
+  const std::int64_t last = std::min(line.shown.last, first + recording.most / 2);
   const Window part = window_around(pixel_at(line.from, line.to, first), pixel_at(line.from, line.to, last));
-  writer.trace().method_title += ", jumped to the part shown";
   in_window(line.from, line.to, part, [](ivec2) {}, teller);
-  writer.skip_to(line.size.dx + 1);
+  writer.skip_to(line.shown.last + 1);
 }
 
 void describe(Trace& trace, const Line& line, const Method& method, const Arguments& arguments) {
@@ -523,8 +547,9 @@ void describe(Trace& trace, const Line& line, const Method& method, const Argume
   trace.method_title = method.title;
   if (method.standing == Standing::faulty) trace.faulty = method.note;
   trace.goal = "Draw the pixels nearest to a straight line, with integer additions only.";
-  for (const Arguments::Entry& entry : arguments.entries())
-    trace.arguments.push_back({entry.name, entry.text});
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
+  }
 }
 
 void list_source(Trace& trace, std::string_view file, std::string_view function) {
@@ -540,10 +565,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   set_scene(writer.trace(), line);
   const auto drop = [](ivec2) {};
   if (method.name == "decision_parameter") {
-    list_source(writer.trace(), "bresenham_line.hpp",
-                line.size.dx <= longest_watched ? "decision_parameter" : "in_window");
+    list_source(writer.trace(), "bresenham_line.hpp", jumps(line) ? "in_window" : "decision_parameter");
     tell_decision(writer, line, recording);
   } else if (method.name == "dda") {
+    require_whole(line, method.name);
     require_short(line, method.name);
     list_source(writer.trace(), "bresenham_line.hpp", "dda");
     AnalyserTeller teller(writer, line);
@@ -553,11 +578,13 @@ Trace run(const Arguments& arguments, Recording recording) {
           fmt::format("the rounded slope adds up; pixel {} is the first wrong one", *wrong);
     }
   } else if (method.name == "run_length") {
+    require_whole(line, method.name);
     require_short(line, method.name);
     list_source(writer.trace(), "bresenham_line_batch.hpp", "emit_runs");
     RunTeller teller(writer, line);
     run_length(line.from, line.to, [](ivec2, std::int64_t) {}, teller);
   } else {
+    require_whole(line, method.name);
     require_short(line, method.name);
     list_source(writer.trace(), "bresenham_line_notes.hpp", method.name);
     DecisionTeller teller(writer, line, true);
@@ -565,9 +592,8 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (method.name == "swapped_ends") swapped_ends(line.from, line.to, drop, teller);
   }
   Trace trace = std::move(writer).finish();
-  const auto half = static_cast<std::int64_t>(trace.steps.size()) / 2;
-  trace.telling = {std::min<std::int64_t>((trace.last + 1) / 2, half), 0};
-  trace.result = {{"count", pixel_count(line.from, line.to)}};
+  trace.telling = middle_step(trace);
+  trace.result = {{"count", std::max<std::int64_t>(0, line.shown.last - line.shown.first + 1)}};
   return trace;
 }
 
@@ -584,7 +610,9 @@ const TopicEntry& entry() {
       .methods = all_methods(),
       .default_method = "decision_parameter",
       .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
-                     {"to", ParameterType::cell, "7,3", "7,3", "last pixel"}},
+                     {"to", ParameterType::cell, "7,3", "7,3", "last pixel"},
+                     {"window", ParameterType::window, "", "0,0,15,9",
+                      "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
       .gallery = {{"bresenham_line",
                    {{"from", "0,0"}, {"to", "7,3"}},

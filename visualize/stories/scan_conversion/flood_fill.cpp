@@ -62,6 +62,13 @@ Delta maze_cells(const Maze& maze) {
   return delta;
 }
 
+/// The outline of a window's cells.
+Path border(const Window& w) {
+  const double left = w.lower.x - 0.5, right = w.upper.x + 0.5, top = w.lower.y - 0.5,
+               bottom = w.upper.y + 0.5;
+  return {{{left, top}, {right, top}, {right, bottom}, {left, bottom}}, true};
+}
+
 std::string_view what_waits(std::string_view method) {
   if (method == "depth_first") return "path";
   if (method == "breadth_first") return "queue";
@@ -80,8 +87,9 @@ std::string_view side(ivec2 from, ivec2 to) {
 /// Tells the steps of all three methods. A pixel painted is a milestone, as is a span; looking is finer.
 class FillTeller {
  public:
-  FillTeller(TraceWriter& writer, const Subject& subject, std::string_view method)
-      : writer_(writer), subject_(subject), waits_(what_waits(method)) {
+  FillTeller(TraceWriter& writer, const Subject& subject, std::string_view method,
+             std::optional<Window> window)
+      : writer_(writer), subject_(subject), waits_(what_waits(method)), window_(window) {
     const std::string waiting(waits_);
     writer.trace().columns = {{"n"}, {"column"}, {"row"}, {"from", false}, {waiting}, {"painted"}};
     if (method == "span") {
@@ -91,6 +99,7 @@ class FillTeller {
 
   void operator()(const Started& s, int line = __builtin_LINE(), const char* = nullptr) {
     Delta delta = subject_.is_maze ? maze_cells(subject_.maze) : Delta{};
+    if (window_) delta.set.push_back({"window", Role::measure, border(*window_)});
     delta.set.push_back({"seed", Role::input, Dot{{s.seed.x, s.seed.y}}});
     delta.set.push_back({"seed name", Role::input, Label{{s.seed.x, s.seed.y}, "seed"}});
     focus_ = s.seed;
@@ -321,6 +330,7 @@ class FillTeller {
   TraceWriter& writer_;
   const Subject& subject_;
   std::string_view waits_;
+  std::optional<Window> window_;
   std::int64_t painted_ = 0, spans_ = 0;
   ivec2 focus_{0, 0};
   std::optional<ivec2> current_;
@@ -374,23 +384,41 @@ void describe(Trace& trace, const Subject& subject, const Arguments& arguments) 
                   {Role::accepted, "free"},
                   {Role::rejected, "not free"},
                   {Role::result, "painted"},
-                  {Role::boundary, "wall"}};
+                  {Role::boundary, "wall"},
+                  {Role::measure, "window"}};
+}
+
+gradus::flood_fill::Method method_of(const Arguments& arguments) {
+  const std::string& name = arguments.text("method");
+  if (name == "depth_first") return Method::depth_first;
+  return name == "breadth_first" ? Method::breadth_first : Method::span;
+}
+
+/// The picture's fill cut to a window; a mask keeps what is painted, whatever the new colour.
+Filled fill_in_window(Image& image, ivec2 seed, const Window& window, const Options& options,
+                      FillTeller& teller) {
+  const Rgba8 old = image[seed];
+  Raster<std::uint8_t> visited(image.width(), image.height());
+  const auto inside = [&](ivec2 p) {
+    return image.contains(p) && !visited[p] && alike(image[p], old, options.tolerance);
+  };
+  return in_window(
+      options.method, seed, window, inside, [&](ivec2 p) { visited[p] = 1; }, options.connectivity, teller);
 }
 
 Filled fill_subject(Subject& subject, const Arguments& arguments, FillTeller& teller) {
-  const std::string& name = arguments.text("method");
-  const Options options{static_cast<int>(arguments.integer("tolerance")), connectivity_of(arguments),
-                        name == "depth_first"     ? Method::depth_first
-                        : name == "breadth_first" ? Method::breadth_first
-                                                  : Method::span};
+  Options options{static_cast<int>(arguments.integer("tolerance")), connectivity_of(arguments),
+                  method_of(arguments)};
   const ivec2 seed = arguments.cell("at");
-  if (!subject.is_maze) return fill_image(subject.image, seed, arguments.color("color"), options, teller);
-  // A wall is never filled; every other cell becomes a colour that no letter has
-  const Rgba8 wall_color = maze_color(wall);
-  const Rgba8 painted = subject.image[seed] == wall_color ? wall_color : Rgba8{255, 255, 255, 255};
-  Options exact = options;
-  exact.tolerance = 0;
-  return fill_image(subject.image, seed, painted, exact, teller);
+  const auto window = arguments.window("window");
+  if (subject.is_maze) options.tolerance = 0;
+  // A wall is never filled; every other cell of a maze becomes a colour that no letter has
+  const bool wall_hit = subject.is_maze && subject.maze[seed] == wall;
+  const Rgba8 color = wall_hit          ? subject.image[seed]
+                      : subject.is_maze ? Rgba8{255, 255, 255, 255}
+                                        : arguments.color("color");
+  if (window && !wall_hit) return fill_in_window(subject.image, seed, *window, options, teller);
+  return fill_image(subject.image, seed, color, options, teller);
 }
 
 Trace run(const Arguments& arguments, Recording recording) {
@@ -405,7 +433,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   }
   TraceWriter writer(recording);
   describe(writer.trace(), subject, arguments);
-  FillTeller teller(writer, subject, arguments.text("method"));
+  FillTeller teller(writer, subject, arguments.text("method"), arguments.window("window"));
   Subject filled = subject;
   const Filled done = fill_subject(filled, arguments, teller);
   Trace trace = std::move(writer).finish();
@@ -413,7 +441,7 @@ Trace run(const Arguments& arguments, Recording recording) {
                   {"peak_waiting", std::int64_t(done.peak_waiting)},
                   {"peak_bytes", std::int64_t(done.peak_bytes)},
                   {"mask_bytes", std::int64_t(done.mask_bytes)}};
-  trace.telling = {std::min(trace.last * 2 / 3, trace.steps.empty() ? 0 : trace.steps.back().number.step), 0};
+  trace.telling = middle_step(trace);
   return trace;
 }
 
@@ -444,7 +472,9 @@ const TopicEntry& entry() {
             "neighbours of a pixel: 4 or 8",
             INT32_MIN,
             INT32_MAX,
-            {"4", "8"}}},
+            {"4", "8"}},
+           {"window", ParameterType::window, "", "2,1,6,5",
+            "fill only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",
                    "--image photo.png --at 40,30 --color '#d55e00' --tolerance 12"},
       .gallery = {{"flood_fill_span", {}, "Whole runs of a row at a time: little memory, few questions."},
