@@ -1,0 +1,475 @@
+#include "web/json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace gradus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// -- Text
+// ------------------------------------------------------------------------------------------------------
+
+/// Makes JSON safe inside a <script> element too: no "</", "<!" or "<script" is left, and no line separator
+/// of JavaScript. All of these can only stand inside string literals, where an escape means the same.
+std::string script_safe(const std::string& json) {
+  std::string out;
+  out.reserve(json.size() + json.size() / 64);
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const std::string_view rest = std::string_view(json).substr(i);
+    if (rest[0] == '<' && rest.size() > 1 &&
+        std::string_view("/!sS").find(rest[1]) != std::string_view::npos) {
+      out += "\\u003c";
+    } else if (rest.starts_with("-->")) {
+      out += "--\\u003e";
+      i += 2;
+    } else if (rest.starts_with("\xe2\x80\xa8") || rest.starts_with("\xe2\x80\xa9")) {
+      out += rest[2] == '\xa8' ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else {
+      out += rest[0];
+    }
+  }
+  return out;
+}
+
+/// One line. A byte that is no UTF-8 becomes U+FFFD; a number that JSON lacks (nan, inf) becomes null.
+std::string text_of(const Json& json) {
+  return script_safe(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// An object as lines, one a member; the members given last as a list of lines, one an element.
+class Lines {
+ public:
+  explicit Lines(bool indented) : indent_(indented ? "  " : "") {}
+
+  void member(std::string_view name, const Json& value) { begin(name) += text_of(value); }
+  template <class List, class ToJson>
+  void list(std::string_view name, const List& list, ToJson to_json) {
+    begin(name) += "[";
+    const char* separator = "\n";
+    for (const auto& element : list) {
+      text_ += separator + indent_ + indent_ + text_of(to_json(element));
+      separator = ",\n";
+    }
+    text_ += list.empty() ? "]" : "\n" + indent_ + "]";
+  }
+  std::string finish() && { return std::move(text_) + "\n}\n"; }
+
+ private:
+  std::string& begin(std::string_view name) {
+    text_ += text_.empty() ? "{\n" : ",\n";
+    return text_ += indent_ + json_quoted(name) + (indent_.empty() ? ":" : ": ");
+  }
+  std::string indent_, text_;
+};
+
+// -- Values
+// ----------------------------------------------------------------------------------------------------
+
+Json point(ivec2 p) { return Json::array({p.x, p.y}); }
+
+Json value_json(const Value& value) {
+  return std::visit(
+      [](const auto& v) -> Json {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(v)>, ivec2>) {
+          return point(v);
+        } else {
+          return v;
+        }
+      },
+      value);
+}
+
+/// Adds fields to an object; a field that is called like a member which stands already gets a "_" after its
+/// name.
+void put_fields(Json& object, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
+    std::string name = field.name;
+    while (object.contains(name)) name += '_';
+    object[name] = value_json(field.value);
+  }
+}
+
+Json fields_json(const std::vector<Field>& fields) {
+  Json object = Json::object();
+  put_fields(object, fields);
+  return object;
+}
+
+std::string_view name_of(Level level) {
+  constexpr std::array<std::string_view, 3> names{"idea", "step", "arithmetic"};
+  return names[static_cast<std::size_t>(level)];
+}
+
+std::string_view name_of(ParameterType type) {
+  constexpr std::array<std::string_view, 7> names{"cell",  "window",  "integer", "choice",
+                                                  "color", "picture", "maze"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+std::string_view name_of(Standing standing) {
+  constexpr std::array<std::string_view, 4> names{"plain", "taught", "fast", "faulty"};
+  return names[static_cast<std::size_t>(standing)];
+}
+
+// -- The drawing: compact, because a trace has many of these
+// -----------------------------------------------------
+
+int index_of(Role role) { return static_cast<int>(role); }
+
+/// [id, role, kind, numbers or text …]; the kind says what follows.
+Json mark_json(const Mark& mark) {
+  Json out = Json::array({mark.id, index_of(mark.role)});
+  if (const auto* dot = std::get_if<Dot>(&mark.shape)) {
+    out.insert(out.end(), {dot->ring ? "ring" : "dot", dot->at.x, dot->at.y});
+  } else if (const auto* stroke = std::get_if<Stroke>(&mark.shape)) {
+    out.push_back(stroke->arrow ? "arrow" : "stroke");
+    out.insert(out.end(), {stroke->a.x, stroke->a.y, stroke->b.x, stroke->b.y});
+  } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
+    Json points = Json::array();
+    for (const dvec2& p : path->points) points.insert(points.end(), {p.x, p.y});
+    out.push_back(path->closed ? "polygon" : "path");
+    out.push_back(std::move(points));
+  } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
+    out.insert(out.end(), {"label", label->at.x, label->at.y, label->text});
+  }
+  return out;
+}
+
+template <class Marks>
+Json marks_json(const Marks& marks) {
+  Json out = Json::array();
+  for (const Mark& mark : marks) out.push_back(mark_json(mark));
+  return out;
+}
+
+/// Cells with one look, side by side in a row: [x, y, count, role] or [x, y, count, role, text]; role -1:
+/// bare.
+class Runs {
+ public:
+  void add(ivec2 at, const std::optional<CellLook>& look) {
+    if (count_ > 0 && at.y == start_.y && at.x == start_.x + count_ && look == look_) {
+      ++count_;
+      return;
+    }
+    flush();
+    start_ = at;
+    look_ = look;
+    count_ = 1;
+  }
+  Json finish() && {
+    flush();
+    return std::move(out_);
+  }
+
+ private:
+  void flush() {
+    if (count_ == 0) return;
+    Json run = Json::array({start_.x, start_.y, count_, look_ ? index_of(look_->role) : -1});
+    if (look_ && !look_->text.empty()) run.push_back(look_->text);
+    out_.push_back(std::move(run));
+  }
+  ivec2 start_{0, 0};
+  std::int64_t count_ = 0;
+  std::optional<CellLook> look_;
+  Json out_ = Json::array();
+};
+
+/// Where a canvas is asked for its cells: all of a grid of ordinary size; of a larger one the blocks that a
+/// view following the recorded steps can come to show.
+std::vector<Window> windows_to_look_in(const Trace& trace) {
+  constexpr std::int64_t most_cells = std::int64_t{1} << 26;
+  const Window& all = trace.grid.cells;
+  if (all.empty()) return {};
+  if (all.width() <= most_cells && all.height() <= most_cells / all.width()) return {all};
+
+  constexpr std::int64_t side = 128;
+  std::vector<Window> blocks;
+  std::unordered_set<std::uint64_t> known;
+  const auto block_of = [](std::int64_t coordinate) { return (coordinate + (std::int64_t{1} << 32)) / side; };
+  for (const TraceStep& step : trace.steps) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const std::int64_t column = block_of(step.focus.x) + dx, row = block_of(step.focus.y) + dy;
+        const std::uint64_t id = static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column);
+        if (!known.insert(id).second) continue;
+        const std::int64_t x = column * side - (std::int64_t{1} << 32),
+                           y = row * side - (std::int64_t{1} << 32);
+        const auto bounded = [](std::int64_t v) {
+          return static_cast<int>(std::clamp<std::int64_t>(v, INT32_MIN, INT32_MAX));
+        };
+        if (x > INT32_MAX || y > INT32_MAX || x + side <= INT32_MIN || y + side <= INT32_MIN) continue;
+        const Window block{{bounded(x), bounded(y)}, {bounded(x + side - 1), bounded(y + side - 1)}};
+        if (const Window shared = intersection(block, all); !shared.empty()) blocks.push_back(shared);
+      }
+    }
+  }
+  return blocks;
+}
+
+/// The drawing before the first recorded step, where the recording doesn't start with the run.
+Json before_json(const Trace& trace) {
+  Runs runs;
+  for (const Window& window : windows_to_look_in(trace)) {
+    for (std::int64_t y = window.lower.y; y <= window.upper.y; ++y) {
+      for (std::int64_t x = window.lower.x; x <= window.upper.x; ++x) {
+        const ivec2 p{static_cast<int>(x), static_cast<int>(y)};
+        if (const auto look = trace.before.at(p)) runs.add(p, look);
+      }
+    }
+  }
+  Json marks = Json::array();
+  for (const auto& [id, mark] : trace.before.marks()) marks.push_back(mark_json(mark));
+  return {{"cells", std::move(runs).finish()}, {"set", std::move(marks)}};
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return out;
+}
+
+/// Up to 256 colours: a palette and a byte a texel; else four bytes a texel.
+Json picture_json(const Image& image) {
+  std::unordered_map<std::uint32_t, std::size_t> index;
+  Json palette = Json::array();
+  std::string indices, rgba;
+  for (const Rgba8& c : image.cells()) {
+    const std::array<std::uint8_t, 4> bytes{c.r, c.g, c.b, c.a};
+    for (const std::uint8_t b : bytes) rgba += static_cast<char>(b);
+    if (index.size() > 256) continue;
+    const std::uint32_t color =
+        std::uint32_t{c.r} << 24 | std::uint32_t{c.g} << 16 | std::uint32_t{c.b} << 8 | c.a;
+    const auto [found, is_new] = index.try_emplace(color, index.size());
+    if (is_new) palette.push_back(Json(bytes));
+    indices += static_cast<char>(found->second);
+  }
+  Json out{{"width", image.width()}, {"height", image.height()}};
+  if (index.size() <= 256) {
+    out["palette"] = std::move(palette);
+    out["indices"] = base64(indices);
+  } else {
+    out["rgba"] = base64(rgba);
+  }
+  return out;
+}
+
+Json grid_json(const Grid& grid) {
+  Json out{{"lower", point(grid.cells.lower)},
+           {"upper", point(grid.cells.upper)},
+           {"y_up", grid.y_up},
+           {"x_name", grid.x_name},
+           {"y_name", grid.y_name}};
+  if (grid.picture) out["picture"] = picture_json(*grid.picture);
+  return out;
+}
+
+// -- Steps
+// -----------------------------------------------------------------------------------------------------
+
+/// Parts that a step doesn't have are left out.
+Json step_json(const TraceStep& step) {
+  Json out{{"number", text_of(step.number)}};
+  const auto put = [&out](const char* name, Json value) {
+    if (!value.empty()) out[name] = std::move(value);
+  };
+  const auto put_text = [&out](const char* name, const std::string& text) {
+    if (!text.empty()) out[name] = text;
+  };
+  out["level"] = name_of(step.level);
+  put_text("type", step.type);
+  put_text("phase", step.phase);
+  put_text("key", step.key);
+  if (step.line != 0) out["line"] = step.line;
+  put("fields", fields_json(step.fields));
+  put_text("sentence", step.sentence);
+  put("read", step.read);
+  put("row", step.row);
+  put("removed", step.delta.removed);
+  Runs runs;
+  for (const CellChange& change : step.delta.cells) runs.add(change.at, change.look);
+  put("cells", std::move(runs).finish());
+  put("set", marks_json(step.delta.set));
+  out["focus"] = point(step.focus);
+  return out;
+}
+
+/// number, type, line, then the step's fields. `number` is always a whole number; what is step 4.2 elsewhere
+/// has "number": 4, "fine": 2, since as JSON numbers 4.1 and 4.10 would be one. A step of no line has "line":
+/// null.
+Json run_step_json(const TraceStep& step) {
+  Json out{{"number", step.number.step}};
+  if (step.number.fine != 0) out["fine"] = step.number.fine;
+  out["type"] = step.type;
+  out["line"] = step.line == 0 ? Json() : Json(step.line);
+  put_fields(out, step.fields);
+  return out;
+}
+
+Json input_json(const Trace& trace) {
+  Json input = Json::object();
+  for (const Argument& argument : trace.arguments) {
+    if (argument.name != "method") input[argument.name] = argument.value;
+  }
+  return input;
+}
+
+Json recorded_json(const Trace& trace) {
+  Json out{{"from", Json()}, {"to", Json()}, {"of", trace.last}};
+  if (!trace.steps.empty()) {
+    out["from"] = trace.steps.front().number.step;
+    out["to"] = trace.steps.back().number.step;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string json_quoted(std::string_view text) { return text_of(Json(text)); }
+
+std::string trace_json(const Trace& trace) {
+  Lines out(false);
+  out.member("schema", trace_schema);
+  out.member("topic", trace.topic);
+  out.member("title", trace.title);
+  out.member("subtitle", trace.subtitle);
+  out.member("method", trace.method);
+  out.member("method_title", trace.method_title);
+  if (!trace.faulty.empty()) out.member("faulty", trace.faulty);
+  out.member("goal", trace.goal);
+  Json arguments = Json::array(), listing = Json::array(), columns = Json::array(), legend = Json::array();
+  for (const Argument& a : trace.arguments) arguments.push_back(Json::array({a.name, a.value}));
+  for (const SourceLine& l : trace.listing) listing.push_back(Json::array({l.number, l.text}));
+  for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+    columns.push_back({{"name", trace.columns[c].name},
+                       {"numeric", trace.columns[c].numeric},
+                       {"widest", c < trace.widest.size() ? trace.widest[c] : ""}});
+  }
+  for (const LegendEntry& e : trace.legend) legend.push_back(Json::array({index_of(e.role), e.text}));
+  out.member("arguments", arguments);
+  if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
+  out.member("source_file", trace.source_file);
+  out.member("listing", listing);
+  out.member("columns", columns);
+  Json roles = Json::array();
+  for (const Role role : all_roles) roles.push_back(name_of(role));
+  out.member("roles", roles);
+  out.member("legend", legend);
+  out.member("grid", grid_json(trace.grid));
+  out.member("backdrop", marks_json(trace.backdrop));
+  const bool from_the_start = trace.steps.empty() || trace.steps.front().number == StepNumber{};
+  if (!from_the_start) out.member("before", before_json(trace));
+  out.member("last", trace.last);
+  out.member("telling", text_of(trace.telling));
+  out.list("steps", trace.steps, step_json);
+  out.member("result", fields_json(trace.result));
+  Json pixels = Json::array();
+  for (const ivec2 p : trace.pixels) pixels.push_back(point(p));
+  out.member("pixels", pixels);
+  return std::move(out).finish();
+}
+
+std::string run_json(const Trace& trace) {
+  Lines out(true);
+  out.member("topic", trace.topic);
+  out.member("method", trace.method);
+  if (!trace.faulty.empty()) out.member("faulty", trace.faulty);
+  out.member("input", input_json(trace));
+  if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
+  if (!trace.whole()) out.member("recorded", recorded_json(trace));
+  out.list("steps", trace.steps, run_step_json);
+  Json result = Json::object();
+  Json pixels = Json::array();
+  for (const ivec2 p : trace.pixels) pixels.push_back(point(p));
+  result["pixels"] = std::move(pixels);
+  put_fields(result, trace.result);
+  out.member("result", result);
+  return std::move(out).finish();
+}
+
+std::string list_json(std::span<const TopicEntry* const> topics) {
+  Lines out(true);
+  out.member("schema", trace_schema);
+  out.list("topics", topics, [](const TopicEntry* topic) {
+    Json methods = Json::array(), parameters = Json::array();
+    for (const Method& m : topic->methods) {
+      methods.push_back(
+          {{"name", m.name}, {"title", m.title}, {"standing", name_of(m.standing)}, {"note", m.note}});
+    }
+    for (const Parameter& p : topic->parameters) {
+      Json parameter{{"name", p.name},
+                     {"type", name_of(p.type)},
+                     {"default", p.default_value},
+                     {"example", p.example},
+                     {"help", p.help}};
+      if (p.type == ParameterType::integer || p.type == ParameterType::cell) {
+        parameter["least"] = p.least;
+        parameter["most"] = p.most;
+      }
+      if (!p.choices.empty()) parameter["choices"] = p.choices;
+      parameters.push_back(std::move(parameter));
+    }
+    return Json{{"name", topic->name},
+                {"title", topic->title},
+                {"chapter", topic->chapter},
+                {"aliases", topic->aliases},
+                {"summary", topic->summary},
+                {"methods", methods},
+                {"default_method", topic->default_method},
+                {"parameters", parameters},
+                {"examples", topic->examples}};
+  });
+  return std::move(out).finish();
+}
+
+std::string manifest_json(const Manifest& manifest) {
+  Json jobs = Json::object();
+  for (const auto& [slug, job] : manifest.jobs) {
+    Json files = Json::array();
+    for (const ManifestFile& f : job.second)
+      files.push_back({{"path", f.path}, {"size", f.size}, {"modified", f.modified}});
+    jobs[slug] = {{"key", job.first}, {"files", std::move(files)}};
+  }
+  return Json{{"jobs", std::move(jobs)}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Manifest parse_manifest(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  Manifest out;
+  if (!json.is_object() || !json.contains("jobs") || !json["jobs"].is_object()) return out;
+  const auto is_file = [](const Json& f) {
+    return f.is_object() && f.contains("path") && f["path"].is_string() && f.contains("size") &&
+           f["size"].is_number_unsigned() && f.contains("modified") && f["modified"].is_number_integer();
+  };
+  // A job that can't be read in full is left out: it is made anew.
+  for (const auto& [slug, job] : json["jobs"].items()) {
+    if (!job.is_object() || !job.contains("key") || !job["key"].is_string()) continue;
+    if (!job.contains("files") || !job["files"].is_array()) continue;
+    if (!std::ranges::all_of(job["files"], is_file)) continue;
+    auto& [key, files] = out.jobs[slug];
+    key = job["key"].get<std::string>();
+    for (const Json& f : job["files"]) {
+      files.push_back(
+          {f["path"].get<std::string>(), f["size"].get<std::uint64_t>(), f["modified"].get<std::int64_t>()});
+    }
+  }
+  return out;
+}
+
+}  // namespace gradus

@@ -1,0 +1,40 @@
+#pragma once
+// JSON in and out. The library behind it stays inside json.cpp.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "figure/trace.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus {
+
+/// The whole trace, schema `trace_schema`: what the player loads.
+std::string trace_json(const Trace& trace);
+
+/// What `gradus run --json` prints: topic, method, faulty where so, input, steps (number, type, line, fields), result.
+std::string run_json(const Trace& trace);
+
+/// What `gradus list --json` prints.
+std::string list_json(std::span<const TopicEntry* const> topics);
+
+/// A text as a JSON string literal that is safe inside a <script> element too.
+std::string json_quoted(std::string_view text);
+
+/// What `gradus figures` remembers of an earlier run, to redo only what changed.
+struct ManifestFile {
+  std::string path;      ///< below the output folder
+  std::uint64_t size;
+  std::int64_t modified; ///< nanoseconds
+};
+struct Manifest {
+  std::map<std::string, std::pair<std::string, std::vector<ManifestFile>>> jobs;  ///< slug -> (key, files)
+};
+std::string manifest_json(const Manifest& manifest);
+/// An unreadable text is an empty manifest: then everything is made anew.
+Manifest parse_manifest(std::string_view text);
+
+}  // namespace gradus

@@ -1,0 +1,241 @@
+'use strict';
+// A recorded run, step by step: what the drawing, the table and the listing show after any step.
+
+const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+
+/** The first index in a sorted list whose value is above `wanted`. */
+function upperBound(list, wanted, valueOf = (v) => v) {
+  let low = 0, high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (valueOf(list[middle]) > wanted)
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return low;
+}
+
+/** What the drawing shows after some step: rows of cells, each [role, text], and marks by id. */
+class Canvas {
+  rows = new Map();
+  marks = new Map();
+  cells = 0;
+
+  copy() {
+    const other = new Canvas();
+    for (const [y, row] of this.rows) other.rows.set(y, new Map(row));
+    other.marks = new Map(this.marks);
+    other.cells = this.cells;
+    return other;
+  }
+  get size() { return this.cells + this.marks.size; }
+  look(x, y) { return this.rows.get(y)?.get(x); }
+
+  /** Marks go, cells change (later runs win), marks come. */
+  apply(delta) {
+    for (const id of delta.removed ?? []) this.marks.delete(id);
+    for (const [x, y, count, role, text = ''] of delta.cells ?? []) {
+      const look = role < 0 ? null : [role, text];
+      for (let i = 0; i < count; ++i) this.put(x + i, y, look);
+    }
+    for (const mark of delta.set ?? []) this.marks.set(mark[0], mark);
+  }
+  put(x, y, look) {
+    let row = this.rows.get(y);
+    if (!row) {
+      if (!look) return;
+      this.rows.set(y, row = new Map());
+    }
+    const before = row.size;
+    if (look)
+      row.set(x, look);
+    else
+      row.delete(x);
+    this.cells += row.size - before;
+    if (row.size === 0) this.rows.delete(y);
+  }
+  /** In the order of their ids, so that it is no matter in which order they came. */
+  sortedMarks() { return [...this.marks.values()].sort((a, b) => (a[0] < b[0] ? -1 : a[0] > b[0] ? 1 : 0)); }
+}
+
+/** How much a delta changes. */
+function weight(delta) {
+  const cells = (delta.cells ?? []).reduce((sum, run) => sum + run[2], 0);
+  return cells + (delta.set?.length ?? 0) + (delta.removed?.length ?? 0);
+}
+
+/**
+ * The drawing after any step. Keyframes are left behind on the first way forward: opening a trace costs
+ * nothing.
+ */
+class Playhead {
+  constructor(trace) {
+    this.steps = trace.steps;
+    this.canvas = new Canvas();
+    this.canvas.apply(trace.before ?? {});
+    this.keyframes = [{done: 0, canvas: this.canvas.copy()}];
+    this.done = this.furthest = this.changed = 0;
+  }
+  at(index) {
+    const wanted = index + 1;
+    const nearest = this.keyframes[upperBound(this.keyframes, wanted, (k) => k.done) - 1];
+    if (wanted < this.done || nearest.done > this.done) {
+      this.canvas = nearest.canvas.copy();
+      this.done = nearest.done;
+    }
+    while (this.done < wanted) this.forward();
+    return this.canvas;
+  }
+  forward() {
+    const step = this.steps[this.done++];
+    this.canvas.apply(step);
+    if (this.done <= this.furthest) return;
+    this.furthest = this.done;
+    this.changed += weight(step);
+    if (this.changed < Math.max(this.canvas.size, 256)) return;
+    this.keyframes.push({done: this.done, canvas: this.canvas.copy()});
+    this.changed = 0;
+  }
+}
+
+/** The decision table after any step: `read` completes the last row, `row` comes below it. */
+class Table {
+  constructor(steps) {
+    this.rows = [];  // a list of versions each: {step, cells}
+    this.made = [];  // the step that made each row
+    this.readRow = new Map();
+    this.madeRow = new Map();
+    steps.forEach((step, index) => this.note(step, index));
+  }
+  note(step, index) {
+    if (step.read && this.rows.length > 0) {
+      this.readRow.set(index, this.rows.length - 1);
+      this.rows[this.rows.length - 1].push({step: index, cells: step.read});
+    }
+    if (step.row) {
+      this.madeRow.set(index, this.rows.length);
+      this.rows.push([{step: index, cells: step.row}]);
+      this.made.push(index);
+    }
+  }
+  count(index) { return upperBound(this.made, index); }
+  cells(row, index) {
+    const versions = this.rows[row];
+    return versions[upperBound(versions, index, (v) => v.step) - 1].cells;
+  }
+  row(row, index) {
+    const cells = this.cells(row, index);
+    const strong = this.madeRow.get(index) === row;
+    const weak = this.readRow.get(index) === row;
+    const before = strong && row > 0 ? this.cells(row - 1, index) : null;
+    return {
+      cells,
+      emphasis: (strong && 'strong') || (weak && 'weak') || 'none',
+      changed: cells.map((text, c) => before !== null && c > 0 && text !== '' && text !== before[c]),
+    };
+  }
+}
+
+/** A loaded trace and what can be asked of it. */
+class Run {
+  constructor(trace) {
+    if (trace.schema !== 1) throw new Error(`a trace of schema 1 is needed, not ${trace.schema}`);
+    if (trace.steps.length === 0) throw new Error('a trace without a step cannot be shown');
+    this.trace = trace;
+    this.steps = trace.steps;
+    this.playhead = new Playhead(trace);
+    this.table = new Table(trace.steps);
+    this.byNumber = new Map(trace.steps.map((step, index) => [step.number, index]));
+    this.milestones = [];
+    trace.steps.forEach((step, index) => {
+      if (!isFine(step)) this.milestones.push(index);
+    });
+    this.lines = trace.listing.map(([number]) => number);
+    this.reporting = [...new Set(this.steps.map((step) => step.line))].map((line) => this.shownLine(line));
+  }
+  /** First of `count` lines to show: where most steps report; round the current line when it is elsewhere. */
+  firstListed(count, current) {
+    const last = this.lines.length - count;
+    const held = (first) => this.reporting.filter((at) => first <= at && at < first + count).length;
+    let best = 0;
+    for (let first = 1; first <= last; ++first)
+      if (held(first) > held(best)) best = first;
+    if (current < 0 || (best <= current && current < best + count)) return best;
+    return clamp(current - Math.floor(count / 2), 0, last);
+  }
+  /** Position in the listing of the nearest shown line at or above a source line; -1: none. */
+  shownLine(line) { return line ? upperBound(this.lines, line) - 1 : -1; }
+
+  /** The step before at its own level: for a milestone the last milestone, for a finer event any. */
+  previousOf(index) {
+    const fine = isFine(this.steps[index]);
+    for (let i = index - 1; i >= 0; --i)
+      if (fine || !isFine(this.steps[i])) return this.steps[i];
+    return null;
+  }
+  listing(index) {
+    const emphasis = this.lines.map(() => 'none');
+    const weak = this.shownLine(this.previousOf(index)?.line);
+    const strong = this.shownLine(this.steps[index].line);
+    if (weak >= 0) emphasis[weak] = 'weak';
+    if (strong >= 0) emphasis[strong] = 'strong';
+    return emphasis;
+  }
+  get lastMilestone() { return this.milestones[this.milestones.length - 1]; }
+  /** After the last milestone comes the run's last event: what it says of its result. */
+  nextMilestone(index) {
+    return this.milestones[upperBound(this.milestones, index)] ?? this.steps.length - 1;
+  }
+  previousMilestone(index) {
+    const after = upperBound(this.milestones, index - 1);
+    return after > 0 ? this.milestones[after - 1] : 0;
+  }
+  /** The next step after `index` whose strong line is this one; from the start again when there is none. */
+  nextExecution(position, index) {
+    const executes = (step) => this.shownLine(step.line) === position;
+    const after = this.steps.findIndex((step, i) => i > index && executes(step));
+    return after >= 0 ? after : this.steps.findIndex(executes);
+  }
+  /** The step that made a cell what it is: where it was done rather than where it was first considered. */
+  makerOfCell(x, y) {
+    const done = new Set(['current', 'accepted', 'result'].map((name) => this.trace.roles.indexOf(name)));
+    let best = -1, bestRank = 3;
+    for (let i = 0; i < this.steps.length && bestRank > 0; ++i) {
+      for (const [left, row, count, role] of this.steps[i].cells ?? []) {
+        if (row !== y || x < left || x >= left + count || role < 0) continue;
+        const rank = done.has(role) ? 0 : this.steps[i].key === `${x},${y}` ? 1 : 2;
+        if (rank < bestRank) [best, bestRank] = [i, rank];
+      }
+    }
+    return best;
+  }
+  /** The last step up to `index` that set this mark. */
+  makerOfMark(id, index) {
+    for (let i = index; i >= 0; --i)
+      if (this.steps[i].set?.some((mark) => mark[0] === id)) return i;
+    return -1;
+  }
+  /** Every cell that has a look after some step. */
+  get touched() {
+    if (this.everTouched) return this.everTouched;
+    this.everTouched = new Canvas();
+    for (const delta of [this.trace.before ?? {}, ...this.steps]) {
+      this.everTouched.apply({cells: (delta.cells ?? []).filter((run) => run[3] >= 0)});
+    }
+    return this.everTouched;
+  }
+  /** Stretches of steps with one phase: {name, from, to}. */
+  phases() {
+    const out = [];
+    this.steps.forEach((step, index) => {
+      const name = step.phase ?? '';
+      if (out.length === 0 || out[out.length - 1].name !== name)
+        out.push({name, from: index, to: index});
+      else
+        out[out.length - 1].to = index;
+    });
+    return out;
+  }
+}
+const isFine = (step) => step.number.includes('.');
