@@ -1,0 +1,638 @@
+"""The `gradus` command from end to end: what it prints, its exit codes, and what it leaves behind.
+
+Usage: cli_test.py [path of gradus]        (default: $GRADUS_COMMAND)
+"""
+import json
+import os
+import pty
+import re
+import resource
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+
+GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+PLAIN = {k: v for k, v in os.environ.items()
+         if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "SLURM_CPUS_PER_TASK")}
+INT32 = "-2147483648 to 2147483647"
+
+passed, failed = 0, 0
+
+
+def check(truth, what):
+    global passed, failed
+    if truth:
+        passed += 1
+    else:
+        failed += 1
+        print("FAILED:", what)
+    return truth
+
+
+def equal(found, expected, what):
+    return check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
+
+
+class Result:
+    def __init__(self, process):
+        self.code = process.returncode
+        self.bytes = process.stdout or b""
+        self.out = self.bytes.decode("utf-8", "replace")
+        self.err = (process.stderr or b"").decode("utf-8", "replace")
+
+
+def gradus(*words, stdin=b"", env=None, **options):
+    options.setdefault("stdout", subprocess.PIPE)
+    process = subprocess.run([GRADUS, *words], input=stdin, stderr=subprocess.PIPE, timeout=300,
+                             env={**PLAIN, **(env or {})}, **options)
+    return Result(process)
+
+
+def files(folder="."):
+    return sorted(os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names)
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def write(path, data):
+    with open(path, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+
+
+def in_new_folder(test):
+    """Every test has an empty folder of its own as the current one."""
+    folder = tempfile.mkdtemp(prefix="gradus_cli_")
+    os.chdir(folder)
+    try:
+        test()
+    except Exception as error:  # one broken test must not hide the others
+        check(False, f"{test.__name__}: {type(error).__name__}: {error}")
+    finally:
+        os.chdir("/")
+        subprocess.run(["chmod", "-R", "u+rwx", folder], check=False)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def png(width, height, gray):
+    def chunk(kind, data):
+        return len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
+    rows = b"".join(b"\0" + bytes(gray(x, y) for x in range(width)) for y in range(height))
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes([8, 0, 0, 0, 0])
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+# --- What is right ---------------------------------------------------------------------------------------------------
+
+def test_help_and_version():
+    for words in ([], ["help"], ["--help"], ["-h"]):
+        result = gradus(*words)
+        equal((result.code, result.err), (0, ""), f"gradus {words} gives help")
+        check(result.out.index("Examples") < result.out.index("Commands"), "examples come first")
+    for command in ("list", "run", "figure", "figures", "again"):
+        result = gradus(command, "--help")
+        equal((result.code, result.err), (0, ""), f"gradus {command} --help")
+        check(result.out.startswith(f"gradus {command}: ") and "Examples\n  gradus" in result.out, result.out)
+        equal(gradus("help", command).out, result.out, f"gradus help {command}") 
+    result = gradus("help", "bresenham_line")
+    check(all(word in result.out for word in ("--from", "--to", INT32, "--method dda", "taught")), result.out)
+    equal(result.out.count("\n  gradus run bresenham_line "), 3, "three examples to paste")
+    check("--from" in gradus("figure", "bresenham_line", "--help").out, "a topic's flags in a command's help")
+    result = gradus("--version")
+    check(re.match(r"gradus \d+\.\d+\.\d+\n", result.out) and "cairo 1." in result.out and "unknown" not in result.out,
+          result.out)
+
+
+def test_examples_run():
+    count = 0
+    for topic in ("bresenham_line", "flood_fill"):
+        write("photo.png", png(60, 50, lambda x, y: 200 if x > 20 else 10))
+        for line in gradus("help", topic).out.splitlines():
+            if line.startswith("  gradus run"):
+                result = subprocess.run(line.replace("gradus", f"'{GRADUS}'", 1), shell=True, capture_output=True)
+                equal((result.returncode, result.stderr), (0, b""), line)
+                count += 1
+    check(count >= 6, f"examples tried: {count}")
+
+
+def test_help_is_quick():
+    times = []
+    for _ in range(15):
+        start = time.perf_counter()
+        gradus("--help")
+        times.append(1000 * (time.perf_counter() - start))
+    print(f"gradus --help: {min(times):.1f} ms (best of {len(times)}, process start included)")
+    check(min(times) < 30, "gradus --help under 30 ms")
+
+
+def test_list():
+    result = gradus("list")
+    check(re.search(r"^scan_conversion\n  bresenham_line  .*\n  flood_fill ", result.out, re.M), result.out)
+    equal(result.code, 0, "list")
+    check("flood_fill" not in gradus("list", "LINE").out, "WORD chooses")
+    check("flood_fill" in gradus("list", "bucket").out, "WORD searches aliases")
+    everything = json.loads(gradus("list", "--json").out)
+    check("bresenham_line" in json.dumps(everything) and "methods" in json.dumps(everything), "list --json")
+    result = gradus("list", "zzz")
+    equal((result.code, result.out, result.err),
+          (1, "", "gradus: list: expected a word in the name, alias or title of a topic, found 'zzz'\n"), "no match")
+
+
+def test_run():
+    line = ["run", "bresenham_line", "--from", "0,0", "--to", "7,3"]
+    result = gradus(*line)
+    equal((result.code, result.err), (0, ""), "run")
+    check("\x1b" not in result.out and "step E to" in result.out, "a plain table")
+    data = json.loads(gradus(*line, "--json").out)
+    check({"topic", "method", "input", "steps", "result"} <= set(data), f"members of run --json: {list(data)}")
+    equal(data["topic"], "bresenham_line", "topic")
+    pixels = [[0, 0], [1, 0], [2, 1], [3, 1], [4, 2], [5, 2], [6, 3], [7, 3]]
+    equal(data["result"]["pixels"], pixels, "result.pixels")
+    check(all({"number", "type", "line"} <= set(step) for step in data["steps"]), "members of a step")
+    for method in ("dda", "run_length"):
+        equal(json.loads(gradus(*line, "--method", method, "--json").out)["method"], method, "method")
+    part = json.loads(gradus(*line, "--json", "--steps", "3-5").out)
+    equal(sorted({step["number"] for step in part["steps"]}), [3, 4, 5], "--steps in run")
+    fill = json.loads(gradus("run", "flood_fill", "--maze", "..#/.#.", "--at", "0,0", "--json").out)
+    equal(fill["result"]["painted"], 3, "a maze given in place")
+
+
+def test_spellings_that_mean_the_same():
+    expected = gradus("run", "bresenham_line", "--from", "-5,8", "--to", "3,4", "--method", "dda").out
+    for words in (["run", "bresenham-line", "--from=-5,8", "--to=3,4", "--method=dda"],
+                  ["ru", "BRES", "--fr", "(-5, 8)", "--t", "(3,4)", "--meth", "dd"],
+                  ["run", "line drawing", "--from", "-5,8", "--to", " 3 , 4 ", "--method", "DDA"],
+                  ["run", "--from", "-5,8", "bresenham_line", "--to", "3,4", "--method", "dda"],
+                  ["-q", "run", "--quiet", "bresenham_line", "--to", "3,4", "--from", "-5,8", "--method", "dda"],
+                  ["--color", "never", "run", "bresenham_line", "--to", "3,4", "--from", "-5,8", "--method", "dda"]):
+        result = gradus(*words)
+        equal((result.code, result.err, result.out), (0, "", expected), f"{words}")
+    check(gradus("fig", "line", "-o", "-").out.startswith("<?xml"), "fig means figure, not figures")
+    depth = gradus("run", "flood-fill", "--method", "depth-first").out
+    equal(gradus("run", "flood_fill", "--method", "depth").out, depth, "a method's name")
+
+
+def test_formats():
+    line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
+    starts = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "html": b"<!DOCTYPE html", "csv": b"number,type,line",
+              "json": b"{", "txt": b"Bresenham line"}
+    for ending, start in starts.items():
+        name = f"line.{ending}"
+        result = gradus(*line, "-o", name)
+        equal((result.code, result.out, result.err), (0, "", name + "\n"), f"-o {name}")
+        data = read(name)
+        equal(data[:len(start)].lower(), start.lower(), f"start of {name}")
+        equal(gradus(*line, "-o", "-", "--format", ending).bytes, data, f"-o - --format {ending}")
+        equal(gradus(*line, "-o", name.upper(), "--format", ending.upper()).code, 0, "upper case")
+        equal(read(name.upper()), data, "the same bytes again")
+    equal(gradus(*line, "-o", "-").bytes, read("line.svg"), "SVG is what stdout gets")
+    equal(len(re.findall(rb"/Type /Page\b", read("line.pdf"))), 8, "one page a step")
+    equal(json.loads(read("line.json"))["result"]["count"], 8, "JSON of the table")
+    equal(gradus("-q", *line, "-o", "q.svg").err, "", "-q says nothing")
+    equal(files(), sorted([f"line.{e}" for e in starts] + [f"LINE.{e.upper()}" for e in starts] + ["q.svg"]), "no more files")
+
+
+def test_series():
+    line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
+    result = gradus(*line, "-o", "line-{step}.png")
+    equal(result.err.splitlines(), [f"line-{n}.png" for n in range(8)], "one line a file")
+    equal(files(), [f"line-{n}.png" for n in range(8)], "one file a step")
+    gradus(*line, "--step", "4", "-o", "four.png")
+    equal(read("line-4.png"), read("four.png"), "a step of a series is that step")
+    gradus(*line, "-o", "s/{step}.svg")
+    check(not os.path.exists("s"), "no folder is made")
+    os.mkdir("s")
+    gradus(*line, "-o", "s/{step}.svg", "--steps", "1,4.1,5-7/2")
+    equal(files("s"), ["1.svg", "4.1.svg", "5.svg", "7.svg"], "--steps in a series")
+    gradus(*line, "-o", "s.pdf", "--steps", "2-4")
+    equal(len(re.findall(rb"/Type /Page\b", read("s.pdf"))), 3, "--steps in a PDF")
+    gradus(*line, "-o", "one-{step}.pdf", "--step", "3")
+    equal(len(re.findall(rb"/Type /Page\b", read("one-3.pdf"))), 1, "one page of a PDF series")
+
+
+def test_looks():
+    line = ["figure", "bresenham_line"]
+    seen = set()
+    for words in ([], ["--theme", "dark"], ["--theme", "grey"], ["--theme", "high-contrast"], ["--slots", "drawing"],
+                  ["--slots", "dra,tab"], ["--size", "640x360"], ["--step", "2"], ["--step", "2.1"]):
+        result = gradus(*line, *words, "-o", "-")
+        equal(result.code, 0, f"{words}")
+        seen.add(result.bytes)
+    equal(len(seen), 9, "every look is another picture")
+    equal(gradus(*line, "--theme", "light", "--size", "1280X720", "-o", "-").bytes, gradus(*line, "-o", "-").bytes,
+          "what is the default is not told in the metadata")
+    data = gradus(*line, "--size", "640x360", "-o", "-", "--format", "png").bytes
+    equal((data[16:20], data[20:24]), ((640).to_bytes(4, "big"), (360).to_bytes(4, "big")), "size of a PNG")
+
+
+# --- Metadata and again ----------------------------------------------------------------------------------------------
+
+def test_again_is_byte_identical():
+    write("photo.png", png(24, 18, lambda x, y: 250 if (x // 6 + y // 6) % 2 else 20))
+    write("m.txt", "#####\r\n#...#\r\n#####\r\n")
+    write("it's a maze.txt", ("." * 40 + "\n") * 40)
+    os.mkdir("sub")
+    inputs = {
+        "plain": ["bresenham_line"],
+        "step": ["bresenham_line", "--from", "-5,8", "--to", "3,4", "--step", "4", "--theme", "dark"],
+        "look": ["bresenham_line", "--method", "dda", "--step", "2.1", "--slots", "sentence,drawing", "--size", "800x600"],
+        "maze": ["flood_fill", "--maze", "m.txt", "--at", "2,1", "--method", "depth_first", "--step", "3"],
+        "long": ["flood_fill", "--maze", "it's a maze.txt", "--at", "2,1", "--step", "30"],
+        "image": ["flood_fill", "--image", "photo.png", "--at", "1,1", "--color", "teal", "--tolerance", "9"],
+    }
+    for name, words in inputs.items():
+        for ending in ("svg", "png", "pdf", "html"):
+            if ending == "html":
+                words = [w for i, w in enumerate(words) if not (w.startswith(("--step", "--slots", "--size", "--theme")) or
+                         words[i - 1] in ("--step", "--slots", "--size", "--theme"))]
+            made = f"{name}.{ending}"
+            if not equal(gradus("figure", *words, "-o", made).code, 0, f"{made}"):
+                continue
+            result = gradus("again", made)
+            equal((result.code, result.out, result.err), (0, "", f"{name}-again.{ending}\n"), f"again {made}")
+            check(os.path.exists(f"{name}-again.{ending}") and read(made) == read(f"{name}-again.{ending}"),
+                  f"again {made} gives the same bytes")
+            shutil.copy(made, f"sub/{made}")
+            equal(gradus("again", f"sub/{made}", "-o", f"sub/{name}-2.{ending}").code, 0, "inputs in the current folder")
+            check(os.path.exists(f"sub/{name}-2.{ending}") and read(f"sub/{name}-2.{ending}") == read(made), "the same bytes")
+    text = read("step.svg").decode()
+    check("gradus figure bresenham_line --from -5,8 --to 3,4 --step 4 --theme dark" in text, "the canonical command")
+    check(os.getcwd().encode() not in read("image.svg"), "no folders in the metadata")
+    check("#####/#...#/#####" in read("maze.svg").decode(), "a short maze stands in the command")
+
+
+def test_again_changes():
+    gradus("figure", "bresenham_line", "--from", "1,1", "--to", "9,4", "-o", "a.svg")
+    for words, same in (([], ["-o", "-"]), (["--theme", "dark"], ["--theme", "dark", "-o", "-"]),
+                        (["--step", "2"], ["--step", "2", "-o", "-"]), (["--slots", "drawing"], ["--slots", "drawing", "-o", "-"])):
+        expected = gradus("figure", "bresenham_line", "--from", "1,1", "--to", "9,4", *same).bytes
+        equal(gradus("again", "a.svg", *words, "-o", "-").bytes, expected, f"again {words}")
+    equal(gradus("again", "-", stdin=read("a.svg")).bytes, read("a.svg"), "again from stdin to stdout")
+    gradus("again", "a.svg", "-o", "b.pdf")
+    equal(len(re.findall(rb"/Type /Page\b", read("b.pdf"))), 9, "to another format")
+    gradus("again", "a.svg", "-o", "c.html")
+    check(read("c.html").lower().startswith(b"<!doctype html"), "to a player")
+
+
+def test_again_with_files_gone():
+    write("photo.png", png(20, 20, lambda x, y: x))
+    gradus("figure", "flood_fill", "--image", "photo.png", "-o", "a.svg")
+    made = read("a.svg")
+    os.mkdir("elsewhere")
+    os.rename("a.svg", "elsewhere/a.svg")
+    equal(gradus("again", "elsewhere/a.svg").code, 0, "the input lies in the current folder")
+    os.rename("photo.png", "elsewhere/photo.png")
+    equal(gradus("again", "elsewhere/a.svg").code, 0, "the input lies beside the figure")
+    equal(read("elsewhere/a-again.svg"), made, "the same bytes")
+    write("photo.png", png(20, 20, lambda x, y: 7))
+    equal(gradus("again", "elsewhere/a.svg").code, 0, "a wrong one in the current folder does not matter")
+    shutil.copy("photo.png", "elsewhere/photo.png")
+    before = files()
+    result = gradus("again", "elsewhere/a.svg", "-o", "x.svg")
+    check(result.code == 2 and "--image: expected the file with which the figure was made (fnv1a:" in result.err, result.err)
+    os.remove("photo.png")
+    os.remove("elsewhere/photo.png")
+    result = gradus("again", "elsewhere/a.svg", "-o", "x.svg")
+    equal((result.code, result.err),
+          (2, "gradus: --image: expected the file 'photo.png' beside the figure or in the current folder, found none\n"),
+          "a missing input")
+    check("x.svg" not in files() and "x.svg" not in before, "nothing is written")
+
+
+# --- What is wrong ---------------------------------------------------------------------------------------------------
+
+def test_wrong_input():
+    write("in.txt", "#.#\n#x\n")
+    write("bad.txt", "#.#\n#!#\n")
+    write("empty.txt", "")
+    write("no.png", "GIF89a")
+    write("cut.png", png(20, 20, lambda x, y: x)[:60])
+    write("ok.png", png(4, 4, lambda x, y: x))
+    write("plain.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>")
+    write("evil.svg", '<svg><metadata gradus-command="gradus figures -o /tmp/evil"/></svg>')
+    write("evil2.svg", '<svg><metadata gradus-command="gradus figure bresenham_line -o /tmp/evil.svg"/></svg>')
+    os.mkdir("folder")
+    write("x.svg", "old")
+    line, fill = ["figure", "bresenham_line"], ["figure", "flood_fill"]
+    out = ["-o", "x.svg"]
+    topics = "TOPIC: expected the name of a topic (`gradus list` shows all), found "
+    cell = f"expected two whole numbers from {INT32} like 3,4, found "
+    steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
+    table = [
+        # command, topic, flags
+        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, again, found 'lits', did you mean 'list'?"),
+        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, again, found 'zzz'"),
+        (["run"], "run: expected a TOPIC, found none (`gradus run --help` shows examples)"),
+        (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
+        (["run", "radiosity"], topics + "'radiosity'"),
+        (["run", "\x1b[31m\n"], topics + r"'\x1b[31m\n'"),
+        (["help", "bresenhm"], topics + "'bresenhm', did you mean 'bresenham_line'?"),
+        (["run", "bresenham_line", "x"], "run: expected only a TOPIC, found 'x'"),
+        (["list", "a", "b"], "list: expected at most one WORD, found 'b'"),
+        (["figures", "x"], "figures: expected no words, found 'x'"),
+        (["again"], "again: expected a FILE, found none (`gradus again --help` shows examples)"),
+        ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, json, txt, found 'x'"),
+        ([*line, *out, "--frm", "1,1"], re.compile(r"figure bresenham_line: expected one of --from, .*, found '--frm', did you mean '--from'\?")),
+        ([*line, *out, "--s", "1"], "expected one of --step, --steps, --slots, --size, found '--s'"),
+        ([*line, *out, "-z"], "figure: expected a known flag (`gradus figure --help` lists them), found '-z'"),
+        (["list", "--json=1"], "--json: expected no value, found '1'"),
+        (["list", "--only", "x"], re.compile(r"list: expected one of --json, .*, found '--only'")),
+        (["run", "bresenham_line", "--color", "sometimes"], "--color: expected one of auto, always, never, found 'sometimes'"),
+        # values
+        ([*line, *out, "--from"], "--from: expected a value like 0,0, found none"),
+        ([*line, *out, "--from="], "--from: expected a value like 0,0, found none"),
+        ([*line, *out, "--from", "--to", "1,1"], "--from: expected a value like 0,0, found none"),
+        ([*line, *out, "--from", "1,1", "--from", "2,2"], "--from: expected one value, found '1,1' and '2,2'"),
+        ([*line, *out, "--from", "1/3,2"], "--from: " + cell + "'1/3,2'"),
+        ([*line, *out, "--to", "3"], "--to: " + cell + "'3'"),
+        ([*line, *out, "--to", "3,2147483648"], "--to: " + cell + "'3,2147483648'"),
+        ([*line, *out, "--to", "a\x07,b"], "--to: " + cell + r"'a\x07,b'"),
+        ([*line, *out, "--method", "ddb"], re.compile(r"--method: expected one of decision_parameter, .*, found 'ddb', did you mean 'dda'\?")),
+        ([*fill, *out, "--tolerance", "256"], "--tolerance: expected a whole number from 0 to 255, found '256'"),
+        ([*fill, *out, "--connectivity", "6"], "--connectivity: expected one of 4, 8, found '6'"),
+        ([*fill, *out, "--color", "pink"], re.compile(r"--color: expected a colour #rrggbb or one of black, .*, found 'pink'")),
+        ([*fill, *out, "--at", "99,0"], re.compile(r"--at: expected .*, found '?99,0'?")),
+        # steps
+        ([*line, *out, "--step", "9"], "--step 9: bresenham_line has steps 0..7 for this input"),
+        ([*line, *out, "--step", "x"], "--step: expected a step like 4 or 4.1, found 'x'"),
+        ([*line, *out, "--step", "4.9"], "--step 4.9: bresenham_line has 4.1..4.1 after step 4 for this input"),
+        ([*line, *out, "--steps", "2-4"], "--steps: expected one step for one picture ({step} in the name of -o makes one file a step), found '2-4'"),
+        ([*line, "-o", "x.pdf", "--steps", "2-9"], "--steps 2-9: bresenham_line has steps 0..7 for this input"),
+        ([*line, "-o", "x.pdf", "--steps", "4-2"], steps + "'4-2'"),
+        ([*line, "-o", "x.pdf", "--step", "1", "--steps", "2"], "--step: expected either this or --steps, found both"),
+        ([*line, "-o", "x.html", "--steps", "1,4"], "--steps: expected one range like 3-9 for a player, found '1,4'"),
+        ([*line, "--to", "900000,1", "-o", "x.pdf", "--steps", "0-9000"], re.compile(r"--steps: expected at most \d+ steps for one PDF \(.*\), found 9001")),
+        # looks
+        ([*line, *out, "--theme", "drak"], "--theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did you mean 'dark'?"),
+        ([*line, *out, "--slots", "drawing,tables"], "--slots: expected one of title, drawing, listing, table, sentence, footer, found 'tables', did you mean 'table'?"),
+        ([*line, *out, "--size", "12x9"], "--size: expected a width and a height of 160 to 8192 pixels like 1280x720, found '12x9'"),
+        ([*line, "-o", "x.html", "--theme", "dark"], "--theme: expected svg, png or pdf to draw, found html"),
+        # files
+        (line, "-o: expected a file like line.svg, or - for standard output, found none"),
+        ([*line, "-o", "x.gif"], "-o: expected a name that ends in .svg, .png, .pdf, .html, .csv, .json, .txt (or --format), found 'x.gif'"),
+        ([*line, "-o", "x.csv/"], re.compile(r"-o: expected a name that ends in .*, found 'x.csv/'")),
+        ([*line, "-o", "no/x.svg"], "-o: expected a folder that exists, found 'no'"),
+        ([*line, "-o", "folder", "--format", "svg"], "-o: expected a file's name, found 'folder'"),
+        ([*line, "-o", "{step}.csv"], "-o: expected {step} for svg, png or pdf only, found '{step}.csv'"),
+        ([*fill, *out, "--image", "gone.png"], "--image: expected a readable file, found 'gone.png' (No such file or directory)"),
+        ([*fill, *out, "--image", "folder"], "--image: expected a readable file, found 'folder' (Is a directory)"),
+        ([*fill, *out, "--image", "no.png"], "--image: 'no.png': expected a PNG file, found something else"),
+        ([*fill, *out, "--image", "cut.png"], re.compile(r"--image: 'cut.png': expected a whole PNG file, found .*")),
+        ([*fill, *out, "--image", "-"], "--image: standard input: expected a PNG file, found an empty one"),
+        ([*fill, *out, "--maze", "gone.txt"], "--maze: expected a readable file, found 'gone.txt' (No such file or directory)"),
+        ([*fill, *out, "--maze", "in.txt"], re.compile(r"in\.txt:2: found 2 cells, expected 3 .*")),
+        ([*fill, *out, "--maze", "bad.txt"], re.compile(r"bad\.txt:2: found '!' in column \d, expected .*")),
+        ([*fill, *out, "--maze", "empty.txt"], re.compile(r"empty\.txt:1: found nothing, expected .*")),
+        ([*fill, "--image", "ok.png", "--at", "1,1", "-o", "ok.png"], "-o: expected another file than the input, found 'ok.png'"),
+        ([*fill, "--image", "ok.png", "--at", "1,1", "-o", "./ok.png"], "-o: expected another file than the input, found './ok.png'"),
+        (["again", "gone.svg"], "again: expected a readable file, found 'gone.svg' (No such file or directory)"),
+        (["again", "plain.svg"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'plain.svg'"),
+        (["again", "in.txt"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'in.txt'"),
+        (["again", "evil.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil.svg'"),
+        (["again", "evil2.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil2.svg'"),
+        (["figures", "-o", "in.txt"], "-o: expected a folder, found 'in.txt'"),
+        (["figures", "-o", "new", "--jobs", "0"], "--jobs: expected a whole number from 1 to 1024, found '0'"),
+    ]
+    before = {name: read(name) for name in files()}
+    for words, expected in table:
+        result = gradus(*words)
+        text = result.err[len("gradus: "):].rstrip("\n")
+        right = expected.fullmatch(text) if hasattr(expected, "fullmatch") else text == expected
+        check(result.err.startswith("gradus: ") and result.err.count("\n") == 1 and right,
+              f"{words}\n    expected: {getattr(expected, 'pattern', expected)}\n    found:    {result.err!r}")
+        equal((result.code, result.out), (2, ""), f"exit code and stdout of {words}")
+    equal({name: read(name) for name in files()}, before, "wrong input writes nothing")
+    check(not os.path.exists("new") and not os.path.exists("/tmp/evil") and not os.path.exists("/tmp/evil.svg"),
+          "no folder is left behind")
+    gradus("figure", "bresenham_line", "-o", "f.svg")
+    equal((gradus("again", "f.svg", "-o", "f.svg").code, gradus("again", "f.svg", "-o", "f.svg").err),
+          (2, "gradus: -o: expected another file than the input, found 'f.svg'\n"), "again onto itself")
+
+
+def test_output_that_fails():
+    with open("/dev/full", "wb") as full:
+        for words in (["list"], ["help"], ["--version"], ["run", "bresenham_line"], ["figure", "bresenham_line", "-o", "-"]):
+            result = gradus(*words, stdout=full)
+            equal((result.code, result.err),
+                  (1, "gradus: can't write to standard output: No space left on device\n"), f"full disk: {words}")
+    result = subprocess.run(f"'{GRADUS}' list >&-", shell=True, capture_output=True)
+    equal((result.returncode, result.stderr),
+          (1, b"gradus: can't write to standard output: Bad file descriptor\n"), "closed stdout")
+    result = subprocess.run(f"'{GRADUS}' figure bresenham_line -o closed.svg >&- 2>&- <&-", shell=True)
+    equal(result.returncode, 0, "all streams closed")
+    gradus("figure", "bresenham_line", "-o", "open.svg")
+    equal(read("closed.svg"), read("open.svg"), "all streams closed: the same file")
+    result = subprocess.run(f"'{GRADUS}' run bresenham_line --to 90000,7 | head -1; exit ${{PIPESTATUS[0]}}", shell=True,
+                            executable="/bin/bash", capture_output=True)
+    equal((result.returncode, result.stderr), (1, b""), "a reader that goes away is no news")
+    result = gradus("figure", "bresenham_line", "--format", "svg", "-o", "/dev/full")
+    equal((result.code, result.err), (1, "gradus: can't write '/dev/full': No space left on device\n"), "-o /dev/full")
+    check(os.path.exists("/dev/full") and not os.path.isfile("/dev/full"), "/dev/full is still there")
+
+    # A disk that is full in the middle of a file, and of a series
+    def limited():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+    before = files()
+    for name in ("big.svg", "big-{step}.svg"):
+        result = gradus("figure", "bresenham_line", "-o", name, preexec_fn=limited)
+        check(result.code == 1 and "File too large" in result.err, f"{name}: {result.err}")
+    equal(files(), before, "nothing half-written")
+
+
+def test_read_only_folder():
+    if os.geteuid() == 0 and not shutil.which("setpriv"):
+        return check(True, "root may write everywhere")
+    os.chmod(".", 0o755)
+    os.mkdir("closed")
+    os.chmod("closed", 0o555)
+    prefix = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
+    for words in (["figure", "bresenham_line", "-o", "closed/x.svg"], ["figures", "-o", "closed/out"]):
+        result = subprocess.run([*prefix, GRADUS, *words], capture_output=True, text=True)
+        if result.returncode == 126 or "failed to execute" in result.stderr:
+            return check(True, "the program can't be reached by another user")
+        check(result.returncode == 1 and result.stderr.count("\n") == 1 and "Permission denied" in result.stderr,
+              f"{words}: {result.returncode} {result.stderr!r}")
+    equal(files("closed"), [], "nothing in a read-only folder")
+
+
+# --- The terminal ----------------------------------------------------------------------------------------------------
+
+def on_terminal(*words, env=None):
+    """Output of a run whose stdout and stderr are a terminal, and its exit code."""
+    main, terminal = pty.openpty()
+    process = subprocess.Popen([GRADUS, *words], stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal,
+                               env={**PLAIN, "TERM": "xterm", **(env or {})})
+    os.close(terminal)
+    seen = b""
+    while True:
+        ready, _, _ = select.select([main], [], [], 60)
+        try:
+            block = os.read(main, 65536) if ready else b""
+        except OSError:
+            block = b""
+        if not block:
+            break
+        seen += block
+    os.close(main)
+    return seen.decode("utf-8", "replace"), process.wait()
+
+
+def test_color():
+    run = ["run", "bresenham_line"]
+    check("\x1b[" in on_terminal(*run)[0], "a terminal has colours")
+    check("\x1b[" not in on_terminal(*run, "--color", "never")[0], "--color never")
+    check("\x1b[" not in on_terminal(*run, env={"NO_COLOR": "1"})[0], "NO_COLOR")
+    check("\x1b[" in on_terminal(*run, env={"NO_COLOR": ""})[0], "an empty NO_COLOR is none")
+    check("\x1b[" not in on_terminal(*run, env={"TERM": "dumb"})[0], "TERM=dumb")
+    check("\x1b[" in on_terminal(*run, "--color", "always", env={"NO_COLOR": "1"})[0], "the flag beats the environment")
+    check("\x1b[" not in gradus(*run).out, "a pipe has none")
+    check("\x1b[" in gradus(*run, env={"CLICOLOR_FORCE": "1"}).out, "CLICOLOR_FORCE")
+    check("\x1b[" in gradus(*run, "--color=always").out, "--color always")
+    check("\x1b[" not in gradus(*run, "--json", "--color=always").out, "never in JSON")
+    check("\x1b[" not in gradus("figure", "bresenham_line", "-o", "-", "--format", "txt", env={"CLICOLOR_FORCE": "1"}).out,
+          "never in a file")
+    fill = gradus("run", "flood_fill", "--color", "always", "--color", "red").out
+    check("\x1b[" in fill, "a topic's own --color beside the terminal's")
+
+
+def test_progress():
+    words = ["figure", "bresenham_line", "-o", "p{step}.svg"]
+    text, code = on_terminal(*words)
+    check(code == 0 and "8/8" in text and "[########################]" in text and text.endswith("\x1b[K"), f"a bar: {text!r}")
+    text, _ = on_terminal(*words, env={"TERM": "dumb"})
+    check("\x1b" not in text and text.splitlines()[0] == "p0.svg", f"no bar on a dumb terminal: {text!r}")
+    equal(on_terminal("-q", *words)[0], "", "-q")
+    text, code = on_terminal("figure", "bresenham_line", "-o", "-", "--format", "png")
+    check(code == 2 and "expected a file or a pipe for png, found a terminal" in text, "no picture into a terminal")
+
+
+def test_interrupt():
+    process = subprocess.Popen([GRADUS, "figure", "bresenham_line", "--to", "3000,7", "-o", "i{step}.png"],
+                               stderr=subprocess.PIPE, env=PLAIN)
+    process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    process.communicate()
+    equal(process.returncode, 130, "Ctrl-C")
+    equal(files(), [], "no incomplete files are left")
+    process = subprocess.Popen([GRADUS, "run", "flood_fill", "--maze", "-"], stdin=subprocess.PIPE, env=PLAIN)
+    time.sleep(0.2)
+    process.send_signal(signal.SIGINT)
+    equal(process.wait(), 130, "Ctrl-C while it waits for input")
+
+
+# --- Long runs -------------------------------------------------------------------------------------------------------
+
+def test_long_runs():
+    line = ["bresenham_line", "--to", "16777216,1"]
+    result = gradus("run", *line)
+    check(re.fullmatch(r"recorded \d+ of 16777217 steps; --steps A-B takes a range\n", result.err), result.err)
+    equal(gradus("run", *line, "-q").err, "", "-q")
+    data = json.loads(gradus("run", *line, "--json", "--steps", "5000000-5000002").out)
+    equal(sorted({step["number"] for step in data["steps"]}), [5000000, 5000001, 5000002], "a range far away")
+    check("step 16777216 of 16777216" in gradus("figure", *line, "-o", "-").out, "the last step of a long run")
+    gradus("figure", *line, "--step", "9000000", "-o", "far.svg")
+    gradus("figure", *line, "--steps", "8999999-9000001", "-o", "far-{step}.svg")
+    equal(read("far-9000000.svg"), read("far.svg"), "a far step alone and in a series")
+    gradus("again", "far.svg")
+    equal(read("far-again.svg"), read("far.svg"), "a far step again")
+    write("big.png", png(500, 500, lambda x, y: 128))
+    fill = ["flood_fill", "--image", "big.png", "--method", "depth_first"]
+    result = gradus("run", *fill, "--steps", "200000-200001")
+    check(result.code == 0 and "200001" in result.out, f"a fill's far steps: {result.err}")
+    gradus("figure", *fill, "--step", "200000", "-o", "fill.png")
+    gradus("again", "fill.png")
+    equal(read("fill-again.png"), read("fill.png"), "a fill's far step again")
+
+
+# --- Figures ---------------------------------------------------------------------------------------------------------
+
+def test_figures():
+    result = gradus("figures", "-o", "out/", "--jobs", "1")
+    equal((result.code, result.out), (0, "out/index.html\n"), "figures")
+    made = {name: read(os.path.join("out", name)) for name in files("out")}
+    slugs = sorted({name.split("/")[0] for name in made if "/" in name})
+    check(len(slugs) >= 2 and "bresenham_line" in slugs, f"figures: {slugs}")
+    for slug in slugs:
+        for ending in (".pdf", ".svg", ".png", "-drawing.svg", ".html", ".csv", ".json"):
+            check(f"{slug}/{slug}{ending}" in made, f"{slug}{ending} is there")
+    page = made["index.html"].decode()
+    for link in re.findall(r'(?:href|src)="([^"#:]+)"', page):
+        check(os.path.exists(os.path.join("out", link)), f"the link {link} leads somewhere")
+    check(all(f"{slug}/{slug}.pdf" in page for slug in slugs) and "//" not in re.sub(r"https?://www\.w3\.org|https?://creativecommons\.org", "", "".join(
+        re.findall(r'(?:href|src)="([^"]*)"', page))), "relative links only")
+    lines = result.err.splitlines()
+    equal(lines[-1], f"{len(slugs)} drawn, 0 unchanged, 0 removed", "what was done")
+
+    start = time.perf_counter()
+    again = gradus("figures", "-o", "out")
+    spent = time.perf_counter() - start
+    print(f"gradus figures with nothing changed: {1000 * spent:.0f} ms")
+    check(spent < 1, "a second run under a second")
+    equal((again.out, again.err), ("out/index.html\n", f"0 drawn, {len(slugs)} unchanged, 0 removed\n"), "unchanged")
+
+    parallel = gradus("figures", "-o", "two", "--jobs", "2")
+    equal(parallel.err, result.err, "the order of the output does not depend on the number of jobs")
+    without = {name: data for name, data in made.items() if not name.startswith(".")}
+    equal({name: read(os.path.join("two", name)) for name in files("two") if not name.startswith(".")}, without,
+          "the same bytes with --jobs 2")
+    equal(gradus("figures", "-o", "two", "--force").err.splitlines()[-1], lines[-1], "--force")
+
+    # One changed, one lost
+    write("out/bresenham_line/bresenham_line.svg", "edited")
+    os.remove(f"out/{slugs[-1]}/{slugs[-1]}.pdf")
+    changed = sorted({"bresenham_line", slugs[-1]})
+    result = gradus("figures", "-o", "out")
+    equal(sorted(result.err.splitlines()[:-1]), changed, "what was changed is drawn again")
+    equal({name: read(os.path.join("out", name)) for name in files("out") if not name.startswith(".")}, without, "as before")
+
+    # A job that no longer exists
+    manifest = json.loads(read("out/.gradus-manifest.json"))
+    text = read("out/.gradus-manifest.json").decode()
+    check("bresenham_line" in json.dumps(manifest), "the manifest")
+    os.mkdir("out/gone_slug")
+    for name in files("out/bresenham_line"):
+        shutil.copy2(f"out/bresenham_line/{name}", f"out/gone_slug/{name.replace('bresenham_line', 'gone_slug')}")
+    write("out/gone_slug/mine.txt", "kept")
+    write("out/.gradus-manifest.json", text.replace("bresenham_line", "gone_slug"))
+    result = gradus("figures", "-o", "out")
+    check(result.err.endswith("1 removed\n"), result.err)
+    equal(files("out/gone_slug"), ["mine.txt"], "only files named in the manifest are removed")
+    write("out/.gradus-manifest.json", "{ broken")
+    equal(gradus("figures", "-o", "out").err.splitlines()[-1], lines[-1], "a broken manifest: all anew")
+
+
+def test_figures_only():
+    result = gradus("figures", "-o", "out", "--only", "Bresenham-*")
+    check(all(name.startswith("bresenham") for name in result.err.splitlines()[:-1]), result.err)
+    page = read("out/index.html").decode()
+    check("bresenham_line" in page and "flood_fill" not in page, "the page shows what is there")
+    gradus("figures", "-o", "out", "--only", "flood_fill_span")
+    page = read("out/index.html").decode()
+    check("bresenham_line" in page and "flood_fill_span" in page, "figures made earlier stay on the page")
+    result = gradus("figures", "-o", "none", "--only", "x*")
+    equal((result.code, result.out, result.err, os.path.exists("none")),
+          (1, "", "gradus: --only: expected a pattern that matches a figure or a topic, found 'x*'\n", False), "no match")
+    svg = "out/bresenham_line/bresenham_line.svg"
+    if os.path.exists(svg):
+        gradus("again", svg, "-o", "a.svg")
+        equal(read("a.svg"), read(svg), "a figure of the gallery made again")
+
+
+def main():
+    tests = [value for name, value in globals().items() if name.startswith("test_")]
+    for test in tests:
+        in_new_folder(test)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,277 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stories/point_text.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus {
+namespace {
+
+Parameter parameter(ParameterType type) { return {"value", type, "", "", ""}; }
+
+std::string complaint(const Parameter& parameter, std::string_view text) {
+  try {
+    return "(taken as " + canonical(parameter, text) + ")";
+  } catch (const ArgumentError& error) {
+    return error.parameter + ": " + error.what();
+  }
+}
+
+// --- canonical
+// ---------------------------------------------------------------------------------------------------
+
+TEST(Canonical, Cell) {
+  const Parameter cell = parameter(ParameterType::cell);
+  for (const char* text : {"3,4", "(3, 4)", " 3 , 4 ", "+3,4", "(3,4)", "03,004", "\t3,4\n"}) {
+    EXPECT_EQ(canonical(cell, text), "3,4") << text;
+  }
+  EXPECT_EQ(canonical(cell, "-5,8"), "-5,8");
+  EXPECT_EQ(canonical(cell, "-0,0"), "0,0");
+  EXPECT_EQ(canonical(cell, "-2147483648,2147483647"), "-2147483648,2147483647");
+}
+
+TEST(Canonical, CellSaysWhatItExpects) {
+  const Parameter cell = parameter(ParameterType::cell);
+  const std::string expected =
+      "value: expected two whole numbers from -2147483648 to 2147483647 like 3,4, found ";
+  EXPECT_EQ(complaint(cell, "1/3,2"), expected + "'1/3,2'");
+  for (const char* text : {"",
+                           "3",
+                           "3,",
+                           ",4",
+                           "3,4,5",
+                           "(3,4",
+                           "3,4)",
+                           "(",
+                           ")",
+                           "()",
+                           "(,)",
+                           "3;4",
+                           "3 4",
+                           "3.0,4",
+                           "1e3,4",
+                           "0x3,4",
+                           "3,2147483648",
+                           "-2147483649,4",
+                           "99999999999999999999,1",
+                           "a,b",
+                           "--3,4",
+                           "+-3,4",
+                           "3,4 5,6",
+                           "+,1",
+                           "((3,4))"}) {
+    EXPECT_EQ(complaint(cell, text), expected + "'" + text + "'");
+  }
+  Parameter small = cell;
+  small.least = 0, small.most = 9;
+  EXPECT_EQ(complaint(small, "3,10"), "value: expected two whole numbers from 0 to 9 like 3,4, found '3,10'");
+}
+
+TEST(Canonical, Integer) {
+  Parameter integer = parameter(ParameterType::integer);
+  integer.least = 0, integer.most = 255;
+  EXPECT_EQ(canonical(integer, " 007 "), "7");
+  EXPECT_EQ(canonical(integer, "255"), "255");
+  for (const char* text : {"", "-1", "256", "1.0", "x", "1 2"}) {
+    EXPECT_EQ(complaint(integer, text),
+              std::string("value: expected a whole number from 0 to 255, found '") + text + "'");
+  }
+}
+
+TEST(Canonical, Choice) {
+  Parameter choice = parameter(ParameterType::choice);
+  choice.choices = {"4", "8", "depth_first"};
+  EXPECT_EQ(canonical(choice, "8"), "8");
+  EXPECT_EQ(canonical(choice, "Depth-First"), "depth_first");
+  EXPECT_EQ(complaint(choice, "6"), "value: expected one of 4, 8, depth_first, found '6'");
+}
+
+TEST(Canonical, Color) {
+  const Parameter color = parameter(ParameterType::color);
+  EXPECT_EQ(canonical(color, "#0072B2"), "#0072b2");
+  EXPECT_EQ(canonical(color, "#1aF"), "#11aaff");
+  EXPECT_EQ(canonical(color, "Teal"), "#008080");
+  EXPECT_EQ(canonical(color, "grey"), "#808080");
+  EXPECT_EQ(
+      complaint(color, "#12345g"),
+      "value: expected a colour #rrggbb or one of black, silver, gray, white, maroon, red, purple, fuchsia, "
+      "green, lime, olive, yellow, navy, blue, teal, aqua, found '#12345g'");
+  for (const char* text : {"", "#", "#12", "#1234", "0072b2", "never", "# 12345"}) {
+    EXPECT_NE(complaint(color, text).find("expected a colour"), std::string::npos) << text;
+  }
+}
+
+TEST(Canonical, FilesGoByTheirNames) {
+  EXPECT_EQ(canonical(parameter(ParameterType::picture), "some/folder/horse.png"), "horse.png");
+  EXPECT_EQ(canonical(parameter(ParameterType::picture), "-"), "-");
+  EXPECT_EQ(complaint(parameter(ParameterType::picture), "folder/"),
+            "value: expected a PNG file, found 'folder/'");
+  EXPECT_EQ(canonical(parameter(ParameterType::maze), "some/folder/room.txt"), "room.txt");
+  EXPECT_EQ(canonical(parameter(ParameterType::maze), "room.txt"), "room.txt");
+  EXPECT_EQ(canonical(parameter(ParameterType::maze), "mazes/room"), "room");
+}
+
+TEST(Canonical, MazeRows) {
+  const Parameter maze = parameter(ParameterType::maze);
+  for (const char* rows : {"#.#/...", "..../.##.", "...", "#", "#a#/b.c", "#./#.#"})
+    EXPECT_EQ(canonical(maze, rows), rows);
+  EXPECT_EQ(canonical(maze, "##\n..\n"), "##/..");
+  EXPECT_EQ(complaint(maze, ""), "value: expected a text file or rows like '#.#/...', found ''");
+}
+
+// --- Arguments
+// ---------------------------------------------------------------------------------------------------
+
+TEST(Arguments, AreReadByType) {
+  Arguments arguments;
+  arguments.set({.name = "method", .text = "dda"});
+  arguments.set({.name = "from", .text = "-2147483648,7"});
+  arguments.set({.name = "tolerance", .text = "12"});
+  arguments.set({.name = "color", .text = "#0072b2"});
+  EXPECT_EQ(arguments.cell("from"), ivec2(INT32_MIN, 7));
+  EXPECT_EQ(arguments.integer("tolerance"), 12);
+  EXPECT_EQ(arguments.color("color"), (Rgba8{0x00, 0x72, 0xb2, 255}));
+  EXPECT_EQ(arguments.text("method"), "dda");
+  EXPECT_TRUE(arguments.has("from"));
+  EXPECT_FALSE(arguments.has("to"));
+  EXPECT_EQ(arguments.entries().front().name, "method");
+}
+
+TEST(Arguments, SettingAgainReplacesInPlace) {
+  Arguments arguments;
+  arguments.set({.name = "a", .text = "1"});
+  arguments.set({.name = "b", .text = "2"});
+  arguments.set({.name = "a", .text = "3"});
+  ASSERT_EQ(arguments.entries().size(), 2u);
+  EXPECT_EQ(arguments.entries()[0].text, "3");
+}
+
+TEST(Arguments, AMissingOneIsTheUsersMistake) {
+  const Arguments arguments;
+  try {
+    arguments.cell("from");
+    FAIL() << "expected an ArgumentError";
+  } catch (const ArgumentError& error) {
+    EXPECT_EQ(error.parameter, "from");
+    EXPECT_STREQ(error.what(), "expected a value, found none");
+  }
+}
+
+TEST(Arguments, ASpellingNotCanonicalIsTheProgramsMistake) {
+  Arguments arguments;
+  arguments.set({.name = "v", .text = "1/3,2"});
+  EXPECT_THROW(arguments.cell("v"), ContractViolation);
+  EXPECT_THROW(arguments.integer("v"), ContractViolation);
+  EXPECT_THROW(arguments.color("v"), ContractViolation);
+}
+
+// --- Texts inside messages
+// ---------------------------------------------------------------------------------------
+
+TEST(Shown, PlainTextStays) {
+  EXPECT_EQ(shown("3,4"), "'3,4'");
+  EXPECT_EQ(shown("größe ≤ 1"), "'größe ≤ 1'");
+}
+
+TEST(Shown, ControlCharactersAndBrokenUtf8AreEscaped) {
+  EXPECT_EQ(shown("a\n\tb"), "'a\\n\\tb'");
+  EXPECT_EQ(shown("\x1b[31mred\x7f"), "'\\x1b[31mred\\x7f'");
+  EXPECT_EQ(shown(std::string_view("a\0b", 3)), "'a\\x00b'");
+  EXPECT_EQ(shown("\xff\xc3"), "'\\xff\\xc3'");
+  EXPECT_EQ(shown("\xc0\xaf"), "'\\xc0\\xaf'") << "overlong";
+  EXPECT_EQ(shown("\xed\xa0\x80"), "'\\xed\\xa0\\x80'") << "a surrogate";
+  EXPECT_EQ(shown("\xc2\x9b"), "'\\xc2\\x9b'") << "the 8-bit form of ESC [";
+  EXPECT_EQ(shown("\xe2\x80\xae"), "'\\xe2\\x80\\xae'") << "right-to-left override";
+}
+
+TEST(Shown, LongTextsAreCut) {
+  EXPECT_LT(shown(std::string(100'000, 'x')).size(), 100u);
+  EXPECT_TRUE(shown(std::string(100'000, 'x')).ends_with("…'"));
+}
+
+// --- Numbers and points
+// ------------------------------------------------------------------------------------------
+
+Number number(std::string_view text) {
+  auto read = read_number(text);
+  if (const auto* misread = std::get_if<Misread>(&read)) ADD_FAILURE() << misread->what;
+  const auto* found = std::get_if<Number>(&read);
+  return found ? *found : Number{};
+}
+
+TEST(ReadNumber, CanonicalSpellings) {
+  const std::pair<const char*, const char*> spellings[] = {
+      {"3", "3"},         {"+3", "3"},          {"-0", "0"},       {"007", "7"},
+      {"2/6", "1/3"},     {"-2/6", "-1/3"},     {"2/-6", "-1/3"},  {"-2/-6", "1/3"},
+      {"6/3", "2"},       {"0/5", "0"},         {"0.250", "0.25"}, {".5", "0.5"},
+      {"5.", "5"},        {"-1.50", "-1.5"},    {"1e3", "1000"},   {"1.25e-2", "0.0125"},
+      {"1e300", "1e300"}, {"1E-300", "1e-300"}, {" 4 ", "4"}};
+  for (const auto& [text, expected] : spellings) {
+    EXPECT_EQ(number(text).text, expected) << text;
+    EXPECT_EQ(number(number(text).text).text, expected) << "canonical reads back as itself";
+    EXPECT_EQ(number(number(text).text).value, number(text).value) << text;
+  }
+}
+
+TEST(ReadNumber, ExactWhereItFits) {
+  EXPECT_EQ(number("0.1").exact, (Fraction{1, 10}));
+  EXPECT_EQ(number("-1/3").exact, (Fraction{-1, 3}));
+  EXPECT_EQ(number("-9223372036854775808/1").exact, (Fraction{INT64_MIN, 1}));
+  EXPECT_EQ(number("1e-19").exact, std::nullopt);
+  EXPECT_EQ(number("0.1").value, 0.1);
+  EXPECT_EQ(number("1e22").value, 1e22);
+}
+
+TEST(ReadNumber, FractionsAreRoundedOnce) {
+  EXPECT_EQ(number("1/3").value, 1.0 / 3.0);
+  EXPECT_EQ(number("9007199254740993/1").value, 9007199254740992.0) << "a tie goes to even";
+  EXPECT_EQ(number("9007199254740993/2").value, 4503599627370496.0) << "the same, halved";
+  EXPECT_EQ(number("9223372036854775807/9223372036854775806").value, 1.0);
+  EXPECT_EQ(number("1/9223372036854775807").value, std::ldexp(1.0, -63));
+  EXPECT_EQ(number("-9223372036854775808/9223372036854775807").value, -1.0);
+}
+
+TEST(ReadNumber, Refusals) {
+  for (const char* text : {"",      "x",
+                           "1/0",   "1/",
+                           "/2",    "1.5/2",
+                           "1/2/3", "1..2",
+                           "1e",    "1e+",
+                           "1e 5",  "--1",
+                           "nan",   "inf",
+                           "1e999", "1e99999",
+                           "0x10",  "1 2",
+                           ".",     "-",
+                           "1,5",   "9223372036854775808/1"}) {
+    EXPECT_TRUE(std::holds_alternative<Misread>(read_number(text))) << text;
+  }
+  EXPECT_EQ(std::get<Misread>(read_number("two")).what,
+            "expected a number like 3, -5, 1/3 or 0.25, found 'two'");
+}
+
+TEST(ReadPoint, Spellings) {
+  EXPECT_EQ(text_of(std::get<Point>(read_point("1/3,2"))), "1/3,2");
+  EXPECT_EQ(text_of(std::get<Point>(read_point("(-0.50, 4/2)"))), "-0.5,2");
+  EXPECT_EQ(std::get<Misread>(read_point("3")).what, "expected a point like 3,4 or 1/3,2, found '3'");
+  EXPECT_EQ(std::get<Misread>(read_point("3,y")).what,
+            "expected a number like 3, -5, 1/3 or 0.25, found 'y'");
+}
+
+TEST(ReadPoints, Lists) {
+  for (const char* text : {"0,0 6,0 6,3", "(0, 0) (6,0)(6 , 3)", "0,0;6,0;6,3",
+                           "# corners\n0,0\n6,0 # right\n\n6,3\n", "0 ,0  6, 0 6 , 3"}) {
+    const auto read = read_points(text);
+    ASSERT_TRUE(std::holds_alternative<std::vector<Point>>(read)) << text << std::get<Misread>(read).what;
+    EXPECT_EQ(text_of(std::get<std::vector<Point>>(read)), "0,0 6,0 6,3") << text;
+  }
+}
+
+TEST(ReadPoints, ErrorsNameThePoint) {
+  EXPECT_EQ(std::get<Misread>(read_points("0,0 6 6,3")).what,
+            "point 2: expected a point like 3,4 or 1/3,2, found '6'");
+  EXPECT_EQ(std::get<Misread>(read_points(" ")).what, "expected points like '0,0 6,0 6,3', found ' '");
+}
+
+}  // namespace
+}  // namespace gradus

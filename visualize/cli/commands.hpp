@@ -1,0 +1,68 @@
+#pragma once
+// The commands of `gradus`: what each takes, and the functions that do them.
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/terminal.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::cli {
+
+/// A flag of a command, `--name` or `-letter`.
+struct Flag {
+  std::string name;
+  char letter = 0;    ///< 0: none
+  std::string value;  ///< how its value is called in help; empty: a switch
+  std::string help;
+};
+
+struct Command {
+  std::string name;
+  std::string operands;  ///< how they are called in messages: "a TOPIC", "one WORD"
+  std::string summary;
+  std::size_t least = 0, most = 0;  ///< how many operands
+  bool about_topic = false;         ///< the first operand is a topic, whose parameters are flags too
+  std::vector<Flag> flags;
+  std::vector<std::string> examples;
+};
+std::span<const Command> commands();
+
+/// Flags that every command takes.
+std::span<const Flag> common_flags();
+
+/// A command line, read: names resolved, values as written.
+struct Request {
+  const Command* command = nullptr;  ///< none: `gradus` alone, or with --help or --version
+  const TopicEntry* topic = nullptr;
+  std::vector<std::string> operands;             ///< without the topic
+  std::map<std::string, std::string> flags;      ///< the command's own, by name; a switch has the value ""
+  std::map<std::string, std::string> arguments;  ///< the topic's parameters, and "method"
+  bool has(const std::string& flag) const { return flags.contains(flag); }
+  bool quiet() const { return has("quiet"); }
+  Color color() const;
+};
+
+/// Reads a command line (without the program's name). Throws UsageError.
+Request read_request(const std::vector<std::string>& words);
+
+// Each writes its data to stdout, everything else to stderr, and returns the exit code.
+int list(const Request& request);
+int help(const Request& request);
+int run(const Request& request);
+int figure(const Request& request);
+int figures(const Request& request);
+int again(const Request& request);
+
+/// `gradus --version`.
+int version();
+
+/// The version of the one library that only command_line.cpp may include.
+std::string cli11_version();
+
+/// The topic of that name or alias: a unique beginning is enough. Throws UsageError.
+const TopicEntry& find_topic(std::string_view word);
+
+}  // namespace gradus::cli

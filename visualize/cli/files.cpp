@@ -1,0 +1,252 @@
+#include "cli/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "cli/errors.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::cli {
+namespace {
+
+constexpr std::size_t most_input = std::size_t{256} << 20;
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  /// Closing may be the moment when a network folder reports a full disk.
+  bool close_now() { return close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+/// False with errno set when not everything could be written.
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+[[noreturn]] void cannot_write(const std::string& path) {
+  const int reason = errno;
+  throw WorkError(fmt::format("can't write {}: {}", shown(path), std::strerror(reason)));
+}
+
+// --- Incomplete files, to be removed when the program is stopped
+// --------------------------------------------------
+
+struct Incomplete {
+  std::mutex mutex;
+  std::set<std::string> paths;
+};
+/// Never destroyed: the thread that waits for signals may use it until the very end.
+Incomplete& incomplete() {
+  static auto* files = new Incomplete;
+  return *files;
+}
+
+void remember(const std::string& path) {
+  const std::lock_guard lock(incomplete().mutex);
+  incomplete().paths.insert(path);
+}
+
+void forget(const std::string& path) {
+  const std::lock_guard lock(incomplete().mutex);
+  incomplete().paths.erase(path);
+}
+
+[[noreturn]] void stop(int signal) {
+  incomplete().mutex.lock();  // and never unlocked: nobody makes another file now
+  for (const std::string& path : incomplete().paths) unlink(path.c_str());
+  _exit(128 + signal);
+}
+
+/// A signal that was ignored from the start (nohup, a background job) stays so.
+bool heeded(int signal) {
+  struct sigaction action{};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
+}
+
+void wait_for_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (heeded(signal)) sigaddset(&signals, signal);
+  }
+  // Blocked here and so in every thread started later: one thread alone receives them, and may do what no
+  // signal handler may
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    int signal = 0;
+    while (sigwait(&signals, &signal) != 0) {
+    }
+    stop(signal);
+  }).detach();
+}
+
+/// The file behind a link, so that the link itself is not replaced.
+std::string behind_links(const std::string& path) {
+  std::error_code error;
+  const auto target = std::filesystem::canonical(path, error);
+  return error ? path : target.string();
+}
+
+/// Opens a new file beside `path`.
+int open_beside(const std::string& path, std::string& temporary) {
+  static std::atomic<unsigned> counter = 0;
+  const std::size_t name = path.find_last_of('/') + 1;
+  while (true) {
+    temporary = fmt::format("{}.{}.{}-{}.tmp", path.substr(0, name), "gradus", getpid(), counter++);
+    const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+}
+
+void write_in_place(const std::string& path, std::string_view bytes) {
+  Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number() < 0 || !write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
+}
+
+std::string read_descriptor(int descriptor, const std::string& name, std::string_view what) {
+  std::string bytes;
+  char block[1 << 16];
+  while (true) {
+    const ssize_t count = read(descriptor, block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int reason = errno;
+      throw UsageError(
+          fmt::format("{}: expected a readable file, found {} ({})", what, name, std::strerror(reason)));
+    }
+    if (count == 0) return bytes;
+    if (bytes.size() + static_cast<std::size_t>(count) > most_input) {
+      throw UsageError(fmt::format("{}: expected a file of at most 256 MiB, found {}", what, name));
+    }
+    bytes.append(block, static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+std::string read_input(const std::string& path, std::string_view what) {
+  if (path == dash) return read_descriptor(STDIN_FILENO, "standard input", what);
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) {
+    const int reason = errno;
+    throw UsageError(
+        fmt::format("{}: expected a readable file, found {} ({})", what, shown(path), std::strerror(reason)));
+  }
+  return read_descriptor(file.number(), shown(path), what);
+}
+
+std::string fingerprint(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("fnv1a:{:016x}", hash);
+}
+
+void write_stream(Stream stream, std::string_view bytes) {
+  if (write_all(static_cast<int>(stream), bytes)) return;
+  if (errno == EPIPE) throw OutputClosed();
+  const int reason = errno;
+  throw WorkError(fmt::format("can't write to standard output: {}", std::strerror(reason)));
+}
+
+void note(std::string_view line) {
+  // One call a line: lines of several threads do not mix
+  static_cast<void>(write_all(STDERR_FILENO, std::string(line) + "\n"));
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat first{}, second{};
+  if (stat(a.c_str(), &first) != 0 || stat(b.c_str(), &second) != 0) return false;
+  return first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
+void check_output(const std::string& path, std::span<const std::string> inputs) {
+  if (path == dash) return;
+  std::error_code error;
+  if (path.empty() || path.ends_with('/') || std::filesystem::is_directory(path, error)) {
+    throw UsageError(fmt::format("-o: expected a file's name, found {}", shown(path)));
+  }
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    throw UsageError(fmt::format("-o: expected a folder that exists, found {}", shown(folder.string())));
+  }
+  for (const std::string& input : inputs) {
+    if (input == dash || !same_file(path, input)) continue;
+    throw UsageError(fmt::format("-o: expected another file than the input, found {}", shown(path)));
+  }
+}
+
+NewFiles::~NewFiles() {
+  for (const Pending& file : pending_) {
+    unlink(file.temporary.c_str());
+    forget(file.temporary);
+  }
+}
+
+void NewFiles::add(const std::string& path, std::string_view bytes) {
+  struct stat known{};
+  const bool exists = stat(path.c_str(), &known) == 0;
+  if (exists && !S_ISREG(known.st_mode)) return write_in_place(path, bytes);
+  std::string temporary;
+  const std::string target = exists ? behind_links(path) : path;
+  Descriptor file(open_beside(target, temporary));
+  if (file.number() < 0) cannot_write(path);
+  remember(temporary);
+  pending_.push_back({temporary, target});
+  if (exists) static_cast<void>(fchmod(file.number(), known.st_mode & 07777));
+  if (!write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
+}
+
+void NewFiles::commit() {
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    const Pending& file = pending_[i];
+    if (rename(file.temporary.c_str(), file.path.c_str()) != 0) cannot_write(file.path);
+    forget(file.temporary);
+  }
+  pending_.clear();
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+  if (path == dash) return write_stream(Stream::out, bytes);
+  NewFiles files;
+  files.add(path, bytes);
+  files.commit();
+}
+
+void prepare_process() {
+  // A file opened later must not get the number of a closed standard stream. Standard output is opened for
+  // reading: writing to it fails as it should
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    static_cast<void>(open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY));
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  wait_for_signals();
+}
+
+}  // namespace gradus::cli

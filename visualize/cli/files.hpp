@@ -1,0 +1,65 @@
+#pragma once
+// Reading what the user gave and writing what he asked for. What is written appears whole or not at all.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/terminal.hpp"
+
+namespace gradus::cli {
+
+/// Standard output or standard input, where a file's name is expected.
+inline constexpr std::string_view dash = "-";
+
+/// A whole file, or standard input for "-". `what` names the argument in errors ("--maze").
+/// Throws UsageError when it can't be read, or holds more than 256 MiB.
+std::string read_input(const std::string& path, std::string_view what);
+
+/// A short fingerprint of contents: FNV-1a, 64 bits, "fnv1a:0123456789abcdef". Finds what has changed; it
+/// does not defend against forgery.
+std::string fingerprint(std::string_view bytes);
+
+/// Everything to one of the standard streams. Throws WorkError, or OutputClosed for a pipe nobody reads.
+void write_stream(Stream stream, std::string_view bytes);
+/// The same to stderr, whatever happens to it: there is nowhere left to complain.
+void note(std::string_view line);
+
+/// Whether both paths lead to one file.
+bool same_file(const std::string& a, const std::string& b);
+
+/// Throws UsageError when nothing can be written under this name: it is a folder, its folder does not exist,
+/// or it is one of the inputs.
+void check_output(const std::string& path, std::span<const std::string> inputs);
+
+/// Files that appear together: each is written beside its final place and gets its name in commit().
+/// Destroyed before that, no trace is left. Throws WorkError.
+class NewFiles {
+ public:
+  NewFiles() = default;
+  ~NewFiles();
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+
+  /// An existing file keeps its permissions; a link is followed; a device or pipe is written at once.
+  void add(const std::string& path, std::string_view bytes);
+  void commit();
+
+ private:
+  struct Pending {
+    std::string temporary, path;
+  };
+  std::vector<Pending> pending_;
+};
+
+/// One file, or standard output for "-".
+void write_output(const std::string& path, std::string_view bytes);
+
+/// Opens closed standard streams, ignores SIGPIPE, and ends the program on SIGINT (130) and SIGTERM (143)
+/// after removing files that are not complete. To be called first.
+void prepare_process();
+
+}  // namespace gradus::cli

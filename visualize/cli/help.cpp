@@ -1,0 +1,220 @@
+// `gradus help` and --help: made from the tables of commands and topics, examples first.
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <glm/detail/setup.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/names.hpp"
+#include "figure/colophon.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::cli {
+namespace {
+
+constexpr std::string_view introduction =
+    "gradus draws computer-graphics algorithms step by step: figures, tables and a player made from real "
+    "runs.\n";
+
+/// Two columns, the second aligned.
+std::string columns(const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::size_t width = 0;
+  for (const auto& [left, right] : rows) width = std::max(width, left.size());
+  std::string text;
+  for (const auto& [left, right] : rows) {
+    const std::string gap(width - left.size() + 2, ' ');
+    text += right.empty() ? fmt::format("  {}\n", left) : fmt::format("  {}{}{}\n", left, gap, right);
+  }
+  return text;
+}
+
+std::string section(std::string_view title, bool color) { return "\n" + bold(title, color) + "\n"; }
+
+std::string flag_words(const Flag& flag) {
+  const std::string letter = flag.letter ? fmt::format("-{}, ", flag.letter) : "    ";
+  return letter + "--" + flag.name + (flag.value.empty() ? "" : " " + flag.value);
+}
+
+std::string flag_table(std::span<const Flag> flags) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const Flag& flag : flags) rows.emplace_back(flag_words(flag), flag.help);
+  return columns(rows);
+}
+
+std::string range_of(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::cell:
+      return fmt::format("two whole numbers, {} to {}", parameter.least, parameter.most);
+    case ParameterType::window:
+      return "four whole numbers, xmin <= xmax and ymin <= ymax";
+    case ParameterType::integer:
+      return fmt::format("a whole number, {} to {}", parameter.least, parameter.most);
+    case ParameterType::choice:
+      return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+    case ParameterType::color:
+      return "#rrggbb or a basic colour's name";
+    case ParameterType::picture:
+      return "a PNG file, or - for standard input";
+    case ParameterType::maze:
+      return "a text file, - for standard input, or rows like '#.#/...'";
+  }
+  return "";
+}
+
+std::string inputs_of(const TopicEntry& topic) {
+  std::string text;
+  for (const Parameter& p : topic.parameters) {
+    const std::string first = "--" + hyphened(p.name) + " " + shell_quoted(p.example);
+    text += fmt::format("  {}\n      {}\n      {}{}{}\n", first, p.help, range_of(p),
+                        p.default_value.empty() ? "" : "; default " + shell_quoted(p.default_value),
+                        p.instead_of.empty() ? "" : "; instead of --" + hyphened(p.instead_of));
+  }
+  return text;
+}
+
+std::string_view standing_of(Standing standing) {
+  constexpr std::string_view names[] = {"", "taught", "fast", "faulty"};
+  return names[static_cast<std::size_t>(standing)];
+}
+
+std::string methods_of(const TopicEntry& topic) {
+  std::string text;
+  for (const Method& method : topic.methods) {
+    std::vector<std::string> marks;
+    if (method.name == topic.default_method) marks.push_back("default");
+    if (const auto standing = standing_of(method.standing); !standing.empty()) marks.emplace_back(standing);
+    text += fmt::format("  --method {}{}\n      {}{}\n", method.name,
+                        marks.empty() ? "" : fmt::format(" ({})", fmt::join(marks, ", ")), method.title,
+                        method.note.empty() ? "" : ": " + method.note);
+  }
+  return text;
+}
+
+std::string examples_of(const TopicEntry& topic, std::string_view command, std::string_view end) {
+  std::string text;
+  for (const std::string& example : topic.examples) {
+    text += fmt::format("  gradus {} {} {}{}\n", command, topic.name, example, end);
+  }
+  return text;
+}
+
+std::string topic_help(const TopicEntry& topic, bool color) {
+  std::string text = fmt::format("{}: {}\n", bold(topic.title, color), topic.summary);
+  text += section("Examples", color) + examples_of(topic, "run", "");
+  if (!topic.examples.empty()) {
+    text += fmt::format("  gradus figure {} {} -o {}.svg\n", topic.name, topic.examples[0], topic.name);
+  }
+  text += section("Inputs", color) + inputs_of(topic);
+  text += section("Methods", color) + methods_of(topic);
+  if (!topic.aliases.empty())
+    text += section("Also called", color) + fmt::format("  {}\n", fmt::join(topic.aliases, ", "));
+  return text;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+std::string command_help(const Command& command, const TopicEntry* topic, bool color) {
+  std::string text = fmt::format("{}: {}\n", bold("gradus " + command.name, color), command.summary);
+  text += section("Examples", color);
+  const std::string name = topic ? topic->name : catalogue().empty() ? "" : catalogue()[0]->name;
+  const std::string method = topic                 ? topic->default_method
+                             : catalogue().empty() ? ""
+                                                   : catalogue()[0]->default_method;
+  for (const std::string& example : command.examples) {
+    text += "  " + replaced(replaced(example, "TOPIC", name), "NAME", method) + "\n";
+  }
+  if (topic)
+    text += section("Inputs", color) + inputs_of(*topic) + section("Methods", color) + methods_of(*topic);
+  if (command.about_topic && !topic) text += "\nThe inputs of a topic are flags too: gradus help TOPIC\n";
+  std::vector<Flag> flags = command.flags;
+  flags.insert(flags.end(), common_flags().begin(), common_flags().end());
+  text += section("Flags", color) + flag_table(flags);
+  return text;
+}
+
+std::string overview(bool color) {
+  std::string text{introduction};
+  text += section("Examples", color);
+  text += "  gradus list\n  gradus figures -o out/\n";
+  if (!catalogue().empty()) {
+    const TopicEntry& topic = *catalogue()[0];
+    const std::string arguments = topic.examples.empty() ? "" : " " + topic.examples[0];
+    text += fmt::format("  gradus run {}{}\n  gradus figure {}{} -o {}.svg\n", topic.name, arguments,
+                        topic.name, arguments, topic.name);
+  }
+  text += section("Commands", color);
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const Command& command : commands()) rows.emplace_back(command.name, command.summary);
+  text += columns(rows) + section("Flags of every command", color) + flag_table(common_flags());
+  text +=
+      "\nNames may be shortened; hyphens and underscores are the same. `gradus COMMAND --help` tells more.\n"
+      "Exit codes: 0 done, 1 the work failed, 2 the input is wrong, 130 stopped by Ctrl-C.\n"
+      "gradus is under the MIT licence; the figures it makes are CC0 1.0.\n";
+  return text;
+}
+
+/// A topic first; the name of a command if it is no topic's.
+std::string help_on(const std::string& word, bool color) {
+  std::vector<std::string> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  try {
+    return topic_help(find_topic(word), color);
+  } catch (const UsageError&) {
+    const auto matches = matching_names(word, names);
+    if (matches.size() != 1) throw;
+    return command_help(commands()[matches.front()], nullptr, color);
+  }
+}
+
+/// The version of a shared library, as it was loaded.
+template <class... Nothing>
+std::string loaded_version(const char* function, Nothing... nothing) {
+  void* found = dlsym(RTLD_DEFAULT, function);
+  return found ? reinterpret_cast<const char* (*)(Nothing...)>(found)(nothing...) : "unknown";
+}
+
+}  // namespace
+
+int help(const Request& request) {
+  const bool color = use_color(request.color(), Stream::out);
+  std::string text;
+  if (request.command && request.command->name != "help") {
+    text = command_help(*request.command, request.topic, color);
+  } else if (!request.operands.empty()) {
+    text = help_on(request.operands[0], color);
+  } else {
+    text = overview(color);
+  }
+  write_stream(Stream::out, text);
+  return 0;
+}
+
+int version() {
+#if defined(__clang__)
+  constexpr std::string_view compiler = "compiled by";
+#else
+  constexpr std::string_view compiler = "compiled by GCC";
+#endif
+  // Asked of the libraries themselves, whose headers belong to other folders
+  const std::string cairo = loaded_version("cairo_version_string"), zlib = loaded_version("zlibVersion");
+  const std::string png = loaded_version<const void*>("png_get_libpng_ver", nullptr);
+  write_stream(
+      Stream::out,
+      fmt::format("gradus {}\ncairo {}, libpng {}, zlib {}, fmt {}.{}.{}, GLM {}.{}.{}.{}, CLI11 {}; {} {}\n",
+                  release_version, cairo, png, zlib, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                  FMT_VERSION % 100, GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
+                  GLM_VERSION_REVISION, cli11_version(), compiler, __VERSION__));
+  return 0;
+}
+
+}  // namespace gradus::cli

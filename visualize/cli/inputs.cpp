@@ -1,0 +1,166 @@
+#include "cli/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/names.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::cli {
+namespace {
+
+/// A maze up to this long is written out in a figure's command, so that the figure needs no file to be made
+/// again.
+constexpr std::size_t longest_inline_maze = 1024;
+
+std::string flag_of(const Parameter& parameter) { return "--" + hyphened(parameter.name); }
+
+class Reader {
+ public:
+  Reader(const TopicEntry& topic, const std::map<std::string, std::string>& given, const FindFile& find)
+      : topic_(topic), given_(given), find_(find) {}
+
+  Inputs read() {
+    inputs_.arguments.set({.name = "method", .text = method()});
+    for (const Parameter& parameter : topic_.parameters) {
+      if (const auto text = text_for(parameter)) inputs_.arguments.set(entry(parameter, *text));
+    }
+    return std::move(inputs_);
+  }
+
+ private:
+  std::string method() const {
+    const auto wanted = given_.find("method");
+    if (wanted == given_.end()) return topic_.default_method;
+    std::vector<std::string> names;
+    for (const Method& known : topic_.methods) names.push_back(known.name);
+    return names[choose_name("--method", wanted->second, names)];
+  }
+
+  /// What the user gave, else the default, unless another parameter stands in its place.
+  std::optional<std::string> text_for(const Parameter& parameter) const {
+    const auto rival = std::ranges::find_if(topic_.parameters, [&](const Parameter& other) {
+      return other.instead_of == parameter.name && given_.contains(other.name);
+    });
+    if (const auto known = given_.find(parameter.name); known != given_.end()) {
+      if (rival != topic_.parameters.end()) {
+        throw UsageError(
+            fmt::format("{}: expected either this or {}, found both", flag_of(*rival), flag_of(parameter)));
+      }
+      return known->second;
+    }
+    if (parameter.default_value.empty() || rival != topic_.parameters.end()) return std::nullopt;
+    return parameter.default_value;
+  }
+
+  Arguments::Entry entry(const Parameter& parameter, const std::string& text) {
+    switch (parameter.type) {
+      case ParameterType::picture:
+        return picture(parameter, text);
+      case ParameterType::maze:
+        return maze(parameter, text);
+      case ParameterType::choice: {
+        const std::size_t chosen = choose_name(flag_of(parameter), text, parameter.choices);
+        return {.name = parameter.name, .text = parameter.choices[chosen]};
+      }
+      default:
+        return {.name = parameter.name, .text = canonical(parameter, text)};
+    }
+  }
+
+  Arguments::Entry picture(const Parameter& parameter, const std::string& text) {
+    const std::string name = canonical(parameter, text), bytes = file_bytes(parameter, text);
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    const std::string called =
+        fmt::format("{}: {}", flag_of(parameter), text == dash ? "standard input" : shown(text));
+    return {.name = parameter.name,
+            .text = name,
+            .image = decode_png({data, bytes.size()}, called),
+            .hash = fingerprint(bytes)};
+  }
+
+  Arguments::Entry maze(const Parameter& parameter, const std::string& text) {
+    const std::string name = canonical(parameter, text);
+    if (text != dash && is_maze_rows(trimmed(text))) {
+      std::string rows = name + "\n";
+      std::ranges::replace(rows, '/', '\n');
+      return {.name = parameter.name, .text = name, .content = rows};
+    }
+    const std::string bytes = file_bytes(parameter, text);
+    std::string rows = plain_lines(bytes), joined(trimmed(rows));
+    std::ranges::replace(joined, '\n', '/');
+    if (joined.size() <= longest_inline_maze && is_maze_rows(joined)) {
+      if (even(joined)) return {.name = parameter.name, .text = joined, .content = rows};
+    }
+    return {.name = parameter.name, .text = name, .content = rows, .hash = fingerprint(bytes)};
+  }
+
+  /// A maze with uneven rows keeps its file's name, for the message that the topic will have to give.
+  static bool even(std::string_view rows) {
+    const std::size_t width = std::min(rows.find('/'), rows.size());
+    for (std::size_t at = 0; at <= rows.size(); at += width + 1) {
+      if (std::min(rows.find('/', at), rows.size()) != at + width) return false;
+    }
+    return true;
+  }
+
+  /// Without a byte order mark and carriage returns.
+  static std::string plain_lines(std::string_view bytes) {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    std::string lines(bytes);
+    std::erase(lines, '\r');
+    return lines;
+  }
+
+  std::string file_bytes(const Parameter& parameter, const std::string& text) {
+    if (text == dash) {
+      if (stdin_taken_) {
+        throw UsageError(fmt::format("{}: expected a file, found - for a second time", flag_of(parameter)));
+      }
+      stdin_taken_ = true;
+      inputs_.files.emplace_back(dash);
+      return read_input(text, flag_of(parameter));
+    }
+    // "@maze.txt" is another way to say that a file is meant
+    const std::string path = find_(text.starts_with('@') ? text.substr(1) : text, flag_of(parameter));
+    inputs_.files.push_back(path);
+    return read_input(path, flag_of(parameter));
+  }
+
+  const TopicEntry& topic_;
+  const std::map<std::string, std::string>& given_;
+  const FindFile& find_;
+  Inputs inputs_;
+  bool stdin_taken_ = false;
+};
+
+}  // namespace
+
+std::string as_named(const std::string& name, const std::string&) { return name; }
+
+Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
+                   const FindFile& find) {
+  return Reader(topic, given, find).read();
+}
+
+std::string input_hash(const Arguments& arguments) {
+  std::string hashes;
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (!entry.hash.empty()) hashes += (hashes.empty() ? "" : " ") + entry.hash;
+  }
+  return hashes;
+}
+
+std::string command_of(std::string_view command, const TopicEntry& topic, const Arguments& arguments) {
+  std::string line = fmt::format("gradus {} {}", command, topic.name);
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (entry.name == "method" && entry.text == topic.default_method) continue;
+    line += fmt::format(" --{} {}", hyphened(entry.name), shell_quoted(entry.text));
+  }
+  return line;
+}
+
+}  // namespace gradus::cli

@@ -1,0 +1,61 @@
+// `gradus list`: what there is.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/commands.hpp"
+#include "cli/files.hpp"
+#include "cli/names.hpp"
+#include "stories/point_text.hpp"
+#include "web/json.hpp"
+
+namespace gradus::cli {
+namespace {
+
+bool holds(std::string_view text, std::string_view word) {
+  return folded(text).find(folded(word)) != std::string::npos;
+}
+
+bool is_about(const TopicEntry& topic, std::string_view word) {
+  return holds(topic.name, word) || holds(topic.title, word) ||
+         std::ranges::any_of(topic.aliases, [word](const std::string& alias) { return holds(alias, word); });
+}
+
+std::vector<const TopicEntry*> topics_about(std::string_view word) {
+  std::vector<const TopicEntry*> topics;
+  for (const TopicEntry* topic : catalogue()) {
+    if (is_about(*topic, word)) topics.push_back(topic);
+  }
+  return topics;
+}
+
+std::string table(std::span<const TopicEntry* const> topics, bool color) {
+  std::size_t width = 0;
+  for (const TopicEntry* topic : topics) width = std::max(width, topic->name.size());
+  std::string text, chapter;
+  for (const TopicEntry* topic : topics) {
+    if (topic->chapter != chapter) text += (text.empty() ? "" : "\n") + bold(topic->chapter, color) + "\n";
+    chapter = topic->chapter;
+    const std::string gap(width - topic->name.size() + 2, ' ');
+    text += fmt::format("  {}{}{}: {}\n", topic->name, gap, topic->title, topic->summary);
+  }
+  return text;
+}
+
+}  // namespace
+
+int list(const Request& request) {
+  const std::string word = request.operands.empty() ? "" : request.operands[0];
+  const std::vector<const TopicEntry*> topics = topics_about(word);
+  if (topics.empty() && !word.empty()) {
+    note(fmt::format("gradus: list: expected a word in the name, alias or title of a topic, found {}",
+                     shown(word)));
+    return 1;
+  }
+  const bool color = use_color(request.color(), Stream::out);
+  write_stream(Stream::out, request.has("json") ? list_json(topics) : table(topics, color));
+  return 0;
+}
+
+}  // namespace gradus::cli

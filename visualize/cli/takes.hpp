@@ -1,0 +1,70 @@
+#pragma once
+// Choosing steps of a run, and recording those that are wanted: a run may be longer than what is kept of it.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "figure/figure.hpp"
+#include "figure/trace.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::cli {
+
+/// "4", "4.1". Throws UsageError naming `flag`.
+StepNumber read_step(std::string_view text, std::string_view flag = "--step");
+
+/// Whole steps from first to last, every stride-th; or one finer event.
+struct StepRange {
+  StepNumber first, last;
+  std::int64_t stride = 1;
+  bool holds(StepNumber number) const;
+};
+/// "3-9", "1,4,9-12", "0-100/5", "4.1". Throws UsageError.
+std::vector<StepRange> read_steps(std::string_view text);
+std::string text_of(const std::vector<StepRange>& ranges);
+/// The numbers in the order in which they were given.
+std::vector<StepNumber> numbers_in(const std::vector<StepRange>& ranges);
+/// How many numbers_in would give.
+std::int64_t count_in(const std::vector<StepRange>& ranges);
+
+/// The run of a topic, recorded in parts as they are asked for.
+///
+/// Which part a step is taken from depends on the run and the step alone, so that a step looks the same
+/// whether it is drawn alone or among others.
+class Takes {
+ public:
+  Takes(const TopicEntry& topic, const Arguments& arguments);
+  Takes(const Takes&) = delete;
+  Takes& operator=(const Takes&) = delete;
+
+  /// The run from its start, as far as it is kept.
+  const Trace& opening() const { return *opening_; }
+  /// The number of the run's last step.
+  std::int64_t last() const { return opening_->last; }
+
+  /// Throws UsageError: "<topic> has steps 0..7 for this input". `flag` was given as `text`.
+  void check(StepNumber number, std::string_view flag, std::string_view text) const;
+  /// The step as a figure. It stays valid until the next call. The step must be one that check() accepts.
+  Figure figure(StepNumber number);
+
+  /// The part of the run that these ranges span, and of it only what they hold. A gap in it can be shown in a
+  /// table, but not be played.
+  Trace part(const std::vector<StepRange>& ranges) const;
+
+ private:
+  void record_around(StepNumber number);
+  void take(std::int64_t first);
+
+  const TopicEntry& topic_;
+  const Arguments& arguments_;
+  std::unique_ptr<Trace> opening_, other_;
+  const Trace* current_;  ///< the one that playhead_ plays
+  std::unique_ptr<Playhead> playhead_;
+};
+
+/// "recorded 100000 of 16777217 steps; --steps A-B takes a range", or nothing for a whole run.
+std::string cut_remark(const Trace& trace);
+
+}  // namespace gradus::cli
