@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""What the pages say of the project holds: links lead somewhere, versions and package lists agree."""
+import json
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import project
+
+SKIPPED = {".git", "build", "out"}
+
+
+def pages(root):
+    return sorted(f for f in root.rglob("*.md") if not SKIPPED & set(f.relative_to(root).parts))
+
+
+def without_code(text):
+    return re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.DOTALL | re.MULTILINE)
+
+
+def anchors(text):
+    """The anchors of a page's headings, as repository hosts make them."""
+    headings = re.findall(r"^#+ +(.+?) *$", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE),
+                          re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings}
+
+
+def broken_links(root):
+    found = []
+    for page in pages(root):
+        text = page.read_text(encoding="utf-8")
+        for link in re.findall(r"\]\(([^)\s]+)\)", without_code(text)):
+            if re.match(r"[a-z]+:", link):
+                continue
+            path, _, anchor = link.partition("#")
+            target = page.parent / path if path else page
+            if not target.exists():
+                found.append(f"{page.relative_to(root)}: {link} leads nowhere")
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target.read_text(encoding="utf-8")):
+                found.append(f"{page.relative_to(root)}: {link} has no such heading")
+    return found
+
+
+def package_lists(bootstrap):
+    """The packages that bootstrap installs: to build, to test."""
+    return [set(re.sub(r"#.*", "", body).split())
+            for body in re.findall(r"^\w+_packages=\((.*?)\) *(?:#[^\n]*)?$", bootstrap, re.DOTALL | re.MULTILINE)]
+
+
+class Docs(unittest.TestCase):
+    def test_relative_links_lead_somewhere(self):
+        self.assertGreater(len(pages(project.ROOT)), 3)
+        found = broken_links(project.ROOT)
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+
+    def test_broken_links_are_caught(self):
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+            (root / "a.md").write_text("# A page\n[b](b.md) [here](#a-page) [web](https://example.org) `[x](no.md)`\n",
+                                       encoding="utf-8")
+            (root / "b.md").write_text("[a](a.md#a-page)\n", encoding="utf-8")
+            self.assertEqual(broken_links(root), [])
+            (root / "b.md").write_text("[a](a.md#another) [c](c.md)\n", encoding="utf-8")
+            self.assertEqual(len(broken_links(root)), 2)
+
+    def test_one_version(self):
+        cmake = (project.ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+        version = re.search(r"project\(gradus VERSION ([\d.]+)", cmake).group(1)
+        colophon = (project.ROOT / "visualize/figure/colophon.hpp").read_text(encoding="utf-8")
+        self.assertIn(f'release_version = "{version}"', colophon)
+        self.assertIn(f"## {version}", (project.ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+
+    def test_readme_gives_a_reason_for_every_package(self):
+        lists = package_lists((project.ROOT / "bootstrap").read_text(encoding="utf-8"))
+        self.assertEqual(len(lists), 2)
+        self.assertGreater(min(map(len, lists)), 3)
+        readme = (project.ROOT / "README.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| (.+?) \| (.+?) \|$", readme, re.MULTILINE)
+        reasons = {package: reason for packages, reason in rows for package in re.findall(r"`([\w+.-]+)`", packages)}
+        missing = set.union(*lists) - set(reasons)
+        self.assertEqual(missing, set(), "README.md: no reason for these packages")
+
+    def test_presets_named_in_the_docs_exist(self):
+        presets = json.loads((project.ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+        names = {preset["name"] for preset in presets["configurePresets"]}
+        text = "\n".join(page.read_text(encoding="utf-8") for page in pages(project.ROOT))
+        named = set(re.findall(r"--preset[ =]([\w-]+)", text))
+        self.assertTrue(named)
+        self.assertEqual(named - names, set())
+
+
+if __name__ == "__main__":
+    unittest.main()

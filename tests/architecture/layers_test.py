@@ -1,0 +1,394 @@
+#!/usr/bin/env python3
+"""Who may include and use what. The rules come first; each is then shown to catch a planted violation."""
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import project
+
+# Layers of visualize/ and what each may include besides itself and algorithms/core
+LAYERS = {
+    "figure": set(),
+    "theme": {"figure"},
+    "stories": {"figure", "topics", "pipeline"},  # roles, not colours: no theme
+    "cairo": {"figure", "theme"},
+    "text": {"figure", "theme"},
+    "plot": {"figure", "theme"},
+    "web": {"figure", "theme", "stories"},
+    "cli": {"figure", "theme", "stories", "cairo", "text", "plot", "web", "pipeline"},
+}
+
+# Packages: include prefix -> the file or folder that may name it
+PACKAGES = {
+    "cairo": "visualize/cairo/",
+    "CLI/": "visualize/cli/",
+    "nlohmann/": "visualize/web/json.cpp",
+    "boost/": "algorithms/core/exact_scalar.cpp",
+    "png.h": "algorithms/core/image.cpp",
+}
+ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h")  # heavy or confined: a single .cpp
+ORACLES = ("boost/", "png.h", "nlohmann/")  # tests use them too
+
+# Not in algorithms/: they don't exist everywhere the algorithms run
+NOT_PORTABLE = {"iostream", "fstream", "sstream", "iomanip", "thread", "mutex", "shared_mutex", "condition_variable",
+                "future", "filesystem", "locale", "regex", "source_location", "format"}
+# Files that need more than the rest of core, targets of their own
+OUTER = {"algorithms/core/image.cpp", "algorithms/core/exact_scalar.cpp"}
+
+# Libraries differ in the last bit of these; core/elementary and our own matrices don't
+NOT_THE_SAME_EVERYWHERE = re.compile(
+    r"\bstd::(?:sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot)"
+    r"[fl]?\b|\bglm::(?:rotate|perspective|lookAt|sin|cos|tan|asin|acos|atan|exp|log|pow)\w*")
+
+LISTED_WIDTH = 44
+
+
+def zone_of(path):
+    """algorithms/core/… -> core; algorithms/F/T/… -> topic F/T; visualize/x/… -> x; else the top folder."""
+    parts = path.split("/")
+    if parts[0] == "algorithms":
+        return "core" if parts[1] == "core" else "/".join(parts[1:3])
+    return parts[1] if parts[0] == "visualize" else parts[0]
+
+
+def allowed(zone, topics):
+    """The zones a zone may include."""
+    names = {topic.path for topic in topics}
+    by_name = {topic.name: topic.path for topic in topics}
+    if zone in ("tests", "examples"):
+        return {"core", "pipeline", *names, *LAYERS, zone}
+    if zone == "core":
+        return {"core"}
+    if zone == "pipeline":
+        return {"core", "pipeline", *names}
+    if zone in LAYERS:
+        return {"core", zone, *LAYERS[zone], *(names if "topics" in LAYERS[zone] else ())}
+    depends = next((topic.depends for topic in topics if topic.path == zone), ())
+    return {"core", zone, *(by_name.get(name, name) for name in depends)}
+
+
+def include_violations(root):
+    topics = project.topics(root)
+    found = []
+    users = {}
+    for file in project.sources(root, "algorithms", "pipeline", "visualize", "examples", "tests"):
+        path = file.relative_to(root).as_posix()
+        zone = zone_of(path)
+        for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
+            match = re.match(r"\s*#\s*include\s*([<\"])([^>\"]+)", line)
+            if not match:
+                continue
+            kind, name = match.groups()
+            place = f"{path}:{number}"
+            if kind == "<":
+                for prefix, home in PACKAGES.items():
+                    if not name.startswith(prefix):
+                        continue
+                    if zone == "tests" and prefix in ORACLES:
+                        continue
+                    if not path.startswith(home):
+                        found.append(f"{place}: <{name}> belongs into {home}")
+                    users.setdefault(prefix, set()).add(path)
+                if path.startswith("algorithms/") and name in NOT_PORTABLE and path not in OUTER \
+                        and not path.endswith("_batch.cpp"):
+                    found.append(f"{place}: <{name}> is not portable, algorithms do without it")
+                continue
+            target = next((r for r in ("algorithms", "visualize", "pipeline", "tests") if (root / r / name).is_file()),
+                          None)
+            if target is None:
+                found.append(f"{place}: \"{name}\" is in none of the include roots")
+            elif zone_of(f"{target}/{name}") not in allowed(zone, topics):
+                found.append(f"{place}: {zone} may not include {zone_of(f'{target}/{name}')}")
+    for prefix in ONE_FILE:
+        files = sorted(f for f in users.get(prefix, ()) if f.startswith(PACKAGES[prefix]))
+        if len(files) > 1 or any(not f.endswith(".cpp") for f in files):
+            found.append(f"<{prefix}…> is included by {', '.join(files)}: one .cpp only")
+    return found
+
+
+def arithmetic_violations(root):
+    found = []
+    for file in project.sources(root, "algorithms"):
+        for number, line in enumerate(project.without_comments(file.read_text(encoding="utf-8")).split("\n"), 1):
+            match = NOT_THE_SAME_EVERYWHERE.search(line)
+            if match:
+                found.append(f"{file.relative_to(root).as_posix()}:{number}: {match.group(0)} differs between "
+                             "libraries, use core/elementary")
+    return found
+
+
+def mirror_violations(root):
+    """One topic, five mirrored files; and no such file without its topic."""
+    found = []
+    topics = project.topics(root)
+    for topic in topics:
+        for path in (f"algorithms/{topic.path}/{topic.name}.hpp", f"visualize/stories/{topic.path}.cpp",
+                     f"tests/unit/{topic.path}_test.cpp", f"examples/{topic.path}.cpp",
+                     f"docs/topics/{topic.path}.md"):
+            if not topic.partial and not (root / path).is_file():
+                found.append(f"{path} is missing: it is one of the five files of {topic.name}")
+    known = {topic.path for topic in topics}
+    for pattern, name in (("algorithms/*/*/", r"algorithms/(.+)"), ("visualize/stories/*/*.cpp", r"visualize/stories/(.+)\.cpp"),
+                          ("examples/*/*.cpp", r"examples/(.+)\.cpp"), ("docs/topics/*/*.md", r"docs/topics/(.+)\.md")):
+        for file in sorted(root.glob(pattern)):
+            path = file.relative_to(root).as_posix()
+            if re.fullmatch(name, path).group(1) not in known:
+                found.append(f"{path}: no gradus_add_topic line in CMakeLists.txt names its topic")
+    return found
+
+
+def cli_violations(root):
+    """The command knows topics only through the catalogue."""
+    names = [topic.name for topic in project.topics(root)]
+    words = re.compile(r"\b(" + "|".join(n.replace("_", "[_-]") for n in names) + r")\b")
+    found = []
+    for file in project.sources(root, "visualize/cli"):
+        for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
+            match = words.search(line)
+            if match:
+                found.append(f"{file.relative_to(root).as_posix()}:{number}: names the topic {match.group(0)}")
+    return found
+
+
+def observer_violations(root):
+    """Observers are called in one form only, and taken by O&&."""
+    found = []
+    for topic in project.topics(root):
+        for file in project.topic_headers(topic, root):
+            for number, line in enumerate(project.without_comments(file.read_text(encoding="utf-8")).split("\n"), 1):
+                place = f"{file.relative_to(root).as_posix()}:{number}"
+                if project.OBSERVER_CALL.search(line) and not project.OBSERVER_LINE.match(line.rstrip()):
+                    found.append(f"{place}: not of the form `if constexpr (observed<O>) observer(…);` on one line")
+                if re.search(r"\bO\s+observer\b", line):
+                    found.append(f"{place}: the observer is taken by value, take O&&")
+    return found
+
+
+def width_violations(root):
+    """What a figure lists (the methods a story names) fits a slide: 44 columns without the function's indentation and
+    trailing comments."""
+    found = []
+    for topic in project.topics(root):
+        story = root / f"visualize/stories/{topic.path}.cpp"
+        named = set(re.findall(r'"(\w+)"', story.read_text(encoding="utf-8"))) if story.is_file() else None
+        for file in project.topic_headers(topic, root):
+            text = file.read_text(encoding="utf-8")
+            lines = text.split("\n")
+            code = project.without_comments(text).split("\n")
+            for function in project.observed_functions(text):
+                if named is not None and function.name not in named:
+                    continue
+                body = range(function.first, function.last)
+                indent = min(len(lines[n]) - len(lines[n].lstrip()) for n in body if lines[n].strip())
+                plumbing = 0  # parentheses of an expects that goes on
+                for n in body:
+                    bare = code[n].strip()
+                    if plumbing > 0 or bare.startswith(("expects(", "if constexpr (observed<")):
+                        plumbing += bare.count("(") - bare.count(")")
+                        continue
+                    # A comment on a line of its own is listed, a trailing one drops first
+                    shown = (lines[n] if not bare else lines[n][:len(code[n].rstrip())])[indent:].rstrip()
+                    if len(shown) > LISTED_WIDTH:
+                        found.append(f"{file.relative_to(root).as_posix()}:{n + 1}: {function.name} has a line of "
+                                     f"{len(shown)} columns, {LISTED_WIDTH} fit a slide")
+    return found
+
+
+RULES = (include_violations, arithmetic_violations, mirror_violations, cli_violations, observer_violations,
+         width_violations)
+
+
+class Project(unittest.TestCase):
+    """The project itself keeps every rule."""
+
+
+def make_test(rule):
+    def test(self):
+        found = rule(project.ROOT)
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+    return test
+
+
+for rule in RULES:
+    setattr(Project, "test_" + rule.__name__, make_test(rule))
+
+
+HEADER = """#pragma once
+#include "core/observe.hpp"
+namespace gradus::a_line {
+/// Draws.
+template <class Plot, Observer<int> O = Unobserved>
+void draw(int from, Plot&& plot, O&& observer = {}) {
+  plot(from);  // a trailing comment may be as long as it likes
+  if constexpr (observed<O>) observer(Stepped{from, from, from, from});
+}
+}  // namespace gradus::a_line
+"""
+
+
+class Planted(unittest.TestCase):
+    """A small project without fault, and one fault after the other."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for path, text in {
+                "CMakeLists.txt": "gradus_add_topic(lines/a_line)\ngradus_add_topic(lines/b_line DEPENDS a_line PARTIAL)\n",
+                "algorithms/core/observe.hpp": "#pragma once\n#include <concepts>\n",
+                "algorithms/core/exact_scalar.cpp": "#include <boost/rational.hpp>\n",
+                "algorithms/lines/a_line/a_line.hpp": HEADER,
+                "algorithms/lines/b_line/b_line.hpp": '#pragma once\n#include "lines/a_line/a_line.hpp"\n',
+                "visualize/figure/figure.hpp": '#include "core/observe.hpp"\n',
+                "visualize/theme/theme.hpp": '#include "figure/figure.hpp"\n',
+                "visualize/stories/topic.hpp": '#include "figure/figure.hpp"\n',
+                "visualize/stories/lines/a_line.cpp": '#include "lines/a_line/a_line.hpp"\n#include "stories/topic.hpp"\nauto listed = "draw";\n',
+                "visualize/cairo/out.cpp": '#include <cairo.h>\n#include "theme/theme.hpp"\n',
+                "visualize/web/json.cpp": '#include <nlohmann/json.hpp>\n#include "stories/topic.hpp"\n',
+                "visualize/cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "stories/topic.hpp"\n',
+                "tests/unit/lines/a_line_test.cpp": '#include "lines/a_line/a_line.hpp"\n#include <boost/rational.hpp>\n',
+                "examples/lines/a_line.cpp": '#include "lines/a_line/a_line.hpp"\n',
+                "docs/topics/lines/a_line.md": "",
+        }.items():
+            self.write(path, text)
+
+    def write(self, path, text):
+        (self.root / path).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / path).write_text(text, encoding="utf-8")
+
+    def caught(self, *expected):
+        """Exactly one violation, and it says all of these."""
+        found = [violation for rule in RULES for violation in rule(self.root)]
+        self.assertEqual(len(found), 1, found)
+        for text in expected:
+            self.assertIn(text, found[0])
+
+    def append(self, path, text):
+        self.write(path, (self.root / path).read_text(encoding="utf-8") + text)
+
+    def test_the_small_project_is_without_fault(self):
+        self.assertEqual([v for rule in RULES for v in rule(self.root)], [])
+
+    def test_core_includes_a_topic(self):
+        self.append("algorithms/core/observe.hpp", '#include "lines/a_line/a_line.hpp"\n')
+        self.caught("observe.hpp:3", "core may not include lines/a_line")
+
+    def test_a_topic_includes_one_it_does_not_name(self):
+        self.append("algorithms/lines/a_line/a_line.hpp", '#include "lines/b_line/b_line.hpp"\n')
+        self.caught("lines/a_line may not include lines/b_line")
+
+    def test_a_topic_includes_the_visualizer(self):
+        self.append("algorithms/lines/b_line/b_line.hpp", '#include "figure/figure.hpp"\n')
+        self.caught("lines/b_line may not include figure")
+
+    def test_figure_includes_a_theme(self):
+        self.append("visualize/figure/figure.hpp", '#include "theme/theme.hpp"\n')
+        self.caught("figure may not include theme")
+
+    def test_a_story_includes_a_theme(self):
+        self.append("visualize/stories/lines/a_line.cpp", '#include "theme/theme.hpp"\n')
+        self.caught("stories may not include theme")
+
+    def test_cairo_includes_stories(self):
+        self.append("visualize/cairo/out.cpp", '#include "stories/topic.hpp"\n')
+        self.caught("cairo may not include stories")
+
+    def test_the_command_includes_a_topic(self):
+        self.write("visualize/cli/run.cpp", '#include "lines/b_line/b_line.hpp"\n')
+        found = [v for rule in RULES for v in rule(self.root)]
+        self.assertTrue(any("cli may not include lines/b_line" in v for v in found), found)
+
+    def test_an_include_from_no_root(self):
+        self.append("visualize/cairo/out.cpp", '#include "out.hpp"\n')
+        self.write("visualize/cairo/out.hpp", "")
+        self.caught("none of the include roots")
+
+    def test_cairo_outside_its_folder(self):
+        self.append("visualize/figure/figure.hpp", "#include <cairo.h>\n")
+        self.caught("<cairo.h> belongs into visualize/cairo/")
+
+    def test_boost_in_a_second_file(self):
+        self.append("algorithms/lines/a_line/a_line.hpp", "#include <boost/rational.hpp>\n")
+        self.caught("belongs into algorithms/core/exact_scalar.cpp")
+
+    def test_a_heavy_header_in_two_files(self):
+        self.write("visualize/cli/options.cpp", "#include <CLI/App.hpp>\n")
+        self.caught("<CLI/…> is included by visualize/cli/main.cpp, visualize/cli/options.cpp")
+
+    def test_a_heavy_header_in_a_header(self):
+        (self.root / "visualize/cli/main.cpp").unlink()
+        self.write("visualize/cli/options.hpp", "#include <CLI/App.hpp>\n")
+        self.caught("one .cpp only")
+
+    def test_json_library_in_a_story(self):
+        self.append("visualize/stories/lines/a_line.cpp", "#include <nlohmann/json.hpp>\n")
+        self.caught("belongs into visualize/web/json.cpp")
+
+    def test_command_line_library_in_a_test(self):
+        self.append("tests/unit/lines/a_line_test.cpp", "#include <CLI/CLI.hpp>\n")
+        self.caught("belongs into visualize/cli/")
+
+    def test_iostream_in_algorithms(self):
+        self.append("algorithms/core/observe.hpp", "#include <iostream>\n")
+        self.caught("<iostream> is not portable")
+
+    def test_library_sine_in_algorithms(self):
+        self.append("algorithms/core/observe.hpp", "inline double f(double x) { return std::sin(x); }\n")
+        self.caught("std::sin differs")
+
+    def test_library_sine_in_a_comment_is_none(self):
+        self.append("algorithms/core/observe.hpp", "// std::sin(x) and \"glm::rotate\"\n")
+        self.test_the_small_project_is_without_fault()
+
+    def test_glm_look_at(self):
+        self.append("algorithms/core/observe.hpp", "inline auto m = glm::lookAtLH(a, b, c);\n")
+        self.caught("glm::lookAtLH differs")
+
+    def test_one_of_the_five_is_missing(self):
+        for path in ("visualize/stories/lines/a_line.cpp", "tests/unit/lines/a_line_test.cpp",
+                     "examples/lines/a_line.cpp", "docs/topics/lines/a_line.md"):
+            with self.subTest(path):
+                text = (self.root / path).read_text(encoding="utf-8")
+                (self.root / path).unlink()
+                self.caught(path + " is missing")
+                self.write(path, text)
+
+    def test_a_story_without_a_topic(self):
+        self.write("visualize/stories/lines/c_line.cpp", "")
+        self.caught("lines/c_line.cpp: no gradus_add_topic line")
+
+    def test_a_folder_without_a_topic(self):
+        self.write("algorithms/lines/c_line/c_line.hpp", "")
+        self.caught("algorithms/lines/c_line: no gradus_add_topic line")
+
+    def test_the_command_names_a_topic(self):
+        self.append("visualize/cli/main.cpp", '// e.g. "a-line"\n')
+        self.caught("main.cpp:3: names the topic a-line")
+
+    def test_an_observer_line_of_another_form(self):
+        self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("if constexpr (observed<O>) observer", "observer"))
+        self.caught("a_line.hpp:8: not of the form")
+
+    def test_an_observer_line_on_two_lines(self):
+        self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("observer(Stepped{", "observer(\n    Stepped{"))
+        self.caught("a_line.hpp:8: not of the form")
+
+    def test_an_observer_by_value(self):
+        self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("O&& observer", "O observer"))
+        self.caught("a_line.hpp:6: the observer is taken by value")
+
+    def test_a_line_too_wide_for_a_slide(self):
+        code = "  plot(" + "1 + " * 9 + "1);"  # 44 columns without the indentation
+        self.assertEqual(len(code) - 2, 44)
+        text = HEADER.replace("  plot(from);", code)
+        self.write("algorithms/lines/a_line/a_line.hpp", text)
+        self.test_the_small_project_is_without_fault()
+        self.write("algorithms/lines/a_line/a_line.hpp", text.replace("1);", "11);"))
+        self.caught("a_line.hpp:7: draw has a line of 45 columns")
+
+
+if __name__ == "__main__":
+    unittest.main()

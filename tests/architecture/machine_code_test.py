@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""An algorithm without an observer is the machine code of a copy without observer lines.
+
+The plain copy is made here by blanking the observer lines of the topic's headers; then both are compiled from the
+same driver, machine_code/<topic>.cpp, which makes a named function of each method, and their assembly is compared.
+"""
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import project
+
+DRIVERS = pathlib.Path(__file__).resolve().parent / "machine_code"
+LEVELS = ("-O1", "-O2", "-O3")
+COMPILERS = [c for c in dict.fromkeys((project.COMPILER, "g++", "clang++-19")) if shutil.which(c)]
+LEAST_INSTRUCTIONS = 20  # of a function that is worth comparing
+
+
+def plain_copy(topic, folder, replacement=""):
+    """Writes the topic's headers with every observer line replaced; returns how many lines were."""
+    count = 0
+    for header in project.topic_headers(topic):
+        lines = header.read_text(encoding="utf-8").split("\n")
+        for number, line in enumerate(lines):
+            if project.OBSERVER_LINE.match(line):
+                lines[number] = replacement
+                count += 1
+        copy = folder / topic.path / header.name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text("\n".join(lines), encoding="utf-8")
+    return count
+
+
+def assembly(compiler, level, driver, *folders):
+    includes = [f"-I{folder}" for folder in (*folders, project.ROOT / "algorithms")]
+    return project.run(compiler, "-std=c++20", level, "-DNDEBUG", "-ffp-contract=off", "-w", *includes, "-S", "-o", "-",
+                       driver)
+
+
+def instructions(text, function, seen=()):
+    """The instructions of a function and of those of the catalogue that it calls (a recursion can't be inlined)."""
+    body = re.search(rf"^{re.escape(function)}:(.*?)^\s*\.size\s+{re.escape(function)},", text,
+                     re.MULTILINE | re.DOTALL)
+    code = re.findall(r"^\t[a-z].*$", body.group(1), re.MULTILINE) if body else []
+    seen = (*seen, function)
+    for callee in dict.fromkeys(re.findall(r"\b(?:call|jmp)\s+(_ZN6gradus\w+)", "\n".join(code))):
+        if callee not in seen:
+            code += instructions(text, callee, seen)
+    return code
+
+
+class MachineCode(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_every_method_has_a_driver(self):
+        for topic in project.topics():
+            methods = {f.name for header in project.topic_headers(topic)
+                       for f in project.observed_functions(header.read_text(encoding="utf-8"))}
+            if not methods:
+                self.assertTrue(topic.partial, f"{topic.name} reports no step at all")
+                continue
+            driver = (DRIVERS / f"{topic.name}.cpp").read_text(encoding="utf-8")
+            self.assertEqual(set(re.findall(r"\bmachine_code_(\w+)\(", driver)), methods, topic.name)
+
+    def test_observer_lines_cost_nothing(self):
+        self.assertGreaterEqual(len(COMPILERS), 1)
+        compared = 0
+        for driver in sorted(DRIVERS.glob("*.cpp")):
+            topic = next(t for t in project.topics() if t.name == driver.stem)
+            blanked = plain_copy(topic, self.folder)
+            self.assertGreater(blanked, 0, f"no observer line found in {topic.name}")
+            self.assertEqual(blanked, sum(len(project.OBSERVER_CALL.findall(project.without_comments(h.read_text("utf-8"))))
+                                          for h in project.topic_headers(topic)))
+            functions = re.findall(r"\b(machine_code_\w+)\(", driver.read_text(encoding="utf-8"))
+            for compiler in COMPILERS:
+                for level in LEVELS:
+                    observed = assembly(compiler, level, driver)
+                    plain = assembly(compiler, level, driver, self.folder)
+                    with self.subTest(topic=topic.name, compiler=compiler, level=level):
+                        self.assertEqual(observed, plain)
+                        for function in functions:
+                            code = instructions(observed, function)
+                            self.assertGreater(len(code), LEAST_INSTRUCTIONS, function)
+                            self.assertTrue(any(re.match(r"\tj[a-z]+\t", i) for i in code), f"{function} never jumps")
+                            compared += 1
+        self.assertGreater(compared, 0)
+
+    def test_one_more_instruction_is_seen(self):
+        for driver in sorted(DRIVERS.glob("*.cpp")):
+            topic = next(t for t in project.topics() if t.name == driver.stem)
+            plain_copy(topic, self.folder, 'asm volatile("nop");')
+            with_cost = assembly(COMPILERS[0], "-O2", driver, self.folder)
+            without = assembly(COMPILERS[0], "-O2", driver)
+            for function in re.findall(r"\b(machine_code_\w+)\(", driver.read_text(encoding="utf-8")):
+                with self.subTest(function):
+                    self.assertNotEqual(instructions(with_cost, function), instructions(without, function))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+"""What the test scripts share: where things are, and what CMakeLists.txt and the headers say of the topics."""
+import os
+import pathlib
+import re
+import subprocess
+from dataclasses import dataclass
+
+ROOT = pathlib.Path(os.environ.get("GRADUS_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
+BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", ROOT / "build/release"))
+COMMAND = pathlib.Path(os.environ.get("GRADUS_COMMAND", BUILD / "gradus"))
+COMPILER = os.environ.get("CXX", "c++")
+
+
+@dataclass(frozen=True)
+class Topic:
+    path: str  # scan_conversion/bresenham_line
+    depends: tuple = ()
+    partial: bool = False
+
+    @property
+    def name(self):
+        return self.path.rsplit("/", 1)[-1]
+
+
+def topics(root=ROOT):
+    """The topics in the order of their gradus_add_topic lines."""
+    found = []
+    text = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    for call in re.findall(r"^gradus_add_topic\(([^)]*)\)", text, re.MULTILINE):
+        path, *rest = call.split()
+        names = rest[rest.index("DEPENDS") + 1:] if "DEPENDS" in rest else []
+        found.append(Topic(path, tuple(n for n in names if n != "PARTIAL"), "PARTIAL" in rest))
+    return found
+
+
+def sources(root, *folders):
+    """The C++ files of these folders, sorted."""
+    return sorted(f for folder in folders for f in (root / folder).rglob("*")
+                  if f.suffix in (".hpp", ".cpp", ".inc") and f.is_file())
+
+
+def without_comments(text):
+    """C++ with comments and the contents of strings blanked; lines and columns stay where they are."""
+    def blank(match):
+        token = match.group(0)
+        if token[0] in "\"'":
+            return token[0] + " " * (len(token) - 2) + token[0]
+        return re.sub(r"[^\n]", " ", token)
+    return re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'", blank, text,
+                  flags=re.DOTALL)
+
+
+OBSERVER_CALL = re.compile(r"\bobserver\s*\(")
+OBSERVER_LINE = re.compile(r"^ *if constexpr \(observed<\w+>\) observer\(.*\);$")
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of a header, by the lines (from 0) between its braces."""
+    name: str
+    first: int
+    last: int  # one past
+
+
+def functions(text):
+    """The functions of a formatted header: what opens a brace at the end of an unindented declaration."""
+    lines = without_comments(text).split("\n")
+    found = []
+    start = 0  # of the declaration that is being read
+    for number, line in enumerate(lines):
+        if number < start:
+            continue
+        if not line.strip() or line.startswith(("}", "#", "namespace", "template")):
+            start = number + 1
+            continue
+        if line.rstrip().endswith("{") and "(" in "".join(lines[start:number + 1]):
+            end = next((n for n in range(number + 1, len(lines)) if lines[n].startswith("}")), None)
+            declaration = " ".join(lines[start:number + 1])
+            name = re.search(r"(\w+)\s*\(", declaration)
+            if end is not None and name:
+                found.append(Function(name.group(1), number + 1, end))
+                start = end + 1
+        elif line.rstrip().endswith((";", "}")) and not line.startswith(" "):
+            start = number + 1
+    return found
+
+
+def observed_functions(text):
+    """The functions that report steps: the methods, which figures may list."""
+    lines = without_comments(text).split("\n")
+    return [f for f in functions(text) if any(OBSERVER_CALL.search(line) for line in lines[f.first:f.last])]
+
+
+def topic_headers(topic, root=ROOT):
+    return sorted((root / "algorithms" / topic.path).glob("*.hpp"))
+
+
+def run(*command, **options):
+    """Runs a program; fails with its whole output."""
+    done = subprocess.run([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, encoding="utf-8", errors="replace", **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, command))}\nexit {done.returncode}\n{done.stdout}")
+    return done.stdout
