@@ -73,7 +73,7 @@ inline std::vector<Trace> telling_traces() {
     traces.push_back(trace_of("flood_fill", {{"method", method}, {"at", "0,0"}}));
     traces.push_back(trace_of("flood_fill",
                               {{"method", method},
-                               {"image", std::string(GRADUS_SOURCE_DIR) + "/tests/data/images/camera.png"},
+                               {"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"},
                                {"at", "300,60"},
                                {"tolerance", "20"}},
                               {0, 300}));

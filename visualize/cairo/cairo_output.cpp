@@ -5,6 +5,7 @@
 #include <cairo.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -48,6 +49,11 @@ void select_face(cairo_t* context, Face face, double size) {
                          face == Face::italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(context, size);
+}
+
+/// Without transparency a PDF needs no second image for the mask.
+bool is_opaque(const ImageShape& shape) {
+  return std::ranges::all_of(shape.image.cells(), [](const Rgba8& c) { return c.a == 255; });
 }
 
 class Painter {
@@ -180,8 +186,8 @@ class Painter {
 
   void draw(const ImageShape& shape) {
     if (shape.image.width() == 0 || shape.image.height() == 0) return;
-    Surface pixels(
-        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, shape.image.width(), shape.image.height()));
+    Surface pixels(cairo_image_surface_create(is_opaque(shape) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
+                                              shape.image.width(), shape.image.height()));
     check(cairo_surface_status(pixels.get()));
     unsigned char* data = cairo_image_surface_get_data(pixels.get());
     const int stride = cairo_image_surface_get_stride(pixels.get());

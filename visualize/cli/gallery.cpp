@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Pages of a PDF in the gallery; longer runs show steps evenly spaced.
-constexpr std::int64_t most_gallery_pages = 400;
+constexpr std::int64_t most_gallery_pages = 120;
 
 /// Input files of showcases are named from the project's root; the program lies somewhere below it.
 std::string find_data(const std::string& name, const std::string& flag) {
@@ -114,11 +114,21 @@ void add_inputs(Folder& folder, const Job& job) {
   }
 }
 
+/// "Flood fill: breadth first, queue", and what is wrong where something is.
 std::string title_of(const Job& job) {
   const std::string& name = job.inputs.arguments.text("method");
   const auto method = std::ranges::find(job.topic->methods, name, &Method::name);
-  const bool faulty = method != job.topic->methods.end() && method->standing == Standing::faulty;
-  return faulty ? fmt::format("{} (faulty: {})", job.topic->title, method->note) : job.topic->title;
+  const std::string title = fmt::format("{}: {}", job.topic->title, method->title);
+  return method->standing == Standing::faulty ? fmt::format("{} (faulty: {})", title, method->note) : title;
+}
+
+/// The shortest command for the same figure: what differs from the defaults.
+std::string short_command(const Job& job) {
+  std::string line = fmt::format("gradus figure {}", job.topic->name);
+  for (const Argument& argument : job.showcase->arguments) {
+    line += fmt::format(" --{} {}", argument.name, shell_quoted(argument.value));
+  }
+  return line + " -o " + job.showcase->slug + ".pdf";
 }
 
 }  // namespace
@@ -180,7 +190,7 @@ Card card_of(const Job& job, std::int64_t last) {
     card.caption += fmt::format(" (The PDF shows at most {} of the {} steps, evenly spaced.)",
                                 most_gallery_pages, last + 1);
   }
-  card.command = command_of(spec_of(job));
+  card.command = short_command(job);
   card.thumbnail = path("-drawing.svg");
   card.player = path(".html");
   card.downloads = {{"PDF, a page a step", path(".pdf")},

@@ -459,7 +459,7 @@ class DrawingLayout {
 
   void draw_overview_cells(const Box& whole) {
     const Window& all = trace_.grid.cells;
-    constexpr int most = 400;  // a raster of at most 400 x 400 samples
+    constexpr int most = 208;  // samples a side: twice the pixels it has at 720 lines
     if (!trace_.grid.picture && static_cast<double>(all.width()) * static_cast<double>(all.height()) > 4e6)
       return;
     const int width = static_cast<int>(std::min<std::int64_t>(all.width(), most));

@@ -24,7 +24,7 @@ Bytes bytes_of_file(const std::string& path) {
 }
 
 std::string data(const std::string& name) {
-  return std::string(GRADUS_SOURCE_DIR) + "/tests/data/images/" + name;
+  return std::string(GRADUS_SOURCE_DIR) + "/examples/images/" + name;
 }
 
 std::string complaint(const std::function<void()>& call) {

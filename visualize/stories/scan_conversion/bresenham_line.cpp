@@ -564,6 +564,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   describe(writer.trace(), line, method, arguments);
   set_scene(writer.trace(), line);
   const auto drop = [](ivec2) {};
+  std::optional<std::int64_t> first_wrong;
   if (method.name == "decision_parameter") {
     list_source(writer.trace(), "bresenham_line.hpp", jumps(line) ? "in_window" : "decision_parameter");
     tell_decision(writer, line, recording);
@@ -573,9 +574,10 @@ Trace run(const Arguments& arguments, Recording recording) {
     list_source(writer.trace(), "bresenham_line.hpp", "dda");
     AnalyserTeller teller(writer, line);
     dda<float>(line.from, line.to, drop, teller);
-    if (const auto wrong = teller.first_wrong()) {
+    first_wrong = teller.first_wrong();
+    if (first_wrong) {
       writer.trace().faulty =
-          fmt::format("the rounded slope adds up; pixel {} is the first wrong one", *wrong);
+          fmt::format("the rounded slope adds up; pixel {} is the first wrong one", *first_wrong);
     }
   } else if (method.name == "run_length") {
     require_whole(line, method.name);
@@ -593,6 +595,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   }
   Trace trace = std::move(writer).finish();
   trace.telling = middle_step(trace);
+  if (first_wrong && has_step(trace, {*first_wrong, 0})) trace.telling = {*first_wrong, 0};
+  if (method.standing == Standing::faulty && trace.whole()) trace.telling = {trace.last, 0};
   trace.result = {{"count", std::max<std::int64_t>(0, line.shown.last - line.shown.first + 1)}};
   return trace;
 }
@@ -614,9 +618,25 @@ const TopicEntry& entry() {
                      {"window", ParameterType::window, "", "0,0,15,9",
                       "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
-      .gallery = {{"bresenham_line",
-                   {{"from", "0,0"}, {"to", "7,3"}},
-                   "One addition and one sign decide each pixel of a line."}},
+      .gallery =
+          {{"bresenham_line",
+            {{"from", "0,0"}, {"to", "7,3"}},
+            "One addition and the sign of one number decide each pixel of a line."},
+           {"bresenham_line_steep",
+            {{"from", "2,5"}, {"to", "-3,-4"}},
+            "The same loop in any direction: only the two moves change."},
+           {"bresenham_line_run_length",
+            {{"from", "0,0"}, {"to", "14,5"}, {"method", "run_length"}},
+            "One division finds whole runs of pixels at once."},
+           {"bresenham_line_window",
+            {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,10,283,19"}},
+            "A line of 91,618,249 pixels in a window: the first visible one is computed, not walked to."},
+           {"bresenham_line_dda",
+            {{"from", "0,0"}, {"to", "12,10"}, {"method", "dda"}},
+            "A rounded slope, added again and again, leaves the nearest pixels."},
+           {"bresenham_line_first_octant",
+            {{"from", "0,0"}, {"to", "2,4"}, {"method", "first_octant"}},
+            "The textbook's first loop on a steep line ends somewhere else."}},
       .run = run};
   return topic;
 }

@@ -486,7 +486,10 @@ const TopicEntry& entry() {
                    "Breadth first: in waves, the pixel that has waited longest comes next."},
                   {"flood_fill_eight",
                    {{"method", "breadth_first"}, {"connectivity", "8"}},
-                   "With 8 neighbours the fill slips through the diagonal gap."}},
+                   "With 8 neighbours the fill slips through the diagonal gap."},
+                  {"flood_fill_image",
+                   {{"image", "examples/images/camera.png"}, {"at", "300,60"}, {"tolerance", "20"}},
+                   "A real image: everything that is connected to the seed and like it within 20 levels."}},
       .run = run};
   return topic;
 }
