@@ -3,7 +3,6 @@
 with every text that its `expected:` lines name."""
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import unittest
@@ -12,7 +11,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
 
 CASES = sorted((project.ROOT / "tests/compile_fail").glob("*.cpp"))
-COMPILERS = [c for c in dict.fromkeys((project.COMPILER, "g++", "clang++-19")) if shutil.which(c)]
 
 
 class CompileFail(unittest.TestCase):
@@ -23,7 +21,7 @@ class CompileFail(unittest.TestCase):
         for case in CASES:
             expected = re.findall(r"^// expected: (.+)$", case.read_text(encoding="utf-8"), re.MULTILINE)
             self.assertGreater(len(expected), 0, case.name)
-            for compiler in COMPILERS:
+            for compiler in project.compilers():
                 command = [compiler, "-std=c++20", f"-I{project.ROOT / 'algorithms'}", "-fsyntax-only", case]
                 with self.subTest(case=case.name, compiler=compiler):
                     project.run(*command)

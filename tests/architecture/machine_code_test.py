@@ -6,7 +6,6 @@ same driver, machine_code/<topic>.cpp, which makes a named function of each meth
 """
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 import unittest
@@ -16,8 +15,8 @@ import project
 
 DRIVERS = pathlib.Path(__file__).resolve().parent / "machine_code"
 LEVELS = ("-O1", "-O2", "-O3")
-COMPILERS = [c for c in dict.fromkeys((project.COMPILER, "g++", "clang++-19")) if shutil.which(c)]
-LEAST_INSTRUCTIONS = 20  # of a function that is worth comparing
+COMPILERS = project.compilers()
+LEAST_INSTRUCTIONS = 15  # of a function that is worth comparing
 
 
 def plain_copy(topic, folder, replacement=""):
@@ -37,8 +36,11 @@ def plain_copy(topic, folder, replacement=""):
 
 def assembly(compiler, level, driver, *folders):
     includes = [f"-I{folder}" for folder in (*folders, project.ROOT / "algorithms")]
-    return project.run(compiler, "-std=c++20", level, "-DNDEBUG", "-ffp-contract=off", "-w", *includes, "-S", "-o", "-",
+    text = project.run(compiler, "-std=c++20", level, "-DNDEBUG", "-ffp-contract=off", "-w", *includes, "-S", "-o", "-",
                        driver)
+    # Local labels are numbered by what the compiler has read, not by what it generates: number them as they appear
+    numbers = {}
+    return re.sub(r"\.L([A-Z]*)\d+", lambda label: f".L{label[1]}{numbers.setdefault(label[0], len(numbers))}", text)
 
 
 def instructions(text, function, seen=()):

@@ -2,6 +2,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 from dataclasses import dataclass
 
@@ -93,6 +94,16 @@ def observed_functions(text):
 
 def topic_headers(topic, root=ROOT):
     return sorted((root / "algorithms" / topic.path).glob("*.hpp"))
+
+
+def compilers():
+    """The compiler of the build, and those of the two kinds that are here."""
+    found = {}
+    for name in (COMPILER, "g++", "clang++-19"):
+        path = shutil.which(name)
+        if path:
+            found.setdefault(os.path.realpath(path), name)
+    return list(found.values())
 
 
 def run(*command, **options):

@@ -154,6 +154,17 @@ class Painter {
     cairo_fill(context_);
   }
 
+  void draw(const StrokesShape& strokes) {
+    use(strokes.stroke);
+    for (const auto& [from, to] : strokes.segments) {
+      cairo_move_to(context_, from.x, from.y);
+      cairo_line_to(context_, to.x, to.y);
+    }
+    cairo_set_line_cap(context_, strokes.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    stroke(strokes.width, false);
+    cairo_set_line_cap(context_, CAIRO_LINE_CAP_BUTT);
+  }
+
   void draw(const DiscShape& disc) {
     cairo_new_sub_path(context_);
     cairo_arc(context_, disc.centre.x, disc.centre.y, disc.radius, 0, 2 * std::numbers::pi);
@@ -296,14 +307,14 @@ std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colop
   return {bytes.begin(), bytes.end()};
 }
 
-std::string pdf_of(std::span<const Sheet> sheets, const Theme& theme, const Colophon& colophon) {
+std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Theme& theme,
+                   const Colophon& colophon) {
   check_fonts();
   std::string text;
-  const Sheet& first = sheets.front();
-  const Surface surface(
-      cairo_pdf_surface_create_for_stream(append, &text, first.width * 0.75, first.height * 0.75));
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &text, 1, 1));
   set_pdf_metadata(surface.get(), colophon);
-  for (const Sheet& sheet : sheets) {
+  for (std::size_t i = 0; i < pages; ++i) {
+    const Sheet sheet = page(i);
     // A CSS pixel is 3/4 of a PDF point
     cairo_pdf_surface_set_size(surface.get(), sheet.width * 0.75, sheet.height * 0.75);
     check(cairo_surface_status(surface.get()));

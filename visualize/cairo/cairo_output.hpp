@@ -2,7 +2,7 @@
 // Sheets as files' bytes. The same sheet, theme and colophon give the same bytes, in any process and thread.
 // Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
 
-#include <span>
+#include <functional>
 #include <string>
 
 #include "figure/colophon.hpp"
@@ -13,8 +13,9 @@ namespace gradus {
 
 std::string svg_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
 std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
-/// One page a sheet.
-std::string pdf_of(std::span<const Sheet> sheets, const Theme& theme, const Colophon& colophon);
+/// One page a sheet; page(i) is asked for when its turn comes, so that no more than one is held at a time.
+std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Theme& theme,
+                   const Colophon& colophon);
 
 /// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
 double drawn_width(const std::string& text, Face face, double size);

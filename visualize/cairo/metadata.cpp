@@ -68,10 +68,11 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
   return text.substr(first, end - first);
 }
 
-/// SVG and HTML: <meta-like element>key="value">.
+/// SVG: an attribute key="value"; HTML: <meta name="key" content="value">.
 std::optional<Colophon> colophon_in_markup(std::string_view text) {
   const auto attribute = [text](std::string_view key) {
-    return between(text, fmt::format("{}=\"", key), "\"");
+    const auto in_svg = between(text, fmt::format(" {}=\"", key), "\"");
+    return in_svg ? in_svg : between(text, fmt::format("name=\"{}\" content=\"", key), "\"");
   };
   const auto command = attribute(command_key);
   if (!command) return std::nullopt;

@@ -219,9 +219,8 @@ std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step,
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
-  std::vector<Sheet> sheets;
-  for (const StepNumber step : steps) sheets.push_back(lay_out(takes.figure(step), spec.look));
-  return pdf_of(sheets, *spec.theme,
+  const auto page = [&](std::size_t i) { return lay_out(takes.figure(steps[i]), spec.look); };
+  return pdf_of(steps.size(), page, *spec.theme,
                 colophon_of_many(spec, takes.opening(), steps_text(steps, takes.last())));
 }
 

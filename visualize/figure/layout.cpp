@@ -87,7 +87,7 @@ void lay_out_title(Pen& pen, const Figure& figure, const Box& box) {
                       Paint::of(Tone::muted)});
   const double room = box.width - title_width - method_width - 40 * s;
   pen.text("input", {{box.x + title_width + 14 * s, baseline},
-                     elided(figure.subtitle, Face::sans, 24 * s, room),
+                     elided(figure.subtitle, Face::sans, 26 * s, room),
                      Face::sans,
                      24 * s,
                      Align::left,

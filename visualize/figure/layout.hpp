@@ -20,6 +20,7 @@ class Pen {
 
   void rect(std::string id, RectShape shape) { add(std::move(id), std::move(shape)); }
   void line(std::string id, LineShape shape) { add(std::move(id), std::move(shape)); }
+  void strokes(std::string id, StrokesShape shape) { add(std::move(id), std::move(shape)); }
   void disc(std::string id, DiscShape shape) { add(std::move(id), std::move(shape)); }
   void text(std::string id, TextShape shape) { add(std::move(id), std::move(shape)); }
   void image(std::string id, ImageShape shape) { add(std::move(id), std::move(shape)); }

@@ -203,24 +203,28 @@ class DrawingLayout {
 
   void draw_grid() {
     const Box& b = frame_.box;
-    const Paint rule = Paint::of(Tone::rule);
+    StrokesShape grid{{}, Paint::of(Tone::rule), 1.5 * s_};
     for (std::int64_t i = 0; i <= frame_.view.width(); ++i) {
       const double x = b.x + static_cast<double>(i) * frame_.cell;
-      pen_.line(fmt::format("column line {}", i),
-                {{{x, b.y}, {x, b.bottom()}}, rule, 1.5 * s_, false, false, false});
+      grid.segments.push_back({{x, b.y}, {x, b.bottom()}});
     }
     for (std::int64_t i = 0; i <= frame_.view.height(); ++i) {
       const double y = b.y + static_cast<double>(i) * frame_.cell;
-      pen_.line(fmt::format("row line {}", i),
-                {{{b.x, y}, {b.right(), y}}, rule, 1.5 * s_, false, false, false});
+      grid.segments.push_back({{b.x, y}, {b.right(), y}});
     }
-    if (trace_.grid.picture) return;
+    pen_.strokes("grid", std::move(grid));
+    if (!trace_.grid.picture) draw_centres();
+  }
+
+  void draw_centres() {
+    StrokesShape dots{{}, Paint::mark(Role::past), 4.4 * s_, true};
     for_each_cell([&](ivec2 p) {
       const auto look = figure_.canvas->at(p);
       if (look && (look->role == Role::boundary || !look->text.empty())) return;
-      pen_.disc(fmt::format("centre {},{}", p.x, p.y),
-                {frame_.point({p.x, p.y}), 2.2 * s_, Paint::mark(Role::past), {}, 0});
+      const dvec2 centre = frame_.point({p.x, p.y});
+      dots.segments.emplace_back(centre, centre);
     });
+    pen_.strokes("centres", std::move(dots));
   }
 
   void tick(std::string id, dvec2 baseline, std::string text, Align align) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -75,6 +76,13 @@ struct LineShape {
   double width = 1;
   bool dashed = false, closed = false, arrow = false;
 };
+/// Many strokes of one look as a single path: a grid, or, with round ends and no length, its dots.
+struct StrokesShape {
+  std::vector<std::pair<dvec2, dvec2>> segments;
+  Paint stroke;
+  double width = 1;
+  bool round = false;
+};
 struct DiscShape {
   dvec2 centre;
   double radius;
@@ -107,7 +115,7 @@ struct ImageShape {
 struct Shape {
   Slot slot;
   std::string id;
-  std::variant<RectShape, LineShape, DiscShape, TextShape, ImageShape> what;
+  std::variant<RectShape, LineShape, StrokesShape, DiscShape, TextShape, ImageShape> what;
 };
 
 struct Sheet {

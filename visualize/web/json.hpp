@@ -15,7 +15,8 @@ namespace gradus {
 /// The whole trace, schema `trace_schema`: what the player loads.
 std::string trace_json(const Trace& trace);
 
-/// What `gradus run --json` prints: topic, method, faulty where so, input, steps (number, type, line, fields), result.
+/// What `gradus run --json` prints: topic, method, faulty where so, input, steps (number, type, line,
+/// fields), result.
 std::string run_json(const Trace& trace);
 
 /// What `gradus list --json` prints.
@@ -26,9 +27,9 @@ std::string json_quoted(std::string_view text);
 
 /// What `gradus figures` remembers of an earlier run, to redo only what changed.
 struct ManifestFile {
-  std::string path;      ///< below the output folder
+  std::string path;  ///< below the output folder
   std::uint64_t size;
-  std::int64_t modified; ///< nanoseconds
+  std::int64_t modified;  ///< nanoseconds
 };
 struct Manifest {
   std::map<std::string, std::pair<std::string, std::vector<ManifestFile>>> jobs;  ///< slug -> (key, files)

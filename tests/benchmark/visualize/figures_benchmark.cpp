@@ -33,7 +33,9 @@ void png(benchmark::State& state, const char* topic) {
   draw_steps(state, topic, [](const Sheet& sheet) { return png_of(sheet, themes()[0], colophon); });
 }
 void pdf(benchmark::State& state, const char* topic) {
-  draw_steps(state, topic, [](const Sheet& sheet) { return pdf_of({&sheet, 1}, themes()[0], colophon); });
+  draw_steps(state, topic, [](const Sheet& sheet) {
+    return pdf_of(1, [&](std::size_t) { return sheet; }, themes()[0], colophon);
+  });
 }
 void layout_alone(benchmark::State& state, const char* topic) {
   draw_steps(state, topic, [](const Sheet& sheet) { return std::string(sheet.shapes.size(), ' '); });

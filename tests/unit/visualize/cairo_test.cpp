@@ -42,10 +42,11 @@ TEST(CairoOutput, SameSheetSameBytes) {
   const Sheet sheet = sheet_at(trace, {4, 0});
   const Theme& light = themes()[0];
   const std::string svg = svg_of(sheet, light, hostile), png = png_of(sheet, light, hostile);
-  const std::string pdf = pdf_of(std::vector{sheet, sheet}, light, hostile);
+  const auto same = [&sheet](std::size_t) { return sheet; };
+  const std::string pdf = pdf_of(2, same, light, hostile);
   EXPECT_EQ(svg_of(sheet, light, hostile), svg) << "Cairo numbers SVG groups through the whole process";
   EXPECT_EQ(png_of(sheet, light, hostile), png);
-  EXPECT_EQ(pdf_of(std::vector{sheet, sheet}, light, hostile), pdf);
+  EXPECT_EQ(pdf_of(2, same, light, hostile), pdf);
 }
 
 TEST(CairoOutput, ThreadsGiveTheSameBytes) {
@@ -71,7 +72,7 @@ TEST(CairoOutput, FilesSayHowTheyWereMade) {
   const Trace trace = test::trace_of("bresenham_line");
   const Sheet sheet = sheet_at(trace, {4, 0});
   for (const std::string& bytes : {svg_of(sheet, themes()[0], hostile), png_of(sheet, themes()[0], hostile),
-                                   pdf_of(std::vector{sheet}, themes()[0], hostile)}) {
+                                   pdf_of(1, [&](std::size_t) { return sheet; }, themes()[0], hostile)}) {
     const auto found = colophon_in(bytes);
     ASSERT_TRUE(found) << bytes.substr(0, 20);
     EXPECT_EQ(found->command, hostile.command);

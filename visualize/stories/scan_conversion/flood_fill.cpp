@@ -37,8 +37,7 @@ Subject subject_of(const Arguments& arguments) {
     return subject;
   }
   const Arguments::Entry& entry = arguments.entry("maze");
-  const auto parsed =
-      parse_maze(entry.content, entry.text.find('/') == std::string::npos ? entry.text : "maze");
+  const auto parsed = parse_maze(entry.content, entry.hash.empty() ? "--maze" : entry.text);
   if (const MazeError* error = std::get_if<MazeError>(&parsed)) throw InputError(error->what);
   subject.is_maze = true;
   subject.maze = std::get<Maze>(parsed);
@@ -460,7 +459,12 @@ const TopicEntry& entry() {
       .parameters =
           {{"maze", ParameterType::maze, std::string(example_maze), "maze.txt",
             "what to fill: a text file, - or rows joined by /; # wall, . free, letters are colours"},
-           {"image", ParameterType::picture, "", "photo.png", "what to fill instead: a PNG file"},
+           {.name = "image",
+            .type = ParameterType::picture,
+            .default_value = "",
+            .example = "photo.png",
+            .help = "what to fill instead: a PNG file",
+            .instead_of = "maze"},
            {"at", ParameterType::cell, "1,1", "3,4", "seed: column,row from the top left"},
            {"color", ParameterType::color, "#0072b2", "#d55e00", "new colour of an image's pixels"},
            {"tolerance", ParameterType::integer, "0", "12",
