@@ -89,7 +89,7 @@ void lay_out_title(Pen& pen, const Figure& figure, const Box& box) {
   pen.text("input", {{box.x + title_width + 14 * s, baseline},
                      elided(figure.subtitle, Face::sans, 26 * s, room),
                      Face::sans,
-                     24 * s,
+                     26 * s,
                      Align::left,
                      Paint::of(Tone::muted)});
   if (trace.faulty.empty()) return;

@@ -222,7 +222,7 @@ Filled depth_first(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity conn
       if constexpr (observed<O>) observer(Retreated{pixel, path.size()});
       continue;
     }
-    // The next neighbour: if free, go on there
+    // The next neighbour: if free, go there
     ivec2 next = pixel + around[asked];
     ++path.top().asked;
     free = inside(next);

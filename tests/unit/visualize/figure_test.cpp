@@ -77,19 +77,23 @@ TEST(Layout, NothingIsClipped) {
 
 TEST(Layout, NoLineLeavesTheSheet) {
   // A line through a window goes on beyond it, in the view and in the overview
-  std::size_t lines = 0;
+  std::size_t points = 0;
   for_each_sheet([&](const Trace&, const Sheet& sheet, std::size_t) {
     for (const Shape& shape : sheet.shapes) {
-      const LineShape* line = std::get_if<LineShape>(&shape.what);
-      if (!line || shape.slot != Slot::drawing) continue;
-      ++lines;
-      for (const dvec2 p : line->points) {
+      if (shape.slot != Slot::drawing) continue;
+      std::vector<dvec2> corners;
+      if (const LineShape* line = std::get_if<LineShape>(&shape.what)) corners = line->points;
+      if (const StrokesShape* strokes = std::get_if<StrokesShape>(&shape.what)) {
+        for (const auto& [a, b] : strokes->segments) corners.insert(corners.end(), {a, b});
+      }
+      for (const dvec2 p : corners) {
+        ++points;
         EXPECT_TRUE(p.x >= 0 && p.x <= 640 && p.y >= 80 && p.y <= 600)
             << shape.id << " " << p.x << " " << p.y;
       }
     }
   });
-  EXPECT_GT(lines, 10000u);
+  EXPECT_GT(points, 10000u);
 }
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
