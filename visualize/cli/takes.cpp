@@ -138,8 +138,8 @@ void Takes::record_around(StepNumber number) {
     if (current_ == opening_.get()) return;
     current_ = opening_.get();
   } else {
-    // Steps from the block's start on are kept, unless finer events fill the recording before the wanted step
-    // comes
+    // Steps from the block's start on are kept, unless finer events, or what they change, fill the recording
+    // before the wanted step comes
     const std::int64_t start = number.step / block * block - lead_in;
     const bool same_block = other_ && !other_->steps.empty() && has_step(*other_, number) &&
                             current_ == other_.get() &&
@@ -147,6 +147,7 @@ void Takes::record_around(StepNumber number) {
     if (same_block) return;
     take(start);
     if (!has_step(*current_, number)) take(number.step - lead_in);
+    if (!has_step(*current_, number)) take(number.step);
   }
   playhead_ = std::make_unique<Playhead>(*current_);
 }

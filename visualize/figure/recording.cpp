@@ -19,7 +19,9 @@ bool TraceWriter::keep(StepNumber number, const Delta& delta) {
     trace_.before.apply(delta);
     return false;
   }
-  return static_cast<std::int64_t>(trace_.steps.size()) < recording_.most;
+  if (full()) return false;
+  changes_ += delta.size();
+  return true;
 }
 
 Trace TraceWriter::finish() && {

@@ -12,6 +12,7 @@ namespace gradus {
 /// steps after `first + most - 1` are only counted.
 struct Recording {
   static constexpr std::int64_t default_most = 100'000;
+  static constexpr std::size_t most_changes = 4'000'000;  ///< cells and marks that the kept events may change
   std::int64_t first = 0;
   std::int64_t most = default_most;  ///< events kept, finer ones included; at least 1
 };
@@ -60,9 +61,14 @@ class TraceWriter {
     trace_.steps.push_back(std::move(step));
   }
   bool keep(StepNumber number, const Delta& delta);
+  bool full() const {
+    return static_cast<std::int64_t>(trace_.steps.size()) >= recording_.most ||
+           changes_ >= Recording::most_changes;
+  }
 
   Recording recording_;
   Trace trace_;
+  std::size_t changes_ = 0;  ///< by the events kept
   std::int64_t next_ = 0;
   int fine_ = 0;
 };

@@ -320,6 +320,18 @@ TEST(Recording, KeepsARangeAndStaysExact) {
   }
 }
 
+TEST(Recording, StopsWhereItsStepsChangeTooMuch) {
+  // Runs of a hundred thousand pixels each: few steps, many cells
+  const Trace trace = test::trace_of("bresenham_line", {{"to", "1000000,9"}, {"method", "run_length"}});
+  std::size_t changes = 0;
+  for (const TraceStep& step : trace.steps) changes += step.delta.size();
+  EXPECT_LT(changes, Recording::most_changes + 1'100'000);
+  const Trace part =
+      test::trace_of("bresenham_line", {{"to", "1000000,9"}, {"method", "run_length"}}, {8, 100});
+  EXPECT_EQ(part.steps.front().number, (StepNumber{8, 0}));
+  EXPECT_EQ(part.last, trace.last);
+}
+
 TEST(Recording, JumpsIntoAHugeLine) {
   const Trace trace = test::trace_of("bresenham_line", {{"to", "2000000000,900000000"}}, {1'500'000'000, 40});
   EXPECT_EQ(trace.last, 2'000'000'000);
