@@ -332,6 +332,29 @@ TEST(Recording, StopsWhereItsStepsChangeTooMuch) {
   EXPECT_EQ(part.last, trace.last);
 }
 
+TEST(Recording, ALineInAWindowHasConsecutiveSteps) {
+  const Trace trace = test::trace_of(
+      "bresenham_line", {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}});
+  EXPECT_TRUE(trace.whole());
+  std::int64_t next = 0;
+  for (const TraceStep& step : trace.steps) {
+    if (step.number.fine == 0) EXPECT_EQ(step.number.step, next++);
+  }
+  EXPECT_EQ(next, trace.last + 1);
+  EXPECT_EQ(trace.steps[1].type, "Jumped");
+  EXPECT_EQ(trace.steps[1].row[0], "8");
+}
+
+TEST(Recording, JumpsIntoAHugeWindow) {
+  const Trace trace = test::trace_of(
+      "bresenham_line",
+      {{"from", "-5,-5"}, {"to", "2000000000,900000000"}, {"window", "100,0,2000000000,2000000000"}},
+      {1'000'000'000, 10});
+  EXPECT_EQ(trace.steps.front().number, (StepNumber{1'000'000'000, 0}));
+  EXPECT_EQ(trace.steps.front().row[0], "1000000104");
+  EXPECT_EQ(trace.last, 2'000'000'005 - 105 + 1);
+}
+
 TEST(Recording, JumpsIntoAHugeLine) {
   const Trace trace = test::trace_of("bresenham_line", {{"to", "2000000000,900000000"}}, {1'500'000'000, 40});
   EXPECT_EQ(trace.last, 2'000'000'000);

@@ -33,6 +33,12 @@ Line line_of(const Arguments& arguments) {
   return {from, to, size, moves(from, to), window, window ? visible(from, to, *window) : Stretch{0, size.dx}};
 }
 
+/// The number of the step that reaches pixel k: k itself, or, in a window, counted from the first visible
+/// pixel, which step 1 jumps to.
+std::int64_t step_of(const Line& line, std::int64_t k) {
+  return line.shown.first > 0 ? k - line.shown.first + 1 : k;
+}
+
 dvec2 centre(ivec2 p) { return {p.x, p.y}; }
 
 /// The exact line's point at the k-th pixel's place along the leading axis.
@@ -133,7 +139,7 @@ class DecisionTeller {
     p_ = j.p;
     k_ = j.shown.first;
     if (j.shown.first == 0) return;
-    writer_.skip_to(j.shown.first);
+    writer_.skip_to(step_of(line_, j.shown.first));
     writer_.step(std::move(delta), j.pixel, source_line, [&](TraceStep& step) {
       step.type = "Jumped";
       step.phase = "main loop";
@@ -532,11 +538,12 @@ void tell_decision(TraceWriter& writer, const Line& line, const Recording& recor
     in_window(line.from, line.to, *line.window, [](ivec2) {}, teller);
     return;
   }
-  const std::int64_t first = std::clamp(recording.first, line.shown.first, line.shown.last);
+  const std::int64_t wanted = recording.first - step_of(line, 0);
+  const std::int64_t first = std::clamp(wanted, line.shown.first, line.shown.last);
   const std::int64_t last = std::min(line.shown.last, first + recording.most / 2);
   const Window part = window_around(pixel_at(line.from, line.to, first), pixel_at(line.from, line.to, last));
   in_window(line.from, line.to, part, [](ivec2) {}, teller);
-  writer.skip_to(line.shown.last + 1);
+  writer.skip_to(step_of(line, line.shown.last) + 1);
 }
 
 void describe(Trace& trace, const Line& line, const Method& method, const Arguments& arguments) {
