@@ -15,6 +15,7 @@
 
 #include "core/elementary.hpp"
 #include "core/random.hpp"
+#include "support/seed.hpp"
 
 namespace gradus {
 namespace {
@@ -27,15 +28,7 @@ using Huge = boost::multiprecision::number<
 constexpr double bound = 0.501;         // ulp of double
 constexpr double float_bound = 0.5001;  // ulp of float
 
-std::uint64_t seed() {
-  static const std::uint64_t value = [] {
-    const char* text = std::getenv("GRADUS_SEED");
-    const std::uint64_t chosen = text ? std::strtoull(text, nullptr, 0) : 20240611;
-    std::printf("GRADUS_SEED=%llu\n", static_cast<unsigned long long>(chosen));
-    return chosen;
-  }();
-  return value;
-}
+using test::seed;
 
 // The distance between neighbouring numbers of type T around this size
 template <class T>

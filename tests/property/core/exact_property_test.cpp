@@ -6,13 +6,13 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
 #include "core/exact.hpp"
 #include "core/random.hpp"
+#include "support/seed.hpp"
 
 namespace gradus {
 namespace {
@@ -23,16 +23,7 @@ using Rational = boost::multiprecision::cpp_rational;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 
-// From the environment when set, so that a failure can be repeated
-std::uint64_t seed() {
-  static const std::uint64_t value = [] {
-    const char* text = std::getenv("GRADUS_SEED");
-    const std::uint64_t chosen = text ? std::strtoull(text, nullptr, 0) : 20240611;
-    std::printf("GRADUS_SEED=%llu\n", static_cast<unsigned long long>(chosen));
-    return chosen;
-  }();
-  return value;
-}
+using test::seed;
 
 class ExactProperty : public ::testing::Test {
  protected:

@@ -7,7 +7,6 @@
 #include <climits>
 #include <cstdint>
 #include <cstdlib>
-#include <iostream>
 #include <random>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "support/seed.hpp"
 
 namespace gradus::bresenham_line {
 namespace {
@@ -23,17 +23,7 @@ namespace {
 using boost::multiprecision::cpp_int;
 using boost::multiprecision::cpp_rational;
 
-/// The seed of this run: GRADUS_SEED when set, else always the same. Printed, so that a failure can be had
-/// again.
-std::uint64_t seed() {
-  static const std::uint64_t value = [] {
-    const char* given = std::getenv("GRADUS_SEED");
-    const std::uint64_t chosen = given ? std::strtoull(given, nullptr, 10) : 20240117;
-    std::cout << "GRADUS_SEED=" << chosen << '\n';
-    return chosen;
-  }();
-  return value;
-}
+using test::seed;
 
 using Pixels = std::vector<ivec2>;
 

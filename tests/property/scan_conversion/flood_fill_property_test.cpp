@@ -18,6 +18,7 @@
 #include "scan_conversion/flood_fill/flood_fill_batch.hpp"
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "scan_conversion/flood_fill/maze.hpp"
+#include "support/seed.hpp"
 
 namespace gradus::flood_fill {
 namespace {
@@ -25,17 +26,7 @@ namespace {
 constexpr Method methods[] = {Method::depth_first, Method::breadth_first, Method::span};
 constexpr Connectivity connectivities[] = {Connectivity::four, Connectivity::eight};
 
-/// The seed of this run: GRADUS_SEED when set, else always the same. Printed, so that a failure can be had
-/// again.
-std::uint64_t seed() {
-  static const std::uint64_t value = [] {
-    const char* given = std::getenv("GRADUS_SEED");
-    const std::uint64_t chosen = given ? std::strtoull(given, nullptr, 10) : 20240117;
-    std::cout << "GRADUS_SEED=" << chosen << '\n';
-    return chosen;
-  }();
-  return value;
-}
+using test::seed;
 
 class Random {
  public:

@@ -2,18 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include "support/example_traces.hpp"
+#include "support/seed.hpp"
 
 namespace gradus {
 namespace {
 
-std::uint64_t seed() {
-  const char* given = std::getenv("GRADUS_SEED");
-  return given ? std::strtoull(given, nullptr, 10) : 20240917;
-}
+using test::seed;
 
 TEST(PlayheadProperty, AnyWalkEndsWhereAFreshRunEnds) {
   const std::uint64_t start = seed();
