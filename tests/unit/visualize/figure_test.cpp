@@ -104,7 +104,8 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
       const Trace trace = test::trace_of(entry->name, given);
       Playhead playhead(trace);
       for (const TraceStep& step : trace.steps) {
-        for (const TextShape* text : texts_of(lay_out(figure_of(trace, playhead, step.number), {}))) {
+        const Sheet sheet = lay_out(figure_of(trace, playhead, step.number), {});
+        for (const TextShape* text : texts_of(sheet)) {
           if (text->size > layout::text_size)
             EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
         }
