@@ -58,6 +58,8 @@ std::string range_of(const Parameter& parameter) {
       return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
     case ParameterType::color:
       return "#rrggbb or a basic colour's name";
+    case ParameterType::paint:
+      return "#rrggbb or a basic colour's name; for a maze a letter";
     case ParameterType::picture:
       return "a PNG file, or - for standard input";
     case ParameterType::maze:

@@ -83,6 +83,12 @@ std::string canonical_color(const Parameter& parameter, std::string_view text) {
   return hex;
 }
 
+std::string canonical_paint(const Parameter& parameter, std::string_view text) {
+  const std::string_view word = trimmed(text);
+  if (word.size() == 1 && 'a' <= lower(word[0]) && lower(word[0]) <= 'z') return std::string(word);
+  return canonical_color(parameter, text);
+}
+
 // --- The other types
 // ---------------------------------------------------------------------------------------------
 
@@ -244,6 +250,8 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_choice(parameter, text);
     case ParameterType::color:
       return canonical_color(parameter, text);
+    case ParameterType::paint:
+      return canonical_paint(parameter, text);
     case ParameterType::picture:
       return canonical_picture(parameter, text);
     case ParameterType::maze:

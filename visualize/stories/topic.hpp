@@ -24,6 +24,7 @@ enum class ParameterType {
   integer,  ///< one whole number
   choice,   ///< one of `choices`
   color,    ///< "#rrggbb" or a CSS basic colour name; canonical "#rrggbb"
+  paint,    ///< a colour as above or, for mazes, one letter
   picture,  ///< a PNG file
   maze,  ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
 };

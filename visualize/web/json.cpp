@@ -108,8 +108,8 @@ std::string_view name_of(Level level) {
 }
 
 std::string_view name_of(ParameterType type) {
-  constexpr std::array<std::string_view, 7> names{"cell",  "window",  "integer", "choice",
-                                                  "color", "picture", "maze"};
+  constexpr std::array<std::string_view, 8> names{"cell",  "window", "integer", "choice",
+                                                  "color", "paint",  "picture", "maze"};
   return names[static_cast<std::size_t>(type)];
 }
 

@@ -273,5 +273,28 @@ TEST(ReadPoints, ErrorsNameThePoint) {
   EXPECT_EQ(std::get<Misread>(read_points(" ")).what, "expected points like '0,0 6,0 6,3', found ' '");
 }
 
+TEST(Canonical, PaintIsAColourOrALetter) {
+  const Parameter paint = parameter(ParameterType::paint);
+  EXPECT_EQ(canonical(paint, " b "), "b");
+  EXPECT_EQ(canonical(paint, "Q"), "Q");
+  EXPECT_EQ(canonical(paint, "Red"), "#ff0000");
+  EXPECT_EQ(canonical(paint, "#D55E00"), "#d55e00");
+  EXPECT_THROW(canonical(paint, "7"), ArgumentError);
+  EXPECT_THROW(canonical(paint, "ab"), ArgumentError);
+}
+
+TEST(Canonical, WindowsAreFourNumbersTheRightWayRound) {
+  const Parameter window = parameter(ParameterType::window);
+  EXPECT_EQ(canonical(window, " 0, -5,10 ,3"), "0,-5,10,3");
+  EXPECT_EQ(canonical(window, "7,7,7,7"), "7,7,7,7");
+  for (const char* wrong : {"1,2,3", "1,2,3,4,5", "5,0,3,1", "0,5,1,3", "a,b,c,d", "0,0,3000000000,1", ""}) {
+    EXPECT_THROW(canonical(window, wrong), ArgumentError) << wrong;
+  }
+  Arguments arguments;
+  arguments.set({"window", "0,-5,10,3"});
+  EXPECT_EQ(arguments.window("window"), (Window{{0, -5}, {10, 3}}));
+  EXPECT_FALSE(arguments.window("another"));
+}
+
 }  // namespace
 }  // namespace gradus

@@ -370,5 +370,26 @@ TEST(Recording, StepsBelowTheFirstShapeTheDrawing) {
   EXPECT_EQ(all.at(index_of(whole, {20, 0})), some.at(index_of(part, {20, 0})));
 }
 
+// --- Mazes -------------------------------------------------------------------------------------------------
+
+std::string filled_maze(const std::map<std::string, std::string>& given) {
+  for (const Field& field : test::trace_of("flood_fill", given).result) {
+    if (field.name == "maze") return std::get<std::string>(field.value);
+  }
+  return "";
+}
+
+TEST(FillStory, AMazeIsPaintedWithALetter) {
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"color", "a"}}), "aa#/ab#/#..");
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"color", "a"}, {"window", "1,0,2,2"}}),
+            "..#/.b#/#..");
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "1,1"}}), "..#/.x#/#..");
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "2,0"}, {"color", "a"}}), "..#/.b#/#..")
+      << "walls stay";
+  EXPECT_EQ(filled_maze({{"maze", "bb#/.b#/#.."}, {"at", "0,0"}, {"color", "b"}}), "bb#/.b#/#..")
+      << "its own letter";
+  EXPECT_THROW(filled_maze({{"color", "#ff0000"}}), ArgumentError);
+}
+
 }  // namespace
 }  // namespace gradus

@@ -24,6 +24,9 @@ struct Subject {
   Maze maze;
 };
 
+constexpr Rgba8 default_color{0, 0x72, 0xb2, 255};
+constexpr char default_letter = 'x';
+
 Rgba8 maze_color(char cell) {
   // Only equality matters to the fill: every kind of cell gets a colour of its own
   const auto code = static_cast<std::uint8_t>(cell);
@@ -394,15 +397,34 @@ gradus::flood_fill::Method method_of(const Arguments& arguments) {
 }
 
 /// The picture's fill cut to a window; a mask keeps what is painted, whatever the new colour.
-Filled fill_in_window(Image& image, ivec2 seed, const Window& window, const Options& options,
+Filled fill_in_window(Image& image, ivec2 seed, Rgba8 color, const Window& window, const Options& options,
                       FillTeller& teller) {
   const Rgba8 old = image[seed];
   Raster<std::uint8_t> visited(image.width(), image.height());
   const auto inside = [&](ivec2 p) {
     return image.contains(p) && !visited[p] && alike(image[p], old, options.tolerance);
   };
-  return in_window(
-      options.method, seed, window, inside, [&](ivec2 p) { visited[p] = 1; }, options.connectivity, teller);
+  const auto paint = [&](ivec2 p) {
+    visited[p] = 1;
+    image[p] = color;
+  };
+  return in_window(options.method, seed, window, inside, paint, options.connectivity, teller);
+}
+
+/// What pixels are painted with. A maze's walls stay; its other cells become a letter.
+Rgba8 paint_of(const Subject& subject, const Arguments& arguments, ivec2 seed) {
+  const std::string& given = arguments.has("color") ? arguments.text("color") : "";
+  const bool letter = given.size() == 1;
+  if (!subject.is_maze) {
+    if (letter)
+      throw ArgumentError("color", fmt::format("expected a colour for an image, found '{}'", given));
+    return given.empty() ? default_color : arguments.color("color");
+  }
+  if (!given.empty() && !letter) {
+    throw ArgumentError("color", fmt::format("expected a letter for a maze, found '{}'", given));
+  }
+  if (subject.maze[seed] == wall) return maze_color(wall);
+  return maze_color(letter ? given[0] : default_letter);
 }
 
 Filled fill_subject(Subject& subject, const Arguments& arguments, FillTeller& teller) {
@@ -411,13 +433,20 @@ Filled fill_subject(Subject& subject, const Arguments& arguments, FillTeller& te
   const ivec2 seed = arguments.cell("at");
   const auto window = arguments.window("window");
   if (subject.is_maze) options.tolerance = 0;
-  // A wall is never filled; every other cell of a maze becomes a colour that no letter has
-  const bool wall_hit = subject.is_maze && subject.maze[seed] == wall;
-  const Rgba8 color = wall_hit          ? subject.image[seed]
-                      : subject.is_maze ? Rgba8{255, 255, 255, 255}
-                                        : arguments.color("color");
-  if (window && !wall_hit) return fill_in_window(subject.image, seed, *window, options, teller);
-  return fill_image(subject.image, seed, color, options, teller);
+  const Rgba8 color = paint_of(subject, arguments, seed);
+  const bool nothing_to_do = options.tolerance == 0 && color == subject.image[seed];
+  if (!window || nothing_to_do) return fill_image(subject.image, seed, color, options, teller);
+  return fill_in_window(subject.image, seed, color, *window, options, teller);
+}
+
+/// The maze after the fill, its rows joined by "/".
+std::string filled_maze(const Image& image) {
+  std::string rows;
+  for (int y = 0; y < image.height(); ++y) {
+    if (y > 0) rows += '/';
+    for (const Rgba8& cell : image.row(y)) rows += static_cast<char>(cell.r);
+  }
+  return rows;
 }
 
 Trace run(const Arguments& arguments, Recording recording) {
@@ -440,6 +469,7 @@ Trace run(const Arguments& arguments, Recording recording) {
                   {"peak_waiting", std::int64_t(done.peak_waiting)},
                   {"peak_bytes", std::int64_t(done.peak_bytes)},
                   {"mask_bytes", std::int64_t(done.mask_bytes)}};
+  if (subject.is_maze) trace.result.push_back({"maze", filled_maze(filled.image)});
   trace.telling = middle_step(trace);
   return trace;
 }
@@ -466,7 +496,8 @@ const TopicEntry& entry() {
             .help = "what to fill instead: a PNG file",
             .instead_of = "maze"},
            {"at", ParameterType::cell, "1,1", "3,4", "seed: column,row from the top left"},
-           {"color", ParameterType::color, "#0072b2", "#d55e00", "new colour of an image's pixels"},
+           {"color", ParameterType::paint, "", "#d55e00",
+            "what to paint with: a colour, #0072b2 if not given; in a maze a letter, x if not given"},
            {"tolerance", ParameterType::integer, "0", "12",
             "by how much each channel may differ from the seed's, 0 to 255", 0, 255},
            {"connectivity",
