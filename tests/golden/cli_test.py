@@ -334,6 +334,10 @@ def test_wrong_input():
         (["run", "radiosity"], topics + "'radiosity'"),
         (["run", "\x1b[31m\n"], topics + r"'\x1b[31m\n'"),
         (["help", "bresenhm"], topics + "'bresenhm', did you mean 'bresenham_line'?"),
+        (["run", "flood_fill", "--color", "red"], "--color: expected a letter for a maze, found '#ff0000'"),
+        (["run", "bresenham_line", "--window", "5,0,3,1"], "--window: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),
+        (["run", "bresenham_line", "--window", "0,0,3,1", "--method", "dda"],
+         "--window: method dda has none: it walks to every pixel"),
         (["run", "bresenham_line", "x"], "run: expected only a TOPIC, found 'x'"),
         (["list", "a", "b"], "list: expected at most one WORD, found 'b'"),
         (["figures", "x"], "figures: expected no words, found 'x'"),
@@ -499,7 +503,7 @@ def test_color():
     check("\x1b[" not in gradus(*run, "--json", "--color=always").out, "never in JSON")
     check("\x1b[" not in gradus("figure", "bresenham_line", "-o", "-", "--format", "txt", env={"CLICOLOR_FORCE": "1"}).out,
           "never in a file")
-    fill = gradus("run", "flood_fill", "--color", "always", "--color", "red").out
+    fill = gradus("run", "flood_fill", "--color", "always", "--color", "b").out
     check("\x1b[" in fill, "a topic's own --color beside the terminal's")
 
 
