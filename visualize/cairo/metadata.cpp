@@ -134,10 +134,8 @@ std::optional<Colophon> colophon_in_pdf(std::string_view bytes) {
   return colophon;
 }
 
-}  // namespace
-
-std::string renumbered(const std::string& svg) {
-  constexpr std::string_view stem = "surface";
+/// Numbers the ids stem17, stem23 … from 1 on, where they are set ("stem17") and used (#stem17).
+std::string renumbered(const std::string& svg, std::string_view stem) {
   std::map<std::string, std::size_t> numbers;
   std::string text;
   text.reserve(svg.size());
@@ -146,6 +144,7 @@ std::string renumbered(const std::string& svg) {
     std::size_t end = at + stem.size();
     text.append(svg, done, end - done);
     done = end;
+    if (at == 0 || (svg[at - 1] != '"' && svg[at - 1] != '#')) continue;
     while (end < svg.size() && std::isdigit(static_cast<unsigned char>(svg[end]))) ++end;
     if (end == done) continue;
     const auto [entry, added] = numbers.emplace(svg.substr(done, end - done), numbers.size() + 1);
@@ -154,6 +153,10 @@ std::string renumbered(const std::string& svg) {
   }
   return text.append(svg, done);
 }
+
+}  // namespace
+
+std::string renumbered(const std::string& svg) { return renumbered(renumbered(svg, "surface"), "image"); }
 
 std::string with_colophon(const std::string& svg, const Colophon& colophon) {
   const std::size_t root = svg.find("<svg");

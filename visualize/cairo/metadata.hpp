@@ -11,8 +11,8 @@
 
 namespace gradus {
 
-/// Cairo numbers the groups of SVGs through the whole process ("surface17"): numbers them from 1 in every
-/// file.
+/// Cairo numbers the groups and images of SVGs through the whole process ("surface17", "image23"): numbers
+/// them from 1 in every file.
 std::string renumbered(const std::string& svg);
 
 /// The SVG with <title>, <desc> and <metadata> as its first elements.

@@ -49,6 +49,18 @@ TEST(CairoOutput, SameSheetSameBytes) {
   EXPECT_EQ(pdf_of(2, same, light, hostile), pdf);
 }
 
+TEST(CairoOutput, SameImagesSameBytes) {
+  // Pictures have ids of their own, which Cairo counts through the whole process too
+  const Trace trace = test::trace_of(
+      "flood_fill",
+      {{"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"}, {"at", "300,60"}}, {0, 50});
+  const Sheet sheet = sheet_at(trace, {2, 0});
+  const std::string first = svg_of(sheet, themes()[0], hostile);
+  EXPECT_NE(first.find("id=\"image1\""), std::string::npos);
+  EXPECT_NE(first.find("id=\"image2\""), std::string::npos) << "the view and the overview";
+  EXPECT_EQ(svg_of(sheet, themes()[0], hostile), first);
+}
+
 TEST(CairoOutput, ThreadsGiveTheSameBytes) {
   const Trace trace = test::trace_of("flood_fill");
   const Sheet sheet = sheet_at(trace, {5, 0});
