@@ -454,14 +454,12 @@ def test_output_that_fails():
 def test_read_only_folder():
     if os.geteuid() == 0 and not shutil.which("setpriv"):
         return check(True, "root may write everywhere")
-    os.chmod(".", 0o755)
     os.mkdir("closed")
     os.chmod("closed", 0o555)
-    prefix = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
+    # Root stays root, so that it can still read the project wherever that lies, but obeys permissions
+    prefix = ["setpriv", "--bounding-set=-dac_override"] if os.geteuid() == 0 else []
     for words in (["figure", "bresenham_line", "-o", "closed/x.svg"], ["figures", "-o", "closed/out"]):
         result = subprocess.run([*prefix, GRADUS, *words], capture_output=True, text=True)
-        if result.returncode == 126 or "failed to execute" in result.stderr:
-            return check(True, "the program can't be reached by another user")
         check(result.returncode == 1 and result.stderr.count("\n") == 1 and "Permission denied" in result.stderr,
               f"{words}: {result.returncode} {result.stderr!r}")
     equal(files("closed"), [], "nothing in a read-only folder")

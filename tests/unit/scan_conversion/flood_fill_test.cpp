@@ -180,6 +180,22 @@ TEST(FloodFill, StepsOfBreadthFirst) {
   EXPECT_EQ(all<Examined>(seen).size(), 4u * 8u);
 }
 
+TEST(FloodFill, BreadthFirstWavesAreEqualManhattanDistances) {
+  AllSteps seen;
+  Raster<char> canvas(31, 23, '.');
+  const ivec2 seed{12, 9};
+  fill_raster(canvas, seed, 'a', Method::breadth_first, Connectivity::four, seen);
+  int before = 0;
+  std::size_t painted = 0;
+  for (const Painted& step : all<Painted>(seen)) {
+    const int distance = std::abs(step.pixel.x - seed.x) + std::abs(step.pixel.y - seed.y);
+    EXPECT_TRUE(distance == before || distance == before + 1) << step.pixel.x << "," << step.pixel.y;
+    before = distance;
+    ++painted;
+  }
+  EXPECT_EQ(painted, canvas.cells().size());
+}
+
 TEST(FloodFill, StepsOfSpan) {
   AllSteps seen;
   Maze m = maze("..#.\n.#..\n....\n");
