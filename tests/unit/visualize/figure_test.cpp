@@ -285,6 +285,17 @@ TEST(Figure, TheErrorShownIsTheExactDistance) {
   EXPECT_EQ(std::get<Label>(error.shape).text, "error 2/7");
 }
 
+TEST(Figure, ADriftingSumIsCorrectedTruthfully) {
+  // (0,0)-(12,10) passes midway at 9; (0,0)-(359,349) does not at 341
+  const Trace tie = test::trace_of("bresenham_line", {{"to", "12,10"}, {"method", "dda"}});
+  const Trace off = test::trace_of("bresenham_line", {{"to", "359,349"}, {"method", "dda"}});
+  EXPECT_NE(tie.steps[index_of(tie, {9, 0})].sentence.find("passes midway, and a tie goes to (9,"),
+            std::string::npos);
+  EXPECT_NE(off.steps[index_of(off, {341, 0})].sentence.find("is nearer to (341,"), std::string::npos);
+  EXPECT_EQ(tie.telling, (StepNumber{9, 0}));
+  EXPECT_NE(tie.faulty.find("pixel 9 is the first wrong one"), std::string::npos);
+}
+
 TEST(Figure, CaptionNamesFaultStepAndInput) {
   const Trace trace = test::trace_of("bresenham_line", {{"method", "first_octant"}, {"to", "4,-2"}});
   Playhead playhead(trace);

@@ -373,10 +373,9 @@ class AnalyserTeller {
       step.phase = "main loop";
       step.key = pixel_key(r.pixel);
       step.fields = {{"k", r.k}, {"offset", double{r.offset}}, {"row", r.row}, {"pixel", r.pixel}};
-      step.sentence =
-          fmt::format("{} + {} is {} as a float, nearest to {}, so plot {}{}.", scalar_text(added_.before),
-                      scalar_text(slope_), scalar_text(r.offset), r.row, figure_point(r.pixel),
-                      wrong ? "; the exact line is nearer to " + figure_point(right) : std::string());
+      step.sentence = fmt::format("{} + {} is {} as a float, nearest to {}, so plot {}{}.",
+                                  scalar_text(added_.before), scalar_text(slope_), scalar_text(r.offset),
+                                  r.row, figure_point(r.pixel), wrong ? correction(right, r) : std::string());
       step.row = {figure_number(r.k),       scalar_text(r.offset),    figure_number(r.row),
                   figure_number(r.pixel.x), figure_number(r.pixel.y), wrong ? "no" : "yes"};
     });
@@ -398,6 +397,12 @@ class AnalyserTeller {
   }
 
  private:
+  /// What exact arithmetic would have done instead.
+  std::string correction(ivec2 right, const Rounded<float>& r) const {
+    const bool tie = miss_times_dx(line_, right, r.k) == miss_times_dx(line_, r.pixel, r.k);
+    return tie ? fmt::format("; the exact line passes midway, and a tie goes to {}", figure_point(right))
+               : fmt::format("; the exact line is nearer to {}", figure_point(right));
+  }
   dvec2 offset_place(const Rounded<float>& r) const {
     const dvec2 aside = centre(line_.go.diagonal) - centre(line_.go.straight);
     return centre(line_.from) + static_cast<double>(r.k) * centre(line_.go.straight) +
