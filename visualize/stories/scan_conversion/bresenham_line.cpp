@@ -317,7 +317,7 @@ class AnalyserTeller {
     writer.trace().columns = {{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right?", false}};
     writer.trace().legend = {{Role::past, "drawn before"},
                              {Role::current, "chosen now"},
-                             {Role::accepted, "nearest pixel"},
+                             {Role::accepted, "right pixel"},
                              {Role::result, "the line's pixels"},
                              {Role::measure, "the sum as a float"}};
   }
@@ -360,7 +360,7 @@ class AnalyserTeller {
     delta.cells.push_back({current_, CellLook{Role::past, ""}});
     if (wrong) {
       delta.cells.push_back({right, CellLook{Role::accepted, ""}});
-      delta.set.push_back({"right name", Role::accepted, Label{centre(right), "nearest pixel"}});
+      delta.set.push_back({"right name", Role::accepted, Label{centre(right), "right pixel"}});
       pointed_.push_back(right);
     }
     delta.cells.push_back({r.pixel, CellLook{Role::current, ""}});
