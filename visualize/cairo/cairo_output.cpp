@@ -257,7 +257,7 @@ void paint_on(cairo_surface_t* surface, const Sheet& sheet, const Theme& theme) 
   check(cairo_status(context.get()));
 }
 
-void finish(cairo_surface_t* surface) {
+void complete(cairo_surface_t* surface) {
   cairo_surface_finish(surface);
   check(cairo_surface_status(surface));
 }
@@ -274,22 +274,22 @@ double drawn_width(const std::string& text, Face face, double size) {
   return extents.x_advance;
 }
 
-std::string svg_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon) {
+std::string svg_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon) {
   check_fonts();
   std::string text;
   const Surface surface(cairo_svg_surface_create_for_stream(append, &text, sheet.width, sheet.height));
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  paint_on(surface.get(), sheet, theme);
-  finish(surface.get());
+  paint_on(surface.get(), sheet, finish.theme);
+  complete(surface.get());
   return with_colophon(renumbered(text), colophon);
 }
 
-std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon) {
+std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon) {
   check_fonts();
   const int width = static_cast<int>(std::lround(sheet.width)),
             height = static_cast<int>(std::lround(sheet.height));
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  paint_on(surface.get(), sheet, theme);
+  paint_on(surface.get(), sheet, finish.theme);
   cairo_surface_flush(surface.get());
   const unsigned char* data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
@@ -307,7 +307,7 @@ std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colop
   return {bytes.begin(), bytes.end()};
 }
 
-std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Theme& theme,
+std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon) {
   check_fonts();
   std::string text;
@@ -320,11 +320,11 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
     check(cairo_surface_status(surface.get()));
     const Context context(cairo_create(surface.get()));
     cairo_scale(context.get(), 0.75, 0.75);
-    Painter(context.get(), theme).paint(sheet);
+    Painter(context.get(), finish.theme).paint(sheet);
     cairo_show_page(context.get());
     check(cairo_status(context.get()));
   }
-  finish(surface.get());
+  complete(surface.get());
   return text;
 }
 

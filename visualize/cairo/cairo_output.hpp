@@ -1,5 +1,5 @@
 #pragma once
-// Sheets as files' bytes. The same sheet, theme and colophon give the same bytes, in any process and thread.
+// Sheets as files' bytes. The same sheet, finish and colophon give the same bytes, in any process and thread.
 // Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
 
 #include <functional>
@@ -7,14 +7,14 @@
 
 #include "figure/colophon.hpp"
 #include "figure/sheet.hpp"
-#include "theme/theme.hpp"
+#include "theme/finish.hpp"
 
 namespace gradus {
 
-std::string svg_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
-std::string png_of(const Sheet& sheet, const Theme& theme, const Colophon& colophon);
+std::string svg_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
+std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
 /// One page a sheet; page(i) is asked for when its turn comes, so that no more than one is held at a time.
-std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Theme& theme,
+std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon);
 
 /// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.

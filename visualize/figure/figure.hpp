@@ -1,6 +1,7 @@
 #pragma once
 // One step of a trace as slots of plain data, and its layout on a sheet.
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,10 +37,18 @@ struct Figure {
   std::vector<TableRow> rows;  ///< all rows so far; the layout shows the last ones that fit
 };
 
+/// A slide is read from the last row; a handout lies on the table: smaller letters, more of everything.
+enum class Layout : std::uint8_t { slide, handout };
+
 /// What the reader asked for.
 struct Look {
-  double width = 1280, height = 720;
+  double width = 1280, height = 720;  ///< CSS pixels, 96 an inch
   std::set<Slot> slots{all_slots.begin(), all_slots.end()};
+  Layout layout = Layout::slide;
+  bool crop = false;           ///< the sheet ends where the slots end, the same for all steps
+  std::optional<Window> view;  ///< the cells to show; none: all, or a view that follows the step
+  std::optional<bool> y_up;    ///< turns the drawing; none: the topic's own direction
+  std::string title;           ///< instead of the trace's; empty: that
 };
 
 /// The slots of one recorded step. `playhead` must be of the same trace; both must outlive the figure.

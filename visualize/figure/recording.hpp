@@ -5,23 +5,27 @@
 #include <string>
 
 #include "figure/trace.hpp"
+#include "figure/wording.hpp"
 
 namespace gradus {
 
-/// Which part of a run to keep. A run may be longer than memory: steps before `first` only shape the drawing,
-/// steps after `first + most - 1` are only counted.
+/// Which part of a run to keep, and in whose words to tell it. A run may be longer than memory: steps before
+/// `first` only shape the drawing, steps after `first + most - 1` are only counted.
 struct Recording {
   static constexpr std::int64_t default_most = 100'000;
   static constexpr std::size_t most_changes = 4'000'000;  ///< cells and marks that the kept events may change
   std::int64_t first = 0;
   std::int64_t most = default_most;  ///< events kept, finer ones included; at least 1
+  Wording wording{};                 ///< in whose words the steps are told
 };
 
 /// Writes a Trace, step by step. The story fills in trace() (titles, columns, grid, backdrop) before the
 /// first step.
 class TraceWriter {
  public:
-  explicit TraceWriter(Recording recording) : recording_(recording) {}
+  explicit TraceWriter(Recording recording) : recording_(std::move(recording)) {
+    trace_.wording = recording_.wording;
+  }
   Trace& trace() { return trace_; }
 
   /// A milestone: the next whole number. `describe(TraceStep&)` fills in sentence, fields, row …, and is only

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "figure/drawing.hpp"
+#include "figure/wording.hpp"
 
 namespace gradus {
 
@@ -84,6 +85,7 @@ struct Trace {
   std::string method, method_title;
   std::string faulty;  ///< empty, or what is wrong with this run; goes into title, caption and JSON
   std::string goal;    ///< the idea in one sentence
+  Wording wording;     ///< in which all these texts are told
   std::vector<Argument> arguments;  ///< canonical: the command that makes this trace again
   std::string input_hash;           ///< of input files' contents; empty where there were none
 

@@ -1,0 +1,85 @@
+#pragma once
+// In whose words a run is told: the templates of a language, and the reader's own names for symbols.
+//
+// A language is one text file, visualize/figure/language/<code>.txt, with a section a topic:
+//
+//   [bresenham_line]
+//   started = Start at {from}; [p] = {p}.
+//
+// {name} is replaced by a value; [p] is a symbol, shown as itself unless the reader has a label for it. The
+// key of that text is "bresenham_line.started". Every language has the same keys, and in each text the same
+// values (a test compares them).
+
+#include <fmt/format.h>
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gradus {
+
+class Language {
+ public:
+  /// Reads a catalogue. Throws std::logic_error naming the line that is wrong.
+  Language(std::string code, std::string_view catalogue);
+
+  const std::string& code() const { return code_; }             ///< "en", as in HTML's lang
+  const std::string& name() const { return text("language"); }  ///< "English", in the language itself
+  /// The template of this key. Throws std::logic_error when there is none: keys stand in our own code.
+  const std::string& text(std::string_view key) const;
+  const std::map<std::string, std::string, std::less<>>& texts() const { return texts_; }
+
+ private:
+  std::string code_;
+  std::map<std::string, std::string, std::less<>> texts_;
+};
+
+/// All languages, English first.
+std::span<const Language> languages();
+/// The language of that code, or nullptr.
+const Language* find_language(std::string_view code);
+
+/// A symbol of the algorithm and what the reader calls it: p, d.
+struct SymbolLabel {
+  std::string symbol, text;
+  friend bool operator==(const SymbolLabel&, const SymbolLabel&) = default;
+};
+
+class Wording {
+ public:
+  /// English, every symbol under its own name.
+  Wording();
+  explicit Wording(const Language& language, std::vector<SymbolLabel> labels = {})
+      : language_(&language), labels_(std::move(labels)) {}
+
+  const Language& language() const { return *language_; }
+  const std::vector<SymbolLabel>& labels() const { return labels_; }
+
+  /// What the reader calls this symbol.
+  std::string symbol(std::string_view name) const;
+
+  /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")).
+  template <class... Values>
+  std::string say(std::string_view key, const Values&... values) const {
+    return fmt::vformat(with_symbols(key), fmt::make_format_args(values...));
+  }
+  /// The same for a count: the key is "<key>.one" for 1 and "<key>.many" for all others; the value is {n}.
+  template <class... Values>
+  std::string count(std::string_view key, long long n, const Values&... values) const {
+    return say(fmt::format("{}.{}", key, n == 1 ? "one" : "many"), fmt::arg("n", n), values...);
+  }
+
+ private:
+  /// The template with its [symbols] replaced.
+  std::string with_symbols(std::string_view key) const;
+
+  const Language* language_;
+  std::vector<SymbolLabel> labels_;
+};
+
+/// The symbols that a template names, in the order of their first use.
+std::vector<std::string> symbols_in(std::string_view text);
+
+}  // namespace gradus
