@@ -20,6 +20,7 @@ struct Bound {
   std::string shown_name;
   std::map<std::string, std::string>* to;
   std::string key;
+  bool many;
 };
 
 class Parser {
@@ -48,11 +49,11 @@ class Parser {
 
  private:
   void add(const std::string& names, const std::string& shown_name, bool takes_value,
-           std::map<std::string, std::string>& to, const std::string& key) {
+           std::map<std::string, std::string>& to, const std::string& key, bool many = false) {
     CLI::Option* option = takes_value ? app_.add_option(names, unused_) : app_.add_flag(names);
     if (takes_value)
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1)->allow_extra_args(false);
-    bound_.push_back({option, shown_name, &to, key});
+    bound_.push_back({option, shown_name, &to, key, many});
   }
 
   void add_parameters(const TopicEntry& topic) {
@@ -66,13 +67,17 @@ class Parser {
     for (const Flag& flag : flags) {
       const std::string name = flag.name == "color" ? terminal_color : flag.name;
       const std::string letter = flag.letter ? fmt::format("-{},", flag.letter) : "";
-      add(letter + "--" + name, "--" + flag.name, !flag.value.empty(), request_.flags, flag.name);
+      add(letter + "--" + name, "--" + flag.name, !flag.value.empty(), request_.flags, flag.name, flag.many);
     }
   }
 
-  static void collect(const Bound& bound) {
+  void collect(const Bound& bound) {
     const std::vector<std::string>& values = bound.option->results();
     if (values.empty()) return;
+    if (bound.many) {
+      request_.labels = values;
+      return;
+    }
     const bool is_switch = bound.option->get_expected_max() == 0;
     if (!is_switch && values.size() > 1) {
       throw UsageError(fmt::format("{}: expected one value, found {} and {}", bound.shown_name,

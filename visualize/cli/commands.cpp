@@ -11,12 +11,51 @@ namespace {
 
 const Flag output{"output", 'o', "FILE", ""};
 const Flag step{"step", 0, "N", "one step: a number like 4, or 4.1 for a finer event after it"};
-const Flag steps{"steps", 0, "LIST", "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth"};
-const Flag slots{"slots", 0, "LIST", "parts to show: title,drawing,listing,table,sentence,footer"};
-const Flag theme{"theme", 0, "NAME", "light, dark, greyscale or high_contrast"};
-const Flag size{"size", 0, "WxH", "width and height in pixels; default 1280x720"};
-const Flag format{"format", 0, "NAME",
-                  "svg, png, pdf, html, csv, json or txt; default: by the file's ending"};
+const Flag steps{
+    "steps", 0, "LIST",
+    "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the first, each kind of branch, the last"};
+const Flag format{
+    "format", 0, "NAME",
+    "svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4 or webp; default: by the file's ending"};
+
+/// How texts are worded.
+const std::vector<Flag> words{
+    {"label", 0, "SYMBOL=TEXT", "your own name for a symbol, as in p=d; everywhere but in the source", true},
+    {"language", 0, "CODE", "en or de: the language of sentences and headings"},
+};
+
+/// How a figure looks.
+const std::vector<Flag> looks{
+    {"slots", 0, "LIST", "parts to show: title,drawing,listing,table,sentence,footer"},
+    {"no-title", 0, "", "all of them but the title"},
+    {"theme", 0, "NAME", "light, dark, greyscale or high_contrast"},
+    {"background", 0, "COLOR", "the ground: #rrggbb, a colour's name, or none for a transparent one"},
+    {"size", 0, "WxH", "1280x720 in pixels, a ratio like 4:3 or 1:1, or lengths like 12cmx8cm; default 16:9"},
+    {"scale", 0, "N", "PNG and films: pixels for one of the figure, 0.1 to 8; default 1"},
+    {"layout", 0, "NAME", "slide, or handout with smaller letters and more of source and table"},
+    {"crop", 0, "", "without the empty margin"},
+    {"view", 0, "X0,Y0,X1,Y1",
+     "the cells to show; default: all, or those round the step where they are too many"},
+    {"y", 0, "DIRECTION", "up or down: turns the drawing"},
+    {"svg-text", 0, "HOW", "outlines (default), or text that can be searched and edited"},
+    {"title", 0, "TEXT", "instead of the topic's title"},
+    {"caption", 0, "TEXT", "instead of the sentence, in snippets and for who can't see the figure"},
+};
+
+/// How steps are put on paper and on a screen.
+const std::vector<Flag> outputs{
+    {"handout", 0, "CxR", "PDF: pages for print with so many figures across and down, like 2x3"},
+    {"paper", 0, "NAME", "of a handout: a4 (default) or letter"},
+    {"seconds-per-step", 0, "N", "films: how long each step stays; default 1.5"},
+    {"hold-last", 0, "N", "films: how many seconds the last step stays; default 3"},
+    {"fps", 0, "N", "MP4: pictures a second; default 25"},
+    {"loop", 0, "N", "GIF and WebP: how often it runs; 0 (default): for ever"},
+};
+
+std::vector<Flag> joined(std::vector<Flag> flags, std::initializer_list<std::vector<Flag>> more) {
+  for (const std::vector<Flag>& some : more) flags.insert(flags.end(), some.begin(), some.end());
+  return flags;
+}
 
 Flag with_help(Flag flag, const char* help) {
   flag.help = help;
@@ -47,7 +86,7 @@ std::vector<Command> all_commands() {
        1,
        1,
        true,
-       {{"json", 0, "", "as JSON: topic, method, input, steps, result"}, step, steps},
+       joined({{"json", 0, "", "as JSON: topic, method, input, steps, result"}, step, steps}, {words}),
        {"gradus run TOPIC", "gradus run TOPIC --method NAME --json", "gradus run TOPIC --steps 3-9"}},
       {"figure",
        "a TOPIC",
@@ -55,12 +94,20 @@ std::vector<Command> all_commands() {
        1,
        1,
        true,
-       {with_help(output, "where to; {step} in the name makes one file a step; - is standard output"), step,
-        steps, slots, theme, size, format},
+       joined(
+           {with_help(output, "where to; {step} in the name makes one file a step; - is standard output"),
+            step,
+            steps,
+            format,
+            {"snippet", 0, "KIND", "prints the lines to paste into a lecture: beamer, reveal or markdown"}},
+           {looks, words, outputs}),
        {"gradus figure TOPIC -o line.svg", "gradus figure TOPIC --step 4 --theme dark -o line.png",
         "gradus figure TOPIC -o 'line-{step}.png'    one file a step",
         "gradus figure TOPIC -o line.pdf             one page a step",
-        "gradus figure TOPIC -o line.html            the player, to step through in a browser"}},
+        "gradus figure TOPIC -o line.html            the player, to step through in a browser",
+        "gradus figure TOPIC -o line.pdf --steps auto --size 4:3 --snippet beamer",
+        "gradus figure TOPIC -o line.pdf --handout 2x3 --paper a4",
+        "gradus figure TOPIC -o line.gif --seconds-per-step 2"}},
       {"figures",
        "",
        "draws every figure of the gallery, only what has changed",
@@ -79,8 +126,9 @@ std::vector<Command> all_commands() {
        1,
        1,
        false,
-       {with_help(output, "where to; default: beside the figure, with -again in its name"), step, steps,
-        slots, theme, size, format},
+       joined({with_help(output, "where to; default: beside the figure, with -again in its name"), step,
+               steps, format},
+              {looks, words, outputs}),
        {"gradus again line.svg", "gradus again line.svg --theme dark",
         "gradus again line.svg --step 2 -o line-2.png"}},
   };

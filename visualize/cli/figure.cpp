@@ -3,10 +3,14 @@
 #include "cli/figure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
+#include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "stories/point_text.hpp"
 
@@ -23,15 +27,47 @@ std::string name_for(std::string output, StepNumber step) {
   return output;
 }
 
-bool is_drawn(Format format) {
-  return format == Format::svg || format == Format::png || format == Format::pdf;
-}
-
 void refuse_binary_in_terminal(Format format) {
-  if ((format == Format::png || format == Format::pdf) && is_terminal(Stream::out)) {
+  const bool binary = format == Format::png || format == Format::pdf || is_film(format);
+  if (binary && is_terminal(Stream::out)) {
     throw UsageError(fmt::format("-o: expected a file or a pipe for {}, found a terminal", name_of(format)));
   }
 }
+
+// --- Which flags say something about which formats ---------------------------------------------------------
+
+bool drawn_or_played(Format format) { return is_drawn(format) || format == Format::html; }
+bool made_of_pixels(Format format) { return format == Format::png || is_film(format); }
+
+struct FlagUse {
+  const char* flag;
+  bool (*serves)(Format format);
+  const char* expected;
+};
+constexpr const char* any_picture = "svg, png, pdf or a film to draw";
+constexpr const char* any_figure = "svg, png, pdf, html or a film";
+constexpr const char* any_film = "gif, mp4 or webp";
+constexpr FlagUse uses[] = {
+    {"slots", drawn_or_played, any_figure},
+    {"no-title", drawn_or_played, any_figure},
+    {"theme", drawn_or_played, any_figure},
+    {"y", drawn_or_played, any_figure},
+    {"title", drawn_or_played, any_figure},
+    {"caption", drawn_or_played, any_figure},
+    {"size", is_drawn, any_picture},
+    {"layout", is_drawn, any_picture},
+    {"crop", is_drawn, any_picture},
+    {"view", is_drawn, any_picture},
+    {"background", is_drawn, any_picture},
+    {"scale", made_of_pixels, "png, gif, mp4 or webp"},
+    {"svg-text", [](Format format) { return format == Format::svg; }, "svg"},
+    {"handout", [](Format format) { return format == Format::pdf; }, "pdf"},
+    {"paper", [](Format format) { return format == Format::pdf; }, "pdf"},
+    {"seconds-per-step", is_film, any_film},
+    {"hold-last", is_film, any_film},
+    {"fps", [](Format format) { return format == Format::mp4; }, "mp4"},
+    {"loop", [](Format format) { return format == Format::gif || format == Format::webp; }, "gif or webp"},
+};
 
 std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   return format == Format::pdf ? pages_bytes(spec, takes, {step}) : picture_bytes(spec, takes, step, format);
@@ -45,7 +81,7 @@ void write_series(const FigureSpec& spec, Takes& takes, Format format, const std
   }
   const std::vector<StepNumber> steps = shown_steps(spec, takes);
   if (const std::string remark = cut_remark(takes.opening());
-      !remark.empty() && !spec.step && spec.steps.empty() && !quiet) {
+      !remark.empty() && !spec.chooses_steps() && !quiet) {
     note(remark);
   }
   for (const StepNumber step : steps) check_output(name_for(output, step), inputs);
@@ -59,8 +95,8 @@ void write_series(const FigureSpec& spec, Takes& takes, Format format, const std
   files.commit();
 }
 
-/// All steps as pages, or the first of them when they are too many for one file.
-std::string document(FigureSpec spec, Takes& takes, bool quiet) {
+/// All steps as pages, or the first of them when they are too many for one file. Throws UsageError.
+std::vector<StepNumber> pages_of(const FigureSpec& spec, const Takes& takes) {
   if (count_in(spec.steps) > most_pages) {
     throw UsageError(
         fmt::format("--steps: expected at most {} steps for one PDF ({{step}} in the name of -o makes one "
@@ -68,9 +104,15 @@ std::string document(FigureSpec spec, Takes& takes, bool quiet) {
                     most_pages, count_in(spec.steps)));
   }
   std::vector<StepNumber> steps = shown_steps(spec, takes);
-  if (static_cast<std::int64_t>(steps.size()) > most_pages) {
+  if (static_cast<std::int64_t>(steps.size()) > most_pages)
     steps.resize(static_cast<std::size_t>(most_pages));
-    spec.steps = {{steps.front(), steps.back()}};
+  return steps;
+}
+
+std::string document(FigureSpec spec, Takes& takes, bool quiet) {
+  const std::vector<StepNumber> steps = pages_of(spec, takes);
+  if (steps.size() < shown_steps(spec, takes).size()) {
+    spec = with_steps(spec, {{steps.front(), steps.back()}});
     if (!quiet) {
       note(fmt::format("steps {} of 0-{}: one PDF has at most {} pages; --steps A-B takes others",
                        text_of(spec.steps), takes.last(), most_pages));
@@ -81,8 +123,8 @@ std::string document(FigureSpec spec, Takes& takes, bool quiet) {
 
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   const Trace trace = shown_part(spec, takes, format);
-  const bool chosen = spec.step || !spec.steps.empty();
-  if (const std::string remark = cut_remark(trace); !chosen && !remark.empty() && !quiet) note(remark);
+  if (const std::string remark = cut_remark(trace); !spec.chooses_steps() && !remark.empty() && !quiet)
+    note(remark);
   return trace_bytes(spec, trace, format);
 }
 
@@ -95,23 +137,66 @@ std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool q
 }  // namespace
 
 void refuse_idle_flags(const Request& request, Format format) {
-  if (is_drawn(format)) return;
-  for (const char* flag : {"slots", "theme", "size"}) {
-    if (!request.has(flag)) continue;
-    throw UsageError(fmt::format("--{}: expected svg, png or pdf to draw, found {}", flag, name_of(format)));
+  for (const FlagUse& use : uses) {
+    if (!request.has(use.flag) || use.serves(format)) continue;
+    throw UsageError(fmt::format("--{}: expected {}, found {}", use.flag, use.expected, name_of(format)));
   }
 }
 
 void write_figure(FigureSpec spec, Format format, const std::string& output,
                   std::span<const std::string> inputs, bool quiet) {
-  if (!is_drawn(format)) spec.look = {}, spec.theme = &themes().front();
+  for (const FlagUse& use : uses) {
+    if (!use.serves(format)) spec.said.erase(use.flag);
+  }
   const bool series = output.find(step_mark) != std::string::npos;
   if (!series) check_output(output, inputs);
   if (output == dash) refuse_binary_in_terminal(format);
-  Takes takes(*spec.topic, spec.arguments);
+  Takes takes(*spec.topic, spec.arguments, spec.wording);
   if (series) return write_series(spec, takes, format, output, inputs, quiet);
   write_output(output, one_file(spec, takes, format, quiet));
   if (output != dash && !quiet) note(output);
+}
+
+namespace {
+
+/// --snippet; it goes to standard output, so the figure cannot. Throws UsageError.
+std::optional<SnippetKind> read_snippet(const Request& request, Format format, const std::string& output) {
+  const auto wanted = request.flags.find("snippet");
+  if (wanted == request.flags.end()) return std::nullopt;
+  const std::vector<std::string> names(std::begin(snippet_names), std::end(snippet_names));
+  const auto kind = static_cast<SnippetKind>(choose_name("--snippet", wanted->second, names));
+  const auto shown_there = snippet_formats(kind);
+  if (std::ranges::find(shown_there, name_of(format)) == shown_there.end()) {
+    throw UsageError(fmt::format("--snippet: expected {} to show in {}, found {}",
+                                 fmt::join(shown_there, ", "), names[static_cast<std::size_t>(kind)],
+                                 name_of(format)));
+  }
+  if (output == dash) throw UsageError("--snippet: expected a file after -o, found -");
+  return kind;
+}
+
+}  // namespace
+
+std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format, const std::string& output) {
+  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  const Trace& trace = takes.opening();
+  const std::string title = spec.look.title.empty() ? trace.title : spec.look.title;
+  SnippetFigure figure{std::string(name_of(format)),
+                       fmt::format("{} {}", title, trace.subtitle),
+                       spec.look.slots.contains(Slot::title),
+                       {}};
+  const auto alt = [&](const std::string& text) { return spec.caption.empty() ? text : spec.caption; };
+  const bool series = output.find(step_mark) != std::string::npos;
+  if (!series && format != Format::pdf) {
+    const bool one_step = format == Format::svg || format == Format::png;
+    figure.steps = {{output, 0, alt(one_step ? takes.figure(shown_step(spec, takes)).sentence : trace.goal)}};
+    return snippet_of(kind, figure);
+  }
+  for (const StepNumber step : series ? shown_steps(spec, takes) : pages_of(spec, takes)) {
+    const int page = format == Format::pdf ? (series ? 1 : static_cast<int>(figure.steps.size()) + 1) : 0;
+    figure.steps.push_back({name_for(output, step), page, alt(takes.figure(step).sentence)});
+  }
+  return snippet_of(kind, figure);
 }
 
 int figure(const Request& request) {
@@ -121,8 +206,11 @@ int figure(const Request& request) {
   }
   const Format format = read_format(request, output->second);
   refuse_idle_flags(request, format);
+  const auto snippet = read_snippet(request, format, output->second);
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
-  write_figure(read_spec(request, inputs.arguments), format, output->second, inputs.files, request.quiet());
+  const FigureSpec spec = read_spec(request, inputs.arguments);
+  write_figure(spec, format, output->second, inputs.files, request.quiet());
+  if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, format, output->second));
   return 0;
 }
 

@@ -1,20 +1,24 @@
 #pragma once
 // Writing what a FigureSpec describes: `gradus figure` and `gradus again` end here.
 
+#include <optional>
 #include <span>
 #include <string>
 
 #include "cli/figure_file.hpp"
+#include "text/snippet.hpp"
 
 namespace gradus::cli {
 
-/// Slots, theme and size say something about drawings only; a player has themes of its own. Throws
-/// UsageError.
+/// Refuses flags that say nothing about this format: --size of a table. Throws UsageError.
 void refuse_idle_flags(const Request& request, Format format);
 
 /// One file, or one a step when the name holds "{step}". Everything appears or nothing. Throws UsageError,
 /// WorkError.
 void write_figure(FigureSpec spec, Format format, const std::string& output,
                   std::span<const std::string> inputs, bool quiet);
+
+/// The lines that put the written files into a lecture.
+std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format, const std::string& output);
 
 }  // namespace gradus::cli

@@ -20,49 +20,9 @@ namespace gradus::cli {
 namespace {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"svg", "png", "pdf", "html", "csv", "json", "txt"};
+  static const std::vector<std::string> names{"svg", "png",  "pdf", "html", "csv", "md",
+                                              "tex", "json", "txt", "gif",  "mp4", "webp"};
   return names;
-}
-
-// --- Flags
-// -------------------------------------------------------------------------------------------------------
-
-std::set<Slot> read_slots(std::string_view text) {
-  std::vector<std::string> names;
-  for (const Slot slot : all_slots) names.emplace_back(name_of(slot));
-  std::set<Slot> slots;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    slots.insert(all_slots[choose_name("--slots", trimmed(text.substr(at, end - at)), names)]);
-    at = end + 1;
-  }
-  return slots;
-}
-
-const Theme& read_theme(std::string_view text) {
-  std::vector<std::string> names;
-  for (const Theme& theme : themes()) names.push_back(theme.name);
-  return themes()[choose_name("--theme", text, names)];
-}
-
-/// "1280x720".
-std::pair<double, double> read_size(std::string_view text) {
-  constexpr std::int64_t least = 160, most = 8192;
-  const std::string word = folded(text);
-  const std::size_t cross = word.find('x');
-  const auto side = [](std::string_view digits) -> std::optional<std::int64_t> {
-    const auto value = whole_number(digits);
-    return value && least <= *value && *value <= most ? value : std::nullopt;
-  };
-  const auto width = side(std::string_view(word).substr(0, cross));
-  const auto height =
-      cross == std::string::npos ? std::nullopt : side(std::string_view(word).substr(cross + 1));
-  if (!width || !height) {
-    throw UsageError(
-        fmt::format("--size: expected a width and a height of {} to {} pixels like 1280x720, found {}", least,
-                    most, shown(text)));
-  }
-  return {static_cast<double>(*width), static_cast<double>(*height)};
 }
 
 // --- Texts
@@ -91,6 +51,14 @@ Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, const std:
 
 }  // namespace
 
+bool is_film(Format format) {
+  return format == Format::gif || format == Format::mp4 || format == Format::webp;
+}
+
+bool is_drawn(Format format) {
+  return format == Format::svg || format == Format::png || format == Format::pdf || is_film(format);
+}
+
 std::string_view name_of(Format format) { return format_names()[static_cast<std::size_t>(format)]; }
 
 std::optional<Format> format_by_ending(std::string_view path) {
@@ -113,35 +81,6 @@ std::optional<Format> format_by_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-void apply_flags(FigureSpec& spec, const Request& request) {
-  const auto value = [&request](const char* name) -> const std::string* {
-    const auto found = request.flags.find(name);
-    return found == request.flags.end() ? nullptr : &found->second;
-  };
-  if (value("step") && value("steps"))
-    throw UsageError("--step: expected either this or --steps, found both");
-  if (const std::string* text = value("step")) {
-    spec.step = read_step(*text);
-    spec.steps.clear();
-  }
-  if (const std::string* text = value("steps")) {
-    spec.steps = read_steps(*text);
-    spec.step.reset();
-  }
-  if (const std::string* text = value("slots")) spec.look.slots = read_slots(*text);
-  if (const std::string* text = value("theme")) spec.theme = &read_theme(*text);
-  if (const std::string* text = value("size")) std::tie(spec.look.width, spec.look.height) = read_size(*text);
-}
-
-FigureSpec read_spec(const Request& request, const Arguments& arguments) {
-  FigureSpec spec;
-  spec.topic = request.topic;
-  spec.arguments = arguments;
-  spec.theme = &themes().front();
-  apply_flags(spec, request);
-  return spec;
-}
-
 Format read_format(const Request& request, const std::string& output) {
   if (const auto wanted = request.flags.find("format"); wanted != request.flags.end()) {
     return static_cast<Format>(choose_name("--format", wanted->second, format_names()));
@@ -155,45 +94,21 @@ Format read_format(const Request& request, const std::string& output) {
   return *format;
 }
 
-std::string command_of(const FigureSpec& spec) {
-  std::string line = command_of("figure", *spec.topic, spec.arguments);
-  if (spec.step) line += " --step " + text_of(*spec.step);
-  if (!spec.steps.empty()) line += " --steps " + text_of(spec.steps);
-  const Look standard;
-  if (spec.look.slots != standard.slots) {
-    std::vector<std::string_view> names;
-    for (const Slot slot : spec.look.slots) names.push_back(name_of(slot));
-    line += fmt::format(" --slots {}", fmt::join(names, ","));
-  }
-  if (spec.theme != &themes().front()) line += " --theme " + spec.theme->name;
-  if (spec.look.width != standard.width || spec.look.height != standard.height) {
-    line += fmt::format(" --size {:.0f}x{:.0f}", spec.look.width, spec.look.height);
-  }
-  return line;
-}
-
-FigureSpec at_step(FigureSpec spec, StepNumber step) {
-  spec.step = step;
-  spec.steps.clear();
-  return spec;
-}
-
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
   if (spec.step) {
     takes.check(*spec.step, "--step", text_of(*spec.step));
     return *spec.step;
   }
-  const std::vector<StepNumber> steps = spec.steps.empty()          ? std::vector{StepNumber{takes.last(), 0}}
-                                        : count_in(spec.steps) == 1 ? numbers_in(spec.steps)
-                                                                    : std::vector<StepNumber>{};
-  if (steps.empty()) {
+  if (!spec.chooses_steps()) return {takes.last(), 0};
+  if (spec.milestones || count_in(spec.steps) != 1) {
     throw UsageError(
         fmt::format("--steps: expected one step for one picture ({{step}} in the name of -o makes one "
                     "file a step), found {}",
-                    shown(text_of(spec.steps))));
+                    shown(spec.said.at("steps"))));
   }
-  takes.check(steps.front(), "--steps", text_of(spec.steps));
-  return steps.front();
+  const StepNumber step = numbers_in(spec.steps).front();
+  takes.check(step, "--steps", text_of(spec.steps));
+  return step;
 }
 
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) {
@@ -203,6 +118,7 @@ std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) 
     for (const StepNumber end : {range.first, range.last}) takes.check(end, "--steps", text_of(spec.steps));
   }
   if (!spec.steps.empty()) return numbers_in(spec.steps);
+  if (spec.milestones) return milestones_of(takes.opening());
   std::vector<StepNumber> steps;
   for (const TraceStep& step : takes.opening().steps) {
     if (step.number.fine == 0) steps.push_back(step.number);
@@ -215,12 +131,13 @@ std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step,
   const Sheet sheet = lay_out(figure, spec.look);
   const std::string steps = steps_text({step}, takes.last());
   const Colophon colophon = colophon_of(spec, *figure.trace, steps, caption_of(figure));
-  return format == Format::png ? png_of(sheet, *spec.theme, colophon) : svg_of(sheet, *spec.theme, colophon);
+  return format == Format::png ? png_of(sheet, finish_of(spec), colophon)
+                               : svg_of(sheet, finish_of(spec), colophon);
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
   const auto page = [&](std::size_t i) { return lay_out(takes.figure(steps[i]), spec.look); };
-  return pdf_of(steps.size(), page, *spec.theme,
+  return pdf_of(steps.size(), page, finish_of(spec),
                 colophon_of_many(spec, takes.opening(), steps_text(steps, takes.last())));
 }
 
@@ -228,6 +145,10 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
   switch (format) {
     case Format::csv:
       return csv_of(trace);
+    case Format::md:
+      return markdown_of(trace);
+    case Format::tex:
+      return latex_of(trace);
     case Format::json:
       return run_json(trace);
     case Format::txt:
@@ -243,6 +164,9 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
   std::vector<StepRange> ranges = spec.steps;
   if (spec.step) ranges = {{*spec.step, *spec.step}};
+  if (spec.milestones) {
+    for (const StepNumber step : milestones_of(takes.opening())) ranges.push_back({step, step});
+  }
   if (ranges.empty()) return takes.opening();
   for (const StepRange& range : ranges) {
     for (const StepNumber end : {range.first, range.last}) {
@@ -252,8 +176,8 @@ Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
   }
   const bool played = ranges.size() == 1 && ranges.front().stride == 1 && ranges.front().first.fine == 0;
   if (format == Format::html && !played) {
-    throw UsageError(
-        fmt::format("--steps: expected one range like 3-9 for a player, found {}", shown(text_of(ranges))));
+    throw UsageError(fmt::format("--steps: expected one range like 3-9 for a player, found {}",
+                                 shown(spec.said.at(spec.step ? "step" : "steps"))));
   }
   return takes.part(ranges);
 }

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
+#include "cli/figure_spec.hpp"
 #include "cli/takes.hpp"
-#include "figure/colophon.hpp"
-#include "figure/figure.hpp"
-#include "theme/theme.hpp"
 
 namespace gradus::cli {
 
-enum class Format { svg, png, pdf, html, csv, json, txt };
+enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp };
+/// Steps as pictures: all but a player and tables.
+bool is_drawn(Format format);
+bool is_film(Format format);
 std::string_view name_of(Format format);
 /// By the file name's ending; nothing for an unknown one.
 std::optional<Format> format_by_ending(std::string_view path);
@@ -23,29 +23,8 @@ std::optional<Format> format_by_content(std::string_view bytes);
 /// A figure has one page a step in PDF; more than this are not put into one file.
 inline constexpr std::int64_t most_pages = 1000;
 
-/// All that a figure's canonical command says, but the topic's arguments.
-struct FigureSpec {
-  const TopicEntry* topic = nullptr;
-  Arguments arguments;
-  std::optional<StepNumber> step;
-  std::vector<StepRange> steps;
-  Look look;
-  const Theme* theme = nullptr;
-};
-
-/// Takes --step, --steps, --slots, --theme and --size from the request; what it does not name stays. Throws
-/// UsageError.
-void apply_flags(FigureSpec& spec, const Request& request);
-FigureSpec read_spec(const Request& request, const Arguments& arguments);
 /// --format, or the ending of the output's name; SVG for standard output. Throws UsageError.
 Format read_format(const Request& request, const std::string& output);
-
-/// "gradus figure <topic> --from 0,0 --to 7,3 --step 4 --theme dark": all arguments, and what differs from
-/// the defaults of a figure.
-std::string command_of(const FigureSpec& spec);
-
-/// The spec of one step of it.
-FigureSpec at_step(FigureSpec spec, StepNumber step);
 
 /// The one step that an SVG or PNG shows: --step, else the last. Throws UsageError when there is none.
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes);

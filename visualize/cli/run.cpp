@@ -15,13 +15,13 @@ namespace gradus::cli {
 int run(const Request& request) {
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
-  const Takes takes(*request.topic, spec.arguments);
+  const Takes takes(*request.topic, spec.arguments, spec.wording);
   const bool json = request.has("json");
   const Trace trace = shown_part(spec, takes, json ? Format::json : Format::txt);
   const bool color = !json && use_color(request.color(), Stream::out);
   write_stream(Stream::out, json ? run_json(trace) : text_of(trace, color));
-  const bool chosen = spec.step || !spec.steps.empty();
-  if (const std::string remark = cut_remark(trace); !chosen && !remark.empty() && !request.quiet())
+  if (const std::string remark = cut_remark(trace);
+      !spec.chooses_steps() && !remark.empty() && !request.quiet())
     note(remark);
   return 0;
 }

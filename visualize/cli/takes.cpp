@@ -103,11 +103,16 @@ std::int64_t count_in(const std::vector<StepRange>& ranges) {
   return count;
 }
 
-Takes::Takes(const TopicEntry& topic, const Arguments& arguments)
+Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording)
     : topic_(topic),
       arguments_(arguments),
-      opening_(std::make_unique<Trace>(topic.run(arguments, {}))),
+      wording_(std::move(wording)),
+      opening_(std::make_unique<Trace>(topic.run(arguments, from(0)))),
       current_(nullptr) {}
+
+Recording Takes::from(std::int64_t first) const {
+  return {.first = std::max<std::int64_t>(first, 0), .wording = wording_};
+}
 
 void Takes::check(StepNumber number, std::string_view flag, std::string_view text) const {
   if (number.step < 0 || number.step > last()) {
@@ -115,7 +120,7 @@ void Takes::check(StepNumber number, std::string_view flag, std::string_view tex
         fmt::format("{} {}: {} has steps 0..{} for this input", flag, text, topic_.name, last()));
   }
   if (number.fine == 0 || has_step(*opening_, number)) return;
-  const Trace around = topic_.run(arguments_, {.first = number.step, .most = Recording::default_most});
+  const Trace around = topic_.run(arguments_, from(number.step));
   if (has_step(around, number)) return;
   const auto events = std::ranges::count_if(around.steps, [number](const TraceStep& step) {
     return step.number.step == number.step && step.number.fine > 0;
@@ -128,8 +133,7 @@ void Takes::check(StepNumber number, std::string_view flag, std::string_view tex
 
 void Takes::take(std::int64_t first) {
   playhead_.reset();
-  other_ = std::make_unique<Trace>(
-      topic_.run(arguments_, {.first = std::max<std::int64_t>(first, 0), .most = Recording::default_most}));
+  other_ = std::make_unique<Trace>(topic_.run(arguments_, from(first)));
   current_ = other_.get();
 }
 
@@ -163,10 +167,17 @@ Trace Takes::part(const std::vector<StepRange>& ranges) const {
     first = std::min(first, range.first.step);
     last = std::max(last, range.last.step);
   }
-  Trace trace = topic_.run(arguments_, {.first = first, .most = Recording::default_most});
-  std::erase_if(trace.steps, [&ranges](const TraceStep& step) {
-    return std::ranges::none_of(ranges, [&step](const StepRange& range) { return range.holds(step.number); });
-  });
+  Trace trace = topic_.run(arguments_, from(first));
+  const auto held = [&ranges](const TraceStep& step) {
+    return std::ranges::any_of(ranges, [&step](const StepRange& range) { return range.holds(step.number); });
+  };
+  // A test that was read in a row left out completes no other row
+  bool has_row = false;
+  for (TraceStep& step : trace.steps) {
+    if (!has_row) step.read.clear();
+    if (!step.row.empty()) has_row = held(step);
+  }
+  std::erase_if(trace.steps, [&held](const TraceStep& step) { return !held(step); });
   return trace;
 }
 

@@ -35,7 +35,7 @@ std::int64_t count_in(const std::vector<StepRange>& ranges);
 /// whether it is drawn alone or among others.
 class Takes {
  public:
-  Takes(const TopicEntry& topic, const Arguments& arguments);
+  Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording = {});
   Takes(const Takes&) = delete;
   Takes& operator=(const Takes&) = delete;
 
@@ -54,11 +54,13 @@ class Takes {
   Trace part(const std::vector<StepRange>& ranges) const;
 
  private:
+  Recording from(std::int64_t first) const;
   void record_around(StepNumber number);
   void take(std::int64_t first);
 
   const TopicEntry& topic_;
   const Arguments& arguments_;
+  Wording wording_;
   std::unique_ptr<Trace> opening_, other_;
   const Trace* current_;  ///< the one that playhead_ plays
   std::unique_ptr<Playhead> playhead_;

@@ -33,6 +33,21 @@ std::size_t index_of(const Trace& trace, StepNumber number) {
   return static_cast<std::size_t>(position(trace, number) - trace.steps.begin());
 }
 
+std::vector<StepNumber> milestones_of(const Trace& trace) {
+  std::vector<StepNumber> numbers;
+  std::vector<int> lines;
+  const TraceStep* last = nullptr;
+  for (const TraceStep& step : trace.steps) {
+    if (step.number.fine != 0) continue;
+    last = &step;
+    if (std::ranges::find(lines, step.line) != lines.end()) continue;
+    lines.push_back(step.line);
+    numbers.push_back(step.number);
+  }
+  if (last && numbers.back() != last->number) numbers.push_back(last->number);
+  return numbers;
+}
+
 StepNumber middle_step(const Trace& trace) {
   const std::size_t middle = trace.steps.size() / 2;
   for (std::size_t i = middle; i < trace.steps.size(); ++i) {

@@ -115,6 +115,10 @@ std::size_t index_of(const Trace& trace, StepNumber number);
 /// Whether this step is recorded.
 bool has_step(const Trace& trace, StepNumber number);
 
+/// The steps that together tell what can happen: the first, the first of each kind of branch (each has a
+/// source line of its own), the last. Whole steps that are recorded, ascending.
+std::vector<StepNumber> milestones_of(const Trace& trace);
+
 /// The milestone in the middle of what is recorded.
 StepNumber middle_step(const Trace& trace);
 

@@ -1,10 +1,12 @@
 #include "text/text_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "figure/metrics.hpp"
+#include "text/escape.hpp"
 
 namespace gradus {
 namespace {
@@ -105,6 +107,43 @@ std::string csv_of(const Trace& trace) {
     out += "," + csv_cell(owners[i]->sentence) + "\r\n";
   }
   return out;
+}
+
+std::string markdown_of(const Trace& trace) {
+  std::vector<const TraceStep*> owners;
+  std::string out = "|", rule = "|";
+  for (const Column& column : trace.columns) {
+    out += fmt::format(" {} |", markdown_escaped(column.name));
+    rule += column.numeric ? " --: |" : " :-- |";
+  }
+  out += "\n" + rule + "\n";
+  for (const Row& row : completed_rows(trace, owners)) {
+    out += "|";
+    for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+      out += fmt::format(" {} |", c < row.size() ? markdown_escaped(row[c]) : "");
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+std::string latex_of(const Trace& trace) {
+  std::vector<const TraceStep*> owners;
+  std::vector<std::string> alignments, heading;
+  for (const Column& column : trace.columns) {
+    alignments.emplace_back(column.numeric ? "r" : "l");
+    heading.push_back(latex_escaped(column.name));
+  }
+  std::string out = fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n{} \\\\\n\\hline\n",
+                                fmt::join(alignments, ""), fmt::join(heading, " & "));
+  for (const Row& row : completed_rows(trace, owners)) {
+    std::vector<std::string> cells;
+    for (std::size_t c = 0; c < trace.columns.size(); ++c) {
+      cells.push_back(c < row.size() ? latex_escaped(row[c]) : "");
+    }
+    out += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+  }
+  return out + "\\hline\n\\end{tabular}\n";
 }
 
 }  // namespace gradus

@@ -1,5 +1,5 @@
 #pragma once
-// A trace as plain text: the step table for terminals, CSV, and the drawing in characters.
+// A trace as plain text: the step table for terminals, spreadsheets and documents.
 
 #include <string>
 
@@ -12,5 +12,11 @@ std::string text_of(const Trace& trace, bool color);
 
 /// The table as CSV (RFC 4180): step, type, line, the columns, sentence.
 std::string csv_of(const Trace& trace);
+
+/// The decision table as a Markdown table: its columns, a row a step.
+std::string markdown_of(const Trace& trace);
+
+/// The decision table as a LaTeX tabular; needs no package.
+std::string latex_of(const Trace& trace);
 
 }  // namespace gradus

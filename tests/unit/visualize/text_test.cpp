@@ -1,0 +1,146 @@
+// Tables and snippets for documents: what is pasted must mean what the figure says.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "stories/topic.hpp"
+#include "text/escape.hpp"
+#include "text/snippet.hpp"
+#include "text/text_output.hpp"
+
+namespace gradus {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string hostile = "a_b & 50% of #1 {x} $y ~z ^2 <b> \"q\" 'r' \\end | [l](u) `c` * 1.";
+
+TEST(Escape, LatexLeavesNoSpecialCharacterBare) {
+  const std::string text = latex_escaped("a_b & 50% #1 {x} $y ~z ^2 \\end");
+  EXPECT_EQ(
+      text,
+      "a\\_b \\& 50\\% \\#1 \\{x\\} \\$y \\textasciitilde{}z \\textasciicircum{}2 \\textbackslash{}end");
+}
+
+TEST(Escape, LatexKnowsTheSignsOfFigures) {
+  EXPECT_EQ(latex_escaped("p = 2·3 − 7 ≤ −1"), "p = 2$\\cdot$3 $-$ 7 $\\le$ $-$1");
+  EXPECT_EQ(latex_escaped("(4,\u00a0−2)"), "(4,~$-$2)");
+  EXPECT_EQ(latex_escaped("Größe"), "Größe") << "letters stay: engines read UTF-8";
+}
+
+TEST(Escape, HtmlMarkupBecomesText) {
+  EXPECT_EQ(html_escaped("<b a=\"1\">&'"), "&lt;b a=&quot;1&quot;&gt;&amp;&#39;");
+  EXPECT_EQ(html_escaped(std::string("a\x01z")), "a\xef\xbf\xbdz");
+}
+
+TEST(Escape, MarkdownPutsABackslashBeforeEverythingWithAMeaning) {
+  const std::string text = markdown_escaped(hostile);
+  const std::string special = "\\`*_{}[]()#+-.!|<>~&";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ASSERT_NE(special.find(text.at(i + 1)), std::string::npos);
+      ++i;
+    } else {
+      EXPECT_EQ(special.find(text[i]), std::string::npos) << text[i] << " at " << i;
+    }
+  }
+}
+
+Trace line(std::string from, std::string to) {
+  return trace_of(*find_entry("bresenham_line"), {{"from", std::move(from)}, {"to", std::move(to)}});
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string one; std::getline(in, one);) lines.push_back(one);
+  return lines;
+}
+
+TEST(Tables, MarkdownHasARowAStepAndAsManyCellsAsColumns) {
+  const Trace trace = line("0,0", "7,3");
+  const auto lines = lines_of(markdown_of(trace));
+  ASSERT_EQ(lines.size(), 2u + 8u);
+  for (const std::string& one : lines) {
+    std::size_t bars = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) bars += one[i] == '|' && (i == 0 || one[i - 1] != '\\');
+    EXPECT_EQ(bars, trace.columns.size() + 1) << one;
+  }
+  EXPECT_EQ(lines[1], "| --: | --: | --: | --: | :-- | :-- |") << "digits to the right, words to the left";
+  EXPECT_EQ(lines[3], "| 1 | 1 | 0 | 5 | p \\> 0 | NE |");
+}
+
+TEST(Tables, LatexTabularIsBalanced) {
+  const Trace trace = line("0,0", "-7,-3");
+  const std::string text = latex_of(trace);
+  EXPECT_THAT(text, StartsWith("\\begin{tabular}{rrrrll}\n"));
+  EXPECT_THAT(text, EndsWith("\\end{tabular}\n"));
+  for (const std::string& one : lines_of(text)) {
+    if (!one.ends_with("\\\\")) continue;
+    EXPECT_EQ(std::ranges::count(one, '&'), 5) << one;
+    EXPECT_EQ(std::ranges::count(one, '$') % 2, 0) << one;
+  }
+  EXPECT_THAT(text, HasSubstr("$-$7 & $-$3"));
+  EXPECT_THAT(text, Not(HasSubstr("−"))) << "pdfLaTeX's text fonts have no such letter";
+}
+
+SnippetFigure deck(std::string ending, bool titled, std::size_t steps) {
+  SnippetFigure figure{ending, "A & B", titled, {}};
+  for (std::size_t i = 0; i < steps; ++i) {
+    const int page = ending == "pdf" ? static_cast<int>(i) + 1 : 0;
+    figure.steps.push_back({"my line." + ending, page, "p < 0 \"east\""});
+  }
+  return figure;
+}
+
+TEST(Snippets, BeamerShowsPageKOnOverlayK) {
+  const std::string text = snippet_of(SnippetKind::beamer, deck("pdf", true, 3));
+  EXPECT_THAT(text, StartsWith("\\begin{frame}[plain]\n"));
+  for (const int k : {1, 2, 3}) {
+    EXPECT_THAT(text,
+                HasSubstr("\\includegraphics<" + std::to_string(k) + ">[page=" + std::to_string(k) + ","));
+  }
+  EXPECT_THAT(snippet_of(SnippetKind::beamer, deck("pdf", true, 1)), HasSubstr("\\includegraphics[page=1,"));
+  EXPECT_THAT(snippet_of(SnippetKind::beamer, deck("png", false, 1)), HasSubstr("\\begin{frame}{A \\& B}"))
+      << "a figure without a title gets the slide's";
+}
+
+TEST(Snippets, RevealShowsOneAfterTheOtherAndEscapes) {
+  const std::string text = snippet_of(SnippetKind::reveal, deck("svg", true, 3));
+  EXPECT_THAT(text,
+              HasSubstr("<img class=\"fragment fade-out\" data-fragment-index=\"0\" src=\"my line.svg\" "
+                        "alt=\"p &lt; 0 &quot;east&quot;\">"));
+  EXPECT_THAT(text, HasSubstr("<img class=\"fragment current-visible\" data-fragment-index=\"0\""));
+  EXPECT_THAT(text, HasSubstr("<img class=\"fragment\" data-fragment-index=\"1\"")) << "the last one stays";
+  EXPECT_THAT(snippet_of(SnippetKind::reveal, deck("svg", true, 1)), Not(HasSubstr("fragment")));
+  EXPECT_THAT(snippet_of(SnippetKind::reveal, deck("html", true, 1)),
+              HasSubstr("data-src=\"my line.html#embed\""));
+}
+
+TEST(Snippets, MarkdownLinksToThePage) {
+  EXPECT_EQ(snippet_of(SnippetKind::markdown, deck("svg", true, 1)), "![p \\< 0 \"east\"](<my line.svg>)\n");
+  EXPECT_THAT(snippet_of(SnippetKind::markdown, deck("pdf", true, 2)), HasSubstr("](<my line.pdf#page=2>)"));
+}
+
+TEST(Milestones, AreTheFirstEachKindOfBranchAndTheLast) {
+  const Trace trace = line("0,0", "7,3");
+  const std::vector<StepNumber> numbers = milestones_of(trace);
+  EXPECT_EQ(numbers, (std::vector<StepNumber>{{0, 0}, {1, 0}, {2, 0}, {7, 0}})) << "start, E, NE, end";
+  std::set<int> all, shown;
+  for (const TraceStep& step : trace.steps) {
+    if (step.number.fine == 0) all.insert(step.line);
+  }
+  for (const StepNumber number : numbers) shown.insert(trace.steps[index_of(trace, number)].line);
+  EXPECT_EQ(shown, all);
+  EXPECT_EQ(milestones_of(line("3,3", "3,3")).size(), 1u);
+}
+
+}  // namespace
+}  // namespace gradus

@@ -1,0 +1,350 @@
+#include "cli/figure_spec.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numeric>
+
+#include "cli/errors.hpp"
+#include "cli/inputs.hpp"
+#include "cli/names.hpp"
+#include "figure/metrics.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::cli {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+[[noreturn]] void refuse(std::string_view flag, const std::string& expected, std::string_view found) {
+  throw UsageError(fmt::format("--{}: expected {}, found {}", flag, expected, shown(found)));
+}
+
+/// The one of these names that is meant.
+std::size_t chosen(std::string_view flag, std::string_view text, const Texts& names) {
+  return choose_name(fmt::format("--{}", flag), trimmed(text), names);
+}
+
+/// A text that figures will show: not empty, no line ends, and letters that the fonts have.
+std::string drawable(std::string_view flag, std::string_view text, Face face) {
+  const std::string_view word = trimmed(text);
+  if (word.empty()) refuse(flag, "a text", text);
+  const auto missing = missing_characters(word, face);
+  if (!missing.empty()) {
+    const std::string letter =
+        missing.front() < U' ' ? "a control character" : utf8_of({&missing.front(), 1});
+    refuse(flag,
+           fmt::format("letters that the figures' font has (not U+{:04X}, {})",
+                       static_cast<std::uint32_t>(missing.front()), letter),
+           text);
+  }
+  return std::string(word);
+}
+
+/// A decimal number of at most this many digits, in a range.
+std::optional<double> decimal(std::string_view text, double least, double most) {
+  text = trimmed(text);
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+  if (error != std::errc() || end != text.data() + text.size() || !(least <= value && value <= most))
+    return {};
+  return value;
+}
+
+// --- Which steps -------------------------------------------------------------------------------------------
+
+std::string read_step_flag(FigureSpec& spec, const std::string& text) {
+  spec.step = read_step(text);
+  spec.steps.clear();
+  spec.milestones = false;
+  spec.said.erase("steps");
+  return text_of(*spec.step);
+}
+
+std::string read_steps_flag(FigureSpec& spec, const std::string& text) {
+  spec.milestones = folded(trimmed(text)) == "auto";
+  spec.steps = spec.milestones ? std::vector<StepRange>{} : read_steps(text);
+  spec.step.reset();
+  spec.said.erase("step");
+  return spec.milestones ? "auto" : text_of(spec.steps);
+}
+
+// --- How large -------------------------------------------------------------------------------------------
+
+constexpr double least_side = 160, most_side = 8192;
+
+/// Pixels for a length: 96 an inch, as in CSS.
+std::optional<double> unit_of(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, double>, 5> units{
+      {{"", 1}, {"px", 1}, {"cm", 96 / 2.54}, {"mm", 96 / 25.4}, {"in", 96}}};
+  const auto unit = std::ranges::find(units, name, &std::pair<std::string_view, double>::first);
+  return unit == units.end() ? std::nullopt : std::optional(unit->second);
+}
+
+struct Length {
+  double pixels;
+  std::string text;
+};
+/// "1280", "12cm", "4.7in".
+std::optional<Length> length_in(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  const auto number = decimal(text.substr(0, end), 0.1, 100'000);
+  const auto unit = unit_of(text.substr(end));
+  if (!number || !unit) return std::nullopt;
+  const std::string_view name = text.substr(end) == "px" ? "" : text.substr(end);
+  return Length{*number * *unit, fmt::format("{}{}", *number, name)};
+}
+
+/// "4:3" as a slide of 720 lines (a tall one: 720 columns).
+std::optional<std::pair<double, double>> ratio_in(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto across = whole_number(text.substr(0, colon)), down = whole_number(text.substr(colon + 1));
+  if (!across || !down || *across < 1 || *down < 1 || *across > 100 || *down > 100) return std::nullopt;
+  const double ratio = static_cast<double>(*across) / static_cast<double>(*down);
+  return ratio >= 1 ? std::pair{720 * ratio, 720.0} : std::pair{720.0, 720 / ratio};
+}
+
+/// "1280x720", "12cm x 8cm": the x that has a length on either side.
+std::optional<std::pair<Length, Length>> sides_in(std::string_view text) {
+  for (std::size_t cross = text.find('x'); cross != std::string_view::npos;
+       cross = text.find('x', cross + 1)) {
+    const auto width = length_in(text.substr(0, cross)), height = length_in(text.substr(cross + 1));
+    if (width && height) return std::pair{*width, *height};
+  }
+  return std::nullopt;
+}
+
+std::string read_size(FigureSpec& spec, const std::string& text) {
+  const std::string word = folded(trimmed(text));
+  const auto ratio = ratio_in(word);
+  const auto sides = sides_in(word);
+  const std::pair size = ratio   ? *ratio
+                         : sides ? std::pair{sides->first.pixels, sides->second.pixels}
+                                 : std::pair{0.0, 0.0};
+  const auto fits = [](double side) { return least_side <= side && side <= most_side; };
+  if (!fits(size.first) || !fits(size.second)) {
+    refuse("size",
+           fmt::format(
+               "a width and a height like 1280x720 or 12cmx8cm ({} to {} pixels, 96 an inch), or a ratio "
+               "like 4:3",
+               least_side, most_side),
+           text);
+  }
+  std::tie(spec.look.width, spec.look.height) = size;
+  const std::string canonical = ratio ? word : fmt::format("{}x{}", sides->first.text, sides->second.text);
+  return canonical == "1280x720" || canonical == "16:9" ? "" : canonical;
+}
+
+std::string read_scale(FigureSpec& spec, const std::string& text) {
+  const auto value = decimal(text, 0.1, 8);
+  if (!value) refuse("scale", "a number from 0.1 to 8", text);
+  spec.scale = *value;
+  return *value == 1 ? "" : fmt::format("{}", *value);
+}
+
+// --- What of it ------------------------------------------------------------------------------------------
+
+std::string slots_text(const std::set<Slot>& slots) {
+  if (slots == Look{}.slots) return "";
+  Texts names;
+  for (const Slot slot : slots) names.emplace_back(name_of(slot));
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::string read_slots(FigureSpec& spec, const std::string& text) {
+  Texts names;
+  for (const Slot slot : all_slots) names.emplace_back(name_of(slot));
+  std::set<Slot> slots;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    slots.insert(all_slots[chosen("slots", text.substr(at, end - at), names)]);
+    at = end + 1;
+  }
+  spec.look.slots = slots;
+  return slots_text(slots);
+}
+
+std::string read_no_title(FigureSpec& spec, const std::string&) {
+  spec.look.slots.erase(Slot::title);
+  if (spec.look.slots.empty()) refuse("no-title", "another slot beside the title", "none");
+  spec.said["slots"] = slots_text(spec.look.slots);
+  return "";
+}
+
+std::string read_crop(FigureSpec& spec, const std::string&) {
+  spec.look.crop = true;
+  return "yes";
+}
+
+std::string read_layout(FigureSpec& spec, const std::string& text) {
+  spec.look.layout = static_cast<Layout>(chosen("layout", text, {"slide", "handout"}));
+  return spec.look.layout == Layout::slide ? "" : "handout";
+}
+
+std::string read_y(FigureSpec& spec, const std::string& text) {
+  const bool up = chosen("y", text, {"up", "down"}) == 0;
+  spec.look.y_up = up;
+  return up ? "up" : "down";
+}
+
+std::string read_view(FigureSpec& spec, const std::string& text) {
+  const Parameter window{"view", ParameterType::window, "", "", ""};
+  std::string cells = canonical(window, text);
+  Arguments read;
+  read.set({.name = "view", .text = cells});
+  spec.look.view = read.window("view");
+  return cells;
+}
+
+// --- Its colours -----------------------------------------------------------------------------------------
+
+std::string read_theme(FigureSpec& spec, const std::string& text) {
+  Texts names;
+  for (const Theme& theme : themes()) names.push_back(theme.name);
+  spec.theme = &themes()[chosen("theme", text, names)];
+  return spec.theme == &themes().front() ? "" : spec.theme->name;
+}
+
+std::string read_background(FigureSpec& spec, const std::string& text) {
+  const Parameter color{"background", ParameterType::color, "", "", ""};
+  spec.background = folded(trimmed(text)) == "none" ? "none" : canonical(color, text);
+  return spec.background;
+}
+
+std::string read_svg_text(FigureSpec& spec, const std::string& text) {
+  spec.svg_text = static_cast<SvgText>(chosen("svg-text", text, {"outlines", "text"}));
+  return spec.svg_text == SvgText::outlines ? "" : "text";
+}
+
+// --- In whose words --------------------------------------------------------------------------------------
+
+std::string read_title(FigureSpec& spec, const std::string& text) {
+  spec.look.title = drawable("title", text, Face::bold);
+  return spec.look.title;
+}
+
+std::string read_caption(FigureSpec& spec, const std::string& text) {
+  spec.caption = drawable("caption", text, Face::sans);
+  return spec.caption;
+}
+
+std::string read_language(FigureSpec& spec, const std::string& text) {
+  Texts codes;
+  for (const Language& language : languages()) codes.push_back(language.code());
+  const Language& language = languages()[chosen("language", text, codes)];
+  spec.wording = Wording(language, spec.wording.labels());
+  return &language == &languages().front() ? "" : language.code();
+}
+
+/// "p=d": the topic's symbol and what the reader calls it.
+SymbolLabel label_in(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) refuse("label", "a symbol and a name for it like p=d", text);
+  return {std::string(trimmed(text.substr(0, equals))),
+          drawable("label", text.substr(equals + 1), Face::bold)};
+}
+
+void apply_labels(FigureSpec& spec, const Texts& given) {
+  std::vector<SymbolLabel> labels = spec.wording.labels();
+  for (const std::string& text : given) {
+    const SymbolLabel label = label_in(text);
+    std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
+    if (label.symbol != label.text) labels.push_back(label);
+  }
+  std::ranges::sort(labels, {}, &SymbolLabel::symbol);
+  spec.wording = Wording(spec.wording.language(), std::move(labels));
+}
+
+// --- All of it -------------------------------------------------------------------------------------------
+
+/// Takes one flag's value; returns what the canonical command says of it, nothing for the default.
+struct FlagReader {
+  const char* name;
+  std::string (*read)(FigureSpec& spec, const std::string& text);
+};
+/// In the order in which the canonical command names them.
+constexpr FlagReader readers[] = {
+    {"step", read_step_flag},
+    {"steps", read_steps_flag},
+    {"slots", read_slots},
+    {"no-title", read_no_title},
+    {"theme", read_theme},
+    {"size", read_size},
+    {"layout", read_layout},
+    {"crop", read_crop},
+    {"view", read_view},
+    {"y", read_y},
+    {"background", read_background},
+    {"scale", read_scale},
+    {"svg-text", read_svg_text},
+    {"language", read_language},
+    {"title", read_title},
+    {"caption", read_caption},
+};
+
+bool is_switch(const std::string& name) { return name == "crop"; }
+
+}  // namespace
+
+void apply_flags(FigureSpec& spec, const Request& request) {
+  if (request.has("step") && request.has("steps"))
+    throw UsageError("--step: expected either this or --steps, found both");
+  for (const FlagReader& reader : readers) {
+    const auto given = request.flags.find(reader.name);
+    if (given == request.flags.end()) continue;
+    const std::string canonical = reader.read(spec, given->second);
+    spec.said.erase(reader.name);
+    if (!canonical.empty()) spec.said[reader.name] = canonical;
+  }
+  apply_labels(spec, request.labels);
+}
+
+FigureSpec read_spec(const Request& request, const Arguments& arguments) {
+  FigureSpec spec;
+  spec.topic = request.topic;
+  spec.arguments = arguments;
+  spec.theme = &themes().front();
+  apply_flags(spec, request);
+  return spec;
+}
+
+std::string command_of(const FigureSpec& spec) {
+  std::string line = command_of("figure", *spec.topic, spec.arguments);
+  for (const FlagReader& reader : readers) {
+    const auto said = spec.said.find(reader.name);
+    if (said == spec.said.end()) continue;
+    line += fmt::format(" --{}", reader.name);
+    if (!is_switch(reader.name)) line += " " + shell_quoted(said->second);
+  }
+  for (const SymbolLabel& label : spec.wording.labels()) {
+    line += " --label " + shell_quoted(fmt::format("{}={}", label.symbol, label.text));
+  }
+  return line;
+}
+
+FigureSpec at_step(FigureSpec spec, StepNumber step) {
+  const std::string canonical = read_step_flag(spec, text_of(step));
+  spec.said["step"] = canonical;
+  return spec;
+}
+
+FigureSpec with_steps(FigureSpec spec, const std::vector<StepRange>& steps) {
+  spec.said["steps"] = read_steps_flag(spec, text_of(steps));
+  return spec;
+}
+
+Finish finish_of(const FigureSpec& spec) {
+  Finish finish(*spec.theme);
+  finish.transparent = spec.background == "none";
+  finish.scale = spec.scale;
+  finish.svg_text = spec.svg_text;
+  return finish;
+}
+
+}  // namespace gradus::cli

@@ -1,0 +1,54 @@
+#pragma once
+// What a figure is to show and how: all that its canonical command says.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/takes.hpp"
+#include "figure/figure.hpp"
+#include "figure/wording.hpp"
+#include "theme/finish.hpp"
+
+namespace gradus::cli {
+
+struct FigureSpec {
+  const TopicEntry* topic = nullptr;
+  Arguments arguments;
+  std::optional<StepNumber> step;
+  std::vector<StepRange> steps;
+  bool milestones = false;  ///< --steps auto: the first step, each kind of branch once, the last
+  Look look;
+  const Theme* theme = nullptr;
+  std::string background;  ///< "#rrggbb", "none" or, for the theme's own paper, nothing
+  double scale = 1;
+  SvgText svg_text = SvgText::outlines;
+  Wording wording;
+  std::string caption;  ///< instead of the one made from the step's sentence
+  /// Canonical texts of the flags that differ from the defaults, by name: what the command will say.
+  std::map<std::string, std::string> said;
+
+  /// Whether the reader named the steps to show.
+  bool chooses_steps() const { return step || !steps.empty() || milestones; }
+};
+
+/// Takes all that the request says of how a figure looks; what it does not name stays. Throws UsageError.
+void apply_flags(FigureSpec& spec, const Request& request);
+FigureSpec read_spec(const Request& request, const Arguments& arguments);
+
+/// "gradus figure <topic> --from 0,0 --to 7,3 --step 4 --theme dark": all arguments, and what differs from
+/// the defaults of a figure.
+std::string command_of(const FigureSpec& spec);
+
+/// The spec of one step of it.
+FigureSpec at_step(FigureSpec spec, StepNumber step);
+
+/// The spec of these steps of it.
+FigureSpec with_steps(FigureSpec spec, const std::vector<StepRange>& steps);
+
+/// Colours, ground and sharpness.
+Finish finish_of(const FigureSpec& spec);
+
+}  // namespace gradus::cli
