@@ -182,7 +182,7 @@ def test_spellings_that_mean_the_same():
 def test_formats():
     line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
     starts = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "html": b"<!DOCTYPE html", "csv": b"number,type,line",
-              "json": b"{", "txt": b"Bresenham line"}
+              "json": b"{", "txt": b"Bresenham line", "md": b"| k | x | y |", "tex": b"\\begin{tabular}{rrrrll}"}
     for ending, start in starts.items():
         name = f"line.{ending}"
         result = gradus(*line, "-o", name)
@@ -226,6 +226,9 @@ def test_looks():
         equal(result.code, 0, f"{words}")
         seen.add(result.bytes)
     equal(len(seen), 9, "every look is another picture")
+    for words in (["--size", "16:9"], ["--layout", "slide"], ["--label", "p=p"], ["--language", "en"]):
+        equal(gradus(*line, *words, "-o", "-").bytes.split(b"<metadata>")[1].split(b"</metadata>")[0],
+              gradus(*line, "-o", "-").bytes.split(b"<metadata>")[1].split(b"</metadata>")[0], f"{words} changes nothing")
     equal(gradus(*line, "--theme", "light", "--size", "1280X720", "-o", "-").bytes, gradus(*line, "-o", "-").bytes,
           "what is the default is not told in the metadata")
     data = gradus(*line, "--size", "640x360", "-o", "-", "--format", "png").bytes
@@ -324,6 +327,7 @@ def test_wrong_input():
     out = ["-o", "x.svg"]
     topics = "TOPIC: expected the name of a topic (`gradus list` shows all), found "
     cell = f"expected two whole numbers from {INT32} like 3,4, found "
+    size = "--size: expected a width and a height like 1280x720 or 12cmx8cm (160 to 8192 pixels, 96 an inch), or a ratio like 4:3, found "
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
@@ -342,9 +346,9 @@ def test_wrong_input():
         (["list", "a", "b"], "list: expected at most one WORD, found 'b'"),
         (["figures", "x"], "figures: expected no words, found 'x'"),
         (["again"], "again: expected a FILE, found none (`gradus again --help` shows examples)"),
-        ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, json, txt, found 'x'"),
+        ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, found 'x'"),
         ([*line, *out, "--frm", "1,1"], re.compile(r"figure bresenham_line: expected one of --from, .*, found '--frm', did you mean '--from'\?")),
-        ([*line, *out, "--s", "1"], "expected one of --step, --steps, --slots, --size, found '--s'"),
+        ([*line, *out, "--s", "1"], "expected one of --step, --steps, --snippet, --slots, --size, --scale, --svg-text, --seconds-per-step, found '--s'"),
         ([*line, *out, "-z"], "figure: expected a known flag (`gradus figure --help` lists them), found '-z'"),
         (["list", "--json=1"], "--json: expected no value, found '1'"),
         (["list", "--only", "x"], re.compile(r"list: expected one of --json, .*, found '--only'")),
@@ -376,11 +380,33 @@ def test_wrong_input():
         # looks
         ([*line, *out, "--theme", "drak"], "--theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did you mean 'dark'?"),
         ([*line, *out, "--slots", "drawing,tables"], "--slots: expected one of title, drawing, listing, table, sentence, footer, found 'tables', did you mean 'table'?"),
-        ([*line, *out, "--size", "12x9"], "--size: expected a width and a height of 160 to 8192 pixels like 1280x720, found '12x9'"),
-        ([*line, "-o", "x.html", "--theme", "dark"], "--theme: expected svg, png or pdf to draw, found html"),
+        ([*line, *out, "--size", "12x9"], size + "'12x9'"),
+        *[([*line, *out, "--size", word], size + f"'{word}'") for word in ("foo", "12cm", "4:0", "1:99", "12cmx", "0x0", "9999x9", "1e3x1e3")],
+        ([*line, "-o", "x.html", "--size", "4:3"], "--size: expected svg, png, pdf or a film to draw, found html"),
+        ([*line, "-o", "x.csv", "--theme", "dark"], "--theme: expected svg, png, pdf, html or a film, found csv"),
+        ([*line, *out, "--scale", "2"], "--scale: expected png, gif, mp4 or webp, found svg"),
+        ([*line, "-o", "x.png", "--svg-text", "text"], "--svg-text: expected svg, found png"),
+        ([*line, "-o", "x.png", "--scale", "9"], "--scale: expected a number from 0.1 to 8, found '9'"),
+        ([*line, "-o", "x.png", "--scale", "nan"], "--scale: expected a number from 0.1 to 8, found 'nan'"),
+        ([*line, *out, "--layout", "poster"], "--layout: expected one of slide, handout, found 'poster'"),
+        ([*line, *out, "--y", "left"], "--y: expected one of up, down, found 'left'"),
+        ([*line, *out, "--view", "5,0,3,1"], "--view: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),
+        ([*line, *out, "--background", "pinkish"], re.compile(r"--background: expected a colour #rrggbb or one of .*, found 'pinkish'")),
+        ([*line, *out, "--slots", "title", "--no-title"], "--no-title: expected another slot beside the title, found 'none'"),
+        # words
+        ([*line, *out, "--label", "p"], "--label: expected a symbol and a name for it like p=d, found 'p'"),
+        ([*line, *out, "--label", "p="], "--label: expected a text, found ''"),
+        ([*line, *out, "--label", "p=\u2603"], "--label: expected letters that the figures' font has (not U+2603, \u2603), found '\u2603'"),
+        ([*line, *out, "--title", "a\nb"], "--title: expected letters that the figures' font has (not U+000A, a control character), found 'a\\nb'"),
+        ([*line, *out, "--language", "xx"], "--language: expected one of en, de, found 'xx'"),
+        # snippets
+        ([*line, *out, "--snippet", "beamer"], "--snippet: expected pdf, png to show in beamer, found svg"),
+        ([*line, "-o", "x.pdf", "--snippet", "reveal"], "--snippet: expected svg, png, html, gif, webp, mp4 to show in reveal, found pdf"),
+        ([*line, "-o", "-", "--snippet", "markdown"], "--snippet: expected a file after -o, found -"),
+        ([*line, *out, "--snippet", "word"], "--snippet: expected one of beamer, reveal, markdown, found 'word'"),
         # files
         (line, "-o: expected a file like line.svg, or - for standard output, found none"),
-        ([*line, "-o", "x.gif"], "-o: expected a name that ends in .svg, .png, .pdf, .html, .csv, .json, .txt (or --format), found 'x.gif'"),
+        ([*line, "-o", "x.bmp"], "-o: expected a name that ends in .svg, .png, .pdf, .html, .csv, .md, .tex, .json, .txt, .gif, .mp4, .webp (or --format), found 'x.bmp'"),
         ([*line, "-o", "x.csv/"], re.compile(r"-o: expected a name that ends in .*, found 'x.csv/'")),
         ([*line, "-o", "no/x.svg"], "-o: expected a folder that exists, found 'no'"),
         ([*line, "-o", "folder", "--format", "svg"], "-o: expected a file's name, found 'folder'"),

@@ -75,7 +75,7 @@ std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Form
 
 void write_series(const FigureSpec& spec, Takes& takes, Format format, const std::string& output,
                   std::span<const std::string> inputs, bool quiet) {
-  if (!is_drawn(format)) {
+  if (!is_drawn(format) || is_film(format)) {
     throw UsageError(
         fmt::format("-o: expected {} for svg, png or pdf only, found {}", step_mark, shown(output)));
   }
