@@ -75,12 +75,12 @@ Path border(const Window& w) {
 
 /// "above (3, 4)": where a neighbour lies, rows counting downwards.
 std::string place(const Wording& words, ivec2 from, ivec2 to) {
-  constexpr std::string_view names[3][3] = {{"above_left", "above", "above_right"},
-                                            {"left", "same", "right"},
-                                            {"below_left", "below", "below_right"}};
+  constexpr std::string_view keys[3][3] = {
+      {"flood_fill.place.above_left", "flood_fill.place.above", "flood_fill.place.above_right"},
+      {"flood_fill.place.left", "flood_fill.place.same", "flood_fill.place.right"},
+      {"flood_fill.place.below_left", "flood_fill.place.below", "flood_fill.place.below_right"}};
   const ivec2 way{std::clamp(to.x - from.x, -1, 1), std::clamp(to.y - from.y, -1, 1)};
-  return words.say(fmt::format("flood_fill.place.{}", names[way.y + 1][way.x + 1]),
-                   arg("pixel", figure_point(from)));
+  return words.say(keys[way.y + 1][way.x + 1], arg("pixel", figure_point(from)));
 }
 
 /// Tells the steps of all three methods. A pixel painted is a milestone, as is a span; looking is finer.
