@@ -45,14 +45,17 @@ inline Trace trace_of(std::string_view name, const std::map<std::string, std::st
 }
 
 /// One trace of every method of every topic, and the inputs that strain a figure most.
-inline std::vector<Trace> telling_traces() {
+inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   std::vector<Trace> traces;
+  const auto tell = [&](std::string_view name, const std::map<std::string, std::string>& given,
+                        std::int64_t most = Recording::default_most) {
+    traces.push_back(trace_of(name, given, {0, most, wording}));
+  };
   for (const TopicEntry* entry : catalogue()) {
-    for (const Method& method : entry->methods)
-      traces.push_back(trace_of(entry->name, {{"method", method.name}}));
+    for (const Method& method : entry->methods) tell(entry->name, {{"method", method.name}});
   }
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
-    traces.push_back(trace_of("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, {0, 200}));
+    tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };
   line("0,0", "0,0");
   line("2,5", "-3,-4");
@@ -63,20 +66,19 @@ inline std::vector<Trace> telling_traces() {
   line("-2147483648,-2147483648", "2147483647,2147483647");
   line("2147483647,-2147483648", "-2147483648,2147483646");
   line("0,0", "4,-2", "first_octant");
-  traces.push_back(trace_of("bresenham_line",
-                            {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}}));
-  traces.push_back(trace_of("bresenham_line", {{"window", "20,20,30,30"}}));
-  traces.push_back(trace_of("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}}));
+  tell("bresenham_line", {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}});
+  tell("bresenham_line", {{"window", "20,20,30,30"}});
+  tell("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}});
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
-    traces.push_back(trace_of("flood_fill", {{"method", method}, {"connectivity", "8"}}));
-    traces.push_back(trace_of("flood_fill", {{"method", method}, {"maze", "aab/#.b/.##"}, {"at", "2,1"}}));
-    traces.push_back(trace_of("flood_fill", {{"method", method}, {"at", "0,0"}}));
-    traces.push_back(trace_of("flood_fill",
-                              {{"method", method},
-                               {"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"},
-                               {"at", "300,60"},
-                               {"tolerance", "20"}},
-                              {0, 300}));
+    tell("flood_fill", {{"method", method}, {"connectivity", "8"}});
+    tell("flood_fill", {{"method", method}, {"maze", "aab/#.b/.##"}, {"at", "2,1"}});
+    tell("flood_fill", {{"method", method}, {"at", "0,0"}});
+    tell("flood_fill",
+         {{"method", method},
+          {"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"},
+          {"at", "300,60"},
+          {"tolerance", "20"}},
+         300);
   }
   return traces;
 }

@@ -9,9 +9,22 @@ import pathlib
 import struct
 import sys
 
-RANGES = [(0x20, 0x7E), (0xA0, 0x17F), (0x391, 0x3C9), (0x2010, 0x2026), (0x2032, 0x2033), (0x2070, 0x209C),
-          (0x2190, 0x21FF), (0x2200, 0x22FF), (0x2308, 0x230B), (0x25A0, 0x25FF), (0x2713, 0x2718),
-          (0x27E8, 0x27E9)]
+RANGES = [
+    (0x20, 0x7E), (0xA0, 0x24F),     # Latin
+    (0x2B0, 0x2FF),                  # modifier letters
+    (0x370, 0x3FF),                  # Greek
+    (0x400, 0x482), (0x48A, 0x52F),  # Cyrillic, without combining marks
+    (0x1E00, 0x1EFF),                # Latin with more marks: ẋ, ṗ
+    (0x2010, 0x2027), (0x2030, 0x205E),
+    (0x2070, 0x209C),                # superscripts and subscripts
+    (0x20A0, 0x20BF),                # currencies
+    (0x2100, 0x218F),                # letterlike symbols and fractions: ℝ, ℓ, ⅓
+    (0x2190, 0x21FF),                # arrows
+    (0x2200, 0x22FF),                # operators
+    (0x2300, 0x23CF),                # ⌈, ⌋
+    (0x25A0, 0x25FF), (0x2713, 0x2718),
+    (0x27C0, 0x27FF), (0x2A00, 0x2AFF),  # brackets, long arrows, more operators
+]
 FACES = ["DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSansMono.ttf",
          "DejaVuSansMono-Bold.ttf"]
 TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/font_metrics.inc"

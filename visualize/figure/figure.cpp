@@ -1,7 +1,5 @@
 #include "figure/figure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace gradus {
@@ -82,7 +80,8 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number) {
   figure.title = trace.title;
   figure.subtitle = trace.subtitle;
   figure.sentence = step.sentence;
-  figure.position = fmt::format("step {} / {}", text_of(number), trace.last);
+  figure.position =
+      trace.wording.say("figure.step", fmt::arg("number", text_of(number)), fmt::arg("last", trace.last));
   figure.phase = step.phase;
   figure.listing = listing_at(trace, index);
   figure.rows = rows_at(trace, index);
@@ -91,9 +90,11 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number) {
 
 std::string caption_of(const Figure& figure) {
   const Trace& trace = *figure.trace;
-  const std::string fault = trace.faulty.empty() ? "" : fmt::format(" (faulty: {})", trace.faulty);
-  return fmt::format("{}{}, {}, step {} of {}: {} Input: {}.", trace.title, fault, trace.method_title,
-                     text_of(figure.number), trace.last, figure.sentence, trace.subtitle);
+  return trace.wording.say(trace.faulty.empty() ? "figure.caption" : "figure.caption_faulty",
+                           fmt::arg("title", trace.title), fmt::arg("what", trace.faulty),
+                           fmt::arg("method", trace.method_title), fmt::arg("number", text_of(figure.number)),
+                           fmt::arg("last", trace.last), fmt::arg("sentence", figure.sentence),
+                           fmt::arg("input", trace.subtitle));
 }
 
 }  // namespace gradus

@@ -94,7 +94,8 @@ void lay_out_title(Pen& pen, const Figure& figure, const Box& box) {
                      Paint::of(Tone::muted)});
   if (trace.faulty.empty()) return;
   pen.text("faulty", {{box.x, baseline + 26 * s},
-                      elided("faulty: " + trace.faulty, Face::bold, text_size * s, box.width),
+                      elided(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
+                             text_size * s, box.width),
                       Face::bold,
                       text_size * s,
                       Align::left,
@@ -226,11 +227,11 @@ void lay_out_row(Pen& pen, const Figure& figure, const Figure::TableRow& row, co
                                                        : (changed ? Face::bold : Face::sans);
     const std::string text = elided(row.cells[c], face, size, width - 6 * s);
     const double baseline = at.y + 24 * s, centre = x + width / 2;
-    pen.text(fmt::format("cell {} {}", index, figure.trace->columns[c].name),
+    pen.text(fmt::format("cell {} {}", index, figure.trace->columns[c].id),
              {{centre, baseline}, text, face, size, Align::centre, Paint::of(Tone::ink), false, ground});
     if (!changed) continue;
     const double half = text_width(text, face, size) / 2 + 2 * s;
-    pen.line(fmt::format("changed {}", figure.trace->columns[c].name),
+    pen.line(fmt::format("changed {}", figure.trace->columns[c].id),
              {{{centre - half, at.bottom() - 3 * s}, {centre + half, at.bottom() - 3 * s}},
               Paint::of(Tone::accent),
               2.5 * s,
@@ -253,7 +254,7 @@ void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int room) {
                               Hatch::none,
                               {}});
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    pen.text("heading " + trace.columns[c].name,
+    pen.text("heading " + trace.columns[c].id,
              {{columns[c].first + columns[c].second / 2, box.y + 26 * s},
               elided(trace.columns[c].name, Face::bold, size, columns[c].second - 4 * s),
               Face::bold,

@@ -500,7 +500,9 @@ class DrawingLayout {
       texts_.push_back(shape.box());
       pen_.text(std::move(id), std::move(shape));
     };
-    line("overview size", whole.y + 20 * s_, fmt::format("whole: {} × {}", all.width(), all.height()));
+    line(
+        "overview size", whole.y + 20 * s_,
+        trace_.wording.say("figure.whole", fmt::arg("width", all.width()), fmt::arg("height", all.height())));
     line("overview columns", whole.y + 48 * s_,
          fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
                      figure_number(view.upper.x)));

@@ -1,5 +1,7 @@
 #include "figure/metrics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -94,6 +96,27 @@ std::vector<char32_t> missing_characters(std::string_view text, Face face) {
     if (advance_of(character, face) == 0) missing.push_back(character);
   }
   return missing;
+}
+
+std::optional<MissingGlyph> missing_glyph(std::string_view text, Face face) {
+  const std::vector<char32_t> missing = missing_characters(text, face);
+  if (missing.empty()) return std::nullopt;
+  return MissingGlyph{std::string(text), missing.front()};
+}
+
+std::optional<MissingGlyph> missing_glyph(const Sheet& sheet) {
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text) continue;
+    if (auto missing = missing_glyph(text->text, text->face)) return missing;
+  }
+  return std::nullopt;
+}
+
+std::string explained(const MissingGlyph& missing) {
+  if (missing.character == U'\xfffd') return "it is not UTF-8";
+  return fmt::format("the figures' fonts have no glyph for U+{:04X}",
+                     static_cast<std::uint32_t>(missing.character));
 }
 
 std::string elided(std::string_view text, Face face, double size, double width) {

@@ -1,6 +1,8 @@
 #pragma once
 // Widths of texts in the DejaVu fonts, from a table: the layout needs no font library.
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +16,19 @@ double text_width(std::string_view text, Face face, double size);
 
 /// The characters of a text that the face can't draw.
 std::vector<char32_t> missing_characters(std::string_view text, Face face);
+
+/// A character that its face can't draw: it would be a box.
+struct MissingGlyph {
+  std::string text;  ///< the whole text that holds it
+  char32_t character;
+};
+/// The first one of a text; nothing when all can be drawn. Sans, bold and italic can draw the same
+/// characters.
+std::optional<MissingGlyph> missing_glyph(std::string_view text, Face face);
+/// The first one of a whole figure.
+std::optional<MissingGlyph> missing_glyph(const Sheet& sheet);
+/// "the figures' fonts have no glyph for U+4E2D": what to say after the text.
+std::string explained(const MissingGlyph& missing);
 
 /// The text, shortened with "…" in the middle if it is wider than `width`.
 std::string elided(std::string_view text, Face face, double size, double width);

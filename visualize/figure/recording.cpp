@@ -1,5 +1,7 @@
 #include "figure/recording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace gradus {
@@ -9,6 +11,11 @@ void widen(std::vector<std::string>& widest, const Row& row) {
   for (std::size_t c = 0; c < std::min(widest.size(), row.size()); ++c) {
     if (row[c].size() > widest[c].size()) widest[c] = row[c];
   }
+}
+
+std::string heading(const Trace& trace, const Column& column) {
+  const std::string key = fmt::format("{}.column.{}", trace.topic, column.id);
+  return trace.wording.language().has(key) ? trace.wording.say(key) : trace.wording.symbol(column.id);
 }
 
 }  // namespace
@@ -26,6 +33,9 @@ bool TraceWriter::keep(StepNumber number, const Delta& delta) {
 
 Trace TraceWriter::finish() && {
   trace_.last = next_ - 1;
+  for (Column& column : trace_.columns) {
+    if (column.name.empty()) column.name = heading(trace_, column);
+  }
   trace_.widest.assign(trace_.columns.size(), "");
   for (const TraceStep& step : trace_.steps) {
     widen(trace_.widest, step.read);

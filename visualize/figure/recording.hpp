@@ -27,6 +27,7 @@ class TraceWriter {
     trace_.wording = recording_.wording;
   }
   Trace& trace() { return trace_; }
+  const Wording& wording() const { return trace_.wording; }
 
   /// A milestone: the next whole number. `describe(TraceStep&)` fills in sentence, fields, row …, and is only
   /// called when the step is kept; the delta is always needed.
@@ -48,7 +49,8 @@ class TraceWriter {
   /// The number of the last milestone so far.
   std::int64_t current() const { return next_ - 1; }
 
-  /// Ends the run: its last step is the last milestone told.
+  /// Ends the run: its last step is the last milestone told. Columns without a name get the catalogue's
+  /// "<topic>.column.<id>"; where there is no such text, the id is a symbol.
   Trace finish() &&;
 
  private:

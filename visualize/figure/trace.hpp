@@ -57,10 +57,12 @@ struct TraceStep {
   ivec2 focus;  ///< the cell that a view which cannot show all should follow
 };
 
-/// A column of the decision table: the variable's name as in the source.
+/// A column of the decision table.
 struct Column {
-  std::string name;
+  std::string id;       ///< the same in every wording, for programs: the variable's name as in the source
   bool numeric = true;  ///< right-aligned digits; else centred text
+  std::string name =
+      {};  ///< what the reader sees; empty until the trace is finished: see TraceWriter::finish
 };
 
 /// One shown line of an algorithm's real source.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
 
 namespace gradus {
@@ -16,15 +17,33 @@ std::string_view stripped(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// Whether brackets round this make it a symbol: p, dx, x′, but not "0, 1".
+bool is_symbol(std::string_view name) {
+  const auto in_name = [](char c) {
+    const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+    const bool of_another_script = static_cast<unsigned char>(c) >= 0x80;
+    return letter || of_another_script || ('0' <= c && c <= '9') || c == '_' || c == '\'';
+  };
+  return !name.empty() && std::ranges::all_of(name, in_name) && !('0' <= name[0] && name[0] <= '9');
+}
+
 /// Calls see(text before, symbol) for every [symbol] of a template; returns the text behind the last one.
 template <class See>
 std::string_view split_at_symbols(std::string_view text, See see) {
-  while (true) {
-    const std::size_t open = text.find('['), close = text.find(']', open);
+  for (std::size_t from = 0;;) {
+    const std::size_t open = text.find('[', from), close = text.find(']', open);
     if (open == std::string_view::npos || close == std::string_view::npos) return text;
-    see(text.substr(0, open), text.substr(open + 1, close - open - 1));
+    const std::string_view name = text.substr(open + 1, close - open - 1);
+    from = open + 1;
+    if (!is_symbol(name)) continue;
+    see(text.substr(0, open), name);
     text.remove_prefix(close + 1);
+    from = 0;
   }
+}
+
+void add_new(std::vector<std::string>& names, std::string_view name) {
+  if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
 }
 
 /// A label's braces stand for themselves.
@@ -81,22 +100,48 @@ std::string Wording::symbol(std::string_view name) const {
   return found == labels_.end() ? std::string(name) : found->text;
 }
 
-std::string Wording::with_symbols(std::string_view key) const {
+std::string Wording::filled(std::string_view key, fmt::format_args values) const {
   std::string text;
   const std::string_view rest =
       split_at_symbols(language_->text(key), [&](std::string_view before, std::string_view name) {
         text += before;
         text += without_places(symbol(name));
       });
-  return text.append(rest);
+  text += rest;
+  try {
+    return fmt::vformat(text, values);
+  } catch (const fmt::format_error& error) {
+    throw std::logic_error(fmt::format("language {}, text {}: {}", language_->code(), key, error.what()));
+  }
 }
 
 std::vector<std::string> symbols_in(std::string_view text) {
   std::vector<std::string> names;
-  split_at_symbols(text, [&names](std::string_view, std::string_view name) {
-    if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
-  });
+  split_at_symbols(text, [&names](std::string_view, std::string_view name) { add_new(names, name); });
   return names;
+}
+
+std::vector<std::string> values_in(std::string_view text) {
+  std::vector<std::string> names;
+  for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{')) {
+    text.remove_prefix(open + 1);
+    if (text.starts_with('{')) {  // a brace that stands for itself
+      text.remove_prefix(1);
+    } else {
+      add_new(names, text.substr(0, text.find_first_of(":}")));
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> topic_symbols(std::string_view topic) {
+  const Language::Texts& texts = languages().front().texts();
+  const std::string section = std::string(topic) + ".";
+  std::set<std::string> names;
+  for (auto at = texts.lower_bound(section); at != texts.end() && at->first.starts_with(section); ++at) {
+    for (std::string& name : symbols_in(at->second)) names.insert(std::move(name));
+  }
+  return {names.begin(), names.end()};
 }
 
 }  // namespace gradus

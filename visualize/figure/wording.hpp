@@ -6,9 +6,10 @@
 //   [bresenham_line]
 //   started = Start at {from}; [p] = {p}.
 //
-// {name} is replaced by a value; [p] is a symbol, shown as itself unless the reader has a label for it. The
-// key of that text is "bresenham_line.started". Every language has the same keys, and in each text the same
-// values (a test compares them).
+// {name} is replaced by a value; [p] is a symbol, shown as itself unless the reader has a label for it: a
+// name in brackets; other brackets, as in [0, 1], stand for themselves. The key of that text is
+// "bresenham_line.started". Every language has the same keys, and in each text the same values and symbols
+// (a test compares them). docs/adding_a_language.md tells more.
 
 #include <fmt/format.h>
 
@@ -22,6 +23,8 @@ namespace gradus {
 
 class Language {
  public:
+  using Texts = std::map<std::string, std::string, std::less<>>;  ///< by key
+
   /// Reads a catalogue. Throws std::logic_error naming the line that is wrong.
   Language(std::string code, std::string_view catalogue);
 
@@ -29,11 +32,12 @@ class Language {
   const std::string& name() const { return text("language"); }  ///< "English", in the language itself
   /// The template of this key. Throws std::logic_error when there is none: keys stand in our own code.
   const std::string& text(std::string_view key) const;
-  const std::map<std::string, std::string, std::less<>>& texts() const { return texts_; }
+  bool has(std::string_view key) const { return texts_.contains(key); }
+  const Texts& texts() const { return texts_; }
 
  private:
   std::string code_;
-  std::map<std::string, std::string, std::less<>> texts_;
+  Texts texts_;
 };
 
 /// All languages, English first.
@@ -60,10 +64,12 @@ class Wording {
   /// What the reader calls this symbol.
   std::string symbol(std::string_view name) const;
 
-  /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")).
+  /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
+  /// labels are taken as they are, whatever they hold. Throws std::logic_error for a key that there is not or
+  /// a text that asks for another value.
   template <class... Values>
   std::string say(std::string_view key, const Values&... values) const {
-    return fmt::vformat(with_symbols(key), fmt::make_format_args(values...));
+    return filled(key, fmt::make_format_args(values...));
   }
   /// The same for a count: the key is "<key>.one" for 1 and "<key>.many" for all others; the value is {n}.
   template <class... Values>
@@ -72,8 +78,7 @@ class Wording {
   }
 
  private:
-  /// The template with its [symbols] replaced.
-  std::string with_symbols(std::string_view key) const;
+  std::string filled(std::string_view key, fmt::format_args values) const;
 
   const Language* language_;
   std::vector<SymbolLabel> labels_;
@@ -81,5 +86,11 @@ class Wording {
 
 /// The symbols that a template names, in the order of their first use.
 std::vector<std::string> symbols_in(std::string_view text);
+/// The values that a template asks for, likewise.
+std::vector<std::string> values_in(std::string_view text);
+
+/// All symbols of a topic, sorted: those that the texts of its section name. A text "symbols" there lists
+/// those that only drawing or table show.
+std::vector<std::string> topic_symbols(std::string_view topic);
 
 }  // namespace gradus

@@ -8,6 +8,7 @@
 
 #include "core/geometry.hpp"
 #include "figure/number_text.hpp"
+#include "stories/topic.hpp"
 
 namespace gradus {
 
@@ -35,6 +36,15 @@ inline std::string pixel_key(ivec2 p) { return fmt::format("{},{}", p.x, p.y); }
 inline std::string_view compass(ivec2 move) {
   constexpr std::string_view names[3][3] = {{"SW", "S", "SE"}, {"W", "", "E"}, {"NW", "N", "NE"}};
   return names[move.y + 1][move.x + 1];
+}
+/// What the reader calls that move.
+inline std::string move_name(const Wording& wording, ivec2 move) { return wording.symbol(compass(move)); }
+
+/// A method with its texts from the English catalogue: "<topic>.method.<name>" and "<topic>.note.<name>".
+inline Method method_in_english(std::string_view topic, std::string name, Standing standing) {
+  const Wording english;
+  return {name, english.say(fmt::format("{}.method.{}", topic, name)), standing,
+          english.say(fmt::format("{}.note.{}", topic, name))};
 }
 
 }  // namespace gradus

@@ -65,7 +65,9 @@ std::string text_of(const Trace& trace, bool color) {
   const auto bold = [color](const std::string& text) { return color ? "\033[1m" + text + "\033[0m" : text; };
   const auto dim = [color](const std::string& text) { return color ? "\033[2m" + text + "\033[0m" : text; };
   std::string out = fmt::format("{} {} · {}\n", bold(trace.title), trace.subtitle, trace.method_title);
-  if (!trace.faulty.empty()) out += fmt::format("faulty: {}\n", trace.faulty);
+  if (!trace.faulty.empty()) {
+    out += trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)) + "\n";
+  }
 
   std::vector<const TraceStep*> owners;
   const std::vector<Row> rows = completed_rows(trace, owners);
@@ -97,7 +99,7 @@ std::string csv_of(const Trace& trace) {
   std::vector<const TraceStep*> owners;
   const std::vector<Row> rows = completed_rows(trace, owners);
   std::string out = "number,type,line";
-  for (const Column& column : trace.columns) out += "," + csv_cell(column.name);
+  for (const Column& column : trace.columns) out += "," + csv_cell(column.id);
   out += ",sentence\r\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out += fmt::format("{},{},{}", text_of(owners[i]->number), csv_cell(owners[i]->type), owners[i]->line);

@@ -10,7 +10,8 @@ namespace gradus {
 /// Title, the step table (number, columns, sentence) and the result. `color`: ANSI emphasis.
 std::string text_of(const Trace& trace, bool color);
 
-/// The table as CSV (RFC 4180): step, type, line, the columns, sentence.
+/// The table as CSV (RFC 4180): step, type, line, the columns, sentence. The headings are the same in every
+/// wording: programs read them.
 std::string csv_of(const Trace& trace);
 
 /// The decision table as a Markdown table: its columns, a row a step.

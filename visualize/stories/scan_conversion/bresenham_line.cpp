@@ -14,6 +14,8 @@
 namespace gradus::bresenham_line {
 namespace {
 
+using fmt::arg;
+
 constexpr std::string_view folder = "algorithms/scan_conversion/bresenham_line/";
 
 /// Up to this many pixels a run is watched from its start; the exact methods jump into longer ones.
@@ -66,22 +68,30 @@ Window scene_of(const Line& line) {
   return cells;
 }
 
-std::string ideal_name(const Line& line) {
-  if (line.size.dx == 0) return "both ends";
-  if (line.from.x == line.to.x) return fmt::format("ideal line x = {}", figure_number(line.from.x));
-  if (line.from.y == line.to.y) return fmt::format("ideal line y = {}", figure_number(line.from.y));
+std::string ideal_name(const Wording& words, const Line& line) {
+  if (line.size.dx == 0) return words.say("bresenham_line.ideal.point");
+  if (line.from.x == line.to.x) {
+    return words.say("bresenham_line.ideal.vertical", arg("x", figure_number(line.from.x)));
+  }
+  if (line.from.y == line.to.y) {
+    return words.say("bresenham_line.ideal.horizontal", arg("y", figure_number(line.from.y)));
+  }
   const std::int64_t dy = std::int64_t{line.to.y} - line.from.y, dx = std::int64_t{line.to.x} - line.from.x;
   const std::string sign = (dy < 0) != (dx < 0) ? "−" : "";
   const std::int64_t common = std::gcd(dy, dx), a = std::abs(dy / common), b = std::abs(dx / common);
-  const std::string slope = b == 1 ? (a == 1 ? "x" : fmt::format("{}x", a))
-                                   : (a == 1 ? fmt::format("x/{}", b) : fmt::format("{}x/{}", a, b));
-  if (line.from == ivec2{0, 0}) return fmt::format("ideal line y = {}{}", sign, slope);
-  return fmt::format("ideal line, slope {}{}", sign,
-                     b == 1 ? fmt::format("{}", a) : fmt::format("{}/{}", a, b));
+  if (line.from == ivec2{0, 0}) {
+    const std::string x = a == 1 ? words.symbol("x") : fmt::format("{}{}", a, words.symbol("x"));
+    return words.say("bresenham_line.ideal.through_origin",
+                     arg("slope", sign + (b == 1 ? x : fmt::format("{}/{}", x, b))));
+  }
+  return words.say("bresenham_line.ideal.sloped", arg("slope", sign + figure_fraction(a, b)));
 }
 
 /// What stands unchanged behind all steps.
 void set_scene(Trace& trace, const Line& line) {
+  const Wording& words = trace.wording;
+  trace.grid.x_name = words.symbol("x");
+  trace.grid.y_name = words.symbol("y");
   trace.grid.cells = line.window ? *line.window : scene_of(line);
   trace.grid.y_up = true;
   if (line.size.dx > 0) {
@@ -90,19 +100,22 @@ void set_scene(Trace& trace, const Line& line) {
   trace.backdrop.push_back({"from", Role::input, Dot{centre(line.from)}});
   trace.backdrop.push_back({"to", Role::input, Dot{centre(line.to)}});
   if (line.size.dx > 0) {
-    trace.backdrop.push_back(
-        {"ideal line name", Role::boundary, Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(line)}});
+    trace.backdrop.push_back({"ideal line name", Role::boundary,
+                              Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(words, line)}});
   }
-  trace.legend = {{Role::past, "drawn before"},        {Role::current, "chosen now"},
-                  {Role::candidate, "compared"},       {Role::rejected, "rejected"},
-                  {Role::result, "the line's pixels"}, {Role::measure, "distance to the line"}};
+  trace.legend = {{Role::past, words.say("bresenham_line.legend.past")},
+                  {Role::current, words.say("bresenham_line.legend.current")},
+                  {Role::candidate, words.say("bresenham_line.legend.candidate")},
+                  {Role::rejected, words.say("bresenham_line.legend.rejected")},
+                  {Role::result, words.say("bresenham_line.legend.result")},
+                  {Role::measure, words.say("bresenham_line.legend.error")}};
 }
 
 /// Tells the steps of the integer methods: the taught one, the jump into a window, the notes' listings.
 class DecisionTeller {
  public:
   DecisionTeller(TraceWriter& writer, const Line& line, bool faulty)
-      : writer_(writer), line_(line), faulty_(faulty) {
+      : writer_(writer), words_(writer.wording()), line_(line), faulty_(faulty) {
     writer.trace().columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}};
   }
 
@@ -115,12 +128,13 @@ class DecisionTeller {
     current_ = s.from;
     writer_.step(std::move(delta), s.from, source_line, [&](TraceStep& step) {
       step.type = "Started";
-      step.phase = "set up";
+      step.phase = words_.say("words.set_up");
       step.key = pixel_key(s.from);
       step.fields = {{"from", s.from}, {"to", s.to}, {"dx", s.dx}, {"dy", s.dy}, {"p", s.p}};
-      step.sentence = fmt::format("Start at {}. The line covers dx = {} and dy = {}, so p = 2·{} − {} = {}.",
-                                  figure_point(s.from), figure_number(s.dx), figure_number(s.dy),
-                                  figure_factor(s.dy), figure_factor(s.dx), figure_number(s.p));
+      step.sentence = words_.say("bresenham_line.started", arg("from", figure_point(s.from)),
+                                 arg("dx", figure_number(s.dx)), arg("dy", figure_number(s.dy)),
+                                 arg("dx_factor", figure_factor(s.dx)), arg("dy_factor", figure_factor(s.dy)),
+                                 arg("p", figure_number(s.p)));
       step.row = row();
     });
     writer_.trace().pixels.push_back(s.from);
@@ -142,11 +156,11 @@ class DecisionTeller {
     writer_.skip_to(step_of(line_, j.shown.first));
     writer_.step(std::move(delta), j.pixel, source_line, [&](TraceStep& step) {
       step.type = "Jumped";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(j.pixel);
       step.fields = {{"pixel", j.pixel}, {"p", j.p}};
-      step.sentence = fmt::format("Pixel {} of the line is {}, found without drawing those before; p = {}.",
-                                  j.shown.first, figure_point(j.pixel), figure_number(j.p));
+      step.sentence = words_.say("bresenham_line.jumped", arg("k", j.shown.first),
+                                 arg("pixel", figure_point(j.pixel)), arg("p", figure_number(j.p)));
       step.row = row();
     });
     writer_.trace().pixels.push_back(j.pixel);
@@ -159,18 +173,18 @@ class DecisionTeller {
     const dvec2 diagonal = centre(c.pixel) + centre(c.moves.diagonal);
     for (const dvec2 at : {straight, diagonal}) candidate(delta, at);
     delta.set.push_back({"midpoint", Role::candidate, Dot{0.5 * (straight + diagonal), true}});
-    delta.set.push_back({"midpoint name", Role::candidate, Label{0.5 * (straight + diagonal), "midpoint"}});
-    delta.set.push_back(
-        {"straight name", Role::candidate, Label{straight, std::string(compass(c.moves.straight))}});
-    delta.set.push_back(
-        {"diagonal name", Role::candidate, Label{diagonal, std::string(compass(c.moves.diagonal))}});
+    delta.set.push_back({"midpoint name", Role::candidate,
+                         Label{0.5 * (straight + diagonal), words_.say("bresenham_line.midpoint")}});
+    delta.set.push_back({"straight name", Role::candidate, Label{straight, named(c.moves.straight)}});
+    delta.set.push_back({"diagonal name", Role::candidate, Label{diagonal, named(c.moves.diagonal)}});
     writer_.fine(std::move(delta), c.pixel, source_line, [&](TraceStep& step) {
       step.type = "Compared";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(c.pixel);
       step.fields = {{"pixel", c.pixel}, {"p", c.p}, {"straight", c.straight}};
-      step.sentence = fmt::format("{} or {} next? {}: {}.", compass(c.moves.straight),
-                                  compass(c.moves.diagonal), test_text(), reason());
+      step.sentence =
+          words_.say("bresenham_line.compared", arg("straight", named(c.moves.straight)),
+                     arg("diagonal", named(c.moves.diagonal)), arg("test", test()), arg("reason", reason()));
       step.read = read_row();
     });
   }
@@ -184,7 +198,8 @@ class DecisionTeller {
     reject(delta, s.from, other);
     delta.cells.push_back({s.pixel, CellLook{Role::current, ""}});
     delta.set.push_back(
-        {"chosen name", Role::current, Label{centre(s.pixel), fmt::format("{} chosen", compass(taken))}});
+        {"chosen name", Role::current,
+         Label{centre(s.pixel), words_.say("bresenham_line.chosen", arg("step", named(taken)))}});
     ++k_;
     measure(delta, s.pixel);
     current_ = s.pixel;
@@ -192,15 +207,16 @@ class DecisionTeller {
     p_ = s.p;
     writer_.step(std::move(delta), s.pixel, source_line, [&](TraceStep& step) {
       step.type = "Stepped";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(s.pixel);
       step.fields = {{"from", s.from},
                      {"pixel", s.pixel},
                      {"p_before", s.p_before},
                      {"p", s.p},
                      {"straight", s.straight}};
-      step.sentence = fmt::format("{}: {}, so step {} to {}; p = {}.", test_text(), reason(), compass(taken),
-                                  figure_point(s.pixel), update_text(s));
+      step.sentence = words_.say("bresenham_line.stepped", arg("test", test()), arg("reason", reason()),
+                                 arg("step", named(taken)), arg("pixel", figure_point(s.pixel)),
+                                 arg("update", update(s)));
       step.read = read;
       step.row = row();
     });
@@ -213,18 +229,10 @@ class DecisionTeller {
     for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     writer_.fine(std::move(delta), pixel_, source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = "result";
+      step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
-      step.sentence =
-          f.pixels == 0 ? "The line misses the window: nothing is drawn, and nothing was walked."
-          : faulty_
-              ? fmt::format(
-                    "The listing ends with {} pixels, the last one at {}; the line should end "
-                    "at {}.",
-                    f.pixels, figure_point(pixel_), figure_point(line_.to))
-              : fmt::format("Done: {} pixel{} from {} to {}, each at most 1/2 away from the line.", f.pixels,
-                            f.pixels == 1 ? "" : "s", figure_point(line_.from), figure_point(line_.to));
+      step.sentence = ending(f.pixels);
     });
   }
 
@@ -234,30 +242,38 @@ class DecisionTeller {
   }
   Row read_row() const {
     Row completed = row();
-    completed[4] = compared_.p < 0 ? "p < 0" : compared_.p > 0 ? "p > 0" : "p = 0";
-    completed[5] = compass(compared_.straight ? compared_.moves.straight : compared_.moves.diagonal);
+    completed[4] = words_.say("bresenham_line.sign." + sign());
+    completed[5] = named(compared_.straight ? compared_.moves.straight : compared_.moves.diagonal);
     return completed;
   }
 
-  std::string test_text() const {
-    return fmt::format("p = {}{}", figure_number(compared_.p),
-                       compared_.p < 0   ? " < 0"
-                       : compared_.p > 0 ? " > 0"
-                                         : "");
+  std::string named(ivec2 move) const { return move_name(words_, move); }
+  std::string sign() const { return compared_.p < 0 ? "negative" : compared_.p > 0 ? "positive" : "zero"; }
+  std::string test() const {
+    return words_.say("bresenham_line.test." + sign(), arg("p", figure_number(compared_.p)));
   }
   std::string reason() const {
     if (compared_.p == 0) {
       const bool tall = compared_.moves.straight.x == 0;
-      return fmt::format("the line meets the midpoint, and a tie goes to the smaller {}", tall ? "x" : "y");
+      return words_.say(tall ? "bresenham_line.reason.smaller_x" : "bresenham_line.reason.smaller_y");
     }
-    return fmt::format("the line passes on {}'s side of the midpoint",
-                       compass(compared_.p < 0 ? compared_.moves.straight : compared_.moves.diagonal));
+    const ivec2 side = compared_.p < 0 ? compared_.moves.straight : compared_.moves.diagonal;
+    return words_.say("bresenham_line.reason.side", arg("step", named(side)));
   }
-  std::string update_text(const Stepped& s) const {
+  std::string update(const Stepped& s) const {
     const std::string before = figure_number(s.p_before), after = figure_number(s.p);
     if (s.straight) return fmt::format("{} + 2·{} = {}", before, figure_factor(size_.dy), after);
     return fmt::format("{} + 2·({} − {}) = {}", before, figure_number(size_.dy), figure_number(size_.dx),
                        after);
+  }
+  std::string ending(std::int64_t pixels) const {
+    if (pixels == 0) return words_.say("bresenham_line.missed");
+    const std::string to = figure_point(line_.to);
+    if (faulty_) {
+      return words_.count("bresenham_line.went_wrong", pixels, arg("last", figure_point(pixel_)),
+                          arg("to", to));
+    }
+    return words_.count("bresenham_line.done", pixels, arg("from", figure_point(line_.from)), arg("to", to));
   }
 
   /// Takes away what the last step pointed at.
@@ -283,8 +299,8 @@ class DecisionTeller {
     if (!on_grid(at)) return;
     pointed_.push_back(from + move);
     delta.cells.push_back({from + move, CellLook{Role::rejected, ""}});
-    delta.set.push_back(
-        {"rejected name", Role::rejected, Label{at, fmt::format("{} rejected", compass(move))}});
+    delta.set.push_back({"rejected name", Role::rejected,
+                         Label{at, words_.say("bresenham_line.rejected", arg("step", named(move)))}});
   }
   /// The distance from the pixel's centre to the exact line, along the axis that does not lead.
   void measure(Delta& delta, ivec2 pixel) {
@@ -293,11 +309,13 @@ class DecisionTeller {
     if (miss == 0) return;
     const dvec2 ideal = ideal_at(line_, k_);
     delta.set.push_back({"error", Role::measure, Stroke{centre(pixel), ideal}});
-    delta.set.push_back({"error name", Role::measure,
-                         Label{0.5 * (centre(pixel) + ideal), "error " + figure_fraction(miss, size_.dx)}});
+    const std::string name =
+        words_.say("bresenham_line.error", arg("error", figure_fraction(miss, size_.dx)));
+    delta.set.push_back({"error name", Role::measure, Label{0.5 * (centre(pixel) + ideal), name}});
   }
 
   TraceWriter& writer_;
+  const Wording& words_;
   Line line_;
   bool faulty_;
   Extent size_{};
@@ -313,13 +331,14 @@ std::string scalar_text(float value) { return fmt::format("{}", value); }
 /// Tells the steps of the digital differential analyser.
 class AnalyserTeller {
  public:
-  AnalyserTeller(TraceWriter& writer, const Line& line) : writer_(writer), line_(line) {
-    writer.trace().columns = {{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right?", false}};
-    writer.trace().legend = {{Role::past, "drawn before"},
-                             {Role::current, "chosen now"},
-                             {Role::accepted, "right pixel"},
-                             {Role::result, "the line's pixels"},
-                             {Role::measure, "the sum as a float"}};
+  AnalyserTeller(TraceWriter& writer, const Line& line)
+      : writer_(writer), words_(writer.wording()), line_(line) {
+    writer.trace().columns = {{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right", false}};
+    writer.trace().legend = {{Role::past, words_.say("bresenham_line.legend.past")},
+                             {Role::current, words_.say("bresenham_line.legend.current")},
+                             {Role::accepted, words_.say("bresenham_line.legend.accepted")},
+                             {Role::result, words_.say("bresenham_line.legend.result")},
+                             {Role::measure, words_.say("bresenham_line.legend.sum")}};
   }
   /// Number of the first pixel that is not the nearest one.
   std::optional<std::int64_t> first_wrong() const { return first_wrong_; }
@@ -330,12 +349,12 @@ class AnalyserTeller {
     current_ = d.from;
     writer_.step(std::move(delta), d.from, source_line, [&](TraceStep& step) {
       step.type = "Divided";
-      step.phase = "set up";
+      step.phase = words_.say("words.set_up");
       step.key = pixel_key(d.from);
       step.fields = {{"from", d.from}, {"to", d.to}, {"dx", d.dx}, {"dy", d.dy}, {"slope", double{d.slope}}};
-      step.sentence =
-          fmt::format("The slope is divided once: {}/{} is {} as a float.", d.dy, d.dx, scalar_text(d.slope));
-      step.row = {"0", "0", "0", figure_number(d.from.x), figure_number(d.from.y), "yes"};
+      step.sentence = words_.say("bresenham_line.divided", arg("dy", d.dy), arg("dx", d.dx),
+                                 arg("slope", scalar_text(d.slope)));
+      step.row = {"0", "0", "0", figure_number(d.from.x), figure_number(d.from.y), words_.say("words.yes")};
     });
     writer_.trace().pixels.push_back(d.from);
     slope_ = d.slope;
@@ -345,11 +364,11 @@ class AnalyserTeller {
     Delta delta = cleared();
     writer_.fine(std::move(delta), current_, source_line, [&](TraceStep& step) {
       step.type = "Added";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(current_);
       step.fields = {{"k", a.k}, {"before", double{a.before}}, {"offset", double{a.offset}}};
-      step.sentence = fmt::format("Add the slope: {} + {} is {} as a float.", scalar_text(a.before),
-                                  scalar_text(slope_), scalar_text(a.offset));
+      step.sentence = words_.say("bresenham_line.added", arg("before", scalar_text(a.before)),
+                                 arg("slope", scalar_text(slope_)), arg("offset", scalar_text(a.offset)));
     });
   }
   void operator()(const Rounded<float>& r, int source_line = __builtin_LINE(), const char* = nullptr) {
@@ -360,24 +379,27 @@ class AnalyserTeller {
     delta.cells.push_back({current_, CellLook{Role::past, ""}});
     if (wrong) {
       delta.cells.push_back({right, CellLook{Role::accepted, ""}});
-      delta.set.push_back({"right name", Role::accepted, Label{centre(right), "right pixel"}});
+      delta.set.push_back(
+          {"right name", Role::accepted, Label{centre(right), words_.say("bresenham_line.right_pixel")}});
       pointed_.push_back(right);
     }
     delta.cells.push_back({r.pixel, CellLook{Role::current, ""}});
     delta.set.push_back({"offset", Role::measure, Dot{offset_place(r), false}});
-    delta.set.push_back(
-        {"offset name", Role::measure, Label{offset_place(r), "offset " + scalar_text(r.offset)}});
+    const std::string sum = words_.say("bresenham_line.offset", arg("offset", scalar_text(r.offset)));
+    delta.set.push_back({"offset name", Role::measure, Label{offset_place(r), sum}});
     current_ = r.pixel;
     writer_.step(std::move(delta), r.pixel, source_line, [&](TraceStep& step) {
       step.type = "Rounded";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(r.pixel);
       step.fields = {{"k", r.k}, {"offset", double{r.offset}}, {"row", r.row}, {"pixel", r.pixel}};
-      step.sentence = fmt::format("{} + {} is {} as a float, nearest to {}, so plot {}{}.",
-                                  scalar_text(added_.before), scalar_text(slope_), scalar_text(r.offset),
-                                  r.row, figure_point(r.pixel), wrong ? correction(right, r) : std::string());
-      step.row = {figure_number(r.k),       scalar_text(r.offset),    figure_number(r.row),
-                  figure_number(r.pixel.x), figure_number(r.pixel.y), wrong ? "no" : "yes"};
+      step.sentence = words_.say("bresenham_line.rounded." + verdict(right, r),
+                                 arg("before", scalar_text(added_.before)), arg("slope", scalar_text(slope_)),
+                                 arg("offset", scalar_text(r.offset)), arg("row", r.row),
+                                 arg("pixel", figure_point(r.pixel)), arg("right", figure_point(right)));
+      step.row = {figure_number(r.k),       scalar_text(r.offset),
+                  figure_number(r.row),     figure_number(r.pixel.x),
+                  figure_number(r.pixel.y), words_.say(wrong ? "words.no" : "words.yes")};
     });
     writer_.trace().pixels.push_back(r.pixel);
   }
@@ -386,22 +408,20 @@ class AnalyserTeller {
     for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     writer_.fine(std::move(delta), current_, source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = "result";
+      step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
-      step.sentence =
-          first_wrong_
-              ? fmt::format("{} pixels; the first wrong one is number {}.", f.pixels, *first_wrong_)
-              : fmt::format("{} pixels, all of them the nearest ones: this line is short enough.", f.pixels);
+      step.sentence = first_wrong_ ? words_.say("bresenham_line.drifted", arg("pixels", f.pixels),
+                                                arg("k", *first_wrong_))
+                                   : words_.count("bresenham_line.all_right", f.pixels);
     });
   }
 
  private:
-  /// What exact arithmetic would have done instead.
-  std::string correction(ivec2 right, const Rounded<float>& r) const {
-    const bool tie = miss_times_dx(line_, right, r.k) == miss_times_dx(line_, r.pixel, r.k);
-    return tie ? fmt::format("; the exact line passes midway, and a tie goes to {}", figure_point(right))
-               : fmt::format("; the exact line is nearer to {}", figure_point(right));
+  /// What exact arithmetic says of the pixel that was taken: "right", a "tie" or "wrong".
+  std::string verdict(ivec2 right, const Rounded<float>& r) const {
+    if (right == r.pixel) return "right";
+    return miss_times_dx(line_, right, r.k) == miss_times_dx(line_, r.pixel, r.k) ? "tie" : "wrong";
   }
   dvec2 offset_place(const Rounded<float>& r) const {
     const dvec2 aside = centre(line_.go.diagonal) - centre(line_.go.straight);
@@ -417,6 +437,7 @@ class AnalyserTeller {
   }
 
   TraceWriter& writer_;
+  const Wording& words_;
   Line line_;
   float slope_ = 0;
   Added<float> added_{};
@@ -428,20 +449,20 @@ class AnalyserTeller {
 /// Tells the runs of the batch method.
 class RunTeller {
  public:
-  RunTeller(TraceWriter& writer, const Line& line) : writer_(writer), line_(line) {
-    writer.trace().columns = {{"run"}, {"x"}, {"y"}, {"count"}, {"pixels so far"}};
+  RunTeller(TraceWriter& writer, const Line& line) : writer_(writer), words_(writer.wording()), line_(line) {
+    writer.trace().columns = {{"run"}, {"x"}, {"y"}, {"count"}, {"pixels_so_far"}};
   }
 
   void operator()(const RunsStarted& s, int source_line = __builtin_LINE(), const char* = nullptr) {
     writer_.step({}, s.from, source_line, [&](TraceStep& step) {
       step.type = "RunsStarted";
-      step.phase = "set up";
+      step.phase = words_.say("words.set_up");
       step.key = pixel_key(s.from);
       step.fields = {{"from", s.from}, {"to", s.to}, {"dx", s.dx}, {"dy", s.dy}, {"shortest", s.shortest}};
-      step.sentence = s.dy == 0
-                          ? fmt::format("dy = 0: the line is a single run of {} pixels.", s.dx + 1)
-                          : fmt::format("{} / {} is {} and a rest of {}, so inner runs have {} or {} pixels.",
-                                        s.dx, s.dy, s.shortest, s.dx % s.dy, s.shortest, s.shortest + 1);
+      step.sentence = s.dy == 0 ? words_.count("bresenham_line.single_run", s.dx + 1)
+                                : words_.say("bresenham_line.run_lengths", arg("dx", s.dx), arg("dy", s.dy),
+                                             arg("shortest", s.shortest), arg("longer", s.shortest + 1),
+                                             arg("rest", s.dx % s.dy));
     });
   }
   void operator()(const RunEmitted& r, int source_line = __builtin_LINE(), const char* = nullptr) {
@@ -458,16 +479,13 @@ class RunTeller {
     ++runs_;
     writer_.step(std::move(delta), r.start, source_line, [&](TraceStep& step) {
       step.type = "RunEmitted";
-      step.phase = "main loop";
+      step.phase = words_.say("words.main_loop");
       step.key = pixel_key(r.start);
       step.fields = {{"start", r.start}, {"count", r.count}};
-      step.sentence =
-          fmt::format("Run {} starts at {} and has {} pixel{}; the next one starts {} of its end.", runs_,
-                      figure_point(r.start), r.count, r.count == 1 ? "" : "s", compass(r.moves.diagonal));
-      if (total_ == line_.size.dx + 1) {
-        step.sentence = fmt::format("Run {} starts at {} and has {} pixel{}; it ends the line.", runs_,
-                                    figure_point(r.start), r.count, r.count == 1 ? "" : "s");
-      }
+      const bool last = total_ == line_.size.dx + 1;
+      step.sentence = words_.count(last ? "bresenham_line.last_run" : "bresenham_line.inner_run", r.count,
+                                   arg("run", runs_), arg("start", figure_point(r.start)),
+                                   arg("step", move_name(words_, r.moves.diagonal)));
       step.row = {figure_number(runs_), figure_number(r.start.x), figure_number(r.start.y),
                   figure_number(r.count), figure_number(total_)};
     });
@@ -477,32 +495,30 @@ class RunTeller {
     for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     writer_.fine(std::move(delta), line_.to, source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = "result";
+      step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
-      step.sentence = fmt::format("Done: {} pixel{} in {} run{}, the very pixels of the decision parameter.",
-                                  f.pixels, f.pixels == 1 ? "" : "s", runs_, runs_ == 1 ? "" : "s");
+      step.sentence = words_.count("bresenham_line.runs_done", f.pixels,
+                                   arg("in_runs", words_.count("bresenham_line.in_runs", runs_)));
     });
   }
 
  private:
   TraceWriter& writer_;
+  const Wording& words_;
   Line line_;
   std::int64_t total_ = 0, runs_ = 0;
   std::vector<ivec2> current_;
 };
 
 const std::vector<Method>& all_methods() {
-  static const std::vector<Method> methods{
-      {"decision_parameter", "decision parameter", Standing::taught, "integers only; the textbook's"},
-      {"run_length", "run lengths", Standing::fast, "a whole run of pixels at a time; the same pixels"},
-      {"dda", "digital differential analyser, float", Standing::plain,
-       "adds a rounded slope again and again; long lines drift"},
-      {"first_octant", "first octant only", Standing::faulty,
-       "slopes outside 0 to 1 are not handled: the line ends elsewhere"},
-      {"swapped_ends", "ends swapped, 32 bits", Standing::faulty,
-       "starts at the wrong end, p overflows on long lines, a tie depends on the direction"},
+  const auto method = [](std::string name, Standing standing) {
+    return method_in_english("bresenham_line", std::move(name), standing);
   };
+  static const std::vector<Method> methods{
+      method("decision_parameter", Standing::taught), method("run_length", Standing::fast),
+      method("dda", Standing::plain), method("first_octant", Standing::faulty),
+      method("swapped_ends", Standing::faulty)};
   return methods;
 }
 
@@ -538,7 +554,9 @@ void tell_decision(TraceWriter& writer, const Line& line, const Recording& recor
     decision_parameter(line.from, line.to, [](ivec2) {}, teller);
     return;
   }
-  writer.trace().method_title += line.window ? ", in a window" : ", jumped to the part shown";
+  writer.trace().method_title =
+      writer.wording().say(line.window ? "bresenham_line.in_window" : "bresenham_line.jumped_to_part",
+                           arg("method", writer.trace().method_title));
   if (line.shown.last < line.shown.first) {
     in_window(line.from, line.to, *line.window, [](ivec2) {}, teller);
     return;
@@ -553,12 +571,14 @@ void tell_decision(TraceWriter& writer, const Line& line, const Recording& recor
 
 void describe(Trace& trace, const Line& line, const Method& method, const Arguments& arguments) {
   trace.topic = "bresenham_line";
-  trace.title = "Bresenham line";
-  trace.subtitle = fmt::format("{} to {}", figure_point(line.from), figure_point(line.to));
+  const Wording& words = trace.wording;
+  trace.title = words.say("bresenham_line.title");
+  trace.subtitle = words.say("bresenham_line.subtitle", arg("from", figure_point(line.from)),
+                             arg("to", figure_point(line.to)));
   trace.method = method.name;
-  trace.method_title = method.title;
-  if (method.standing == Standing::faulty) trace.faulty = method.note;
-  trace.goal = "Draw the pixels nearest to a straight line, with integer additions only.";
+  trace.method_title = words.say("bresenham_line.method." + method.name);
+  if (method.standing == Standing::faulty) trace.faulty = words.say("bresenham_line.note." + method.name);
+  trace.goal = words.say("bresenham_line.goal");
   for (const Arguments::Entry& entry : arguments.entries()) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
@@ -588,8 +608,7 @@ Trace run(const Arguments& arguments, Recording recording) {
     dda<float>(line.from, line.to, drop, teller);
     first_wrong = teller.first_wrong();
     if (first_wrong) {
-      writer.trace().faulty =
-          fmt::format("the rounded slope adds up; pixel {} is the first wrong one", *first_wrong);
+      writer.trace().faulty = writer.wording().say("bresenham_line.drift", arg("k", *first_wrong));
     }
   } else if (method.name == "run_length") {
     require_whole(line, method.name);
@@ -619,7 +638,7 @@ const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
   static const TopicEntry topic{
       .name = "bresenham_line",
-      .title = "Bresenham line",
+      .title = Wording().say("bresenham_line.title"),
       .chapter = "scan_conversion",
       .aliases = {"line", "line drawing", "midpoint line", "dda"},
       .summary = "the pixels nearest to a straight line, with integer additions only",

@@ -11,6 +11,8 @@
 namespace gradus::flood_fill {
 namespace {
 
+using fmt::arg;
+
 constexpr std::string_view source = "algorithms/scan_conversion/flood_fill/flood_fill.hpp";
 
 /// A small maze with a corner to turn, a dead end and a diagonal gap: 4- and 8-connected fills differ.
@@ -71,19 +73,14 @@ Path border(const Window& w) {
   return {{{left, top}, {right, top}, {right, bottom}, {left, bottom}}, true};
 }
 
-std::string_view what_waits(std::string_view method) {
-  if (method == "depth_first") return "path";
-  if (method == "breadth_first") return "queue";
-  return "stack";
-}
-
-/// "down from": where a neighbour lies, rows counting downwards.
-std::string_view side(ivec2 from, ivec2 to) {
-  constexpr std::string_view names[3][3] = {{"above left of", "above", "above right of"},
-                                            {"left of", "at", "right of"},
-                                            {"below left of", "below", "below right of"}};
+/// "above (3, 4)": where a neighbour lies, rows counting downwards.
+std::string place(const Wording& words, ivec2 from, ivec2 to) {
+  constexpr std::string_view keys[3][3] = {
+      {"flood_fill.place.above_left", "flood_fill.place.above", "flood_fill.place.above_right"},
+      {"flood_fill.place.left", "flood_fill.place.same", "flood_fill.place.right"},
+      {"flood_fill.place.below_left", "flood_fill.place.below", "flood_fill.place.below_right"}};
   const ivec2 way{std::clamp(to.x - from.x, -1, 1), std::clamp(to.y - from.y, -1, 1)};
-  return names[way.y + 1][way.x + 1];
+  return words.say(keys[way.y + 1][way.x + 1], arg("pixel", figure_point(from)));
 }
 
 /// Tells the steps of all three methods. A pixel painted is a milestone, as is a span; looking is finer.
@@ -91,8 +88,8 @@ class FillTeller {
  public:
   FillTeller(TraceWriter& writer, const Subject& subject, std::string_view method,
              std::optional<Window> window)
-      : writer_(writer), subject_(subject), waits_(what_waits(method)), window_(window) {
-    const std::string waiting(waits_);
+      : writer_(writer), words_(writer.wording()), subject_(subject), method_(method), window_(window) {
+    const std::string waiting = method == "depth_first" ? "path" : "queue";
     writer.trace().columns = {{"n"}, {"column"}, {"row"}, {"from", false}, {waiting}, {"painted"}};
     if (method == "span") {
       writer.trace().columns = {{"n"}, {"row"}, {"left"}, {"right"}, {"pixels"}, {"painted"}};
@@ -103,20 +100,19 @@ class FillTeller {
     Delta delta = subject_.is_maze ? maze_cells(subject_.maze) : Delta{};
     if (window_) delta.set.push_back({"window", Role::measure, border(*window_)});
     delta.set.push_back({"seed", Role::input, Dot{{s.seed.x, s.seed.y}}});
-    delta.set.push_back({"seed name", Role::input, Label{{s.seed.x, s.seed.y}, "seed"}});
+    delta.set.push_back(
+        {"seed name", Role::input, Label{{s.seed.x, s.seed.y}, words_.say("flood_fill.seed")}});
     focus_ = s.seed;
     writer_.step(std::move(delta), s.seed, line, [&](TraceStep& step) {
       step.type = "Started";
-      step.phase = "set up";
+      step.phase = words_.say("words.set_up");
       step.key = pixel_key(s.seed);
       step.fields = {{"seed", s.seed},
                      {"connectivity", std::int64_t{static_cast<int>(s.connectivity)}},
                      {"inside", s.inside}};
-      step.sentence =
-          s.inside
-              ? fmt::format("Start at the seed {}: fill all that is {}-connected to it and looks the same.",
-                            figure_point(s.seed), static_cast<int>(s.connectivity))
-              : fmt::format("The seed {} need not be painted: there is nothing to do.", figure_point(s.seed));
+      step.sentence = words_.say(s.inside ? "flood_fill.started" : "flood_fill.nothing_to_do",
+                                 arg("seed", figure_point(s.seed)),
+                                 arg("connectivity", static_cast<int>(s.connectivity)));
     });
   }
 
@@ -129,18 +125,17 @@ class FillTeller {
     note(p.pixel);
     writer_.step(std::move(delta), p.pixel, line, [&](TraceStep& step) {
       step.type = "Painted";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key(p.pixel);
       step.fields = {{"from", p.from}, {"pixel", p.pixel}, {"waiting", std::int64_t(p.waiting)}};
-      step.sentence = p.from == p.pixel ? fmt::format("The seed {} is free, so paint it; the {} holds {}.",
-                                                      figure_point(p.pixel), waits_, p.waiting)
-                                        : fmt::format("{} is free and {} {}, so paint it; the {} holds {}.",
-                                                      figure_point(p.pixel), side(p.from, p.pixel),
-                                                      figure_point(p.from), waits_, p.waiting);
+      const bool seed = p.from == p.pixel;
+      step.sentence = words_.say(
+          seed ? "flood_fill.painted.seed" : "flood_fill.painted.next", arg("pixel", figure_point(p.pixel)),
+          arg("place", place(words_, p.from, p.pixel)), arg("holds", holds(p.waiting)));
       step.row = {figure_number(painted_),
                   figure_number(p.pixel.x),
                   figure_number(p.pixel.y),
-                  p.from == p.pixel ? "seed" : figure_point(p.from),
+                  seed ? words_.say("flood_fill.seed") : figure_point(p.from),
                   figure_number(std::int64_t(p.waiting)),
                   figure_number(painted_)};
     });
@@ -151,11 +146,12 @@ class FillTeller {
     point_at(delta, e.pixel, e.inside);
     writer_.fine(std::move(delta), e.from, line, [&](TraceStep& step) {
       step.type = "Examined";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key(e.pixel);
       step.fields = {{"from", e.from}, {"pixel", e.pixel}, {"inside", e.inside}};
-      step.sentence = fmt::format("{}, {} {}, is {}.", figure_point(e.pixel), side(e.from, e.pixel),
-                                  figure_point(e.from), e.inside ? "free" : why_not(e.pixel));
+      step.sentence =
+          words_.say("flood_fill.examined." + (e.inside ? "free" : why_not(e.pixel)),
+                     arg("pixel", figure_point(e.pixel)), arg("place", place(words_, e.from, e.pixel)));
     });
   }
 
@@ -165,11 +161,11 @@ class FillTeller {
     if (current_ == r.pixel) current_.reset();
     writer_.fine(std::move(delta), r.pixel, line, [&](TraceStep& step) {
       step.type = "Retreated";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key(r.pixel);
       step.fields = {{"pixel", r.pixel}, {"waiting", std::int64_t(r.waiting)}};
-      step.sentence = fmt::format("{} has no free neighbour left, so go back; the path holds {}.",
-                                  figure_point(r.pixel), r.waiting);
+      step.sentence = words_.say("flood_fill.retreated", arg("pixel", figure_point(r.pixel)),
+                                 arg("holds", holds(r.waiting)));
     });
   }
 
@@ -181,11 +177,11 @@ class FillTeller {
     current_waits_ = false;
     writer_.fine(std::move(delta), d.pixel, line, [&](TraceStep& step) {
       step.type = "Dequeued";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key(d.pixel);
       step.fields = {{"pixel", d.pixel}, {"waiting", std::int64_t(d.waiting)}};
-      step.sentence = fmt::format("{} has waited longest: take it out and look round it; {} wait{}.",
-                                  figure_point(d.pixel), d.waiting, d.waiting == 1 ? "s" : "");
+      step.sentence = words_.count("flood_fill.dequeued", static_cast<std::int64_t>(d.waiting),
+                                   arg("pixel", figure_point(d.pixel)));
     });
   }
 
@@ -204,15 +200,15 @@ class FillTeller {
     focus_ = s.found;
     writer_.step(std::move(delta), s.found, line, [&](TraceStep& step) {
       step.type = "SpanFilled";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key(s.found);
       step.fields = {{"row", std::int64_t{s.span.row}},
                      {"left", std::int64_t{s.span.left}},
                      {"right", std::int64_t{s.span.right}},
                      {"found", s.found}};
-      step.sentence = fmt::format(
-          "{} is free: grow it to the left and to the right, and paint row {} from column {} to {}.",
-          figure_point(s.found), s.span.row, s.span.left, s.span.right);
+      step.sentence =
+          words_.say("flood_fill.span_filled", arg("found", figure_point(s.found)), arg("row", s.span.row),
+                     arg("left", s.span.left), arg("right", s.span.right));
       step.row = {figure_number(spans_),       figure_number(s.span.row),      figure_number(s.span.left),
                   figure_number(s.span.right), figure_number(s.span.length()), figure_number(painted_)};
     });
@@ -223,11 +219,12 @@ class FillTeller {
     arrow(delta, "waiting span", Role::candidate, s.span);
     writer_.fine(std::move(delta), {s.span.left, s.span.row}, line, [&](TraceStep& step) {
       step.type = "SpanQueued";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key({s.span.left, s.span.row});
       step.fields = span_fields(s.span, s.waiting);
-      step.sentence = fmt::format("Remember to look at row {} beside columns {} to {}; the stack holds {}.",
-                                  s.span.row + s.span.way, s.span.left, s.span.right, s.waiting);
+      step.sentence =
+          words_.say("flood_fill.span_queued", arg("row", s.span.row + s.span.way), arg("left", s.span.left),
+                     arg("right", s.span.right), arg("holds", holds(s.waiting)));
     });
   }
 
@@ -239,11 +236,12 @@ class FillTeller {
     taken_ = true;
     writer_.fine(std::move(delta), {s.span.left, s.span.row}, line, [&](TraceStep& step) {
       step.type = "SpanTaken";
-      step.phase = "filling";
+      step.phase = words_.say("flood_fill.filling");
       step.key = pixel_key({s.span.left, s.span.row});
       step.fields = span_fields(s.span, s.waiting);
-      step.sentence = fmt::format("Take the span on top and look along row {} from column {} to {}; {} left.",
-                                  s.span.row + s.span.way, s.span.left, s.span.right, s.waiting);
+      step.sentence = words_.count("flood_fill.span_taken", static_cast<std::int64_t>(s.waiting),
+                                   arg("row", s.span.row + s.span.way), arg("left", s.span.left),
+                                   arg("right", s.span.right));
     });
   }
 
@@ -255,14 +253,15 @@ class FillTeller {
     }
     writer_.fine(std::move(delta), focus_, line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = "result";
+      step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"painted", f.filled.painted},
                      {"peak_waiting", std::int64_t(f.filled.peak_waiting)},
                      {"peak_bytes", std::int64_t(f.filled.peak_bytes)}};
-      step.sentence = fmt::format(
-          "Nothing waits any more: {} pixel{} painted; the {} held {} at most, {} bytes.", f.filled.painted,
-          f.filled.painted == 1 ? "" : "s", waits_, f.filled.peak_waiting, f.filled.peak_bytes);
+      step.sentence = words_.count(
+          "flood_fill.finished", f.filled.painted,
+          arg("held", words_.say("flood_fill.held." + method_, arg("most", f.filled.peak_waiting))),
+          arg("bytes", f.filled.peak_bytes));
     });
   }
 
@@ -295,10 +294,13 @@ class FillTeller {
     current_waits_ = true;
   }
 
-  std::string_view why_not(ivec2 p) const {
-    if (!on_grid(p)) return "outside the picture";
-    if (subject_.is_maze && subject_.maze[p] == wall) return "a wall";
-    return "painted already or of another colour";
+  /// What holds the pixels that wait, and how many.
+  std::string holds(std::size_t waiting) const {
+    return words_.say("flood_fill.holds." + method_, arg("waiting", waiting));
+  }
+  std::string why_not(ivec2 p) const {
+    if (!on_grid(p)) return "outside";
+    return subject_.is_maze && subject_.maze[p] == wall ? "wall" : "other";
   }
 
   /// Shows what was looked at without changing how its cell looks.
@@ -330,8 +332,9 @@ class FillTeller {
   }
 
   TraceWriter& writer_;
+  const Wording& words_;
   const Subject& subject_;
-  std::string_view waits_;
+  std::string method_;
   std::optional<Window> window_;
   std::int64_t painted_ = 0, spans_ = 0;
   ivec2 focus_{0, 0};
@@ -347,11 +350,9 @@ Connectivity connectivity_of(const Arguments& arguments) {
 
 const std::vector<gradus::Method>& all_methods() {
   static const std::vector<gradus::Method> methods{
-      {"depth_first", "depth first, own stack", Standing::taught,
-       "goes on from every painted pixel; long paths"},
-      {"breadth_first", "breadth first, queue", Standing::plain, "in waves round the seed"},
-      {"span", "spans", Standing::fast, "a whole run of a row at a time; little memory"},
-  };
+      method_in_english("flood_fill", "depth_first", Standing::taught),
+      method_in_english("flood_fill", "breadth_first", Standing::plain),
+      method_in_english("flood_fill", "span", Standing::fast)};
   return methods;
 }
 
@@ -359,13 +360,16 @@ void describe(Trace& trace, const Subject& subject, const Arguments& arguments) 
   const std::string& method = arguments.text("method");
   const ivec2 seed = arguments.cell("at");
   trace.topic = "flood_fill";
-  trace.title = "Flood fill";
-  trace.subtitle = fmt::format("{} × {} {}, seed {}", subject.image.width(), subject.image.height(),
-                               subject.is_maze ? "maze" : "image", figure_point(seed));
+  const Wording& words = trace.wording;
+  trace.title = words.say("flood_fill.title");
+  trace.subtitle = words.say(subject.is_maze ? "flood_fill.subtitle.maze" : "flood_fill.subtitle.image",
+                             arg("width", subject.image.width()), arg("height", subject.image.height()),
+                             arg("seed", figure_point(seed)));
   trace.method = method;
-  const auto found = std::ranges::find(all_methods(), method, &gradus::Method::name);
-  trace.method_title = fmt::format("{}, {}-connected", found->title, arguments.text("connectivity"));
-  trace.goal = "Paint everything that is connected to a seed and looks like it.";
+  trace.method_title =
+      words.say("flood_fill.connected", arg("method", words.say("flood_fill.method." + method)),
+                arg("connectivity", arguments.text("connectivity")));
+  trace.goal = words.say("flood_fill.goal");
   for (const Arguments::Entry& entry : arguments.entries()) {
     if (!entry.hash.empty()) trace.input_hash = entry.hash;
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
@@ -374,20 +378,17 @@ void describe(Trace& trace, const Subject& subject, const Arguments& arguments) 
   trace.listing = listing_of(source_text(source), method);
   trace.grid.cells = subject.image.window();
   trace.grid.y_up = false;
-  trace.grid.x_name = "column";
-  trace.grid.y_name = "row";
+  trace.grid.x_name = words.say("flood_fill.column.column");
+  trace.grid.y_name = words.say("flood_fill.column.row");
   if (!subject.is_maze) trace.grid.picture = subject.image;
-  trace.legend = {{Role::current, "now"},
-                  {Role::candidate,
-                   method == "span"
-                       ? "row to look at"
-                       : fmt::format("{} the {}", method == "depth_first" ? "on" : "in", what_waits(method))},
-                  {Role::past, "done"},
-                  {Role::accepted, "free"},
-                  {Role::rejected, "not free"},
-                  {Role::result, "painted"},
-                  {Role::boundary, "wall"},
-                  {Role::measure, "window"}};
+  trace.legend = {{Role::current, words.say("flood_fill.legend.current")},
+                  {Role::candidate, words.say("flood_fill.legend.candidate." + method)},
+                  {Role::past, words.say("flood_fill.legend.past")},
+                  {Role::accepted, words.say("flood_fill.legend.accepted")},
+                  {Role::rejected, words.say("flood_fill.legend.rejected")},
+                  {Role::result, words.say("flood_fill.legend.result")},
+                  {Role::boundary, words.say("flood_fill.legend.boundary")},
+                  {Role::measure, words.say("flood_fill.legend.measure")}};
 }
 
 gradus::flood_fill::Method method_of(const Arguments& arguments) {
@@ -480,7 +481,7 @@ const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
   static const TopicEntry topic{
       .name = "flood_fill",
-      .title = "Flood fill",
+      .title = Wording().say("flood_fill.title"),
       .chapter = "scan_conversion",
       .aliases = {"fill", "bucket fill", "seed fill", "paint bucket"},
       .summary = "paint everything that is connected to a seed",

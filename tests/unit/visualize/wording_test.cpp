@@ -1,0 +1,499 @@
+// Languages say the same, labels stand wherever a symbol does and nowhere else, and nothing is drawn as a
+// box.
+
+#include "figure/wording.hpp"
+
+#include <fmt/args.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "figure/layout.hpp"
+#include "support/example_traces.hpp"
+#include "support/seed.hpp"
+#include "text/text_output.hpp"
+
+namespace gradus {
+namespace {
+
+using Names = std::set<std::string>;
+
+Names set_of(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
+
+const Language& language(std::string_view code) {
+  const Language* found = find_language(code);
+  if (!found) throw std::invalid_argument("no language of that code");
+  return *found;
+}
+
+Wording labelled(std::vector<SymbolLabel> labels, std::string_view code = "en") {
+  return Wording(language(code), std::move(labels));
+}
+
+// --- Catalogues -------------------------------------------------------------------------------------------
+
+TEST(Language, ReadsSectionsKeysAndComments) {
+  const Language read("xx",
+                      "# a comment\nlanguage = Xish\r\n\n[a]\none =  1 = [p] \n[b]\none = {n}\ntwo.x = ü\n");
+  EXPECT_EQ(read.code(), "xx");
+  EXPECT_EQ(read.name(), "Xish");
+  EXPECT_EQ(read.text("a.one"), "1 = [p]");
+  EXPECT_EQ(read.text("b.two.x"), "ü");
+  EXPECT_EQ(read.texts().size(), 4u);
+  EXPECT_TRUE(read.has("b.one"));
+  EXPECT_FALSE(read.has("b"));
+  EXPECT_THROW(read.text("b.three"), std::logic_error);
+}
+
+TEST(Language, SaysWhichLineIsWrong) {
+  const auto message = [](std::string_view catalogue) {
+    try {
+      Language("xx", catalogue);
+    } catch (const std::logic_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message("language = X\n[a]\nno text\n").find("line 3"), std::string::npos);
+  EXPECT_NE(message("language = X\nlanguage = Y\n").find("line 2"), std::string::npos);
+  EXPECT_NE(message("= Y\n").find("line 1"), std::string::npos);
+}
+
+TEST(Language, EnglishIsFirstAndAllHaveNames) {
+  ASSERT_GE(languages().size(), 2u);
+  EXPECT_EQ(languages().front().code(), "en");
+  Names names;
+  for (const Language& each : languages()) {
+    EXPECT_EQ(find_language(each.code()), &each);
+    names.insert(each.name());
+  }
+  EXPECT_EQ(names.size(), languages().size());
+  EXPECT_EQ(find_language("tlh"), nullptr);
+}
+
+TEST(Language, AllHaveTheSameKeysValuesAndSymbols) {
+  const Language& english = languages().front();
+  EXPECT_GT(english.texts().size(), 150u);
+  for (const Language& other : languages()) {
+    Names ours, theirs;
+    for (const auto& [key, text] : english.texts()) ours.insert(key);
+    for (const auto& [key, text] : other.texts()) theirs.insert(key);
+    EXPECT_EQ(ours, theirs) << other.code();
+    for (const auto& [key, text] : english.texts()) {
+      if (!other.has(key)) continue;
+      SCOPED_TRACE(other.code() + " " + key);
+      EXPECT_EQ(set_of(values_in(text)), set_of(values_in(other.text(key))));
+      EXPECT_EQ(set_of(symbols_in(text)), set_of(symbols_in(other.text(key))));
+    }
+  }
+}
+
+TEST(Language, EveryTextCanBeFilledInAndDrawn) {
+  for (const Language& each : languages()) {
+    for (const auto& [key, text] : each.texts()) {
+      SCOPED_TRACE(each.code() + " " + key);
+      EXPECT_FALSE(text.empty());
+      EXPECT_EQ(text.find("  "), std::string::npos);
+      for (const Face face : {Face::sans, Face::bold, Face::italic}) {
+        EXPECT_EQ(missing_glyph(text, face).has_value(), false);
+      }
+      fmt::dynamic_format_arg_store<fmt::format_context> values;
+      for (const std::string& name : values_in(text)) values.push_back(fmt::arg(name.c_str(), name));
+      EXPECT_NO_THROW(fmt::vformat(text, values));
+    }
+  }
+}
+
+/// The program's sources, as the build sees them: C++ and the page's files.
+std::pair<std::string, std::string> sources() {
+  std::string program, page;
+  const std::filesystem::path root = std::filesystem::path(GRADUS_SOURCE_DIR) / "visualize";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    const std::string kind = entry.path().extension().string();
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    if (kind == ".cpp" || kind == ".hpp") program += text.str();
+    if (kind == ".js" || kind == ".html") page += text.str();
+  }
+  return {program, page};
+}
+
+/// Columns and methods are named in no source: their keys are made from what topics have.
+bool names_a_column_or_method(const std::string& key, const std::vector<Trace>& traces) {
+  const auto is = [&key](const std::string& topic, std::string_view kind, const std::string& name) {
+    return key == fmt::format("{}.{}.{}", topic, kind, name);
+  };
+  const auto has_column = [&](const Trace& trace) {
+    return std::ranges::any_of(trace.columns,
+                               [&](const Column& c) { return is(trace.topic, "column", c.id); });
+  };
+  const auto has_method = [&](const TopicEntry* topic) {
+    return std::ranges::any_of(topic->methods, [&](const Method& method) {
+      return is(topic->name, "method", method.name) || is(topic->name, "note", method.name);
+    });
+  };
+  return std::ranges::any_of(traces, has_column) || std::ranges::any_of(catalogue(), has_method);
+}
+
+TEST(Language, EveryTextIsUsed) {
+  const auto [program, page] = sources();
+  const std::vector<Trace> traces = test::telling_traces();
+  const auto in_program = [&](const std::string& text) {
+    return program.find("\"" + text) != std::string::npos;
+  };
+  const auto in_page = [&](const std::string& name) {
+    return page.find("say " + name + "}}") != std::string::npos ||
+           page.find("'" + name + "'") != std::string::npos;
+  };
+  std::vector<std::string> unused;
+  for (const auto& [key, text] : languages().front().texts()) {
+    const std::size_t dot = key.rfind('.');
+    if (dot == std::string::npos) continue;  // "language"
+    const std::string name = key.substr(dot + 1), section = key.substr(0, dot);
+    const bool counted = name == "one" || name == "many";
+    const bool composed = section.find('.') != std::string::npos && in_program(section + ".\"");
+    const bool column_or_method = key.find(".column.") != std::string::npos ||
+                                  key.find(".method.") != std::string::npos ||
+                                  key.find(".note.") != std::string::npos;
+    const bool used = column_or_method ? names_a_column_or_method(key, traces) || in_program(key + "\"")
+                                       : in_program(key + "\"") || composed || name == "symbols" ||
+                                             (counted && in_program(section + "\"")) ||
+                                             (key.starts_with("player.") && in_page(name));
+    if (!used) unused.push_back(key);
+  }
+  EXPECT_EQ(unused, std::vector<std::string>());
+}
+
+// --- Filling in
+// ---------------------------------------------------------------------------------------------
+
+TEST(Wording, PutsInValuesSymbolsAndCounts) {
+  const Wording plain, own = labelled({{"p", "d"}});
+  EXPECT_EQ(plain.say("bresenham_line.test.zero", fmt::arg("p", "5")), "p = 5");
+  EXPECT_EQ(own.say("bresenham_line.test.zero", fmt::arg("p", "5")), "d = 5");
+  EXPECT_EQ(own.symbol("p"), "d");
+  EXPECT_EQ(own.symbol("NE"), "NE");
+  EXPECT_EQ(plain.count("bresenham_line.in_runs", 1), "in 1 run");
+  EXPECT_EQ(plain.count("bresenham_line.in_runs", 0), "in 0 runs");
+  EXPECT_EQ(labelled({}, "de").count("bresenham_line.in_runs", 2), "in 2 Läufen");
+  EXPECT_THROW(plain.say("bresenham_line.nothing"), std::logic_error);
+  EXPECT_THROW(plain.say("bresenham_line.test.zero"), std::logic_error) << "a value is missing";
+}
+
+TEST(Wording, OnlyNamesInBracketsAreSymbols) {
+  EXPECT_EQ(symbols_in("[p] in [0, 1], [NE] [x′] a[1] [] [p] [a b] [open"),
+            (std::vector<std::string>{"p", "NE", "x′"}));
+  EXPECT_EQ(values_in("{a} {b:>3} {{c}} {a}"), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(Wording, ALabelIsTakenLiterally) {
+  for (const std::string label :
+       {"{p}", "{", "}}", "[NE]", "\"'", "<b>p</b>", "&amp;", "\\", "%s", "\u200f", "δ′", "p = {0}", "p"}) {
+    const Wording own = labelled({{"p", label}, {"NE", "wrong"}});
+    EXPECT_EQ(own.say("bresenham_line.test.negative", fmt::arg("p", "−1")), label + " = −1 < 0");
+    const Trace trace = test::trace_of("bresenham_line", {}, {.wording = own});
+    EXPECT_EQ(trace.columns[3].name, label);
+    EXPECT_EQ(trace.steps.front().row[4], "");
+    EXPECT_EQ(trace.steps[1].read[4], label + " < 0");
+    EXPECT_NE(trace.steps.front().sentence.find("so " + label + " = 2·3 − 7 = −1."), std::string::npos);
+  }
+}
+
+TEST(Wording, AnyLabelAndAnyValueAreTakenLiterally) {
+  constexpr std::string_view letters = "{}[]pxNE<>&\"'\\%: 0";
+  std::mt19937 random(test::seed());
+  const auto text = [&] {
+    std::string out;
+    for (auto n = random() % 8; n > 0; --n) out += letters[random() % letters.size()];
+    return out;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const std::string label = text(), value = text();
+    EXPECT_EQ(labelled({{"p", label}}).say("bresenham_line.test.zero", fmt::arg("p", value)),
+              label + " = " + value);
+  }
+}
+
+TEST(Wording, ATopicsSymbolsAreThoseOfItsSection) {
+  EXPECT_EQ(topic_symbols("bresenham_line"),
+            (std::vector<std::string>{"E", "N", "NE", "NW", "S", "SE", "SW", "W", "count", "dx", "dy", "k",
+                                      "offset", "p", "row", "x", "y"}));
+  EXPECT_EQ(topic_symbols("flood_fill"), (std::vector<std::string>{"n"}));
+  EXPECT_TRUE(topic_symbols("bresenham").empty());
+  EXPECT_TRUE(topic_symbols("").empty());
+}
+
+// --- Runs told in other words
+// ---------------------------------------------------------------------------------
+
+/// Words of letters, digits and "_"; letters of other scripts are letters.
+std::vector<std::string> words_in(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80);
+    if (letter) words.back() += c;
+    if (!letter && !words.back().empty()) words.emplace_back();
+  }
+  return words;
+}
+
+/// Every text of a trace that a person reads, but for the listing.
+std::vector<std::string> texts_of(const Trace& trace) {
+  std::vector<std::string> texts{trace.title, trace.subtitle,    trace.method_title, trace.faulty,
+                                 trace.goal,  trace.grid.x_name, trace.grid.y_name};
+  const auto add_label = [&texts](const Mark& mark) {
+    if (const Label* label = std::get_if<Label>(&mark.shape)) texts.push_back(label->text);
+  };
+  for (const Column& column : trace.columns) texts.push_back(column.name);
+  for (const LegendEntry& entry : trace.legend) texts.push_back(entry.text);
+  for (const Mark& mark : trace.backdrop) add_label(mark);
+  for (const TraceStep& step : trace.steps) {
+    texts.insert(texts.end(), {step.sentence, step.phase});
+    for (const Row* row : {&step.read, &step.row}) texts.insert(texts.end(), row->begin(), row->end());
+    for (const Mark& mark : step.delta.set) add_label(mark);
+  }
+  return texts;
+}
+
+/// Calls see(sheet, figure) for some steps of each trace.
+template <class See>
+void for_each_sheet(const std::vector<Trace>& traces, See see) {
+  for (const Trace& trace : traces) {
+    SCOPED_TRACE(fmt::format("{} {} {}", trace.topic, trace.method, trace.subtitle));
+    Playhead playhead(trace);
+    const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 12);
+    for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
+      SCOPED_TRACE("step " + text_of(trace.steps[i].number));
+      const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
+      see(lay_out(figure, {}), figure);
+    }
+  }
+}
+
+TEST(Labels, StandForTheSymbolEverywhereButInTheListing) {
+  const std::vector<Trace> plain = test::telling_traces();
+  for (const std::string_view code : {"en", "de"}) {
+    const std::vector<Trace> traces = test::telling_traces(labelled({{"p", "d"}, {"NE", "T"}}, code));
+    const Names old{"p", "NE"}, fresh{"d", "T"};
+    std::size_t labels = 0;
+    const auto check = [&](const std::string& text) {
+      for (const std::string& word : words_in(text)) {
+        EXPECT_FALSE(old.contains(word)) << text;
+        labels += fresh.contains(word);
+      }
+    };
+    for_each_sheet(traces, [&](const Sheet& sheet, const Figure& figure) {
+      for (const Shape& shape : sheet.shapes) {
+        const TextShape* text = std::get_if<TextShape>(&shape.what);
+        if (text && shape.slot != Slot::listing) check(text->text);
+      }
+      check(caption_of(figure));
+    });
+    EXPECT_GT(labels, 500u);
+    ASSERT_EQ(traces.size(), plain.size());
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+      for (const std::string& text : texts_of(traces[i])) check(text);
+      EXPECT_TRUE(
+          std::ranges::equal(traces[i].listing, plain[i].listing, {}, &SourceLine::text, &SourceLine::text));
+    }
+  }
+}
+
+TEST(Labels, EverySymbolOfATopicCanHaveOne) {
+  for (const TopicEntry* topic : catalogue()) {
+    const Names symbols = set_of(topic_symbols(topic->name));
+    std::vector<SymbolLabel> labels;
+    for (const std::string& symbol : symbols) labels.push_back({symbol, "_" + symbol});
+    Names seen;
+    std::size_t texts = 0;
+    for (const Trace& trace : test::telling_traces(labelled(labels))) {
+      if (trace.topic != topic->name) continue;
+      for (const std::string& text : texts_of(trace)) {
+        ++texts;
+        for (const std::string& word : words_in(text)) {
+          EXPECT_FALSE(symbols.contains(word)) << text << ": " << word << " has no label";
+          if (word.starts_with("_")) seen.insert(word.substr(1));
+        }
+      }
+    }
+    EXPECT_GT(texts, 1000u) << topic->name;
+    EXPECT_EQ(seen, symbols) << topic->name;
+  }
+}
+
+TEST(Languages, TellTheSameRun) {
+  const std::vector<Trace> english = test::telling_traces();
+  for (const Language& other : languages()) {
+    if (&other == &languages().front()) continue;
+    const std::vector<Trace> told = test::telling_traces(Wording(other));
+    ASSERT_EQ(told.size(), english.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const Trace &a = english[i], &b = told[i];
+      SCOPED_TRACE(fmt::format("{} {} {}", a.topic, a.method, a.subtitle));
+      EXPECT_EQ(&b.wording.language(), &other);
+      EXPECT_EQ(a.topic + a.method, b.topic + b.method);
+      for (const auto text : {&Trace::title, &Trace::subtitle, &Trace::method_title, &Trace::goal}) {
+        EXPECT_NE(a.*text, b.*text);
+      }
+      EXPECT_EQ(a.faulty.empty(), b.faulty.empty());
+      ASSERT_EQ(a.columns.size(), b.columns.size());
+      for (std::size_t c = 0; c < a.columns.size(); ++c) {
+        EXPECT_EQ(a.columns[c].id, b.columns[c].id);
+        EXPECT_EQ(a.columns[c].numeric, b.columns[c].numeric);
+        EXPECT_FALSE(b.columns[c].name.empty());
+      }
+      ASSERT_EQ(a.steps.size(), b.steps.size());
+      for (std::size_t k = 0; k < a.steps.size(); ++k) {
+        const TraceStep &x = a.steps[k], &y = b.steps[k];
+        EXPECT_EQ(x.number, y.number);
+        EXPECT_EQ(x.type + x.key, y.type + y.key);
+        EXPECT_EQ(x.line, y.line);
+        EXPECT_NE(x.sentence, y.sentence);
+        EXPECT_FALSE(y.sentence.empty());
+        EXPECT_TRUE(std::ranges::equal(x.fields, y.fields, [](const Field& f, const Field& g) {
+          return f.name == g.name && f.value == g.value;
+        }));
+        EXPECT_TRUE(std::ranges::equal(x.delta.cells, y.delta.cells, [](const auto& f, const auto& g) {
+          return f.at == g.at && f.look == g.look;
+        }));
+        EXPECT_EQ(x.delta.removed, y.delta.removed);
+        EXPECT_TRUE(std::ranges::equal(x.delta.set, y.delta.set, {}, &Mark::id, &Mark::id));
+        for (const auto row : {&TraceStep::read, &TraceStep::row}) {
+          ASSERT_EQ((x.*row).size(), (y.*row).size());
+          for (std::size_t c = 0; c < (x.*row).size(); ++c) {
+            if (a.columns[c].numeric) EXPECT_EQ((x.*row)[c], (y.*row)[c]);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Languages, NumbersOfASentenceAreTheSame) {
+  // The digits of each word: "4-connected" is "4er-Nachbarschaft" in German
+  const auto digits = [](const std::string& text) {
+    std::multiset<std::string> found;
+    for (std::string word : words_in(text)) {
+      std::erase_if(word, [](char c) { return c < '0' || c > '9'; });
+      if (!word.empty()) found.insert(word);
+    }
+    return found;
+  };
+  std::size_t sentences = 0;
+  for (const Language& other : languages()) {
+    const std::vector<Trace> english = test::telling_traces(), told = test::telling_traces(Wording(other));
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      for (std::size_t k = 0; k < told[i].steps.size(); ++k, ++sentences) {
+        EXPECT_EQ(digits(english[i].steps[k].sentence), digits(told[i].steps[k].sentence))
+            << english[i].steps[k].sentence << "\n"
+            << told[i].steps[k].sentence;
+      }
+    }
+  }
+  EXPECT_GT(sentences, 5000u);
+}
+
+TEST(Languages, TextAndCsvAreToldToo) {
+  const Trace trace = test::trace_of("bresenham_line", {{"method", "first_octant"}, {"to", "2,4"}},
+                                     {.wording = labelled({{"p", "d"}}, "de")});
+  const std::string text = text_of(trace, false), csv = csv_of(trace);
+  EXPECT_NE(text.find("fehlerhaft: Steigungen"), std::string::npos);
+  EXPECT_NE(text.find("  d  Test   Schritt"), std::string::npos) << text;
+  EXPECT_TRUE(csv.starts_with("number,type,line,k,x,y,p,test,step,sentence\r\n")) << "programs read these";
+  EXPECT_NE(csv.find("d > 0"), std::string::npos);
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+TEST(Languages, EveryFigureHoldsItsTexts) {
+  for (const Language& each : languages()) {
+    for_each_sheet(test::telling_traces(Wording(each)), [](const Sheet& sheet, const Figure&) {
+      EXPECT_FALSE(missing_glyph(sheet).has_value());
+      std::vector<const TextShape*> texts;
+      for (const Shape& shape : sheet.shapes) {
+        const TextShape* text = std::get_if<TextShape>(&shape.what);
+        if (!text) continue;
+        const Box box = text->box();
+        EXPECT_TRUE(box.x >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height) << text->text;
+        const bool must_be_whole = shape.id.starts_with("heading ") || shape.id == "faulty";
+        if (must_be_whole) EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
+        for (const TextShape* other : texts) {
+          EXPECT_FALSE(overlap(box, other->box())) << text->text << " | " << other->text;
+        }
+        texts.push_back(text);
+      }
+    });
+  }
+}
+
+TEST(Languages, SentencesOfTheGalleryAreNotCutShort) {
+  std::size_t sentences = 0;
+  for (const Language& each : languages()) {
+    for (const TopicEntry* topic : catalogue()) {
+      for (const Showcase& showcase : topic->gallery) {
+        std::map<std::string, std::string> given;
+        for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
+        const Trace trace = test::trace_of(topic->name, given, {.wording = Wording(each)});
+        Playhead playhead(trace);
+        Look look;
+        look.slots = {Slot::title, Slot::sentence};
+        for (std::size_t i = 0; i < std::min<std::size_t>(trace.steps.size(), 500); ++i) {
+          const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), look);
+          for (const Shape& shape : sheet.shapes) {
+            const TextShape* text = std::get_if<TextShape>(&shape.what);
+            if (!text || shape.slot != Slot::sentence) continue;
+            ++sentences;
+            EXPECT_EQ(text->text.find("…"), std::string::npos) << each.code() << ": " << text->text;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(sentences, 1000u);
+}
+
+// --- Glyphs -----------------------------------------------------------------------------------------------
+
+TEST(Glyphs, AMissingOneIsFound) {
+  Sheet sheet;
+  const auto add = [&sheet](std::string text, Face face) {
+    sheet.shapes.push_back({Slot::drawing, "t", TextShape{{0, 0}, std::move(text), face}});
+  };
+  add("äöüßÄÖÜ „p₀“ Δx′ − ½ → ∑ ⌈ẋ⌉ Ж", Face::bold);
+  EXPECT_FALSE(missing_glyph(sheet));
+  add("p 中 国", Face::sans);
+  const auto missing = missing_glyph(sheet);
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->text, "p 中 国");
+  EXPECT_EQ(missing->character, U'中');
+  EXPECT_EQ(explained(*missing), "the figures' fonts have no glyph for U+4E2D");
+}
+
+TEST(Glyphs, DependOnTheFace) {
+  EXPECT_FALSE(missing_glyph("Ǆ", Face::sans));
+  EXPECT_TRUE(missing_glyph("Ǆ", Face::mono));
+  for (const Face face : {Face::sans, Face::bold, Face::italic, Face::mono, Face::mono_bold}) {
+    EXPECT_FALSE(missing_glyph("dx ≤ −½ αω", face));
+    EXPECT_TRUE(missing_glyph("a\nb", face));
+    EXPECT_TRUE(missing_glyph("\u200f", face)) << "a right-to-left mark";
+    EXPECT_TRUE(missing_glyph("\U0001F600", face));
+  }
+  EXPECT_EQ(explained(missing_glyph("\xff", Face::sans).value()), "it is not UTF-8");
+}
+
+TEST(Glyphs, AMissingOneInALabelIsFoundInTheFigure) {
+  const Trace trace = test::trace_of("bresenham_line", {}, {.wording = labelled({{"p", "中"}})});
+  Playhead playhead(trace);
+  const auto missing = missing_glyph(lay_out(figure_of(trace, playhead, {1, 0}), {}));
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->character, U'中');
+}
+
+}  // namespace
+}  // namespace gradus
