@@ -11,6 +11,7 @@
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
+#include "figure/metrics.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
 #include "web/json.hpp"
@@ -126,9 +127,23 @@ std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) 
   return steps;
 }
 
+namespace {
+
+/// The figure on its sheet; every letter of it can be drawn. Throws UsageError.
+Sheet sheet_of(const Figure& figure, const FigureSpec& spec) {
+  Sheet sheet = lay_out(figure, spec.look);
+  if (const auto missing = missing_glyph(sheet)) {
+    throw UsageError(fmt::format("figure: expected texts that can be drawn ({}), found {}",
+                                 explained(*missing), shown(missing->text)));
+  }
+  return sheet;
+}
+
+}  // namespace
+
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   const Figure figure = takes.figure(step);
-  const Sheet sheet = lay_out(figure, spec.look);
+  const Sheet sheet = sheet_of(figure, spec);
   const std::string steps = steps_text({step}, takes.last());
   const Colophon colophon = colophon_of(spec, *figure.trace, steps, caption_of(figure));
   return format == Format::png ? png_of(sheet, finish_of(spec), colophon)
@@ -136,7 +151,7 @@ std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step,
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
-  const auto page = [&](std::size_t i) { return lay_out(takes.figure(steps[i]), spec.look); };
+  const auto page = [&](std::size_t i) { return sheet_of(takes.figure(steps[i]), spec); };
   return pdf_of(steps.size(), page, finish_of(spec),
                 colophon_of_many(spec, takes.opening(), steps_text(steps, takes.last())));
 }

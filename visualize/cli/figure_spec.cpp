@@ -32,14 +32,8 @@ std::size_t chosen(std::string_view flag, std::string_view text, const Texts& na
 std::string drawable(std::string_view flag, std::string_view text, Face face) {
   const std::string_view word = trimmed(text);
   if (word.empty()) refuse(flag, "a text", text);
-  const auto missing = missing_characters(word, face);
-  if (!missing.empty()) {
-    const std::string letter =
-        missing.front() < U' ' ? "a control character" : utf8_of({&missing.front(), 1});
-    refuse(flag,
-           fmt::format("letters that the figures' font has (not U+{:04X}, {})",
-                       static_cast<std::uint32_t>(missing.front()), letter),
-           text);
+  if (const auto missing = missing_glyph(word, face)) {
+    refuse(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), text);
   }
   return std::string(word);
 }
@@ -252,8 +246,9 @@ SymbolLabel label_in(const std::string& text) {
 
 void apply_labels(FigureSpec& spec, const Texts& given) {
   std::vector<SymbolLabel> labels = spec.wording.labels();
+  const Texts symbols = topic_symbols(spec.topic->name);
   for (const std::string& text : given) {
-    const SymbolLabel label = label_in(text);
+    const SymbolLabel label = label_in(text, symbols);
     std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
     if (label.symbol != label.text) labels.push_back(label);
   }
