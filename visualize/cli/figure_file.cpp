@@ -68,25 +68,13 @@ std::pair<double, double> read_size(std::string_view text) {
 // --- Texts
 // -------------------------------------------------------------------------------------------------------
 
-std::string titled(const Trace& trace, const std::string& steps) {
-  const std::string fault = trace.faulty.empty() ? "" : fmt::format(" (faulty: {})", trace.faulty);
-  return fmt::format("{}{}, {}", trace.title, fault, steps);
+Colophon colophon_of(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps,
+                     const std::string& description) {
+  return {heading_of(trace, steps), description, command_of(spec), input_hash(spec.arguments)};
 }
 
-Colophon colophon_of(const FigureSpec& spec, const Trace& trace, const std::string& steps,
-                     const std::string& caption) {
-  return {titled(trace, steps), caption, command_of(spec), input_hash(spec.arguments)};
-}
-
-std::string steps_text(const std::vector<StepNumber>& steps, std::int64_t last) {
-  if (steps.size() == 1) return fmt::format("step {} of {}", text_of(steps.front()), last);
-  return fmt::format("steps {} to {} of {}", text_of(steps.front()), text_of(steps.back()), last);
-}
-
-Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, const std::string& steps) {
-  return colophon_of(spec, trace, steps,
-                     fmt::format("{}, {}. {} Input: {}.", titled(trace, steps), trace.method_title,
-                                 trace.goal, trace.subtitle));
+Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps) {
+  return colophon_of(spec, trace, steps, summary_of(trace, steps));
 }
 
 }  // namespace
@@ -213,15 +201,13 @@ std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) 
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   const Figure figure = takes.figure(step);
   const Sheet sheet = lay_out(figure, spec.look);
-  const std::string steps = steps_text({step}, takes.last());
-  const Colophon colophon = colophon_of(spec, *figure.trace, steps, caption_of(figure));
+  const Colophon colophon = colophon_of(spec, *figure.trace, {&step, 1}, caption_of(figure));
   return format == Format::png ? png_of(sheet, *spec.theme, colophon) : svg_of(sheet, *spec.theme, colophon);
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
   const auto page = [&](std::size_t i) { return lay_out(takes.figure(steps[i]), spec.look); };
-  return pdf_of(steps.size(), page, *spec.theme,
-                colophon_of_many(spec, takes.opening(), steps_text(steps, takes.last())));
+  return pdf_of(steps.size(), page, *spec.theme, colophon_of_many(spec, takes.opening(), steps));
 }
 
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format) {
@@ -237,7 +223,7 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
   }
   const std::vector<StepNumber> ends{{trace.steps.front().number.step, 0},
                                      {trace.steps.back().number.step, 0}};
-  return player_page(trace, colophon_of_many(spec, trace, steps_text(ends, trace.last)));
+  return player_page(trace, colophon_of_many(spec, trace, ends));
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
