@@ -29,25 +29,17 @@ const std::vector<std::string>& format_names() {
 // --- Texts
 // -------------------------------------------------------------------------------------------------------
 
-std::string titled(const Trace& trace, const std::string& steps) {
-  const std::string fault = trace.faulty.empty() ? "" : fmt::format(" (faulty: {})", trace.faulty);
-  return fmt::format("{}{}, {}", trace.title, fault, steps);
+Colophon colophon_of(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps,
+                     const std::string& description) {
+  std::string heading = heading_of(trace, steps);
+  const std::size_t title = spec.look.title.empty() ? std::string::npos : heading.find(trace.title);
+  if (title != std::string::npos) heading.replace(title, trace.title.size(), spec.look.title);
+  return {heading, spec.caption.empty() ? description : spec.caption, command_of(spec),
+          input_hash(spec.arguments)};
 }
 
-Colophon colophon_of(const FigureSpec& spec, const Trace& trace, const std::string& steps,
-                     const std::string& caption) {
-  return {titled(trace, steps), caption, command_of(spec), input_hash(spec.arguments)};
-}
-
-std::string steps_text(const std::vector<StepNumber>& steps, std::int64_t last) {
-  if (steps.size() == 1) return fmt::format("step {} of {}", text_of(steps.front()), last);
-  return fmt::format("steps {} to {} of {}", text_of(steps.front()), text_of(steps.back()), last);
-}
-
-Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, const std::string& steps) {
-  return colophon_of(spec, trace, steps,
-                     fmt::format("{}, {}. {} Input: {}.", titled(trace, steps), trace.method_title,
-                                 trace.goal, trace.subtitle));
+Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps) {
+  return colophon_of(spec, trace, steps, summary_of(trace, steps));
 }
 
 }  // namespace
@@ -144,16 +136,14 @@ Sheet sheet_of(const Figure& figure, const FigureSpec& spec) {
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   const Figure figure = takes.figure(step);
   const Sheet sheet = sheet_of(figure, spec);
-  const std::string steps = steps_text({step}, takes.last());
-  const Colophon colophon = colophon_of(spec, *figure.trace, steps, caption_of(figure));
+  const Colophon colophon = colophon_of(spec, *figure.trace, {&step, 1}, caption_of(figure));
   return format == Format::png ? png_of(sheet, finish_of(spec), colophon)
                                : svg_of(sheet, finish_of(spec), colophon);
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
   const auto page = [&](std::size_t i) { return sheet_of(takes.figure(steps[i]), spec); };
-  return pdf_of(steps.size(), page, finish_of(spec),
-                colophon_of_many(spec, takes.opening(), steps_text(steps, takes.last())));
+  return pdf_of(steps.size(), page, finish_of(spec), colophon_of_many(spec, takes.opening(), steps));
 }
 
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format) {
@@ -173,7 +163,7 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
   }
   const std::vector<StepNumber> ends{{trace.steps.front().number.step, 0},
                                      {trace.steps.back().number.step, 0}};
-  return player_page(trace, colophon_of_many(spec, trace, steps_text(ends, trace.last)));
+  return player_page(trace, colophon_of_many(spec, trace, ends));
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {

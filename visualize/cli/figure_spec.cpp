@@ -237,11 +237,15 @@ std::string read_language(FigureSpec& spec, const std::string& text) {
 }
 
 /// "p=d": the topic's symbol and what the reader calls it.
-SymbolLabel label_in(const std::string& text) {
+SymbolLabel label_in(const std::string& text, const Texts& symbols) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse("label", "a symbol and a name for it like p=d", text);
-  return {std::string(trimmed(text.substr(0, equals))),
-          drawable("label", text.substr(equals + 1), Face::bold)};
+  const std::string symbol(trimmed(std::string_view(text).substr(0, equals)));
+  if (std::ranges::find(symbols, symbol) == symbols.end()) {
+    throw UsageError(fmt::format("--label: expected one of the symbols {}, found {}{}",
+                                 fmt::join(symbols, ", "), shown(symbol), suggestion(symbol, symbols)));
+  }
+  return {symbol, drawable("label", std::string_view(text).substr(equals + 1), Face::bold)};
 }
 
 void apply_labels(FigureSpec& spec, const Texts& given) {

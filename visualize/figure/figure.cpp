@@ -67,6 +67,13 @@ std::vector<Figure::TableRow> rows_at(const Trace& trace, std::size_t index) {
   return rows;
 }
 
+/// The title, and what is wrong with the run where something is.
+std::string full_title(const Trace& trace) {
+  if (trace.faulty.empty()) return trace.title;
+  return trace.wording.say("figure.faulty_title", fmt::arg("title", trace.title),
+                           fmt::arg("what", trace.faulty));
+}
+
 }  // namespace
 
 Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number) {
@@ -88,13 +95,30 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number) {
   return figure;
 }
 
+std::string steps_text(const Trace& trace, std::span<const StepNumber> steps) {
+  const auto last = fmt::arg("last", trace.last);
+  const std::string first = text_of(steps.front()), end = text_of(steps.back());
+  if (steps.size() == 1) return trace.wording.say("figure.one_step", fmt::arg("number", first), last);
+  return trace.wording.say("figure.some_steps", fmt::arg("first", first), fmt::arg("end", end), last);
+}
+
+std::string heading_of(const Trace& trace, std::span<const StepNumber> steps) {
+  return trace.wording.say("figure.heading", fmt::arg("title", full_title(trace)),
+                           fmt::arg("steps", steps_text(trace, steps)));
+}
+
+std::string summary_of(const Trace& trace, std::span<const StepNumber> steps) {
+  return trace.wording.say("figure.summary", fmt::arg("heading", heading_of(trace, steps)),
+                           fmt::arg("method", trace.method_title), fmt::arg("goal", trace.goal),
+                           fmt::arg("input", trace.subtitle));
+}
+
 std::string caption_of(const Figure& figure) {
   const Trace& trace = *figure.trace;
-  return trace.wording.say(trace.faulty.empty() ? "figure.caption" : "figure.caption_faulty",
-                           fmt::arg("title", trace.title), fmt::arg("what", trace.faulty),
-                           fmt::arg("method", trace.method_title), fmt::arg("number", text_of(figure.number)),
-                           fmt::arg("last", trace.last), fmt::arg("sentence", figure.sentence),
-                           fmt::arg("input", trace.subtitle));
+  return trace.wording.say("figure.caption", fmt::arg("title", full_title(trace)),
+                           fmt::arg("method", trace.method_title),
+                           fmt::arg("steps", steps_text(trace, {&figure.number, 1})),
+                           fmt::arg("sentence", figure.sentence), fmt::arg("input", trace.subtitle));
 }
 
 }  // namespace gradus

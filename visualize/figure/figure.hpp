@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,13 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number);
 /// that follows the step), never shrunk. Places depend on the trace and the look only, not on the step.
 Sheet lay_out(const Figure& figure, const Look& look);
 
-/// "Figure: Bresenham line, step 4 of 7: <sentence> Input: <subtitle>." — caption and alt text.
+/// "step 4 of 7", or from first to last: "steps 2 to 5 of 7". At least one step.
+std::string steps_text(const Trace& trace, std::span<const StepNumber> steps);
+/// What a file or page is called: "Bresenham line (faulty: …), step 4 of 7".
+std::string heading_of(const Trace& trace, std::span<const StepNumber> steps);
+/// What a file of several steps shows: "<heading>, decision parameter. <goal> Input: <subtitle>."
+std::string summary_of(const Trace& trace, std::span<const StepNumber> steps);
+/// "Bresenham line, decision parameter, step 4 of 7: <sentence> Input: <subtitle>." — caption and alt text.
 std::string caption_of(const Figure& figure);
 
 }  // namespace gradus

@@ -340,6 +340,8 @@ TEST(Languages, TellTheSameRun) {
         EXPECT_NE(a.*text, b.*text);
       }
       EXPECT_EQ(a.faulty.empty(), b.faulty.empty());
+      EXPECT_FALSE(std::ranges::equal(a.legend, b.legend, {}, &LegendEntry::text, &LegendEntry::text));
+      EXPECT_TRUE(std::ranges::equal(a.legend, b.legend, {}, &LegendEntry::role, &LegendEntry::role));
       ASSERT_EQ(a.columns.size(), b.columns.size());
       for (std::size_t c = 0; c < a.columns.size(); ++c) {
         EXPECT_EQ(a.columns[c].id, b.columns[c].id);
@@ -395,6 +397,28 @@ TEST(Languages, NumbersOfASentenceAreTheSame) {
     }
   }
   EXPECT_GT(sentences, 5000u);
+}
+
+TEST(Languages, TitlesAndCaptionsOfFilesAreToldToo) {
+  const std::vector<StepNumber> one{{1, 0}}, some{{0, 0}, {2, 0}};
+  const auto run = [](std::string_view code, std::string_view method) {
+    return test::trace_of("bresenham_line", {{"method", std::string(method)}, {"to", "2,4"}},
+                          {.wording = labelled({}, code)});
+  };
+  const Trace english = run("en", "decision_parameter"), german = run("de", "first_octant");
+  EXPECT_EQ(heading_of(english, one), "Bresenham line, step 1 of 4");
+  EXPECT_EQ(
+      summary_of(english, some),
+      "Bresenham line, steps 0 to 2 of 4, decision parameter. Draw the pixels nearest to a straight line, "
+      "with integer additions only. Input: (0,\u00a00) to (2,\u00a04).");
+  EXPECT_EQ(
+      heading_of(german, some),
+      "Bresenham-Linie (fehlerhaft: Steigungen außerhalb von 0 bis 1 sind nicht vorgesehen: Die Linie endet "
+      "anderswo), Schritte 0 bis 2 von 2");
+  Playhead playhead(english);
+  EXPECT_EQ(caption_of(figure_of(english, playhead, {0, 0})),
+            "Bresenham line, decision parameter, step 0 of 4: " + english.steps.front().sentence +
+                " Input: (0,\u00a00) to (2,\u00a04).");
 }
 
 TEST(Languages, TextAndCsvAreToldToo) {
