@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "figure/recording.hpp"
+#include "web/gallery_page.hpp"
 #include "web/player.hpp"
 
 namespace {

@@ -10,7 +10,9 @@
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/zip.hpp"
 #include "stories/point_text.hpp"
+#include "web/topic_page.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -131,6 +133,17 @@ std::string short_command(const Job& job) {
   return line + " -o " + job.showcase->slug + ".pdf";
 }
 
+/// A zip of as many steps as the PDF has pages.
+std::string zip_bytes(const Job& job, const FigureSpec& spec, Takes& takes) {
+  const auto draw = [&](StepNumber step) {
+    const FigureSpec one = at_step(spec, step);
+    return StepPicture{picture_bytes(one, takes, step, Format::svg),
+                       picture_bytes(one, takes, step, Format::png)};
+  };
+  return zip_of(step_entries(job.showcase->slug, title_of(job), short_command(job), shown_steps(spec, takes),
+                             {takes.last(), 0}, draw));
+}
+
 }  // namespace
 
 std::string program_fingerprint() { return fingerprint(read_input("/proc/self/exe", "gradus")); }
@@ -174,6 +187,7 @@ std::vector<ManifestFile> draw(const Job& job, const fs::path& out) {
   FigureSpec pages = spec;
   pages.steps = spaced_steps(last_page(takes));
   folder.add_figure(".pdf", pages_bytes(pages, takes, shown_steps(pages, takes)));
+  folder.add_figure("-steps.zip", zip_bytes(job, pages, takes));
   add_inputs(folder, job);
   return folder.finish();
 }
@@ -187,7 +201,7 @@ Card card_of(const Job& job, std::int64_t last) {
   card.chapter = job.topic->chapter;
   card.caption = job.showcase->caption;
   if (is_cut(last)) {
-    card.caption += fmt::format(" (The PDF shows at most {} of the {} steps, evenly spaced.)",
+    card.caption += fmt::format(" (PDF and zip show at most {} of the {} steps, evenly spaced.)",
                                 most_gallery_pages, last + 1);
   }
   card.command = short_command(job);
@@ -198,6 +212,10 @@ Card card_of(const Job& job, std::int64_t last) {
                     {"PNG", path(".png")},
                     {"table (CSV)", path(".csv")},
                     {"data (JSON)", path(".json")}};
+  card.zip = path("-steps.zip");
+  card.topic_page = topic_page_path(*job.topic);
+  card.words = job.topic->aliases;
+  card.words.insert(card.words.end(), {job.topic->name, job.inputs.arguments.text("method")});
   for (const Arguments::Entry& entry : job.inputs.arguments.entries()) {
     if (!entry.hash.empty()) card.downloads.emplace_back("input " + entry.text, slug + "/" + entry.text);
   }
