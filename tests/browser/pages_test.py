@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The gallery and the topic pages in headless Chromium, from file://.
 
-    pages_test.py GALLERY
+    pages_test.py GALLERY MADE
 
-GALLERY is a folder that `gradus figures` made. Prints `N passed, N failed`, exits 1 when a check failed, 77 when there
+GALLERY is a folder that `gradus figures` made, MADE the gallery page that make_pages made up. Prints `N passed, N failed`, exits 1 when a check failed, 77 when there
 is no Chromium.
 """
 
@@ -123,6 +123,36 @@ def gallery(check, browser, folder):
     check.equal('without scripts no button that does nothing', idle, 0)
 
 
+def lecture(check, browser, path):
+    """Chapters and lines to paste: a page with two cards, one of them hostile."""
+    page = Page(browser, path)
+    everything = page.run(SHOWN)
+    check.equal('two cards', len(everything), 2)
+    page.run('document.querySelector("select").focus()')
+    page.press('ArrowDown')
+    check.equal('one chapter, by keyboard', page.run(SHOWN), ['line'])
+    check.equal('one chapter is counted', page.run(FOUND), '1 of 2 figures')
+    page.press('ArrowUp')
+    check.equal('all chapters', page.run(SHOWN), everything)
+    for _ in range(12):
+        page.press('Tab')
+        if page.run('return document.activeElement.matches("#line summary")'):
+            break
+    page.press('Enter')
+    check.that('the lines open by keyboard', page.run('return document.querySelector("#line details").open'))
+    page.press('Tab', 'Enter')
+    beamer = page.run('return document.querySelector("#line details code").textContent')
+    check.that('three kinds of lines', page.run('return document.querySelectorAll("#line details h4").length') == 3)
+    check.that('several lines', beamer.startswith('\\begin{frame}\n  '), beamer)
+    check.that('copied by keyboard', page.wait_for('document.querySelector("#line details .copy").firstChild.data === "copied"'))
+    check.equal('lines on the clipboard', page.run('return navigator.clipboard.readText()'), beamer)
+    page.run('document.querySelectorAll("details").forEach((d) => { d.open = true; })')
+    check.equal('nothing hostile runs', page.run('return typeof window.hacked'), 'undefined')
+    links = page.run('return [...document.querySelectorAll("a, img")].map((a) => a.getAttribute("href") ?? a.getAttribute("src"))')
+    check.that('relative links only', all(link.startswith('./') for link in links), links)
+    fits(check, page, 'lecture')
+
+
 def topic_page(check, browser, path):
     name = path.stem
     page = Page(browser, path)
@@ -157,6 +187,7 @@ def main():
     check = Checks()
     with Browser() as browser:
         gallery(check, browser, folder)
+        lecture(check, browser, pathlib.Path(sys.argv[2]).resolve())
         pages = sorted(folder.glob('topics/*/*.html'))
         check.that('topic pages', len(pages) > 1, pages)
         for path in pages:
