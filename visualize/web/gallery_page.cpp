@@ -73,7 +73,7 @@ std::string links_html(const Card& card) {
   std::string links;
   if (!card.topic_page.empty()) links += link_html("how it works", card.topic_page, card.title);
   for (const auto& [name, path] : card.downloads) links += link_html(name, path, card.title);
-  if (!card.zip.empty()) links += link_html("all steps (zip)", card.zip, card.title);
+  if (!card.zip.empty()) links += link_html("steps (zip)", card.zip, card.title);
   return links;
 }
 

@@ -17,7 +17,7 @@ struct Card {
   std::vector<std::pair<std::string, std::string>> downloads{};  ///< (name shown, relative path)
   std::vector<std::string> words{};  ///< more to find it by: topic, aliases, method
   std::string topic_page{};          ///< relative path; empty: none
-  std::string zip{};                 ///< relative path: all steps; empty: none
+  std::string zip{};                 ///< relative path: its steps as pictures; empty: none
   std::vector<std::pair<std::string, std::string>> snippets{};  ///< (for what: "Beamer", lines to paste)
 };
 

@@ -31,6 +31,7 @@ const theme = {
   next() {
     this.show(this.names[(this.names.indexOf(this.name) + 1) % this.names.length]);
     this.save(this.name);
+    announce(`Colours: ${this.name}.`);
   },
 };
 theme.show(theme.load());
