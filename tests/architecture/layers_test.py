@@ -28,8 +28,10 @@ PACKAGES = {
     "nlohmann/": "visualize/web/json.cpp",
     "boost/": "algorithms/core/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
+    "cmark-gfm": "visualize/web/topic_page.cpp",
+    "archive": "visualize/cli/zip.cpp",
 }
-ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h")  # heavy or confined: a single .cpp
+ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive")  # heavy or confined: a single .cpp
 ORACLES = ("boost/", "png.h", "nlohmann/")  # tests use them too
 
 # Not in algorithms/: they don't exist everywhere the algorithms run
@@ -326,6 +328,14 @@ class Planted(unittest.TestCase):
     def test_json_library_in_a_story(self):
         self.append("visualize/stories/lines/a_line.cpp", "#include <nlohmann/json.hpp>\n")
         self.caught("belongs into visualize/web/json.cpp")
+
+    def test_markdown_library_in_the_command(self):
+        self.append("visualize/cli/main.cpp", "#include <cmark-gfm-core-extensions.h>\n")
+        self.caught("belongs into visualize/web/topic_page.cpp")
+
+    def test_zip_library_in_a_page(self):
+        self.append("visualize/stories/lines/a_line.cpp", "#include <archive_entry.h>\n")
+        self.caught("belongs into visualize/cli/zip.cpp")
 
     def test_command_line_library_in_a_test(self):
         self.append("tests/unit/lines/a_line_test.cpp", "#include <CLI/CLI.hpp>\n")

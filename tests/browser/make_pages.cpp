@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "figure/recording.hpp"
+#include "web/gallery_page.hpp"
 #include "web/player.hpp"
 
 namespace {
@@ -231,15 +232,32 @@ int main(int count, char** arguments) try {
 
   const std::string odd = "<script>window.hacked=1</script>\"'";
   const std::vector<Card> cards{
-      {"line",
-       "Bresenham line",
-       "scan_conversion",
-       "Step 4: the line passes above the midpoint.",
-       "gradus figure bresenham_line --from 0,0 --to 7,3 -o line.svg",
-       "line.svg",
-       "line.html",
-       {{"SVG", "line.svg"}, {"PDF", "line.pdf"}}},
-      {"odd", odd, odd, odd, odd, "javascript:window.hacked=1", "a folder/#1?.html", {{odd, odd}}}};
+      {.slug = "line",
+       .title = "Bresenham line",
+       .chapter = "scan_conversion",
+       .caption = "Step 4: the line passes above the midpoint.",
+       .command = "gradus figure bresenham_line --from 0,0 --to 7,3 -o line.svg",
+       .thumbnail = "line.svg",
+       .player = "line.html",
+       .downloads = {{"SVG", "line.svg"}, {"PDF", "line.pdf"}},
+       .words = {"bresenham", "decision_parameter"},
+       .topic_page = "topics/line.html",
+       .zip = "line-steps.zip",
+       .snippets = {{"Beamer", "\\begin{frame}\n  \\includegraphics<1>[page=1]{line.pdf}\n\\end{frame}"},
+                    {"reveal.js", "<section>\n  <img src=\"line-0.svg\">\n</section>"},
+                    {"Markdown", "![Bresenham line](line.svg)"}}},
+      {odd,
+       odd,
+       odd,
+       odd,
+       odd,
+       "javascript:window.hacked=1",
+       "a folder/#1?.html",
+       {{odd, odd}},
+       {odd},
+       odd,
+       odd,
+       {{odd, odd}}}};
   std::ofstream(folder + "/gallery.html", std::ios::binary) << gallery_page(cards);
   return 0;
 } catch (const std::exception& error) {

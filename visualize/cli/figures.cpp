@@ -18,6 +18,7 @@
 #include "cli/gallery.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "cli/topic_pages.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = ".gradus-manifest.json";
 constexpr const char* index_name = "index.html";
+constexpr const char* topics_folder = "topics/";
 
 /// The cores this process may use: what the scheduler grants, within what the machine allows.
 std::size_t usable_cores() {
@@ -107,9 +109,10 @@ class Album {
   /// Only what was made here and not touched since, and only inside the job's own folder.
   void remove(const std::string& slug, const ManifestFile& file) const {
     const fs::path path(file.path);
-    if (path != fs::path(slug) / path.filename() || slug.empty() || slug.starts_with('.') ||
-        !is_as_made(file))
-      return;
+    const bool own = path == fs::path(slug) / path.filename() && !slug.empty() && !slug.starts_with('.');
+    const bool page =
+        slug == index_name && path.lexically_normal() == path && file.path.starts_with(topics_folder);
+    if (!(own || page) || !is_as_made(file)) return;
     std::error_code error;
     fs::remove(out_ / path, error);
   }
@@ -177,7 +180,30 @@ std::vector<std::string> draw_all(const std::vector<const Job*>& jobs, const fs:
   return failures;
 }
 
-/// The gallery page, of all figures that are there.
+/// "run lengths: (0, 0) to (14, 5)", for the topic's page.
+TopicFigure topic_figure(const Job& job, const Card& card, const Trace& trace) {
+  const std::string faulty = trace.faulty.empty() ? "" : " (faulty)";
+  return {job.topic, fmt::format("{}{}: {}", trace.method_title, faulty, trace.subtitle), card.player};
+}
+
+/// Writes the pages of the topics that have figures here. Returns what was written.
+std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, const fs::path& out) {
+  std::vector<ManifestFile> written;
+  for (const TopicPage& page : topic_pages(figures)) {
+    const fs::path path = out / page.path;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) {
+      throw WorkError(
+          fmt::format("can't make the folder {}: {}", shown(path.parent_path().string()), error.message()));
+    }
+    write_output(path.string(), page.html);
+    written.push_back(file_state(out, page.path));
+  }
+  return written;
+}
+
+/// The gallery page, of all figures that are there, and the pages of their topics.
 void write_index(const std::vector<Job>& jobs, const fs::path& out, Album& album, const std::string& program,
                  bool force) {
   std::string contents = program;
@@ -190,12 +216,17 @@ void write_index(const std::vector<Job>& jobs, const fs::path& out, Album& album
   const std::string key = fingerprint(contents);
   if (!force && album.has(index_name, key)) return;
   std::vector<Card> cards;
+  std::vector<TopicFigure> figures;
   for (const Job* job : present) {
-    // Counting the steps is all that this run is for
-    cards.push_back(card_of(*job, job->topic->run(job->inputs.arguments, {.first = 0, .most = 1}).last));
+    // Counting the steps and naming the input is all that this run is for
+    const Trace trace = job->topic->run(job->inputs.arguments, {.first = 0, .most = 1});
+    cards.push_back(card_of(*job, trace.last));
+    figures.push_back(topic_figure(*job, cards.back(), trace));
   }
+  std::vector<ManifestFile> written = write_topics(figures, out);
   write_output((out / index_name).string(), gallery_page(cards));
-  album.put(index_name, key, {file_state(out, index_name)});
+  written.push_back(file_state(out, index_name));
+  album.put(index_name, key, std::move(written));
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/zip.hpp"
 #include "stories/point_text.hpp"
+#include "web/topic_page.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -19,6 +21,8 @@ namespace fs = std::filesystem;
 
 /// Pages of a PDF in the gallery; longer runs show steps evenly spaced.
 constexpr std::int64_t most_gallery_pages = 120;
+/// Steps in its zip, two pictures each, likewise.
+constexpr std::int64_t most_zip_steps = 48;
 
 /// Input files of showcases are named from the project's root; the program lies somewhere below it.
 std::string find_data(const std::string& name, const std::string& flag) {
@@ -43,9 +47,9 @@ FigureSpec spec_of(const Job& job) {
   return spec;
 }
 
-/// Every stride-th step, and the last.
-std::vector<StepRange> spaced_steps(std::int64_t last) {
-  const std::int64_t stride = (last + most_gallery_pages - 2) / (most_gallery_pages - 1);
+/// Every stride-th step, and the last: at most so many.
+std::vector<StepRange> spaced_steps(std::int64_t last, std::int64_t most) {
+  const std::int64_t stride = (last + most - 2) / (most - 1);
   if (stride <= 1) return {};
   const std::int64_t end = last / stride * stride;
   std::vector<StepRange> ranges{{{0, 0}, {end, 0}, stride}};
@@ -131,6 +135,17 @@ std::string short_command(const Job& job) {
   return line + " -o " + job.showcase->slug + ".pdf";
 }
 
+std::string zip_bytes(const Job& job, FigureSpec spec, Takes& takes) {
+  spec.steps = spaced_steps(last_page(takes), most_zip_steps);
+  const auto draw = [&](StepNumber step) {
+    const FigureSpec one = at_step(spec, step);
+    return StepPicture{picture_bytes(one, takes, step, Format::svg),
+                       picture_bytes(one, takes, step, Format::png)};
+  };
+  return zip_of(step_entries(job.showcase->slug, title_of(job), short_command(job), shown_steps(spec, takes),
+                             {takes.last(), 0}, draw));
+}
+
 }  // namespace
 
 std::string program_fingerprint() { return fingerprint(read_input("/proc/self/exe", "gradus")); }
@@ -172,8 +187,9 @@ std::vector<ManifestFile> draw(const Job& job, const fs::path& out) {
   folder.add_figure(".json", trace_bytes(spec, takes.opening(), Format::json));
 
   FigureSpec pages = spec;
-  pages.steps = spaced_steps(last_page(takes));
+  pages.steps = spaced_steps(last_page(takes), most_gallery_pages);
   folder.add_figure(".pdf", pages_bytes(pages, takes, shown_steps(pages, takes)));
+  folder.add_figure("-steps.zip", zip_bytes(job, spec, takes));
   add_inputs(folder, job);
   return folder.finish();
 }
@@ -198,6 +214,10 @@ Card card_of(const Job& job, std::int64_t last) {
                     {"PNG", path(".png")},
                     {"table (CSV)", path(".csv")},
                     {"data (JSON)", path(".json")}};
+  card.zip = path("-steps.zip");
+  card.topic_page = topic_page_path(*job.topic);
+  card.words = job.topic->aliases;
+  card.words.insert(card.words.end(), {job.topic->name, job.inputs.arguments.text("method")});
   for (const Arguments::Entry& entry : job.inputs.arguments.entries()) {
     if (!entry.hash.empty()) card.downloads.emplace_back("input " + entry.text, slug + "/" + entry.text);
   }

@@ -7,8 +7,8 @@
 
 #include "cli/inputs.hpp"
 #include "stories/topic.hpp"
+#include "web/gallery_page.hpp"
 #include "web/json.hpp"
-#include "web/player.hpp"
 
 namespace gradus::cli {
 

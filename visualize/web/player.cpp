@@ -7,69 +7,11 @@
 
 #include "theme/theme.hpp"
 #include "web/assets.hpp"
+#include "web/html.hpp"
 #include "web/json.hpp"
 
 namespace gradus {
 namespace {
-
-using Parts = std::vector<std::pair<std::string_view, std::string_view>>;
-
-/// Puts parts into a template's {{places}}, once: a part that looks like a place stays as it is.
-std::string filled(std::string_view page, const Parts& parts) {
-  std::string out;
-  while (true) {
-    const std::size_t open = page.find("{{");
-    const std::size_t close = open == page.npos ? page.npos : page.find("}}", open);
-    if (close == page.npos) return out.append(page);
-    const std::string_view name = page.substr(open + 2, close - open - 2);
-    out.append(page.substr(0, open));
-    const auto part = std::ranges::find(parts, name, &Parts::value_type::first);
-    out.append(part == parts.end() ? page.substr(open, close + 2 - open) : part->second);
-    page.remove_prefix(close + 2);
-  }
-}
-
-/// Text for HTML, in an element or in a quoted attribute.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-/// A relative path as a link that cannot be anything else: no scheme, no query, no way to the network.
-std::string link_to(std::string_view path) {
-  std::string out = "./";
-  for (const char c : path) {
-    const bool plain = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
-                       std::string_view("-._~/").find(c) != std::string_view::npos;
-    if (plain) {
-      out += c;
-    } else {
-      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return out;
-}
 
 std::string hex_of(Rgb color) { return fmt::format("\"#{:06x}\"", color.hex); }
 
@@ -112,33 +54,6 @@ std::string themes_json() {
   return fmt::format("[{}]", fmt::join(out, ",\n"));
 }
 
-/// "scan_conversion" -> "Scan conversion"
-std::string heading_of(std::string_view chapter) {
-  std::string out(chapter);
-  std::ranges::replace(out, '_', ' ');
-  if (!out.empty() && 'a' <= out[0] && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
-  return out;
-}
-
-std::string card_html(const Card& card) {
-  std::string downloads;
-  for (const auto& [name, path] : card.downloads) {
-    downloads += fmt::format("<a href=\"{}\">{}</a>\n", link_to(path), escaped(name));
-  }
-  return fmt::format(R"(<article class="card" id="{}">
-<a class="picture" href="{}"><img src="{}" alt="{}" loading="lazy"></a>
-<h3>{}</h3>
-<p class="caption">{}</p>
-<p class="links"><a class="player" href="{}">step through it</a>
-{}</p>
-<div class="command"><code>{}</code><button type="button" class="copy">copy</button></div>
-</article>
-)",
-                     escaped(card.slug), link_to(card.player), link_to(card.thumbnail), escaped(card.title),
-                     escaped(card.title), escaped(card.caption), link_to(card.player), downloads,
-                     escaped(card.command));
-}
-
 }  // namespace
 
 std::string player_page(const Trace& trace, const Colophon& colophon) {
@@ -157,29 +72,6 @@ std::string player_page(const Trace& trace, const Colophon& colophon) {
                                            {"drawing.js", web_asset("drawing.js")},
                                            {"player.js", web_asset("player.js")},
                                            {"data", data}});
-}
-
-std::string gallery_page(std::span<const Card> cards) {
-  // Chapters in the order of their first card
-  std::vector<std::string_view> chapters;
-  for (const Card& card : cards) {
-    if (std::ranges::find(chapters, card.chapter) == chapters.end()) chapters.push_back(card.chapter);
-  }
-  std::string sections;
-  for (const std::string_view chapter : chapters) {
-    sections += fmt::format("<section>\n<h2>{}</h2>\n<div class=\"cards\">\n", escaped(heading_of(chapter)));
-    for (const Card& card : cards) {
-      if (card.chapter == chapter) sections += card_html(card);
-    }
-    sections += "</div>\n</section>\n";
-  }
-  const std::string count = fmt::format("{} figure{}", cards.size(), cards.size() == 1 ? "" : "s");
-  return filled(web_asset("gallery.html"), {{"release", release_version},
-                                            {"licence", figure_licence},
-                                            {"count", count},
-                                            {"gallery.css", web_asset("gallery.css")},
-                                            {"gallery.js", web_asset("gallery.js")},
-                                            {"sections", sections}});
 }
 
 }  // namespace gradus

@@ -1,0 +1,115 @@
+#include "cli/zip.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "figure/colophon.hpp"
+
+namespace gradus::cli {
+namespace {
+
+/// The format counts from 1980-01-01 in whatever zone the writer lives in, and earlier times become that: the
+/// day before is so in every zone.
+constexpr std::time_t entry_time = 315'446'400;  // 1979-12-31 00:00 UTC
+
+struct Release {
+  void operator()(archive* writer) const { archive_write_free(writer); }
+  void operator()(archive_entry* entry) const { archive_entry_free(entry); }
+};
+
+la_ssize_t append(archive* /*writer*/, void* out, const void* bytes, std::size_t size) {
+  static_cast<std::string*>(out)->append(static_cast<const char*>(bytes), size);
+  return static_cast<la_ssize_t>(size);
+}
+
+class Zip {
+ public:
+  Zip() : writer_(archive_write_new()) {
+    check(archive_write_set_format_zip(writer_.get()));
+    check(archive_write_set_options(writer_.get(), "zip:compression=deflate,zip:hdrcharset=UTF-8"));
+    check(archive_write_set_bytes_per_block(writer_.get(), 0));
+    check(archive_write_open(writer_.get(), &bytes_, nullptr, append, nullptr));
+  }
+  Zip(const Zip&) = delete;
+  Zip& operator=(const Zip&) = delete;
+
+  void add(const ZipEntry& file) {
+    const std::unique_ptr<archive_entry, Release> entry(archive_entry_new());
+    archive_entry_set_pathname_utf8(entry.get(), file.name.c_str());
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_mtime(entry.get(), entry_time, 0);
+    check(archive_write_header(writer_.get(), entry.get()));
+    const la_ssize_t written = archive_write_data(writer_.get(), file.bytes.data(), file.bytes.size());
+    if (written != static_cast<la_ssize_t>(file.bytes.size())) check(ARCHIVE_FATAL);
+  }
+
+  std::string finish() {
+    check(archive_write_close(writer_.get()));
+    return std::move(bytes_);
+  }
+
+ private:
+  void check(int status) const {
+    if (status == ARCHIVE_OK) return;
+    const char* error = archive_error_string(writer_.get());
+    throw WorkError(fmt::format("can't write the zip: {}", error ? error : "unknown reason"));
+  }
+
+  std::string bytes_;
+  std::unique_ptr<archive, Release> writer_;
+};
+
+/// "03" among 12 steps; "4.1" stays behind "04".
+std::string sortable(StepNumber number, StepNumber last) {
+  const std::string fine = number.fine == 0 ? "" : fmt::format(".{}", number.fine);
+  return fmt::format("{:0{}}{}", number.step, std::to_string(last.step).size(), fine);
+}
+
+std::string readme(std::string_view title, std::string_view command, std::size_t count, StepNumber last) {
+  const std::int64_t whole = last.step + 1;
+  const std::string which = static_cast<std::int64_t>(count) == whole
+                                ? fmt::format("All {} steps", whole)
+                                : fmt::format("{} of the {} steps, evenly spaced", count, whole);
+  return fmt::format(
+      "{}\n\n{} as SVG, for print and slides, and as PNG. The number in a file's name is the step's.\n\n"
+      "Any step, size, theme and format:\n\n  {}\n\nMade by Gradus {}. {}: use the figures as you like, "
+      "without asking.\n",
+      title, which, command, release_version, figure_licence);
+}
+
+}  // namespace
+
+std::string zip_of(std::span<const ZipEntry> entries) {
+  Zip zip;
+  for (const ZipEntry& entry : entries) zip.add(entry);
+  return zip.finish();
+}
+
+void zip_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
+                const std::string& output) {
+  Zip zip;
+  for (const std::string& file : files) zip.add({file, read_input((folder / file).string(), "zip")});
+  write_output(output, zip.finish());
+}
+
+std::vector<ZipEntry> step_entries(std::string_view slug, std::string_view title, std::string_view command,
+                                   std::span<const StepNumber> steps, StepNumber last,
+                                   const std::function<StepPicture(StepNumber)>& draw) {
+  std::vector<ZipEntry> entries{{"README.txt", readme(title, command, steps.size(), last)}};
+  for (const StepNumber step : steps) {
+    StepPicture picture = draw(step);
+    const std::string name = fmt::format("{}-{}", slug, sortable(step, last));
+    entries.push_back({name + ".svg", std::move(picture.svg)});
+    entries.push_back({name + ".png", std::move(picture.png)});
+  }
+  return entries;
+}
+
+}  // namespace gradus::cli

@@ -1,0 +1,37 @@
+#pragma once
+// The gallery: a page of cards that opens from the file system, without a network.
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gradus {
+
+/// A card of the gallery.
+struct Card {
+  std::string slug, title, chapter, caption;
+  std::string command;    ///< to make it again
+  std::string thumbnail;  ///< relative path of an SVG: the drawing of the most telling step
+  std::string player;     ///< relative path
+  std::vector<std::pair<std::string, std::string>> downloads{};  ///< (name shown, relative path)
+  std::vector<std::string> words{};  ///< more to find it by: topic, aliases, method
+  std::string topic_page{};          ///< relative path; empty: none
+  std::string zip{};                 ///< relative path: its steps as pictures; empty: none
+  std::vector<std::pair<std::string, std::string>> snippets{};  ///< (for what: "Beamer", lines to paste)
+};
+
+/// What stands above the cards.
+struct GalleryOptions {
+  std::string title = "Gradus";
+  std::string intro =
+      "Computer graphics, step by step. Every figure here is drawn from a run of the algorithm's own code: "
+      "open "
+      "one and step through it, or take it for your slides.";
+  std::string zip{};  ///< relative path: everything in one file; empty: none
+};
+
+/// out/index.html.
+std::string gallery_page(std::span<const Card> cards, const GalleryOptions& options = {});
+
+}  // namespace gradus

@@ -1,0 +1,279 @@
+#include "web/topic_page.hpp"
+
+#include <cmark-gfm-core-extensions.h>
+#include <cmark-gfm.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "figure/colophon.hpp"
+#include "web/assets.hpp"
+#include "web/html.hpp"
+
+namespace gradus {
+namespace {
+
+struct Release {
+  void operator()(cmark_node* node) const { cmark_node_free(node); }
+  void operator()(cmark_parser* parser) const { cmark_parser_free(parser); }
+  void operator()(cmark_iter* iterator) const { cmark_iter_free(iterator); }
+  void operator()(char* text) const { std::free(text); }  // the default allocator's
+};
+template <class T>
+using Owned = std::unique_ptr<T, Release>;
+
+constexpr std::string_view topics_folder = "docs/topics/";
+
+std::string key_of(const TopicEntry& topic) { return fmt::format("{}/{}", topic.chapter, topic.name); }
+
+Owned<cmark_node> parsed(std::string_view markdown) {
+  cmark_gfm_core_extensions_ensure_registered();
+  // The pages are the project's own: their HTML (folded answers) is kept
+  const Owned<cmark_parser> parser(cmark_parser_new(CMARK_OPT_UNSAFE));
+  cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension("table"));
+  cmark_parser_feed(parser.get(), markdown.data(), markdown.size());
+  return Owned<cmark_node>(cmark_parser_finish(parser.get()));
+}
+
+std::string html_of(cmark_node* document) {
+  const Owned<char> text(cmark_render_html(document, CMARK_OPT_UNSAFE, nullptr));
+  return text.get();
+}
+
+/// Kinds go by their names ("link", "image", "table"): those of extensions have no constant.
+std::vector<cmark_node*> nodes_of(cmark_node* document, std::string_view kind) {
+  std::vector<cmark_node*> found;
+  const Owned<cmark_iter> iterator(cmark_iter_new(document));
+  for (cmark_event_type event; (event = cmark_iter_next(iterator.get())) != CMARK_EVENT_DONE;) {
+    cmark_node* node = cmark_iter_get_node(iterator.get());
+    if (event == CMARK_EVENT_ENTER && cmark_node_get_type_string(node) == kind) found.push_back(node);
+  }
+  return found;
+}
+
+std::string text_in(cmark_node* node) {
+  std::string text;
+  for (const std::string_view kind : {"text", "code"}) {
+    for (cmark_node* part : nodes_of(node, kind)) text += cmark_node_get_literal(part);
+  }
+  return text;
+}
+
+cmark_node* html_node(cmark_node_type type, const std::string& html) {
+  cmark_node* node = cmark_node_new(type);
+  cmark_node_set_literal(node, html.c_str());
+  return node;
+}
+
+/// The file that a link on the topic's page means, from the project's root.
+std::string target_of(const TopicEntry& topic, std::string_view path) {
+  std::string folder = fmt::format("{}{}", topics_folder, topic.chapter);
+  while (path.starts_with("../")) {
+    path.remove_prefix(3);
+    const std::size_t slash = folder.rfind('/');
+    folder.erase(slash == folder.npos ? 0 : slash);
+  }
+  return folder.empty() ? std::string(path) : fmt::format("{}/{}", folder, path);
+}
+
+std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+bool leads_elsewhere(std::string_view url) {
+  return url.starts_with('#') || url.starts_with("https://") || url.starts_with("http://");
+}
+
+/// A heading's anchor, as repository hosts make it: "By hand" -> "by-hand".
+std::string anchor_of(std::string_view heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9');
+    if (letter) anchor += static_cast<char>('A' <= c && c <= 'Z' ? c - 'A' + 'a' : c);
+    if (c == ' ' || c == '-') anchor += '-';
+    if (c == '_') anchor += c;
+  }
+  return anchor;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
+    };
+    const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
+    for (std::size_t k = 0; k < 4; ++k) {
+      out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return out;
+}
+
+/// A topic's page in the making: its Markdown tree, changed in place.
+class Page {
+ public:
+  explicit Page(const TopicEntry& topic)
+      : topic_(topic), document_(parsed(topic_text(key_of(topic) + ".md"))) {}
+
+  std::string body(std::span<const Link> figures) {
+    put_pictures();
+    lead_links();
+    frame_tables();
+    make_sections(figures);
+    return html_of(document_.get()) + sources_html() + "</section>\n";
+  }
+
+  /// The headings as links, for whoever looks for one.
+  const std::string& contents() const { return contents_; }
+
+ private:
+  /// A picture becomes part of the page: an image inside the page reaches for nothing else.
+  void put_pictures() {
+    for (cmark_node* image : nodes_of(document_.get(), "image")) {
+      const std::string file = target_of(topic_, cmark_node_get_url(image));
+      const std::string_view svg =
+          file.starts_with(topics_folder) ? topic_text(file.substr(topics_folder.size())) : "";
+      if (svg.empty())
+        throw std::logic_error(fmt::format("{}: there is no picture {}", key_of(topic_), file));
+      cmark_node_set_url(image, ("data:image/svg+xml;base64," + base64(svg)).c_str());
+    }
+  }
+
+  void lead_links() {
+    for (cmark_node* link : nodes_of(document_.get(), "link")) {
+      const std::string url = cmark_node_get_url(link);
+      if (leads_elsewhere(url)) continue;
+      const std::string path = url.substr(0, url.find('#'));
+      const std::string anchor = url.substr(path.size());
+      const std::string file = target_of(topic_, path);
+      if (const TopicEntry* other = topic_of(file)) {
+        cmark_node_set_url(link, ("../../" + topic_page_path(*other) + anchor).c_str());
+      } else if (!source_text(file).empty()) {
+        cmark_node_set_url(link, ("#" + source_anchor(file)).c_str());
+        if (std::ranges::find(sources_, file) == sources_.end()) sources_.push_back(file);
+      } else {
+        name_only(link, file);
+      }
+    }
+  }
+
+  static const TopicEntry* topic_of(const std::string& file) {
+    for (const TopicEntry* topic : catalogue()) {
+      if (file == fmt::format("{}{}.md", topics_folder, key_of(*topic))) return topic;
+    }
+    return nullptr;
+  }
+
+  /// The words of a link without the link, and the file's name after them.
+  static void name_only(cmark_node* link, const std::string& file) {
+    while (cmark_node* word = cmark_node_first_child(link)) cmark_node_insert_before(link, word);
+    cmark_node_insert_before(
+        link, html_node(CMARK_NODE_HTML_INLINE, fmt::format(" (<code>{}</code>)", escaped(file))));
+    cmark_node_free(link);
+  }
+
+  static std::string source_anchor(const std::string& file) {
+    return fmt::format("source-{}", file_name(file));
+  }
+
+  /// A wide table scrolls inside its frame, which the keyboard must reach.
+  void frame_tables() {
+    for (cmark_node* table : nodes_of(document_.get(), "table")) {
+      const std::string name = table_name(table);
+      cmark_node_insert_before(
+          table,
+          html_node(CMARK_NODE_HTML_BLOCK,
+                    fmt::format("<div class=\"table\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n",
+                                escaped(name))));
+      cmark_node_insert_after(table, html_node(CMARK_NODE_HTML_BLOCK, "</div>\n"));
+    }
+  }
+
+  /// The heading above; a second table below it is "Heading, table 2".
+  std::string table_name(cmark_node* table) {
+    cmark_node* heading = table;
+    while (heading && cmark_node_get_type(heading) != CMARK_NODE_HEADING) {
+      heading = cmark_node_previous(heading);
+    }
+    const std::string name = heading ? text_in(heading) : topic_.title;
+    const auto count = 1 + std::ranges::count(framed_, name);
+    framed_.push_back(name);
+    return count == 1 ? name + ", table" : fmt::format("{}, table {}", name, count);
+  }
+
+  /// A section for each heading, with the heading's anchor; the players below the title.
+  void make_sections(std::span<const Link> figures) {
+    for (cmark_node* heading : nodes_of(document_.get(), "heading")) {
+      if (cmark_node_get_heading_level(heading) == 1) {
+        const std::string html = players_html(figures) + "<section class=\"idea\">\n";
+        cmark_node_insert_after(heading, html_node(CMARK_NODE_HTML_BLOCK, html));
+      } else if (cmark_node_get_heading_level(heading) == 2) {
+        const std::string name = text_in(heading), anchor = anchor_of(name);
+        cmark_node_insert_before(
+            heading, html_node(CMARK_NODE_HTML_BLOCK,
+                               fmt::format("</section>\n<section id=\"{}\">\n", escaped(anchor))));
+        contents_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", escaped(anchor), escaped(name));
+      }
+    }
+  }
+
+  static std::string players_html(std::span<const Link> figures) {
+    if (figures.empty()) return "";
+    std::string links;
+    for (const Link& figure : figures) {
+      links += fmt::format("<li><a href=\"../../{}\">{}</a></li>\n", link_to(figure.path).substr(2),
+                           escaped(figure.name));
+    }
+    return fmt::format(
+        "<nav class=\"players\" aria-label=\"Players\"><p>Step through it</p>\n<ul>\n{}</ul></nav>\n", links);
+  }
+
+  std::string sources_html() const {
+    std::string out;
+    for (const std::string& file : sources_) {
+      out += fmt::format(
+          "<details class=\"source\"><summary id=\"{}\"><code>{}</code></summary>\n"
+          "<pre tabindex=\"0\" role=\"region\" aria-label=\"{}\"><code>{}</code></pre></details>\n",
+          escaped(source_anchor(file)), escaped(file), escaped(file), escaped(source_text(file)));
+    }
+    return out;
+  }
+
+  const TopicEntry& topic_;
+  Owned<cmark_node> document_;
+  std::vector<std::string> sources_;  ///< files that links lead to
+  std::vector<std::string> framed_;   ///< headings whose tables have a frame
+  std::string contents_;
+};
+
+}  // namespace
+
+std::string topic_page_path(const TopicEntry& topic) {
+  const std::string key = key_of(topic);
+  return topic_text(key + ".md").empty() ? "" : fmt::format("topics/{}.html", key);
+}
+
+std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {
+  Page page(topic);
+  const std::string body = page.body(figures);
+  const std::string title = escaped(topic.title), summary = escaped(topic.summary);
+  const std::string chapter = escaped(heading_of(topic.chapter));
+  return filled(web_asset("topic.html"), {{"title", title},
+                                          {"summary", summary},
+                                          {"chapter", chapter},
+                                          {"contents", page.contents()},
+                                          {"body", body},
+                                          {"release", release_version},
+                                          {"licence", figure_licence},
+                                          {"common.css", web_asset("common.css")},
+                                          {"topic.css", web_asset("topic.css")},
+                                          {"common.js", web_asset("common.js")},
+                                          {"topic.js", web_asset("topic.js")}});
+}
+
+}  // namespace gradus

@@ -1,0 +1,29 @@
+#pragma once
+// The page of a topic (docs/topics/<chapter>/<name>.md) as HTML: one file, figures and sources in it.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "stories/topic.hpp"
+
+namespace gradus {
+
+/// A file of docs/topics/ as the build saw it, by its path from there: "scan_conversion/flood_fill.md". Empty
+/// when there is none.
+std::string_view topic_text(std::string_view path);
+
+struct Link {
+  std::string name;
+  std::string path;  ///< relative to the output folder, where index.html is
+};
+
+/// Where the topic's page goes, below the output folder: "topics/scan_conversion/flood_fill.html". Empty for
+/// a topic without a page.
+std::string topic_page_path(const TopicEntry& topic);
+
+/// The page. `figures` are the players of the topic. Pictures become part of the page; links lead to other
+/// topics' pages and into the sources at its end; what is not there is named instead of linked.
+std::string topic_page(const TopicEntry& topic, std::span<const Link> figures);
+
+}  // namespace gradus
