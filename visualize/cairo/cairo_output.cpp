@@ -28,13 +28,14 @@ std::uint32_t premultiplied(const Rgba8& c) {
 }
 
 Rgba8 unpremultiplied(std::uint32_t pixel) {
-  const std::uint32_t alpha = pixel >> 24;
+  const auto channel = [pixel](int shift) { return static_cast<std::uint8_t>(pixel >> shift); };
+  const std::uint32_t alpha = channel(24);
+  if (alpha == 255) return {channel(16), channel(8), channel(0), 255};
   if (alpha == 0) return {0, 0, 0, 0};
-  const auto over_alpha = [alpha](std::uint32_t v) {
-    return static_cast<std::uint8_t>(std::min(255u, ((v & 255) * 255 + alpha / 2) / alpha));
+  const auto over_alpha = [&](int shift) {
+    return static_cast<std::uint8_t>(std::min(255u, (channel(shift) * 255u + alpha / 2) / alpha));
   };
-  return {over_alpha(pixel >> 16), over_alpha(pixel >> 8), over_alpha(pixel),
-          static_cast<std::uint8_t>(alpha)};
+  return {over_alpha(16), over_alpha(8), over_alpha(0), channel(24)};
 }
 
 class Painter {

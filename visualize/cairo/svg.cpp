@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -60,6 +61,18 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     }
   }
   return text;
+}
+
+/// Every cell repeated until one is no wider than two pixels of the figure: librsvg and others smooth
+/// pictures whatever the file says, and so smooth the rims only.
+Image enlarged(const Image& image, const Box& box) {
+  const int times = std::clamp(static_cast<int>(box.width / image.width() / 2), 1, 32);
+  if (times == 1) return image;
+  Image large(times * image.width(), times * image.height());
+  for (int y = 0; y < large.height(); ++y) {
+    for (int x = 0; x < large.width(); ++x) large[{x, y}] = image[{x / times, y / times}];
+  }
+  return large;
 }
 
 /// What a shape shows: the role it is painted in, else the furniture's tone.
@@ -301,7 +314,7 @@ class SvgWriter {
     body_ +=
         " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
         "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,";
-    body_ += base64(encode_png(pixels_of(shape, finish_.theme)));
+    body_ += base64(encode_png(enlarged(pixels_of(shape, finish_.theme), shape.box)));
     body_ += '"';
     end();
   }
