@@ -45,7 +45,11 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
 /// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
 double drawn_width(const std::string& text, Face face, double size);
 
-/// What a file made by the functions above, or a player page, says of itself; nothing when it says nothing.
+/// The colophon as an XML element, for other files that hold a text: `colophon_in` finds it there.
+std::string markup_of(const Colophon& colophon);
+
+/// What a file made by the functions above, a player page or a film, says of itself; nothing when it says
+/// nothing.
 std::optional<Colophon> colophon_in(std::string_view file_bytes);
 
 }  // namespace gradus

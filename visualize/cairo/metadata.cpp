@@ -50,6 +50,12 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
   return text.substr(first, end - first);
 }
 
+std::string attributes_of(const Colophon& colophon) {
+  return fmt::format("xmlns=\"urn:gradus:figure\" {}=\"{}\" {}=\"{}\" version=\"{}\" licence=\"{}\"",
+                     command_key, escaped(colophon.command), hash_key, escaped(colophon.input_hash),
+                     release_version, figure_licence);
+}
+
 /// The text of the first element of this name, with or without attributes.
 std::string_view element(std::string_view text, std::string_view name) {
   const auto whole = between(text, fmt::format("<{}", name), fmt::format("</{}>", name)).value_or("");
@@ -157,13 +163,16 @@ std::string name_suffix(const Colophon& colophon) {
   return fmt::format("{:08x}", hash);
 }
 
+std::string markup_of(const Colophon& colophon) {
+  return fmt::format("<gradus {}><title>{}</title><desc>{}</desc></gradus>", attributes_of(colophon),
+                     escaped(colophon.title), escaped(colophon.description));
+}
+
 std::string svg_head(const Colophon& colophon, const std::string& suffix) {
   return fmt::format(
       "<title id=\"title-{0}\">{1}</title>\n<desc id=\"desc-{0}\">{2}</desc>\n"
-      "<metadata><gradus xmlns=\"urn:gradus:figure\" {3}=\"{4}\" {5}=\"{6}\" version=\"{7}\" "
-      "licence=\"{8}\"/></metadata>\n",
-      suffix, escaped(colophon.title), escaped(colophon.description), command_key, escaped(colophon.command),
-      hash_key, escaped(colophon.input_hash), release_version, figure_licence);
+      "<metadata><gradus {3}/></metadata>\n",
+      suffix, escaped(colophon.title), escaped(colophon.description), attributes_of(colophon));
 }
 
 std::vector<PngText> png_texts_of(const Colophon& colophon) {
