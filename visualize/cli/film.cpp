@@ -55,7 +55,8 @@ class Film {
     const Image first = drawn(0);
     width_ = first.width();
     height_ = first.height();
-    check_film(format_, options_, !is_opaque(first));
+    transparent_ = !is_opaque(first);
+    check_film(format_, options_, transparent_);
     Descriptor palette;
     if (format_ == FilmFormat::gif) palette = nameless_file(run(chosen_colors(), Descriptor()));
     std::string film = run(encoding(), palette);
@@ -87,7 +88,11 @@ class Film {
         continue;
       }
       held_.push_back(1);
-      if (!ffmpeg.take(bytes_of(now))) break;
+      if (!ffmpeg.take(bytes_of(now))) {
+        ffmpeg.finish();  // which may know the reason
+        throw WorkError(
+            fmt::format("film: expected ffmpeg to take {} frames, found that it stopped early", count_));
+      }
       before = std::move(now);
     }
     return ffmpeg.finish();
@@ -119,11 +124,13 @@ class Film {
                                               "-fflags",       "+bitexact", "-flags:v", "+bitexact"};
     switch (format_) {
       case FilmFormat::gif:
+        // With transparent frames ffmpeg 5.1 cuts off what it should keep: there they are stored whole
         return joined({{"-f", "rawvideo", "-pixel_format", "rgba", "-video_size", "16x16", "-i",
                         std::string(Ffmpeg::palette), "-lavfi",
                         "[0:v][1:v]paletteuse=dither=none:diff_mode=rectangle:alpha_threshold=128"},
                        same_bytes,
-                       {"-loop", std::to_string(gif_loop()), "-f", "gif"}});
+                       {"-gifflags", transparent_ ? "0" : "+offsetting+transdiff", "-loop",
+                        std::to_string(gif_loop()), "-f", "gif"}});
       case FilmFormat::webp:
         return joined({same_bytes,
                        {"-c:v", "libwebp_anim", "-lossless", "1", "-compression_level", "4", "-quality", "70",
@@ -132,7 +139,7 @@ class Film {
         break;
     }
     return joined(
-        {{"-vf", movie_filter(), "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-colorspace",
+        {{"-vf", movie_filter(), "-c:v", "libx264", "-preset", "veryfast", "-crf", "17", "-colorspace",
           "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"},
          same_bytes,
          {"-metadata", "title=" + colophon_.title, "-metadata", "comment=" + markup_of(colophon_),
@@ -142,13 +149,15 @@ class Film {
   /// GIF counts repetitions after the first time, and -1 is none.
   int gif_loop() const { return options_.loop == 0 ? 0 : options_.loop == 1 ? -1 : options_.loop - 1; }
 
-  /// Each frame as often as it lasts, the last one longer or shorter.
+  /// Colours are converted once a step, then each frame is repeated for as long as it lasts, the last one
+  /// longer or shorter.
   std::string movie_filter() const {
-    std::string filter = fmt::format("fps={}", options_.fps);
+    std::string filter =
+        fmt::format("scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,fps={}", options_.fps);
     if (last_repeats() > repeats())
       filter += fmt::format(",tpad=stop={}:stop_mode=clone", last_repeats() - repeats());
     if (last_repeats() < repeats()) filter += fmt::format(",trim=end_frame={}", expected_frames());
-    return filter + ",scale=out_color_matrix=bt709:out_range=tv";
+    return filter;
   }
 
   // --- Time ------------------------------------------------------------------------------------------------
@@ -185,6 +194,7 @@ class Film {
   const FilmOptions& options_;
   const Colophon& colophon_;
   int width_ = 0, height_ = 0;
+  bool transparent_ = false;
   std::vector<std::size_t> held_;  ///< of the frames sent: how many steps each stands for
 };
 
