@@ -6,6 +6,7 @@
 Exit 77 when one of those programs is missing.
 """
 import os
+import pathlib
 import shutil
 import struct
 import subprocess
@@ -14,11 +15,13 @@ import tempfile
 import zlib
 
 GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ["GRADUS_COMMAND"])
+PICTURE = str(pathlib.Path(__file__).resolve().parents[2] / "examples/images/camera.png")
 CASES = {
     "line": ["bresenham_line", "--from", "0,0", "--to", "7,3"],
     "window": ["bresenham_line", "--from", "262,23", "--to", "91618510,-54756195", "--window", "270,0,299,19"],
     "fill": ["flood_fill", "--method", "breadth_first"],
     "dark": ["flood_fill", "--theme", "dark"],
+    "picture": ["flood_fill", "--image", PICTURE, "--at", "300,60", "--tolerance", "20"],
 }
 passed = failed = 0
 

@@ -1,72 +1,57 @@
 #include "cairo/cairo_output.hpp"
 
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
+#include "cairo/fonts.hpp"
+#include "cairo/handles.hpp"
 #include "cairo/metadata.hpp"
+#include "cairo/shapes.hpp"
 #include "core/image.hpp"
-#include "figure/metrics.hpp"
 
 namespace gradus {
 namespace {
 
-struct Destroy {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-  void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-using Context = std::unique_ptr<cairo_t, Destroy>;
-
-void check(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
-  }
+bool is_opaque(const Image& image) {
+  return std::ranges::all_of(image.cells(), [](const Rgba8& c) { return c.a == 255; });
 }
 
-/// Hinting off: the same outlines and places on every surface and machine.
-void set_font_options(cairo_t* context) {
-  const std::unique_ptr<cairo_font_options_t, Destroy> options(cairo_font_options_create());
-  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
-  cairo_set_font_options(context, options.get());
+std::uint32_t premultiplied(const Rgba8& c) {
+  const auto times_alpha = [&c](std::uint8_t v) { return (std::uint32_t{v} * c.a + 127) / 255; };
+  return std::uint32_t{c.a} << 24 | times_alpha(c.r) << 16 | times_alpha(c.g) << 8 | times_alpha(c.b);
 }
 
-void select_face(cairo_t* context, Face face, double size) {
-  const bool mono = face == Face::mono || face == Face::mono_bold;
-  const bool bold = face == Face::bold || face == Face::mono_bold;
-  cairo_select_font_face(context, mono ? "DejaVu Sans Mono" : "DejaVu Sans",
-                         face == Face::italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
-                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, size);
-}
-
-/// Without transparency a PDF needs no second image for the mask.
-bool is_opaque(const ImageShape& shape) {
-  return std::ranges::all_of(shape.image.cells(), [](const Rgba8& c) { return c.a == 255; });
+Rgba8 unpremultiplied(std::uint32_t pixel) {
+  const auto channel = [pixel](int shift) { return static_cast<std::uint8_t>(pixel >> shift); };
+  const std::uint32_t alpha = channel(24);
+  if (alpha == 255) return {channel(16), channel(8), channel(0), 255};
+  if (alpha == 0) return {0, 0, 0, 0};
+  const auto over_alpha = [&](int shift) {
+    return static_cast<std::uint8_t>(std::min(255u, (channel(shift) * 255u + alpha / 2) / alpha));
+  };
+  return {over_alpha(16), over_alpha(8), over_alpha(0), channel(24)};
 }
 
 class Painter {
  public:
-  Painter(cairo_t* context, const Theme& theme) : context_(context), theme_(theme) {
+  Painter(cairo_t* context, const Finish& finish)
+      : context_(context), theme_(finish.theme), transparent_(finish.transparent) {
     set_font_options(context);
   }
 
   void paint(const Sheet& sheet) {
-    use(Paint::of(Tone::paper));
-    cairo_rectangle(context_, 0, 0, sheet.width, sheet.height);
-    cairo_fill(context_);
-    unit_ = sheet.height / 720;
+    if (!transparent_) {
+      use(Paint::of(Tone::paper));
+      cairo_rectangle(context_, 0, 0, sheet.width, sheet.height);
+      cairo_fill(context_);
+    }
+    unit_ = unit_of(sheet);
     for (const Shape& shape : sheet.shapes) {
       std::visit([this](const auto& what) { draw(what); }, shape.what);
     }
@@ -79,7 +64,8 @@ class Painter {
   }
 
   void stroke(double width, bool dashed) {
-    const double dash[] = {3 * width, 2 * width};
+    const auto [on, off] = dashes(width);
+    const double dash[] = {on, off};
     cairo_set_line_width(context_, width);
     cairo_set_dash(context_, dash, dashed ? 2 : 0, 0);
     cairo_stroke(context_);
@@ -110,24 +96,16 @@ class Painter {
     }
   }
 
-  /// Diagonal lines cut to the box by hand: no clip path, so vector files stay small.
   void hatch(const RectShape& rect) {
-    const double gap = 10 * unit_;
     use(rect.hatch_paint);
-    if (rect.hatch != Hatch::falling) diagonals(rect.box, gap, true);
-    if (rect.hatch != Hatch::rising) diagonals(rect.box, gap, false);
-    stroke(0.9 * unit_, false);
+    trace(hatch_lines(rect, unit_));
+    stroke(hatch_width(unit_), false);
   }
-  void diagonals(const Box& b, double gap, bool rising) {
-    // Lines x + y = k (rising on a y-down page) or x - y = k, k a multiple of the gap so that neighbours join
-    // up
-    const double low = rising ? b.x + b.y : b.x - b.bottom();
-    const double high = rising ? b.right() + b.bottom() : b.right() - b.y;
-    for (double k = std::ceil(low / gap) * gap; k < high; k += gap) {
-      const double x0 = rising ? std::max(b.x, k - b.bottom()) : std::max(b.x, k + b.y);
-      const double x1 = rising ? std::min(b.right(), k - b.y) : std::min(b.right(), k + b.bottom());
-      cairo_move_to(context_, x0, rising ? k - x0 : x0 - k);
-      cairo_line_to(context_, x1, rising ? k - x1 : x1 - k);
+
+  void trace(const std::vector<Segment>& segments) {
+    for (const auto& [from, to] : segments) {
+      cairo_move_to(context_, from.x, from.y);
+      cairo_line_to(context_, to.x, to.y);
     }
   }
 
@@ -139,27 +117,16 @@ class Painter {
       cairo_line_to(context_, line.points[i].x, line.points[i].y);
     if (line.closed) cairo_close_path(context_);
     stroke(line.width, line.dashed);
-    if (line.arrow) arrow_head(line.points[line.points.size() - 2], line.points.back(), line.width);
-  }
-
-  void arrow_head(dvec2 from, dvec2 to, double width) {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (length == 0) return;
-    const dvec2 along = (to - from) / length * (3 * width + 6 * unit_);
-    const dvec2 aside{-along.y * 0.4, along.x * 0.4};
-    cairo_move_to(context_, to.x, to.y);
-    cairo_line_to(context_, to.x - along.x + aside.x, to.y - along.y + aside.y);
-    cairo_line_to(context_, to.x - along.x - aside.x, to.y - along.y - aside.y);
+    const auto head = arrow_head(line, unit_);
+    if (!head) return;
+    for (const dvec2& p : {head->tip, head->left, head->right}) cairo_line_to(context_, p.x, p.y);
     cairo_close_path(context_);
     cairo_fill(context_);
   }
 
   void draw(const StrokesShape& strokes) {
     use(strokes.stroke);
-    for (const auto& [from, to] : strokes.segments) {
-      cairo_move_to(context_, from.x, from.y);
-      cairo_line_to(context_, to.x, to.y);
-    }
+    trace(strokes.segments);
     cairo_set_line_cap(context_, strokes.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
     stroke(strokes.width, false);
     cairo_set_line_cap(context_, CAIRO_LINE_CAP_BUTT);
@@ -187,7 +154,7 @@ class Painter {
       cairo_text_path(context_, text.text.c_str());
       use(text.ground);
       cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
-      stroke(5 * unit_, false);
+      stroke(halo_width(text), false);
       cairo_set_line_join(context_, CAIRO_LINE_JOIN_MITER);
     }
     use(text.paint);
@@ -197,14 +164,16 @@ class Painter {
 
   void draw(const ImageShape& shape) {
     if (shape.image.width() == 0 || shape.image.height() == 0) return;
-    Surface pixels(cairo_image_surface_create(is_opaque(shape) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
-                                              shape.image.width(), shape.image.height()));
+    const Image image = pixels_of(shape, theme_);
+    // Without transparency a PDF needs no second image for the mask
+    const Surface pixels(cairo_image_surface_create(
+        is_opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width(), image.height()));
     check(cairo_surface_status(pixels.get()));
     unsigned char* data = cairo_image_surface_get_data(pixels.get());
     const int stride = cairo_image_surface_get_stride(pixels.get());
-    for (int y = 0; y < shape.image.height(); ++y) {
+    for (int y = 0; y < image.height(); ++y) {
       auto* row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-      for (int x = 0; x < shape.image.width(); ++x) row[x] = premultiplied(shape, {x, y});
+      std::ranges::transform(image.row(y), row, premultiplied);
     }
     cairo_surface_mark_dirty(pixels.get());
     cairo_save(context_);
@@ -217,93 +186,57 @@ class Painter {
     cairo_restore(context_);
   }
 
-  std::uint32_t premultiplied(const ImageShape& shape, ivec2 p) const {
-    if (shape.roles.contains(p) && shape.roles[p] != 0) {
-      return 0xff000000u | theme_[static_cast<Role>(shape.roles[p] - 1)].mark.hex;
-    }
-    const Rgba8 c = shape.image[p];
-    const auto times_alpha = [&c](std::uint8_t v) { return (std::uint32_t{v} * c.a + 127) / 255; };
-    return std::uint32_t{c.a} << 24 | times_alpha(c.r) << 16 | times_alpha(c.g) << 8 | times_alpha(c.b);
-  }
-
   cairo_t* context_;
   const Theme& theme_;
+  bool transparent_;
   double unit_ = 1;
 };
-
-/// Without the DejaVu fonts Cairo draws boxes and says nothing: measure a text whose width is known.
-void check_fonts() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    for (const Face face : {Face::sans, Face::bold, Face::italic, Face::mono, Face::mono_bold}) {
-      const std::string text = "gradus Σ≥";
-      if (std::abs(drawn_width(text, face, 100) - text_width(text, face, 100)) > 1) {
-        throw std::runtime_error(
-            "the DejaVu fonts are missing: install fonts-dejavu-core and fonts-dejavu-extra");
-      }
-    }
-  });
-}
 
 cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
 }
 
-void paint_on(cairo_surface_t* surface, const Sheet& sheet, const Theme& theme) {
-  check(cairo_surface_status(surface));
-  const Context context(cairo_create(surface));
-  Painter(context.get(), theme).paint(sheet);
+/// The sheet as Cairo's pixels; drawn at the scale asked for, so that letters stay sharp.
+Surface painted(const Sheet& sheet, const Finish& finish) {
+  const double width = std::round(sheet.width * finish.scale),
+               height = std::round(sheet.height * finish.scale);
+  if (!(1 <= width && width <= longest_side && 1 <= height && height <= longest_side)) {
+    throw std::runtime_error(fmt::format("a picture has sides of 1 to {} pixels, not {:.0f} x {:.0f}",
+                                         longest_side, width, height));
+  }
+  Surface surface(cairo_image_surface_create(finish.transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                             static_cast<int>(width), static_cast<int>(height)));
+  check(cairo_surface_status(surface.get()));
+  const Context context(cairo_create(surface.get()));
+  // Not finish.scale: the sheet ends with the last pixel, whatever was rounded
+  cairo_scale(context.get(), width / sheet.width, height / sheet.height);
+  Painter(context.get(), finish).paint(sheet);
   check(cairo_status(context.get()));
-}
-
-void complete(cairo_surface_t* surface) {
-  cairo_surface_finish(surface);
-  check(cairo_surface_status(surface));
+  cairo_surface_flush(surface.get());
+  return surface;
 }
 
 }  // namespace
 
-double drawn_width(const std::string& text, Face face, double size) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const Context context(cairo_create(surface.get()));
-  set_font_options(context.get());
-  select_face(context.get(), face, size);
-  cairo_text_extents_t extents;
-  cairo_text_extents(context.get(), text.c_str(), &extents);
-  return extents.x_advance;
-}
-
-std::string svg_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon) {
+Image image_of(const Sheet& sheet, const Finish& finish) {
   check_fonts();
-  std::string text;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &text, sheet.width, sheet.height));
-  cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  paint_on(surface.get(), sheet, finish.theme);
-  complete(surface.get());
-  return with_colophon(renumbered(text), colophon);
+  const Surface surface = painted(sheet, finish);
+  const unsigned char* data = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  Image image(cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()));
+  // RGB24 leaves the alpha byte undefined
+  const std::uint32_t opaque = finish.transparent ? 0 : 0xff000000u;
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
+    std::transform(row, row + image.width(), image.row(y).begin(),
+                   [opaque](std::uint32_t pixel) { return unpremultiplied(pixel | opaque); });
+  }
+  return image;
 }
 
 std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon) {
-  check_fonts();
-  const int width = static_cast<int>(std::lround(sheet.width)),
-            height = static_cast<int>(std::lround(sheet.height));
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  paint_on(surface.get(), sheet, finish.theme);
-  cairo_surface_flush(surface.get());
-  const unsigned char* data = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-    for (int x = 0; x < width; ++x) {
-      const std::uint32_t c = row[x];
-      image[{x, y}] = {static_cast<std::uint8_t>(c >> 16), static_cast<std::uint8_t>(c >> 8),
-                       static_cast<std::uint8_t>(c), 255};
-    }
-  }
-  const auto texts = png_texts_of(colophon);
-  const auto bytes = encode_png(image, texts);
+  const auto bytes = encode_png(image_of(sheet, finish), png_texts_of(colophon));
   return {bytes.begin(), bytes.end()};
 }
 
@@ -320,11 +253,12 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
     check(cairo_surface_status(surface.get()));
     const Context context(cairo_create(surface.get()));
     cairo_scale(context.get(), 0.75, 0.75);
-    Painter(context.get(), finish.theme).paint(sheet);
+    Painter(context.get(), finish).paint(sheet);
     cairo_show_page(context.get());
     check(cairo_status(context.get()));
   }
-  complete(surface.get());
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()));
   return text;
 }
 

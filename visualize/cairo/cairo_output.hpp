@@ -3,24 +3,53 @@
 // Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "core/image.hpp"
 #include "figure/colophon.hpp"
 #include "figure/sheet.hpp"
 #include "theme/finish.hpp"
 
 namespace gradus {
 
+/// For slides, style sheets and reveals, the file is grouped by what things are:
+///
+///     <rect id="paper" class="tone-paper">         the ground; absent when transparent
+///     <g id="drawing" class="slot-drawing">        a slot: title, drawing, listing, table, sentence, footer
+///       <g id="drawing-current" class="role-current">  in it what has one role (see Role) …
+///       <g id="drawing-rule" class="tone-rule">        … or belongs to the furniture (see Tone), or is a
+///       picture
+///         <rect data-id="cell 3,2">                what the figure calls a shape or text: once per part of
+///         it
+///
+/// Groups don't change the drawing order: one that is interrupted goes on as drawing-current-2, -3, …, so an
+/// id names one stretch and a class all. `.slot-drawing .role-current { visibility: hidden }` hides the
+/// current mark, `#sentence` is the sentence. Letters are shapes in <defs>, or with SvgText::text <text>
+/// elements in the DejaVu fonts that keep their width in any other.
 std::string svg_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
+
+/// The pixels of a sheet, drawn at `finish.scale`: opaque, or with alpha where no ground is painted.
+/// Throws std::runtime_error when a side is no pixel or more than `longest_side`.
+Image image_of(const Sheet& sheet, const Finish& finish);
+inline constexpr int longest_side = 32767;  ///< Cairo's limit
+
 std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
-/// One page a sheet; page(i) is asked for when its turn comes, so that no more than one is held at a time.
+
+/// One page of its own size a sheet; page(i) is asked for when its turn comes, so that no more than one is
+/// held at a time.
 std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon);
 
 /// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
 double drawn_width(const std::string& text, Face face, double size);
 
-/// What a file made by the functions above, or a player page, says of itself; nothing when it says nothing.
+/// The colophon as an XML element, for other files that hold a text: `colophon_in` finds it there.
+std::string markup_of(const Colophon& colophon);
+
+/// What a file made by the functions above, a player page or a film, says of itself; nothing when it says
+/// nothing.
 std::optional<Colophon> colophon_in(std::string_view file_bytes);
 
 }  // namespace gradus

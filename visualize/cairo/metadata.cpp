@@ -3,12 +3,14 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <map>
 #include <span>
 
 #include "cairo/cairo_output.hpp"
+#include "figure/metrics.hpp"
 
 namespace gradus {
 namespace {
@@ -16,28 +18,8 @@ namespace {
 // The same keys in every format; SVG and HTML hold them as attributes and elements, PDF in one Keywords text.
 constexpr std::string_view command_key = "gradus-command", hash_key = "gradus-input-hash";
 
-/// A text for XML: markup escaped, control characters (not allowed there) as U+FFFD.
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 ? std::string("\xef\xbf\xbd") : std::string(1, c);
-    }
-  }
-  return safe;
+bool fits_xml(char32_t c) {
+  return c >= 0x20 && !(0xd800 <= c && c <= 0xdfff) && c != 0xfffe && c != 0xffff && c <= 0x10ffff;
 }
 
 std::string unescaped(std::string_view text) {
@@ -68,6 +50,18 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
   return text.substr(first, end - first);
 }
 
+std::string attributes_of(const Colophon& colophon) {
+  return fmt::format("xmlns=\"urn:gradus:figure\" {}=\"{}\" {}=\"{}\" version=\"{}\" licence=\"{}\"",
+                     command_key, escaped(colophon.command), hash_key, escaped(colophon.input_hash),
+                     release_version, figure_licence);
+}
+
+/// The text of the first element of this name, with or without attributes.
+std::string_view element(std::string_view text, std::string_view name) {
+  const auto whole = between(text, fmt::format("<{}", name), fmt::format("</{}>", name)).value_or("");
+  return whole.substr(std::min(whole.find('>'), whole.size() - 1) + 1);
+}
+
 /// SVG: an attribute key="value"; HTML: <meta name="key" content="value">.
 std::optional<Colophon> colophon_in_markup(std::string_view text) {
   const auto attribute = [text](std::string_view key) {
@@ -79,8 +73,8 @@ std::optional<Colophon> colophon_in_markup(std::string_view text) {
   Colophon colophon;
   colophon.command = unescaped(*command);
   colophon.input_hash = unescaped(attribute(hash_key).value_or(""));
-  colophon.title = unescaped(between(text, "<title>", "</title>").value_or(""));
-  colophon.description = unescaped(between(text, "<desc>", "</desc>").value_or(""));
+  colophon.title = unescaped(element(text, "title"));
+  colophon.description = unescaped(element(text, "desc"));
   return colophon;
 }
 
@@ -134,41 +128,51 @@ std::optional<Colophon> colophon_in_pdf(std::string_view bytes) {
   return colophon;
 }
 
-/// Numbers the ids stem17, stem23 … from 1 on, where they are set ("stem17") and used (#stem17).
-std::string renumbered(const std::string& svg, std::string_view stem) {
-  std::map<std::string, std::size_t> numbers;
-  std::string text;
-  text.reserve(svg.size());
-  std::size_t done = 0;
-  for (std::size_t at = svg.find(stem); at != std::string::npos; at = svg.find(stem, done)) {
-    std::size_t end = at + stem.size();
-    text.append(svg, done, end - done);
-    done = end;
-    if (at == 0 || (svg[at - 1] != '"' && svg[at - 1] != '#')) continue;
-    while (end < svg.size() && std::isdigit(static_cast<unsigned char>(svg[end]))) ++end;
-    if (end == done) continue;
-    const auto [entry, added] = numbers.emplace(svg.substr(done, end - done), numbers.size() + 1);
-    text += std::to_string(entry->second);
-    done = end;
-  }
-  return text.append(svg, done);
-}
-
 }  // namespace
 
-std::string renumbered(const std::string& svg) { return renumbered(renumbered(svg, "surface"), "image"); }
+std::string escaped(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char32_t c : code_points(text)) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        const char32_t shown = fits_xml(c) ? c : U'\xfffd';
+        safe += shown < 0x80 ? std::string(1, static_cast<char>(shown)) : utf8_of({&shown, 1});
+    }
+  }
+  return safe;
+}
 
-std::string with_colophon(const std::string& svg, const Colophon& colophon) {
-  const std::size_t root = svg.find("<svg");
-  const std::size_t after = svg.find('>', root) + 1;
-  const std::string head = fmt::format(
-      "\n<title>{}</title>\n<desc>{}</desc>\n<metadata><gradus xmlns=\"urn:gradus:figure\" {}=\"{}\" "
-      "{}=\"{}\" "
-      "version=\"{}\" licence=\"{}\"/></metadata>",
-      escaped(colophon.title), escaped(colophon.description), command_key, escaped(colophon.command),
-      hash_key, escaped(colophon.input_hash), release_version, figure_licence);
-  std::string text = svg;
-  return text.insert(after, head);
+std::string name_suffix(const Colophon& colophon) {
+  std::uint32_t hash = 0x811c9dc5u;  // FNV-1a
+  for (const char c : colophon.title + '\n' + colophon.description + '\n' + colophon.command) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193u;
+  }
+  return fmt::format("{:08x}", hash);
+}
+
+std::string markup_of(const Colophon& colophon) {
+  return fmt::format("<gradus {}><title>{}</title><desc>{}</desc></gradus>", attributes_of(colophon),
+                     escaped(colophon.title), escaped(colophon.description));
+}
+
+std::string svg_head(const Colophon& colophon, const std::string& suffix) {
+  return fmt::format(
+      "<title id=\"title-{0}\">{1}</title>\n<desc id=\"desc-{0}\">{2}</desc>\n"
+      "<metadata><gradus {3}/></metadata>\n",
+      suffix, escaped(colophon.title), escaped(colophon.description), attributes_of(colophon));
 }
 
 std::vector<PngText> png_texts_of(const Colophon& colophon) {

@@ -4,6 +4,7 @@
 #include <cairo.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image.hpp"
@@ -11,12 +12,14 @@
 
 namespace gradus {
 
-/// Cairo numbers the groups and images of SVGs through the whole process ("surface17", "image23"): numbers
-/// them from 1 in every file.
-std::string renumbered(const std::string& svg);
+/// A text for XML: markup escaped; what XML can't hold (control characters, broken UTF-8) as U+FFFD.
+std::string escaped(std::string_view text);
 
-/// The SVG with <title>, <desc> and <metadata> as its first elements.
-std::string with_colophon(const std::string& svg, const Colophon& colophon);
+/// What ids in a file may end in, so that files that share a page don't name each other's title.
+std::string name_suffix(const Colophon& colophon);
+
+/// <title>, <desc> and <metadata>, the first elements of an SVG; the ids are title-… and desc-….
+std::string svg_head(const Colophon& colophon, const std::string& suffix);
 
 std::vector<PngText> png_texts_of(const Colophon& colophon);
 

@@ -122,6 +122,37 @@ Tone text_on(Rgb ground, const Theme& theme) {
   return contrast(theme[Tone::ink], ground) >= contrast(theme[Tone::paper], ground) ? Tone::ink : Tone::paper;
 }
 
+Theme with_paper(Theme theme, Rgb paper) {
+  const Rgb old = theme[Tone::paper];
+  std::ranges::replace(theme.tone, old, paper);
+  for (RoleLook& look : theme.role) {
+    if (look.fill == old) look.fill = paper;
+  }
+  return theme;
+}
+
+std::optional<LowContrast> low_contrast(const Theme& theme) {
+  std::optional<LowContrast> worst;
+  const auto compare = [&worst](std::string_view what, double least, Rgb a, Rgb b) {
+    const double found = contrast(a, b);
+    if (found >= least || (worst && found / least >= worst->found / worst->least)) return;
+    worst = {what, least, found};
+  };
+  const Rgb paper = theme[Tone::paper];
+  for (const Tone ground : {Tone::paper, Tone::panel, Tone::header, Tone::weak, Tone::strong}) {
+    compare("texts", 4.5, theme[Tone::ink], theme[ground]);
+  }
+  for (const Tone ground : {Tone::paper, Tone::panel})
+    compare("texts", 4.5, theme[Tone::muted], theme[ground]);
+  compare("marks", 3, theme[Tone::accent], paper);
+  for (const RoleLook& look : theme.role) {
+    compare("texts", 4.5, look.text, paper);
+    compare("texts", 4.5, theme[text_on(look.fill, theme)], look.fill);
+    compare("marks", 3, look.mark, paper);
+  }
+  return worst;
+}
+
 Rgb color_of(Paint paint, const Theme& theme) {
   switch (paint.part) {
     case Paint::Part::role_mark:

@@ -2,6 +2,7 @@
 // From role to look: the only place that knows colours.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,5 +49,16 @@ Tone text_on(Rgb ground, const Theme& theme);
 
 /// WCAG contrast of two colours, 1 to 21.
 double contrast(Rgb a, Rgb b);
+
+/// The theme on another ground. Panels and cells that had the old ground's colour get the new one.
+Theme with_paper(Theme theme, Rgb paper);
+
+/// What can't be read well enough, on the ground of the whole figure or of its cells.
+struct LowContrast {
+  std::string_view what;  ///< "texts", "marks"
+  double least, found;    ///< contrast: 4.5 for texts, 3 for marks
+};
+/// The worst of what falls below its limit, or nothing.
+std::optional<LowContrast> low_contrast(const Theme& theme);
 
 }  // namespace gradus

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 #include <thread>
 
 #include "figure/figure.hpp"
@@ -44,20 +45,19 @@ TEST(CairoOutput, SameSheetSameBytes) {
   const std::string svg = svg_of(sheet, light, hostile), png = png_of(sheet, light, hostile);
   const auto same = [&sheet](std::size_t) { return sheet; };
   const std::string pdf = pdf_of(2, same, light, hostile);
-  EXPECT_EQ(svg_of(sheet, light, hostile), svg) << "Cairo numbers SVG groups through the whole process";
+  EXPECT_EQ(svg_of(sheet, light, hostile), svg);
   EXPECT_EQ(png_of(sheet, light, hostile), png);
   EXPECT_EQ(pdf_of(2, same, light, hostile), pdf);
 }
 
 TEST(CairoOutput, SameImagesSameBytes) {
-  // Pictures have ids of their own, which Cairo counts through the whole process too
   const Trace trace = test::trace_of(
       "flood_fill",
       {{"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"}, {"at", "300,60"}}, {0, 50});
   const Sheet sheet = sheet_at(trace, {2, 0});
   const std::string first = svg_of(sheet, themes()[0], hostile);
-  EXPECT_NE(first.find("id=\"image1\""), std::string::npos);
-  EXPECT_NE(first.find("id=\"image2\""), std::string::npos) << "the view and the overview";
+  EXPECT_NE(first.find("data-id=\"picture\""), std::string::npos);
+  EXPECT_NE(first.find("data-id=\"overview\""), std::string::npos);
   EXPECT_EQ(svg_of(sheet, themes()[0], hostile), first);
 }
 
@@ -94,19 +94,213 @@ TEST(CairoOutput, FilesSayHowTheyWereMade) {
   EXPECT_FALSE(colophon_in("%PDF-1.5 nothing"));
 }
 
-TEST(CairoOutput, SvgEscapesAndNumbersFromOne) {
+/// All matches of a pattern's first group.
+std::vector<std::string> all(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) found.push_back((*i)[1]);
+  return found;
+}
+
+TEST(Svg, SaysWhatItShowsFirst) {
   const Trace trace = test::trace_of("bresenham_line");
   const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
   EXPECT_EQ(svg.find("<script"), std::string::npos);
   EXPECT_EQ(svg.find("<b>"), std::string::npos);
-  const std::regex number("surface([0-9]+)");
+  EXPECT_NE(svg.find("width=\"1280px\" height=\"720px\" viewBox=\"0 0 1280 720\""), std::string::npos);
+  const auto names = all(svg, "role=\"img\" aria-labelledby=\"(title-[0-9a-f]{8} desc-[0-9a-f]{8})\"");
+  ASSERT_EQ(names.size(), 1u);
+  const std::size_t first = svg.find('<', svg.find("<svg") + 1);
+  EXPECT_EQ(svg.find("<title id=\"" + names[0].substr(0, 14) + "\">&lt;b&gt;Title"), first);
+  EXPECT_NE(svg.find("<desc id=\"" + names[0].substr(15) + "\">caption ]]&gt;"), std::string::npos);
+}
+
+TEST(Svg, EveryIdIsUniqueAndEveryLetterKnown) {
+  for (const Trace& trace : test::telling_traces()) {
+    const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), themes()[0], hostile);
+    const auto ids = all(svg, " id=\"([^\"]*)\"");
+    const std::set<std::string> once(ids.begin(), ids.end());
+    EXPECT_EQ(once.size(), ids.size()) << trace.subtitle;
+    const auto used = all(svg, "<use xlink:href=\"#([^\"]*)\"");
+    const std::set<std::string> letters(used.begin(), used.end());
+    const auto known = all(svg, "<path id=\"([^\"]*)\"");
+    EXPECT_EQ(letters, std::set<std::string>(known.begin(), known.end())) << "those used and no others";
+    EXPECT_GT(letters.size(), 30u);
+  }
+}
+
+TEST(Svg, GroupsAreSlotsAndRolesInDrawingOrder) {
+  for (const Trace& trace : test::telling_traces()) {
+    const Sheet sheet = sheet_at(trace, trace.steps[trace.steps.size() / 2].number);
+    const std::string svg = svg_of(sheet, themes()[0], hostile);
+    for (const Slot slot : all_slots) {
+      EXPECT_NE(svg.find(std::string("<g id=\"") + std::string(name_of(slot)) + "\" class=\"slot-"),
+                std::string::npos);
+    }
+    EXPECT_EQ(all(svg, "(<g[ >])").size(), all(svg, "(</g>)").size());
+    std::vector<std::string> drawn;  // shapes in their order, each once however many elements it takes
+    for (const Shape& shape : sheet.shapes) {
+      if (drawn.empty() || drawn.back() != shape.id) drawn.push_back(shape.id);
+    }
+    std::vector<std::string> written;
+    for (const std::string& id : all(svg, " data-id=\"([^\"]*)\"")) {
+      if (written.empty() || written.back() != id) written.push_back(id);
+    }
+    EXPECT_EQ(written, drawn) << trace.subtitle;
+  }
+  const Trace trace = test::trace_of("bresenham_line");
+  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
+  EXPECT_NE(svg.find("<g id=\"drawing-current\" class=\"role-current\">"), std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"drawing-rule\" class=\"tone-rule\">"), std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"drawing-current-2\" class=\"role-current\">"), std::string::npos)
+      << "its outline comes after the grid";
+}
+
+TEST(Svg, NumbersAreShort) {
+  const Trace trace = test::trace_of("flood_fill");
+  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
   std::size_t count = 0;
-  for (std::sregex_iterator i(svg.begin(), svg.end(), number), end; i != end; ++i) {
-    EXPECT_LE(std::stoi((*i)[1]), 20);
+  for (const std::string& number : all(svg, " (?:x|y|width|height|stroke-width|cx|cy|r)=\"(-?[0-9.]+)\"")) {
+    EXPECT_TRUE(std::regex_match(number, std::regex("-?(0|[1-9][0-9]*)(\\.[0-9]?[1-9])?"))) << number;
     ++count;
   }
-  EXPECT_GT(count, 0u);
-  EXPECT_NE(svg.find("width=\"1280px\""), std::string::npos) << svg.substr(0, 300);
+  EXPECT_GT(count, 300u);
+}
+
+TEST(Svg, NumbersAreRight) {
+  const auto x_of = [](double x) {
+    const Sheet sheet{100, 100, {{Slot::drawing, "", RectShape{{x, 0, 1, 1}, Paint::of(Tone::ink), {}}}}};
+    return all(svg_of(sheet, themes()[0], hostile), "<rect x=\"([^\"]*)\"").at(0);
+  };
+  for (const auto& [value, text] : {std::pair{0.0, "0"},
+                                    {-0.001, "0"},
+                                    {0.004, "0"},
+                                    {0.05, "0.05"},
+                                    {-0.5, "-0.5"},
+                                    {12.34, "12.34"},
+                                    {99.999, "100"},
+                                    {1280, "1280"},
+                                    {-7.1, "-7.1"}}) {
+    EXPECT_EQ(x_of(value), text);
+  }
+}
+
+TEST(Svg, TextStaysText) {
+  const Trace trace = test::trace_of("bresenham_line");
+  const Sheet sheet = sheet_at(trace, {4, 0});
+  Finish finish(themes()[0]);
+  finish.svg_text = SvgText::text;
+  const std::string svg = svg_of(sheet, finish, hostile);
+  EXPECT_EQ(svg.find("<use"), std::string::npos);
+  EXPECT_EQ(svg.find("<defs"), std::string::npos);
+  std::size_t texts = 0;
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text) continue;
+    ++texts;
+    std::string escaped;
+    for (const char c : text->text)
+      escaped += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    EXPECT_NE(svg.find(">" + escaped + "</text>"), std::string::npos) << text->text;
+  }
+  EXPECT_EQ(all(svg, "(<text (?!.*aria-hidden))").size(), texts) << "a rim is not read twice";
+  EXPECT_EQ(all(svg, "textLength=\"([0-9.]+)\"").size(), all(svg, "(<text )").size());
+  EXPECT_NE(svg.find("xml:space=\"preserve\">  "), std::string::npos) << "the listing keeps its indentation";
+}
+
+TEST(Svg, HostileTextsStayTexts) {
+  Sheet sheet{400, 100, {}};
+  const std::string nasty = "<&>\"'\x01\x7f\n\xff\xed\xa0\x80]]>";
+  sheet.shapes.push_back({Slot::title, nasty, TextShape{{10, 50}, nasty}});
+  Finish finish(themes()[0]);
+  for (const SvgText how : {SvgText::text, SvgText::outlines}) {
+    finish.svg_text = how;
+    const std::string svg = svg_of(sheet, finish, {nasty, nasty, nasty, nasty});
+    for (const char c : svg) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n');
+    EXPECT_EQ(svg.find('\xff'), std::string::npos);
+    EXPECT_EQ(svg.find("\xed\xa0"), std::string::npos) << "half a surrogate pair";
+    EXPECT_EQ(svg.find("]]>"), std::string::npos);
+    EXPECT_NE(svg.find("data-id=\"&lt;&amp;&gt;&quot;'\xef\xbf\xbd"), std::string::npos);
+  }
+}
+
+// --- Finish -----------------------------------------------------------------------------------------------
+
+TEST(Finish, TransparentHasNoGround) {
+  const Trace trace = test::trace_of("bresenham_line");
+  const Sheet sheet = sheet_at(trace, {4, 0});
+  Finish finish(themes()[0]);
+  finish.transparent = true;
+  EXPECT_EQ(svg_of(sheet, finish, hostile).find("id=\"paper\""), std::string::npos);
+  EXPECT_NE(svg_of(sheet, themes()[0], hostile).find("id=\"paper\""), std::string::npos);
+  // Over white it is the figure on white: what un-premultiplying got wrong would show
+  const Image clear = image_of(sheet, finish), opaque = image_of(sheet, themes()[0]);
+  ASSERT_EQ(clear.cells().size(), opaque.cells().size());
+  std::size_t partly = 0;
+  for (std::size_t i = 0; i < clear.cells().size(); ++i) {
+    const Rgba8 c = clear.cells()[i], o = opaque.cells()[i];
+    const auto over = [&c](int v) { return (v * c.a + 255 * (255 - c.a)) / 255.0; };
+    ASSERT_NEAR(over(c.r), o.r, 3);
+    ASSERT_NEAR(over(c.g), o.g, 3);
+    ASSERT_NEAR(over(c.b), o.b, 3);
+    partly += 0 < c.a && c.a < 255;
+  }
+  EXPECT_EQ((clear[{3, 3}]), (Rgba8{0, 0, 0, 0}));
+  EXPECT_GT(partly, 5000u);
+}
+
+TEST(Finish, TransparentEdgesHaveTheInksColour) {
+  const Sheet sheet{
+      40, 40, {{Slot::drawing, "", DiscShape{{20, 20}, 12.3, Paint::mark(Role::current), {}, 0}}}};
+  Finish finish(themes()[0]);
+  finish.transparent = true;
+  const Rgb ink = themes()[0][Role::current].mark;
+  std::size_t edges = 0;
+  const Image image = image_of(sheet, finish);
+  for (const Rgba8& c : image.cells()) {
+    if (c.a < 32) continue;
+    edges += c.a < 255;
+    EXPECT_NEAR(c.r, ink.hex >> 16, 4);
+    EXPECT_NEAR(c.g, ink.hex >> 8 & 255, 4);
+    EXPECT_NEAR(c.b, ink.hex & 255, 4);
+  }
+  EXPECT_GT(edges, 20u);
+}
+
+TEST(Finish, ScaleIsSharp) {
+  const Sheet sheet{101, 50, {{Slot::drawing, "", RectShape{{10.5, 10, 20, 20}, Paint::of(Tone::ink), {}}}}};
+  Finish finish(themes()[0]);
+  finish.scale = 2;
+  const Image image = image_of(sheet, finish);
+  EXPECT_EQ(image.width(), 202);
+  EXPECT_EQ(image.height(), 100);
+  const Rgba8 ink{0x1b, 0x1f, 0x24, 255}, paper{255, 255, 255, 255};
+  for (const Rgba8& c : image.cells())
+    EXPECT_TRUE(c == ink || c == paper) << "half a pixel is a whole one at 2";
+  EXPECT_EQ((image[{21, 20}]), ink);
+  EXPECT_EQ((image[{20, 20}]), paper);
+  finish.scale = 0.1;
+  EXPECT_EQ(image_of(sheet, finish).width(), 10);
+  finish.scale = 400;
+  EXPECT_THROW(image_of(sheet, finish), std::runtime_error);
+}
+
+TEST(Finish, AnotherPaper) {
+  for (const Theme& theme : themes()) EXPECT_FALSE(low_contrast(theme)) << theme.name;
+  const Theme cream = with_paper(themes()[0], {0xfff8e7});
+  EXPECT_FALSE(low_contrast(cream));
+  EXPECT_EQ(cream[Tone::paper], (Rgb{0xfff8e7}));
+  EXPECT_EQ(cream[Role::input].fill, (Rgb{0xfff8e7})) << "cells of the ground's colour follow";
+  EXPECT_EQ(cream[Role::past].fill, themes()[0][Role::past].fill);
+  EXPECT_EQ(cream[Tone::ink], themes()[0][Tone::ink]);
+  const auto dark = low_contrast(with_paper(themes()[0], {0x303030}));
+  ASSERT_TRUE(dark);
+  EXPECT_EQ(dark->what, "texts");
+  EXPECT_EQ(dark->least, 4.5);
+  EXPECT_NEAR(dark->found, contrast({0x1b1f24}, {0x303030}), 1e-9) << "ink, the worst of all";
+  const auto grey = low_contrast(with_paper(themes()[0], {0xd8d8d8}));
+  ASSERT_TRUE(grey);
+  EXPECT_LT(grey->found, grey->least);
 }
 
 TEST(CairoOutput, PngHoldsTheFigure) {

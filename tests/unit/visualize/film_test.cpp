@@ -1,0 +1,461 @@
+// Films: whole, exact where the format allows it, and honest about what went wrong.
+
+#include "cli/film.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "cairo/cairo_output.hpp"
+#include "cli/errors.hpp"
+#include "figure/figure.hpp"
+#include "support/example_traces.hpp"
+
+namespace gradus::cli {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr std::array formats{FilmFormat::gif, FilmFormat::mp4, FilmFormat::webp};
+const Colophon colophon{"Film \"<&>\" − 1", "What is seen",
+                        "gradus figure flood_fill --maze '#.#/[x]' --x \"<s>\" %41 é",
+                        "fnv1a:0123456789abcdef"};
+
+/// A folder that goes away with the test.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "gradus_film_XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  char block[4096];
+  for (std::size_t count; (count = std::fread(block, 1, sizeof block, pipe)) > 0;) text.append(block, count);
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return text;
+}
+
+/// Few colours, a square that moves: what figures are like.
+Image square_at(int step, int width = 90, int height = 62, Rgba8 ground = {255, 255, 255, 255}) {
+  Image image(width, height, ground);
+  for (int y = 10; y < 50; ++y) {
+    for (int x = 0; x < 24; ++x) image[{(6 * step + x) % width, y}] = Rgba8{0, 114, 178, 255};
+  }
+  for (int x = 0; x < width; ++x) image[{x, 55}] = Rgba8{27, 31, 36, 255};
+  return image;
+}
+
+std::string film(FilmFormat format, std::size_t frames, const FilmOptions& options = {}, int width = 90,
+                 int height = 62) {
+  return film_bytes(
+      format, frames, [&](std::size_t i) { return square_at(static_cast<int>(i), width, height); }, options,
+      colophon);
+}
+
+/// The film's pictures as ffmpeg decodes them.
+std::vector<Image> decoded(const std::string& film, const std::string& ending, int width, int height) {
+  const Folder folder;
+  write(folder / ("film." + ending), film);
+  const std::string raw = output_of("ffmpeg -v error -i " + (folder / ("film." + ending)) +
+                                    " -vsync passthrough -f rawvideo -pix_fmt rgba -");
+  std::vector<Image> images;
+  const std::size_t size = static_cast<std::size_t>(width * height) * 4;
+  EXPECT_EQ(raw.size() % size, 0u);
+  for (std::size_t at = 0; at + size <= raw.size(); at += size) {
+    Image image(width, height);
+    std::memcpy(image.cells().data(), raw.data() + at, size);
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+double signal_to_noise(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.cells().size(); ++i) {
+    const Rgba8 p = a.cells()[i], q = b.cells()[i];
+    sum += std::pow(p.r - q.r, 2) + std::pow(p.g - q.g, 2) + std::pow(p.b - q.b, 2);
+  }
+  return 10 * std::log10(255 * 255 / (sum / 3 / static_cast<double>(a.cells().size())));
+}
+
+std::size_t number_at(std::string_view bytes, std::size_t at, std::size_t count) {
+  std::size_t value = 0;
+  for (std::size_t i = count; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return value;
+}
+
+struct WebpFrame {
+  int x, y;
+  std::size_t milliseconds;
+  bool blends, disposes;
+  Image image;
+};
+
+/// An animated WebP taken apart: each frame put into a file of its own, which ffmpeg can decode.
+std::vector<WebpFrame> webp_frames(const std::string& film) {
+  std::vector<WebpFrame> frames;
+  for (std::size_t at = 12; at < film.size();) {
+    const std::size_t length = number_at(film, at + 4, 4), start = at + 8;
+    if (film.substr(at, 4) == "ANMF") {
+      const int width = static_cast<int>(number_at(film, start + 6, 3)) + 1,
+                height = static_cast<int>(number_at(film, start + 9, 3)) + 1;
+      std::string still = film.substr(start + 16, length - 16);
+      if (still.substr(0, 4) != "VP8L") ADD_FAILURE() << "expected a lossless frame";
+      std::string size(4, '\0');
+      for (std::size_t i = 0; i < 4; ++i) size[i] = static_cast<char>((still.size() + 4) >> 8 * i);
+      const auto flags = static_cast<std::uint8_t>(film[start + 15]);
+      frames.push_back({2 * static_cast<int>(number_at(film, start, 3)),
+                        2 * static_cast<int>(number_at(film, start + 3, 3)), number_at(film, start + 12, 3),
+                        (flags & 2) == 0, (flags & 1) != 0,
+                        decoded("RIFF" + size + "WEBP" + still, "webp", width, height).at(0)});
+    }
+    at = start + length + length % 2;
+  }
+  return frames;
+}
+
+/// What a viewer shows after each frame.
+std::vector<Image> shown(const std::vector<WebpFrame>& frames, int width, int height) {
+  std::vector<Image> images;
+  Image canvas(width, height, Rgba8{0, 0, 0, 0});
+  for (const WebpFrame& frame : frames) {
+    for (int y = 0; y < frame.image.height(); ++y) {
+      for (int x = 0; x < frame.image.width(); ++x) {
+        const Rgba8 c = frame.image[{x, y}];
+        EXPECT_TRUE(c.a == 0 || c.a == 255);
+        if (!frame.blends || c.a == 255) canvas[{frame.x + x, frame.y + y}] = c;
+      }
+    }
+    images.push_back(canvas);
+    if (!frame.disposes) continue;
+    for (int y = 0; y < frame.image.height(); ++y) {
+      for (int x = 0; x < frame.image.width(); ++x) canvas[{frame.x + x, frame.y + y}] = {0, 0, 0, 0};
+    }
+  }
+  return images;
+}
+
+bool same_seen(const Image& a, const Image& b) {
+  for (std::size_t i = 0; i < a.cells().size(); ++i) {
+    const Rgba8 p = a.cells()[i], q = b.cells()[i];
+    if (p != q && (p.a != 0 || q.a != 0)) return false;
+  }
+  return a.width() == b.width() && a.height() == b.height();
+}
+
+/// "key=value" lines of ffprobe about the only stream.
+std::map<std::string, std::string> probed(const std::string& film, const std::string& ending) {
+  const Folder folder;
+  write(folder / ("film." + ending), film);
+  std::map<std::string, std::string> found;
+  std::istringstream lines(
+      output_of("ffprobe -v error -count_frames -show_streams " + (folder / ("film." + ending))));
+  for (std::string line; std::getline(lines, line);) {
+    if (const auto at = line.find('='); at != std::string::npos)
+      found[line.substr(0, at)] = line.substr(at + 1);
+  }
+  return found;
+}
+
+/// A folder at the head of the PATH, alone or before what was there.
+class OtherPath {
+ public:
+  explicit OtherPath(const std::string& path) : before_(std::getenv("PATH")) {
+    setenv("PATH", path.c_str(), 1);
+  }
+  ~OtherPath() { setenv("PATH", before_.c_str(), 1); }
+  OtherPath(const OtherPath&) = delete;
+  OtherPath& operator=(const OtherPath&) = delete;
+
+ private:
+  std::string before_;
+};
+
+/// A program called ffmpeg that is none.
+void make_ffmpeg(const Folder& folder, const std::string& script) {
+  write(folder / "ffmpeg", "#!/bin/sh\n" + script + "\n");
+  fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
+}
+
+template <class Error>
+std::string error_of(const std::function<void()>& job) {
+  try {
+    job();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class Film : public testing::Test {
+ protected:
+  void SetUp() override { std::signal(SIGPIPE, SIG_IGN); }
+  /// No child is left behind, running or dead.
+  void TearDown() override {
+    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+    EXPECT_EQ(errno, ECHILD);
+  }
+};
+
+TEST_F(Film, Mp4IsWhatEveryPlayerPlays) {
+  const std::string bytes =
+      film(FilmFormat::mp4, 6, {.seconds_per_step = 0.5, .hold_last = 1.2, .fps = 20}, 91, 63);
+  const auto stream = probed(bytes, "mp4");
+  EXPECT_EQ(stream.at("codec_name"), "h264");
+  EXPECT_EQ(stream.at("pix_fmt"), "yuv420p");
+  EXPECT_EQ(stream.at("width"), "92");
+  EXPECT_EQ(stream.at("height"), "64");
+  EXPECT_EQ(stream.at("avg_frame_rate"), "20/1");
+  EXPECT_EQ(stream.at("nb_read_frames"), "74") << "5 x 10 + 24";
+  EXPECT_EQ(frames_in(FilmFormat::mp4, bytes), 74u);
+  EXPECT_NEAR(std::stod(stream.at("duration")), 3.7, 1e-6);
+  const auto images = decoded(bytes, "mp4", 92, 64);
+  ASSERT_EQ(images.size(), 74u);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Image sent = square_at(static_cast<int>(std::min<std::size_t>(i / 10, 5)), 92, 64);
+    EXPECT_GT(signal_to_noise(images[i], sent), 30) << i;
+  }
+  EXPECT_LT(signal_to_noise(images[0], square_at(5, 92, 64)), 20) << "the test can tell frames apart";
+}
+
+TEST_F(Film, Mp4LastFrameMayBeShort) {
+  const FilmOptions options{.seconds_per_step = 1, .hold_last = 0.2, .fps = 10};
+  EXPECT_EQ(probed(film(FilmFormat::mp4, 3, options), "mp4").at("nb_read_frames"), "22");
+  EXPECT_EQ(probed(film(FilmFormat::mp4, 1, options), "mp4").at("nb_read_frames"), "2");
+  EXPECT_EQ(probed(film(FilmFormat::mp4, 1), "mp4").at("nb_read_frames"), "75");
+}
+
+TEST_F(Film, GifIsExactWithFewColours) {
+  const std::string bytes = film(FilmFormat::gif, 7, {.seconds_per_step = 0.25, .hold_last = 2});
+  const auto images = decoded(bytes, "gif", 90, 62);
+  ASSERT_EQ(images.size(), 7u);
+  for (int i = 0; i < 7; ++i) EXPECT_EQ(images[static_cast<std::size_t>(i)], square_at(i)) << i;
+  EXPECT_EQ(frames_in(FilmFormat::gif, bytes), 7u);
+  EXPECT_NEAR(std::stod(probed(bytes, "gif").at("duration")), 6 * 0.25 + 2, 0.005);
+}
+
+TEST_F(Film, GifIsTransparentWhereNothingIsPainted) {
+  const Rgba8 nothing{0, 0, 0, 0};
+  const auto frame = [&](std::size_t i) { return square_at(static_cast<int>(i), 90, 62, nothing); };
+  const std::string bytes = film_bytes(FilmFormat::gif, 4, frame, {}, colophon);
+  const auto images = decoded(bytes, "gif", 90, 62);
+  ASSERT_EQ(images.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_TRUE(same_seen(images[i], frame(i))) << "nothing of a frame stays: " << i;
+}
+
+TEST_F(Film, WebpIsExact) {
+  for (const Rgba8 ground : {Rgba8{250, 251, 252, 255}, Rgba8{0, 0, 0, 0}}) {
+    const auto frame = [&](std::size_t i) { return square_at(static_cast<int>(i), 90, 62, ground); };
+    const std::string bytes = film_bytes(FilmFormat::webp, 6, frame,
+                                         {.seconds_per_step = 0.333, .hold_last = 2.5, .loop = 3}, colophon);
+    const auto frames = webp_frames(bytes);
+    const auto images = shown(frames, 90, 62);
+    ASSERT_EQ(images.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_TRUE(same_seen(images[i], frame(i))) << i;
+      EXPECT_EQ(frames[i].milliseconds, i < 5 ? 333u : 2500u);
+    }
+    EXPECT_EQ(number_at(bytes, bytes.find("ANIM") + 12, 2), 3u);
+  }
+}
+
+TEST_F(Film, LoopsAsOftenAsAsked) {
+  const auto loop_of = [](int loop) -> int {
+    const std::string bytes = film(FilmFormat::gif, 2, {.loop = loop});
+    const std::size_t at = bytes.find("NETSCAPE2.0");
+    return at == std::string::npos ? -1 : static_cast<int>(number_at(bytes, at + 13, 2));
+  };
+  EXPECT_EQ(loop_of(0), 0) << "for ever";
+  EXPECT_EQ(loop_of(1), -1) << "once: no repetition";
+  EXPECT_EQ(loop_of(5), 4) << "four repetitions";
+}
+
+TEST_F(Film, FramesWithoutNewsOnlyLast) {
+  const auto frame = [](std::size_t i) { return square_at(static_cast<int>(i / 3)); };
+  const FilmOptions options{.seconds_per_step = 0.2, .hold_last = 1};
+  const std::string webp = film_bytes(FilmFormat::webp, 6, frame, options, colophon);
+  const auto frames = webp_frames(webp);
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0].milliseconds, 600u);
+  EXPECT_EQ(frames[1].milliseconds, 1400u);
+  const std::string gif = film_bytes(FilmFormat::gif, 6, frame, options, colophon);
+  EXPECT_EQ(decoded(gif, "gif", 90, 62).size(), 2u);
+  EXPECT_NEAR(std::stod(probed(gif, "gif").at("duration")), 2, 0.005);
+  for (const FilmFormat format : {FilmFormat::gif, FilmFormat::webp}) {
+    const auto still = [](std::size_t) { return square_at(1); };
+    EXPECT_EQ(frames_in(format, film_bytes(format, 5, still, {}, colophon)), 1u) << name_of(format);
+  }
+}
+
+TEST_F(Film, FiguresKeepTheirColours) {
+  const Trace trace = test::trace_of("bresenham_line");
+  Finish finish(*find_theme("dark"));
+  finish.scale = 0.5;
+  const auto frame = [&](std::size_t i) {
+    Playhead playhead(trace);
+    return image_of(lay_out(figure_of(trace, playhead, {static_cast<int>(i), 0}), {}), finish);
+  };
+  const Image sent = frame(2);
+  const auto gif = decoded(film_bytes(FilmFormat::gif, 4, frame, {}, colophon), "gif", 640, 360);
+  ASSERT_EQ(gif.size(), 4u);
+  std::size_t exact = 0, far = 0;
+  for (std::size_t i = 0; i < sent.cells().size(); ++i) {
+    const Rgba8 p = gif[2].cells()[i], q = sent.cells()[i];
+    exact += p == q;
+    far += std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)}) > 24;
+  }
+  const auto pixels = static_cast<double>(sent.cells().size());
+  EXPECT_GT(static_cast<double>(exact), 0.9 * pixels) << "all but the rims of letters";
+  EXPECT_LT(static_cast<double>(far), 0.002 * pixels);
+  EXPECT_GT(signal_to_noise(gif[2], sent), 40);
+  const auto webp = shown(webp_frames(film_bytes(FilmFormat::webp, 4, frame, {}, colophon)), 640, 360);
+  ASSERT_EQ(webp.size(), 4u);
+  EXPECT_EQ(webp[2], sent);
+}
+
+TEST_F(Film, SameFramesSameBytes) {
+  for (const FilmFormat format : formats) EXPECT_EQ(film(format, 4), film(format, 4)) << name_of(format);
+}
+
+TEST_F(Film, SaysHowItWasMade) {
+  for (const FilmFormat format : formats) {
+    const auto found = colophon_in(film(format, 3));
+    ASSERT_TRUE(found) << name_of(format);
+    EXPECT_EQ(found->command, colophon.command);
+    EXPECT_EQ(found->input_hash, colophon.input_hash);
+    EXPECT_EQ(found->title, colophon.title);
+    EXPECT_EQ(found->description, colophon.description);
+  }
+}
+
+TEST_F(Film, CutOffFilesHaveNoFrames) {
+  for (const FilmFormat format : formats) {
+    const std::string whole = film(format, 5);
+    EXPECT_GT(frames_in(format, whole), 0u);
+    std::size_t cuts = 0;
+    for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 200, ++cuts) {
+      EXPECT_EQ(frames_in(format, std::string_view(whole).substr(0, size)), 0u)
+          << name_of(format) << " " << size;
+    }
+    EXPECT_GT(cuts, 100u);
+  }
+}
+
+TEST_F(Film, NoticesAPipeThatEndsEarly) {
+  // The real ffmpeg gets five frames, finds that they were all, and calls it success
+  const Folder folder;
+  const std::string path = std::getenv("PATH");
+  const std::string five = fmt::format("head -c {} | PATH='{}' ffmpeg \"$@\"", 5 * 90 * 62 * 4, path);
+  const OtherPath other((folder / "") + ":" + path);
+  for (const FilmFormat format : formats) {
+    const bool movie = format == FilmFormat::mp4;
+    make_ffmpeg(folder, five + "; cat > /dev/null; exit 0");  // nothing to see but the number of frames
+    EXPECT_EQ(error_of<WorkError>([&] { film(format, 10, {.hold_last = 1}); }),
+              fmt::format("film: expected {} frames in the finished {}, found {}: ffmpeg stopped early",
+                          movie ? 9 * 38 + 25 : 10, name_of(format), movie ? 5 * 38 : 5));
+    make_ffmpeg(folder, five + "; exit 0");  // the pipe breaks
+    EXPECT_EQ(error_of<WorkError>([&] { film(format, 60); }),
+              "film: expected ffmpeg to take 60 frames, found that it stopped early");
+  }
+}
+
+TEST_F(Film, NoticesAnFfmpegThatWritesNothing) {
+  const Folder folder;
+  make_ffmpeg(folder, "exit 0");
+  const OtherPath other((folder / "") + ":" + std::getenv("PATH"));
+  for (const FilmFormat format : formats) {
+    EXPECT_THAT(error_of<WorkError>([&] { film(format, 300); }),
+                testing::AnyOf(HasSubstr("found 0"), HasSubstr("stopped early")))
+        << name_of(format);
+  }
+}
+
+TEST_F(Film, WithoutFfmpegOneClearLine) {
+  const Folder empty;
+  const OtherPath other(empty / "");
+  for (const FilmFormat format : formats) {
+    EXPECT_EQ(error_of<WorkError>([&] { film(format, 3); }),
+              "film: expected the program ffmpeg on the PATH (Debian: apt install ffmpeg), found none");
+  }
+}
+
+TEST_F(Film, HandsOnWhatFfmpegComplainsOf) {
+  const Folder folder;
+  make_ffmpeg(folder, "echo \"Unknown encoder 'libx264'\" >&2; echo more >&2; exit 3");
+  {
+    const OtherPath other((folder / "") + ":" + std::getenv("PATH"));
+    EXPECT_EQ(error_of<WorkError>([] { film(FilmFormat::mp4, 3); }),
+              "film: ffmpeg failed: Unknown encoder 'libx264'");
+  }
+  make_ffmpeg(folder, "kill -9 $$");
+  const OtherPath other((folder / "") + ":" + std::getenv("PATH"));
+  EXPECT_EQ(error_of<WorkError>([] { film(FilmFormat::webp, 3); }),
+            "film: ffmpeg failed: stopped by signal 9");
+}
+
+TEST_F(Film, WhatDrawingThrowsPassesThrough) {
+  const auto frame = [](std::size_t i) {
+    if (i == 3) throw std::range_error("no such step");
+    return square_at(static_cast<int>(i));
+  };
+  for (const FilmFormat format : formats) {
+    EXPECT_EQ(error_of<std::range_error>([&] { film_bytes(format, 9, frame, {}, colophon); }),
+              "no such step");
+  }
+  const auto growing = [](std::size_t i) { return square_at(0, 90 + static_cast<int>(i), 62); };
+  EXPECT_THAT(error_of<WorkError>([&] { film_bytes(FilmFormat::gif, 3, growing, {}, colophon); }),
+              HasSubstr("expected frames of 90 x 62, found one of 91 x 62"));
+}
+
+TEST_F(Film, RefusesWhatNoFilmCanHave) {
+  const auto error = [](FilmFormat format, const FilmOptions& options, bool transparent = false) {
+    return error_of<UsageError>([&] { check_film(format, options, transparent); });
+  };
+  for (const FilmFormat format : formats) EXPECT_EQ(error(format, {}), "no error");
+  EXPECT_EQ(error(FilmFormat::gif, {}, true), "no error");
+  EXPECT_EQ(error(FilmFormat::gif, {.seconds_per_step = 0}),
+            "--seconds-per-step: expected 0.04 to 60, found 0");
+  EXPECT_EQ(error(FilmFormat::gif, {.seconds_per_step = std::nan("")}),
+            "--seconds-per-step: expected 0.04 to 60, found nan");
+  EXPECT_EQ(error(FilmFormat::gif, {.hold_last = 601}), "--hold-last: expected 0.04 to 600, found 601");
+  EXPECT_EQ(error(FilmFormat::mp4, {.fps = 61}), "--fps: expected 1 to 60, found 61");
+  EXPECT_EQ(error(FilmFormat::webp, {.loop = -1}), "--loop: expected 0 to 65535, found -1");
+  EXPECT_THAT(error(FilmFormat::mp4, {.seconds_per_step = 0.1, .fps = 5}),
+              HasSubstr("1/5 s at --fps 5, found 0.1"));
+  EXPECT_THAT(error(FilmFormat::mp4, {}, true), HasSubstr("--background: expected a ground for mp4"));
+  const auto clear = [](std::size_t) { return square_at(0, 90, 62, {0, 0, 0, 0}); };
+  EXPECT_THAT(error_of<UsageError>([&] { film_bytes(FilmFormat::mp4, 2, clear, {}, colophon); }),
+              HasSubstr("--background"));
+}
+
+}  // namespace
+}  // namespace gradus::cli

@@ -1,0 +1,29 @@
+#pragma once
+// Cairo's objects as owners, and its statuses as exceptions.
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace gradus {
+
+struct Destroy {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+  void operator()(cairo_path_t* path) const { cairo_path_destroy(path); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
+using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy>;
+using CairoPath = std::unique_ptr<cairo_path_t, Destroy>;
+
+inline void check(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error(fmt::format("Cairo: {}", cairo_status_to_string(status)));
+  }
+}
+
+}  // namespace gradus

@@ -1,0 +1,63 @@
+#include "cairo/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gradus {
+namespace {
+
+void add_diagonals(std::vector<Segment>& lines, const Box& b, double gap, bool rising) {
+  // Lines x + y = k (rising on a y-down page) or x - y = k, k a multiple of the gap so that neighbours join
+  // up
+  const double low = rising ? b.x + b.y : b.x - b.bottom();
+  const double high = rising ? b.right() + b.bottom() : b.right() - b.y;
+  for (double k = std::ceil(low / gap) * gap; k < high; k += gap) {
+    const double x0 = rising ? std::max(b.x, k - b.bottom()) : std::max(b.x, k + b.y);
+    const double x1 = rising ? std::min(b.right(), k - b.y) : std::min(b.right(), k + b.bottom());
+    lines.push_back({{x0, rising ? k - x0 : x0 - k}, {x1, rising ? k - x1 : x1 - k}});
+  }
+}
+
+}  // namespace
+
+double unit_of(const Sheet& sheet) { return sheet.height / 720; }
+
+std::vector<Segment> hatch_lines(const RectShape& rect, double unit) {
+  std::vector<Segment> lines;
+  if (rect.hatch == Hatch::none) return lines;
+  if (rect.hatch != Hatch::falling) add_diagonals(lines, rect.box, 10 * unit, true);
+  if (rect.hatch != Hatch::rising) add_diagonals(lines, rect.box, 10 * unit, false);
+  return lines;
+}
+
+double hatch_width(double unit) { return 0.9 * unit; }
+
+std::optional<ArrowHead> arrow_head(const LineShape& line, double unit) {
+  if (!line.arrow || line.points.size() < 2) return std::nullopt;
+  const dvec2 from = line.points[line.points.size() - 2], to = line.points.back();
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (length == 0) return std::nullopt;
+  const dvec2 along = (to - from) / length * (3 * line.width + 6 * unit);
+  const dvec2 aside{-along.y * 0.4, along.x * 0.4};
+  return ArrowHead{to, to - along + aside, to - along - aside};
+}
+
+double halo_width(const TextShape& text) { return text.size / 4; }
+
+std::pair<double, double> dashes(double width) { return {3 * width, 2 * width}; }
+
+Image pixels_of(const ImageShape& shape, const Theme& theme) {
+  Image pixels = shape.image;
+  for (int y = 0; y < pixels.height(); ++y) {
+    for (int x = 0; x < pixels.width(); ++x) {
+      const ivec2 p{x, y};
+      if (!shape.roles.contains(p) || shape.roles[p] == 0) continue;
+      const std::uint32_t mark = theme[static_cast<Role>(shape.roles[p] - 1)].mark.hex;
+      pixels[p] = {static_cast<std::uint8_t>(mark >> 16), static_cast<std::uint8_t>(mark >> 8),
+                   static_cast<std::uint8_t>(mark), 255};
+    }
+  }
+  return pixels;
+}
+
+}  // namespace gradus

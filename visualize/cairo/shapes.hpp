@@ -1,0 +1,37 @@
+#pragma once
+// What shapes come down to, for every format alike.
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "figure/sheet.hpp"
+#include "theme/theme.hpp"
+
+namespace gradus {
+
+/// The page's pixel: sizes of shapes are for 720 of these in height.
+double unit_of(const Sheet& sheet);
+
+using Segment = std::pair<dvec2, dvec2>;
+
+/// The hatching as diagonals cut to the box by hand: no clip path, so vector files stay small.
+std::vector<Segment> hatch_lines(const RectShape& rect, double unit);
+double hatch_width(double unit);
+
+/// The tip and the two barbs of a line's arrow; nothing when it has none.
+struct ArrowHead {
+  dvec2 tip, left, right;
+};
+std::optional<ArrowHead> arrow_head(const LineShape& line, double unit);
+
+/// The rim of a text with a halo: half of it lies inside the letters.
+double halo_width(const TextShape& text);
+
+/// Strokes and gaps of a dashed line of this width.
+std::pair<double, double> dashes(double width);
+
+/// The cells in a theme's colours: those with a role in that role's mark.
+Image pixels_of(const ImageShape& shape, const Theme& theme);
+
+}  // namespace gradus
