@@ -66,7 +66,7 @@ class Painter {
     use(Paint::of(Tone::paper));
     cairo_rectangle(context_, 0, 0, sheet.width, sheet.height);
     cairo_fill(context_);
-    unit_ = sheet.height / 720;
+    unit_ = sheet.unit;
     for (const Shape& shape : sheet.shapes) {
       std::visit([this](const auto& what) { draw(what); }, shape.what);
     }

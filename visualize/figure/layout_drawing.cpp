@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
@@ -12,27 +13,8 @@
 namespace gradus::layout {
 namespace {
 
-constexpr double largest_cell = 84, followed_cell = 30;  ///< pixels at 720 lines
+constexpr double followed_cell = 30;
 constexpr double axis_below = 34, axis_above = 30, inset_height = 104;
-
-/// From the grid's coordinates to pixels: cell (x, y) is the square round the point (x, y).
-struct Frame {
-  Window view;
-  Box box;  ///< of the visible cells
-  double cell = 0;
-  bool y_up = true;
-
-  double column(double x) const { return box.x + (x - view.lower.x + 0.5) * cell; }
-  double row(double y) const {
-    const double from_lower = (y - view.lower.y + 0.5) * cell;
-    return y_up ? box.bottom() - from_lower : box.y + from_lower;
-  }
-  dvec2 point(dvec2 p) const { return {column(p.x), row(p.y)}; }
-  Box square(ivec2 p) const {
-    const dvec2 centre = point({p.x, p.y});
-    return {centre.x - cell / 2, centre.y - cell / 2, cell, cell};
-  }
-};
 
 bool overlap(const Box& a, const Box& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -66,12 +48,6 @@ std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box)
   return std::pair{a + enter * d, a + leave * d};
 }
 
-double tick_width(const Window& view, double s) {
-  const double low = text_width(figure_number(view.lower.y), Face::sans, text_size * s);
-  const double high = text_width(figure_number(view.upper.y), Face::sans, text_size * s);
-  return std::max({low, high, 24 * s});
-}
-
 /// Cells shown along one axis, following `focus` by jumps of half a view: the first one.
 std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count, std::int64_t focus) {
   if (upper - lower + 1 <= count) return lower;
@@ -79,48 +55,6 @@ std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count
   const std::int64_t page = (focus - lower) / half;
   const std::int64_t first = lower + page * half - half / 2;
   return std::clamp(first, lower, upper - count + 1);
-}
-
-struct Arrangement {
-  Frame frame;
-  bool follows = false;  ///< the grid does not fit: a view with an overview above it
-  Box inset;
-};
-
-Arrangement arrange(const Figure& figure, const Box& box, double s) {
-  const Grid& grid = figure.trace->grid;
-  Arrangement at;
-  at.frame.y_up = grid.y_up;
-  const double left = tick_width(grid.cells, s) + 12 * s;
-  const double right = std::max(24 * s, text_width(grid.x_name, Face::italic, text_size * s) + 12 * s);
-  const auto cell_for = [&](double columns, double rows) {
-    return std::min({(box.width - left - right) / columns,
-                     (box.height - (axis_below + axis_above) * s) / rows, largest_cell * s});
-  };
-  double cell = cell_for(static_cast<double>(grid.cells.width()), static_cast<double>(grid.cells.height()));
-  Window view = grid.cells;
-  double top = box.y + axis_above * s;
-  if (cell < least_cell * s) {
-    at.follows = true;
-    cell = followed_cell * s;
-    at.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
-    top += inset_height * s + 8 * s;
-    const auto columns = static_cast<std::int64_t>((box.width - left - right) / cell);
-    const auto rows = static_cast<std::int64_t>((box.bottom() - axis_below * s - top) / cell);
-    const std::int64_t x = followed(grid.cells.lower.x, grid.cells.upper.x, columns, figure.focus.x);
-    const std::int64_t y = followed(grid.cells.lower.y, grid.cells.upper.y, rows, figure.focus.y);
-    view.lower = {static_cast<int>(x), static_cast<int>(y)};
-    view.upper = {static_cast<int>(std::min<std::int64_t>(x + columns - 1, grid.cells.upper.x)),
-                  static_cast<int>(std::min<std::int64_t>(y + rows - 1, grid.cells.upper.y))};
-  }
-  const double width = cell * static_cast<double>(view.width());
-  const double height = cell * static_cast<double>(view.height());
-  const double spare_x = box.width - left - right - width;
-  const double spare_y = box.bottom() - axis_below * s - top - height;
-  at.frame.view = view;
-  at.frame.cell = cell;
-  at.frame.box = {box.x + left + std::max(0.0, spare_x) / 2, top + std::max(0.0, spare_y) / 2, width, height};
-  return at;
 }
 
 /// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
@@ -138,14 +72,8 @@ std::int64_t first_tick(std::int64_t lower, std::int64_t step) {
 
 class DrawingLayout {
  public:
-  DrawingLayout(Pen& pen, const Figure& figure, const Box& box)
-      : pen_(pen),
-        figure_(figure),
-        trace_(*figure.trace),
-        slot_(box),
-        s_(pen.scale()),
-        at_(arrange(figure, box, s_)),
-        frame_(at_.frame) {}
+  DrawingLayout(Pen& pen, const Figure& figure, const Scene& scene)
+      : pen_(pen), figure_(figure), trace_(*figure.trace), s_(pen.scale()), at_(scene), frame_(scene.frame) {}
 
   void draw() {
     draw_picture();
@@ -176,7 +104,8 @@ class DrawingLayout {
     Image part(static_cast<int>(view.width()), static_cast<int>(view.height()));
     for_each_cell([&](ivec2 p) {
       const ivec2 at = p - trace_.grid.cells.lower;
-      if (picture->contains(at)) part[p - view.lower] = (*picture)[at];
+      const int row = frame_.y_up ? view.upper.y - p.y : p.y - view.lower.y;
+      if (picture->contains(at)) part[{p.x - view.lower.x, row}] = (*picture)[at];
     });
     pen_.image("picture", {frame_.box, std::move(part), {}});
   }
@@ -241,7 +170,7 @@ class DrawingLayout {
     const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
     // The axis' name stands behind the last label, inside the slot
     const double most_right =
-        slot_.right() - text_width(trace_.grid.x_name, Face::italic, text_size * s_) - 8 * s_;
+        at_.labels.right() - text_width(trace_.grid.x_name, Face::italic, text_size * s_) - 8 * s_;
     double last_right = b.x;
     for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
       const std::string text = figure_number(x);
@@ -257,7 +186,10 @@ class DrawingLayout {
     }
     const double x_name = std::max(b.right() + 6 * s_, last_right + 8 * s_);
     name_axis("x axis", {x_name, b.bottom() + 26 * s_}, trace_.grid.x_name, Align::left);
-    name_axis("y axis", {b.x - 10 * s_, b.y - 10 * s_}, trace_.grid.y_name, Align::right);
+    // The arrow behind the name of the rows says where they grow; columns always grow to the right
+    const double y_name = text_width(trace_.grid.y_name, Face::italic, text_size * s_);
+    name_axis("y axis", {b.x - 10 * s_ - y_name, b.y - 10 * s_},
+              trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓"), Align::left);
   }
 
   void name_axis(std::string id, dvec2 baseline, const std::string& name, Align align) {
@@ -337,9 +269,7 @@ class DrawingLayout {
   /// How bad a place for a label is: covering what matters, lying on lines, being far away. Nothing:
   /// impossible. `clear`: how far it should keep from lines.
   std::optional<double> badness(const Box& at, double distance, double clear) const {
-    const Box room{slot_.x, at_.follows ? frame_.box.y - 28 * s_ : slot_.y, slot_.width,
-                   slot_.bottom() - (at_.follows ? frame_.box.y - 28 * s_ : slot_.y)};
-    if (!inside(at, room)) return std::nullopt;
+    if (!inside(at, at_.labels)) return std::nullopt;
     const auto hits = [&at, this](const Box& text) { return overlap(grown(at, 3 * s_), text); };
     if (std::ranges::any_of(texts_, hits)) return std::nullopt;
     double cost = distance;
@@ -441,7 +371,7 @@ class DrawingLayout {
       const double x = (p.x - all.lower.x + 0.5) / static_cast<double>(all.width());
       const double y = (p.y - all.lower.y + 0.5) / static_cast<double>(all.height());
       return dvec2{whole.x + x * whole.width,
-                   trace_.grid.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
+                   frame_.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
     };
     for (const Mark& mark : trace_.backdrop) {
       const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
@@ -479,7 +409,7 @@ class DrawingLayout {
       for (int column = 0; column < width; ++column) {
         const ivec2 p{static_cast<int>(all.lower.x + column * all.width() / width),
                       static_cast<int>(all.lower.y + row * all.height() / height)};
-        const ivec2 to{column, trace_.grid.y_up ? height - 1 - row : row};
+        const ivec2 to{column, frame_.y_up ? height - 1 - row : row};
         if (trace_.grid.picture) small.image[to] = (*trace_.grid.picture)[p - all.lower];
         if (const auto look = figure_.canvas->at(p)) {
           small.roles[to] = static_cast<std::uint8_t>(1 + static_cast<int>(look->role));
@@ -512,9 +442,8 @@ class DrawingLayout {
   Pen& pen_;
   const Figure& figure_;
   const Trace& trace_;
-  Box slot_;
   double s_;
-  Arrangement at_;
+  const Scene& at_;
   const Frame& frame_;
   std::vector<std::pair<ivec2, CellLook>> cell_texts_;
   std::vector<Box> texts_;            ///< of texts placed so far: nothing may overlap them
@@ -542,12 +471,81 @@ void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& bo
   pen.line(id, {{{in.x, in.bottom()}, {in.right(), in.y}}, Paint::mark(role), 2 * s, false, false, false});
 }
 
-Window visible_cells(const Figure& figure, const Box& box, double scale) {
-  return arrange(figure, box, scale).frame.view;
+Stage stage_of(const Trace& trace, const Look& look) {
+  const Grid& grid = trace.grid;
+  Stage stage{grid.cells, look.view.has_value(), look.y_up.value_or(grid.y_up)};
+  if (look.view) stage.cells = intersection(*look.view, grid.cells);
+  if (look.view && stage.cells.empty()) {
+    const Window &all = grid.cells, &view = *look.view;
+    throw std::invalid_argument(fmt::format("expected cells of the grid {},{} to {},{}, found {},{} to {},{}",
+                                            all.lower.x, all.lower.y, all.upper.x, all.upper.y, view.lower.x,
+                                            view.lower.y, view.upper.x, view.upper.y));
+  }
+  const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
+  stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
+  stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
+  stage.largest_cell = look.layout == Layout::slide ? 84 : 108;
+  return stage;
 }
 
-void lay_out_drawing(Pen& pen, const Figure& figure, const Box& box) {
-  DrawingLayout(pen, figure, box).draw();
+std::optional<Fit> fit(const Stage& stage, double width, double height) {
+  const double across = width - stage.left - stage.right, up = height - axis_below - axis_above;
+  const double cell = std::min({across / static_cast<double>(stage.cells.width()),
+                                up / static_cast<double>(stage.cells.height()), stage.largest_cell});
+  if (cell >= least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
+  if (stage.fixed) return std::nullopt;
+  const auto columns = static_cast<std::int64_t>(across / followed_cell);
+  const auto rows = static_cast<std::int64_t>((up - inset_height - 8) / followed_cell);
+  if (columns < 1 || rows < 1) return std::nullopt;
+  return Fit{followed_cell, std::min(columns, stage.cells.width()), std::min(rows, stage.cells.height()),
+             true};
+}
+
+Fit capacity(const Stage& stage, double width, double height) {
+  const auto count = [](double room) {
+    return static_cast<std::int64_t>(std::max(0.0, std::floor(room / least_cell)));
+  };
+  return {least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above),
+          false};
+}
+
+Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double s) {
+  const std::optional<Fit> shown = fit(stage, box.width / s, box.height / s);
+  Scene scene;
+  if (!shown) return scene;
+  scene.follows = shown->follows;
+  const Window& all = stage.cells;
+  Window view = all;
+  double top = box.y + axis_above * s;
+  if (scene.follows) {
+    scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
+    top += (inset_height + 8) * s;
+    const std::int64_t x = followed(all.lower.x, all.upper.x, shown->columns, figure.focus.x);
+    const std::int64_t y = followed(all.lower.y, all.upper.y, shown->rows, figure.focus.y);
+    view.lower = {static_cast<int>(x), static_cast<int>(y)};
+    view.upper = {static_cast<int>(x + shown->columns - 1), static_cast<int>(y + shown->rows - 1)};
+  }
+  const double cell = shown->cell * s, left = stage.left * s, right = stage.right * s;
+  const double width = cell * static_cast<double>(shown->columns);
+  const double height = cell * static_cast<double>(shown->rows);
+  const double spare_x = box.width - left - right - width;
+  const double spare_y = box.bottom() - axis_below * s - top - height;
+  const Box cells{box.x + left + std::max(0.0, spare_x) / 2, top + std::max(0.0, spare_y) / 2, width, height};
+  scene.frame = {view, cells, cell, stage.y_up};
+  scene.settled = {cells.x - left, cells.y - axis_above * s, left + width + right,
+                   height + (axis_above + axis_below) * s};
+  scene.labels = look.crop ? scene.settled : box;
+  if (scene.follows) {
+    const double above = scene.settled.y - scene.labels.y;
+    scene.labels = {scene.labels.x, scene.labels.y + above, scene.labels.width, scene.labels.height - above};
+    scene.settled = {box.x, box.y, std::max(scene.settled.right(), scene.inset.right()) - box.x,
+                     scene.settled.bottom() - box.y};
+  }
+  return scene;
+}
+
+void lay_out_drawing(Pen& pen, const Figure& figure, const Scene& scene) {
+  if (scene.frame.cell > 0) DrawingLayout(pen, figure, scene).draw();
 }
 
 }  // namespace gradus::layout
