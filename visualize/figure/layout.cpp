@@ -132,12 +132,16 @@ std::vector<std::pair<double, double>> column_places(const Trace& trace, const B
   const std::vector<double> wanted = column_widths(trace);
   double sum = 0;
   for (const double width : wanted) sum += width * s;
-  const double spare = (box.width - 12 * s - sum) / static_cast<double>(wanted.size());
-  const double squeeze = spare < 0 ? (box.width - 12 * s) / sum : 1;
+  double spare = (box.width - 12 * s - sum) / static_cast<double>(wanted.size());
+  double squeeze = 1;
+  if (spare < -squeezable * s) {
+    squeeze = (box.width - 12 * s) / sum;
+    spare = 0;
+  }
   std::vector<std::pair<double, double>> places;
   double x = box.x + 8 * s;
   for (const double width : wanted) {
-    const double given = spare < 0 ? width * s * squeeze : width * s + spare;
+    const double given = width * s * squeeze + spare;
     places.emplace_back(x, given);
     x += given;
   }
@@ -375,7 +379,8 @@ Sheet lay_out(const Figure& figure, const Look& look) {
   lay_out_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
     lay_out_footer(pen, figure, box, scene.frame.view, at.footer_lines);
   });
-  return look.crop ? cropped(std::move(sheet), crop_box(at, scene.settled, look, s)) : sheet;
+  if (look.crop) return cropped(std::move(sheet), crop_box(at, scene.settled, look, s));
+  return sheet;
 }
 
 }  // namespace gradus

@@ -67,7 +67,8 @@ Stage stage_of(const Trace& trace, const Look& look);
 struct Fit {
   double cell = 0;  ///< units
   std::int64_t columns = 0, rows = 0;
-  bool follows = false;  ///< not all cells: a view that follows the step, with an overview above it
+  bool follows = false;  ///< not all cells: a view that follows the step, and an overview
+  bool beside = false;   ///< the overview stands beside the view, not above it
 };
 /// Nothing: the drawing is too small for any cell, or for the cells that the reader chose. Sizes in units.
 std::optional<Fit> fit(const Stage& stage, double width, double height);
@@ -96,10 +97,10 @@ struct Frame {
 /// Where the parts of the drawing lie, in pixels: over all steps only the cells in view may change.
 struct Scene {
   Frame frame;
-  bool follows = false;
-  Box inset;    ///< of the overview, where there is one
-  Box settled;  ///< what the drawing fills in every step: cells, axes, overview
-  Box labels;   ///< where labels may stand
+  bool follows = false, beside = false;  ///< as in Fit
+  Box inset;                             ///< of the overview, where there is one
+  Box settled;                           ///< what the drawing fills in every step: cells, axes, overview
+  Box labels;                            ///< where labels may stand
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
 
@@ -134,7 +135,9 @@ struct Places {
 /// Throws std::invalid_argument when the look's view has more cells than fit.
 Places places_of(const Trace& trace, const Look& look, const Stage& stage);
 
-/// What the columns of the table ask for, in units: the widest text and some air.
+/// What the columns of the table ask for, in units: the widest text and some air, of which they can spare
+/// `squeezable`.
+inline constexpr double squeezable = 12;
 std::vector<double> column_widths(const Trace& trace);
 
 /// The text in at most `most` lines; the last one is shortened.

@@ -14,7 +14,9 @@ namespace gradus::layout {
 namespace {
 
 constexpr double followed_cell = 30;
-constexpr double axis_below = 34, axis_above = 30, inset_height = 104;
+constexpr double axis_below = 34, axis_above = 30;
+constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
+constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
 
 bool overlap(const Box& a, const Box& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -27,6 +29,10 @@ double overlap_area(const Box& a, const Box& b) {
 bool inside(const Box& inner, const Box& outer) {
   return inner.x >= outer.x && inner.y >= outer.y && inner.right() <= outer.right() &&
          inner.bottom() <= outer.bottom();
+}
+Box around(const Box& a, const Box& b) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 Box grown(const Box& b, double by) { return {b.x - by, b.y - by, b.width + 2 * by, b.height + 2 * by}; }
 
@@ -57,6 +63,14 @@ std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count
   return std::clamp(first, lower, upper - count + 1);
 }
 
+/// The cells of a view that follows the step.
+Window followed_view(const Window& all, const Fit& shown, ivec2 focus) {
+  const std::int64_t x = followed(all.lower.x, all.upper.x, shown.columns, focus.x);
+  const std::int64_t y = followed(all.lower.y, all.upper.y, shown.rows, focus.y);
+  return {{static_cast<int>(x), static_cast<int>(y)},
+          {static_cast<int>(x + shown.columns - 1), static_cast<int>(y + shown.rows - 1)}};
+}
+
 /// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
 std::int64_t tick_step(double cell, double needed) {
   std::int64_t step = 1;
@@ -83,6 +97,7 @@ class DrawingLayout {
     draw_cell_outlines();
     draw_marks();
     if (at_.follows) draw_overview();
+    point_outside();
     place_labels();
   }
 
@@ -159,6 +174,7 @@ class DrawingLayout {
   void tick(std::string id, dvec2 baseline, std::string text, Align align) {
     TextShape shape{baseline, std::move(text), Face::sans, text_size * s_, align, Paint::of(Tone::muted)};
     texts_.push_back(shape.box());
+    ticks_.push_back(grown(shape.box(), 8 * s_));
     pen_.text(std::move(id), std::move(shape));
   }
 
@@ -266,6 +282,31 @@ class DrawingLayout {
     }
   }
 
+  /// Where the step happens when that is not in the view: an arrow at its border, and the cell.
+  void point_outside() {
+    const ivec2 focus = figure_.focus;
+    if (frame_.view.contains(focus) || !trace_.grid.cells.contains(focus)) return;
+    const Box& b = frame_.box;
+    const dvec2 centre{b.x + b.width / 2, b.y + b.height / 2};
+    const auto inner = clipped(centre, frame_.point({focus.x, focus.y}), grown(b, -4 * s_));
+    if (!inner) return;
+    const dvec2 tip = inner->second, way = tip - centre;
+    const dvec2 tail = tip - way * (30 * s_ / std::hypot(way.x, way.y));
+    taken_.push_back({std::min(tip.x, tail.x), std::min(tip.y, tail.y), std::abs(tip.x - tail.x),
+                      std::abs(tip.y - tail.y)});
+    pen_.line("outside", {{tail, tip}, Paint::mark(Role::current), 4 * s_, false, false, true});
+    outside_ =
+        Mark{"outside name", Role::current,
+             Label{cell_at(tail), fmt::format("({}, {})", figure_number(focus.x), figure_number(focus.y))}};
+    labels_.emplace_back(&*outside_, &std::get<Label>(outside_->shape));
+  }
+  /// The inverse of Frame::point.
+  dvec2 cell_at(dvec2 pixel) const {
+    const Box& b = frame_.box;
+    const double up = (frame_.y_up ? b.bottom() - pixel.y : pixel.y - b.y) / frame_.cell;
+    return {frame_.view.lower.x + (pixel.x - b.x) / frame_.cell - 0.5, frame_.view.lower.y + up - 0.5};
+  }
+
   /// How bad a place for a label is: covering what matters, lying on lines, being far away. Nothing:
   /// impossible. `clear`: how far it should keep from lines.
   std::optional<double> badness(const Box& at, double distance, double clear) const {
@@ -273,11 +314,38 @@ class DrawingLayout {
     const auto hits = [&at, this](const Box& text) { return overlap(grown(at, 3 * s_), text); };
     if (std::ranges::any_of(texts_, hits)) return std::nullopt;
     double cost = distance;
+    // Beside a number of an axis, a label would seem to go on with it
+    for (const Box& tick : ticks_) cost += overlap(at, tick) ? 90 * s_ : 0;
     const double area = at.width * at.height;
     for (const Box& box : taken_) cost += 900 * s_ * overlap_area(at, box) / area;
     for (const Box& box : crowded_) cost += 60 * s_ * overlap_area(at, box) / area;
     for (const auto& [a, b] : strokes_) {
       if (clipped(a, b, grown(at, clear))) cost += 160 * s_;
+    }
+    return cost;
+  }
+
+  static dvec2 leader_end(dvec2 anchor, const Box& label) {
+    return {std::clamp(anchor.x, label.x, label.right()), std::clamp(anchor.y, label.y, label.bottom())};
+  }
+
+  /// A label that touches another marked cell than its own seems to name that one.
+  double ambiguity(dvec2 anchor, const Box& label) const {
+    double cost = 0;
+    for (const Box& cell : taken_) {
+      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && overlap(grown(label, 7 * s_), cell)) cost += 60 * s_;
+    }
+    return cost;
+  }
+
+  /// A leader should not lead over what another label speaks of, nor through a text.
+  double badness_of_leader(dvec2 anchor, const Box& label) const {
+    const dvec2 end = leader_end(anchor, label);
+    double cost = 0;
+    for (const Box& text : texts_) cost += clipped(end, anchor, text) ? 200 * s_ : 0;
+    for (const Box& cell : taken_) {
+      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && clipped(end, anchor, grown(cell, -2 * s_)))
+        cost += 200 * s_;
     }
     return cost;
   }
@@ -311,8 +379,10 @@ class DrawingLayout {
         const double x = anchor.x + dx * distance - (dx < 0 ? width : dx > 0 ? 0 : width / 2);
         const double y = anchor.y + dy * distance - size / 2;
         const Box at{x, y, width, size};
-        const auto cost = badness(at, distance, clear);
+        auto cost = badness(at, distance, clear);
         if (!cost || (best && *cost >= least)) continue;
+        *cost += ambiguity(anchor, at) + (distance > gap ? badness_of_leader(anchor, at) : 0);
+        if (best && *cost >= least) continue;
         best = at;
         least = *cost;
         best_distance = distance;
@@ -323,8 +393,8 @@ class DrawingLayout {
 
   void draw_label(const Mark& mark, const Label& label, dvec2 anchor, const Box& at, bool leader) {
     if (leader) {
-      const dvec2 end{std::clamp(anchor.x, at.x, at.right()), std::clamp(anchor.y, at.y, at.bottom())};
-      pen_.line("leader " + mark.id, {{end, anchor}, Paint::text(mark.role), 1.4 * s_, false, false, false});
+      pen_.line("leader " + mark.id,
+                {{leader_end(anchor, at), anchor}, Paint::text(mark.role), 1.4 * s_, false, false, false});
     }
     TextShape shape{{at.x, at.y + 0.78 * at.height},
                     label.text,
@@ -358,7 +428,9 @@ class DrawingLayout {
   void draw_overview() {
     const Window& all = trace_.grid.cells;
     const double ratio = static_cast<double>(all.width()) / static_cast<double>(all.height());
-    const double most_width = 0.55 * at_.inset.width, height = at_.inset.height;
+    const double most_width = (at_.beside ? 1 : 0.55) * at_.inset.width;
+    const bool captions = !at_.beside || at_.inset.height > 160 * s_;
+    const double height = std::min(at_.inset.height - (at_.beside && captions ? 90 * s_ : 0), 150 * s_);
     Box whole{at_.inset.x, at_.inset.y, height * ratio, height};
     if (whole.width > most_width) {
       whole.width = most_width;
@@ -388,7 +460,7 @@ class DrawingLayout {
     if (part.width < 8 * s_) part = {part.x + part.width / 2 - 4 * s_, part.y, 8 * s_, part.height};
     if (part.height < 8 * s_) part = {part.x, part.y + part.height / 2 - 4 * s_, part.width, 8 * s_};
     pen_.rect("overview view", {part, {}, Paint::mark(Role::current), 3 * s_, 0, false, Hatch::none, {}});
-    caption_overview(whole);
+    if (captions) caption_overview(whole);
   }
 
   void draw_overview_cells(const Box& whole) {
@@ -419,24 +491,30 @@ class DrawingLayout {
     return small;
   }
 
+  /// Beside or below the small picture: its size, and which part of it is in view. What doesn't fit is left
+  /// out: the axes say it too.
   void caption_overview(const Box& whole) {
     const Window& all = trace_.grid.cells;
     const Window& view = frame_.view;
-    const double x = whole.right() + 14 * s_, room = at_.inset.right() - x;
-    const auto line = [&](std::string id, double y, const std::string& text) {
-      TextShape shape{{x, y},      elided(text, Face::sans, text_size * s_, room),
-                      Face::sans,  text_size * s_,
-                      Align::left, Paint::of(Tone::muted)};
+    const double x = at_.beside ? at_.inset.x : whole.right() + 14 * s_;
+    const double room = at_.inset.right() - x;
+    double y = at_.beside ? whole.bottom() + 24 * s_ : whole.y + 20 * s_;
+    const auto fits = [&](const std::string& text) {
+      return text_width(text, Face::sans, text_size * s_) <= room;
+    };
+    const auto line = [&](std::string id, const std::string& text) {
+      if (!fits(text)) return;
+      TextShape shape{{x, y}, text, Face::sans, text_size * s_, Align::left, Paint::of(Tone::muted)};
       texts_.push_back(shape.box());
       pen_.text(std::move(id), std::move(shape));
+      y += 28 * s_;
     };
-    line("overview size", whole.y + 20 * s_, fmt::format("whole: {} × {}", all.width(), all.height()));
-    line("overview columns", whole.y + 48 * s_,
-         fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
-                     figure_number(view.upper.x)));
-    line("overview rows", whole.y + 76 * s_,
-         fmt::format("{} {} … {}", trace_.grid.y_name, figure_number(view.lower.y),
-                     figure_number(view.upper.y)));
+    const std::string size = fmt::format("whole: {} × {}", all.width(), all.height());
+    line("overview size", fits(size) ? size : fmt::format("{} × {}", all.width(), all.height()));
+    line("overview columns", fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
+                                         figure_number(view.upper.x)));
+    line("overview rows", fmt::format("{} {} … {}", trace_.grid.y_name, figure_number(view.lower.y),
+                                      figure_number(view.upper.y)));
   }
 
   Pen& pen_;
@@ -447,9 +525,11 @@ class DrawingLayout {
   const Frame& frame_;
   std::vector<std::pair<ivec2, CellLook>> cell_texts_;
   std::vector<Box> texts_;            ///< of texts placed so far: nothing may overlap them
+  std::vector<Box> ticks_;            ///< of the axes' numbers and some space round them
   std::vector<Box> taken_, crowded_;  ///< cells and dots that a label must not, should not cover
   std::vector<std::pair<dvec2, dvec2>> strokes_;
   std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
+  std::optional<Mark> outside_;  ///< the label of a step outside the view
 };
 
 }  // namespace
@@ -494,53 +574,53 @@ std::optional<Fit> fit(const Stage& stage, double width, double height) {
                                 up / static_cast<double>(stage.cells.height()), stage.largest_cell});
   if (cell >= least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
   if (stage.fixed) return std::nullopt;
-  const auto columns = static_cast<std::int64_t>(across / followed_cell);
-  const auto rows = static_cast<std::int64_t>((up - inset_height - 8) / followed_cell);
-  if (columns < 1 || rows < 1) return std::nullopt;
-  return Fit{followed_cell, std::min(columns, stage.cells.width()), std::min(rows, stage.cells.height()),
-             true};
+  const auto count = [](double room, std::int64_t all) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(room / followed_cell), 0, all);
+  };
+  const Fit above{followed_cell, count(across, stage.cells.width()),
+                  count(up - inset_height - inset_gap, stage.cells.height()), true, false};
+  const Fit beside{followed_cell, count(across - inset_width - inset_column_gap, stage.cells.width()),
+                   count(up, stage.cells.height()), true, true};
+  const auto cells = [](const Fit& f) { return static_cast<double>(f.columns * f.rows); };
+  const Fit& better = cells(beside) > 1.25 * cells(above) ? beside : above;
+  return cells(better) > 0 ? std::optional(better) : std::nullopt;
 }
 
 Fit capacity(const Stage& stage, double width, double height) {
   const auto count = [](double room) {
     return static_cast<std::int64_t>(std::max(0.0, std::floor(room / least_cell)));
   };
-  return {least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above),
-          false};
+  return {least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above)};
 }
 
-Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double s) {
-  const std::optional<Fit> shown = fit(stage, box.width / s, box.height / s);
+Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
+  const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
   Scene scene;
   if (!shown) return scene;
   scene.follows = shown->follows;
-  const Window& all = stage.cells;
-  Window view = all;
-  double top = box.y + axis_above * s;
-  if (scene.follows) {
+  scene.beside = shown->beside;
+  Box box = slot;
+  if (scene.beside) {
+    box.width -= (inset_width + inset_column_gap) * s;
+    scene.inset = {slot.right() - inset_width * s, slot.y + axis_above * s, inset_width * s,
+                   slot.height - (axis_above + axis_below) * s};
+  } else if (scene.follows) {
     scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
-    top += (inset_height + 8) * s;
-    const std::int64_t x = followed(all.lower.x, all.upper.x, shown->columns, figure.focus.x);
-    const std::int64_t y = followed(all.lower.y, all.upper.y, shown->rows, figure.focus.y);
-    view.lower = {static_cast<int>(x), static_cast<int>(y)};
-    view.upper = {static_cast<int>(x + shown->columns - 1), static_cast<int>(y + shown->rows - 1)};
+    box = {box.x, box.y + (inset_height + inset_gap) * s, box.width,
+           box.height - (inset_height + inset_gap) * s};
   }
-  const double cell = shown->cell * s, left = stage.left * s, right = stage.right * s;
-  const double width = cell * static_cast<double>(shown->columns);
-  const double height = cell * static_cast<double>(shown->rows);
-  const double spare_x = box.width - left - right - width;
-  const double spare_y = box.bottom() - axis_below * s - top - height;
-  const Box cells{box.x + left + std::max(0.0, spare_x) / 2, top + std::max(0.0, spare_y) / 2, width, height};
-  scene.frame = {view, cells, cell, stage.y_up};
-  scene.settled = {cells.x - left, cells.y - axis_above * s, left + width + right,
-                   height + (axis_above + axis_below) * s};
+  // The cells with their axes, in the middle of what is left
+  const double cell = shown->cell * s;
+  const double width = cell * static_cast<double>(shown->columns) + (stage.left + stage.right) * s;
+  const double height = cell * static_cast<double>(shown->rows) + (axis_above + axis_below) * s;
+  scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  scene.frame = {scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells,
+                 {scene.settled.x + stage.left * s, scene.settled.y + axis_above * s,
+                  width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},
+                 cell,
+                 stage.y_up};
   scene.labels = look.crop ? scene.settled : box;
-  if (scene.follows) {
-    const double above = scene.settled.y - scene.labels.y;
-    scene.labels = {scene.labels.x, scene.labels.y + above, scene.labels.width, scene.labels.height - above};
-    scene.settled = {box.x, box.y, std::max(scene.settled.right(), scene.inset.right()) - box.x,
-                     scene.settled.bottom() - box.y};
-  }
+  if (scene.follows) scene.settled = around(scene.settled, scene.inset);
   return scene;
 }
 

@@ -1,4 +1,4 @@
-// Where the slots go: one of four arrangements, by the shape of the sheet and of the grid.
+// Where the slots go: one of a few arrangements, by the shape of the sheet and of the grid.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ constexpr double wide = 1200;            ///< units: from here on a slide has ro
 constexpr double column_width = 604;     ///< of listing and table: 44 characters and the line numbers
 constexpr double comfortable_cell = 48;  ///< larger cells are given up for more lines and rows
 constexpr double worthwhile = 1.25;      ///< so much larger must the cells be for a less usual arrangement
-constexpr double least_drawing = 200;
+constexpr double least_drawing = 200, least_column = 420;
 constexpr int most_rows = 40;
 
 // --- What the slots ask for
@@ -26,6 +26,7 @@ struct Wants {
   bool drawing = false, listing = false, table = false;
   double listing_width = 0, table_width = 0;
   int lines = 0, rows = 0;  ///< all there are
+  std::size_t columns = 0;
   double gutter = 20, column_gap = 24;
 };
 
@@ -38,7 +39,7 @@ double listing_width(const Trace& trace) {
     const std::string_view shown(line.text.data(), trails ? comment : line.text.size());
     most = std::max(most, code_points(shown.substr(0, shown.find_last_not_of(' ') + 1)).size());
   }
-  return listing_indent + 4 + static_cast<double>(most) * text_width("0", Face::mono, text_size);
+  return listing_indent + 6 + static_cast<double>(most) * text_width("0", Face::mono, text_size);
 }
 
 double sum(const std::vector<double>& values) {
@@ -56,6 +57,7 @@ Wants wants_of(const Trace& trace, const Look& look, double margin) {
   if (wants.table) wants.table_width = sum(column_widths(trace)) + 12;
   wants.lines = static_cast<int>(trace.listing.size());
   wants.rows = static_cast<int>(std::clamp<std::int64_t>(trace.last + 1, 2, most_rows));
+  wants.columns = trace.columns.size();
   wants.gutter = margin / 2;
   wants.column_gap = margin * 0.6;
   return wants;
@@ -120,16 +122,35 @@ bool fit_side_by_side(const Box& area, const Wants& wants) {
   return area.width >= wants.listing_width + wants.gutter + wants.table_width;
 }
 
-/// The usual one: the drawing on the left, listing and table in a column on the right.
-std::optional<Body> column(const Box& area, const Wants& wants, Least least) {
-  const double asked = wants.listing ? wants.listing_width : std::max(wants.table_width + 60, 320.0);
-  const double width = wants.listing && area.width >= wide ? column_width : std::min(asked, column_width);
+/// What the table can do with.
+double least_table_width(const Wants& wants) {
+  return wants.table_width - squeezable * static_cast<double>(wants.columns);
+}
+
+/// The drawing on the left, listing and table in a column of this width on the right.
+std::optional<Body> with_column(const Box& area, const Wants& wants, Least least, double width) {
   Body body;
   body.drawing = {area.x, area.y, area.width - width - wants.column_gap, area.height};
   put_column(body, {area.right() - width, area.y, width, area.height}, wants, least);
   const bool least_given = (!wants.listing || body.lines >= std::min(least.lines, wants.lines)) &&
                            (!wants.table || body.rows >= std::min(least.rows, wants.rows));
   return body.drawing.width >= least_drawing && least_given ? std::optional(body) : std::nullopt;
+}
+
+/// The usual one: the column is as wide as listing and table ask for.
+std::optional<Body> column(const Box& area, const Wants& wants, Least least) {
+  if (!wants.listing && !wants.table) return std::nullopt;
+  if (wants.listing && area.width >= wide) return with_column(area, wants, least, column_width);
+  const double asked = wants.listing ? std::max(wants.listing_width, least_table_width(wants))
+                                     : std::max(wants.table_width + 60, 320.0);
+  return with_column(area, wants, least, std::min(asked, column_width));
+}
+
+/// For tall grids on narrow sheets: the column gets what the drawing leaves, longer lines are shortened.
+std::optional<Body> narrow_column(const Box& area, const Wants& wants, Least least) {
+  const double width = area.width - wants.column_gap - least_drawing;
+  if (!wants.listing || width < least_column || width < least_table_width(wants)) return std::nullopt;
+  return with_column(area, wants, least, std::min(width, wants.listing_width));
 }
 
 /// Drawing and table side by side, the listing over the full width below.
@@ -140,7 +161,8 @@ std::optional<Body> shelf(const Box& area, const Wants& wants, Least least) {
   const double height = area.height - below - wants.gutter;
   const double width =
       std::min(wants.table_width + 24, area.width - wants.column_gap - std::max(280.0, area.width * 0.4));
-  if (rows_in(height) < std::min(least.rows, wants.rows)) return std::nullopt;
+  if (width < least_table_width(wants) || rows_in(height) < std::min(least.rows, wants.rows))
+    return std::nullopt;
   body.drawing = {area.x, area.y, area.width - width - wants.column_gap, height};
   put_table(body, {area.right() - width, area.y, width, height}, wants.rows);
   put_listing(body, {area.x, area.bottom() - below, area.width, below}, wants.lines);
@@ -178,7 +200,7 @@ std::optional<Body> alone(const Box& area, const Wants& wants, Least) {
 
 using Arrange = std::optional<Body> (*)(const Box&, const Wants&, Least);
 /// In order of preference.
-constexpr std::array<Arrange, 5> arrangements{alone, column, shelf, ledge, stack};
+constexpr std::array<Arrange, 6> arrangements{alone, column, shelf, ledge, stack, narrow_column};
 
 /// The text slots alone.
 Body without_drawing(const Box& area, const Wants& wants) {
@@ -206,7 +228,7 @@ struct Worth {
   bool as_good_as(const Worth& other) const {
     return whole == other.whole && size >= (whole ? 1 : 0.9) * other.size;
   }
-  bool legible() const { return whole || size >= 5; }
+  bool legible() const { return whole || size >= 6; }
 };
 
 Worth worth_of(const Fit& fit) {
@@ -238,8 +260,8 @@ std::optional<Choice> best_with(const Box& area, const Wants& wants, Least least
     best = choice;
     chosen = arrange;
   }
-  // Then as many lines and rows as do the drawing no harm
-  for (int more = most_rows; best && more > 0; --more) {
+  // Then as many lines and rows as do the drawing no harm; columns have them already
+  for (int more = most_rows; best && chosen != column && chosen != narrow_column && more > 0; --more) {
     const auto choice = choice_of(chosen, area, wants, {least.lines + more, least.rows + more}, stage);
     if (choice && choice->worth.as_good_as(best->worth)) return choice;
   }
@@ -326,7 +348,7 @@ Page page_of(const Trace& trace, const Look& look) {
   }
   if (has(Slot::footer)) {
     page.at.footer_lines = footer_lines(trace, width);
-    const double height = (width < 1000 ? 46 : 54) + (page.at.footer_lines - 1) * footer_line;
+    const double height = (width < 1000 ? 42 : 54) + (page.at.footer_lines - 1) * footer_line;
     bottom = page.height - height;
     page.at.footer = {page.margin, bottom, width, height};
   }
@@ -334,7 +356,7 @@ Page page_of(const Trace& trace, const Look& look) {
     page.at.sentence_lines = lines_for_sentences(trace, width - 40);
     const double height = 14 + page.at.sentence_lines * sentence_line;
     page.at.sentence = {page.margin, bottom - 4 - height, width, height};
-    bottom -= height + 16;
+    bottom -= height + (width < 1000 ? 10 : 16);
   }
   page.middle = {page.margin, top, width, bottom - top - 4};
   return page;
@@ -370,10 +392,11 @@ Heading heading_of(const Trace& trace, const Look& look, double width, double he
   if (!trace.faulty.empty()) {
     heading.fault = lines_of("faulty: " + trace.faulty, Face::bold, text_size, width, 3);
   }
-  heading.first_baseline = tight ? 42 : 52;
+  heading.first_baseline = tight ? 40 : 52;
   const double last_baseline = heading.first_baseline + 40 * (static_cast<double>(heading.title.size()) - 1) +
                                28 * below + 26 * static_cast<double>(heading.fault.size());
-  heading.height = std::max(last_baseline + (tight ? 14 : 6), heading.first_baseline + (tight ? 20 : 32));
+  heading.height =
+      std::max(last_baseline + (tight || below > 0 ? 12 : 6), heading.first_baseline + (tight ? 20 : 32));
   return heading;
 }
 
@@ -409,13 +432,15 @@ std::vector<std::string> lines_of(const std::string& text, Face face, double siz
 }
 
 std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room, int most) {
-  const auto fits = [&](const std::string& text) { return text_width(text, Face::sans, size) <= room; };
-  if (fits(sentence)) return {sentence};
-  if (const std::size_t at = sentence.find("; "); at != std::string::npos) {
-    const std::string cause = sentence.substr(0, at + 1), effect = sentence.substr(at + 2);
-    if (fits(cause) && fits(effect)) return {cause, effect};
+  if (text_width(sentence, Face::sans, size) <= room) return {sentence};
+  std::vector<std::string> plain = lines_of(sentence, Face::sans, size, room, most);
+  const std::size_t at = sentence.find("; ");
+  if (at == std::string::npos) return plain;
+  std::vector<std::string> lines = lines_of(sentence.substr(0, at + 1), Face::sans, size, room, most);
+  for (std::string& line : lines_of(sentence.substr(at + 2), Face::sans, size, room, most)) {
+    lines.push_back(std::move(line));
   }
-  return lines_of(sentence, Face::sans, size, room, most);
+  return lines.size() <= plain.size() ? lines : plain;
 }
 
 }  // namespace gradus::layout
