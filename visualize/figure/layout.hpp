@@ -17,7 +17,7 @@ namespace gradus::layout {
 inline constexpr double text_size = 20;      ///< 1/36 of a slide's shorter side: nothing is smaller
 inline constexpr double sentence_size = 26;  ///< 1/28 and a little
 inline constexpr double title_size = 34;
-inline constexpr double least_cell = 24;  ///< a cell is never smaller
+inline constexpr double least_cell = 24;  ///< on a slide a cell is never smaller
 inline constexpr double line_height = 30, row_height = 34, heading_height = 38, panel_padding = 8;
 inline constexpr double listing_indent = 62;  ///< of the source text, behind the line numbers
 inline constexpr double sentence_line = 33, footer_line = 28;
@@ -57,8 +57,8 @@ struct Stage {
   Window cells;        ///< the grid's, or the reader's view of them
   bool fixed = false;  ///< the reader chose the cells: all of them are shown, or none
   bool y_up = true;
-  double left = 0, right = 0;  ///< units beside the cells
-  double largest_cell = 0;     ///< units
+  double left = 0, right = 0;               ///< units beside the cells
+  double least_cell = 0, largest_cell = 0;  ///< units
 };
 /// Throws std::invalid_argument when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);

@@ -71,6 +71,14 @@ Window followed_view(const Window& all, const Fit& shown, ivec2 focus) {
           {static_cast<int>(x + shown.columns - 1), static_cast<int>(y + shown.rows - 1)}};
 }
 
+/// Beside a narrow grid there must be room for labels; a wider one has room of its own.
+Box with_room_for_labels(const Box& settled, const Box& slot, double s) {
+  constexpr double enough = 420;
+  const double missing = std::max(0.0, enough * s - settled.width);
+  const double x = std::max(slot.x, settled.x - missing / 2);
+  return {x, settled.y, std::min(slot.right(), settled.right() + missing / 2) - x, settled.height};
+}
+
 /// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
 std::int64_t tick_step(double cell, double needed) {
   std::int64_t step = 1;
@@ -139,7 +147,7 @@ class DrawingLayout {
   /// What labels should not cover.
   void note_cell(ivec2 p, Role role) {
     if (role == Role::past || role == Role::boundary || role == Role::result) {
-      crowded_.push_back(frame_.square(p));
+      crowded_.emplace_back(frame_.square(p), role == Role::boundary ? 300 : 60);
     } else {
       taken_.push_back(frame_.square(p));
     }
@@ -298,7 +306,6 @@ class DrawingLayout {
     outside_ =
         Mark{"outside name", Role::current,
              Label{cell_at(tail), fmt::format("({}, {})", figure_number(focus.x), figure_number(focus.y))}};
-    labels_.emplace_back(&*outside_, &std::get<Label>(outside_->shape));
   }
   /// The inverse of Frame::point.
   dvec2 cell_at(dvec2 pixel) const {
@@ -318,7 +325,7 @@ class DrawingLayout {
     for (const Box& tick : ticks_) cost += overlap(at, tick) ? 90 * s_ : 0;
     const double area = at.width * at.height;
     for (const Box& box : taken_) cost += 900 * s_ * overlap_area(at, box) / area;
-    for (const Box& box : crowded_) cost += 60 * s_ * overlap_area(at, box) / area;
+    for (const auto& [box, weight] : crowded_) cost += weight * s_ * overlap_area(at, box) / area;
     for (const auto& [a, b] : strokes_) {
       if (clipped(a, b, grown(at, clear))) cost += 160 * s_;
     }
@@ -350,12 +357,12 @@ class DrawingLayout {
     return cost;
   }
 
-  /// Tries places round the anchor, near ones first; draws a leader when the best is not beside it.
-  void place(const Mark& mark, const Label& label, double clear) {
+  /// Tries places round the anchor at this distance and beyond, near ones first; draws a leader when the best
+  /// is not beside it.
+  void place(const Mark& mark, const Label& label, double gap, double clear) {
     const dvec2 anchor = frame_.point(label.at);
     if (!inside({anchor.x, anchor.y, 0, 0}, grown(frame_.box, 1))) return;
     const double size = text_size * s_, width = text_width(label.text, Face::sans, size);
-    const double gap = frame_.cell / 2 + 10 * s_;
     std::optional<Box> best;
     double least = 0, best_distance = 0;
     for (const double distance :
@@ -410,18 +417,21 @@ class DrawingLayout {
 
   void place_labels() {
     // Those that stand through all steps come first and look only at what stands too, so that they keep still
-    std::vector<Box> step_taken, step_crowded;
+    std::vector<Box> step_taken;
+    std::vector<std::pair<Box, double>> step_crowded;
     std::vector<std::pair<dvec2, dvec2>> step_strokes;
     std::swap(taken_, step_taken);
     std::swap(crowded_, step_crowded);
     const std::size_t fixed_strokes = trace_.backdrop.size();
     step_strokes = strokes_;
     strokes_.resize(std::min(strokes_.size(), fixed_strokes));
-    for (const auto& [mark, label] : fixed_labels_) place(*mark, *label, frame_.cell);
+    const double gap = frame_.cell / 2 + 10 * s_;
+    for (const auto& [mark, label] : fixed_labels_) place(*mark, *label, gap, frame_.cell);
     std::swap(taken_, step_taken);
     std::swap(crowded_, step_crowded);
     strokes_ = step_strokes;
-    for (const auto& [mark, label] : labels_) place(*mark, *label, 2 * s_);
+    if (outside_) place(*outside_, std::get<Label>(outside_->shape), 12 * s_, 2 * s_);
+    for (const auto& [mark, label] : labels_) place(*mark, *label, gap, 2 * s_);
   }
 
   /// The whole grid, small, with the part that the view shows.
@@ -524,9 +534,10 @@ class DrawingLayout {
   const Scene& at_;
   const Frame& frame_;
   std::vector<std::pair<ivec2, CellLook>> cell_texts_;
-  std::vector<Box> texts_;            ///< of texts placed so far: nothing may overlap them
-  std::vector<Box> ticks_;            ///< of the axes' numbers and some space round them
-  std::vector<Box> taken_, crowded_;  ///< cells and dots that a label must not, should not cover
+  std::vector<Box> texts_;                       ///< of texts placed so far: nothing may overlap them
+  std::vector<Box> ticks_;                       ///< of the axes' numbers and some space round them
+  std::vector<Box> taken_;                       ///< cells and dots that a label must not cover
+  std::vector<std::pair<Box, double>> crowded_;  ///< cells that it should not, and how much
   std::vector<std::pair<dvec2, dvec2>> strokes_;
   std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
   std::optional<Mark> outside_;  ///< the label of a step outside the view
@@ -564,7 +575,9 @@ Stage stage_of(const Trace& trace, const Look& look) {
   const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
   stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
   stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
-  stage.largest_cell = look.layout == Layout::slide ? 84 : 108;
+  const bool slide = look.layout == Layout::slide;
+  stage.least_cell = slide ? least_cell : 16;
+  stage.largest_cell = slide ? 84 : 108;
   return stage;
 }
 
@@ -572,7 +585,7 @@ std::optional<Fit> fit(const Stage& stage, double width, double height) {
   const double across = width - stage.left - stage.right, up = height - axis_below - axis_above;
   const double cell = std::min({across / static_cast<double>(stage.cells.width()),
                                 up / static_cast<double>(stage.cells.height()), stage.largest_cell});
-  if (cell >= least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
+  if (cell >= stage.least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
   if (stage.fixed) return std::nullopt;
   const auto count = [](double room, std::int64_t all) {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(room / followed_cell), 0, all);
@@ -587,10 +600,10 @@ std::optional<Fit> fit(const Stage& stage, double width, double height) {
 }
 
 Fit capacity(const Stage& stage, double width, double height) {
-  const auto count = [](double room) {
-    return static_cast<std::int64_t>(std::max(0.0, std::floor(room / least_cell)));
+  const auto count = [&stage](double room) {
+    return static_cast<std::int64_t>(std::max(0.0, std::floor(room / stage.least_cell)));
   };
-  return {least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above)};
+  return {stage.least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above)};
 }
 
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
@@ -619,7 +632,8 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
                   width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},
                  cell,
                  stage.y_up};
-  scene.labels = look.crop ? scene.settled : box;
+  scene.labels = look.crop ? with_room_for_labels(scene.settled, box, s) : box;
+  if (look.crop) scene.settled = scene.labels;
   if (scene.follows) scene.settled = around(scene.settled, scene.inset);
   return scene;
 }

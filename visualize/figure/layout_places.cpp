@@ -15,6 +15,7 @@ namespace {
 constexpr double wide = 1200;            ///< units: from here on a slide has room to spare
 constexpr double column_width = 604;     ///< of listing and table: 44 characters and the line numbers
 constexpr double comfortable_cell = 48;  ///< larger cells are given up for more lines and rows
+constexpr double large_cell = 60;        ///< larger ones are no reason to choose an arrangement
 constexpr double worthwhile = 1.25;      ///< so much larger must the cells be for a less usual arrangement
 constexpr double least_drawing = 200, least_column = 420;
 constexpr int most_rows = 40;
@@ -146,7 +147,8 @@ std::optional<Body> column(const Box& area, const Wants& wants, Least least) {
   return with_column(area, wants, least, std::min(asked, column_width));
 }
 
-/// For tall grids on narrow sheets: the column gets what the drawing leaves, longer lines are shortened.
+/// For tall grids on narrow sheets that nothing else shows whole: the column gets what the drawing leaves,
+/// longer lines are shortened.
 std::optional<Body> narrow_column(const Box& area, const Wants& wants, Least least) {
   const double width = area.width - wants.column_gap - least_drawing;
   if (!wants.listing || width < least_column || width < least_table_width(wants)) return std::nullopt;
@@ -193,6 +195,24 @@ std::optional<Body> stack(const Box& area, const Wants& wants, Least least) {
   return body;
 }
 
+/// All three side by side, for low and wide sheets.
+std::optional<Body> abreast(const Box& area, const Wants& wants, Least least) {
+  if (!wants.listing || !wants.table) return std::nullopt;
+  const double table = wants.table_width + 24;
+  const double drawing = area.width - wants.listing_width - table - 2 * wants.column_gap;
+  if (drawing < least_drawing || lines_in(area.height) < std::min(least.lines, wants.lines) ||
+      rows_in(area.height) < std::min(least.rows, wants.rows)) {
+    return std::nullopt;
+  }
+  Body body;
+  body.drawing = {area.x, area.y, drawing, area.height};
+  const double x = body.drawing.right() + wants.column_gap;
+  put_listing(body, {x, area.y, wants.listing_width, area.height}, wants.lines);
+  put_table(body, {area.right() - table, area.y, table, area.height}, wants.rows);
+  return body;
+}
+
+/// The drawing where there is no text beside it.
 std::optional<Body> alone(const Box& area, const Wants& wants, Least) {
   if (wants.listing || wants.table) return std::nullopt;
   return Body{area, {}, {}, 0, 0};
@@ -200,7 +220,7 @@ std::optional<Body> alone(const Box& area, const Wants& wants, Least) {
 
 using Arrange = std::optional<Body> (*)(const Box&, const Wants&, Least);
 /// In order of preference.
-constexpr std::array<Arrange, 6> arrangements{alone, column, shelf, ledge, stack, narrow_column};
+constexpr std::array<Arrange, 7> arrangements{alone, column, shelf, ledge, stack, abreast, narrow_column};
 
 /// The text slots alone.
 Body without_drawing(const Box& area, const Wants& wants) {
@@ -219,20 +239,24 @@ Body without_drawing(const Box& area, const Wants& wants) {
 /// How well a drawing shows its grid: all of it before a part; larger cells, more of them in view.
 struct Worth {
   bool whole = false;
-  double size = 0;
+  double size = 0;  ///< units of a cell of the whole; cells along a side of a part
 
   bool clearly_above(const Worth& other) const {
-    return whole != other.whole ? whole : size > worthwhile * other.size;
+    if (whole != other.whole) return whole;
+    const double most = whole ? large_cell : 1e9;
+    return std::min(size, most) > worthwhile * std::min(other.size, most);
   }
   /// Whether a reader would not miss what the other shows more.
   bool as_good_as(const Worth& other) const {
-    return whole == other.whole && size >= (whole ? 1 : 0.9) * other.size;
+    if (whole != other.whole) return false;
+    return size >= (whole ? std::min(other.size, comfortable_cell) : 0.9 * other.size);
   }
   bool legible() const { return whole || size >= 6; }
+  bool easily_legible() const { return whole ? size >= least_cell : size >= 6; }
 };
 
 Worth worth_of(const Fit& fit) {
-  if (!fit.follows) return {true, std::min(fit.cell, comfortable_cell)};
+  if (!fit.follows) return {true, fit.cell};
   const auto columns = static_cast<double>(fit.columns), rows = static_cast<double>(fit.rows);
   return {false, std::sqrt(std::min(columns, 2 * rows) * std::min(rows, 2 * columns))};
 }
@@ -255,6 +279,7 @@ std::optional<Choice> best_with(const Box& area, const Wants& wants, Least least
   std::optional<Choice> best;
   Arrange chosen = nullptr;
   for (const Arrange arrange : arrangements) {
+    if (arrange == narrow_column && best && best->worth.whole) continue;
     const auto choice = choice_of(arrange, area, wants, least, stage);
     if (!choice || (best && !choice->worth.clearly_above(best->worth))) continue;
     best = choice;
@@ -276,7 +301,7 @@ std::optional<Choice> best_of(const Box& area, const Wants& wants, const Stage& 
   for (const Least least : content_with) {
     const auto choice = best_with(area, wants, least, stage);
     if (choice && (!best || choice->worth.clearly_above(best->worth))) best = choice;
-    if (best && best->worth.legible()) return best;
+    if (best && best->worth.easily_legible()) return best;
   }
   return best;
 }
