@@ -49,8 +49,7 @@ class Pen {
   double scale_;
 };
 
-// --- The drawing
-// --------------------------------------------------------------------------------------------
+// --- The drawing ---------------------------------------------------------------------------------
 
 /// What there is to show of the grid, and the room that its axes take.
 struct Stage {
@@ -59,6 +58,7 @@ struct Stage {
   bool y_up = true;
   double left = 0, right = 0;               ///< units beside the cells
   double least_cell = 0, largest_cell = 0;  ///< units
+  double easy_cell = 0;                     ///< from here on no text is given up for larger cells
 };
 /// Throws std::invalid_argument when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);
@@ -111,8 +111,7 @@ void lay_out_drawing(Pen& pen, const Figure& figure, const Scene& scene);
 void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box);
 void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box);
 
-// --- Places
-// -------------------------------------------------------------------------------------------------
+// --- Places --------------------------------------------------------------------------------------
 
 /// The lines above the drawing: what stands beside the title where it fits, else below it.
 struct Heading {

@@ -577,6 +577,8 @@ Stage stage_of(const Trace& trace, const Look& look) {
   stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
   const bool slide = look.layout == Layout::slide;
   stage.least_cell = slide ? least_cell : 16;
+  // On paper it is the cell's real size that counts: 3 mm
+  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 ? 11 / unit_of(look) : 0.0);
   stage.largest_cell = slide ? 84 : 108;
   return stage;
 }

@@ -20,8 +20,7 @@ constexpr double worthwhile = 1.25;      ///< so much larger must the cells be f
 constexpr double least_drawing = 200, least_column = 420;
 constexpr int most_rows = 40;
 
-// --- What the slots ask for
-// ---------------------------------------------------------------------------------
+// --- What the slots ask for ----------------------------------------------------------------------
 
 struct Wants {
   bool drawing = false, listing = false, table = false;
@@ -64,8 +63,7 @@ Wants wants_of(const Trace& trace, const Look& look, double margin) {
   return wants;
 }
 
-// --- Arrangements
-// -------------------------------------------------------------------------------------------
+// --- Arrangements --------------------------------------------------------------------------------
 
 /// The three slots in the middle.
 struct Body {
@@ -233,8 +231,7 @@ Body without_drawing(const Box& area, const Wants& wants) {
   return body;
 }
 
-// --- The choice
-// ---------------------------------------------------------------------------------------------
+// --- The choice ----------------------------------------------------------------------------------
 
 /// How well a drawing shows its grid: all of it before a part; larger cells, more of them in view.
 struct Worth {
@@ -252,7 +249,7 @@ struct Worth {
     return size >= (whole ? std::min(other.size, comfortable_cell) : 0.9 * other.size);
   }
   bool legible() const { return whole || size >= 6; }
-  bool easily_legible() const { return whole ? size >= least_cell : size >= 6; }
+  bool easily_legible(const Stage& stage) const { return whole ? size >= stage.easy_cell : size >= 6; }
 };
 
 Worth worth_of(const Fit& fit) {
@@ -293,20 +290,26 @@ std::optional<Choice> best_with(const Box& area, const Wants& wants, Least least
   return best;
 }
 
-constexpr std::array<Least, 3> content_with{Least{6, 4}, Least{4, 3}, Least{3, 2}};
+constexpr std::array<Least, 5> content_with{Least{16, 8}, Least{10, 6}, Least{6, 4}, Least{4, 3},
+                                            Least{3, 2}};
+constexpr std::size_t on_a_slide = 2;  ///< the first that a slide tries; a handout has room for more text
 
 /// With as much text as leaves a drawing that can be read.
-std::optional<Choice> best_of(const Box& area, const Wants& wants, const Stage& stage) {
+std::optional<Choice> best_of(const Box& area, const Wants& wants, const Look& look, const Stage& stage) {
   std::optional<Choice> best;
-  for (const Least least : content_with) {
-    const auto choice = best_with(area, wants, least, stage);
+  for (std::size_t i = look.layout == Layout::slide ? on_a_slide : 0; i < content_with.size(); ++i) {
+    const auto choice = best_with(area, wants, content_with[i], stage);
     if (choice && (!best || choice->worth.clearly_above(best->worth))) best = choice;
-    if (best && best->worth.easily_legible()) return best;
+    if (best && best->worth.easily_legible(stage)) return best;
   }
   return best;
 }
 
-ivec2 largest_in(const Box& area, const Wants& wants, const Stage& stage) {
+/// In the small boxes of a handout's page the listing gives way, then the table.
+bool may_give_way(const Look& look) { return look.layout == Layout::handout && look.least_text > 0; }
+
+ivec2 largest_in(const Box& area, Wants wants, const Look& look, const Stage& stage) {
+  if (may_give_way(look)) wants.listing = wants.table = false;
   ivec2 largest{0, 0};
   const auto cells = [](ivec2 size) { return std::int64_t{size.x} * size.y; };
   for (const Arrange arrange : arrangements) {
@@ -321,22 +324,20 @@ ivec2 largest_in(const Box& area, const Wants& wants, const Stage& stage) {
 
 Body body_of(const Box& area, Wants wants, const Look& look, const Stage& stage) {
   if (!wants.drawing) return without_drawing(area, wants);
-  auto choice = best_of(area, wants, stage);
-  // In the small boxes of a handout's page the listing gives way, then the table
+  auto choice = best_of(area, wants, look, stage);
   for (bool* slot : {&wants.listing, &wants.table}) {
-    if (look.layout == Layout::slide || (choice && choice->worth.legible())) break;
+    if (!may_give_way(look) || (choice && choice->worth.legible())) break;
     *slot = false;
-    choice = best_of(area, wants, stage);
+    choice = best_of(area, wants, look, stage);
   }
   if (choice) return choice->body;
   if (!stage.fixed) return without_drawing(area, wants);
-  const ivec2 most = largest_in(area, wants, stage);
+  const ivec2 most = largest_in(area, wants, look, stage);
   throw std::invalid_argument(fmt::format("expected at most {} x {} cells for this size, found {} x {}",
                                           most.x, most.y, stage.cells.width(), stage.cells.height()));
 }
 
-// --- The bands above and below
-// ------------------------------------------------------------------------------
+// --- The bands above and below -------------------------------------------------------------------
 
 /// The sheet in units, its margins and what the bands leave in the middle.
 struct Page {
@@ -474,7 +475,7 @@ namespace gradus {
 
 ivec2 largest_view(const Trace& trace, const Look& look) {
   const layout::Page page = layout::page_of(trace, look);
-  return layout::largest_in(page.middle, layout::wants_of(trace, look, page.margin),
+  return layout::largest_in(page.middle, layout::wants_of(trace, look, page.margin), look,
                             layout::stage_of(trace, look));
 }
 
