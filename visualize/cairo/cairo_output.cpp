@@ -51,7 +51,7 @@ class Painter {
       cairo_rectangle(context_, 0, 0, sheet.width, sheet.height);
       cairo_fill(context_);
     }
-    unit_ = unit_of(sheet);
+    unit_ = sheet.unit;
     for (const Shape& shape : sheet.shapes) {
       std::visit([this](const auto& what) { draw(what); }, shape.what);
     }

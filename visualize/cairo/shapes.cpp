@@ -20,8 +20,6 @@ void add_diagonals(std::vector<Segment>& lines, const Box& b, double gap, bool r
 
 }  // namespace
 
-double unit_of(const Sheet& sheet) { return sheet.height / 720; }
-
 std::vector<Segment> hatch_lines(const RectShape& rect, double unit) {
   std::vector<Segment> lines;
   if (rect.hatch == Hatch::none) return lines;

@@ -10,9 +10,6 @@
 
 namespace gradus {
 
-/// The page's pixel: sizes of shapes are for 720 of these in height.
-double unit_of(const Sheet& sheet);
-
 using Segment = std::pair<dvec2, dvec2>;
 
 /// The hatching as diagonals cut to the box by hand: no clip path, so vector files stay small.

@@ -50,6 +50,7 @@ struct Look {
   std::optional<Window> view;  ///< the cells to show; none: all, or a view that follows the step
   std::optional<bool> y_up;    ///< turns the drawing; none: the topic's own direction
   std::string title;           ///< instead of the trace's; empty: that
+  double least_text = 0;       ///< pixels: a handout's letters are no smaller, however small its box
 };
 
 /// The slots of one recorded step. `playhead` must be of the same trace; both must outlive the figure.
@@ -57,7 +58,13 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number);
 
 /// Puts the slots in their places. What does not fit is shortened (elided rows, a window of lines, a view
 /// that follows the step), never shrunk. Places depend on the trace and the look only, not on the step.
+/// Throws std::invalid_argument, saying what was expected and found, when the look's view misses the grid or
+/// has more cells than fit.
 Sheet lay_out(const Figure& figure, const Look& look);
+
+/// Columns and rows of the largest view that this look has room for with cells that can be seen from the last
+/// row; the numbers along the axes are those of look.view, if there is one.
+ivec2 largest_view(const Trace& trace, const Look& look);
 
 /// "step 4 of 7", or from first to last: "steps 2 to 5 of 7". At least one step.
 std::string steps_text(const Trace& trace, std::span<const StepNumber> steps);

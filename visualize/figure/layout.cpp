@@ -10,96 +10,39 @@ namespace {
 
 using namespace layout;
 
-constexpr double margin = 40, gutter = 20;
-constexpr double title_band = 84, footer_band = 54, sentence_band = 96;
-constexpr double column_width = 604;  ///< of listing and table: 44 characters and the line numbers
-constexpr double line_height = 30, row_height = 34, heading_height = 38, panel_padding = 8;
-constexpr int least_rows = 4, most_rows = 7, most_lines = 12;
-
-struct Places {
-  Box title, drawing, listing, table, sentence, footer;
-  int lines = 0, rows = 0;  ///< that the listing and the table can show
-};
-
-int height_in_lines(const Trace& trace, double room) {
-  const double left_for_rows = heading_height + least_rows * row_height + gutter;
-  const int fitting = static_cast<int>((room - left_for_rows - 2 * panel_padding) / line_height);
-  return std::min({static_cast<int>(trace.listing.size()), fitting, most_lines});
-}
-
-/// Where the slots go. Depends on the trace and the look only, so that a deck flips without jumping.
-Places places_of(const Trace& trace, const Look& look, double s) {
-  const auto has = [&look](Slot slot) { return look.slots.contains(slot); };
-  const double width = look.width / s, height = look.height / s;
-  Places at;
-  double top = has(Slot::title) ? title_band : gutter;
-  double bottom = height - gutter;
-  at.title = {margin, 0, width - 2 * margin, title_band};
-  if (has(Slot::footer)) {
-    bottom = height - footer_band;
-    at.footer = {margin, bottom, width - 2 * margin, footer_band};
-  }
-  if (has(Slot::sentence)) {
-    bottom -= sentence_band;
-    at.sentence = {margin, bottom + 12, width - 2 * margin, sentence_band - 16};
-  }
-  const bool listing = has(Slot::listing) && !trace.listing.empty();
-  const bool table = has(Slot::table) && !trace.columns.empty();
-  const bool drawing = has(Slot::drawing);
-  const double room = bottom - top - 4;
-
-  Box column{margin, top, width - 2 * margin, room};
-  if (drawing && (listing || table)) {
-    column = {width - margin - column_width, top, column_width, room};
-    at.drawing = {margin, top, column.x - margin - 24, room};
-  } else if (drawing) {
-    at.drawing = {margin, top, width - 2 * margin, room};
-  }
-  if (listing) {
-    at.lines = table ? height_in_lines(trace, room)
-                     : std::min(static_cast<int>(trace.listing.size()),
-                                static_cast<int>((room - 2 * panel_padding) / line_height));
-    at.listing = {column.x, column.y, column.width, at.lines * line_height + 2 * panel_padding};
-  }
-  if (table) {
-    const double y = listing ? at.listing.bottom() + gutter : column.y;
-    at.rows = std::min(static_cast<int>((column.bottom() - y - heading_height) / row_height),
-                       listing || drawing ? most_rows : 40);
-    at.table = {column.x, y, column.width, heading_height + at.rows * row_height};
-  }
-  return at;
-}
-
 Box scaled(const Box& box, double s) { return {box.x * s, box.y * s, box.width * s, box.height * s}; }
 
-void lay_out_title(Pen& pen, const Figure& figure, const Box& box) {
+void lay_out_title(Pen& pen, const Heading& heading, const Box& box) {
   const double s = pen.scale();
-  const Trace& trace = *figure.trace;
-  const double baseline = box.y + 52 * s;
-  const double method_width = text_width(trace.method_title, Face::sans, text_size * s);
-  const double title_width = text_width(figure.title, Face::bold, 34 * s);
-  pen.text("title", {{box.x, baseline}, figure.title, Face::bold, 34 * s, Align::left, Paint::of(Tone::ink)});
-  pen.text("method", {{box.right(), baseline},
-                      trace.method_title,
+  const Paint muted = Paint::of(Tone::muted);
+  double y = box.y + heading.first_baseline * s;
+  for (std::size_t i = 0; i < heading.title.size(); ++i, y += 40 * s) {
+    pen.text(i == 0 ? "title" : fmt::format("title {}", i + 1),
+             {{box.x, y}, heading.title[i], Face::bold, title_size * s, Align::left, Paint::of(Tone::ink)});
+  }
+  y -= 40 * s;
+  const double title_width = text_width(heading.title.back(), Face::bold, title_size * s);
+  if (heading.input_line == 0) {
+    pen.text("input",
+             {{box.x + title_width + 14 * s, y}, heading.input, Face::sans, 26 * s, Align::left, muted});
+  } else {
+    pen.text("input", {{box.x, y + 28 * s}, heading.input, Face::sans, text_size * s, Align::left, muted});
+  }
+  // At the right end beside something else, at the left where it has the line to itself
+  const bool beside = heading.method_line == heading.input_line;
+  pen.text("method", {{beside ? box.right() : box.x, y + heading.method_line * 28 * s},
+                      heading.method,
                       Face::sans,
                       text_size * s,
-                      Align::right,
-                      Paint::of(Tone::muted)});
-  const double room = box.width - title_width - method_width - 40 * s;
-  pen.text("input", {{box.x + title_width + 14 * s, baseline},
-                     elided(figure.subtitle, Face::sans, 26 * s, room),
-                     Face::sans,
-                     26 * s,
-                     Align::left,
-                     Paint::of(Tone::muted)});
-  if (trace.faulty.empty()) return;
-  pen.text("faulty", {{box.x, baseline + 26 * s},
-                      elided(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
-                             text_size * s, box.width),
-                      Face::bold,
-                      text_size * s,
-                      Align::left,
-                      Paint::text(Role::measure)});
+                      beside ? Align::right : Align::left,
+                      muted});
+  y += std::max(heading.input_line, heading.method_line) * 28 * s;
+  for (std::size_t i = 0; i < heading.fault.size(); ++i) {
+    y += 26 * s;
+    pen.text(
+        i == 0 ? "faulty" : fmt::format("faulty {}", i + 1),
+        {{box.x, y}, heading.fault[i], Face::bold, text_size * s, Align::left, Paint::text(Role::measure)});
+  }
 }
 
 /// Position in the listing of the nearest shown line at or above a source line.
@@ -148,7 +91,7 @@ void lay_out_listing(Pen& pen, const Figure& figure, const Box& box, int count) 
   pen.rect("panel",
            {box, Paint::of(Tone::panel), Paint::of(Tone::rule), 1.5 * s, 6 * s, false, Hatch::none, {}});
   const std::size_t first = first_listed(figure, static_cast<std::size_t>(count));
-  const double number_right = box.x + 46 * s, text_left = box.x + 62 * s;
+  const double number_right = box.x + 46 * s, text_left = box.x + listing_indent * s;
   for (int i = 0; i < count && first + static_cast<std::size_t>(i) < figure.listing.size(); ++i) {
     const Figure::ListingLine& entry = figure.listing[first + static_cast<std::size_t>(i)];
     const Box row{box.x, box.y + (panel_padding + i * line_height) * s, box.width, line_height * s};
@@ -186,20 +129,19 @@ void lay_out_listing(Pen& pen, const Figure& figure, const Box& box, int count) 
 
 /// Left edge and width of each column: as wide as its widest text asks for, the rest shared evenly.
 std::vector<std::pair<double, double>> column_places(const Trace& trace, const Box& box, double s) {
-  std::vector<double> wanted;
+  const std::vector<double> wanted = column_widths(trace);
   double sum = 0;
-  for (std::size_t c = 0; c < trace.columns.size(); ++c) {
-    const double heading = text_width(trace.columns[c].name, Face::bold, text_size * s);
-    const double widest = text_width(trace.widest[c], Face::mono_bold, text_size * s);
-    wanted.push_back(std::max(heading, widest) + 20 * s);
-    sum += wanted.back();
+  for (const double width : wanted) sum += width * s;
+  double spare = (box.width - 12 * s - sum) / static_cast<double>(wanted.size());
+  double squeeze = 1;
+  if (spare < -squeezable * s) {
+    squeeze = (box.width - 12 * s) / sum;
+    spare = 0;
   }
-  const double spare = (box.width - 12 * s - sum) / static_cast<double>(wanted.size());
-  const double squeeze = spare < 0 ? (box.width - 12 * s) / sum : 1;
   std::vector<std::pair<double, double>> places;
   double x = box.x + 8 * s;
   for (const double width : wanted) {
-    const double given = spare < 0 ? width * squeeze : width + spare;
+    const double given = width * s * squeeze + spare;
     places.emplace_back(x, given);
     x += given;
   }
@@ -293,40 +235,24 @@ void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int room) {
   pen.rect("frame", {frame, {}, Paint::of(Tone::rule), 1.5 * s, 6 * s, false, Hatch::none, {}});
 }
 
-/// In one line, or broken between cause and effect where both fit, or where the words end.
-std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room) {
-  const auto fits = [&](const std::string& text) { return text_width(text, Face::sans, size) <= room; };
-  if (fits(sentence)) return {sentence};
-  if (const std::size_t at = sentence.find("; "); at != std::string::npos) {
-    const std::string cause = sentence.substr(0, at + 1), effect = sentence.substr(at + 2);
-    if (fits(cause) && fits(effect)) return {cause, effect};
-  }
-  return wrapped(sentence, Face::sans, size, room);
-}
-
-void lay_out_sentence(Pen& pen, const Figure& figure, const Box& box) {
+void lay_out_sentence(Pen& pen, const Figure& figure, const Box& box, int most) {
   const double s = pen.scale(), size = sentence_size * s;
   pen.rect("panel", {box, Paint::of(Tone::panel), {}, 0, 4 * s, false, Hatch::none, {}});
   pen.rect("bar",
            {{box.x, box.y, 7 * s, box.height}, Paint::of(Tone::accent), {}, 0, 0, false, Hatch::none, {}});
-  const double room = box.width - 40 * s;
-  std::vector<std::string> lines = sentence_lines(figure.sentence, size, room);
-  if (lines.size() > 2) {
-    for (std::size_t i = 2; i < lines.size(); ++i) lines[1] += " " + lines[i];
-    lines.resize(2);
-    lines[1] = elided(lines[1], Face::sans, size, room);
-  }
-  double baseline = box.y + (lines.size() < 2 ? 49 : 34) * s;
+  const std::vector<std::string> lines = sentence_lines(figure.sentence, size, box.width - 40 * s, most);
+  const double below_first = sentence_line * s * (static_cast<double>(lines.size()) - 1);
+  double baseline = box.y + (box.height - below_first) / 2 + (lines.size() < 2 ? 9 : 10.5) * s;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     pen.text(fmt::format("sentence {}", i + 1), {{box.x + 24 * s, baseline},
-                                                 elided(lines[i], Face::sans, size, room),
+                                                 lines[i],
                                                  Face::sans,
                                                  size,
                                                  Align::left,
                                                  Paint::of(Tone::ink),
                                                  false,
                                                  Paint::of(Tone::panel)});
-    baseline += 33 * s;
+    baseline += sentence_line * s;
   }
 }
 
@@ -347,10 +273,13 @@ Seen seen(const Figure& figure, const Window& view, Role role) {
   return marked ? Seen::as_mark : Seen::no;
 }
 
-void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view) {
+void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines) {
   const double s = pen.scale(), size = text_size * s;
-  const double baseline = box.y + 32 * s;
-  const std::string place = figure.phase.empty() ? figure.position : figure.position + " · " + figure.phase;
+  double baseline = box.y + (box.width < 1000 * s ? 28 : 32) * s;
+  const double last_baseline = baseline + (lines - 1) * footer_line * s;
+  const std::string place =
+      elided(figure.phase.empty() ? figure.position : figure.position + " · " + figure.phase, Face::sans,
+             size, box.width);
   pen.text("position", {{box.x, baseline}, place, Face::sans, size, Align::left, Paint::of(Tone::muted)});
   // The longest position there is decides where the legend starts, so that it keeps still
   double x = box.x + std::max(280 * s, text_width(place, Face::sans, size) + 40 * s);
@@ -358,6 +287,10 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
     const Seen how = seen(figure, view, entry.role);
     if (how == Seen::no) continue;
     const double width = text_width(entry.text, Face::sans, size);
+    if (x + 32 * s + width > box.right() && baseline < last_baseline) {
+      baseline += footer_line * s;
+      x = box.x;
+    }
     if (x + 32 * s + width > box.right()) break;
     const std::string id = std::string(name_of(entry.role));
     const Box swatch{x, baseline - 16 * s, 24 * s, 18 * s};
@@ -382,43 +315,71 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
   }
 }
 
+Box around(const Box& a, const Box& b) {
+  if (a.width <= 0) return b;
+  if (b.width <= 0) return a;
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
+}
+
+/// What the slots fill in every step, with a small margin, in whole pixels so that lines stay as sharp.
+Box crop_box(const Places& at, const Box& drawing, const Look& look, double s) {
+  Box all = drawing;
+  for (const Box& slot : {at.listing, at.table, at.sentence}) all = around(all, scaled(slot, s));
+  // Title and footer reach to the sheet's edge: only their letters count
+  Box letters = at.title;
+  letters.y += at.heading.first_baseline - title_size;
+  letters.height = at.title.bottom() - letters.y;
+  if (at.title.width > 0) all = around(all, scaled(letters, s));
+  letters = at.footer;
+  letters.height -= 12;
+  if (at.footer.width > 0) all = around(all, scaled(letters, s));
+  const double margin = 16 * s;
+  const double x = std::max(0.0, std::floor(all.x - margin)), y = std::max(0.0, std::floor(all.y - margin));
+  return {x, y, std::min(look.width, std::ceil(all.right() + margin)) - x,
+          std::min(look.height, std::ceil(all.bottom() + margin)) - y};
+}
+
 }  // namespace
 
-Sheet lay_out(const Figure& figure, const Look& look) {
-  const double s = look.height / 720;
-  Sheet sheet{look.width, look.height, {}};
-  const Places at = places_of(*figure.trace, look, s);
-  const auto pen = [&](Slot slot) { return Pen(sheet, slot, s); };
-  const auto wants = [&](Slot slot, const Box& box) { return look.slots.contains(slot) && box.width > 0; };
+namespace layout {
 
-  Window view = figure.trace->grid.cells;
-  if (wants(Slot::drawing, at.drawing)) {
-    view = visible_cells(figure, scaled(at.drawing, s), s);
-    Pen drawing = pen(Slot::drawing);
-    lay_out_drawing(drawing, figure, scaled(at.drawing, s));
-  } else {
-    view = {};
-  }
-  if (wants(Slot::title, at.title)) {
-    Pen title = pen(Slot::title);
-    lay_out_title(title, figure, scaled(at.title, s));
-  }
-  if (wants(Slot::listing, at.listing)) {
-    Pen listing = pen(Slot::listing);
-    lay_out_listing(listing, figure, scaled(at.listing, s), at.lines);
-  }
-  if (wants(Slot::table, at.table)) {
-    Pen table = pen(Slot::table);
-    lay_out_table(table, figure, scaled(at.table, s), at.rows);
-  }
-  if (wants(Slot::sentence, at.sentence)) {
-    Pen sentence = pen(Slot::sentence);
-    lay_out_sentence(sentence, figure, scaled(at.sentence, s));
-  }
-  if (wants(Slot::footer, at.footer)) {
-    Pen footer = pen(Slot::footer);
-    lay_out_footer(footer, figure, scaled(at.footer, s), view);
-  }
+Window visible_cells(const Figure& figure, const Look& look) {
+  const Stage stage = stage_of(*figure.trace, look);
+  const Places at = places_of(*figure.trace, look, stage);
+  const double s = unit_of(look);
+  return scene_of(figure, look, stage, scaled(at.drawing, s), s).frame.view;
+}
+
+}  // namespace layout
+
+Sheet lay_out(const Figure& figure, const Look& look) {
+  const double s = unit_of(look);
+  const Stage stage = stage_of(*figure.trace, look);
+  const Places at = places_of(*figure.trace, look, stage);
+  Sheet sheet{look.width, look.height, {}, s};
+  Scene scene;
+  // A slot that was given a place gets its shapes, in this order
+  const auto lay_out_slot = [&](Slot slot, const Box& box, auto draw) {
+    if (box.width <= 0) return;
+    Pen pen(sheet, slot, s);
+    draw(pen, scaled(box, s));
+  };
+  lay_out_slot(Slot::drawing, at.drawing, [&](Pen& pen, const Box& box) {
+    scene = scene_of(figure, look, stage, box, s);
+    lay_out_drawing(pen, figure, scene);
+  });
+  lay_out_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
+  lay_out_slot(Slot::listing, at.listing,
+               [&](Pen& pen, const Box& box) { lay_out_listing(pen, figure, box, at.lines); });
+  lay_out_slot(Slot::table, at.table,
+               [&](Pen& pen, const Box& box) { lay_out_table(pen, figure, box, at.rows); });
+  lay_out_slot(Slot::sentence, at.sentence,
+               [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
+  lay_out_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
+    lay_out_footer(pen, figure, box, scene.frame.view, at.footer_lines);
+  });
+  if (look.crop) return cropped(std::move(sheet), crop_box(at, scene.settled, look, s));
   return sheet;
 }
 

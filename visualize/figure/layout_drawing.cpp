@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
@@ -12,27 +13,10 @@
 namespace gradus::layout {
 namespace {
 
-constexpr double largest_cell = 84, followed_cell = 30;  ///< pixels at 720 lines
-constexpr double axis_below = 34, axis_above = 30, inset_height = 104;
-
-/// From the grid's coordinates to pixels: cell (x, y) is the square round the point (x, y).
-struct Frame {
-  Window view;
-  Box box;  ///< of the visible cells
-  double cell = 0;
-  bool y_up = true;
-
-  double column(double x) const { return box.x + (x - view.lower.x + 0.5) * cell; }
-  double row(double y) const {
-    const double from_lower = (y - view.lower.y + 0.5) * cell;
-    return y_up ? box.bottom() - from_lower : box.y + from_lower;
-  }
-  dvec2 point(dvec2 p) const { return {column(p.x), row(p.y)}; }
-  Box square(ivec2 p) const {
-    const dvec2 centre = point({p.x, p.y});
-    return {centre.x - cell / 2, centre.y - cell / 2, cell, cell};
-  }
-};
+constexpr double followed_cell = 30;
+constexpr double axis_below = 34, axis_above = 30;
+constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
+constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
 
 bool overlap(const Box& a, const Box& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -45,6 +29,10 @@ double overlap_area(const Box& a, const Box& b) {
 bool inside(const Box& inner, const Box& outer) {
   return inner.x >= outer.x && inner.y >= outer.y && inner.right() <= outer.right() &&
          inner.bottom() <= outer.bottom();
+}
+Box around(const Box& a, const Box& b) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 Box grown(const Box& b, double by) { return {b.x - by, b.y - by, b.width + 2 * by, b.height + 2 * by}; }
 
@@ -66,12 +54,6 @@ std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box)
   return std::pair{a + enter * d, a + leave * d};
 }
 
-double tick_width(const Window& view, double s) {
-  const double low = text_width(figure_number(view.lower.y), Face::sans, text_size * s);
-  const double high = text_width(figure_number(view.upper.y), Face::sans, text_size * s);
-  return std::max({low, high, 24 * s});
-}
-
 /// Cells shown along one axis, following `focus` by jumps of half a view: the first one.
 std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count, std::int64_t focus) {
   if (upper - lower + 1 <= count) return lower;
@@ -81,46 +63,20 @@ std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count
   return std::clamp(first, lower, upper - count + 1);
 }
 
-struct Arrangement {
-  Frame frame;
-  bool follows = false;  ///< the grid does not fit: a view with an overview above it
-  Box inset;
-};
+/// The cells of a view that follows the step.
+Window followed_view(const Window& all, const Fit& shown, ivec2 focus) {
+  const std::int64_t x = followed(all.lower.x, all.upper.x, shown.columns, focus.x);
+  const std::int64_t y = followed(all.lower.y, all.upper.y, shown.rows, focus.y);
+  return {{static_cast<int>(x), static_cast<int>(y)},
+          {static_cast<int>(x + shown.columns - 1), static_cast<int>(y + shown.rows - 1)}};
+}
 
-Arrangement arrange(const Figure& figure, const Box& box, double s) {
-  const Grid& grid = figure.trace->grid;
-  Arrangement at;
-  at.frame.y_up = grid.y_up;
-  const double left = tick_width(grid.cells, s) + 12 * s;
-  const double right = std::max(24 * s, text_width(grid.x_name, Face::italic, text_size * s) + 12 * s);
-  const auto cell_for = [&](double columns, double rows) {
-    return std::min({(box.width - left - right) / columns,
-                     (box.height - (axis_below + axis_above) * s) / rows, largest_cell * s});
-  };
-  double cell = cell_for(static_cast<double>(grid.cells.width()), static_cast<double>(grid.cells.height()));
-  Window view = grid.cells;
-  double top = box.y + axis_above * s;
-  if (cell < least_cell * s) {
-    at.follows = true;
-    cell = followed_cell * s;
-    at.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
-    top += inset_height * s + 8 * s;
-    const auto columns = static_cast<std::int64_t>((box.width - left - right) / cell);
-    const auto rows = static_cast<std::int64_t>((box.bottom() - axis_below * s - top) / cell);
-    const std::int64_t x = followed(grid.cells.lower.x, grid.cells.upper.x, columns, figure.focus.x);
-    const std::int64_t y = followed(grid.cells.lower.y, grid.cells.upper.y, rows, figure.focus.y);
-    view.lower = {static_cast<int>(x), static_cast<int>(y)};
-    view.upper = {static_cast<int>(std::min<std::int64_t>(x + columns - 1, grid.cells.upper.x)),
-                  static_cast<int>(std::min<std::int64_t>(y + rows - 1, grid.cells.upper.y))};
-  }
-  const double width = cell * static_cast<double>(view.width());
-  const double height = cell * static_cast<double>(view.height());
-  const double spare_x = box.width - left - right - width;
-  const double spare_y = box.bottom() - axis_below * s - top - height;
-  at.frame.view = view;
-  at.frame.cell = cell;
-  at.frame.box = {box.x + left + std::max(0.0, spare_x) / 2, top + std::max(0.0, spare_y) / 2, width, height};
-  return at;
+/// Beside a narrow grid there must be room for labels; a wider one has room of its own.
+Box with_room_for_labels(const Box& settled, const Box& slot, double s) {
+  constexpr double enough = 420;
+  const double missing = std::max(0.0, enough * s - settled.width);
+  const double x = std::max(slot.x, settled.x - missing / 2);
+  return {x, settled.y, std::min(slot.right(), settled.right() + missing / 2) - x, settled.height};
 }
 
 /// Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart.
@@ -138,14 +94,8 @@ std::int64_t first_tick(std::int64_t lower, std::int64_t step) {
 
 class DrawingLayout {
  public:
-  DrawingLayout(Pen& pen, const Figure& figure, const Box& box)
-      : pen_(pen),
-        figure_(figure),
-        trace_(*figure.trace),
-        slot_(box),
-        s_(pen.scale()),
-        at_(arrange(figure, box, s_)),
-        frame_(at_.frame) {}
+  DrawingLayout(Pen& pen, const Figure& figure, const Scene& scene)
+      : pen_(pen), figure_(figure), trace_(*figure.trace), s_(pen.scale()), at_(scene), frame_(scene.frame) {}
 
   void draw() {
     draw_picture();
@@ -155,6 +105,7 @@ class DrawingLayout {
     draw_cell_outlines();
     draw_marks();
     if (at_.follows) draw_overview();
+    point_outside();
     place_labels();
   }
 
@@ -176,7 +127,8 @@ class DrawingLayout {
     Image part(static_cast<int>(view.width()), static_cast<int>(view.height()));
     for_each_cell([&](ivec2 p) {
       const ivec2 at = p - trace_.grid.cells.lower;
-      if (picture->contains(at)) part[p - view.lower] = (*picture)[at];
+      const int row = frame_.y_up ? view.upper.y - p.y : p.y - view.lower.y;
+      if (picture->contains(at)) part[{p.x - view.lower.x, row}] = (*picture)[at];
     });
     pen_.image("picture", {frame_.box, std::move(part), {}});
   }
@@ -195,7 +147,7 @@ class DrawingLayout {
   /// What labels should not cover.
   void note_cell(ivec2 p, Role role) {
     if (role == Role::past || role == Role::boundary || role == Role::result) {
-      crowded_.push_back(frame_.square(p));
+      crowded_.emplace_back(frame_.square(p), role == Role::boundary ? 300 : 60);
     } else {
       taken_.push_back(frame_.square(p));
     }
@@ -230,6 +182,7 @@ class DrawingLayout {
   void tick(std::string id, dvec2 baseline, std::string text, Align align) {
     TextShape shape{baseline, std::move(text), Face::sans, text_size * s_, align, Paint::of(Tone::muted)};
     texts_.push_back(shape.box());
+    ticks_.push_back(grown(shape.box(), 8 * s_));
     pen_.text(std::move(id), std::move(shape));
   }
 
@@ -241,7 +194,7 @@ class DrawingLayout {
     const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
     // The axis' name stands behind the last label, inside the slot
     const double most_right =
-        slot_.right() - text_width(trace_.grid.x_name, Face::italic, text_size * s_) - 8 * s_;
+        at_.labels.right() - text_width(trace_.grid.x_name, Face::italic, text_size * s_) - 8 * s_;
     double last_right = b.x;
     for (std::int64_t x = first_tick(view.lower.x, across); x <= view.upper.x; x += across) {
       const std::string text = figure_number(x);
@@ -257,7 +210,10 @@ class DrawingLayout {
     }
     const double x_name = std::max(b.right() + 6 * s_, last_right + 8 * s_);
     name_axis("x axis", {x_name, b.bottom() + 26 * s_}, trace_.grid.x_name, Align::left);
-    name_axis("y axis", {b.x - 10 * s_, b.y - 10 * s_}, trace_.grid.y_name, Align::right);
+    // The arrow behind the name of the rows says where they grow; columns always grow to the right
+    const double y_name = text_width(trace_.grid.y_name, Face::italic, text_size * s_);
+    name_axis("y axis", {b.x - 10 * s_ - y_name, b.y - 10 * s_},
+              trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓"), Align::left);
   }
 
   void name_axis(std::string id, dvec2 baseline, const std::string& name, Align align) {
@@ -334,30 +290,79 @@ class DrawingLayout {
     }
   }
 
+  /// Where the step happens when that is not in the view: an arrow at its border, and the cell.
+  void point_outside() {
+    const ivec2 focus = figure_.focus;
+    if (frame_.view.contains(focus) || !trace_.grid.cells.contains(focus)) return;
+    const Box& b = frame_.box;
+    const dvec2 centre{b.x + b.width / 2, b.y + b.height / 2};
+    const auto inner = clipped(centre, frame_.point({focus.x, focus.y}), grown(b, -4 * s_));
+    if (!inner) return;
+    const dvec2 tip = inner->second, way = tip - centre;
+    const dvec2 tail = tip - way * (30 * s_ / std::hypot(way.x, way.y));
+    taken_.push_back({std::min(tip.x, tail.x), std::min(tip.y, tail.y), std::abs(tip.x - tail.x),
+                      std::abs(tip.y - tail.y)});
+    pen_.line("outside", {{tail, tip}, Paint::mark(Role::current), 4 * s_, false, false, true});
+    outside_ =
+        Mark{"outside name", Role::current,
+             Label{cell_at(tail), fmt::format("({}, {})", figure_number(focus.x), figure_number(focus.y))}};
+  }
+  /// The inverse of Frame::point.
+  dvec2 cell_at(dvec2 pixel) const {
+    const Box& b = frame_.box;
+    const double up = (frame_.y_up ? b.bottom() - pixel.y : pixel.y - b.y) / frame_.cell;
+    return {frame_.view.lower.x + (pixel.x - b.x) / frame_.cell - 0.5, frame_.view.lower.y + up - 0.5};
+  }
+
   /// How bad a place for a label is: covering what matters, lying on lines, being far away. Nothing:
   /// impossible. `clear`: how far it should keep from lines.
   std::optional<double> badness(const Box& at, double distance, double clear) const {
-    const Box room{slot_.x, at_.follows ? frame_.box.y - 28 * s_ : slot_.y, slot_.width,
-                   slot_.bottom() - (at_.follows ? frame_.box.y - 28 * s_ : slot_.y)};
-    if (!inside(at, room)) return std::nullopt;
+    if (!inside(at, at_.labels)) return std::nullopt;
     const auto hits = [&at, this](const Box& text) { return overlap(grown(at, 3 * s_), text); };
     if (std::ranges::any_of(texts_, hits)) return std::nullopt;
     double cost = distance;
+    // Beside a number of an axis, a label would seem to go on with it
+    for (const Box& tick : ticks_) cost += overlap(at, tick) ? 90 * s_ : 0;
     const double area = at.width * at.height;
     for (const Box& box : taken_) cost += 900 * s_ * overlap_area(at, box) / area;
-    for (const Box& box : crowded_) cost += 60 * s_ * overlap_area(at, box) / area;
+    for (const auto& [box, weight] : crowded_) cost += weight * s_ * overlap_area(at, box) / area;
     for (const auto& [a, b] : strokes_) {
       if (clipped(a, b, grown(at, clear))) cost += 160 * s_;
     }
     return cost;
   }
 
-  /// Tries places round the anchor, near ones first; draws a leader when the best is not beside it.
-  void place(const Mark& mark, const Label& label, double clear) {
+  static dvec2 leader_end(dvec2 anchor, const Box& label) {
+    return {std::clamp(anchor.x, label.x, label.right()), std::clamp(anchor.y, label.y, label.bottom())};
+  }
+
+  /// A label that touches another marked cell than its own seems to name that one.
+  double ambiguity(dvec2 anchor, const Box& label) const {
+    double cost = 0;
+    for (const Box& cell : taken_) {
+      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && overlap(grown(label, 7 * s_), cell)) cost += 60 * s_;
+    }
+    return cost;
+  }
+
+  /// A leader should not lead over what another label speaks of, nor through a text.
+  double badness_of_leader(dvec2 anchor, const Box& label) const {
+    const dvec2 end = leader_end(anchor, label);
+    double cost = 0;
+    for (const Box& text : texts_) cost += clipped(end, anchor, text) ? 200 * s_ : 0;
+    for (const Box& cell : taken_) {
+      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && clipped(end, anchor, grown(cell, -2 * s_)))
+        cost += 200 * s_;
+    }
+    return cost;
+  }
+
+  /// Tries places round the anchor at this distance and beyond, near ones first; draws a leader when the best
+  /// is not beside it.
+  void place(const Mark& mark, const Label& label, double gap, double clear) {
     const dvec2 anchor = frame_.point(label.at);
     if (!inside({anchor.x, anchor.y, 0, 0}, grown(frame_.box, 1))) return;
     const double size = text_size * s_, width = text_width(label.text, Face::sans, size);
-    const double gap = frame_.cell / 2 + 10 * s_;
     std::optional<Box> best;
     double least = 0, best_distance = 0;
     for (const double distance :
@@ -381,8 +386,10 @@ class DrawingLayout {
         const double x = anchor.x + dx * distance - (dx < 0 ? width : dx > 0 ? 0 : width / 2);
         const double y = anchor.y + dy * distance - size / 2;
         const Box at{x, y, width, size};
-        const auto cost = badness(at, distance, clear);
+        auto cost = badness(at, distance, clear);
         if (!cost || (best && *cost >= least)) continue;
+        *cost += ambiguity(anchor, at) + (distance > gap ? badness_of_leader(anchor, at) : 0);
+        if (best && *cost >= least) continue;
         best = at;
         least = *cost;
         best_distance = distance;
@@ -393,8 +400,8 @@ class DrawingLayout {
 
   void draw_label(const Mark& mark, const Label& label, dvec2 anchor, const Box& at, bool leader) {
     if (leader) {
-      const dvec2 end{std::clamp(anchor.x, at.x, at.right()), std::clamp(anchor.y, at.y, at.bottom())};
-      pen_.line("leader " + mark.id, {{end, anchor}, Paint::text(mark.role), 1.4 * s_, false, false, false});
+      pen_.line("leader " + mark.id,
+                {{leader_end(anchor, at), anchor}, Paint::text(mark.role), 1.4 * s_, false, false, false});
     }
     TextShape shape{{at.x, at.y + 0.78 * at.height},
                     label.text,
@@ -410,25 +417,30 @@ class DrawingLayout {
 
   void place_labels() {
     // Those that stand through all steps come first and look only at what stands too, so that they keep still
-    std::vector<Box> step_taken, step_crowded;
+    std::vector<Box> step_taken;
+    std::vector<std::pair<Box, double>> step_crowded;
     std::vector<std::pair<dvec2, dvec2>> step_strokes;
     std::swap(taken_, step_taken);
     std::swap(crowded_, step_crowded);
     const std::size_t fixed_strokes = trace_.backdrop.size();
     step_strokes = strokes_;
     strokes_.resize(std::min(strokes_.size(), fixed_strokes));
-    for (const auto& [mark, label] : fixed_labels_) place(*mark, *label, frame_.cell);
+    const double gap = frame_.cell / 2 + 10 * s_;
+    for (const auto& [mark, label] : fixed_labels_) place(*mark, *label, gap, frame_.cell);
     std::swap(taken_, step_taken);
     std::swap(crowded_, step_crowded);
     strokes_ = step_strokes;
-    for (const auto& [mark, label] : labels_) place(*mark, *label, 2 * s_);
+    if (outside_) place(*outside_, std::get<Label>(outside_->shape), 12 * s_, 2 * s_);
+    for (const auto& [mark, label] : labels_) place(*mark, *label, gap, 2 * s_);
   }
 
   /// The whole grid, small, with the part that the view shows.
   void draw_overview() {
     const Window& all = trace_.grid.cells;
     const double ratio = static_cast<double>(all.width()) / static_cast<double>(all.height());
-    const double most_width = 0.55 * at_.inset.width, height = at_.inset.height;
+    const double most_width = (at_.beside ? 1 : 0.55) * at_.inset.width;
+    const bool captions = !at_.beside || at_.inset.height > 160 * s_;
+    const double height = std::min(at_.inset.height - (at_.beside && captions ? 90 * s_ : 0), 150 * s_);
     Box whole{at_.inset.x, at_.inset.y, height * ratio, height};
     if (whole.width > most_width) {
       whole.width = most_width;
@@ -441,7 +453,7 @@ class DrawingLayout {
       const double x = (p.x - all.lower.x + 0.5) / static_cast<double>(all.width());
       const double y = (p.y - all.lower.y + 0.5) / static_cast<double>(all.height());
       return dvec2{whole.x + x * whole.width,
-                   trace_.grid.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
+                   frame_.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
     };
     for (const Mark& mark : trace_.backdrop) {
       const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
@@ -458,7 +470,7 @@ class DrawingLayout {
     if (part.width < 8 * s_) part = {part.x + part.width / 2 - 4 * s_, part.y, 8 * s_, part.height};
     if (part.height < 8 * s_) part = {part.x, part.y + part.height / 2 - 4 * s_, part.width, 8 * s_};
     pen_.rect("overview view", {part, {}, Paint::mark(Role::current), 3 * s_, 0, false, Hatch::none, {}});
-    caption_overview(whole);
+    if (captions) caption_overview(whole);
   }
 
   void draw_overview_cells(const Box& whole) {
@@ -479,7 +491,7 @@ class DrawingLayout {
       for (int column = 0; column < width; ++column) {
         const ivec2 p{static_cast<int>(all.lower.x + column * all.width() / width),
                       static_cast<int>(all.lower.y + row * all.height() / height)};
-        const ivec2 to{column, trace_.grid.y_up ? height - 1 - row : row};
+        const ivec2 to{column, frame_.y_up ? height - 1 - row : row};
         if (trace_.grid.picture) small.image[to] = (*trace_.grid.picture)[p - all.lower];
         if (const auto look = figure_.canvas->at(p)) {
           small.roles[to] = static_cast<std::uint8_t>(1 + static_cast<int>(look->role));
@@ -489,40 +501,47 @@ class DrawingLayout {
     return small;
   }
 
+  /// Beside or below the small picture: its size, and which part of it is in view. What doesn't fit is left
+  /// out: the axes say it too.
   void caption_overview(const Box& whole) {
     const Window& all = trace_.grid.cells;
     const Window& view = frame_.view;
-    const double x = whole.right() + 14 * s_, room = at_.inset.right() - x;
-    const auto line = [&](std::string id, double y, const std::string& text) {
-      TextShape shape{{x, y},      elided(text, Face::sans, text_size * s_, room),
-                      Face::sans,  text_size * s_,
-                      Align::left, Paint::of(Tone::muted)};
+    const double x = at_.beside ? at_.inset.x : whole.right() + 14 * s_;
+    const double room = at_.inset.right() - x;
+    double y = at_.beside ? whole.bottom() + 24 * s_ : whole.y + 20 * s_;
+    const auto fits = [&](const std::string& text) {
+      return text_width(text, Face::sans, text_size * s_) <= room;
+    };
+    const auto line = [&](std::string id, const std::string& text) {
+      if (!fits(text)) return;
+      TextShape shape{{x, y}, text, Face::sans, text_size * s_, Align::left, Paint::of(Tone::muted)};
       texts_.push_back(shape.box());
       pen_.text(std::move(id), std::move(shape));
+      y += 28 * s_;
     };
-    line(
-        "overview size", whole.y + 20 * s_,
-        trace_.wording.say("figure.whole", fmt::arg("width", all.width()), fmt::arg("height", all.height())));
-    line("overview columns", whole.y + 48 * s_,
-         fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
-                     figure_number(view.upper.x)));
-    line("overview rows", whole.y + 76 * s_,
-         fmt::format("{} {} … {}", trace_.grid.y_name, figure_number(view.lower.y),
-                     figure_number(view.upper.y)));
+    const std::string size = trace_.wording.say("figure.whole", fmt::arg("width", all.width()),
+                                                fmt::arg("height", all.height()));
+    line("overview size", fits(size) ? size : fmt::format("{} × {}", all.width(), all.height()));
+    line("overview columns", fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
+                                         figure_number(view.upper.x)));
+    line("overview rows", fmt::format("{} {} … {}", trace_.grid.y_name, figure_number(view.lower.y),
+                                      figure_number(view.upper.y)));
   }
 
   Pen& pen_;
   const Figure& figure_;
   const Trace& trace_;
-  Box slot_;
   double s_;
-  Arrangement at_;
+  const Scene& at_;
   const Frame& frame_;
   std::vector<std::pair<ivec2, CellLook>> cell_texts_;
-  std::vector<Box> texts_;            ///< of texts placed so far: nothing may overlap them
-  std::vector<Box> taken_, crowded_;  ///< cells and dots that a label must not, should not cover
+  std::vector<Box> texts_;                       ///< of texts placed so far: nothing may overlap them
+  std::vector<Box> ticks_;                       ///< of the axes' numbers and some space round them
+  std::vector<Box> taken_;                       ///< cells and dots that a label must not cover
+  std::vector<std::pair<Box, double>> crowded_;  ///< cells that it should not, and how much
   std::vector<std::pair<dvec2, dvec2>> strokes_;
   std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
+  std::optional<Mark> outside_;  ///< the label of a step outside the view
 };
 
 }  // namespace
@@ -544,12 +563,86 @@ void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& bo
   pen.line(id, {{{in.x, in.bottom()}, {in.right(), in.y}}, Paint::mark(role), 2 * s, false, false, false});
 }
 
-Window visible_cells(const Figure& figure, const Box& box, double scale) {
-  return arrange(figure, box, scale).frame.view;
+Stage stage_of(const Trace& trace, const Look& look) {
+  const Grid& grid = trace.grid;
+  Stage stage{grid.cells, look.view.has_value(), look.y_up.value_or(grid.y_up)};
+  if (look.view) stage.cells = intersection(*look.view, grid.cells);
+  if (look.view && stage.cells.empty()) {
+    const Window &all = grid.cells, &view = *look.view;
+    throw std::invalid_argument(fmt::format("expected cells of the grid {},{} to {},{}, found {},{} to {},{}",
+                                            all.lower.x, all.lower.y, all.upper.x, all.upper.y, view.lower.x,
+                                            view.lower.y, view.upper.x, view.upper.y));
+  }
+  const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
+  stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
+  stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
+  const bool slide = look.layout == Layout::slide;
+  stage.least_cell = slide ? least_cell : 16;
+  // On paper it is the cell's real size that counts: 3 mm
+  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 ? 11 / unit_of(look) : 0.0);
+  stage.largest_cell = slide ? 84 : 108;
+  return stage;
 }
 
-void lay_out_drawing(Pen& pen, const Figure& figure, const Box& box) {
-  DrawingLayout(pen, figure, box).draw();
+std::optional<Fit> fit(const Stage& stage, double width, double height) {
+  const double across = width - stage.left - stage.right, up = height - axis_below - axis_above;
+  const double cell = std::min({across / static_cast<double>(stage.cells.width()),
+                                up / static_cast<double>(stage.cells.height()), stage.largest_cell});
+  if (cell >= stage.least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
+  if (stage.fixed) return std::nullopt;
+  const auto count = [](double room, std::int64_t all) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(room / followed_cell), 0, all);
+  };
+  const Fit above{followed_cell, count(across, stage.cells.width()),
+                  count(up - inset_height - inset_gap, stage.cells.height()), true, false};
+  const Fit beside{followed_cell, count(across - inset_width - inset_column_gap, stage.cells.width()),
+                   count(up, stage.cells.height()), true, true};
+  const auto cells = [](const Fit& f) { return static_cast<double>(f.columns * f.rows); };
+  const Fit& better = cells(beside) > 1.25 * cells(above) ? beside : above;
+  return cells(better) > 0 ? std::optional(better) : std::nullopt;
+}
+
+Fit capacity(const Stage& stage, double width, double height) {
+  const auto count = [&stage](double room) {
+    return static_cast<std::int64_t>(std::max(0.0, std::floor(room / stage.least_cell)));
+  };
+  return {stage.least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above)};
+}
+
+Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
+  const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
+  Scene scene;
+  if (!shown) return scene;
+  scene.follows = shown->follows;
+  scene.beside = shown->beside;
+  Box box = slot;
+  if (scene.beside) {
+    box.width -= (inset_width + inset_column_gap) * s;
+    scene.inset = {slot.right() - inset_width * s, slot.y + axis_above * s, inset_width * s,
+                   slot.height - (axis_above + axis_below) * s};
+  } else if (scene.follows) {
+    scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
+    box = {box.x, box.y + (inset_height + inset_gap) * s, box.width,
+           box.height - (inset_height + inset_gap) * s};
+  }
+  // The cells with their axes, in the middle of what is left
+  const double cell = shown->cell * s;
+  const double width = cell * static_cast<double>(shown->columns) + (stage.left + stage.right) * s;
+  const double height = cell * static_cast<double>(shown->rows) + (axis_above + axis_below) * s;
+  scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  scene.frame = {scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells,
+                 {scene.settled.x + stage.left * s, scene.settled.y + axis_above * s,
+                  width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},
+                 cell,
+                 stage.y_up};
+  scene.labels = look.crop ? with_room_for_labels(scene.settled, box, s) : box;
+  if (look.crop) scene.settled = scene.labels;
+  if (scene.follows) scene.settled = around(scene.settled, scene.inset);
+  return scene;
+}
+
+void lay_out_drawing(Pen& pen, const Figure& figure, const Scene& scene) {
+  if (scene.frame.cell > 0) DrawingLayout(pen, figure, scene).draw();
 }
 
 }  // namespace gradus::layout

@@ -21,6 +21,10 @@ constexpr double units_per_em = 2048;
 
 /// Advance in font units, or 0 where the face lacks the character.
 int advance_of(char32_t character, Face face) {
+  // The table starts with all of ASCII's letters and signs
+  if (U' ' <= character && character <= U'~') {
+    return advances[character - U' '].units[static_cast<std::size_t>(face)];
+  }
   const auto found = std::ranges::lower_bound(advances, character, {},
                                               [](const Advance& a) { return char32_t{a.character}; });
   if (found == std::end(advances) || found->character != character) return 0;
@@ -82,11 +86,17 @@ std::string utf8_of(std::u32string_view characters) {
 }
 
 double text_width(std::string_view text, Face face, double size) {
-  double units = 0;
-  for (const char32_t character : code_points(text)) {
+  const auto units_of = [face](char32_t character) {
     const int advance = advance_of(character, face);
-    units += advance > 0 ? advance : units_per_em;
+    return advance > 0 ? advance : units_per_em;
+  };
+  double units = 0;
+  // Most texts begin with ASCII, which needs no decoding
+  std::size_t at = 0;
+  for (; at < text.size() && static_cast<unsigned char>(text[at]) < 0x80; ++at) {
+    units += units_of(static_cast<unsigned char>(text[at]));
   }
+  for (const char32_t character : code_points(text.substr(at))) units += units_of(character);
   return units * size / units_per_em;
 }
 

@@ -40,6 +40,7 @@ Trace TraceWriter::finish() && {
   for (const TraceStep& step : trace_.steps) {
     widen(trace_.widest, step.read);
     widen(trace_.widest, step.row);
+    if (step.sentence.size() > trace_.longest_sentence.size()) trace_.longest_sentence = step.sentence;
     const auto place = std::ranges::lower_bound(trace_.lines, step.line);
     if (step.line > 0 && (place == trace_.lines.end() || *place != step.line))
       trace_.lines.insert(place, step.line);

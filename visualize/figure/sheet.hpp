@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -118,9 +119,19 @@ struct Shape {
   std::variant<RectShape, LineShape, StrokesShape, DiscShape, TextShape, ImageShape> what;
 };
 
+/// The role that a shape shows, by what it is painted with; none for the furniture: axes, grid, texts of the
+/// table.
+std::optional<Role> role_of(const Shape& shape);
+
 struct Sheet {
   double width = 1280, height = 720;
   std::vector<Shape> shapes;
+  double unit = 1;  ///< pixels for one of a slide of 720 lines: halos, hatches and arrow heads keep to it
 };
+
+/// The shape, moved.
+Shape moved(Shape shape, dvec2 by);
+/// The part of a sheet in a box, as a sheet of its own; the box must hold all shapes that shall be seen.
+Sheet cropped(Sheet sheet, const Box& box);
 
 }  // namespace gradus

@@ -101,6 +101,7 @@ struct Trace {
   Canvas before;                    ///< the drawing just before steps.front()
   std::vector<TraceStep> steps;     ///< the recorded part, in order
   std::vector<std::string> widest;  ///< a column each: the longest text it holds, so that tables keep still
+  std::string longest_sentence;     ///< of the recorded steps: for how many lines the sentence needs
   std::vector<int> lines;           ///< the source lines that reported steps, ascending
   std::int64_t last = 0;            ///< number of the run's last step, recorded or not
   bool whole() const;               ///< whether every step of the run is in `steps`

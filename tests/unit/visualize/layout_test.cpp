@@ -1,0 +1,708 @@
+// What a lecturer sees on any slide: legible from the last row, nothing overlaps, nothing is clipped, nothing
+// jumps.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "figure/figure.hpp"
+#include "figure/layout.hpp"
+#include "support/sheets.hpp"
+
+namespace gradus {
+namespace {
+
+using test::extent_of;
+using test::find_text;
+using test::for_each_sheet;
+using test::overlap;
+using test::shared_traces;
+using test::texts_of;
+
+struct Case {
+  std::string name;
+  Look look;
+};
+
+/// The sizes that slides have, one in between in centimetres, upright ones, and a banner.
+std::vector<Case> aspects() {
+  std::vector<Case> cases;
+  for (const auto& [name, width, height] : {std::tuple{"16:9", 1280.0, 720.0},
+                                            {"4:3", 960.0, 720.0},
+                                            {"1:1", 720.0, 720.0},
+                                            {"3:4", 540.0, 720.0},
+                                            {"12cm x 8cm", 12 / 2.54 * 96, 8 / 2.54 * 96},
+                                            {"9:16", 450.0, 800.0},
+                                            {"32:9", 1920.0, 540.0}}) {
+    Look look;
+    look.width = width;
+    look.height = height;
+    cases.push_back({name, look});
+  }
+  return cases;
+}
+
+/// Every aspect with every choice of slots that a lecturer would make, as slide and as handout.
+std::vector<Case> slides() {
+  const std::vector<std::pair<std::string, std::set<Slot>>> choices{
+      {"all", {all_slots.begin(), all_slots.end()}},
+      {"no listing", {Slot::title, Slot::drawing, Slot::table, Slot::sentence, Slot::footer}},
+      {"no table", {Slot::title, Slot::drawing, Slot::listing, Slot::sentence, Slot::footer}},
+      {"drawing", {Slot::drawing}},
+      {"drawing and sentence", {Slot::drawing, Slot::sentence}},
+      {"drawing and table", {Slot::drawing, Slot::table}},
+      {"text", {Slot::title, Slot::listing, Slot::table}},
+      {"table", {Slot::table, Slot::footer}}};
+  std::vector<Case> cases;
+  for (const Case& aspect : aspects()) {
+    for (const auto& [name, slots] : choices) {
+      for (const Layout layout : {Layout::slide, Layout::handout}) {
+        Look look = aspect.look;
+        look.slots = slots;
+        look.layout = layout;
+        cases.push_back({aspect.name + ", " + name + (layout == Layout::slide ? "" : ", handout"), look});
+      }
+    }
+  }
+  return cases;
+}
+
+/// Calls f(trace, sheet, look) for some steps of every telling trace on every slide; cropped ones too.
+template <class F>
+std::size_t for_each_slide(F f, std::size_t most = 4) {
+  std::size_t count = 0;
+  for (const Case& slide : slides()) {
+    SCOPED_TRACE(slide.name);
+    for (const bool crop : {false, true}) {
+      SCOPED_TRACE(crop ? "cropped" : "whole");
+      Look look = slide.look;
+      look.crop = crop;
+      count += for_each_sheet(
+          [&](const Trace& trace, const Sheet& sheet, std::size_t) { f(trace, sheet, look); }, look, most);
+    }
+  }
+  return count;
+}
+
+double shorter_side(const Look& look) { return std::min(look.width, look.height); }
+
+// --- Legible -------------------------------------------------------------------------------------
+
+TEST(Layout, NoTextIsSmallerThanLegible) {
+  const std::size_t sheets = for_each_slide([](const Trace&, const Sheet& sheet, const Look& look) {
+    const double full = shorter_side(look) * (look.layout == Layout::slide ? 1 : 0.7) * (1 - 1e-12);
+    for (const Shape& shape : sheet.shapes) {
+      const TextShape* text = std::get_if<TextShape>(&shape.what);
+      if (!text) continue;
+      EXPECT_GE(text->size, full / 36) << text->text;
+      if (shape.slot == Slot::sentence) EXPECT_GE(text->size, full / 28);
+    }
+  });
+  EXPECT_GT(sheets, 20000u);
+}
+
+TEST(Layout, CellsOfASlideAreNeverSmallerThan24Of720) {
+  std::size_t cells = 0;
+  for_each_slide([&](const Trace&, const Sheet& sheet, const Look& look) {
+    if (look.layout == Layout::handout) return;
+    for (const Shape& shape : sheet.shapes) {
+      const RectShape* rect = std::get_if<RectShape>(&shape.what);
+      if (!rect || !shape.id.starts_with("cell ")) continue;
+      ++cells;
+      EXPECT_GE(rect->box.width, 24 * shorter_side(look) / 720 * (1 - 1e-12));
+    }
+  });
+  EXPECT_GT(cells, 10000u);
+}
+
+TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
+  std::size_t sentences = 0;
+  for (const TopicEntry* entry : catalogue()) {
+    for (const Showcase& showcase : entry->gallery) {
+      std::map<std::string, std::string> given;
+      for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
+      const Trace trace = test::trace_of(entry->name, given);
+      Playhead playhead(trace);
+      for (const Case& aspect : aspects()) {
+        SCOPED_TRACE(aspect.name);
+        const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 40);
+        for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
+          const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), aspect.look);
+          for (const Shape& shape : sheet.shapes) {
+            const TextShape* text = std::get_if<TextShape>(&shape.what);
+            if (!text || (shape.slot != Slot::sentence && shape.slot != Slot::title)) continue;
+            ++sentences;
+            EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(sentences, 2000u);
+}
+
+// --- Apart and whole -----------------------------------------------------------------------------
+
+TEST(Layout, NoTwoTextsOverlap) {
+  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
+    const auto texts = texts_of(sheet);
+    ASSERT_GT(texts.size(), 3u);
+    std::vector<Box> boxes;
+    for (const TextShape* text : texts) boxes.push_back(text->box());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      for (std::size_t k = i + 1; k < texts.size(); ++k) {
+        EXPECT_FALSE(overlap(boxes[i], boxes[k])) << texts[i]->text << " | " << texts[k]->text;
+      }
+    }
+  });
+}
+
+TEST(Layout, NothingIsClipped) {
+  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
+    for (const Shape& shape : sheet.shapes) {
+      const Box box = extent_of(shape);
+      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height)
+          << name_of(shape.slot) << " " << shape.id << " " << box.x << "," << box.y << " to " << box.right()
+          << "," << box.bottom() << " of " << sheet.width << " x " << sheet.height;
+      const TextShape* text = std::get_if<TextShape>(&shape.what);
+      if (text) EXPECT_TRUE(missing_characters(text->text, text->face).empty()) << text->text;
+    }
+  });
+}
+
+TEST(Layout, SlotsKeepApart) {
+  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
+    std::map<Slot, Box> extents;
+    for (const Shape& shape : sheet.shapes) {
+      const auto [at, added] = extents.emplace(shape.slot, extent_of(shape));
+      if (!added) at->second = test::united(at->second, extent_of(shape));
+    }
+    for (const auto& [a, box_a] : extents) {
+      for (const auto& [b, box_b] : extents) {
+        if (a < b) EXPECT_FALSE(overlap(box_a, box_b)) << name_of(a) << " and " << name_of(b);
+      }
+    }
+  });
+}
+
+TEST(Layout, EverySlotThatWasAskedForIsThere) {
+  for_each_slide([](const Trace&, const Sheet& sheet, const Look& look) {
+    std::set<Slot> seen;
+    for (const Shape& shape : sheet.shapes) seen.insert(shape.slot);
+    EXPECT_EQ(seen, look.slots);
+  });
+}
+
+TEST(Layout, ListingAndTableHaveTheirLeast) {
+  // Three lines of source and two rows, or all there are, however small the slide
+  for_each_slide([](const Trace& trace, const Sheet& sheet, const Look& look) {
+    std::size_t lines = 0;
+    for (const Shape& shape : sheet.shapes) lines += shape.id.starts_with("number ") ? 1u : 0u;
+    if (look.slots.contains(Slot::listing)) EXPECT_GE(lines, std::min<std::size_t>(3, trace.listing.size()));
+    if (!look.slots.contains(Slot::table)) return;
+    const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
+    EXPECT_GE(at.rows, std::min<std::int64_t>(2, trace.last + 1));
+  });
+}
+
+TEST(Layout, TheCurrentLineIsListed) {
+  std::size_t listed = 0;
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    for (const Trace& trace : shared_traces()) {
+      Playhead playhead(trace);
+      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 20);
+      for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
+        const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
+        const Sheet sheet = lay_out(figure, aspect.look);
+        for (const Figure::ListingLine& line : figure.listing) {
+          if (line.emphasis != Emphasis::strong) continue;
+          ++listed;
+          EXPECT_NE(find_text(sheet, fmt::format("line {}", line.line.number)), nullptr)
+              << trace.method << " step " << text_of(figure.number);
+        }
+      }
+    }
+  }
+  EXPECT_GT(listed, 1000u);
+}
+
+TEST(Layout, EveryStepIsWholeOnEveryAspect) {
+  // Nothing overlaps, nothing is clipped, all slots on: fewer slides than above, but all steps
+  std::size_t sheets = 0;
+  for (const Case& aspect : aspects()) {
+    for (const Layout layout : {Layout::slide, Layout::handout}) {
+      SCOPED_TRACE(aspect.name + (layout == Layout::slide ? "" : ", handout"));
+      Look look = aspect.look;
+      look.layout = layout;
+      sheets += for_each_sheet(
+          [](const Trace&, const Sheet& sheet, std::size_t) {
+            std::vector<Box> boxes;
+            for (const TextShape* text : texts_of(sheet)) boxes.push_back(text->box());
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+              const Box& a = boxes[i];
+              EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.right() <= sheet.width && a.bottom() <= sheet.height);
+              for (std::size_t k = i + 1; k < boxes.size(); ++k) EXPECT_FALSE(overlap(a, boxes[k]));
+            }
+          },
+          look, 1'000'000);
+    }
+  }
+  EXPECT_GT(sheets, 10000u);
+}
+
+// --- Still ---------------------------------------------------------------------------------------
+
+/// What may not move from step to step: the panels and headings of the text slots and the frame of the cells;
+/// the axes' numbers too while the view doesn't follow the step.
+std::map<std::string, Box> fixed_parts(const Sheet& sheet, bool follows) {
+  std::map<std::string, Box> parts;
+  for (const Shape& shape : sheet.shapes) {
+    const bool slots = shape.id == "panel" || shape.id == "heading ground" || shape.id == "bar" ||
+                       shape.id == "title" || shape.id == "input" || shape.id == "method" ||
+                       shape.id.starts_with("heading ");
+    const bool axes =
+        shape.slot == Slot::drawing && (shape.id.starts_with("x ") || shape.id.starts_with("y "));
+    const bool grid = shape.id == "grid" || shape.id == "overview frame";
+    if (slots || grid || (axes && !follows)) {
+      parts[fmt::format("{} {}", name_of(shape.slot), shape.id)] = extent_of(shape);
+    }
+  }
+  parts["sheet"] = {0, 0, sheet.width, sheet.height};
+  return parts;
+}
+
+TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
+  std::size_t compared = 0;
+  for (const Case& slide : slides()) {
+    for (const bool crop : {false, true}) {
+      SCOPED_TRACE(slide.name + (crop ? ", cropped" : ""));
+      Look look = slide.look;
+      look.crop = crop;
+      for (const Trace& trace : shared_traces()) {
+        SCOPED_TRACE(trace.topic + " " + trace.method + " " + trace.subtitle);
+        Playhead playhead(trace);
+        std::map<std::string, Box> first;
+        const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 5);
+        for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
+          const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
+          const bool follows = !(layout::visible_cells(figure, look) == trace.grid.cells);
+          const auto parts = fixed_parts(lay_out(figure, look), follows);
+          if (i == 0) first = parts;
+          ASSERT_EQ(first.size(), parts.size());
+          for (const auto& [id, box] : parts) {
+            ++compared;
+            const Box& was = first.at(id);
+            EXPECT_TRUE(box.x == was.x && box.y == was.y && box.width == was.width &&
+                        box.height == was.height)
+                << id << " at step " << text_of(trace.steps[i].number);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 100000u);
+}
+
+TEST(Layout, TheIdealLinesNameStaysPut) {
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    const Trace trace = test::trace_of("bresenham_line");
+    Playhead playhead(trace);
+    std::optional<Box> first;
+    for (const TraceStep& step : trace.steps) {
+      const Sheet sheet = lay_out(figure_of(trace, playhead, step.number), aspect.look);
+      const TextShape* name = find_text(sheet, "ideal line name");
+      ASSERT_NE(name, nullptr);
+      if (!first) first = name->box();
+      EXPECT_EQ(first->x, name->box().x);
+      EXPECT_EQ(first->y, name->box().y);
+    }
+  }
+}
+
+TEST(Layout, ScalesWithTheSize) {
+  const Trace trace = test::trace_of("bresenham_line");
+  Playhead playhead(trace);
+  const Figure figure = figure_of(trace, playhead, {4, 0});
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    const Sheet small = lay_out(figure, aspect.look);
+    Look look = aspect.look;
+    look.width *= 2;
+    look.height *= 2;
+    const Sheet large = lay_out(figure, look);
+    ASSERT_EQ(small.shapes.size(), large.shapes.size());
+    EXPECT_DOUBLE_EQ(2 * small.unit, large.unit);
+    const auto a = texts_of(small), b = texts_of(large);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(2 * a[i]->baseline.x, b[i]->baseline.x, 1e-9);
+  }
+}
+
+TEST(Layout, TheCurrentCellIsInView) {
+  std::size_t followed = 0;
+  for (const Case& slide : slides()) {
+    if (!slide.look.slots.contains(Slot::drawing)) continue;
+    SCOPED_TRACE(slide.name);
+    for (const Trace& trace : shared_traces()) {
+      for (const TraceStep& step : trace.steps) {
+        if (!trace.grid.cells.contains(step.focus)) continue;
+        const Figure figure{.trace = &trace, .focus = step.focus};
+        const Window view = layout::visible_cells(figure, slide.look);
+        EXPECT_TRUE(view.contains(step.focus)) << step.focus.x << "," << step.focus.y;
+        followed += view == trace.grid.cells ? 0u : 1u;
+      }
+    }
+  }
+  EXPECT_GT(followed, 1000u);
+}
+
+// --- Arranged ------------------------------------------------------------------------------------
+
+enum class Side { left, right, above, below, other };
+Side side_of(const Box& a, const Box& of) {
+  if (a.right() <= of.x) return Side::left;
+  if (a.x >= of.right()) return Side::right;
+  if (a.bottom() <= of.y) return Side::above;
+  return a.y >= of.bottom() ? Side::below : Side::other;
+}
+
+TEST(Layout, EachAspectHasAnArrangementOfItsOwn) {
+  const Trace line = test::trace_of("bresenham_line"), fill = test::trace_of("flood_fill");
+  const auto sides = [](const Trace& trace, double width, double height) {
+    Look look;
+    look.width = width;
+    look.height = height;
+    const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
+    return std::pair{side_of(at.listing, at.drawing), side_of(at.table, at.drawing)};
+  };
+  EXPECT_EQ(sides(line, 1280, 720), (std::pair{Side::right, Side::right}));
+  EXPECT_EQ(sides(fill, 1280, 720), (std::pair{Side::right, Side::right}));
+  EXPECT_EQ(sides(line, 960, 720), (std::pair{Side::below, Side::right}));
+  EXPECT_EQ(sides(fill, 960, 720), (std::pair{Side::below, Side::right}));
+  EXPECT_EQ(sides(line, 720, 720), (std::pair{Side::below, Side::right}));
+  EXPECT_EQ(sides(fill, 720, 960), (std::pair{Side::below, Side::below}));
+}
+
+TEST(Layout, AHandoutShowsMoreOfEverything) {
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    for (const Trace& trace : shared_traces()) {
+      const layout::Stage stage = layout::stage_of(trace, aspect.look);
+      const layout::Places slide = layout::places_of(trace, aspect.look, stage);
+      Look look = aspect.look;
+      look.layout = Layout::handout;
+      const layout::Places handout = layout::places_of(trace, look, layout::stage_of(trace, look));
+      EXPECT_GE(handout.lines + handout.rows, slide.lines + slide.rows)
+          << trace.method << " " << trace.subtitle;
+    }
+  }
+  // All lines of the listing on 16:9
+  Look look;
+  look.layout = Layout::handout;
+  const Trace trace = test::trace_of("bresenham_line");
+  const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
+  EXPECT_EQ(at.lines, static_cast<int>(trace.listing.size()));
+}
+
+// --- Titles --------------------------------------------------------------------------------------
+
+TEST(Layout, ATitleOfOnesOwnReplacesTheTopics) {
+  Look look;
+  look.title = "Which pixel is next?";
+  for_each_sheet([&](const Trace&, const Sheet& sheet,
+                     std::size_t) { EXPECT_EQ(find_text(sheet, "title")->text, look.title); },
+                 look, 2);
+}
+
+TEST(Layout, ALongTitleIsBrokenThenShortened) {
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    for (const int words : {8, 40}) {
+      Look look = aspect.look;
+      look.title = "Pixels";
+      for (int i = 0; i < words; ++i) look.title += " in a row";
+      std::size_t sheets = 0;
+      for_each_sheet(
+          [&](const Trace&, const Sheet& sheet, std::size_t) {
+            ++sheets;
+            const auto texts = texts_of(sheet);
+            for (const TextShape* text : texts) {
+              EXPECT_LE(text->box().right(), sheet.width) << text->text;
+              for (const TextShape* other : texts) {
+                if (other != text) EXPECT_FALSE(overlap(text->box(), other->box())) << text->text;
+              }
+            }
+            const TextShape* second = find_text(sheet, "title 2");
+            if (words == 40 && aspect.name != "32:9") {
+              ASSERT_NE(second, nullptr);
+              EXPECT_NE(second->text.find("…"), std::string::npos);
+            }
+          },
+          look, 1);
+      EXPECT_GT(sheets, 20u);
+    }
+  }
+}
+
+// --- Crop ----------------------------------------------------------------------------------------
+
+TEST(Crop, TheDrawingAloneHugsItsAxes) {
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    Look look = aspect.look;
+    look.slots = {Slot::drawing};
+    look.crop = true;
+    const Trace trace = test::trace_of("bresenham_line", {{"to", "9,7"}});
+    Playhead playhead(trace);
+    const Sheet sheet = lay_out(figure_of(trace, playhead, {0, 0}), look);
+    EXPECT_TRUE(sheet.width < look.width || sheet.height < look.height);
+    std::optional<Box> axes;
+    for (const Shape& shape : sheet.shapes) {
+      const bool axis = shape.id == "grid" || shape.id.starts_with("x ") || shape.id.starts_with("y ");
+      if (axis) axes = axes ? test::united(*axes, extent_of(shape)) : extent_of(shape);
+    }
+    const double loose = 42 * shorter_side(look) / 720;
+    EXPECT_LE(axes->x, loose);
+    EXPECT_LE(axes->y, loose);
+    EXPECT_LE(sheet.width - axes->right(), loose);
+    EXPECT_LE(sheet.height - axes->bottom(), loose);
+  }
+}
+
+TEST(Crop, MovesTheFigureAndChangesNothing) {
+  for (const Case& slide : slides()) {
+    if (!slide.look.slots.contains(Slot::drawing)) continue;
+    SCOPED_TRACE(slide.name);
+    const Trace trace = test::trace_of("flood_fill");
+    Playhead playhead(trace);
+    const Figure figure = figure_of(trace, playhead, {0, 0});
+    Look look = slide.look;
+    const Sheet whole = lay_out(figure, look);
+    look.crop = true;
+    const Sheet part = lay_out(figure, look);
+    EXPECT_LT(part.width * part.height, whole.width * whole.height);
+    EXPECT_EQ(part.unit, whole.unit);
+    std::map<std::string, Box> before;
+    for (const Shape& shape : whole.shapes)
+      before[fmt::format("{} {}", name_of(shape.slot), shape.id)] = extent_of(shape);
+    std::optional<dvec2> shift;
+    for (const Shape& shape : part.shapes) {
+      if (shape.slot == Slot::drawing && std::holds_alternative<TextShape>(shape.what) &&
+          !shape.id.starts_with("x ") && !shape.id.starts_with("y ")) {
+        continue;  // labels look for places inside
+      }
+      if (shape.id.starts_with("leader ")) continue;
+      const Box was = before.at(fmt::format("{} {}", name_of(shape.slot), shape.id)), is = extent_of(shape);
+      const dvec2 by{was.x - is.x, was.y - is.y};
+      if (!shift) shift = by;
+      EXPECT_NEAR(by.x, shift->x, 1e-9) << shape.id;
+      EXPECT_NEAR(by.y, shift->y, 1e-9) << shape.id;
+    }
+    EXPECT_EQ(shift->x, std::floor(shift->x)) << "whole pixels";
+  }
+}
+
+TEST(Crop, LabelsOfANarrowGridFindRoom) {
+  Look look;
+  look.slots = {Slot::drawing};
+  look.crop = true;
+  const Trace trace = test::trace_of("bresenham_line", {{"from", "3,-2"}, {"to", "3,9"}});
+  Playhead playhead(trace);
+  const Sheet sheet = lay_out(figure_of(trace, playhead, {6, 0}), look);
+  std::size_t labels = 0;
+  for (const TextShape* text : texts_of(sheet)) labels += text->halo ? 1u : 0u;
+  EXPECT_EQ(labels, 3u) << "the ideal line, what was chosen, what was not";
+}
+
+// --- View ----------------------------------------------------------------------------------------
+
+TEST(View, ShowsExactlyTheseCells) {
+  const Window view{{1, 0}, {5, 3}};
+  for (const Case& aspect : aspects()) {
+    SCOPED_TRACE(aspect.name);
+    Look look = aspect.look;
+    look.view = view;
+    const Trace trace = test::trace_of("flood_fill");
+    Playhead playhead(trace);
+    for (const TraceStep& step : trace.steps) {
+      const Figure figure = figure_of(trace, playhead, step.number);
+      EXPECT_EQ(layout::visible_cells(figure, look), view);
+      const Sheet sheet = lay_out(figure, look);
+      std::set<std::string> ticks;
+      bool points_outside = false;
+      for (const Shape& shape : sheet.shapes) {
+        if (shape.slot == Slot::drawing && shape.id.starts_with("cell ")) {
+          int x = 0, y = 0;
+          ASSERT_EQ(std::sscanf(shape.id.c_str(), "cell %d,%d", &x, &y), 2);
+          EXPECT_TRUE(view.contains({x, y})) << shape.id;
+        }
+        if (shape.id.starts_with("x ") || shape.id.starts_with("y ")) ticks.insert(shape.id);
+        points_outside |= shape.id == "outside";
+      }
+      EXPECT_TRUE(ticks.contains("x 1") && ticks.contains("x 5") && ticks.contains("y 0") &&
+                  ticks.contains("y 3"));
+      EXPECT_FALSE(ticks.contains("x 0") || ticks.contains("x 6") || ticks.contains("y 4"));
+      EXPECT_EQ(points_outside, !view.contains(step.focus) && trace.grid.cells.contains(step.focus));
+      if (points_outside) {
+        EXPECT_EQ(find_text(sheet, "outside name")->text,
+                  fmt::format("({}, {})", step.focus.x, step.focus.y));
+      }
+    }
+  }
+}
+
+TEST(View, IsCutToTheGrid) {
+  Look look;
+  look.view = Window{{5, 3}, {1000, 1000}};
+  const Trace trace = test::trace_of("flood_fill");
+  EXPECT_EQ(layout::visible_cells({.trace = &trace}, look), (Window{{5, 3}, {9, 6}}));
+}
+
+TEST(View, ThatMissesTheGridIsRefused) {
+  Look look;
+  look.view = Window{{10, 0}, {12, 3}};
+  const Trace trace = test::trace_of("flood_fill");
+  Playhead playhead(trace);
+  const Figure figure = figure_of(trace, playhead, {0, 0});
+  try {
+    lay_out(figure, look);
+    FAIL() << "should have thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "expected cells of the grid 0,0 to 9,6, found 10,0 to 12,3");
+  }
+}
+
+TEST(View, TheLargestFitsAndOneMoreDoesNot) {
+  const Trace huge = test::trace_of("bresenham_line", {{"to", "100000,40000"}}, {0, 20});
+  Playhead playhead(huge);
+  const Figure figure = figure_of(huge, playhead, {0, 0});
+  for (const Case& slide : slides()) {
+    if (!slide.look.slots.contains(Slot::drawing)) continue;
+    SCOPED_TRACE(slide.name);
+    Look look = slide.look;
+    const ivec2 lower{1000, 1000};  // so that all numbers of the axes are as wide
+    look.view = Window{lower, lower + ivec2{299, 199}};
+    const ivec2 most = largest_view(huge, look);
+    EXPECT_GE(most.x, 4);
+    EXPECT_GE(most.y, 3);
+    try {
+      lay_out(figure, look);
+      FAIL() << "should have thrown";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(),
+                fmt::format("expected at most {} x {} cells for this size, found 300 x 200", most.x, most.y));
+    }
+    look.view = Window{lower, lower + most};
+    EXPECT_THROW(lay_out(figure, look), std::invalid_argument);
+    look.view = Window{lower, lower + most - 1};
+    EXPECT_EQ(layout::visible_cells(figure, look), *look.view);
+  }
+}
+
+// --- Up and down ---------------------------------------------------------------------------------
+
+TEST(YUp, TurnsTheDrawingAndNothingElse) {
+  std::size_t cells = 0, same = 0;
+  for (const char* topic : {"bresenham_line", "flood_fill"}) {
+    const Trace trace = test::trace_of(topic);
+    Playhead playhead(trace);
+    for (const TraceStep& step : trace.steps) {
+      const Figure figure = figure_of(trace, playhead, step.number);
+      Look look;
+      look.y_up = true;
+      const Sheet up = lay_out(figure, look);
+      look.y_up = false;
+      const Sheet down = lay_out(figure, look);
+      std::map<std::string, Box> boxes;
+      std::map<std::string, std::string> texts;
+      Box frame;
+      for (const Shape& shape : up.shapes) {
+        const std::string id = fmt::format("{} {}", name_of(shape.slot), shape.id);
+        boxes[id] = extent_of(shape);
+        if (const TextShape* text = std::get_if<TextShape>(&shape.what)) texts[id] = text->text;
+        if (shape.id == "grid") frame = extent_of(shape);
+      }
+      for (const Shape& shape : down.shapes) {
+        const std::string id = fmt::format("{} {}", name_of(shape.slot), shape.id);
+        const Box box = extent_of(shape);
+        if (shape.slot == Slot::drawing && shape.id.starts_with("cell ")) {
+          ++cells;
+          EXPECT_NEAR(box.x, boxes.at(id).x, 1e-9);
+          EXPECT_NEAR(box.y - frame.y, frame.bottom() - boxes.at(id).bottom(), 1e-9) << id;
+        }
+        const TextShape* text = std::get_if<TextShape>(&shape.what);
+        if (!text || shape.id == "y axis") continue;
+        ++same;
+        EXPECT_EQ(text->text, texts.at(id));
+        if (shape.slot != Slot::drawing) EXPECT_EQ(box.y, boxes.at(id).y);
+      }
+      EXPECT_THAT(find_text(up, "y axis")->text, testing::HasSubstr("↑"));
+      EXPECT_THAT(find_text(down, "y axis")->text, testing::HasSubstr("↓"));
+    }
+  }
+  EXPECT_GT(cells, 500u);
+  EXPECT_GT(same, 1000u);
+}
+
+TEST(YUp, TurnsThePicture) {
+  for (const Trace& trace : shared_traces()) {
+    if (!trace.grid.picture) continue;
+    Playhead playhead(trace);
+    const Figure figure = figure_of(trace, playhead, trace.steps.front().number);
+    const auto images = [&](bool y_up) {
+      Look look;
+      look.y_up = y_up;
+      std::map<std::string, Image> found;
+      for (const Shape& shape : lay_out(figure, look).shapes) {
+        if (const ImageShape* image = std::get_if<ImageShape>(&shape.what)) found[shape.id] = image->image;
+      }
+      return found;
+    };
+    const auto up = images(true), down = images(false);
+    for (const char* id : {"picture", "overview"}) {
+      const Image &a = up.at(id), &b = down.at(id);
+      ASSERT_EQ(a.height(), b.height());
+      for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) ASSERT_EQ((a[{x, y}]), (b[{x, a.height() - 1 - y}])) << id;
+      }
+    }
+    return;
+  }
+  FAIL() << "no trace with a picture";
+}
+
+// --- Roles ---------------------------------------------------------------------------------------
+
+TEST(Shapes, KnowTheirRole) {
+  std::size_t cells = 0;
+  for_each_sheet(
+      [&](const Trace&, const Sheet& sheet, std::size_t) {
+        for (const Shape& shape : sheet.shapes) {
+          const std::optional<Role> role = role_of(shape);
+          if (shape.slot == Slot::drawing &&
+              (shape.id.starts_with("cell ") || shape.id.starts_with("outline "))) {
+            ++cells;
+            EXPECT_TRUE(role.has_value()) << shape.id;
+          }
+          if (shape.id == "grid" || shape.slot == Slot::table || shape.slot == Slot::listing ||
+              shape.slot == Slot::sentence) {
+            EXPECT_FALSE(role.has_value()) << shape.id;
+          }
+        }
+      },
+      {}, 6);
+  EXPECT_GT(cells, 500u);
+  EXPECT_EQ(
+      role_of({Slot::drawing, "", DiscShape{{0, 0}, 1, Paint::of(Tone::paper), Paint::mark(Role::input)}}),
+      Role::input);
+  EXPECT_EQ(role_of({Slot::drawing, "",
+                     TextShape{{0, 0}, "a", Face::sans, 20, Align::left, Paint::on(Role::past)}}),
+            Role::past);
+}
+
+}  // namespace
+}  // namespace gradus
