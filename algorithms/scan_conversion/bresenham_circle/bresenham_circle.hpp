@@ -165,8 +165,9 @@ constexpr std::int64_t pixel_count(int radius) {
 
 // --- The taught method -------------------------------------------
 
-/// Draws a circle with an integer decision parameter. With d(x, y) = x² + y² - r² for how far outside a pixel
-/// lies, p is the sum of d at E and at SE. E is outside, SE is inside, so the sign of p says which is nearer.
+/// Draws a circle with an integer decision parameter. With d(x, y) = x² + y² - r², positive outside, p is
+/// d at E plus d at SE, which is 2 d + 1/2 at the middle between them: its sign says on whose side the circle
+/// passes, and one addition keeps it up to date.
 /// J. E. Bresenham, A linear algorithm for incremental digital display of circular arcs, Communications of
 /// the ACM 20(2), 1977, 100-106.
 ///
@@ -188,7 +189,7 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
   expects(fits_plane(center, radius), "the circle round ({}, {}) with radius {} leaves int32", center.x,
           center.y, radius);
   std::int64_t x = 0, y = radius;
-  // E as far outside as SE is inside?
+  // Is E nearer to the circle, or SE?
   std::int64_t p = 3 - 2 * y;
   if constexpr (observed<O>) observer(Started{center, radius, p});
   plot_mirrored(center, x, y, plot);
