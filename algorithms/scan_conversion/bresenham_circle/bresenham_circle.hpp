@@ -24,22 +24,22 @@ namespace gradus::bresenham_circle {
 /// One eighth of a circle: where its own x and y point. Its pixels are center + x * right + y * up with
 /// 0 <= x <= y, so that they start on an axis and end at a diagonal.
 struct Octant {
-  int number;  ///< 0: from (0, r) to the right; on clockwise
+  int number;  ///< 1: from (0, r) to the right; on clockwise to 8
   ivec2 right, up;
 
-  /// Neighbouring octants meet on an axis or on a diagonal; the even ones have the pixels there.
-  constexpr bool has_borders() const { return number % 2 == 0; }
+  /// Neighbouring octants meet on an axis or on a diagonal; the odd ones have the pixels there.
+  constexpr bool has_borders() const { return number % 2 == 1; }
 };
 
 /// All of them, clockwise from (0, r), y up: quarter turns of the first, and of its mirror image.
-inline constexpr std::array<Octant, 8> octants{{{0, {1, 0}, {0, 1}},
-                                                {1, {0, 1}, {1, 0}},
-                                                {2, {0, -1}, {1, 0}},
-                                                {3, {1, 0}, {0, -1}},
-                                                {4, {-1, 0}, {0, -1}},
-                                                {5, {0, -1}, {-1, 0}},
-                                                {6, {0, 1}, {-1, 0}},
-                                                {7, {-1, 0}, {0, 1}}}};
+inline constexpr std::array<Octant, 8> octants{{{1, {1, 0}, {0, 1}},
+                                                {2, {0, 1}, {1, 0}},
+                                                {3, {0, -1}, {1, 0}},
+                                                {4, {1, 0}, {0, -1}},
+                                                {5, {-1, 0}, {0, -1}},
+                                                {6, {0, -1}, {-1, 0}},
+                                                {7, {0, 1}, {-1, 0}},
+                                                {8, {-1, 0}, {0, 1}}}};
 
 /// The pixel at (x, y) of an octant. Domain: it lies in the int32 plane.
 constexpr ivec2 pixel_of(ivec2 center, const Octant& octant, std::int64_t x, std::int64_t y) {
@@ -151,7 +151,7 @@ constexpr std::int64_t last_column(int radius) {
 /// The columns whose pixels belong to this octant and to no other.
 constexpr Stretch columns_of(int radius, const Octant& octant) {
   const std::int64_t last = last_column(radius);
-  if (radius == 0) return octant.number == 0 ? Stretch{0, 0} : Stretch{};
+  if (radius == 0) return octant.number == 1 ? Stretch{0, 0} : Stretch{};
   if (octant.has_borders()) return {0, last};
   return {1, height_at(radius, last) == last ? last - 1 : last};
 }
