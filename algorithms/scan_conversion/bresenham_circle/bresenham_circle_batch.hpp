@@ -16,35 +16,32 @@ struct Circle {
   int radius;
 };
 
-/// A whole circle, eight pixels a step: two in each of the rows y and x above and below the centre. Pixels on
+/// A whole circle, eight pixels a step: two in each of the rows x and y above and below the centre. Pixels on
 /// an axis or a diagonal are written twice, which is cheaper than asking. Domain: all of it lies in the
 /// raster.
 template <class Cell>
 void draw_whole(Raster<Cell>& raster, ivec2 center, int radius, const Cell& value) {
   const std::ptrdiff_t width = raster.width();
   Cell* const middle = &raster[center];
-  Cell *above = middle + radius * width, *below = middle - radius * width;  // rows y
-  Cell *upper = middle, *lower = middle;                                    // rows x
   std::ptrdiff_t x = 0, y = radius, p = 3 - 2 * y;
+  std::ptrdiff_t row_x = 0, row_y = y * width;  // from the centre's row, in cells
   while (x <= y) {
-    above[x] = above[-x] = below[x] = below[-x] = value;
-    upper[y] = upper[-y] = lower[y] = lower[-y] = value;
+    middle[row_y + x] = middle[row_y - x] = middle[-row_y + x] = middle[-row_y - x] = value;
+    middle[row_x + y] = middle[row_x - y] = middle[-row_x + y] = middle[-row_x - y] = value;
     // Both moves without a branch: near the diagonal nobody can guess which it is
     const bool east = p < 0;
     p += east ? 4 * x + 6 : 4 * (x - y) + 10;
-    above -= east ? 0 : width;
-    below += east ? 0 : width;
     y -= east ? 0 : 1;
+    row_y -= east ? 0 : width;
     ++x;
-    upper += width;
-    lower -= width;
+    row_x += width;
   }
 }
 
-/// The columns `shown` of one octant. Domain: they lie in the raster.
+/// A part of an octant. Domain: it lies in the raster and is not empty.
 template <class Cell>
-void draw_arc(Raster<Cell>& raster, ivec2 center, int radius, const Octant& octant, Stretch shown,
-              const Cell& value) {
+void draw_arc(Raster<Cell>& raster, ivec2 center, int radius, const Arc& arc, const Cell& value) {
+  const auto& [octant, shown] = arc;
   std::int64_t x = shown.first, y = height_at(radius, x), p = decision_at(radius, x, y);
   const std::ptrdiff_t right = octant.right.x + octant.right.y * std::ptrdiff_t{raster.width()};
   const std::ptrdiff_t up = octant.up.x + octant.up.y * std::ptrdiff_t{raster.width()};
@@ -74,9 +71,8 @@ void draw(Raster<Cell>& raster, ivec2 center, int radius, const Cell& value) {
     draw_whole(raster, center, radius, value);
     return;
   }
-  for (const Octant& octant : octants) {
-    const Stretch shown = visible(center, radius, octant, raster.window());
-    if (shown.count() > 0) draw_arc(raster, center, radius, octant, shown, value);
+  for (const Arc& arc : visible(center, radius, raster.window())) {
+    if (arc.shown.count() > 0) draw_arc(raster, center, radius, arc, value);
   }
 }
 

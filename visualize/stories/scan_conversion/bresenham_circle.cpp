@@ -91,8 +91,7 @@ Window scene_of(const Circle& circle) {
 void draw_ideal(Trace& trace, const Circle& circle, const Recording& recording) {
   std::optional<dvec2> named;
   if (circle.window) {
-    for (const Octant& octant : octants) {
-      const Stretch shown = visible(circle.center, circle.radius, octant, *circle.window);
+    for (const auto& [octant, shown] : visible(circle.center, circle.radius, *circle.window)) {
       if (shown.count() == 0) continue;
       Path arc = ideal_arc(circle, octant, shown);
       if (!named) named = arc.points[arc.points.size() / 2];
@@ -609,9 +608,7 @@ void require_plane(const Circle& circle) {
 
 void require_few(const Circle& circle) {
   std::int64_t shown = 0;
-  for (const Octant& octant : octants) {
-    shown += visible(circle.center, circle.radius, octant, *circle.window).count();
-  }
+  for (const Arc& arc : visible(circle.center, circle.radius, *circle.window)) shown += arc.shown.count();
   if (shown > most_in_window) {
     throw ArgumentError("window",
                         fmt::format("at most {} pixels of the circle can be watched, this window shows {}",
