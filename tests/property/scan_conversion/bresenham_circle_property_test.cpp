@@ -171,7 +171,7 @@ TEST(BresenhamCircleProperty, EveryRadiusTo2000IsTheNearestSet) {
   // G001-14: the worst pixel of all, and the worst of the notes
   std::int64_t pixels = 0;
   double worst = 0, notes_worst = 0;
-  int worst_radius = 0, notes_radius = 0;
+  int worst_radius = 0, notes_radius = 0, past_diagonal = 0;
   for (int radius = 0; radius <= 2000; ++radius) {
     const Pixels circle = sorted(drawn({0, 0}, radius));
     ASSERT_EQ(std::ranges::adjacent_find(circle), circle.end()) << "twice, radius " << radius;
@@ -186,12 +186,21 @@ TEST(BresenhamCircleProperty, EveryRadiusTo2000IsTheNearestSet) {
     }
     pixels += static_cast<std::int64_t>(circle.size());
     if (radius == 0) continue;
+    decision_parameter({0, 0}, radius, nowhere, [&]<class Step>(const Step& step) {
+      if constexpr (std::same_as<Step, Stepped>) past_diagonal += step.at.x > step.at.y;
+    });
+    Pixels notes;
     late_update({0, 0}, radius, [&](ivec2 p) {
       ASSERT_LE(std::max(std::abs(p.x), std::abs(p.y)), radius);
       const double error = std::abs(std::sqrt(double{1} * p.x * p.x + double{1} * p.y * p.y) - radius);
       if (error > notes_worst) notes_worst = error, notes_radius = radius;
+      notes.emplace_back(p.x, p.y);
     });
+    notes = sorted(notes);
+    notes.erase(std::unique(notes.begin(), notes.end()), notes.end());
+    ASSERT_EQ(notes == circle, radius <= 3) << radius;
   }
+  EXPECT_EQ(past_diagonal, 1000);  // E001-06: half of the radii end there
   EXPECT_NEAR(worst, 0.49980625162424985, 1e-12);
   EXPECT_EQ(worst_radius, 1936);
   EXPECT_NEAR(notes_worst, 1.3512336712506112, 1e-12);

@@ -18,8 +18,9 @@ using fmt::arg;
 
 constexpr std::string_view folder = "algorithms/scan_conversion/bresenham_circle/";
 
-/// Up to this radius a run is watched from its start; the exact method jumps into longer ones.
-constexpr int longest_watched = 100'000;
+/// Up to this radius a run is watched from its start; the exact method jumps into longer ones, and is told
+/// for so many columns.
+constexpr int longest_watched = 20'000;
 /// So many pixels of a circle a window may show.
 constexpr std::int64_t most_in_window = 1'000'000;
 
@@ -88,7 +89,7 @@ Window scene_of(const Circle& circle) {
   return {circle.center - circle.radius, circle.center + circle.radius};
 }
 
-void draw_ideal(Trace& trace, const Circle& circle, const Recording& recording) {
+void draw_ideal(Trace& trace, const Circle& circle) {
   std::optional<dvec2> named;
   if (circle.window) {
     for (const auto& [octant, shown] : visible(circle.center, circle.radius, *circle.window)) {
@@ -101,7 +102,7 @@ void draw_ideal(Trace& trace, const Circle& circle, const Recording& recording) 
   } else if (circle.radius > longest_watched) {
     const std::int64_t first = std::max<std::int64_t>(0, circle.first - 100);
     trace.backdrop.push_back({"ideal circle", Role::boundary,
-                              ideal_arc(circle, octants[0], {first, circle.first + recording.most})});
+                              ideal_arc(circle, octants[0], {first, circle.first + longest_watched})});
   } else {
     trace.backdrop.push_back({"ideal circle", Role::boundary, ideal_circle(circle)});
     const double there = circle.radius * std::sqrt(0.5);
@@ -135,12 +136,12 @@ void draw_octant(Trace& trace, const Circle& circle) {
 }
 
 /// What stands unchanged behind all steps.
-void set_scene(Trace& trace, const Circle& circle, const Recording& recording, bool late) {
+void set_scene(Trace& trace, const Circle& circle, bool late) {
   const auto say = [&trace](std::string_view key) { return trace.wording.say(key); };
   trace.grid.cells = circle.window ? *circle.window : scene_of(circle);
   trace.grid.y_up = true;
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(trace, circle);
-  if (circle.radius > 0) draw_ideal(trace, circle, recording);
+  if (circle.radius > 0) draw_ideal(trace, circle);
   trace.legend = {
       {Role::past, say("bresenham_circle.legend.past")},
       {Role::current, say("bresenham_circle.legend.current")},
@@ -646,7 +647,8 @@ void tell_decision(TraceWriter& writer, const Circle& circle, const Recording& r
   }
   // The pixels of this window belong to the first octant alone: it turns where the diagonal begins
   const std::int64_t end = last_column(circle.radius);
-  const std::int64_t last = std::min(end, circle.first + recording.most / 2);
+  const std::int64_t last =
+      std::min({end, circle.first + recording.most / 2, circle.first + longest_watched});
   const Window part =
       window_around(pixel_of(circle.center, octants[0], circle.first, height_at(circle.radius, circle.first)),
                     pixel_of(circle.center, octants[0], last, height_at(circle.radius, last)));
@@ -696,7 +698,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   if (!circle.window) require_plane(circle);
   TraceWriter writer(recording);
   describe(writer.trace(), circle, method, arguments);
-  set_scene(writer.trace(), circle, recording, late);
+  set_scene(writer.trace(), circle, late);
   if (late) {
     list_source(writer.trace(), "bresenham_circle_notes.hpp", "late_update");
     LateTeller teller(writer, circle);
