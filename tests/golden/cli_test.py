@@ -112,7 +112,7 @@ def test_help_and_version():
 
 def test_examples_run():
     count = 0
-    for topic in ("bresenham_line", "flood_fill"):
+    for topic in ("bresenham_circle", "bresenham_line", "flood_fill"):
         write("photo.png", png(60, 50, lambda x, y: 200 if x > 20 else 10))
         for line in gradus("help", topic).out.splitlines():
             if line.startswith("  gradus run"):
@@ -134,7 +134,7 @@ def test_help_is_quick():
 
 def test_list():
     result = gradus("list")
-    check(re.search(r"^scan_conversion\n  bresenham_line  .*\n  flood_fill ", result.out, re.M), result.out)
+    check(re.search(r"^scan_conversion\n  bresenham_circle  .*\n  bresenham_line  .*\n  flood_fill ", result.out, re.M), result.out)
     equal(result.code, 0, "list")
     check("flood_fill" not in gradus("list", "LINE").out, "WORD chooses")
     check("flood_fill" in gradus("list", "bucket").out, "WORD searches aliases")
@@ -167,7 +167,7 @@ def test_run():
 def test_spellings_that_mean_the_same():
     expected = gradus("run", "bresenham_line", "--from", "-5,8", "--to", "3,4", "--method", "dda").out
     for words in (["run", "bresenham-line", "--from=-5,8", "--to=3,4", "--method=dda"],
-                  ["ru", "BRES", "--fr", "(-5, 8)", "--t", "(3,4)", "--meth", "dd"],
+                  ["ru", "BRESENHAM-L", "--fr", "(-5, 8)", "--t", "(3,4)", "--meth", "dd"],
                   ["run", "line drawing", "--from", "-5,8", "--to", " 3 , 4 ", "--method", "DDA"],
                   ["run", "--from", "-5,8", "bresenham_line", "--to", "3,4", "--method", "dda"],
                   ["-q", "run", "--quiet", "bresenham_line", "--to", "3,4", "--from", "-5,8", "--method", "dda"],
@@ -337,7 +337,7 @@ def test_wrong_input():
         (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
         (["run", "radiosity"], topics + "'radiosity'"),
         (["run", "\x1b[31m\n"], topics + r"'\x1b[31m\n'"),
-        (["help", "bresenhm"], topics + "'bresenhm', did you mean 'bresenham_line'?"),
+        (["help", "bresenhm_lin"], topics + "'bresenhm_lin', did you mean 'bresenham_line'?"),
         (["run", "flood_fill", "--color", "red"], "--color: expected a letter for a maze, found '#ff0000'"),
         (["run", "bresenham_line", "--window", "5,0,3,1"], "--window: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),
         (["run", "bresenham_line", "--window", "0,0,3,1", "--method", "dda"],

@@ -68,6 +68,15 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   line("0,0", "4,-2", "first_octant");
   tell("bresenham_line", {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}});
   tell("bresenham_line", {{"window", "20,20,30,30"}});
+  for (const char* radius : {"0", "1", "5", "29"}) {
+    tell("bresenham_circle", {{"radius", radius}});
+    tell("bresenham_circle", {{"radius", radius}, {"method", "late_update"}});
+  }
+  tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,2,11,11"}});
+  tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,-3,3,3"}});
+  tell("bresenham_circle",
+       {{"center", "-960383883,-1920767765"}, {"radius", "2147483647"}, {"window", "-8,-6,8,6"}});
+  traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
   tell("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}});
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
     tell("flood_fill", {{"method", method}, {"connectivity", "8"}});

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "cairo/cairo_output.hpp"
+#include "figure/markup.hpp"
 #include "figure/metrics.hpp"
 
 namespace gradus {
@@ -17,10 +18,6 @@ namespace {
 
 // The same keys in every format; SVG and HTML hold them as attributes and elements, PDF in one Keywords text.
 constexpr std::string_view command_key = "gradus-command", hash_key = "gradus-input-hash";
-
-bool fits_xml(char32_t c) {
-  return c >= 0x20 && !(0xd800 <= c && c <= 0xdfff) && c != 0xfffe && c != 0xffff && c <= 0x10ffff;
-}
 
 std::string unescaped(std::string_view text) {
   static const std::map<std::string_view, char> entities{
@@ -129,31 +126,6 @@ std::optional<Colophon> colophon_in_pdf(std::string_view bytes) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char32_t c : code_points(text)) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        const char32_t shown = fits_xml(c) ? c : U'\xfffd';
-        safe += shown < 0x80 ? std::string(1, static_cast<char>(shown)) : utf8_of({&shown, 1});
-    }
-  }
-  return safe;
-}
 
 std::string name_suffix(const Colophon& colophon) {
   std::uint32_t hash = 0x811c9dc5u;  // FNV-1a

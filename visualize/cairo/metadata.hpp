@@ -12,9 +12,6 @@
 
 namespace gradus {
 
-/// A text for XML: markup escaped; what XML can't hold (control characters, broken UTF-8) as U+FFFD.
-std::string escaped(std::string_view text);
-
 /// What ids in a file may end in, so that files that share a page don't name each other's title.
 std::string name_suffix(const Colophon& colophon);
 

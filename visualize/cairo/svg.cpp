@@ -12,6 +12,7 @@
 #include "cairo/fonts.hpp"
 #include "cairo/metadata.hpp"
 #include "cairo/shapes.hpp"
+#include "figure/markup.hpp"
 #include "figure/metrics.hpp"
 
 namespace gradus {

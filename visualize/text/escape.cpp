@@ -45,10 +45,6 @@ constexpr Replacement latex[] = {
     {U'\u00a0', "~"},
 };
 
-constexpr Replacement html[] = {
-    {U'&', "&amp;"}, {U'<', "&lt;"}, {U'>', "&gt;"}, {U'"', "&quot;"}, {U'\'', "&#39;"},
-};
-
 template <std::size_t n>
 std::string replaced(std::string_view text, const Replacement (&table)[n]) {
   std::string out;
@@ -67,8 +63,6 @@ std::string replaced(std::string_view text, const Replacement (&table)[n]) {
 }  // namespace
 
 std::string latex_escaped(std::string_view text) { return replaced(text, latex); }
-
-std::string html_escaped(std::string_view text) { return replaced(text, html); }
 
 std::string markdown_escaped(std::string_view text) {
   constexpr std::string_view special = "\\`*_{}[]()#+-.!|<>~&";

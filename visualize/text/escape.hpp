@@ -10,9 +10,6 @@ namespace gradus {
 /// …), become commands. Other letters stay as they are (UTF-8).
 std::string latex_escaped(std::string_view text);
 
-/// For an HTML element or a quoted attribute.
-std::string html_escaped(std::string_view text);
-
 /// For Markdown (CommonMark, also inside a table's cell): every character with a meaning gets a backslash.
 std::string markdown_escaped(std::string_view text);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "figure/markup.hpp"
 #include "text/escape.hpp"
 
 namespace gradus {
@@ -35,7 +36,7 @@ std::string fragment_of(std::size_t i, std::size_t count) {
 
 std::string reveal_element(const SnippetFigure& figure, const SnippetStep& step,
                            const std::string& fragment) {
-  const std::string path = html_escaped(step.path), alt = html_escaped(step.alt);
+  const std::string path = escaped(step.path), alt = escaped(step.alt);
   if (figure.ending == "html") {
     return fmt::format("<iframe{} data-src=\"{}#embed\" title=\"{}\" width=\"1280\" height=\"720\"></iframe>",
                        fragment, path, alt);
@@ -49,7 +50,7 @@ std::string reveal_element(const SnippetFigure& figure, const SnippetStep& step,
 
 std::string reveal(const SnippetFigure& figure) {
   std::string out = "<section>\n";
-  if (!figure.titled) out += fmt::format("  <h2>{}</h2>\n", html_escaped(figure.title));
+  if (!figure.titled) out += fmt::format("  <h2>{}</h2>\n", escaped(figure.title));
   out += "  <div class=\"r-stack\">\n";
   for (std::size_t i = 0; i < figure.steps.size(); ++i) {
     out +=

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "figure/colophon.hpp"
+#include "figure/markup.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
 

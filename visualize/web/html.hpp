@@ -14,9 +14,6 @@ using Parts = std::vector<std::pair<std::string_view, std::string_view>>;
 /// Puts parts into a template's {{places}}, once: a part that looks like a place stays as it is.
 std::string filled(std::string_view page, const Parts& parts);
 
-/// Text for HTML, in an element or in a quoted attribute.
-std::string escaped(std::string_view text);
-
 /// A relative path as a link that cannot be anything else: no scheme, no query, no way to the network.
 std::string link_to(std::string_view path);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "theme/theme.hpp"
+#include "figure/markup.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
 #include "web/json.hpp"

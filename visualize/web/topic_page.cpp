@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "figure/colophon.hpp"
+#include "figure/markup.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "figure/markup.hpp"
 #include "stories/topic.hpp"
 #include "text/escape.hpp"
 #include "text/snippet.hpp"
@@ -36,8 +37,8 @@ TEST(Escape, LatexKnowsTheSignsOfFigures) {
 }
 
 TEST(Escape, HtmlMarkupBecomesText) {
-  EXPECT_EQ(html_escaped("<b a=\"1\">&'"), "&lt;b a=&quot;1&quot;&gt;&amp;&#39;");
-  EXPECT_EQ(html_escaped(std::string("a\x01z")), "a\xef\xbf\xbdz");
+  EXPECT_EQ(escaped("<b a=\"1\">&'"), "&lt;b a=&quot;1&quot;&gt;&amp;&#39;");
+  EXPECT_EQ(escaped(std::string("a\x01z")), "a\xef\xbf\xbdz");
 }
 
 TEST(Escape, MarkdownPutsABackslashBeforeEverythingWithAMeaning) {

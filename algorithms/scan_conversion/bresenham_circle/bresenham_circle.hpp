@@ -1,0 +1,309 @@
+#pragma once
+// Circles on a pixel grid: which pixels lie nearest to a circle round a pixel centre with a whole radius.
+//
+// One octant is enough, from (0, r) to the diagonal: there the circle falls by at most one pixel a column, so
+// each step goes E or SE. Seven mirror images of it complete the circle.
+//
+// There are no ties: the middle between two pixels of a column is never on such a circle, for y - 1/2 is not
+// the square root of an integer.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "core/contract.hpp"
+#include "core/geometry.hpp"
+#include "core/observe.hpp"
+
+namespace gradus::bresenham_circle {
+
+// --- The circle and its eight octants ----------------------------
+
+/// One eighth of a circle: where its own x and y point. Its pixels are center + x * right + y * up with
+/// 0 <= x <= y, so that they start on an axis and end at a diagonal.
+struct Octant {
+  int number;  ///< 1: from (0, r) to the right; on clockwise to 8
+  ivec2 right, up;
+
+  /// Neighbouring octants meet on an axis or on a diagonal; the odd ones have the pixels there.
+  constexpr bool has_borders() const { return number % 2 == 1; }
+};
+
+/// All of them, clockwise from (0, r), y up: quarter turns of the first, and of its mirror image.
+inline constexpr std::array<Octant, 8> octants{{{1, {1, 0}, {0, 1}},
+                                                {2, {0, 1}, {1, 0}},
+                                                {3, {0, -1}, {1, 0}},
+                                                {4, {1, 0}, {0, -1}},
+                                                {5, {-1, 0}, {0, -1}},
+                                                {6, {0, -1}, {-1, 0}},
+                                                {7, {0, 1}, {-1, 0}},
+                                                {8, {-1, 0}, {0, 1}}}};
+
+/// The pixel at (x, y) of an octant. Domain: it lies in the int32 plane.
+constexpr ivec2 pixel_of(ivec2 center, const Octant& octant, std::int64_t x, std::int64_t y) {
+  return {static_cast<int>(center.x + x * octant.right.x + y * octant.up.x),
+          static_cast<int>(center.y + x * octant.right.y + y * octant.up.y)};
+}
+
+/// Whether the whole circle lies in the int32 plane.
+constexpr bool fits_plane(ivec2 center, int radius) {
+  const auto fits = [radius](int c) {
+    return std::int64_t{INT32_MIN} <= std::int64_t{c} - radius && std::int64_t{c} + radius <= INT32_MAX;
+  };
+  return fits(center.x) && fits(center.y);
+}
+
+/// Plots the mirror images of (x, y), each pixel once: on an axis and on a diagonal two of the eight are one,
+/// and a circle of radius 0 is its centre.
+template <class Plot>
+constexpr void plot_mirrored(ivec2 center, std::int64_t x, std::int64_t y, Plot& plot) {
+  for (const Octant& octant : octants) {
+    if (!octant.has_borders() && (x == 0 || x == y)) continue;
+    plot(pixel_of(center, octant, x, y));
+    if (y == 0) return;
+  }
+}
+
+// --- Steps -------------------------------------------------------
+
+// Places are told as (x, y) of the first octant, seen from the centre.
+
+/// The decision parameter has its first value; (0, radius) and its mirror images are about to be plotted.
+struct Started {
+  ivec2 center;
+  int radius;
+  std::int64_t p;  ///< 3 - 2 radius
+};
+
+/// The test was read: is at + (1, 0) nearer to the circle, or at + (1, -1)?
+struct Compared {
+  ivec2 at;        ///< where the octant stands
+  std::int64_t p;  ///< the value tested: < 0 E, > 0 SE; it is odd, so never 0
+  bool east;       ///< what the test decided
+};
+
+/// The octant stands on its next place and p is ready for the next test. The place is about to be plotted,
+/// with its mirror images, unless it lies past the diagonal.
+struct Stepped {
+  ivec2 at;                  ///< where it stands
+  std::int64_t p_before, p;  ///< the value that was tested, the value that will be
+  bool east;
+
+  constexpr ivec2 from() const { return {at.x - 1, east ? at.y : at.y + 1}; }  ///< where it stood
+};
+
+/// Every pixel is plotted.
+struct Finished {
+  std::int64_t pixels;  ///< how many
+};
+
+/// (x, y) as steps tell it.
+constexpr ivec2 place(std::int64_t x, std::int64_t y) { return {static_cast<int>(x), static_cast<int>(y)}; }
+
+// --- Any part of a circle, without the ones before it ------------
+
+/// The square root, rounded down. Domain: 0 <= n. Cost: about six divisions.
+constexpr std::int64_t square_root(std::int64_t n) {
+  if (n == 0) return 0;
+  // Newton's iteration, from above
+  std::int64_t root = std::int64_t{1} << (std::bit_width(static_cast<std::uint64_t>(n)) + 1) / 2;
+  for (std::int64_t next = (root + n / root) / 2; next < root; next = (root + n / root) / 2) root = next;
+  return root;
+}
+
+/// The circle's height in a column, rounded to the nearest pixel: y of the place that decision_parameter
+/// reaches after x steps. Domain: 0 <= x <= radius.
+constexpr std::int64_t height_at(int radius, std::int64_t x) {
+  const std::int64_t squared = std::int64_t{radius} * radius - x * x, root = square_root(squared);
+  return root + (squared > root * root + root);
+}
+
+/// The first column whose pixel is at this height or lower: the inverse of height_at. 0 when all are,
+/// radius + 1 when none is.
+constexpr std::int64_t first_at_most(int radius, std::int64_t height) {
+  if (height >= radius) return 0;
+  if (height < 0) return std::int64_t{radius} + 1;
+  const std::int64_t squared = std::int64_t{radius} * radius - height * (height + 1);
+  const std::int64_t root = square_root(squared);
+  return root + (root * root < squared);
+}
+
+/// The value of p that the test at (x, y) reads. Domain: (x, y) is less than a pixel off the circle.
+constexpr std::int64_t decision_at(int radius, std::int64_t x, std::int64_t y) {
+  const std::int64_t outside = x * x + y * y - std::int64_t{radius} * radius;
+  return 2 * (outside + 2 * x - y) + 3;
+}
+
+/// Columns first .. last of an octant. Empty when last < first.
+struct Stretch {
+  std::int64_t first = 0, last = -1;
+  constexpr std::int64_t count() const { return std::max<std::int64_t>(0, last - first + 1); }
+};
+
+/// The last column of an octant: the greatest x that is not greater than the height there.
+constexpr std::int64_t last_column(int radius) {
+  const std::int64_t squared = std::int64_t{radius} * radius, x = square_root(squared / 2);
+  return x < radius && height_at(radius, x + 1) > x ? x + 1 : x;
+}
+
+/// The columns whose pixels belong to this octant and to no other.
+constexpr Stretch columns_of(int radius, const Octant& octant) {
+  const std::int64_t last = last_column(radius);
+  if (radius == 0) return octant.number == 1 ? Stretch{0, 0} : Stretch{};
+  if (octant.has_borders()) return {0, last};
+  return {1, height_at(radius, last) == last ? last - 1 : last};
+}
+
+/// How many pixels a circle has. Domain: radius >= 0. Cost: O(1).
+constexpr std::int64_t pixel_count(int radius) {
+  std::int64_t count = 0;
+  for (const Octant& octant : octants) count += columns_of(radius, octant).count();
+  return count;
+}
+
+// --- The taught method -------------------------------------------
+
+/// Draws a circle with an integer decision parameter. With d(x, y) = x² + y² - r², positive outside, p is
+/// d at E plus d at SE, which is 2 d + 1/2 at the middle between them: its sign says on whose side the circle
+/// passes, and one addition keeps it up to date.
+/// J. E. Bresenham, A linear algorithm for incremental digital display of circular arcs, Communications of
+/// the ACM 20(2), 1977, 100-106.
+///
+/// center: any pixel. radius: in pixels, 0 to 2^31 - 1. plot(ivec2) is called once a pixel; the mirror images
+///   of one place of the octant come together, clockwise.
+///
+/// Domain: center ± radius lies in int32 (in_window takes all others); radius 0 gives one pixel. |p| <= 4
+///   radius + 3, so it needs 64 bits (in 32 the update overflows from radius 536894085 on).
+/// Steps: Started (Compared Stepped)* Finished; the last Stepped may end past the diagonal, on the mirror
+///   image of the place before, which is not plotted again.
+/// Accuracy: in every column of the octant the pixel nearest to the circle, less than 1/2 pixel off along the
+///   radius and along y. Each pixel once.
+/// Cost: radius / sqrt(2) steps of two additions, a shift and two tests; no multiplication or division, no
+///   memory; about 4 sqrt(2) radius pixels.
+/// Errors: ContractViolation outside the domain.
+template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
+constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& observer = {}) {
+  expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
+  expects(fits_plane(center, radius), "the circle round ({}, {}) with radius {} leaves int32", center.x,
+          center.y, radius);
+  std::int64_t x = 0, y = radius;
+  // Is E nearer to the circle, or SE?
+  std::int64_t p = 3 - 2 * y;
+  if constexpr (observed<O>) observer(Started{center, radius, p});
+  plot_mirrored(center, x, y, plot);
+  while (x < y) {
+    if (p < 0) {
+      if constexpr (observed<O>) observer(Compared{place(x, y), p, true});
+      p += 4 * x + 6;
+      ++x;  // E
+      if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * x - 2, p, true});
+    } else {
+      if constexpr (observed<O>) observer(Compared{place(x, y), p, false});
+      p += 4 * (x - y) + 10;
+      ++x;
+      --y;  // SE
+      if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * (x - y) - 2, p, false});
+    }
+    // Past the diagonal: drawn already
+    if (x > y) break;
+    plot_mirrored(center, x, y, plot);
+  }
+  if constexpr (observed<O>) observer(Finished{pixel_count(radius)});
+}
+
+// --- The part in a window ---------------------------------------
+
+/// How far a window reaches from the centre in one of the four directions of an axis, in pixels.
+constexpr Stretch reach(const Window& window, ivec2 center, ivec2 direction) {
+  const int axis = direction.x == 0 ? 1 : 0;
+  const std::int64_t lower = std::int64_t{window.lower[axis]} - center[axis];
+  const std::int64_t upper = std::int64_t{window.upper[axis]} - center[axis];
+  return direction[axis] > 0 ? Stretch{lower, upper} : Stretch{-upper, -lower};
+}
+
+/// The columns of one octant that lie in a window: always one unbroken stretch, for an octant goes one way in
+/// x and in y. Cost: two square roots, and those of columns_of.
+constexpr Stretch visible_columns(ivec2 center, int radius, const Octant& octant, const Window& window) {
+  const Stretch own = columns_of(radius, octant);
+  const Stretch x = reach(window, center, octant.right), y = reach(window, center, octant.up);
+  return {std::max({own.first, x.first, first_at_most(radius, y.last)}),
+          std::min({own.last, x.last, first_at_most(radius, y.first - 1) - 1})};
+}
+
+/// A part of an octant.
+struct Arc {
+  Octant octant;
+  Stretch shown;  ///< its columns
+};
+
+/// What a window shows of a circle, octant by octant.
+///
+/// Domain: radius >= 0; an empty window, or an octant that misses it, gives an empty stretch.
+/// Accuracy: exact, for all int32 centres and windows and every radius.
+/// Cost: O(1), about 40 square roots.
+constexpr std::array<Arc, 8> visible(ivec2 center, int radius, const Window& window) {
+  std::array<Arc, 8> arcs{};
+  for (std::size_t i = 0; i < octants.size(); ++i) {
+    arcs[i] = {octants[i], window.empty() ? Stretch{} : visible_columns(center, radius, octants[i], window)};
+  }
+  return arcs;
+}
+
+/// An octant is known to enter the window in column shown.first and to leave it after shown.last.
+struct Jumped {
+  Octant octant;
+  Stretch shown;
+  ivec2 at;        ///< the first place in the window, about to be plotted
+  std::int64_t p;  ///< the value for the next test
+};
+
+/// Draws the part of a circle that lies in a window: the very pixels that decision_parameter plots there, or
+/// would plot on a larger plane, found by jumping to the first one of each octant.
+///
+/// center, radius: any int32 centre, 0 to 2^31 - 1. window: any, both corners included; nothing outside it is
+///   ever plotted. Pixels come octant by octant, clockwise from (0, radius), each from its axis to its
+///   diagonal.
+///
+/// Domain: radius >= 0; a circle that misses the window plots nothing, be it all outside or all inside.
+/// Steps: Started (Jumped (Compared Stepped)*)* Finished; Jumped once for every octant that shows any pixel.
+/// Accuracy: exact. Each pixel once.
+/// Cost: O(window width + height), however large the circle; at most 50 square roots.
+/// Errors: ContractViolation outside the domain.
+template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O = Unobserved>
+constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& plot, O&& observer = {}) {
+  expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
+  std::int64_t pixels = 0;
+  if constexpr (observed<O>) observer(Started{center, radius, 3 - 2 * std::int64_t{radius}});
+  auto arcs = visible(center, radius, window);
+  for (const auto& [octant, shown] : arcs) {
+    if (shown.count() == 0) continue;
+    // Jump to its first pixel in the window
+    auto x = shown.first;
+    auto y = height_at(radius, x);
+    auto p = decision_at(radius, x, y);
+    if constexpr (observed<O>) observer(Jumped{octant, shown, place(x, y), p});
+    plot(pixel_of(center, octant, x, y));
+    while (x < shown.last) {
+      if (p < 0) {
+        if constexpr (observed<O>) observer(Compared{place(x, y), p, true});
+        p += 4 * x + 6;
+        ++x;  // E
+        if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * x - 2, p, true});
+      } else {
+        if constexpr (observed<O>) observer(Compared{place(x, y), p, false});
+        p += 4 * (x - y) + 10;
+        ++x;
+        --y;  // SE
+        if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * (x - y) - 2, p, false});
+      }
+      plot(pixel_of(center, octant, x, y));
+    }
+    pixels += shown.count();
+  }
+  if constexpr (observed<O>) observer(Finished{pixels});
+}
+
+}  // namespace gradus::bresenham_circle

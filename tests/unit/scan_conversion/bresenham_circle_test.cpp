@@ -1,0 +1,337 @@
+#include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <climits>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/record.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+
+namespace gradus::bresenham_circle {
+namespace {
+
+using Pixels = std::vector<std::pair<int, int>>;
+using PixelSet = std::set<std::pair<int, int>>;
+using CircleRecorder = Recorder<Started, Compared, Stepped, Finished>;
+
+/// Collects what is plotted.
+struct Plotter {
+  Pixels& pixels;
+  void operator()(ivec2 p) const { pixels.emplace_back(p.x, p.y); }
+};
+
+constexpr auto nowhere = [](ivec2) {};
+
+Pixels drawn(ivec2 center, int radius) {
+  Pixels pixels;
+  decision_parameter(center, radius, Plotter{pixels});
+  return pixels;
+}
+
+Pixels drawn_in(ivec2 center, int radius, const Window& window) {
+  Pixels pixels;
+  in_window(center, radius, window, Plotter{pixels});
+  return pixels;
+}
+
+Pixels drawn_late(int radius) {
+  Pixels pixels;
+  late_update({0, 0}, radius, Plotter{pixels});
+  return pixels;
+}
+
+PixelSet as_set(const Pixels& pixels) { return {pixels.begin(), pixels.end()}; }
+
+/// Where the octant stands, step by step.
+Pixels places(const CircleRecorder& seen) {
+  Pixels found{{0, all<Started>(seen).at(0).radius}};
+  for (const Stepped& step : all<Stepped>(seen)) found.emplace_back(step.at.x, step.at.y);
+  return found;
+}
+
+Pixels octant(int radius) {
+  CircleRecorder seen;
+  decision_parameter({0, 0}, radius, nowhere, seen);
+  return places(seen);
+}
+
+Pixels late_octant(int radius) {
+  CircleRecorder seen;
+  late_update({0, 0}, radius, nowhere, seen);
+  return places(seen);
+}
+
+double radial_error(const Pixels& pixels, int radius) {
+  double worst = 0;
+  for (const auto& [x, y] : pixels) {
+    worst = std::max(worst, std::abs(std::sqrt(double{1} * x * x + double{1} * y * y) - radius));
+  }
+  return worst;
+}
+
+TEST(BresenhamCircle, GoldenOctants) {
+  // G001-10 to G001-13; the last place lies past the diagonal where x > y
+  EXPECT_EQ(octant(5), (Pixels{{0, 5}, {1, 5}, {2, 5}, {3, 4}, {4, 3}}));
+  EXPECT_EQ(octant(8), (Pixels{{0, 8}, {1, 8}, {2, 8}, {3, 7}, {4, 7}, {5, 6}, {6, 5}}));
+  EXPECT_EQ(octant(10), (Pixels{{0, 10}, {1, 10}, {2, 10}, {3, 10}, {4, 9}, {5, 9}, {6, 8}, {7, 7}}));
+  EXPECT_EQ(octant(16), (Pixels{{0, 16},
+                                {1, 16},
+                                {2, 16},
+                                {3, 16},
+                                {4, 15},
+                                {5, 15},
+                                {6, 15},
+                                {7, 14},
+                                {8, 14},
+                                {9, 13},
+                                {10, 12},
+                                {11, 12},
+                                {12, 11}}));
+  EXPECT_NEAR(radial_error(drawn({0, 0}, 5), 5), 0.38516480713450374, 1e-12);
+  EXPECT_NEAR(radial_error(drawn({0, 0}, 8), 8), 0.38422689413609135, 1e-12);
+  EXPECT_NEAR(radial_error(drawn({0, 0}, 10), 10), 0.4403065089105507, 1e-12);
+  EXPECT_NEAR(radial_error(drawn({0, 0}, 16), 16), 0.4758253037399758, 1e-12);
+}
+
+TEST(BresenhamCircle, SmallestCircles) {
+  EXPECT_EQ(drawn({7, -2}, 0), (Pixels{{7, -2}}));
+  EXPECT_EQ(drawn({0, 0}, 1), (Pixels{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}));
+  EXPECT_EQ(drawn({0, 0}, 2).size(), 12u);
+  EXPECT_EQ(drawn({3, 4}, 2).front(), (std::pair{3, 6}));
+}
+
+TEST(BresenhamCircle, EachPixelOnce) {
+  // G001-15: eight calls a place against the pixels there are
+  const int radii[] = {0, 1, 5, 10};
+  const std::size_t calls[] = {8, 16, 40, 64}, distinct[] = {1, 4, 28, 56};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(8 * octant(radii[i]).size(), calls[i]);
+    const Pixels pixels = drawn({0, 0}, radii[i]);
+    EXPECT_EQ(pixels.size(), distinct[i]);
+    EXPECT_EQ(as_set(pixels).size(), distinct[i]);
+    EXPECT_EQ(pixel_count(radii[i]), static_cast<std::int64_t>(distinct[i]));
+  }
+}
+
+TEST(BresenhamCircle, StepsFollowTheGrammarAndTheRecurrence) {
+  CircleRecorder seen;
+  Pixels pixels;
+  decision_parameter({2, 1}, 8, Plotter{pixels}, seen);
+  const auto compared = all<Compared>(seen);
+  const auto stepped = all<Stepped>(seen);
+  ASSERT_EQ(compared.size(), 6u);
+  ASSERT_EQ(stepped.size(), 6u);
+  ASSERT_EQ(seen.events().size(), 14u);
+  EXPECT_EQ(std::get<Started>(seen.events().front().step).p, -13);
+  EXPECT_EQ(std::get<Finished>(seen.events().back().step).pixels, 44);
+  EXPECT_EQ(pixels.size(), 44u);
+  // By hand on the topic's page: p = -13, E, -7, E, 3, SE, -11, E, 7, SE, 5, SE
+  const std::int64_t values[] = {-13, -7, 3, -11, 7, 5};
+  const bool east[] = {true, true, false, true, false, false};
+  ivec2 at{0, 8};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(compared[i].p, values[i]);
+    EXPECT_EQ(compared[i].at, at);
+    EXPECT_EQ(compared[i].east, east[i]);
+    EXPECT_EQ(stepped[i].p_before, values[i]);
+    EXPECT_EQ(stepped[i].from(), at);
+    EXPECT_EQ(stepped[i].east, east[i]);
+    EXPECT_EQ(stepped[i].p - stepped[i].p_before, east[i] ? 4 * at.x + 6 : 4 * (at.x - at.y) + 10);
+    at = stepped[i].at;
+  }
+}
+
+TEST(BresenhamCircle, ObservedEqualsUnobserved) {
+  int steps = 0;
+  auto count = [&](const auto&) { ++steps; };
+  Pixels a, b, c;
+  decision_parameter({-7, 3}, 29, Plotter{a}, count);
+  EXPECT_EQ(a, drawn({-7, 3}, 29));
+  EXPECT_EQ(steps, 2 + 2 * 21);
+  const Window window{{0, -5}, {40, 30}};
+  in_window({-7, 3}, 29, window, Plotter{b}, count);
+  EXPECT_EQ(b, drawn_in({-7, 3}, 29, window));
+  late_update({0, 0}, 29, Plotter{c}, count);
+  EXPECT_EQ(c, drawn_late(29));
+}
+
+TEST(BresenhamCircle, MistakesAreNamed) {
+  EXPECT_THROW(decision_parameter({0, 0}, -1, nowhere), ContractViolation);
+  EXPECT_THROW(in_window({0, 0}, -1, {{0, 0}, {9, 9}}, nowhere), ContractViolation);
+  EXPECT_THROW(late_update({0, 0}, -1, nowhere), ContractViolation);
+  Raster<char> raster(9, 9);
+  EXPECT_THROW(draw(raster, {4, 4}, -1, 'x'), ContractViolation);
+  // Nothing is bent back into the plane
+  EXPECT_THROW(decision_parameter({INT_MAX - 4, 0}, 5, nowhere), ContractViolation);
+  EXPECT_THROW(decision_parameter({0, INT_MIN + 4}, 5, nowhere), ContractViolation);
+  EXPECT_THROW(late_update({0, INT_MIN + 4}, 5, nowhere), ContractViolation);
+  EXPECT_NO_THROW(decision_parameter({INT_MAX - 5, INT_MIN + 5}, 5, nowhere));
+  try {
+    decision_parameter({INT_MAX, 0}, 5, nowhere);
+    FAIL();
+  } catch (const ContractViolation& mistake) {
+    EXPECT_STREQ(mistake.what(), "the circle round (2147483647, 0) with radius 5 leaves int32");
+  }
+}
+
+TEST(BresenhamCircle, WindowShowsTheVeryPixels) {
+  const Window plane{{INT_MIN, INT_MIN}, {INT_MAX, INT_MAX}};
+  for (const int radius : {0, 1, 2, 5, 8, 29}) {
+    const Pixels all_of_it = drawn_in({3, -4}, radius, plane);
+    EXPECT_EQ(as_set(all_of_it), as_set(drawn({3, -4}, radius)));
+    EXPECT_EQ(all_of_it.size(), as_set(all_of_it).size());
+  }
+  // All inside, all outside, an empty window
+  EXPECT_TRUE(drawn_in({0, 0}, 50, {{-30, -30}, {30, 30}}).empty());
+  EXPECT_TRUE(drawn_in({0, 0}, 50, {{51, 0}, {90, 90}}).empty());
+  EXPECT_TRUE(drawn_in({0, 0}, 5, {}).empty());
+  EXPECT_EQ(drawn_in({0, 0}, 50, {{50, 0}, {90, 0}}), (Pixels{{50, 0}}));
+}
+
+TEST(BresenhamCircle, WindowOnTheLargestCircles) {
+  // The whole circle, round the middle of the plane: its four ends, and nothing between
+  const int most = INT_MAX;
+  EXPECT_EQ(drawn_in({0, 0}, most, {{-1, most}, {1, most}}), (Pixels{{0, most}, {1, most}, {-1, most}}));
+  EXPECT_EQ(drawn_in({0, 0}, most, {{-most, 0}, {-most, 0}}), (Pixels{{-most, 0}}));
+  // Where the octants meet: 1518500249 = floor(r / sqrt(2))
+  const Pixels diagonal = drawn_in({0, 0}, most, {{1518500248, 1518500248}, {1518500251, 1518500251}});
+  EXPECT_EQ(as_set(diagonal), (PixelSet{{1518500249, 1518500250},
+                                        {1518500250, 1518500249},
+                                        {1518500248, 1518500251},
+                                        {1518500251, 1518500248}}));
+  // centre + radius far outside int32: the left end is at -1, the rest does not exist
+  EXPECT_EQ(drawn_in({INT_MAX - 1, 7}, most, {{-3, 5}, {3, 9}}),
+            (Pixels{{-1, 6}, {-1, 5}, {-1, 7}, {-1, 8}, {-1, 9}}));
+  EXPECT_EQ(drawn_in({INT_MIN, INT_MIN}, most, {{INT_MIN, -9}, {INT_MIN, 9}}), (Pixels{{INT_MIN, -1}}));
+  // A circle that comes back into the plane from beyond it would be a wrapped one
+  EXPECT_TRUE(drawn_in({INT_MAX, INT_MAX}, most, {{INT_MIN, INT_MIN}, {-1, -1}}).empty());
+}
+
+TEST(BresenhamCircle, WindowStepsNameTheJumps) {
+  Recorder<Started, Jumped, Compared, Stepped, Finished> seen;
+  Pixels pixels;
+  in_window({0, 0}, 1000, {{590, 0}, {610, 900}}, Plotter{pixels}, seen);
+  ASSERT_EQ(all<Jumped>(seen).size(), 1u);
+  const Jumped jump = all<Jumped>(seen)[0];
+  EXPECT_EQ(jump.octant.number, 1);
+  EXPECT_EQ(jump.shown.first, 590);
+  EXPECT_EQ(jump.shown.last, 610);
+  EXPECT_EQ(jump.at, (ivec2{590, 807}));
+  EXPECT_EQ(all<Finished>(seen).at(0).pixels, 21);
+  EXPECT_EQ(pixels.size(), 21u);
+  EXPECT_EQ(all<Stepped>(seen).size(), 20u);
+  // From the jump on the values of p are those of the whole circle
+  CircleRecorder whole;
+  decision_parameter({0, 0}, 1000, nowhere, whole);
+  EXPECT_EQ(all<Compared>(whole).at(590).p, jump.p);
+  EXPECT_EQ(all<Compared>(whole).at(590).at, jump.at);
+}
+
+TEST(BresenhamCircle, WhereInt32WouldOverflow) {
+  // The first SE step of a radius: y falls when x reaches first_at_most - 1; its increment is the lowest of
+  // all
+  const auto first_increment = [](int radius) {
+    return 4 * (first_at_most(radius, radius - 1) - 1 - std::int64_t{radius}) + 10;
+  };
+  EXPECT_GE(first_increment(536894084), INT_MIN);
+  EXPECT_LT(first_increment(536894085), INT_MIN);
+  EXPECT_GE(3 - 2 * std::int64_t{1073741825}, INT_MIN);
+  EXPECT_LT(3 - 2 * std::int64_t{1073741826}, INT_MIN);
+  // Ours at that radius: by jumping, and the first step by hand
+  Recorder<Started, Jumped, Compared, Stepped, Finished> seen;
+  in_window({0, 0}, INT_MAX, {{0, INT_MAX}, {1, INT_MAX}}, nowhere, seen);
+  EXPECT_EQ(all<Started>(seen).at(0).p, -4294967291);
+  EXPECT_EQ(all<Stepped>(seen).at(0).p, -4294967285);
+}
+
+TEST(BresenhamCircle, DrawStaysInTheRaster) {
+  for (const auto& [center, radius] : {std::pair{ivec2{10, 5}, 4},
+                                       {ivec2{10, 5}, 5},
+                                       {ivec2{0, 0}, 7},
+                                       {ivec2{19, 9}, 0},
+                                       {ivec2{-3, 4}, 6},
+                                       {ivec2{10, 5}, 90}}) {
+    Raster<char> raster(20, 10, '.'), expected(20, 10, '.');
+    draw(raster, center, radius, '#');
+    decision_parameter(center, radius, [&expected](ivec2 p) {
+      if (expected.contains(p)) expected[p] = '#';
+    });
+    EXPECT_EQ(raster, expected) << radius;
+  }
+  Raster<char> raster(20, 10, '.');
+  const std::vector<Circle> circles{{{4, 4}, 4}, {{INT_MIN + 19, 3}, INT_MAX}};
+  draw(raster, circles, 'x');
+  EXPECT_EQ((raster[{4, 8}]), 'x');
+  EXPECT_EQ((raster[{18, 3}]), 'x');
+  EXPECT_EQ((raster[{19, 3}]), '.');
+  Raster<char> none;
+  draw(none, {0, 0}, 3, '#');
+  EXPECT_EQ(none.cells().size(), 0u);
+}
+
+TEST(BresenhamCircleNotes, LateUpdateLeavesTheCircle) {
+  // E001-05 with G001-10 to G001-13: the notes' octants are not ours
+  EXPECT_EQ(late_octant(5), (Pixels{{0, 5}, {1, 5}, {2, 4}, {3, 3}}));
+  EXPECT_EQ(late_octant(8), (Pixels{{0, 8}, {1, 8}, {2, 8}, {3, 7}, {4, 6}, {5, 5}}));
+  EXPECT_EQ(late_octant(10), (Pixels{{0, 10}, {1, 10}, {2, 10}, {3, 9}, {4, 9}, {5, 8}, {6, 7}, {7, 6}}));
+  EXPECT_EQ(late_octant(16), (Pixels{{0, 16},
+                                     {1, 16},
+                                     {2, 16},
+                                     {3, 16},
+                                     {4, 15},
+                                     {5, 15},
+                                     {6, 14},
+                                     {7, 14},
+                                     {8, 13},
+                                     {9, 12},
+                                     {10, 11},
+                                     {11, 10}}));
+  EXPECT_NEAR(radial_error(drawn_late(5), 5), 0.7573593128807152, 1e-12);
+  EXPECT_NEAR(radial_error(drawn_late(8), 8), 0.9289321881345245, 1e-12);
+  EXPECT_NEAR(radial_error(drawn_late(10), 10), 0.7804555427071129, 1e-12);
+  EXPECT_NEAR(radial_error(drawn_late(16), 16), 1.133931252681494, 1e-12);
+  // The radii that come out right, and the first that does not
+  for (const int radius : {0, 1, 2, 3}) EXPECT_EQ(as_set(drawn_late(radius)), as_set(drawn({0, 0}, radius)));
+  EXPECT_NE(as_set(drawn_late(4)), as_set(drawn({0, 0}, 4)));
+}
+
+TEST(BresenhamCircleNotes, LateUpdateByTheNumbersOfItsSteps) {
+  // With the new values 4 x + 2 and 4 (x - y) + 2 would be right: it adds 4 and 8 too much
+  CircleRecorder seen;
+  late_update({0, 0}, 50, nowhere, seen);
+  EXPECT_TRUE(every<Stepped>(seen, [](const Stepped& s) {
+    const std::int64_t right = s.east ? 4 * s.at.x + 2 : 4 * (s.at.x - s.at.y) + 2;
+    return s.p - s.p_before == right + (s.east ? 4 : 8);
+  }));
+}
+
+TEST(BresenhamCircleNotes, EightPlotsAPlaceRepeatPixels) {
+  // E001-06
+  EXPECT_EQ(drawn_late(0).size(), 8u);
+  EXPECT_EQ(as_set(drawn_late(0)).size(), 1u);
+  EXPECT_EQ(drawn_late(1).size(), 16u);
+  EXPECT_EQ(as_set(drawn_late(1)).size(), 4u);
+  CircleRecorder seen;
+  late_update({0, 0}, 9, nowhere, seen);
+  EXPECT_EQ(all<Finished>(seen).at(0).pixels, static_cast<std::int64_t>(drawn_late(9).size()));
+}
+
+// The whole circle is known at compile time where a caller wants that.
+constexpr int pixels_at_compile_time() {
+  int count = 0;
+  decision_parameter({0, 0}, 5, [&](ivec2) { ++count; });
+  in_window({0, 0}, 5, {{-9, -9}, {9, 9}}, [&](ivec2) { ++count; });
+  return count;
+}
+static_assert(pixels_at_compile_time() == 2 * 28);
+static_assert(pixel_count(INT_MAX) == 12148001996);
+
+}  // namespace
+}  // namespace gradus::bresenham_circle

@@ -1,0 +1,43 @@
+#include "figure/markup.hpp"
+
+#include "figure/metrics.hpp"
+
+namespace gradus {
+namespace {
+
+bool fits_xml(char32_t c) {
+  if (c == '\t' || c == '\n' || c == '\r') return true;
+  return c >= 0x20 && !(0xd800 <= c && c <= 0xdfff) && c != 0xfffe && c != 0xffff && c <= 0x10ffff;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char32_t c : code_points(text)) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        const char32_t shown = fits_xml(c) ? c : U'\xfffd';
+        safe += shown < 0x80 ? std::string(1, static_cast<char>(shown)) : utf8_of({&shown, 1});
+    }
+  }
+  return safe;
+}
+
+}  // namespace gradus
