@@ -23,7 +23,7 @@ class GradusPlayer {
     for (const node of root.querySelectorAll('[data-part]')) this.parts[node.dataset.part] = node;
     this.stage = root.querySelector('.stage');
     this.drawing = new Drawing(this.parts.drawing, this.prefix);
-    this.parts.sentence.id = `${this.prefix}-sentence`;
+    this.parts.said.id = `${this.prefix}-sentence`;
     this.scrub = new ScrubBar(this.parts);
     this.speed = PLAIN_SPEED;
     this.bind();
@@ -66,6 +66,8 @@ class GradusPlayer {
   /** The steps that playing goes through: the loop, or all. */
   get stretch() { return this.loop.on ? this.loop : {first: 0, last: this.run.steps.length - 1}; }
   get playing() { return Boolean(this.timer); }
+  /** Whether steps go past faster than they can be read out. */
+  get flying() { return this.playing && SPEEDS[this.speed] * Math.abs(this.pace) > 1; }
 
   /** Plays on. A negative pace plays backwards; beyond 1 or -1 it is so many times as fast. */
   play(pace = 1) {
@@ -94,12 +96,12 @@ class GradusPlayer {
     return pace > 0 ? run.nextMilestone(index) : run.previousMilestone(index);
   }
   pause() {
-    const played = this.playing;
+    const unsaid = this.flying;
     clearTimeout(this.timer);
     this.timer = 0;
     this.pace = 0;
     this.showPlaying();
-    if (played) this.announce();
+    if (unsaid) this.announce();
   }
   toggle() {
     if (this.playing)
@@ -250,7 +252,7 @@ class GradusPlayer {
   /** All that stays through the steps of a trace. */
   showTrace() {
     const {parts, run} = this, {trace} = run;
-    parts.title.textContent = trace.title;
+    parts.title.textContent = trace.title || document.title;
     parts.subtitle.textContent = parts.subtitle.title = trace.subtitle;
     parts.method.textContent = run.shows('title') ? trace.method_title || trace.method : '';
     parts.faulty.textContent = trace.faulty ? `\u26a0\ufe0e ${say('faulty', {what: trace.faulty})}` : '';
@@ -293,8 +295,9 @@ class GradusPlayer {
     parts.drawing.hidden = !run.shows('drawing');
     parts.said.hidden = !run.shows('sentence');
     parts.footer.hidden = !run.shows('footer');
-    for (const part of ['title', 'subtitle', 'method']) parts[part].hidden = !run.shows('title');
-    parts.header.hidden = [...parts.header.children].every((child) => child.hidden);
+    // A page without a heading is hard to find one's way in by ear
+    parts.title.classList.toggle('unseen', !run.shows('title'));
+    parts.subtitle.hidden = parts.method.hidden = !run.shows('title');
     for (const part of ['drawing', 'side', 'listing', 'table'])
       root.classList.toggle(`no-${part}`, parts[part].hidden);
   }
@@ -337,8 +340,8 @@ class GradusPlayer {
   }
   /** For readers by ear: once a step, and not while steps fly past. */
   announce() {
-    const step = this.run.steps[this.index], rate = SPEEDS[this.speed] * Math.abs(this.pace);
-    if (this.playing && rate > 1) return;
+    const step = this.run.steps[this.index];
+    if (this.flying) return;
     this.parts.live.textContent = `${this.positionOf(step)}: ${this.said(step)}`;
   }
   redraw() {
@@ -355,7 +358,7 @@ class GradusPlayer {
     const {svg} = this.drawing, {parts} = this;
     this.drawing.draw(this.index, this.theme, this.unit / TEXT);
     svg.setAttribute('aria-label', say('drawing', {title: this.name}));
-    if (!parts.said.hidden) svg.setAttribute('aria-describedby', parts.sentence.id);
+    if (!parts.said.hidden) svg.setAttribute('aria-describedby', parts.said.id);
   }
   /** Step 0 says what it is all about, unless its own sentence does. */
   statesGoal(step) {
@@ -401,6 +404,7 @@ class GradusPlayer {
     if (focused) this.focusRow(focused);
     for (const column of rows.querySelectorAll('.gap td')) column.colSpan = trace.columns.length;
     this.parts.grid.setAttribute('aria-rowcount', count + 1);
+    table.tabIndex = count === 0 ? 0 : -1;  // without a row the keys still scroll it sideways
     if (toEnd) table.scrollTop = count * height;
     this.rowsMadeAt = table.scrollTop;
   }
@@ -419,7 +423,7 @@ class GradusPlayer {
     const made = this.run.steps[table.made[row]].number;
     const out = html('tr', {
       'data-row': row,
-      tabindex: emphasis === 'strong' ? 0 : -1,
+      tabindex: row === this.reachableRow() ? 0 : -1,
       'aria-rowindex': row + 2,
       class: emphasis === 'none' ? undefined : emphasis,
       title: say('made_by', {number: made}),
@@ -436,6 +440,8 @@ class GradusPlayer {
     });
     return out;
   }
+  /** The row that Tab leads to: this step's, or the last one. */
+  reachableRow() { return this.run.table.madeRow.get(this.index) ?? this.run.table.count(this.index) - 1; }
   positionOf({number, phase}) {
     const place = say('step', {number, last: this.run.trace.last});
     return phase ? `${place} · ${phase}` : place;
@@ -462,8 +468,9 @@ class GradusPlayer {
   }
   /** Beside the controls, or in the dialog that lies over them. */
   notice(text) {
-    this.parts.notice.textContent = text;
-    this.parts.copied.textContent = this.parts.copying.open ? text : '';
+    const {notice, copied, copying} = this.parts;
+    notice.textContent = copying.open ? '' : text;
+    copied.textContent = copying.open ? text : '';
   }
 
   /**
@@ -594,7 +601,7 @@ class GradusPlayer {
       bookmark: () => this.toggleBookmark(),
       next_bookmark: () => this.nextBookmark(),
       theme: () => this.nextTheme(),
-      keys: () => this.parts.keys.showModal(),
+      keys: () => this.openKeys(),
       copying: () => this.openCopying(),
       copy_link: () => this.copy({'text/plain': this.link()}, 'copied_link'),
       copy_command: () => this.copy({'text/plain': this.command}, 'copied_command'),
@@ -608,6 +615,12 @@ class GradusPlayer {
     this.pause();
     this.notice('');
     this[how]();
+  }
+  openKeys() {
+    const {keys} = this.parts;
+    keys.showModal();
+    keys.focus();  // not its button, which is out of sight where the list is long
+    keys.scrollTop = 0;
   }
   openCopying() {
     const {parts} = this;
@@ -704,10 +717,17 @@ class GradusPlayer {
   moveFocus(target, by) {
     const line = target.closest?.('[data-position]');
     const row = target.closest?.('tr[data-row]');
-    const next = line ? this.parts.lines.children[Number(line.dataset.position) + by]?.firstChild :
-                        row && this.parts.rows.querySelector(`[data-row="${Number(row.dataset.row) + by}"]`);
-    next?.focus();
+    if (line) this.parts.lines.children[Number(line.dataset.position) + by]?.firstChild.focus();
+    if (row) this.rowNode(Number(row.dataset.row) + by)?.focus();
     return Boolean(line || row);
+  }
+  /** A row's element, made if need be; none for a row that is not there. */
+  rowNode(row) {
+    const {table, rows} = this.parts, find = () => rows.querySelector(`[data-row="${row}"]`);
+    if (find() || row < 0 || row >= this.run.table.count(this.index)) return find();
+    table.scrollTop = row * 1.7 * this.unit;
+    this.redrawTable(false);
+    return find();
   }
 }
 

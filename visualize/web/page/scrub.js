@@ -3,7 +3,7 @@
 
 // In turn, with a second channel for whoever sees no colours
 const PHASE_ROLES = ['current', 'measure', 'accepted', 'candidate', 'rejected', 'past'];
-const PHASE_STYLES = ['solid', 'double', 'dashed'];
+const PHASE_STYLES = ['solid', 'dashed', 'double'];
 
 class ScrubBar {
   constructor({phases, band, flags}) { Object.assign(this, {phases, band, flags}); }
