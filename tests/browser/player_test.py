@@ -572,6 +572,33 @@ def address_round_trip(check, browser, made):
     check.equal('opening alone leaves the address alone', page.wait_for('location.hash !== ""', 0.4), False)
 
 
+def in_a_frame(check, browser, made):
+    """As a page of one's own would hold it."""
+    host = made / 'host.html'
+    host.write_text('<!DOCTYPE html><html lang="en"><title>host</title><body style="margin: 0">'
+                    '<iframe src="line.html#embed&amp;step=3&amp;loop=2-4" width="640" height="400" style="border: 0" '
+                    'title="player"></iframe>', encoding='utf-8')
+    page = Page(browser, host)
+    page.frame(0)
+    check.equal('in a frame: the step', page.step, '3')
+    check.equal('in a frame: all of it fits', page.run(FITS), [True, True])
+    check.equal('in a frame: the frame is the window', page.run('return [innerWidth, innerHeight]'), [640, 400])
+    sizes = page.run('''return [...player.drawing.svg.querySelectorAll("text"), player.parts.said, player.parts.grid]
+        .map((n) => parseFloat(getComputedStyle(n).fontSize))''')
+    check.that('in a frame: no text below 12 px', min(sizes) >= 12, sizes)
+    check.that('in a frame: cells can be told apart', page.run('return player.drawing.at.cell') >= 24,
+               page.run('return player.drawing.at.cell'))
+    page.click_on('#player [data-do="next"]')
+    check.equal('in a frame: a button', page.step, '4')
+    page.press('ArrowRight')
+    check.equal('in a frame: keys, after a click', page.step, '5')
+    page.press('l')
+    check.that('in a frame: notices are seen', page.run('return player.parts.notice.checkVisibility()'))
+    page.frame(None)
+    errors = [entry['message'] for entry in page.log('browser')]
+    check.equal('in a frame: nothing on the console', errors, [])
+
+
 def data_of(path):
     text = path.read_text(encoding='utf-8')
     start = text.index('id="gradus-page">') + len('id="gradus-page">')
@@ -657,6 +684,11 @@ def languages(check, browser, made):
     known = {key.removeprefix('player.said.') for key in english} | {'step', 'faulty'}
     check.that('the script asks for texts', len(asked) > 20, len(asked))
     check.equal('… that there are', sorted(asked - known), [])
+    sources = scripts + (ROOT / 'visualize/web/page/player.html').read_text(encoding='utf-8') + (
+        ROOT / 'visualize/web/player.cpp').read_text(encoding='utf-8')
+    check.equal('no text is for nothing', [
+        key for key in english for name in [key.split('.')[-1]]
+        if not name.startswith('theme_') and not re.search(rf"'{name}'|say {name}}}}}|\"{key}\"", sources)], [])
     for path in sorted(made.glob('*.html')):
         check.that(f'{path.name}: no place is left empty', '{{say' not in path.read_text(encoding='utf-8', errors='replace'))
     page = Page(browser, made / 'german.html', '#step=3')
@@ -929,7 +961,7 @@ def main():
         if arguments.made:
             pages += [arguments.made / f'{name}.html' for name in ('line', 'fine', 'long', 'many', 'huge', 'hostile', 'late')]
             for test in (keyboard_and_mouse, playing, fine_steps, address, looping, backwards, bookmarks, copying,
-                         address_round_trip, dropped_slots, languages, keyboard_alone, readers, two_at_once, hostile, large,
+                         address_round_trip, in_a_frame, dropped_slots, languages, keyboard_alone, readers, two_at_once, hostile, large,
                          labels_keep_apart):
                 guarded(test, arguments.made)
         for path in pages:

@@ -94,6 +94,10 @@ class Browser:
     def open(self, url):
         self.call('POST', '/url', {'url': url})
 
+    def frame(self, number):
+        """Goes into the page's frame of this number; None: back to the page itself."""
+        self.call('POST', '/frame', {'id': number})
+
     def run(self, script, *arguments):
         return self.call('POST', '/execute/sync', {'script': script, 'args': list(arguments)})
 

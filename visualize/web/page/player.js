@@ -526,11 +526,11 @@ class GradusPlayer {
     root.addEventListener('click', (event) => this.clicked(event));
     root.addEventListener('pointerdown', (event) => {
       GradusPlayer.active = this;
-      // A mouse does not take the focus to a button: the keys stay with the player
+      // A mouse does not take the focus to a button: the keys stay with the player, or come to its frame
       const button = event.target.closest('.controls button');
       if (!button) return;
       event.preventDefault();
-      document.activeElement?.blur();
+      this.stage.focus({preventScroll: true});
     });
     parts.slider.addEventListener('input', () => {
       this.pause();
