@@ -3,8 +3,9 @@
 
     axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html ...]
 
-Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every dialog open in turn; a player also at its
-last step. The pages of FOLDER, which make_pages wrote, are read in every theme. axe-core comes from npm (package.json in
+Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every dialog open in turn; a player, all of which
+are one page, in two of these ways, and at three of its steps. The pages of FOLDER, which make_pages wrote, are read in
+every theme. axe-core comes from npm (package.json in
 this folder): `--axe` or the environment's GRADUS_AXE says where its axe.min.js is. Prints `N passed, N failed`, exits 1
 when something was found, and without Chromium or axe-core 77, or 1 where CI is set.
 """
@@ -63,17 +64,29 @@ class Reader:
             self.read(f'dialog {name}')
             self.browser.run(CLOSE, number)
 
-    def read_page(self, path, fragments):
+    def read_page(self, path):
+        for number, (size, scheme) in enumerate(((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'),
+                                                 (SIZES[0], 'dark'))):
+            self.open(path, size, '', scheme)
+            is_player = self.browser.run('return Boolean(window.player?.run)')
+            if is_player and number >= 2:
+                return
+            self.read_all(is_player)
+
+    def read_themes(self, path, fragment, themes):
         for size in SIZES:
-            for scheme, fragment in fragments:
-                self.open(path, size, fragment, scheme)
-                self.read('first look')
-                self.read_dialogs()
-                if self.browser.run('return Boolean(window.player?.run)'):
-                    self.browser.run('player.show(Math.floor(player.run.steps.length / 2))')
-                    self.read('in the middle')
-                    self.browser.run('player.last()')
-                    self.read('at the end')
+            for theme in themes:
+                self.open(path, size, f'{fragment}{"&" if fragment else "#"}theme={theme}')
+                self.read_all(True)
+
+    def read_all(self, is_player):
+        self.read('first look')
+        self.read_dialogs()
+        if is_player:
+            self.browser.run('player.show(Math.floor(player.run.steps.length / 2))')
+            self.read('in the middle')
+            self.browser.run('player.last()')
+            self.read('at the end')
 
 
 def missing(what):
@@ -104,15 +117,13 @@ def main():
                 reader.failed.append(f'axe-core does not find {rule} in a page that has it')
         for name, fragment in made if arguments.made else []:
             themes = THEMES if name in ('line', 'hostile') else THEMES[:1]
-            separator = '&' if fragment else '#'
             try:
-                reader.read_page(arguments.made / f'{name}.html',
-                                 [('light', f'{fragment}{separator}theme={theme}') for theme in themes])
+                reader.read_themes(arguments.made / f'{name}.html', fragment, themes)
             except WebDriverError as error:
                 reader.failed.append(f'{name}: {error}')
         for page in arguments.pages:
             try:
-                reader.read_page(page, [('light', ''), ('dark', '')])
+                reader.read_page(page)
             except WebDriverError as error:
                 reader.failed.append(f'{page}: {error}')
     print(f'{reader.passed} passed, {len(reader.failed)} failed')
