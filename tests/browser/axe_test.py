@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads pages with axe-core, the accessibility checker, in headless Chromium: nothing may be found.
 
-    axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html ...]
+    axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html or FOLDER ...]
 
 Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every dialog open in turn; a player, all of which
 are one page, in two of these ways, and at three of its steps. The pages of FOLDER, which make_pages wrote, are read in
@@ -81,6 +81,9 @@ class Reader:
 
     def read_all(self, is_player):
         self.read('first look')
+        if self.browser.run('return document.querySelectorAll("details").length'):
+            self.browser.run('for (const folded of document.querySelectorAll("details")) folded.open = true')
+            self.read('unfolded')
         self.read_dialogs()
         if is_player:
             self.browser.run('player.show(Math.floor(player.run.steps.length / 2))')
@@ -98,7 +101,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     parser.add_argument('--axe', type=pathlib.Path, default=os.environ.get('GRADUS_AXE'), help='axe.min.js')
     parser.add_argument('--made', type=pathlib.Path, help='folder that make_pages has filled')
-    parser.add_argument('pages', nargs='*', type=pathlib.Path)
+    parser.add_argument('pages', nargs='*', type=pathlib.Path, help='pages, or folders with all pages below them')
     arguments = parser.parse_args()
     if not shutil.which('chromium') or not shutil.which('chromedriver'):
         return missing('chromium or chromedriver (Debian: chromium chromium-driver)')
@@ -121,7 +124,8 @@ def main():
                 reader.read_themes(arguments.made / f'{name}.html', fragment, themes)
             except WebDriverError as error:
                 reader.failed.append(f'{name}: {error}')
-        for page in arguments.pages:
+        listed = [sorted(page.rglob('*.html')) if page.is_dir() else [page] for page in arguments.pages]
+        for page in sum(listed, []):
             try:
                 reader.read_page(page)
             except WebDriverError as error:
