@@ -206,11 +206,19 @@ Trace late() {
   return std::move(writer).finish();
 }
 
-void write(const std::string& folder, const std::string& name, const Trace& trace) {
+/// The page in another language; the run's own texts are its story's business.
+Trace german() {
+  Trace trace = line({0, 0}, {7, 3}, {{0, 0}, {7, 4}}, false);
+  trace.wording = Wording(*find_language("de"));
+  return trace;
+}
+
+void write(const std::string& folder, const std::string& name, const Trace& trace,
+           const PlayerOptions& options = {}) {
   const Colophon colophon{trace.title + ", steps", "The run of " + trace.title,
                           "gradus figure bresenham_line --from 0,0 --to 7,3", ""};
   std::ofstream file(folder + "/" + name + ".html", std::ios::binary);
-  file << player_page(trace, colophon);
+  file << player_page(trace, colophon, options);
   if (!file.flush()) throw std::runtime_error("cannot write into " + folder);
 }
 
@@ -225,6 +233,16 @@ int main(int count, char** arguments) try {
   write(folder, "long", line({0, 0}, {120, 47}, {{0, 0}, {120, 50}}, false));
   write(folder, "many", many(10'000));
   write(folder, "hostile", hostile());
+  write(folder, "german", german());
+  const Trace short_line = line({0, 0}, {7, 3}, {{0, 0}, {7, 4}}, false);
+  write(folder, "topic", short_line, {.theme = "greyscale", .topic_page = "topics/a line.html"});
+  for (const Slot dropped : all_slots) {
+    PlayerOptions options;
+    options.slots.erase(dropped);
+    write(folder, fmt::format("without_{}", name_of(dropped)), short_line, options);
+  }
+  for (const Slot kept : all_slots)
+    write(folder, fmt::format("only_{}", name_of(kept)), short_line, {.slots = {kept}});
   write(folder, "late", late());
   constexpr int far = INT32_MAX;
   write(folder, "huge",

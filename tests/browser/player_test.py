@@ -11,6 +11,7 @@ import argparse
 import json
 import pathlib
 import random
+import re
 import shutil
 import sys
 import time
@@ -18,10 +19,17 @@ import time
 from webdriver import Browser, WebDriverError
 
 SEED = 20261121
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 STATE = '''const p = arguments[0] ? window[arguments[0]] : window.player;
            return JSON.stringify([p.state(), p.parts.drawing.querySelector('svg').innerHTML,
                                   p.parts.rows.innerText, p.parts.table.scrollTop, p.parts.lines.scrollTop]);'''
+
+
+# Whether the page fits into the window, across and down.
+FITS_NOW = '''(() => { const d = document.documentElement;
+                      return [d.scrollWidth <= d.clientWidth, d.scrollHeight <= d.clientHeight]; })()'''
+FITS = f'return {FITS_NOW}'
 
 
 class Checks:
@@ -112,11 +120,13 @@ def any_page(check, browser, path):
     check.that(f'{name}: nothing comes after it', page.run('return player.atEnd'))
     page.press('Home')
     check.equal(f'{name}: Home', page.step, milestones[0])
-    check.equal(f'{name}: the drawing is named by its sentence',
-                page.run('return player.drawing.svg.getAttribute("aria-label") === player.state().sentence'), True)
-    check.equal(f'{name}: no scroll bars at 1280 x 720',
-                page.run('''const d = document.documentElement;
-                            return [d.scrollWidth <= d.clientWidth, d.scrollHeight <= d.clientHeight]'''), [True, True])
+    check.equal(f'{name}: the drawing has a name, and the sentence as its description', page.run('''
+        const {svg} = player.drawing, about = document.getElementById(svg.getAttribute("aria-describedby"));
+        return [svg.getAttribute("aria-label").includes(player.name), about === player.parts.said]'''), [True, True])
+    for width, height in ((1280, 720), (1920, 1080)):
+        page.size(width, height)
+        check.that(f'{name}: no scroll bars at {width} x {height}', page.wait_for(f'({FITS_NOW}).every(Boolean)', 2))
+    page.size(1280, 720)
     no_noise(check, page, name)
     same_however_reached(check, page, name)
     narrow(check, browser, path)
@@ -153,6 +163,18 @@ def same_however_reached(check, page, name):
     check.equal(f'{name}: {len(seen)} steps look the same however reached (seed {SEED})', wrong, [])
 
 
+# What reaches beyond the window's side, unless something round it scrolls.
+STICKS_OUT = '''return [...player.root.querySelectorAll("*")].filter((node) =>
+    node.checkVisibility() && !node.closest(".listing ol, .table, dialog, .unseen, svg svg *, svg") &&
+    (node.getBoundingClientRect().right > innerWidth + 0.5 || node.getBoundingClientRect().left < -0.5))
+    .map((node) => node.outerHTML.slice(0, 80))'''
+
+# Controls of less than 24 x 24 CSS pixels.
+SMALL = '''return [...player.root.querySelectorAll("button, input, a")].filter((node) => node.checkVisibility())
+    .map((node) => [node.outerHTML.slice(0, 80), node.getBoundingClientRect()])
+    .filter(([, box]) => box.width < 24 || box.height < 24).map(([text, box]) => [text, box.width, box.height])'''
+
+
 def narrow(check, browser, path):
     name = f'{path.name} at 360 px'
     page = Page(browser, path, size=(360, 740))
@@ -161,6 +183,8 @@ def narrow(check, browser, path):
         page.run(f'player.{where}()')
         across, room = page.run(widths)
         check.that(f'{name}: the page does not scroll sideways ({where} step)', across <= room, (across, room))
+    check.equal(f'{name}: nothing sticks out', page.run(STICKS_OUT), [])
+    check.equal(f'{name}: a finger hits every control', page.run(SMALL), [])
     for button in ('previous', 'play', 'next'):
         box = page.run('''const b = player.root.querySelector(`[data-do="${arguments[0]}"]`).getBoundingClientRect();
                           return [b.left, b.right, b.top, b.bottom, b.width, b.height];''', button)
@@ -253,11 +277,12 @@ def keyboard_and_mouse(check, browser, made):
     before = page.everything()
     page.press('?')
     check.equal('? shows the keys', page.run('return player.parts.keys.open'), True)
+    check.equal('… from the first on', page.run('return player.parts.keys.scrollTop'), 0)
     page.press('ArrowRight')
     check.equal('no steps behind the keys', page.step, '2')
     page.press('Escape')
     check.equal('Escape closes them', page.run('return player.parts.keys.open'), False)
-    page.click_on('#player [data-do="command"]')
+    page.click_on('#player [data-do="copying"]')
     check.equal('the command', page.run('return player.parts["command-text"].innerText'),
                 'gradus figure bresenham_line --from 0,0 --to 7,3')
     page.press('Escape')
@@ -326,12 +351,481 @@ def address(check, browser, made):
     check.that('an unknown step is said', page.wait_for('player.parts.notice.textContent.includes("77")', 3))
     check.equal('… and the player stays', page.step, '2')
     page = Page(browser, made / 'line.html', '#embed&step=3', (640, 400))
-    hidden = page.run('''return [".title", ".tools", ".go"].map((s) =>
-                           getComputedStyle(player.root.querySelector(s)).display)''')
-    check.equal('#embed hides the chrome', hidden, ['none'] * 3)
+    seen = page.run('''return [".title", ".speed", ".go", ".drawing", ".listing", ".table", ".sentence", ".transport"]
+                           .map((s) => player.root.querySelector(s).checkVisibility())''')
+    check.equal('#embed hides the chrome, nothing else', seen, [False] * 3 + [True] * 5)
+    check.equal('#embed: all of it fits into the frame', page.run(FITS), [True, True])
     check.equal('#embed keeps the step', page.step, '3')
     page.press('ArrowRight')
     check.that('#embed stays in the address', page.wait_for('location.hash === "#embed&step=4"', 3))
+
+
+def looping(check, browser, made):
+    page = Page(browser, made / 'line.html')
+    page.go('2')
+    page.press('[')
+    check.equal('[ starts a loop that runs to the end', page.state()['loop'], ['2', '7'])
+    page.go('5')
+    page.press(']')
+    check.equal('] ends it', page.state()['loop'], ['2', '5'])
+    check.equal('… which is said', page.run('return player.parts.notice.textContent'), 'loop: steps 2 to 5')
+    check.that('… and stands in the address', page.wait_for('location.hash === "#step=5&loop=2-5"', 3))
+    band = page.run("""const box = (part) => player.parts[part].getBoundingClientRect(), slider = box("slider");
+        const at = (index) => slider.left + 9 + (slider.width - 18) * index / 7, band = box("band");
+        return [band.left + 1.5 - at(2), band.right - 1.5 - at(5)].map(Math.abs)""")
+    check.that('… and is shown on the slider', max(band) < 2, band)
+    page.run('player.setSpeed(7); window.seen = []; const show = player.show; player.show = function (index) {'
+             'show.call(this, index); window.seen.push(this.run.steps[this.index].number); }')
+    page.go('0')
+    page.press('Space')
+    page.wait_for('seen.length > 12')
+    check.that('a loop is played until it is stopped', page.run('return player.playing'))
+    page.press('Space')
+    check.equal('… round and round', page.run('return seen.slice(1, 11)'), list('2345234523'))
+    page.run('seen = []')
+    page.go('7')
+    page.press('v')
+    page.wait_for('seen.length > 8')
+    page.press('Space')
+    check.equal('… backwards too', page.run('return seen.slice(1, 8)'), list('5432543'))
+    page.press('l')
+    check.equal('L leaves the loop', page.state()['loop'], None)
+    check.that('… the address too', page.wait_for('!location.hash.includes("loop")', 3))
+    check.equal('… its ends stay in sight', page.run('return player.parts.band.checkVisibility()'), True)
+    page.press('l')
+    check.equal('L takes it up again', page.state()['loop'], ['2', '5'])
+    check.equal('the button says so', page.run('return player.parts.loop.getAttribute("aria-pressed")'), 'true')
+    page.go('6')
+    page.press('[')
+    check.equal('a start behind the end lets it run to the end', page.state()['loop'], ['6', '7'])
+    page.go('7')
+    page.press('[')
+    check.equal('a loop of one step is none', [page.state()['loop'], page.run('return player.parts.notice.textContent')],
+                [['6', '7'], 'a loop needs two steps: mark its other end first'])
+    page.run('player.setLoop()')
+    page.press('l')
+    check.equal('L without marks repeats all', page.state()['loop'], ['0', '7'])
+    for selector, expected in (('loop_from', ['3', '7']), ('loop_to', ['0', '3']), ('loop', None)):
+        page.run('player.setLoop(); player.goTo("3")')
+        if selector == 'loop':
+            page.run('player.setLoop({first: 1, last: 2, on: true})')
+        page.click_on(f'#player [data-do="{selector}"]')
+        check.equal(f'the button {selector}', page.state()['loop'], expected)
+    page.run('player.setLoop({first: 2, last: 4, on: true})')
+    page.go('6')
+    page.press('r')
+    check.equal('R plays from the start of the loop', [page.step, page.run('return player.playing')], ['2', True])
+    fine = Page(browser, made / 'fine.html', '#loop=2-2.2&speed=32')
+    fine.run('window.seen = []; const show = player.show; player.show = function (index) {'
+             'show.call(this, index); window.seen.push(this.run.steps[this.index].number); }; player.play()')
+    fine.wait_for('seen.length > 7')
+    fine.run('player.pause()')
+    check.equal('finer events are looped through too', fine.run('return seen.slice(0, 7)'),
+                ['2', '2.1', '2.2', '2', '2.1', '2.2', '2'])
+
+
+def backwards(check, browser, made):
+    page = Page(browser, made / 'line.html', '#step=7&speed=8')
+    page.run('window.delays = []; const wait = setTimeout; window.setTimeout = (does, after) => {'
+             'if (String(does).includes("tick")) delays.push(after); return wait(does, after); }')
+    pressed = 'return [player.parts.backwards, player.parts.fast_backwards].map((b) => b.getAttribute("aria-pressed"))'
+    page.press('v')
+    check.equal('V plays backwards', [page.state()['pace'], page.run('return delays')], [-1, [125]])
+    check.equal('… as its button says', page.run(pressed), ['true', 'false'])
+    page.press('v')
+    check.equal('V again: fast', [page.state()['pace'], page.run('return delays.at(-1)')], [-4, 31.25])
+    check.equal('… as its button says', page.run(pressed), ['false', 'true'])
+    check.that('it stops at step 0', page.wait_for('!player.playing'))
+    check.equal('… there', page.step, '0')
+    check.equal('… and the buttons are up', page.run(pressed), ['false', 'false'])
+    page.press('v')
+    check.equal('from step 0 it starts at the end', [page.step, page.state()['pace']], ['7', -1])
+    page.press('Space')
+    check.equal('space pauses', page.run('return player.playing'), False)
+    page.run('player.setSpeed(0); player.last()')
+    page.press('Shift+v')
+    check.equal('shift V is fast at once', page.state()['pace'], -4)
+    page.press('v')
+    check.equal('V then is the usual pace', page.state()['pace'], -1)
+    page.press('ArrowLeft')
+    check.equal('a step by hand ends it', page.run('return player.playing'), False)
+    for name, pace in (('backwards', -1), ('fast_backwards', -4)):
+        page.run('player.last()')
+        page.click_on(f'#player [data-do="{name}"]')
+        check.equal(f'the button {name}', page.state()['pace'], pace)
+        page.click_on(f'#player [data-do="{name}"]')
+        check.equal(f'the button {name} again pauses', page.state()['pace'], 0)
+    page.press('+')
+    check.that('the speed stands in the address', page.wait_for('location.hash.includes("speed=0.5")', 3))
+
+
+def bookmarks(check, browser, made):
+    page = Page(browser, made / 'line.html')
+    notice = 'return player.parts.notice.textContent'
+    page.run('player.nextBookmark()')
+    check.equal('no bookmark yet', page.run(notice), 'there is no bookmark; B sets one')
+    for number in ('5', '1', '3'):
+        page.go(number)
+        page.press('b')
+    check.equal('B sets bookmarks', page.state()['bookmarks'], ['1', '3', '5'])
+    check.equal('… says it', page.run(notice), 'bookmark at step 3')
+    check.equal('… presses the button', page.run('return player.parts.bookmark.getAttribute("aria-pressed")'), 'true')
+    check.that('… notes it in the address', page.wait_for('location.hash === "#step=3&marks=1,3,5"', 3))
+    seen = []
+    for _ in range(3):
+        page.press('Shift+b')
+        seen.append(page.step)
+    check.equal('shift B goes round them', seen, ['5', '1', '3'])
+    page.click_on('#player [data-do="next_bookmark"]')
+    check.equal('so does the button', page.step, '5')
+    apart = page.run("""const slider = player.parts.slider.getBoundingClientRect();
+        return [...player.parts.flags.children].map((flag, i) =>
+            Math.abs(flag.getBoundingClientRect().left - slider.left - 9 - (slider.width - 18) * [1, 3, 5][i] / 7))""")
+    check.that('flags stand over their steps', len(apart) == 3 and max(apart) < 1, apart)
+    page.click_on('#player [data-flag]')
+    check.equal('a flag leads to its step', page.step, '1')
+    page.press('b')
+    check.equal('B removes one', page.state()['bookmarks'], ['3', '5'])
+    page.click_on('#player [data-do="bookmark"]')
+    check.equal('the button sets one', page.state()['bookmarks'], ['1', '3', '5'])
+
+
+# Stand-ins for the clipboard: all of it, only the old way, none at all.
+FULL_CLIPBOARD = """const texts = (item) => Promise.all(item.types.map(async (t) => [t, await (await item.getType(t)).text()]));
+    Object.defineProperty(navigator, "clipboard", {value: {
+      writeText: async (text) => { window.written = {"text/plain": text}; },
+      write: async ([item]) => { window.written = Object.fromEntries(await texts(item)); }}})"""
+OLD_CLIPBOARD = """Object.defineProperty(navigator, "clipboard", {value: undefined});
+    addEventListener("copy", (event) => { window.written = Object.fromEntries(
+        ["text/plain", "text/html"].map((t) => [t, event.clipboardData.getData(t)]).filter(([, text]) => text)); })"""
+NO_CLIPBOARD = """Object.defineProperty(navigator, "clipboard", {value: {writeText: async () => { throw new Error("no"); },
+                                                                    write: async () => { throw new Error("no"); }}});
+    document.execCommand = () => false"""
+TABLE = 'k\tx\ty\tp\ttest\tstep\n0\t0\t0\t-1\tp < 0\tE\n1\t1\t0\t5\tp ≥ 0\tNE\n2\t2\t1\t-3\t\t\n'
+
+
+def copying(check, browser, made):
+    for name, stub in (('with a clipboard', FULL_CLIPBOARD), ('the old way', OLD_CLIPBOARD)):
+        page = Page(browser, made / 'line.html', '#step=2&loop=1-4&marks=3&speed=4')
+        page.run(stub)
+        page.click_on('#player [data-do="copying"]')
+        for what, expected in (('link', (made / 'line.html').resolve().as_uri() + '#step=2&loop=1-4&marks=3&speed=4'),
+                               ('command', 'gradus figure bresenham_line --from 0,0 --to 7,3'), ('table', TABLE)):
+            page.run('window.written = null')
+            page.click_on(f'#player [data-do="copy_{what}"]')
+            page.wait_for('window.written !== null', 3)
+            written = page.run('return window.written')
+            if what == 'link':
+                parts = lambda url: (url.split('#')[0], sorted(url.split('#')[1].split('&')))
+                check.equal(f'{name}: the link', parts(written['text/plain']), parts(expected))
+            else:
+                check.equal(f'{name}: the {what}', written['text/plain'], expected)
+            check.equal(f'{name}: the {what} is said', page.run('return player.parts.copied.textContent'), f'{what} copied')
+        rows = page.run("""const table = new DOMParser().parseFromString(window.written["text/html"], "text/html").querySelector("table");
+            return [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent).join("\\t") + "\\n").join("")""")
+        check.equal(f'{name}: the table as HTML', rows, TABLE)
+        check.equal(f'{name}: nothing is left behind', page.run('return player.root.querySelectorAll("textarea").length'), 1)
+        check.equal(f'{name}: the focus stays', page.run('return document.activeElement.dataset.do ?? "dialog"') in
+                    ('copy_table', 'dialog', 'copy_link'), True)
+    page = Page(browser, made / 'line.html', '#step=2')
+    page.run(NO_CLIPBOARD)
+    page.click_on('#player [data-do="copying"]')
+    page.click_on('#player [data-do="copy_table"]')
+    page.wait_for('!player.parts["by-hand"].hidden', 3)
+    selected = page.run("""const field = player.parts["by-hand"];
+        return [field.checkVisibility(), field.value.slice(field.selectionStart, field.selectionEnd),
+                document.activeElement === field, player.parts.copied.textContent]""")
+    check.equal('without any: the text lies selected', selected,
+                [True, TABLE, True, 'the browser does not allow copying here: press Ctrl+C'])
+    check.equal('roles for readers', page.run('return [player.parts.copied, player.parts.notice].map((n) => n.role)'),
+                ['status', 'status'])
+
+
+def address_round_trip(check, browser, made):
+    rng = random.Random(SEED)
+    page = Page(browser, made / 'fine.html')
+    numbers = page.run('return player.run.steps.map((s) => s.number)')
+    what = ('step', 'loop', 'bookmarks', 'speed', 'cells', 'table')
+    for _ in range(12):
+        first, last = sorted(rng.sample(range(len(numbers)), 2))
+        page.run('player.setLoop(arguments[0])', {'first': first, 'last': last, 'on': rng.random() < 0.7})
+        page.run('player.setBookmarks(arguments[0])', rng.sample(range(len(numbers)), rng.randrange(4)))
+        page.run('player.setSpeed(arguments[0])', rng.randrange(8))
+        page.run('player.chooseTheme(arguments[0])', rng.choice(['light', 'dark', 'greyscale', 'high_contrast']))
+        page.go(rng.choice(numbers))
+        link, sent = page.run('return [player.link(), player.state()]')
+        theme = page.run('return player.theme.name')
+        page = Page(browser, made / 'fine.html', '#' + link.split('#')[1])
+        got = page.state()
+        check.equal(f'{link.split("#")[1]} shows what its sender saw', [got[w] for w in what] + [page.run('return player.theme.name')],
+                    [sent[w] for w in what] + [theme])
+    for bad, said in (('loop=5-2', '5-2'), ('loop=1-99', '1-99'), ('loop=1', 'found 1'), ('loop=1-2-3', '1-2-3'),
+                      ('speed=3', 'found 3'), ('speed=x', 'found x'), ('marks=2,99', '2,99'), ('marks=,', 'found ,'),
+                      ('step=99', 'no step 99'), ('%E0%A4%A=1', '')):
+        page = Page(browser, made / 'line.html', f'#{bad}')
+        check.that(f'#{bad} is said', said in page.run('return player.parts.notice.textContent'),
+                   page.run('return player.parts.notice.textContent'))
+        state = page.state()
+        check.equal(f'#{bad} changes nothing', [state[w] for w in ('step', 'loop', 'bookmarks', 'speed')], ['0', None, [], 1])
+        no_noise(check, page, f'#{bad}')
+    page = Page(browser, made / 'line.html')
+    check.equal('opening alone leaves the address alone', page.wait_for('location.hash !== ""', 0.4), False)
+
+
+def in_a_frame(check, browser, made):
+    """As a page of one's own would hold it."""
+    host = made / 'host.html'
+    host.write_text('<!DOCTYPE html><html lang="en"><title>host</title><body style="margin: 0">'
+                    '<iframe src="line.html#embed&amp;step=3&amp;loop=2-4" width="640" height="400" style="border: 0" '
+                    'title="player"></iframe>', encoding='utf-8')
+    page = Page(browser, host)
+    page.frame(0)
+    check.equal('in a frame: the step', page.step, '3')
+    check.equal('in a frame: all of it fits', page.run(FITS), [True, True])
+    check.equal('in a frame: the frame is the window', page.run('return [innerWidth, innerHeight]'), [640, 400])
+    sizes = page.run('''return [...player.drawing.svg.querySelectorAll("text"), player.parts.said, player.parts.grid]
+        .map((n) => parseFloat(getComputedStyle(n).fontSize))''')
+    check.that('in a frame: no text below 12 px', min(sizes) >= 12, sizes)
+    check.that('in a frame: cells can be told apart', page.run('return player.drawing.at.cell') >= 24,
+               page.run('return player.drawing.at.cell'))
+    page.click_on('#player [data-do="next"]')
+    check.equal('in a frame: a button', page.step, '4')
+    page.press('ArrowRight')
+    check.equal('in a frame: keys, after a click', page.step, '5')
+    page.press('l')
+    check.that('in a frame: notices are seen', page.run('return player.parts.notice.checkVisibility()'))
+    page.frame(None)
+    errors = [entry['message'] for entry in page.log('browser')]
+    check.equal('in a frame: nothing on the console', errors, [])
+
+
+def data_of(path):
+    text = path.read_text(encoding='utf-8')
+    start = text.index('id="gradus-page">') + len('id="gradus-page">')
+    return json.loads(text[start:text.index('</script>', start)])
+
+
+def names_in(value):
+    """All member names in some JSON."""
+    if isinstance(value, dict):
+        return set(value) | set().union(*map(names_in, value.values()))
+    if isinstance(value, list):
+        return set().union(*map(names_in, value))
+    return set()
+
+
+def dropped_slots(check, browser, made):
+    """What was dropped is not in the page at all: neither its text nor its members."""
+    whole = data_of(made / 'line.html')['trace']
+    steps = whole['steps']
+    texts = {
+        'title': [],  # the browser's own title still says what the page is
+        'drawing': ['E chosen', 'NE rejected', 'ideal line'],
+        'listing': [text for _, text in whole['listing'] if len(text) > 10],
+        'table': [whole['columns'][4]['widest']],
+        'sentence': [whole['goal']] + [step['sentence'] for step in steps],
+        'footer': [text for _, text in whole['legend'] if ' ' in text] + ['main loop'],
+    }
+    members = {
+        'title': {'title', 'subtitle', 'method_title'},
+        'drawing': {'grid', 'backdrop', 'cells', 'set', 'removed', 'focus', 'key', 'legend', 'pixels', 'before', 'roles'},
+        'listing': {'listing', 'line', 'source_file', 'type'},
+        'table': {'columns', 'row', 'read', 'fields', 'result', 'widest'},
+        'sentence': {'sentence', 'goal'},
+        'footer': {'legend', 'phase'},
+    }
+    parts = {'title': 'title', 'drawing': 'drawing', 'listing': 'listing', 'table': 'table', 'sentence': 'said',
+             'footer': 'footer'}
+    full = (made / 'line.html').read_text(encoding='utf-8')
+    for slot, wanted in texts.items():
+        check.equal(f'{slot}: the whole page has its texts', [t for t in wanted if json.dumps(t, ensure_ascii=False)[1:-1] not in full], [])
+    check.that('the whole trace has all members', set().union(*members.values()) - names_in(whole) <= {'before', 'removed'} | names_in(whole),
+               set().union(*members.values()) - names_in(whole))
+    for path in sorted([*made.glob('without_*.html'), *made.glob('only_*.html')]):
+        kind, slot = path.stem.split('_')
+        gone = [slot] if kind == 'without' else [s for s in texts if s != slot]
+        text, trace = path.read_text(encoding='utf-8'), data_of(path)['trace']
+        for s in gone:
+            leaked = [t for t in texts[s] if t in text]
+            check.equal(f'{path.name}: no text of the {s}', leaked, [])
+            check.equal(f'{path.name}: no member of the {s}', sorted(members[s] & names_in(trace)), [])
+        page = Page(browser, path, '#step=3')
+        seen = [s for s, part in parts.items() if page.run(
+            'const n = player.parts[arguments[0]]; return n.checkVisibility() && !n.classList.contains("unseen")', part)]
+        check.equal(f'{path.name}: shows the others', seen, [s for s in texts if s not in gone])
+        check.equal(f'{path.name}: fits', page.run(FITS), [True, True])
+        page.press('ArrowRight', 'End', 'b', 'l', 'v', 'Space', 't', 'Home')
+        check.equal(f'{path.name}: steps', page.step, '0')
+        no_noise(check, page, path.name)
+        narrow(check, browser, path)
+    page = Page(browser, made / 'without_listing.html')
+    check.that('the table takes the room of the listing', page.run('return player.room.rows') >= 8)
+    page = Page(browser, made / 'only_drawing.html')
+    check.that('a drawing alone is large', page.run('return player.drawing.at.cell') >= 80)
+
+
+def words_of(code):
+    """The player's texts of a language's catalogue, by key."""
+    out, section = {}, ''
+    for line in (ROOT / f'visualize/figure/language/{code}.txt').read_text(encoding='utf-8').splitlines():
+        if line.startswith('['):
+            section = line.strip('[]') + '.'
+        elif '=' in line and not line.startswith('#'):
+            key, text = line.split('=', 1)
+            out[section + key.strip()] = text.strip()
+    return {key: text for key, text in out.items() if key.startswith('player.')}
+
+
+def languages(check, browser, made):
+    english, german = words_of('en'), words_of('de')
+    check.equal('English and German have the same texts', sorted(english), sorted(german))
+    scripts = ''.join(path.read_text(encoding='utf-8') for path in sorted((ROOT / 'visualize/web/page').glob('*.js')))
+    asked = {key for call in re.findall(r"\bsay\(([^;{]*)", scripts) for key in re.findall(r"'(\w+)'", call)}
+    known = {key.removeprefix('player.said.') for key in english} | {'step', 'faulty'}
+    check.that('the script asks for texts', len(asked) > 20, len(asked))
+    check.equal('… that there are', sorted(asked - known), [])
+    sources = scripts + (ROOT / 'visualize/web/page/player.html').read_text(encoding='utf-8') + (
+        ROOT / 'visualize/web/player.cpp').read_text(encoding='utf-8')
+    check.equal('no text is for nothing', [
+        key for key in english for name in [key.split('.')[-1]]
+        if not name.startswith('theme_') and not re.search(rf"'{name}'|say {name}}}}}|\"{key}\"", sources)], [])
+    for path in sorted(made.glob('*.html')):
+        check.that(f'{path.name}: no place is left empty', '{{say' not in path.read_text(encoding='utf-8', errors='replace'))
+    page = Page(browser, made / 'german.html', '#step=3')
+    check.equal('the page is in German', page.run('return document.documentElement.lang'), 'de')
+    page.press('b', '[', 'b', 'Shift')
+    texts = """const out = new Set(), walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+        while (walk.nextNode()) if (!walk.currentNode.parentNode.closest("script, template")) out.add(walk.currentNode.data.trim());
+        for (const node of document.querySelectorAll("[title], [aria-label]"))
+          for (const name of ["title", "aria-label"]) out.add((node.getAttribute(name) ?? "").replace(/ \\(.*\\)$/, ""));
+        return [...out]"""
+    shown = set(page.run(texts))
+    static = {key: text for key, text in german.items() if not key.startswith('player.said.')}
+    missing = [key for key, text in static.items()
+               if text not in shown and key not in ('player.no_script', 'player.about', 'player.space', 'player.shift')]
+    check.equal('all German texts are shown', missing, [])
+    foreign = [text for key, text in english.items() if text in shown and text != german[key] and '{' not in text
+               and text not in ('step',)  # a column of this table
+               and text not in german.values()]
+    check.equal('no English text is shown', foreign, [])
+    check.equal('the footer is German', page.state()['position'], 'Schritt 3 / 7 · main loop')
+    check.equal('the line buttons are German', page.run('return player.parts.lines.querySelector("button").getAttribute("aria-label")'),
+                'Zeile 38: zu ihrer nächsten Ausführung')
+    check.equal('notices are German', page.run('return player.parts.notice.textContent'), 'kein Lesezeichen mehr bei Schritt 3')
+    page = Page(browser, made / 'topic.html')
+    link = page.run('const a = player.root.querySelector("a"); return [a.getAttribute("href"), a.textContent, a.checkVisibility()]')
+    check.equal('the page about the algorithm', link, ['./topics/a%20line.html', 'about this algorithm', True])
+    check.equal('the first theme', page.run('return player.theme.name'), 'greyscale')
+    page = Page(browser, made / 'topic.html', '#theme=dark')
+    check.equal('… unless the address has one', page.run('return player.theme.name'), 'dark')
+    page = Page(browser, made / 'line.html')
+    check.equal('no link where there is no page', page.run('return player.root.querySelectorAll("a").length'), 0)
+
+
+FOCUS = """const node = document.activeElement, style = getComputedStyle(node);
+    const name = node.dataset.do ?? node.dataset.part ?? ((node.closest("[data-position]") && "line") ||
+        (node.matches("[data-row]") && "row") || (node.matches("a") && "link") || node.tagName);
+    return [name, style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2,
+            Boolean(node.closest("dialog[open]"))]"""
+
+
+def keyboard_alone(check, browser, made):
+    page = Page(browser, made / 'topic.html', '#step=4')
+    page.run('player.setBookmarks([2])')
+    reached, unseen = [], []
+    for _ in range(40):
+        page.press('Tab')
+        name, outlined, _ = page.run(FOCUS)
+        if name == 'BODY' or name in reached:
+            break
+        reached.append(name)
+        if not outlined:
+            unseen.append(name)
+    wanted = page.run("""return [...player.root.querySelectorAll("[data-do]")].filter((n) => n.checkVisibility())
+                            .map((n) => n.dataset.do)""") + ['line', 'row', 'slider', 'wanted', 'link']
+    check.equal('Tab reaches every control', sorted(set(wanted) - set(reached)), [])
+    check.equal('… and where it is can be seen', unseen, [])
+    order = [name for name in reached if name in ('line', 'row', 'first', 'slider', 'backwards', 'full')]
+    check.equal('… in the order of the page', order, ['line', 'row', 'first', 'slider', 'backwards', 'full'])
+
+    def tab_to(name):
+        page.run('document.activeElement.blur()')
+        for _ in range(40):
+            page.press('Tab')
+            if page.run(FOCUS)[0] == name:
+                return
+        raise WebDriverError(f'Tab does not reach {name}')
+
+    for name, key, script, expected in (
+            ('next', 'Enter', 'player.state().step', '5'), ('previous', 'Space', 'player.state().step', '4'),
+            ('loop_from', 'Enter', 'player.state().loop', ['4', '7']), ('loop', 'Space', 'player.state().loop', None),
+            ('bookmark', 'Enter', 'player.state().bookmarks', ['2', '4']),
+            ('next_bookmark', 'Enter', 'player.state().step', '2'), ('faster', 'Space', 'player.state().speed', 2),
+            ('theme', 'Enter', 'player.theme.name', 'high_contrast'), ('play', 'Enter', 'player.playing', True),
+            ('play', 'Space', 'player.playing', False), ('backwards', 'Enter', 'player.state().pace', -1),
+            ('backwards', 'Enter', 'player.state().pace', 0), ('first', 'Enter', 'player.state().step', '0')):
+        tab_to(name)
+        page.press(key)
+        check.equal(f'{key} on {name}', page.run(f'return {script}'), expected)
+        check.equal(f'… keeps the focus on {name}', page.run(FOCUS)[0], name)
+    for name in ('keys', 'copying'):
+        tab_to(name)
+        page.press('Enter')
+        check.that(f'the dialog {name} opens', page.run('return player.parts[arguments[0]].open', name))
+        outside = []
+        for _ in range(8):
+            page.press('Tab')
+            at = page.run(FOCUS)
+            if not at[2] and at[0] != 'BODY':
+                outside.append(at[0])
+        check.equal(f'the dialog {name} holds the focus', outside, [])
+        page.press('Escape')
+        check.equal(f'Escape closes {name} and gives the focus back',
+                    [page.run('return player.parts[arguments[0]].open', name), page.run(FOCUS)[0]], [False, name])
+    page.go('6')
+    tab_to('row')
+    page.press('ArrowUp', 'ArrowUp', 'Enter')
+    check.equal('rows by keyboard', [page.step, page.run(FOCUS)[0]], ['4', 'row'])
+    page.press('ArrowUp', 'Enter')
+    check.equal('… and on from there', [page.step, page.run(FOCUS)[0]], ['3', 'row'])
+    tab_to('wanted')
+    page.press('6', 'Enter')
+    check.equal('a number into the field', page.step, '6')
+
+    many = Page(browser, made / 'many.html', '#step=500')
+    many.run('player.parts.rows.querySelector("tr.strong").focus()')
+    for _ in range(60):
+        many.press('ArrowUp')
+    many.press('Enter')
+    check.equal('up through rows that were not there', [many.step, many.run(FOCUS)[0]], ['440', 'row'])
+
+
+def readers(check, browser, made):
+    """What a screen reader is told."""
+    page = Page(browser, made / 'line.html')
+    live = 'return player.parts.live.textContent'
+    page.press('ArrowRight')
+    check.that('step and sentence are said', page.run(live).startswith('step 1 / 7 · main loop: p = -1 < 0'), page.run(live))
+    check.equal('the region is polite', page.run('return [player.parts.live.ariaLive, player.parts.live.ariaAtomic]'),
+                ['polite', 'true'])
+    page.run('''window.said = []; new MutationObserver(() => said.push(player.parts.live.textContent))
+                  .observe(player.parts.live, {childList: true}); player.setSpeed(7); player.first()''')
+    page.run('window.said.length = 0; player.play()')
+    page.wait_for('!player.playing')
+    page.wait_for('said.length > 0', 2)
+    said = page.run('return said')
+    check.equal('fast steps are not said, where they end is', [s.split(' · ')[0] for s in said], ['step 7 / 7'])
+    page.run('player.first(); player.setSpeed(2); said.length = 0; player.play()')
+    page.wait_for('player.index === 2', 5)
+    page.run('player.pause()')
+    spoken = [s.split(' · ')[0] for s in page.run('return said')]
+    check.equal('slow steps are said, once each', spoken[-2:], ['step 1 / 7', 'step 2 / 7'])
+    table = page.run("""const table = player.parts.grid;
+        return [table.caption.textContent, [...table.tHead.rows[0].cells].map((c) => c.scope),
+                [...table.querySelectorAll("[aria-current]")].map((r) => [r.dataset.row, r.ariaCurrent])]""")
+    check.equal('a real table', table, ['Decision table', ['col'] * 6, [['2', 'step']]])
+    check.equal('the current line', page.run("""return [...player.parts.lines.querySelectorAll("[aria-current]")]
+        .map((li) => li.firstChild.textContent)"""), ['47'])
 
 
 def two_at_once(check, browser, made):
@@ -375,7 +869,7 @@ def hostile(check, browser, made):
         page.press('ArrowRight')
     check.equal('no element out of text', page.run('''return player.root.querySelectorAll("img, b, script, [onerror]").length'''), 0)
     check.that('the text itself is shown', '<img src=x onerror=window.hacked=1>' in page.state()['sentence'])
-    check.that('faulty is said', 'faulty' in page.run('return getComputedStyle(player.parts.faulty, "::before").content'))
+    check.that('faulty is said', 'faulty' in page.run('return player.parts.faulty.textContent'))
     check.equal('faulty is seen', page.run('return player.parts.faulty.checkVisibility()'), True)
     page = Page(browser, made / 'gallery.html')
     links = page.run('return [...document.querySelectorAll("a, img")].map((a) => a.getAttribute("href") ?? a.getAttribute("src"))')
@@ -466,7 +960,9 @@ def main():
         pages = list(arguments.pages)
         if arguments.made:
             pages += [arguments.made / f'{name}.html' for name in ('line', 'fine', 'long', 'many', 'huge', 'hostile', 'late')]
-            for test in (keyboard_and_mouse, playing, fine_steps, address, two_at_once, hostile, large, labels_keep_apart):
+            for test in (keyboard_and_mouse, playing, fine_steps, address, looping, backwards, bookmarks, copying,
+                         address_round_trip, in_a_frame, dropped_slots, languages, keyboard_alone, readers, two_at_once, hostile, large,
+                         labels_keep_apart):
                 guarded(test, arguments.made)
         for path in pages:
             guarded(any_page, path)

@@ -12,7 +12,7 @@ import urllib.request
 
 KEYS = {'ArrowLeft': '\ue012', 'ArrowRight': '\ue014', 'ArrowUp': '\ue013', 'ArrowDown': '\ue015', 'Home': '\ue011',
         'End': '\ue010', 'PageUp': '\ue00e', 'PageDown': '\ue00f', 'Enter': '\ue007', 'Escape': '\ue00c',
-        'Tab': '\ue004', 'Space': ' '}
+        'Tab': '\ue004', 'Space': ' ', 'Shift': '\ue008'}
 
 FLAGS = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
          '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-extensions',
@@ -94,6 +94,10 @@ class Browser:
     def open(self, url):
         self.call('POST', '/url', {'url': url})
 
+    def frame(self, number):
+        """Goes into the page's frame of this number; None: back to the page itself."""
+        self.call('POST', '/frame', {'id': number})
+
     def run(self, script, *arguments):
         return self.call('POST', '/execute/sync', {'script': script, 'args': list(arguments)})
 
@@ -103,8 +107,10 @@ class Browser:
     def press(self, *keys):
         actions = []
         for key in keys:
-            value = KEYS.get(key, key)
-            actions += [{'type': 'keyDown', 'value': value}, {'type': 'keyUp', 'value': value}]
+            # "Shift+b": held, then let go in turn
+            values = [KEYS.get(part, part) for part in (key.split('+') if len(key) > 1 else [key])]
+            actions += [{'type': 'keyDown', 'value': value} for value in values]
+            actions += [{'type': 'keyUp', 'value': value} for value in reversed(values)]
         self.call('POST', '/actions', {'actions': [{'type': 'key', 'id': 'keys', 'actions': actions}]})
 
     def click(self, x, y):

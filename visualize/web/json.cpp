@@ -283,29 +283,31 @@ Json grid_json(const Grid& grid) {
 // -- Steps
 // -----------------------------------------------------------------------------------------------------
 
-/// Parts that a step doesn't have are left out.
-Json step_json(const TraceStep& step) {
+/// Parts that a step doesn't have are left out, and those that no slot shows. The fields repeat the table's
+/// values: they go with it.
+Json step_json(const TraceStep& step, const std::set<Slot>& slots) {
   Json out{{"number", text_of(step.number)}};
-  const auto put = [&out](const char* name, Json value) {
-    if (!value.empty()) out[name] = std::move(value);
+  const auto put = [&](Slot slot, const char* name, Json value) {
+    if (slots.contains(slot) && !value.empty()) out[name] = std::move(value);
   };
-  const auto put_text = [&out](const char* name, const std::string& text) {
-    if (!text.empty()) out[name] = text;
+  const auto put_text = [&](Slot slot, const char* name, const std::string& text) {
+    if (slots.contains(slot) && !text.empty()) out[name] = text;
   };
   out["level"] = name_of(step.level);
-  put_text("type", step.type);
-  put_text("phase", step.phase);
-  put_text("key", step.key);
-  if (step.line != 0) out["line"] = step.line;
-  put("fields", fields_json(step.fields));
-  put_text("sentence", step.sentence);
-  put("read", step.read);
-  put("row", step.row);
-  put("removed", step.delta.removed);
+  put_text(Slot::listing, "type", step.type);
+  put_text(Slot::footer, "phase", step.phase);
+  put_text(Slot::drawing, "key", step.key);
+  if (slots.contains(Slot::listing) && step.line != 0) out["line"] = step.line;
+  put(Slot::table, "fields", fields_json(step.fields));
+  put_text(Slot::sentence, "sentence", step.sentence);
+  put(Slot::table, "read", step.read);
+  put(Slot::table, "row", step.row);
+  if (!slots.contains(Slot::drawing)) return out;
+  put(Slot::drawing, "removed", step.delta.removed);
   Runs runs;
   for (const CellChange& change : step.delta.cells) runs.add(change.at, change.look);
-  put("cells", std::move(runs).finish());
-  put("set", marks_json(step.delta.set));
+  put(Slot::drawing, "cells", std::move(runs).finish());
+  put(Slot::drawing, "set", marks_json(step.delta.set));
   out["focus"] = point(step.focus);
   return out;
 }
@@ -339,49 +341,79 @@ Json recorded_json(const Trace& trace) {
   return out;
 }
 
-}  // namespace
+Json points_json(const std::vector<ivec2>& points) {
+  Json out = Json::array();
+  for (const ivec2 p : points) out.push_back(point(p));
+  return out;
+}
 
-std::string json_quoted(std::string_view text) { return text_of(Json(text)); }
+Json slots_json(const std::set<Slot>& slots) {
+  Json out = Json::array();
+  for (const Slot slot : slots) out.push_back(name_of(slot));
+  return out;
+}
 
-std::string trace_json(const Trace& trace) {
-  Lines out(false);
-  out.member("schema", trace_schema);
-  out.member("topic", trace.topic);
+void put_title(Lines& out, const Trace& trace) {
   out.member("title", trace.title);
   out.member("subtitle", trace.subtitle);
-  out.member("method", trace.method);
   out.member("method_title", trace.method_title);
-  if (!trace.faulty.empty()) out.member("faulty", trace.faulty);
-  out.member("goal", trace.goal);
-  Json arguments = Json::array(), listing = Json::array(), columns = Json::array(), legend = Json::array();
-  for (const Argument& a : trace.arguments) arguments.push_back(Json::array({a.name, a.value}));
+}
+
+void put_listing(Lines& out, const Trace& trace) {
+  Json listing = Json::array();
   for (const SourceLine& l : trace.listing) listing.push_back(Json::array({l.number, l.text}));
+  out.member("source_file", trace.source_file);
+  out.member("listing", listing);
+}
+
+Json columns_json(const Trace& trace) {
+  Json columns = Json::array();
   for (std::size_t c = 0; c < trace.columns.size(); ++c) {
     columns.push_back({{"name", trace.columns[c].name},
                        {"numeric", trace.columns[c].numeric},
                        {"widest", c < trace.widest.size() ? trace.widest[c] : ""}});
   }
-  for (const LegendEntry& e : trace.legend) legend.push_back(Json::array({index_of(e.role), e.text}));
-  out.member("arguments", arguments);
-  if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
-  out.member("source_file", trace.source_file);
-  out.member("listing", listing);
-  out.member("columns", columns);
-  Json roles = Json::array();
+  return columns;
+}
+
+void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
+  Json roles = Json::array(), legend = Json::array();
   for (const Role role : all_roles) roles.push_back(name_of(role));
+  for (const LegendEntry& e : trace.legend) legend.push_back(Json::array({index_of(e.role), e.text}));
   out.member("roles", roles);
-  out.member("legend", legend);
+  if (with_legend) out.member("legend", legend);
   out.member("grid", grid_json(trace.grid));
   out.member("backdrop", marks_json(trace.backdrop));
   const bool from_the_start = trace.steps.empty() || trace.steps.front().number == StepNumber{};
   if (!from_the_start) out.member("before", before_json(trace));
+}
+
+}  // namespace
+
+std::string json_quoted(std::string_view text) { return text_of(Json(text)); }
+
+std::string trace_json(const Trace& trace, const std::set<Slot>& slots) {
+  const auto shows = [&slots](Slot slot) { return slots.contains(slot); };
+  Lines out(false);
+  out.member("schema", trace_schema);
+  if (slots.size() < all_slots.size()) out.member("slots", slots_json(slots));
+  out.member("topic", trace.topic);
+  out.member("method", trace.method);
+  if (shows(Slot::title)) put_title(out, trace);
+  if (!trace.faulty.empty()) out.member("faulty", trace.faulty);
+  if (shows(Slot::sentence)) out.member("goal", trace.goal);
+  Json arguments = Json::array();
+  for (const Argument& a : trace.arguments) arguments.push_back(Json::array({a.name, a.value}));
+  out.member("arguments", arguments);
+  if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
+  if (shows(Slot::listing)) put_listing(out, trace);
+  if (shows(Slot::table)) out.member("columns", columns_json(trace));
+  if (shows(Slot::drawing)) put_drawing(out, trace, shows(Slot::footer));
   out.member("last", trace.last);
   out.member("telling", text_of(trace.telling));
-  out.list("steps", trace.steps, step_json);
-  out.member("result", fields_json(trace.result));
-  Json pixels = Json::array();
-  for (const ivec2 p : trace.pixels) pixels.push_back(point(p));
-  out.member("pixels", pixels);
+  out.list("steps", trace.steps, [&slots](const TraceStep& step) { return step_json(step, slots); });
+  if (shows(Slot::table)) out.member("result", fields_json(trace.result));
+  if (shows(Slot::drawing)) out.member("pixels", points_json(trace.pixels));
   return std::move(out).finish();
 }
 
@@ -395,9 +427,7 @@ std::string run_json(const Trace& trace) {
   if (!trace.whole()) out.member("recorded", recorded_json(trace));
   out.list("steps", trace.steps, run_step_json);
   Json result = Json::object();
-  Json pixels = Json::array();
-  for (const ivec2 p : trace.pixels) pixels.push_back(point(p));
-  result["pixels"] = std::move(pixels);
+  result["pixels"] = points_json(trace.pixels);
   put_fields(result, trace.result);
   out.member("result", result);
   return std::move(out).finish();

@@ -3,17 +3,21 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "figure/sheet.hpp"
 #include "figure/trace.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {
 
-/// The whole trace, schema `trace_schema`: what the player loads.
-std::string trace_json(const Trace& trace);
+/// The trace, schema `trace_schema`: what the player loads. With fewer `slots`, what only the others show is
+/// left out and the member "slots" names those that stay.
+std::string trace_json(const Trace& trace,
+                       const std::set<Slot>& slots = {all_slots.begin(), all_slots.end()});
 
 /// What `gradus run --json` prints: topic, method, faulty where so, input, steps (number, type, line,
 /// fields), result.

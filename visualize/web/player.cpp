@@ -55,24 +55,63 @@ std::string themes_json() {
   return fmt::format("[{}]", fmt::join(out, ",\n"));
 }
 
+/// The page's own words as parts of its template: {{say next}} is the text "player.next".
+std::vector<std::pair<std::string, std::string>> page_words(const Language& language) {
+  constexpr std::string_view section = "player.";
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const auto& [key, text] : language.texts()) {
+    if (key.starts_with(section)) out.emplace_back("say " + key.substr(section.size()), escaped(text));
+  }
+  return out;
+}
+
+/// The templates that the page's script fills in: the section [player.said], and what figures say too.
+std::string said_words(const Language& language) {
+  constexpr std::string_view section = "player.said.";
+  std::vector<std::string> out{fmt::format("\"step\":{}", json_quoted(language.text("figure.step"))),
+                               fmt::format("\"faulty\":{}", json_quoted(language.text("figure.faulty")))};
+  for (const auto& [key, text] : language.texts()) {
+    if (!key.starts_with(section)) continue;
+    out.push_back(fmt::format("{}:{}", json_quoted(key.substr(section.size())), json_quoted(text)));
+  }
+  return fmt::format("{{{}}}", fmt::join(out, ",\n"));
+}
+
+std::string topic_link_to(std::string_view topic_page, const Language& language) {
+  if (topic_page.empty()) return {};
+  return fmt::format("<a class=\"topic\" href=\"{}\">{}</a>", link_to(topic_page),
+                     escaped(language.text("player.about")));
+}
+
 }  // namespace
 
-std::string player_page(const Trace& trace, const Colophon& colophon) {
-  const std::string data = fmt::format("{{\"themes\":{},\n\"command\":{},\n\"trace\":{}}}", themes_json(),
-                                       json_quoted(colophon.command), trace_json(trace));
-  const std::string title = escaped(colophon.title), description = escaped(colophon.description);
+std::string player_page(const Trace& trace, const Colophon& colophon, const PlayerOptions& options) {
+  const Language& language = trace.wording.language();
+  const std::string data =
+      fmt::format("{{\"themes\":{},\n\"theme\":{},\n\"words\":{},\n\"command\":{},\n\"trace\":{}}}",
+                  themes_json(), json_quoted(options.theme), said_words(language),
+                  json_quoted(colophon.command), trace_json(trace, options.slots));
+  const bool describes = options.slots.contains(Slot::title) && options.slots.contains(Slot::sentence);
+  const std::string title = escaped(colophon.title);
+  const std::string description = describes ? escaped(colophon.description) : title;
   const std::string command = escaped(colophon.command), input_hash = escaped(colophon.input_hash);
-  return filled(web_asset("player.html"), {{"title", title},
-                                           {"description", description},
-                                           {"command", command},
-                                           {"input_hash", input_hash},
-                                           {"release", release_version},
-                                           {"licence", figure_licence},
-                                           {"player.css", web_asset("player.css")},
-                                           {"run.js", web_asset("run.js")},
-                                           {"drawing.js", web_asset("drawing.js")},
-                                           {"player.js", web_asset("player.js")},
-                                           {"data", data}});
+  const std::string topic_link = topic_link_to(options.topic_page, language);
+  Parts parts{{"title", title},
+              {"description", description},
+              {"command", command},
+              {"input_hash", input_hash},
+              {"release", release_version},
+              {"licence", figure_licence},
+              {"language", language.code()},
+              {"topic_link", topic_link},
+              {"data", data}};
+  for (const std::string_view file : {"player.css", "words.js", "run.js", "drawing.js", "scrub.js",
+                                      "address.js", "clipboard.js", "player.js"}) {
+    parts.emplace_back(file, web_asset(file));
+  }
+  const std::vector<std::pair<std::string, std::string>> words = page_words(language);
+  parts.insert(parts.end(), words.begin(), words.end());
+  return filled(web_asset("player.html"), parts);
 }
 
 }  // namespace gradus

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "figure/recording.hpp"
 
@@ -126,6 +127,34 @@ TEST(TraceJson, TellsStepsAsDeltas) {
   EXPECT_EQ(steps[2]["read"], (Json{"0", "E"}));
   EXPECT_FALSE(steps[1].contains("cells"));
   EXPECT_FALSE(steps[0].contains("line"));
+}
+
+TEST(TraceJson, HasNothingOfASlotThatWasDropped) {
+  const std::vector<std::pair<Slot, std::vector<std::string>>> members{
+      {Slot::title, {"title", "subtitle", "method_title"}},
+      {Slot::drawing, {"roles", "legend", "grid", "backdrop", "pixels", "cells", "set", "removed", "focus"}},
+      {Slot::listing, {"listing", "source_file", "line"}},
+      {Slot::table, {"columns", "result", "fields", "read", "row"}},
+      {Slot::sentence, {"goal", "sentence"}},
+      {Slot::footer, {"legend", "phase"}}};
+  Trace trace = small_trace();
+  for (TraceStep& step : trace.steps) step.sentence = "p < 0";
+  const std::string whole = trace_json(trace);
+  for (const auto& [slot, names] : members) {
+    std::set<Slot> kept(all_slots.begin(), all_slots.end());
+    kept.erase(slot);
+    const std::string json = trace_json(trace, kept), alone = trace_json(trace, {slot});
+    for (const std::string& name : names) {
+      const std::string member = '"' + name + "\":";
+      EXPECT_NE(whole.find(member), whole.npos) << name;
+      EXPECT_EQ(json.find(member), json.npos) << name_of(slot) << ": " << name;
+      EXPECT_EQ(alone.find(member) != alone.npos, name != "legend") << name_of(slot) << ": " << name;
+    }
+    EXPECT_EQ(Json::parse(json)["steps"][2].contains("type"), slot != Slot::listing);
+    EXPECT_EQ(Json::parse(json)["slots"].size(), all_slots.size() - 1);
+    EXPECT_EQ(Json::parse(json)["steps"].size(), trace.steps.size());
+  }
+  EXPECT_EQ(whole.find("\"slots\":"), whole.npos);
 }
 
 TEST(TraceJson, ALateRecordingTellsWhatWasDrawnBefore) {

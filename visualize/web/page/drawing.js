@@ -196,6 +196,7 @@ class Drawing {
   }
   load(run) {
     this.run = run;
+    if (!run.shows('drawing')) return;
     const {picture, lower} = run.trace.grid;
     this.texels = picture ? {...picture, lower, rgba: decodePicture(picture)} : null;
     this.stillKey = null;
@@ -538,7 +539,7 @@ class Drawing {
   overviewLines() {
     const {grid} = this.run.trace, {x0, y0, x1, y1} = this.at.view;
     return [
-      `whole: ${grid.upper[0] - grid.lower[0] + 1} × ${grid.upper[1] - grid.lower[1] + 1}`,
+      say('whole', {columns: grid.upper[0] - grid.lower[0] + 1, rows: grid.upper[1] - grid.lower[1] + 1}),
       `${grid.x_name} ${written(x0)} … ${written(x1)}`, `${grid.y_name} ${written(y0)} … ${written(y1)}`
     ];
   }

@@ -1,14 +1,18 @@
 'use strict';
 // The player of a recorded run. `new GradusPlayer(root).load(trace)` shows a trace of schema 1 (see
 // trace_json) in any element; every picture is drawn from the trace's marks at the moment it is looked at.
-// Needs run.js and drawing.js.
+// Needs all other scripts of this folder.
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16, 32];  // steps a second
+const PLAIN_SPEED = SPEEDS.indexOf(1);
+const FAST = 4;  // times as fast, backwards
 const all = [];
 
 class GradusPlayer {
   /** The looks there are: {name, tones, roles}. The page sets them before it makes a player. */
   static themes = [];
+  /** The name of the first one; empty: what the reader's system prefers. */
+  static firstTheme = '';
 
   constructor(root) {
     this.root = root;
@@ -17,8 +21,11 @@ class GradusPlayer {
     root.replaceChildren(document.getElementById('gradus-player').content.cloneNode(true));
     this.parts = {};
     for (const node of root.querySelectorAll('[data-part]')) this.parts[node.dataset.part] = node;
+    this.stage = root.querySelector('.stage');
     this.drawing = new Drawing(this.parts.drawing, this.prefix);
-    this.speed = SPEEDS.indexOf(1);
+    this.parts.said.id = `${this.prefix}-sentence`;
+    this.scrub = new ScrubBar(this.parts);
+    this.speed = PLAIN_SPEED;
     this.bind();
     this.setTheme(preferredTheme());
     all.push(this);
@@ -31,6 +38,8 @@ class GradusPlayer {
     this.pause();
     this.run = run;
     this.index = 0;
+    this.loop = {on: false};  // {first, last, on}: the steps to repeat
+    this.bookmarks = [];      // indices of steps, ascending
     this.command = more.command ?? '';
     this.drawing.load(this.run);
     this.showTrace();
@@ -52,40 +61,142 @@ class GradusPlayer {
   last() { this.show(this.run.steps.length - 1); }
   get atEnd() { return this.index === this.run.steps.length - 1; }
 
-  play() {
-    if (this.timer) return;
-    if (this.atEnd) this.first();
-    this.root.classList.add('playing');
-    this.parts.play.setAttribute('aria-label', 'Pause');
-    this.parts.live.setAttribute('aria-live', 'off');  // a reader could not follow
-    const tick = () => {
-      this.next();
-      if (this.atEnd)
-        this.pause();
-      else
-        this.timer = setTimeout(tick, 1000 / SPEEDS[this.speed]);
-    };
-    this.timer = setTimeout(tick, 1000 / SPEEDS[this.speed]);
+  // -- Playing
+
+  /** The steps that playing goes through: the loop, or all. */
+  get stretch() { return this.loop.on ? this.loop : {first: 0, last: this.run.steps.length - 1}; }
+  get playing() { return Boolean(this.timer); }
+  /** Whether steps go past faster than they can be read out. */
+  get flying() { return this.playing && SPEEDS[this.speed] * Math.abs(this.pace) > 1; }
+
+  /** Plays on. A negative pace plays backwards; beyond 1 or -1 it is so many times as fast. */
+  play(pace = 1) {
+    this.pause();
+    const {first, last} = this.stretch, [begin, end] = pace > 0 ? [first, last] : [last, first];
+    if (this.index < first || this.index > last || this.index === end) this.show(begin);
+    this.pace = pace;
+    this.waitForTick();
+    this.showPlaying();
+  }
+  waitForTick() {
+    this.timer = setTimeout(() => this.tick(), 1000 / (SPEEDS[this.speed] * Math.abs(this.pace)));
+  }
+  tick() {
+    const {first, last} = this.stretch, [begin, end] = this.pace > 0 ? [first, last] : [last, first];
+    this.show(this.index === end ? begin : clamp(this.following(first, last), first, last));
+    if (this.index === end && !this.loop.on)
+      this.pause();
+    else
+      this.waitForTick();
+  }
+  /** The milestone that playing comes to; in a loop between finer events, the event. */
+  following(first, last) {
+    const {run, index, pace} = this;
+    if (this.loop.on && (isFine(run.steps[first]) || isFine(run.steps[last]))) return index + Math.sign(pace);
+    return pace > 0 ? run.nextMilestone(index) : run.previousMilestone(index);
   }
   pause() {
+    const unsaid = this.flying;
     clearTimeout(this.timer);
     this.timer = 0;
-    this.root.classList.remove('playing');
-    this.parts.play.setAttribute('aria-label', 'Play');
-    this.parts.live.setAttribute('aria-live', 'polite');
+    this.pace = 0;
+    this.showPlaying();
+    if (unsaid) this.announce();
   }
   toggle() {
-    if (this.timer)
+    if (this.playing)
       this.pause();
     else
       this.play();
   }
-  get playing() { return Boolean(this.timer); }
+  toggleBackwards(pace) {
+    if (this.pace === pace)
+      this.pause();
+    else
+      this.play(pace);
+  }
+  replay() {
+    this.pause();
+    this.show(this.stretch.first);
+    this.play();
+  }
+  showPlaying() {
+    const {parts, pace} = this;
+    this.root.classList.toggle('playing', this.playing);
+    parts.play.setAttribute('aria-label', say(this.playing ? 'pause' : 'play'));
+    parts.backwards.setAttribute('aria-pressed', pace === -1);
+    parts.fast_backwards.setAttribute('aria-pressed', pace === -FAST);
+  }
 
   changeSpeed(by) {
-    this.speed = clamp(this.speed + by, 0, SPEEDS.length - 1);
-    this.parts.speed.textContent = `${SPEEDS[this.speed]}/s`;
-    this.parts.speed.setAttribute('aria-label', `${SPEEDS[this.speed]} steps a second`);
+    this.setSpeed(clamp(this.speed + by, 0, SPEEDS.length - 1));
+    this.changed();
+  }
+  setSpeed(index) {
+    this.speed = index;
+    this.parts.speed.textContent = say('speed', {n: SPEEDS[index]});
+    this.parts.speed.setAttribute('aria-label', say('speed_label', {n: SPEEDS[index]}));
+  }
+
+  // -- The loop and the bookmarks
+
+  /** This step is where the loop starts, or ends; a missing other end is the run's. */
+  markLoop(end) {
+    const {index, loop} = this, whole = {first: 0, last: this.run.steps.length - 1};
+    const marked = {...whole, ...loop, [end]: index};
+    if (marked.first >= marked.last) Object.assign(marked, whole, {[end]: index});
+    if (marked.first >= marked.last) return this.notice(say('loop_short'));
+    this.setLoop({...marked, on: true});
+    this.tellLoop();
+    this.changed();
+  }
+  toggleLoop() {
+    const whole = {first: 0, last: this.run.steps.length - 1};
+    if (whole.last === 0) return this.notice(say('loop_short'));
+    this.setLoop({...whole, ...this.loop, on: !this.loop.on});
+    this.tellLoop();
+    this.changed();
+  }
+  setLoop(loop = {on: false}) {
+    this.loop = loop;
+    this.scrub.showLoop(loop);
+    this.parts.loop.setAttribute('aria-pressed', loop.on);
+  }
+  tellLoop() {
+    const {steps} = this.run, {first, last, on} = this.loop;
+    const range = () => ({first: steps[first].number, last: steps[last].number});
+    this.notice(on ? say('loop_on', range()) : say('loop_off'));
+  }
+
+  toggleBookmark() {
+    const {index, bookmarks} = this, has = bookmarks.includes(index), {number} = this.run.steps[index];
+    this.setBookmarks(has ? bookmarks.filter((mark) => mark !== index) : [...bookmarks, index]);
+    this.notice(say(has ? 'bookmark_removed' : 'bookmark_set', {number}));
+    this.changed();
+  }
+  /** The next bookmark after this step; after the last one the first. */
+  nextBookmark() {
+    const {bookmarks} = this;
+    if (bookmarks.length === 0) return this.notice(say('no_bookmark'));
+    this.goToBookmark(bookmarks.find((mark) => mark > this.index) ?? bookmarks[0]);
+  }
+  goToBookmark(index) {
+    this.pause();
+    this.show(index);
+    this.notice(say('bookmark_here', {number: this.run.steps[index].number}));
+  }
+  setBookmarks(bookmarks) {
+    this.bookmarks = [...new Set(bookmarks)].sort((a, b) => a - b);
+    this.scrub.showBookmarks(this.bookmarks);
+    this.redrawBookmark();
+  }
+  redrawBookmark() {
+    this.parts.bookmark.setAttribute('aria-pressed', this.bookmarks.includes(this.index));
+    this.parts.next_bookmark.setAttribute('aria-disabled', this.bookmarks.length === 0);
+  }
+  /** The address follows the page's own player. */
+  changed() {
+    if (window.player === this) noteAddress(this);
   }
 
   setTheme(name) {
@@ -97,14 +208,20 @@ class GradusPlayer {
     this.root.style.setProperty('--measure-mark', this.look('measure').mark);
     this.root.style.colorScheme = this.theme.name === 'dark' ? 'dark' : 'light';
     this.root.dataset.theme = this.theme.name;
-    this.parts.theme.textContent = this.theme.name.replace('_', ' ');
+    this.parts.theme.textContent = say(`theme_${this.theme.name}`);
     if (!this.run) return;
     this.showPhases();
     this.redraw();
   }
+  /** As the reader wishes: that goes into the address. */
+  chooseTheme(name) {
+    this.themeChosen = true;
+    this.setTheme(name);
+    this.changed();
+  }
   nextTheme() {
     const {themes} = GradusPlayer;
-    this.setTheme(themes[(themes.indexOf(this.theme) + 1) % themes.length].name);
+    this.chooseTheme(themes[(themes.indexOf(this.theme) + 1) % themes.length].name);
   }
   look(role) { return this.theme.roles.find((look) => look.role === role); }
 
@@ -113,6 +230,10 @@ class GradusPlayer {
     const {run, index} = this, rows = [...Array(run.table.count(index)).keys()];
     return {
       step: run.steps[index].number,
+      loop: this.loop.on ? [this.loop.first, this.loop.last].map((i) => run.steps[i].number) : null,
+      bookmarks: this.bookmarks.map((i) => run.steps[i].number),
+      speed: SPEEDS[this.speed],
+      pace: this.pace,
       position: this.parts.position.textContent,
       sentence: this.said(run.steps[index]),
       view: this.drawing.at.view,
@@ -131,33 +252,57 @@ class GradusPlayer {
   /** All that stays through the steps of a trace. */
   showTrace() {
     const {parts, run} = this, {trace} = run;
-    parts.title.textContent = trace.title;
+    parts.title.textContent = trace.title || document.title;
     parts.subtitle.textContent = parts.subtitle.title = trace.subtitle;
-    parts.faulty.textContent = trace.faulty ?? '';
+    parts.method.textContent = run.shows('title') ? trace.method_title || trace.method : '';
+    parts.faulty.textContent = trace.faulty ? `\u26a0\ufe0e ${say('faulty', {what: trace.faulty})}` : '';
     parts.faulty.hidden = !trace.faulty;
-    this.root.setAttribute('aria-label', `${trace.title} ${trace.subtitle}`);
+    this.root.setAttribute('aria-label', this.name);
+    this.showSlots();
     this.showListing();
     this.showColumns();
     parts.slider.max = run.steps.length - 1;
-    const first = run.steps[0].number, last = run.steps[run.lastMilestone].number;
-    const whole = first === '0' && run.milestones.length === trace.last + 1;
     parts.total.textContent = `/ ${trace.last}`;
-    parts.method.textContent = trace.method_title || trace.method;
-    const recorded = whole ? '' : `recorded: steps ${first} to ${last} of 0 to ${trace.last}`;
-    parts.total.title = recorded;
-    this.notice(recorded);
+    parts.total.title = this.recorded();
+    this.notice(this.recorded());
     parts.goal.textContent = trace.goal;
     parts.command.hidden = !this.command;
     parts['command-text'].textContent = this.command;
+    parts['table-copy'].hidden = parts.table.hidden;
     const phases = [...new Set(run.phases().map((phase) => phase.name))].slice(0, 100);
-    const longest = Math.max(...phases.map((phase) => textWidth(this.positionOf({number: last, phase}), 1)));
+    const number = run.steps[run.lastMilestone].number;
+    const longest = Math.max(...phases.map((phase) => textWidth(this.positionOf({number, phase}), 1)));
     this.root.style.setProperty('--position-width', `${Math.min(longest, 30)}em`);
     this.longest = undefined;
-    this.changeSpeed(0);
+    this.scrub.load(run);
+    this.setSpeed(this.speed);
+    this.setLoop();
+    this.setBookmarks([]);
+  }
+  get name() { return `${this.run.trace.title} ${this.run.trace.subtitle}`.trim(); }
+  /** What is said of a recording that is not the whole run. */
+  recorded() {
+    const {run} = this, {trace} = run, first = run.steps[0].number;
+    if (first === '0' && run.milestones.length === trace.last + 1) return '';
+    return say('recorded', {first, last: run.steps[run.lastMilestone].number, end: trace.last});
+  }
+  /** A slot that is not in the trace leaves its room to the others. */
+  showSlots() {
+    const {parts, run, root} = this, {trace} = run;
+    parts.listing.hidden = trace.listing.length === 0;
+    parts.table.hidden = trace.columns.length === 0;
+    parts.side.hidden = parts.listing.hidden && parts.table.hidden;
+    parts.drawing.hidden = !run.shows('drawing');
+    parts.said.hidden = !run.shows('sentence');
+    parts.footer.hidden = !run.shows('footer');
+    // A page without a heading is hard to find one's way in by ear
+    parts.title.classList.toggle('unseen', !run.shows('title'));
+    parts.subtitle.hidden = parts.method.hidden = !run.shows('title');
+    for (const part of ['drawing', 'side', 'listing', 'table'])
+      root.classList.toggle(`no-${part}`, parts[part].hidden);
   }
   showListing() {
     const {trace} = this.run;
-    this.parts.listing.hidden = trace.listing.length === 0;
     const characters = Math.max(44, ...trace.listing.map(([, text]) => text.length));
     this.parts.listing.style.setProperty('--characters', Math.min(characters, 60));
     this.parts.lines.replaceChildren(...trace.listing.map(
@@ -165,14 +310,12 @@ class GradusPlayer {
             'li', {'data-position': position},
             html(
                 'button',
-                {type: 'button', tabindex: -1, 'aria-label': `line ${number}: go to its next execution`},
+                {type: 'button', tabindex: -1, 'aria-label': say('line', {number})},
                 String(number)),
             html('code', {}, text))));
   }
   showColumns() {
     const {trace} = this.run;
-    this.parts.table.hidden = trace.columns.length === 0;
-    this.parts.side.hidden = trace.columns.length === 0 && trace.listing.length === 0;
     // As wide as the widest text asks for, the rest shared evenly: the table keeps still from the first step on
     const wanted = trace.columns.map(({name, widest}) => {
       const text = Math.max(textWidth(name, 1, 'bold'), textWidth(widest, 1, 'bold', MONO));
@@ -186,51 +329,36 @@ class GradusPlayer {
             {scope: 'col', style: `width: ${(100 * (wanted[c] + spare)) / (sum + spare * wanted.length)}%`},
             name)));
   }
-  /** A coloured bar for each phase, and its name where there is room. */
-  showPhases() {
-    const {steps} = this.run, phases = this.run.phases().filter((p) => p.name);
-    const colors = ['current', 'measure', 'accepted', 'candidate', 'rejected', 'past'];
-    const names = [...new Set(phases.map((p) => p.name))], end = Math.max(steps.length - 1, 1);
-    const strip = this.parts.phases, room = strip.clientWidth;
-    const size = parseFloat(getComputedStyle(strip).fontSize);
-    strip.replaceChildren();
-    if (phases.length > 200) return;  // they could not be told apart
-    const bars = phases.map(({name, from, to}) => {
-      const look = this.look(colors[names.indexOf(name) % colors.length]), width = textWidth(name, size) + 8;
-      const left = (Math.max(from - 0.5, 0) / end) * room, right = (Math.min(to + 0.5, end) / end) * room;
-      return {name, look, width, left, right};
-    });
-    let free = 0;
-    bars.forEach((bar, i) => {
-      const {name, look, left, right, width} = bar, next = bars[i + 1];
-      strip.append(html('i', {
-        style: `left: ${left}px; width: ${Math.max(right - left - 1, 1)}px; border-color: ${look.mark}`,
-        title: name
-      }));
-      const at = Math.max(next ? left : Math.min(left, room - width), free);
-      const until = next ? Math.max(right, next.right - next.width) : room;
-      if (at + width > until) return;
-      strip.append(html('span', {style: `left: ${at}px; color: ${look.text}`}, name));
-      free = at + width;
-    });
-  }
+  showPhases() { this.scrub.showPhases((role) => this.look(role)); }
 
   show(index) {
     if (!this.run) return;
     this.index = clamp(index, 0, this.run.steps.length - 1);
     this.redraw();
-    if (window.player === this) noteAddress(this);
+    this.announce();
+    this.changed();
+  }
+  /** For readers by ear: once a step, and not while steps fly past. */
+  announce() {
+    const step = this.run.steps[this.index];
+    if (this.flying) return;
+    this.parts.live.textContent = `${this.positionOf(step)}: ${this.said(step)}`;
   }
   redraw() {
     const {parts, run, index} = this, step = run.steps[index];
     parts.sentence.textContent = step.sentence ?? '';
     parts.goal.hidden = !this.statesGoal(step);
-    this.drawing.draw(index, this.theme, this.unit / TEXT);
-    this.drawing.svg.setAttribute('aria-label', this.said(step) || 'drawing');
+    if (run.shows('drawing')) this.redrawDrawing();
     this.redrawListing();
     this.redrawTable(true);
     this.redrawFooter(step);
     this.redrawControls(step);
+  }
+  redrawDrawing() {
+    const {svg} = this.drawing, {parts} = this;
+    this.drawing.draw(this.index, this.theme, this.unit / TEXT);
+    svg.setAttribute('aria-label', say('drawing', {title: this.name}));
+    if (!parts.said.hidden) svg.setAttribute('aria-describedby', parts.said.id);
   }
   /** Step 0 says what it is all about, unless its own sentence does. */
   statesGoal(step) {
@@ -252,7 +380,7 @@ class GradusPlayer {
   }
   /** Whole lines only; a dashed edge where there are more. */
   scrollListing(strong) {
-    const {listing, lines} = this.parts, {run} = this, shown = this.room.lines, height = 1.5 * this.unit;
+    const {listing, lines} = this.parts, {run} = this, shown = this.room.lines, height = this.line;
     const first = run.firstListed(shown, strong);
     listing.classList.toggle('above', first > 0);
     listing.classList.toggle('below', first + shown < run.lines.length);
@@ -269,13 +397,21 @@ class GradusPlayer {
     table.classList.toggle('above', first > 0);
     table.classList.toggle('below', first + visible < count);
     const from = clamp(first - 4, 0, count), to = clamp(first + visible + 4, from, count);
+    const focused = rows.contains(document.activeElement) && document.activeElement.dataset.row;
     rows.replaceChildren(
         this.gap(from * height), ...Array.from({length: to - from}, (_, i) => this.tableRow(from + i)),
         this.gap((count - to) * height));
+    if (focused) this.focusRow(focused);
     for (const column of rows.querySelectorAll('.gap td')) column.colSpan = trace.columns.length;
     this.parts.grid.setAttribute('aria-rowcount', count + 1);
+    table.tabIndex = count === 0 ? 0 : -1;  // without a row the keys still scroll it sideways
     if (toEnd) table.scrollTop = count * height;
     this.rowsMadeAt = table.scrollTop;
+  }
+  /** Rows are made anew; who stood on one stands there again, or on the current one. */
+  focusRow(row) {
+    const {rows} = this.parts, same = rows.querySelector(`[data-row="${row}"]`);
+    (same ?? rows.querySelector('[tabindex="0"]') ?? this.stage).focus({preventScroll: true});
   }
   gap(height) {
     const row = html('tr', {class: 'gap', 'aria-hidden': 'true', style: `height: ${height}px`}, html('td'));
@@ -287,10 +423,10 @@ class GradusPlayer {
     const made = this.run.steps[table.made[row]].number;
     const out = html('tr', {
       'data-row': row,
-      tabindex: emphasis === 'strong' ? 0 : -1,
+      tabindex: row === this.reachableRow() ? 0 : -1,
       'aria-rowindex': row + 2,
       class: emphasis === 'none' ? undefined : emphasis,
-      title: `made by step ${made}`,
+      title: say('made_by', {number: made}),
       'aria-current': emphasis === 'strong' ? 'step' : undefined
     });
     trace.columns.forEach((column, c) => {
@@ -298,19 +434,23 @@ class GradusPlayer {
       cell.classList.toggle('numeric', column.numeric);
       if (changed[c]) {
         cell.classList.add('changed');
-        cell.append(html('i', {class: 'unseen'}, ' changed'));
+        cell.append(html('i', {class: 'unseen'}, ` ${say('changed')}`));
       }
       out.append(cell);
     });
     return out;
   }
+  /** The row that Tab leads to: this step's, or the last one. */
+  reachableRow() { return this.run.table.madeRow.get(this.index) ?? this.run.table.count(this.index) - 1; }
   positionOf({number, phase}) {
-    const place = `step ${number} / ${this.run.trace.last}`;
+    const place = say('step', {number, last: this.run.trace.last});
     return phase ? `${place} · ${phase}` : place;
   }
   redrawFooter(step) {
     const {parts, run} = this, s = this.unit / TEXT;
     parts.position.textContent = this.positionOf(step);
+    parts.legend.hidden = run.trace.legend.length === 0 || parts.drawing.hidden;
+    if (parts.legend.hidden) return;
     parts.legend.replaceChildren(...this.drawing.legendRoles().map(
         ([role, text]) =>
             html('li', {'data-role': run.trace.roles[role]}, this.drawing.swatch(role, s), text)));
@@ -324,21 +464,31 @@ class GradusPlayer {
              ['first', index === 0], ['previous', index === 0], ['next', this.atEnd], ['last', this.atEnd]]) {
       this.root.querySelector(`[data-do="${does}"]`).setAttribute('aria-disabled', off);
     }
+    this.redrawBookmark();
   }
-  notice(text) { this.parts.notice.textContent = text; }
+  /** Beside the controls, or in the dialog that lies over them. */
+  notice(text) {
+    const {notice, copied, copying} = this.parts;
+    notice.textContent = copying.open ? '' : text;
+    copied.textContent = copying.open ? text : '';
+  }
 
   /**
    * Text is 1/36 of the height, so that a full screen is a slide; one column where there is no room for two.
    */
   resize() {
-    const {root} = this, width = root.clientWidth, narrow = width < 700;
+    const {root} = this, width = root.clientWidth;
+    const narrow = width < (root.classList.contains('embedded') ? 560 : 700);
     root.dataset.layout = narrow ? 'narrow' : 'wide';
     this.unit = narrow ? 15 : clamp(Math.min(root.clientHeight / 36, width / 64), 12, 80);
+    this.line = (narrow ? 1.6 : 1.5) * this.unit;  // a finger needs 24 px
     root.style.setProperty('--u', `${this.unit}px`);
+    root.style.setProperty('--line', `${this.line}px`);
     if (!this.run) return;
     this.reserveSentence(width - (narrow ? 3.8 : 5.8) * this.unit);
     this.shareSide(narrow);
-    this.parts.drawing.style.height = narrow ? `${this.heightOfDrawing()}px` : '';
+    const drawn = narrow && !this.parts.drawing.hidden;
+    this.parts.drawing.style.height = drawn ? `${this.heightOfDrawing()}px` : '';
     this.showPhases();
     this.redraw();
   }
@@ -352,12 +502,14 @@ class GradusPlayer {
   /** Whole lines and whole rows only. */
   shareSide(narrow) {
     const {parts, run, unit} = this, count = run.lines.length, panel = 0.7 * unit + 3;
-    const table = !parts.table.hidden, gap = 0.9 * unit, row = 1.7 * unit, line = 1.5 * unit;
+    const table = !parts.table.hidden, gap = 0.9 * unit, row = 1.7 * unit, {line} = this;
     const room = narrow ? Infinity : parts.side.clientHeight;
     const forTable = table ? 1.9 * unit + 3 + 4 * row + (count ? gap : 0) : 0;
-    const lines = Math.min(count, narrow ? 14 : Math.max(Math.floor((room - forTable - panel) / line), 3));
+    const forLines = room - (parts.drawing.hidden ? 0 : forTable) - panel;
+    const lines = Math.min(count, narrow ? 14 : Math.max(Math.floor(forLines / line), 3));
     parts.lines.style.height = `${lines * line}px`;
-    const left = room - (count ? lines * line + panel + gap : 0) - 1.9 * unit - 3;
+    const beside = !narrow && parts.drawing.hidden;  // then the table stands beside the listing
+    const left = room - (count && !beside ? lines * line + panel + gap : 0) - 1.9 * unit - 3;
     this.room = {lines, rows: narrow ? 7 : Math.max(Math.floor(left / row), 2)};
   }
   heightOfDrawing() {
@@ -374,11 +526,11 @@ class GradusPlayer {
     root.addEventListener('click', (event) => this.clicked(event));
     root.addEventListener('pointerdown', (event) => {
       GradusPlayer.active = this;
-      // A mouse does not take the focus to a button: the keys stay with the player
+      // A mouse does not take the focus to a button: the keys stay with the player, or come to its frame
       const button = event.target.closest('.controls button');
       if (!button) return;
       event.preventDefault();
-      document.activeElement?.blur();
+      this.stage.focus({preventScroll: true});
     });
     parts.slider.addEventListener('input', () => {
       this.pause();
@@ -405,16 +557,20 @@ class GradusPlayer {
     const line = event.target.closest('[data-position]');
     if (line)
       return this.goToMaker(
-          this.run.nextExecution(Number(line.dataset.position), this.index), 'no step executes this line');
+          this.run.nextExecution(Number(line.dataset.position), this.index), say('no_line'));
     const row = event.target.closest('[data-row]');
     if (row) return this.goToMaker(this.run.table.made[Number(row.dataset.row)]);
+    const flag = event.target.closest('[data-flag]');
+    if (flag) return this.goToBookmark(Number(flag.dataset.flag));
     if (this.parts.drawing.contains(event.target)) this.clickedDrawing(event);
   }
   clickedDrawing(event) {
     const mark = event.target.closest('[data-mark]');
     if (mark) return this.goToMaker(this.run.makerOfMark(mark.dataset.mark, this.index));
     const cell = this.cellAt(event);
-    if (cell) this.goToMaker(this.run.makerOfCell(...cell), `no recorded step made (${cell.join(', ')})`);
+    if (!cell) return;
+    const [x, y] = cell;
+    this.goToMaker(this.run.makerOfCell(x, y), say('no_cell', {x, y}));
   }
   cellAt(event) {
     const box = this.parts.drawing.getBoundingClientRect();
@@ -436,10 +592,20 @@ class GradusPlayer {
     const others = {
       slower: () => this.changeSpeed(-1),
       faster: () => this.changeSpeed(1),
+      backwards: () => this.toggleBackwards(-1),
+      fast_backwards: () => this.toggleBackwards(-FAST),
+      replay: () => this.replay(),
+      loop: () => this.toggleLoop(),
+      loop_from: () => this.markLoop('first'),
+      loop_to: () => this.markLoop('last'),
+      bookmark: () => this.toggleBookmark(),
+      next_bookmark: () => this.nextBookmark(),
       theme: () => this.nextTheme(),
-      keys: () => this.parts.keys.showModal(),
-      command: () => this.parts['command-box'].showModal(),
-      copy: () => this.copyCommand(),
+      keys: () => this.openKeys(),
+      copying: () => this.openCopying(),
+      copy_link: () => this.copy({'text/plain': this.link()}, 'copied_link'),
+      copy_command: () => this.copy({'text/plain': this.command}, 'copied_command'),
+      copy_table: () => this.copy(this.tableSoFar(), 'copied_table'),
       full: () => this.toggleFull(),
     };
     others[what]?.();
@@ -450,31 +616,53 @@ class GradusPlayer {
     this.notice('');
     this[how]();
   }
-  async copyCommand() {
-    try {
-      await navigator.clipboard.writeText(this.command);
-      this.notice('copied');
-    } catch {
-      // Without leave to write: at least select it
-      getSelection().selectAllChildren(this.parts['command-text']);
-    }
+  openKeys() {
+    const {keys} = this.parts;
+    keys.showModal();
+    keys.focus();  // not its button, which is out of sight where the list is long
+    keys.scrollTop = 0;
+  }
+  openCopying() {
+    const {parts} = this;
+    this.pause();
+    this.notice('');
+    parts['by-hand'].hidden = true;
+    parts['link-text'].textContent = this.link();
+    parts.copying.showModal();
+  }
+  /** The address of this step, with all that the page keeps in it. */
+  link() { return location.href.split('#')[0] + addressOf(this); }
+  tableSoFar() {
+    const {run, index} = this, rows = [...Array(run.table.count(index)).keys()];
+    return tableForms(run.trace.columns, rows.map((row) => run.table.cells(row, index)));
+  }
+  async copy(forms, done) {
+    const {copying, 'by-hand': byHand} = this.parts;
+    const copied = await copyForms(forms, copying);
+    byHand.hidden = copied;
+    this.notice(say(copied ? done : 'copy_by_hand'));
+    if (copied) return;
+    byHand.value = forms['text/plain'];
+    byHand.select();
   }
   toggleFull() {
     if (document.fullscreenElement)
       document.exitFullscreen();
     else
-      this.root.requestFullscreen?.().catch(() => this.notice('the browser does not allow full screen here'));
+      this.root.requestFullscreen?.().catch(() => this.notice(say('no_full_screen')));
   }
   submitWanted() {
     const {wanted} = this.parts;
     this.pause();
     if (!this.goTo(wanted.value)) {
       wanted.setAttribute('aria-invalid', 'true');
-      const {steps} = this.run;
-      const [first, last] = [steps[0].number, steps[steps.length - 1].number];
-      return this.notice(`there is no step ${wanted.value}; there are ${first} to ${last}`);
+      return this.notice(this.noStep(wanted.value));
     }
     wanted.blur();
+  }
+  noStep(number) {
+    const {steps} = this.run;
+    return say('no_step', {number, first: steps[0].number, last: steps[steps.length - 1].number});
   }
   endWanted() {
     const {wanted} = this.parts;
@@ -501,74 +689,69 @@ class GradusPlayer {
       '+': 'faster',
       '=': 'faster',
       '-': 'slower',
+      '?': 'keys',
+      ' ': 'play',
+      '[': 'loop_from',
+      ']': 'loop_to',
+      l: 'loop',
+      b: 'bookmark',
+      'shift b': 'next_bookmark',
+      r: 'replay',
       g: 'go',
       f: 'full',
       t: 'theme',
-      '?': 'keys',
-      ' ': 'play',
-    }[key.length === 1 ? key.toLowerCase() : key];
+    }[nameOfKey(event)];
     if (other === 'play' && target.closest?.('button')) return false;  // the button's own
     if (other === 'go') return this.parts.wanted.focus(), true;
     if (other) return this.does(other), true;
+    if (key.toLowerCase() === 'v') return this.playBackwards(event.shiftKey), true;
     if (key === 'ArrowUp' || key === 'ArrowDown') return this.moveFocus(target, key === 'ArrowDown' ? 1 : -1);
     if (key === 'Enter' && target.matches?.('[data-row]')) return target.click(), true;
     return false;
   }
+  /** First at the usual pace, then fast, then as usual again. */
+  playBackwards(fast) { this.play(fast || this.pace === -1 ? -FAST : -1); }
   /**
    * Up and down in the listing and in the table: one of its lines is in the tab order, the arrows reach all.
    */
   moveFocus(target, by) {
     const line = target.closest?.('[data-position]');
     const row = target.closest?.('tr[data-row]');
-    const next = line ? this.parts.lines.children[Number(line.dataset.position) + by]?.firstChild :
-                        row && this.parts.rows.querySelector(`[data-row="${Number(row.dataset.row) + by}"]`);
-    next?.focus();
+    if (line) this.parts.lines.children[Number(line.dataset.position) + by]?.firstChild.focus();
+    if (row) this.rowNode(Number(row.dataset.row) + by)?.focus();
     return Boolean(line || row);
+  }
+  /** A row's element, made if need be; none for a row that is not there. */
+  rowNode(row) {
+    const {table, rows} = this.parts, find = () => rows.querySelector(`[data-row="${row}"]`);
+    if (find() || row < 0 || row >= this.run.table.count(this.index)) return find();
+    table.scrollTop = row * 1.7 * this.unit;
+    this.redrawTable(false);
+    return find();
   }
 }
 
 // ---- The page --------------------------------------------------------------------------------------------
 
 function preferredTheme() {
-  const asked = addressParts().get('theme');
+  const asked = addressParts().get('theme') || GradusPlayer.firstTheme;
   if (asked) return asked;
   if (matchMedia('(prefers-contrast: more)').matches) return 'high_contrast';
   return matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }
 
-/** "#step=7&embed" as a map. */
-function addressParts(hash = location.hash) {
-  const parts = hash.slice(1).split('&').filter(Boolean).map((part) => part.split('='));
-  return new Map(parts.map(([name, value = '']) => [name, value]));
+/** Letters in small, whatever the caps lock says: "b", "shift b". */
+function nameOfKey({key, shiftKey}) {
+  if (!/^[a-z]$/i.test(key)) return key;
+  return (shiftKey ? 'shift ' : '') + key.toLowerCase();
 }
-function noteAddress(player) {
-  clearTimeout(player.addressTimer);
-  // Browsers allow only so many changes a second
-  player.addressTimer = setTimeout(() => {
-    const parts = addressParts();
-    parts.set('step', player.run.steps[player.index].number);
-    const hash = [...parts].map(([name, value]) => (value ? `${name}=${value}` : name)).join('&');
-    try {
-      history.replaceState(null, '', `#${hash}`);
-    } catch {
-      // A frame without an address of its own
-    }
-  }, player.playing ? 300 : 30);
-}
-function followAddress(hash = location.hash) {
-  const {player} = window, parts = addressParts(hash), step = parts.get('step');
-  clearTimeout(player.addressTimer);
-  player.root.classList.toggle('embedded', parts.has('embed'));
-  if (step === undefined || step === player.run.steps[player.index].number) return;
-  player.pause();
-  if (!player.goTo(step)) player.notice(`there is no step ${step} in this recording`);
-}
-
 const isTyping = (target) =>
     target.isContentEditable || (target.matches?.('input, textarea, select') && target.type !== 'range');
+/** Control and its like are the browser's; but brackets are typed with them where they are no keys. */
+const isOurs = ({key, ctrlKey, metaKey, altKey}) => '[]'.includes(key) || !(ctrlKey || metaKey || altKey);
 
 addEventListener('keydown', (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+  if (!isOurs(event) || event.defaultPrevented) return;
   if (isTyping(event.target)) {
     if (event.key === 'Escape') event.target.blur();
     return;
@@ -587,11 +770,13 @@ window.GradusPlayer = GradusPlayer;
 const page = document.getElementById('gradus-page');
 if (page) {
   const started = performance.now();
-  const {themes, command, trace} = JSON.parse(page.textContent);
-  GradusPlayer.themes = themes;
+  const data = JSON.parse(page.textContent);
+  for (const [key, text] of Object.entries(data.words)) words.set(key, text);
+  GradusPlayer.themes = data.themes;
+  GradusPlayer.firstTheme = data.theme;
   window.player = new GradusPlayer(document.getElementById('player'));
-  window.player.load(trace, {command});
-  followAddress();
-  addEventListener('hashchange', (event) => followAddress(new URL(event.newURL).hash));
+  window.player.load(data.trace, {command: data.command});
+  followAddress(window.player);
+  addEventListener('hashchange', (event) => followAddress(window.player, new URL(event.newURL).hash));
   performance.measure('gradus: open', {start: started, end: performance.now()});
 }

@@ -139,10 +139,13 @@ class Table {
 
 /** A loaded trace and what can be asked of it. */
 class Run {
+  /** What a trace has nothing of when its slot was dropped. */
+  static bare = {title: '', subtitle: '', goal: '', listing: [], columns: [], legend: [], roles: []};
+
   constructor(trace) {
     if (trace.schema !== 1) throw new Error(`a trace of schema 1 is needed, not ${trace.schema}`);
     if (trace.steps.length === 0) throw new Error('a trace without a step cannot be shown');
-    this.trace = trace;
+    this.trace = {...Run.bare, ...trace};
     this.steps = trace.steps;
     this.playhead = new Playhead(trace);
     this.table = new Table(trace.steps);
@@ -151,9 +154,10 @@ class Run {
     trace.steps.forEach((step, index) => {
       if (!isFine(step)) this.milestones.push(index);
     });
-    this.lines = trace.listing.map(([number]) => number);
+    this.lines = this.trace.listing.map(([number]) => number);
     this.reporting = [...new Set(this.steps.map((step) => step.line))].map((line) => this.shownLine(line));
   }
+  shows(slot) { return this.trace.slots?.includes(slot) ?? true; }
   /** First of `count` lines to show: where most steps report; round the current line when it is elsewhere. */
   firstListed(count, current) {
     const last = this.lines.length - count;
