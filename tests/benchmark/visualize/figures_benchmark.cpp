@@ -2,6 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <initializer_list>
+#include <string>
+
 #include "cairo/cairo_output.hpp"
 #include "figure/figure.hpp"
 #include "stories/topic.hpp"
@@ -14,8 +17,9 @@ const Colophon colophon{"Benchmark", "A step", "gradus figure bresenham_line", "
 
 /// One step after the other, from the recorded trace to the file's bytes.
 template <class Render>
-void draw_steps(benchmark::State& state, const char* topic, Render render) {
-  const Trace trace = trace_of(*find_entry(topic));
+void draw_steps(benchmark::State& state, const char* topic, Render render,
+                std::initializer_list<Argument> given = {}) {
+  const Trace trace = trace_of(*find_entry(topic), given);
   Playhead playhead(trace);
   std::size_t next = 0, bytes = 0;
   for (auto _ : state) {
@@ -42,6 +46,12 @@ void layout_alone(benchmark::State& state, const char* topic) {
 }
 BENCHMARK_CAPTURE(svg, line, "bresenham_line");
 BENCHMARK_CAPTURE(svg, fill, "flood_fill");
+/// A view that follows the step, with an overview.
+void svg_following(benchmark::State& state) {
+  draw_steps(state, "bresenham_line", [](const Sheet& sheet) { return svg_of(sheet, themes()[0], colophon); },
+             {{"from", "0,0"}, {"to", "400,170"}});
+}
+BENCHMARK(svg_following);
 BENCHMARK_CAPTURE(png, line, "bresenham_line");
 BENCHMARK_CAPTURE(png, fill, "flood_fill");
 BENCHMARK_CAPTURE(pdf, line, "bresenham_line");

@@ -267,6 +267,17 @@ TEST(Finish, TransparentEdgesHaveTheInksColour) {
   EXPECT_GT(edges, 20u);
 }
 
+TEST(Finish, PdfPagesHaveTheirOwnSizes) {
+  const std::array<Sheet, 3> sheets{Sheet{1280, 720, {}}, Sheet{794, 1123, {}}, Sheet{400, 300, {}}};
+  Finish finish(themes()[1]);
+  const auto pdf = [&] { return pdf_of(3, [&](std::size_t i) { return sheets[i]; }, finish, hostile); };
+  const std::string opaque = pdf();
+  EXPECT_EQ(all(opaque, "/MediaBox \\[ 0 0 ([0-9. ]+) \\]"),
+            (std::vector<std::string>{"960 540", "595.5 842.25", "300 225"}));
+  finish.transparent = true;
+  EXPECT_NE(pdf(), opaque);
+}
+
 TEST(Finish, ScaleIsSharp) {
   const Sheet sheet{101, 50, {{Slot::drawing, "", RectShape{{10.5, 10, 20, 20}, Paint::of(Tone::ink), {}}}}};
   Finish finish(themes()[0]);
