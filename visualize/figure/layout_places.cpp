@@ -159,8 +159,8 @@ std::optional<Body> shelf(const Box& area, const Wants& wants, Least least) {
   Body body;
   const double below = height_of_lines(std::min(least.lines, wants.lines));
   const double height = area.height - below - wants.gutter;
-  const double width =
-      std::min(wants.table_width + 24, area.width - wants.column_gap - std::max(280.0, area.width * 0.4));
+  const double width = std::min(wants.table_width - 4 * static_cast<double>(wants.columns),
+                                area.width - wants.column_gap - std::max(280.0, area.width * 0.4));
   if (width < least_table_width(wants) || rows_in(height) < std::min(least.rows, wants.rows))
     return std::nullopt;
   body.drawing = {area.x, area.y, area.width - width - wants.column_gap, height};
@@ -290,9 +290,8 @@ std::optional<Choice> best_with(const Box& area, const Wants& wants, Least least
   return best;
 }
 
-constexpr std::array<Least, 5> content_with{Least{16, 8}, Least{10, 6}, Least{6, 4}, Least{4, 3},
-                                            Least{3, 2}};
-constexpr std::size_t on_a_slide = 2;  ///< the first that a slide tries; a handout has room for more text
+constexpr std::array<Least, 4> content_with{Least{12, 4}, Least{6, 4}, Least{4, 3}, Least{3, 2}};
+constexpr std::size_t on_a_slide = 1;  ///< the first that a slide tries; a handout has room for more text
 
 /// With as much text as leaves a drawing that can be read.
 std::optional<Choice> best_of(const Box& area, const Wants& wants, const Look& look, const Stage& stage) {
