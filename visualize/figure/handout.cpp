@@ -99,13 +99,15 @@ void add_header(Sheet& page, const Handout& handout, const Trace& trace) {
              elided(trace.subtitle, Face::sans, 11, rest), Face::sans, 11, Align::left, Tone::muted);
   }
   if (!trace.faulty.empty()) {
-    page.shapes.push_back({Slot::title, "faulty",
-                           TextShape{{margin, baseline + 13},
-                                     elided("faulty: " + trace.faulty, Face::bold, small_letters, room),
-                                     Face::bold,
-                                     small_letters,
-                                     Align::left,
-                                     Paint::text(Role::measure)}});
+    page.shapes.push_back(
+        {Slot::title, "faulty",
+         TextShape{{margin, baseline + 13},
+                   elided(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
+                          small_letters, room),
+                   Face::bold,
+                   small_letters,
+                   Align::left,
+                   Paint::text(Role::measure)}});
   }
   add_rule(page, Slot::title, "title rule", margin + header - 8);
 }

@@ -423,7 +423,8 @@ Heading heading_of(const Trace& trace, const Look& look, double width, double he
                          heading.input_line == 0 ? width - title_width - 14 : width);
   heading.method = elided(trace.method_title, Face::sans, text_size, width);
   if (!trace.faulty.empty()) {
-    heading.fault = lines_of("faulty: " + trace.faulty, Face::bold, text_size, width, 3);
+    heading.fault = lines_of(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
+                             text_size, width, 3);
   }
   heading.first_baseline = tight ? 40 : 52;
   const double last_baseline = heading.first_baseline + 40 * (static_cast<double>(heading.title.size()) - 1) +
