@@ -519,8 +519,8 @@ class DrawingLayout {
       pen_.text(std::move(id), std::move(shape));
       y += 28 * s_;
     };
-    const std::string size = trace_.wording.say("figure.whole", fmt::arg("width", all.width()),
-                                                fmt::arg("height", all.height()));
+    const std::string size =
+        trace_.wording.say("figure.whole", fmt::arg("width", all.width()), fmt::arg("height", all.height()));
     line("overview size", fits(size) ? size : fmt::format("{} × {}", all.width(), all.height()));
     line("overview columns", fmt::format("{} {} … {}", trace_.grid.x_name, figure_number(view.lower.x),
                                          figure_number(view.upper.x)));

@@ -19,6 +19,7 @@ constexpr double large_cell = 60;        ///< larger ones are no reason to choos
 constexpr double worthwhile = 1.25;      ///< so much larger must the cells be for a less usual arrangement
 constexpr double least_drawing = 200, least_column = 420;
 constexpr int most_rows = 40;
+constexpr double rounding = 1e-6;  ///< units: so much wider than needed, that a sum may be rounded down
 
 // --- What the slots ask for ----------------------------------------------------------------------
 
@@ -27,6 +28,7 @@ struct Wants {
   double listing_width = 0, table_width = 0;
   int lines = 0, rows = 0;  ///< all there are
   std::size_t columns = 0;
+  double whole_grid = 0;  ///< width of a drawing that shows all columns in cells just large enough
   double gutter = 20, column_gap = 24;
 };
 
@@ -48,7 +50,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-Wants wants_of(const Trace& trace, const Look& look, double margin) {
+Wants wants_of(const Trace& trace, const Look& look, const Stage& stage, double margin) {
   Wants wants;
   wants.drawing = look.slots.contains(Slot::drawing);
   wants.listing = look.slots.contains(Slot::listing) && !trace.listing.empty();
@@ -58,6 +60,8 @@ Wants wants_of(const Trace& trace, const Look& look, double margin) {
   wants.lines = static_cast<int>(trace.listing.size());
   wants.rows = static_cast<int>(std::clamp<std::int64_t>(trace.last + 1, 2, most_rows));
   wants.columns = trace.columns.size();
+  wants.whole_grid =
+      stage.left + stage.right + stage.least_cell * static_cast<double>(stage.cells.width()) + rounding;
   wants.gutter = margin / 2;
   wants.column_gap = margin * 0.6;
   return wants;
@@ -145,11 +149,14 @@ std::optional<Body> column(const Box& area, const Wants& wants, Least least) {
   return with_column(area, wants, least, std::min(asked, column_width));
 }
 
-/// For tall grids on narrow sheets that nothing else shows whole: the column gets what the drawing leaves,
-/// longer lines are shortened.
+/// For grids that nothing else shows whole: the column gets what they leave, longer lines are shortened.
 std::optional<Body> narrow_column(const Box& area, const Wants& wants, Least least) {
-  const double width = area.width - wants.column_gap - least_drawing;
-  if (!wants.listing || width < least_column || width < least_table_width(wants)) return std::nullopt;
+  if (!wants.listing) return std::nullopt;
+  const double most = area.width - wants.column_gap - std::max(least_column, least_table_width(wants));
+  if (most < least_drawing) return std::nullopt;
+  const double drawing =
+      wants.whole_grid <= most + 2 * rounding ? std::max(wants.whole_grid, least_drawing) : least_drawing;
+  const double width = area.width - wants.column_gap - drawing;
   return with_column(area, wants, least, std::min(width, wants.listing_width));
 }
 
@@ -159,8 +166,8 @@ std::optional<Body> shelf(const Box& area, const Wants& wants, Least least) {
   Body body;
   const double below = height_of_lines(std::min(least.lines, wants.lines));
   const double height = area.height - below - wants.gutter;
-  const double width =
-      std::min(wants.table_width + 24, area.width - wants.column_gap - std::max(280.0, area.width * 0.4));
+  const double width = std::min(wants.table_width - 4 * static_cast<double>(wants.columns),
+                                area.width - wants.column_gap - std::max(280.0, area.width * 0.4));
   if (width < least_table_width(wants) || rows_in(height) < std::min(least.rows, wants.rows))
     return std::nullopt;
   body.drawing = {area.x, area.y, area.width - width - wants.column_gap, height};
@@ -290,9 +297,8 @@ std::optional<Choice> best_with(const Box& area, const Wants& wants, Least least
   return best;
 }
 
-constexpr std::array<Least, 5> content_with{Least{16, 8}, Least{10, 6}, Least{6, 4}, Least{4, 3},
-                                            Least{3, 2}};
-constexpr std::size_t on_a_slide = 2;  ///< the first that a slide tries; a handout has room for more text
+constexpr std::array<Least, 4> content_with{Least{12, 4}, Least{6, 4}, Least{4, 3}, Least{3, 2}};
+constexpr std::size_t on_a_slide = 1;  ///< the first that a slide tries; a handout has room for more text
 
 /// With as much text as leaves a drawing that can be read.
 std::optional<Choice> best_of(const Box& area, const Wants& wants, const Look& look, const Stage& stage) {
@@ -310,6 +316,7 @@ bool may_give_way(const Look& look) { return look.layout == Layout::handout && l
 
 ivec2 largest_in(const Box& area, Wants wants, const Look& look, const Stage& stage) {
   if (may_give_way(look)) wants.listing = wants.table = false;
+  wants.whole_grid = area.width - wants.column_gap - std::max(least_column, least_table_width(wants));
   ivec2 largest{0, 0};
   const auto cells = [](ivec2 size) { return std::int64_t{size.x} * size.y; };
   for (const Arrange arrange : arrangements) {
@@ -429,7 +436,7 @@ Heading heading_of(const Trace& trace, const Look& look, double width, double he
 
 Places places_of(const Trace& trace, const Look& look, const Stage& stage) {
   const Page page = page_of(trace, look);
-  const Body body = body_of(page.middle, wants_of(trace, look, page.margin), look, stage);
+  const Body body = body_of(page.middle, wants_of(trace, look, stage, page.margin), look, stage);
   Places at = page.at;
   at.drawing = body.drawing;
   at.listing = body.listing;
@@ -476,8 +483,8 @@ namespace gradus {
 
 ivec2 largest_view(const Trace& trace, const Look& look) {
   const layout::Page page = layout::page_of(trace, look);
-  return layout::largest_in(page.middle, layout::wants_of(trace, look, page.margin), look,
-                            layout::stage_of(trace, look));
+  const layout::Stage stage = layout::stage_of(trace, look);
+  return layout::largest_in(page.middle, layout::wants_of(trace, look, stage, page.margin), look, stage);
 }
 
 }  // namespace gradus

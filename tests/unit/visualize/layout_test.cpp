@@ -387,17 +387,24 @@ TEST(Layout, EachAspectHasAnArrangementOfItsOwn) {
   EXPECT_EQ(sides(fill, 720, 960), (std::pair{Side::below, Side::below}));
 }
 
-TEST(Layout, AHandoutShowsMoreOfEverything) {
+TEST(Layout, AHandoutShowsMore) {
+  // More lines and rows, or more of the grid
+  const auto cells_in_view = [](const Trace& trace, const Look& look) {
+    const Window view = layout::visible_cells({.trace = &trace, .focus = trace.grid.cells.lower}, look);
+    return view.width() * view.height();
+  };
   for (const Case& aspect : aspects()) {
     SCOPED_TRACE(aspect.name);
     for (const Trace& trace : shared_traces()) {
-      const layout::Stage stage = layout::stage_of(trace, aspect.look);
-      const layout::Places slide = layout::places_of(trace, aspect.look, stage);
+      SCOPED_TRACE(trace.method + " " + trace.subtitle);
+      const layout::Places slide =
+          layout::places_of(trace, aspect.look, layout::stage_of(trace, aspect.look));
       Look look = aspect.look;
       look.layout = Layout::handout;
       const layout::Places handout = layout::places_of(trace, look, layout::stage_of(trace, look));
-      EXPECT_GE(handout.lines + handout.rows, slide.lines + slide.rows)
-          << trace.method << " " << trace.subtitle;
+      const std::int64_t before = cells_in_view(trace, aspect.look), now = cells_in_view(trace, look);
+      EXPECT_GE(now, before);
+      if (now == before) EXPECT_GE(handout.lines + handout.rows, slide.lines + slide.rows);
     }
   }
   // All lines of the listing on 16:9
