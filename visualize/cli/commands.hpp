@@ -40,6 +40,7 @@ struct Request {
   std::vector<std::string> operands;             ///< without the topic
   std::map<std::string, std::string> flags;      ///< the command's own, by name; a switch has the value ""
   std::map<std::string, std::string> arguments;  ///< the topic's parameters, and "method"
+  std::vector<std::string> labels;               ///< every --label
   bool has(const std::string& flag) const { return flags.contains(flag); }
   bool quiet() const { return has("quiet"); }
   Color color() const;

@@ -19,11 +19,6 @@
 namespace gradus::cli {
 namespace {
 
-const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"svg", "png", "pdf", "html", "csv", "json", "txt"};
-  return names;
-}
-
 // --- Flags
 // -------------------------------------------------------------------------------------------------------
 
@@ -90,6 +85,11 @@ Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, const std:
 }
 
 }  // namespace
+
+std::span<const std::string> format_names() {
+  static const std::vector<std::string> names{"svg", "png", "pdf", "html", "csv", "json", "txt"};
+  return names;
+}
 
 std::string_view name_of(Format format) { return format_names()[static_cast<std::size_t>(format)]; }
 

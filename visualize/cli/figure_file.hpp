@@ -2,6 +2,7 @@
 // A figure as a file's bytes: what it shows, in which format, and the command that makes it again.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace gradus::cli {
 
 enum class Format { svg, png, pdf, html, csv, json, txt };
 std::string_view name_of(Format format);
+/// The names of all formats, in their order.
+std::span<const std::string> format_names();
 /// By the file name's ending; nothing for an unknown one.
 std::optional<Format> format_by_ending(std::string_view path);
 /// By the file's first bytes; nothing for a file that holds no command.

@@ -1,4 +1,4 @@
-// `gradus figures`: the whole gallery, in parallel, only what has changed.
+// `gradus figures`: all figures of a lecture, in parallel, only what has changed.
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -18,6 +19,7 @@
 #include "cli/gallery.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "core/image.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -60,6 +62,18 @@ class Album {
     if (file) manifest_ = parse_manifest(text.str());
   }
 
+  /// Whose figures these are: LectureFile::owner. Nobody's while there are none.
+  bool belongs_to(const std::string& owner) const {
+    return manifest_.jobs.empty() || manifest_.owner == owner;
+  }
+  /// The owner as people call him.
+  std::string owner() const {
+    const std::size_t end = manifest_.owner.rfind(' ');
+    return manifest_.owner.empty() ? "the built-in gallery"
+                                   : "the lecture " + shown(manifest_.owner.substr(0, end));
+  }
+  void give_to(const std::string& owner) { manifest_.owner = owner; }
+
   bool has(const std::string& slug, const std::string& key) const {
     const auto known = manifest_.jobs.find(slug);
     if (known == manifest_.jobs.end() || known->second.first != key) return false;
@@ -68,6 +82,9 @@ class Album {
   }
   bool knows(const std::string& slug) const { return manifest_.jobs.contains(slug); }
   const std::string& key(const std::string& slug) const { return manifest_.jobs.at(slug).first; }
+  const std::vector<ManifestFile>& files(const std::string& slug) const {
+    return manifest_.jobs.at(slug).second;
+  }
 
   /// From any thread. What the job made earlier and no longer does is removed.
   void put(const std::string& slug, const std::string& key, std::vector<ManifestFile> files) {
@@ -81,11 +98,10 @@ class Album {
   }
 
   /// Forgets jobs that no longer exist, with their files. Returns how many there were.
-  std::size_t keep_only(const std::vector<Job>& jobs) {
-    const auto gone = [&jobs](const auto& known) {
-      return known.first != index_name && std::ranges::none_of(jobs, [&known](const Job& job) {
-               return job.showcase->slug == known.first;
-             });
+  std::size_t keep_only(const std::vector<LectureFigure>& figures) {
+    const auto gone = [&figures](const auto& known) {
+      return known.first != index_name &&
+             std::ranges::find(figures, known.first, &LectureFigure::name) == figures.end();
     };
     for (const auto& known : manifest_.jobs) {
       if (!gone(known)) continue;
@@ -131,13 +147,19 @@ void in_parallel(std::size_t count, std::size_t threads, DoOne do_one) {
   work();
 }
 
-std::vector<const Job*> selected(const std::vector<Job>& jobs, const Request& request) {
+/// A figure, and its fingerprint: another one when the program, the input or the lecture's words differ.
+struct Job {
+  const LectureFigure* figure;
+  std::string key;
+};
+
+std::vector<Job> selected(const Lecture& lecture, const std::string& program, const Request& request) {
   const auto only = request.flags.find("only");
-  std::vector<const Job*> wanted;
-  for (const Job& job : jobs) {
-    const bool matches = only == request.flags.end() || matches_glob(only->second, job.showcase->slug) ||
-                         matches_glob(only->second, job.topic->name);
-    if (matches) wanted.push_back(&job);
+  std::vector<Job> wanted;
+  for (const LectureFigure& figure : lecture.figures) {
+    const bool matches = only == request.flags.end() || matches_glob(only->second, figure.name) ||
+                         matches_glob(only->second, figure.spec.topic->name);
+    if (matches) wanted.push_back({&figure, fingerprint(program + "\n" + figure.contents())});
   }
   if (wanted.empty() && only != request.flags.end()) {
     throw WorkError(fmt::format("--only: expected a pattern that matches a figure or a topic, found {}",
@@ -158,71 +180,127 @@ fs::path make_folder(const Request& request) {
   return name;
 }
 
-/// Draws what is not there yet. Returns one line for each job that failed.
-std::vector<std::string> draw_all(const std::vector<const Job*>& jobs, const fs::path& out, Album& album,
-                                  std::size_t threads, bool quiet) {
-  std::vector<std::string> failures(jobs.size());
+/// Refuses a folder with the figures of another lecture, unless they may go.
+void claim(Album& album, const LectureFile& file, const fs::path& out, bool force) {
+  if (!force && !album.belongs_to(file.owner)) {
+    throw UsageError(
+        fmt::format("-o: expected a folder without the figures of another lecture, found {} with those of {} "
+                    "(--force removes them)",
+                    shown(out.string()), album.owner()));
+  }
+  album.give_to(file.owner);
+}
+
+struct Failures {
+  std::size_t count = 0;
+  std::vector<std::string> lines;
+  bool about_input = false;  ///< at least one of them is
+};
+
+/// Does `work(job)` for every job; what goes wrong becomes a line of the failures, in the jobs' order.
+template <class Work>
+Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size_t threads, bool quiet,
+                 Work work) {
+  std::vector<std::string> lines(jobs.size());
+  std::atomic<bool> about_input = false;
   Progress progress(jobs.size(), quiet);
   in_parallel(jobs.size(), threads, [&](std::size_t i) {
-    const Job& job = *jobs[i];
+    const LectureFigure& figure = *jobs[i].figure;
     try {
-      album.put(job.showcase->slug, job.key, draw(job, out));
-      progress.finished(i, job.showcase->slug);
+      work(jobs[i]);
+      progress.finished(i, figure.name);
     } catch (const std::exception& error) {
-      failures[i] = fmt::format("{}: {}", job.showcase->slug, error.what());
+      const bool by_user = is_about_input(error);
+      if (by_user) about_input = true;
+      lines[i] =
+          by_user ? problem_of(lecture, figure, error) : fmt::format("{}: {}", figure.name, error.what());
       progress.finished(i, "");
     }
   });
-  std::erase(failures, "");
-  return failures;
+  const std::size_t fine = static_cast<std::size_t>(std::ranges::count(lines, ""));
+  // What a default does wrong in several figures is said once
+  std::set<std::string> known{""};
+  std::erase_if(lines, [&known](const std::string& line) { return !known.insert(line).second; });
+  return {jobs.size() - fine, lines, about_input};
 }
 
-/// The gallery page, of all figures that are there.
-void write_index(const std::vector<Job>& jobs, const fs::path& out, Album& album, const std::string& program,
+/// The page of all figures that are there.
+void write_index(const Lecture& lecture, const fs::path& out, Album& album, const std::string& program,
                  bool force) {
-  std::string contents = program;
-  std::vector<const Job*> present;
-  for (const Job& job : jobs) {
-    if (!album.knows(job.showcase->slug)) continue;
-    present.push_back(&job);
-    contents += "\n" + job.showcase->slug + " " + album.key(job.showcase->slug);
+  std::string contents = program + "\n" + lecture.title;
+  std::vector<const LectureFigure*> present;
+  for (const LectureFigure& figure : lecture.figures) {
+    if (!album.knows(figure.name)) continue;
+    present.push_back(&figure);
+    contents += "\n" + figure.name + " " + album.key(figure.name);
   }
   const std::string key = fingerprint(contents);
   if (!force && album.has(index_name, key)) return;
   std::vector<Card> cards;
-  for (const Job* job : present) {
+  for (const LectureFigure* figure : present) {
     // Counting the steps is all that this run is for
-    cards.push_back(card_of(*job, job->topic->run(job->inputs.arguments, {.first = 0, .most = 1}).last));
+    const std::int64_t last = figure->spec.topic->run(figure->spec.arguments, {.first = 0, .most = 1}).last;
+    cards.push_back(card_of(*figure, album.files(figure->name), last));
   }
-  write_output((out / index_name).string(), gallery_page(cards));
+  write_output((out / index_name).string(), gallery_page(cards, lecture.title));
   album.put(index_name, key, {file_state(out, index_name)});
+}
+
+void complain(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) note("gradus: " + line);
+}
+
+/// `--check`: every problem of the lecture, one a line.
+int check(const Lecture& lecture, const Request& request, std::size_t threads) {
+  std::vector<Job> jobs;
+  for (const LectureFigure& figure : lecture.figures) jobs.push_back({&figure, ""});
+  const Failures failures =
+      for_all(jobs, lecture, threads, true, [](const Job& job) { rehearse(*job.figure); });
+  complain(lecture.problems);
+  complain(failures.lines);
+  if (!lecture.problems.empty() || failures.about_input) return 2;
+  if (!failures.lines.empty()) return 1;
+  if (!request.quiet()) {
+    note(fmt::format("{}: {} figure{}, no problems", lecture.file, jobs.size(), jobs.size() == 1 ? "" : "s"));
+  }
+  return 0;
 }
 
 }  // namespace
 
 int figures(const Request& request) {
+  if (request.has("schema")) {
+    write_stream(Stream::out, lecture_schema());
+    return 0;
+  }
   const std::size_t threads = read_jobs(request);
+  const LectureFile file = request.operands.empty() ? gallery_lecture() : lecture_at(request.operands[0]);
+  const Lecture lecture = read_lecture(file);
+  if (request.has("check")) return check(lecture, request, threads);
+  if (!lecture.problems.empty()) throw InputError(lecture.problems.front());
+
   const std::string program = program_fingerprint();
-  const std::vector<Job> jobs = gallery_jobs(program);
-  const std::vector<const Job*> wanted = selected(jobs, request);
+  const std::vector<Job> wanted = selected(lecture, program, request);
   const fs::path out = make_folder(request);
   const bool force = request.has("force");
-
   Album album(out);
-  const std::size_t removed = album.keep_only(jobs);
-  std::vector<const Job*> due;
-  for (const Job* job : wanted) {
-    if (force || !album.has(job->showcase->slug, job->key)) due.push_back(job);
+  claim(album, file, out, force);
+  const std::size_t removed = album.keep_only(lecture.figures);
+  std::vector<Job> due;
+  for (const Job& job : wanted) {
+    if (force || !album.has(job.figure->name, job.key)) due.push_back(job);
   }
-  const std::vector<std::string> failures = draw_all(due, out, album, threads, request.quiet());
-  write_index(jobs, out, album, program, force);
+  const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](const Job& job) {
+    album.put(job.figure->name, job.key, draw(*job.figure, out));
+  });
+  write_index(lecture, out, album, program, force);
 
-  for (const std::string& failure : failures) note("gradus: " + failure);
+  complain(failures.lines);
   if (!request.quiet()) {
-    note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.size(),
+    note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,
                      wanted.size() - due.size(), removed));
   }
-  if (!failures.empty()) return 1;
+  if (!failures.lines.empty()) return failures.about_input ? 2 : 1;
   write_stream(Stream::out, (out / index_name).string() + "\n");
   return 0;
 }

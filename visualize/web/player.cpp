@@ -125,18 +125,21 @@ std::string card_html(const Card& card) {
   for (const auto& [name, path] : card.downloads) {
     downloads += fmt::format("<a href=\"{}\">{}</a>\n", link_to(path), escaped(name));
   }
+  const std::string& opened = card.player.empty() ? card.thumbnail : card.player;
+  const std::string player =
+      card.player.empty()
+          ? ""
+          : fmt::format("<a class=\"player\" href=\"{}\">step through it</a>\n", link_to(card.player));
   return fmt::format(R"(<article class="card" id="{}">
 <a class="picture" href="{}"><img src="{}" alt="{}" loading="lazy"></a>
 <h3>{}</h3>
 <p class="caption">{}</p>
-<p class="links"><a class="player" href="{}">step through it</a>
-{}</p>
+<p class="links">{}{}</p>
 <div class="command"><code>{}</code><button type="button" class="copy">copy</button></div>
 </article>
 )",
-                     escaped(card.slug), link_to(card.player), link_to(card.thumbnail), escaped(card.title),
-                     escaped(card.title), escaped(card.caption), link_to(card.player), downloads,
-                     escaped(card.command));
+                     escaped(card.slug), link_to(opened), link_to(card.thumbnail), escaped(card.title),
+                     escaped(card.title), escaped(card.caption), player, downloads, escaped(card.command));
 }
 
 }  // namespace
@@ -159,7 +162,7 @@ std::string player_page(const Trace& trace, const Colophon& colophon) {
                                            {"data", data}});
 }
 
-std::string gallery_page(std::span<const Card> cards) {
+std::string gallery_page(std::span<const Card> cards, const std::string& title) {
   // Chapters in the order of their first card
   std::vector<std::string_view> chapters;
   for (const Card& card : cards) {
@@ -173,10 +176,14 @@ std::string gallery_page(std::span<const Card> cards) {
     }
     sections += "</div>\n</section>\n";
   }
+  const std::string heading = title.empty() ? "Gradus" : escaped(title);
+  const std::string page_title = title.empty() ? "Gradus: computer graphics, step by step" : heading;
   const std::string count = fmt::format("{} figure{}", cards.size(), cards.size() == 1 ? "" : "s");
   return filled(web_asset("gallery.html"), {{"release", release_version},
                                             {"licence", figure_licence},
                                             {"count", count},
+                                            {"title", page_title},
+                                            {"heading", heading},
                                             {"gallery.css", web_asset("gallery.css")},
                                             {"gallery.js", web_asset("gallery.js")},
                                             {"sections", sections}});

@@ -18,10 +18,10 @@ struct Card {
   std::string slug, title, chapter, caption;
   std::string command;    ///< to make it again
   std::string thumbnail;  ///< relative path of an SVG: the drawing of the most telling step
-  std::string player;     ///< relative path
+  std::string player;     ///< relative path; empty: there is none
   std::vector<std::pair<std::string, std::string>> downloads;  ///< (name shown, relative path)
 };
-/// out/index.html.
-std::string gallery_page(std::span<const Card> cards);
+/// out/index.html. Without a title of its own it is Gradus's.
+std::string gallery_page(std::span<const Card> cards, const std::string& title = "");
 
 }  // namespace gradus
