@@ -193,15 +193,15 @@ void claim(Album& album, const LectureFile& file, const fs::path& out, bool forc
 
 struct Failures {
   std::size_t count = 0;
-  std::vector<std::string> lines;
-  bool about_input = false;  ///< at least one of them is
+  std::vector<Problem> problems;
+  bool about_input = false;  ///< at least one of them
 };
 
-/// Does `work(job)` for every job; what goes wrong becomes a line of the failures, in the jobs' order.
+/// Does `work(job)` for every job; what goes wrong becomes a problem, in the jobs' order.
 template <class Work>
 Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size_t threads, bool quiet,
                  Work work) {
-  std::vector<std::string> lines(jobs.size());
+  std::vector<Problem> problems(jobs.size());
   std::atomic<bool> about_input = false;
   Progress progress(jobs.size(), quiet);
   in_parallel(jobs.size(), threads, [&](std::size_t i) {
@@ -210,18 +210,16 @@ Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size
       work(jobs[i]);
       progress.finished(i, figure.name);
     } catch (const std::exception& error) {
-      const bool by_user = is_about_input(error);
-      if (by_user) about_input = true;
-      lines[i] =
-          by_user ? problem_of(lecture, figure, error) : fmt::format("{}: {}", figure.name, error.what());
+      if (is_about_input(error)) about_input = true;
+      problems[i] = problem_of(lecture, figure, error);
       progress.finished(i, "");
     }
   });
-  const std::size_t fine = static_cast<std::size_t>(std::ranges::count(lines, ""));
+  const auto fine = std::ranges::count(problems, Problem{});
   // What a default does wrong in several figures is said once
-  std::set<std::string> known{""};
-  std::erase_if(lines, [&known](const std::string& line) { return !known.insert(line).second; });
-  return {jobs.size() - fine, lines, about_input};
+  std::set<Problem> known{{}};
+  std::erase_if(problems, [&known](const Problem& problem) { return !known.insert(problem).second; });
+  return {jobs.size() - static_cast<std::size_t>(fine), problems, about_input};
 }
 
 /// The page of all figures that are there.
@@ -246,8 +244,8 @@ void write_index(const Lecture& lecture, const fs::path& out, Album& album, cons
   album.put(index_name, key, {file_state(out, index_name)});
 }
 
-void complain(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) note("gradus: " + line);
+void complain(const std::vector<Problem>& problems) {
+  for (const Problem& problem : problems) note("gradus: " + problem.text);
 }
 
 /// `--check`: every problem of the lecture, one a line.
@@ -256,10 +254,12 @@ int check(const Lecture& lecture, const Request& request, std::size_t threads) {
   for (const LectureFigure& figure : lecture.figures) jobs.push_back({&figure, ""});
   const Failures failures =
       for_all(jobs, lecture, threads, true, [](const Job& job) { rehearse(*job.figure); });
-  complain(lecture.problems);
-  complain(failures.lines);
+  std::vector<Problem> all = lecture.problems;
+  all.insert(all.end(), failures.problems.begin(), failures.problems.end());
+  std::ranges::stable_sort(all, {}, &Problem::line);
+  complain(all);
   if (!lecture.problems.empty() || failures.about_input) return 2;
-  if (!failures.lines.empty()) return 1;
+  if (!all.empty()) return 1;
   if (!request.quiet()) {
     note(fmt::format("{}: {} figure{}, no problems", lecture.file, jobs.size(), jobs.size() == 1 ? "" : "s"));
   }
@@ -277,7 +277,7 @@ int figures(const Request& request) {
   const LectureFile file = request.operands.empty() ? gallery_lecture() : lecture_at(request.operands[0]);
   const Lecture lecture = read_lecture(file);
   if (request.has("check")) return check(lecture, request, threads);
-  if (!lecture.problems.empty()) throw InputError(lecture.problems.front());
+  if (!lecture.problems.empty()) throw InputError(lecture.problems.front().text);
 
   const std::string program = program_fingerprint();
   const std::vector<Job> wanted = selected(lecture, program, request);
@@ -295,12 +295,12 @@ int figures(const Request& request) {
   });
   write_index(lecture, out, album, program, force);
 
-  complain(failures.lines);
+  complain(failures.problems);
   if (!request.quiet()) {
     note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,
                      wanted.size() - due.size(), removed));
   }
-  if (!failures.lines.empty()) return failures.about_input ? 2 : 1;
+  if (!failures.problems.empty()) return failures.about_input ? 2 : 1;
   write_stream(Stream::out, (out / index_name).string() + "\n");
   return 0;
 }

@@ -87,6 +87,12 @@ std::string in_words_of_lectures(std::string text) {
   return text;
 }
 
+/// `what` goes on from the way: ": expected …".
+Problem problem_at(const Lecture& lecture, const Place& place, const std::string& what) {
+  const std::string text = place.path.empty() ? what.substr(2) : place.path + what;
+  return {place.line, fmt::format("{}:{}: {}", lecture.file, place.line, text)};
+}
+
 // --- Reading -----------------------------------------------------------------------------------------------
 
 struct Given {
@@ -147,17 +153,19 @@ class Reader {
     read_settings(root, "", &LectureKey::of_lecture, defaults);
     read_figures(root, defaults);
     name_figures();
+    std::ranges::stable_sort(lecture_.problems, {}, &Problem::line);
     return std::move(lecture_);
   }
 
  private:
-  void complain(const Place& place, const std::string& what) {
-    std::string problem = fmt::format("{}:{}: {}{}{}", lecture_.file, place.line, place.path,
-                                      place.path.empty() ? "" : ": ", what);
+  void note(Problem problem) {
     // A default that is wrong is wrong for every figure: once is enough
     if (std::ranges::find(lecture_.problems, problem) == lecture_.problems.end()) {
       lecture_.problems.push_back(std::move(problem));
     }
+  }
+  void complain(const Place& place, const std::string& what) {
+    note(problem_at(lecture_, place, ": " + what));
   }
   void complain(const Place& place, std::string_view expected, const JsonNode& found) {
     complain(place, fmt::format("expected {}, found {}", expected, described(found)));
@@ -217,6 +225,15 @@ class Reader {
       default:
         return text_of(node, place);
     }
+  }
+
+  /// A name in full: a beginning that is unique today need not be so when the lecture is given again.
+  std::optional<std::size_t> whole_name(const std::string& word, const Texts& names, const Place& place) {
+    const auto found = std::ranges::find(names, word);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    complain(place, fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "), shown(word),
+                                suggestion(word, names)));
+    return std::nullopt;
   }
 
   // --- Keys
@@ -286,14 +303,11 @@ class Reader {
         complain({element.line, place.path}, expected, element);
         continue;
       }
-      try {
-        const auto format = static_cast<Format>(choose_name("--outputs", element.text, names));
-        if (std::ranges::find(settings.outputs, format) == settings.outputs.end())
-          settings.outputs.push_back(format);
-      } catch (const UsageError& error) {
-        complain({element.line, place.path},
-                 std::string(error.what()).substr(std::string("--outputs: ").size()));
-      }
+      const auto which = whole_name(element.text, names, {element.line, place.path});
+      if (!which) continue;
+      const auto format = static_cast<Format>(*which);
+      if (std::ranges::find(settings.outputs, format) == settings.outputs.end())
+        settings.outputs.push_back(format);
     }
   }
 
@@ -348,12 +362,10 @@ class Reader {
     const Place place{topic->line, path + ".topic"};
     const auto name = text_of(topic->value, place);
     if (!name) return nullptr;
-    try {
-      return &find_topic(*name);
-    } catch (const UsageError& error) {
-      complain(place, std::string(error.what()).substr(std::string("TOPIC: ").size()));
-      return nullptr;
-    }
+    Texts names;
+    for (const TopicEntry* known : catalogue()) names.push_back(known->name);
+    const auto which = whole_name(*name, names, place);
+    return which ? catalogue()[*which] : nullptr;
   }
 
   /// What a figure has for itself: inputs, method, name, caption.
@@ -370,8 +382,12 @@ class Reader {
       figure.places[key] = place;
       if (const auto text = (this->*reader)(member->value, place)) keep(*text);
     };
-    take("method", &Reader::text_of,
-         [&](const std::string& text) { figure.request.arguments["method"] = text; });
+    take("method", &Reader::text_of, [&](const std::string& text) {
+      if (!figure.request.topic) return;
+      Texts names;
+      for (const Method& method : figure.request.topic->methods) names.push_back(method.name);
+      if (whole_name(text, names, figure.places["method"])) figure.request.arguments["method"] = text;
+    });
     take("caption", &Reader::line_of_text, [&](const std::string& text) { figure.caption = text; });
     take("name", &Reader::safe_name, [&](const std::string& text) { figure.name = text; });
   }
@@ -466,10 +482,8 @@ class Reader {
         return fine;
       } catch (const std::exception& error) {
         if (!is_about_input(error)) throw;
-        const std::string problem = problem_of(lecture_, figure, error), flag = flag_in(message_of(error));
-        if (std::ranges::find(lecture_.problems, problem) == lecture_.problems.end()) {
-          lecture_.problems.push_back(problem);
-        }
+        note(problem_of(lecture_, figure, error));
+        const std::string flag = flag_in(message_of(error));
         if (values.erase(flag) + values.erase(folded(flag)) == 0) return false;
       }
     }
@@ -567,18 +581,14 @@ bool is_about_input(const std::exception& error) {
          dynamic_cast<const InputError*>(&error);
 }
 
-std::string problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error) {
-  if (!is_about_input(error)) return error.what();
+Problem problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error) {
+  if (!is_about_input(error)) return {figure.place.line, fmt::format("{}: {}", figure.name, error.what())};
   const std::string message = message_of(error), flag = flag_in(message);
-  if (flag.empty()) {
-    return fmt::format("{}:{}: {}: {}", lecture.file, figure.place.line, figure.place.path, message);
-  }
+  if (flag.empty()) return problem_at(lecture, figure.place, ": " + message);
   const auto known = figure.places.find(folded(flag));
-  const Place place = known == figure.places.end()
-                          ? Place{figure.place.line, way(figure.place.path, folded(flag))}
-                          : known->second;
-  return fmt::format("{}:{}: {}{}", lecture.file, place.line, place.path,
-                     in_words_of_lectures(message.substr(2 + flag.size())));
+  const Place nearby{figure.place.line, way(figure.place.path, folded(flag))};
+  return problem_at(lecture, known == figure.places.end() ? nearby : known->second,
+                    in_words_of_lectures(message.substr(2 + flag.size())));
 }
 
 }  // namespace cli

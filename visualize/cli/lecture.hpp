@@ -67,6 +67,13 @@ struct Place {
   std::string path;
 };
 
+/// What is wrong with a lecture: "lecture.json:12: figures[3].step: expected …, found …".
+struct Problem {
+  int line = 0;
+  std::string text;
+  friend auto operator<=>(const Problem&, const Problem&) = default;
+};
+
 /// A figure of a lecture, with its inputs read.
 struct LectureFigure {
   std::string name;  ///< of its folder and files, unique in the lecture
@@ -88,16 +95,16 @@ struct Lecture {
   std::string file;   ///< as errors call it
   std::string title;  ///< empty: none of its own
   std::vector<LectureFigure> figures;
-  std::vector<std::string> problems;  ///< one line each, "file:line: way: expected …, found …"
+  std::vector<Problem> problems;  ///< by line
 };
 
 /// Reads it all, noting every problem. Throws InputError for what is no JSON, WorkError when a file of the
 /// built-in gallery is missing.
 Lecture read_lecture(const LectureFile& file);
 
-/// What went wrong with a figure as a problem with its place, for errors that are about the user's input;
-/// the message alone for others.
-std::string problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error);
+/// What went wrong with a figure, with its place; for errors that are not about the user's input its name
+/// will do.
+Problem problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error);
 
 /// Whether it is the user's input that is wrong.
 bool is_about_input(const std::exception& error);
