@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/lecture.hpp"
 #include "figure/layout.hpp"
 #include "support/example_traces.hpp"
 #include "theme/theme.hpp"
@@ -97,18 +98,15 @@ TEST(Layout, NoLineLeavesTheSheet) {
 }
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
-  for (const TopicEntry* entry : catalogue()) {
-    for (const Showcase& showcase : entry->gallery) {
-      std::map<std::string, std::string> given;
-      for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
-      const Trace trace = test::trace_of(entry->name, given);
-      Playhead playhead(trace);
-      for (const TraceStep& step : trace.steps) {
-        const Sheet sheet = lay_out(figure_of(trace, playhead, step.number), {});
-        for (const TextShape* text : texts_of(sheet)) {
-          if (text->size > layout::text_size)
-            EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
-        }
+  const cli::Lecture gallery = cli::read_lecture(cli::gallery_lecture());
+  ASSERT_GT(gallery.figures.size(), 0u);
+  for (const cli::LectureFigure& figure : gallery.figures) {
+    const Trace trace = figure.spec.topic->run(figure.spec.arguments, {});
+    Playhead playhead(trace);
+    for (const TraceStep& step : trace.steps) {
+      const Sheet sheet = lay_out(figure_of(trace, playhead, step.number), figure.spec.look);
+      for (const TextShape* text : texts_of(sheet)) {
+        if (text->size > layout::text_size) EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
       }
     }
   }
