@@ -523,7 +523,7 @@ class Reader {
     }
   }
 
-  /// "flood_fill", "flood_fill_2", …
+  /// The topic's name, then with "_2", "_3", …
   static std::string free_name(const LectureFigure& figure,
                                const std::map<std::string, const LectureFigure*>& owners) {
     const std::string& topic = figure.spec.topic->name;

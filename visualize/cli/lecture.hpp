@@ -1,7 +1,7 @@
 #pragma once
 // A lecture: one JSON file that says which figures to make, with which inputs and in which look.
 //
-//   {"theme": "dark", "figures": [{"topic": "bresenham_line", "input": {"from": "0,0", "to": "9,4"}}]}
+//   {"theme": "dark", "figures": [{"topic": "…", "input": {"from": "0,0", "to": "9,4"}}]}
 //
 // Its keys are the flags of `gradus figure`, with underscores, and a few of its own: see lecture_keys.
 
