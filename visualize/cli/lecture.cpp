@@ -115,6 +115,9 @@ const Flag* flag_of(const LectureKey& key) {
   return flag == figure.flags.end() ? nullptr : &*flag;
 }
 
+/// Beside the figures' folders.
+constexpr std::string_view pages_folder = "topics";
+
 bool is_name(std::string_view text) {
   const auto fits = [](char c) {
     return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
@@ -394,6 +397,10 @@ class Reader {
 
   std::optional<std::string> safe_name(const JsonNode& node, const Place& place) {
     const auto text = text_of(node, place);
+    if (text && lowered(*text) == pages_folder) {
+      complain(place, "another name, for the pages of the topics have this one", node);
+      return std::nullopt;
+    }
     if (!text || is_name(*text)) return text;
     complain(place, "a name of at most 80 letters a-z, digits, _ and -, not beginning with -", node);
     return std::nullopt;

@@ -270,6 +270,10 @@ TEST(Lecture, RefusesNamesThatAreNoFileNames) {
     EXPECT_EQ(std::ranges::count_if(problems[0], [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
               0);
   }
+  EXPECT_THAT(
+      problems_of(in_figure(", \"name\": \"Topics\"")),
+      ElementsAre("1: figures[0].name: expected another name, for the pages of the topics have this one, "
+                  "found 'Topics'"));
   EXPECT_THAT(problems_of(in_figure(", \"name\": \"" + std::string(80, 'x') + "\"")), IsEmpty());
   EXPECT_EQ(problems_of(in_figure(", \"name\": \"" + std::string(81, 'x') + "\"")).size(), 1u);
 }
