@@ -446,7 +446,9 @@ std::string manifest_json(const Manifest& manifest) {
       files.push_back({{"path", f.path}, {"size", f.size}, {"modified", f.modified}});
     jobs[slug] = {{"key", job.first}, {"files", std::move(files)}};
   }
-  return Json{{"owner", manifest.owner}, {"jobs", std::move(jobs)}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return Json{{"owner", manifest.owner}, {"jobs", std::move(jobs)}}.dump(1, ' ', false,
+                                                                         Json::error_handler_t::replace) +
+         "\n";
 }
 
 Manifest parse_manifest(std::string_view text) {
