@@ -19,11 +19,11 @@ def existing_names():
     listed = json.loads(project.run("ctest", "--show-only=json-v1", "--test-dir", project.BUILD))
     tests = {test["name"] for test in listed["tests"]}
     tests |= {re.sub(r"^.*?/(?=[A-Z]\w*[./])", "", name) for name in tests}
-    stories = "\n".join(f.read_text(encoding="utf-8") for f in project.sources(project.ROOT, "visualize/stories"))
+    gallery = json.loads((project.ROOT / "examples/gallery.json").read_text(encoding="utf-8"))
     benchmarks = "\n".join(f.read_text(encoding="utf-8") for f in project.sources(project.ROOT, "tests/benchmark"))
     return {
         "test": tests,
-        "figure": set(re.findall(r'"(\w+)"', stories)),  # a slug of the gallery stands in its story
+        "figure": {figure["name"] for figure in gallery["figures"]},
         "benchmark": set(re.findall(r"\bBENCHMARK(?:_CAPTURE|_TEMPLATE)?\((\w+)", benchmarks)),
     }
 

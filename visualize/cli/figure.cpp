@@ -128,13 +128,29 @@ std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format,
   return trace_bytes(spec, trace, format);
 }
 
+std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
+  if (const std::string remark = cut_remark(takes.opening());
+      !remark.empty() && !spec.chooses_steps() && !quiet) {
+    note(remark);
+  }
+  return film_of(spec, takes, shown_steps(spec, takes), format);
+}
+
 std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
+  if (is_film(format)) return film(spec, takes, format, quiet);
   if (format == Format::pdf) return document(spec, takes, quiet);
   if (!is_drawn(format)) return table_or_player(spec, takes, format, quiet);
   return picture_bytes(spec, takes, shown_step(spec, takes), format);
 }
 
 }  // namespace
+
+FigureSpec fitting(FigureSpec spec, Format format) {
+  for (const FlagUse& use : uses) {
+    if (!use.serves(format)) spec.said.erase(use.flag);
+  }
+  return spec;
+}
 
 void refuse_idle_flags(const Request& request, Format format) {
   for (const FlagUse& use : uses) {
@@ -145,12 +161,11 @@ void refuse_idle_flags(const Request& request, Format format) {
 
 void write_figure(FigureSpec spec, Format format, const std::string& output,
                   std::span<const std::string> inputs, bool quiet) {
-  for (const FlagUse& use : uses) {
-    if (!use.serves(format)) spec.said.erase(use.flag);
-  }
+  spec = fitting(std::move(spec), format);
   const bool series = output.find(step_mark) != std::string::npos;
   if (!series) check_output(output, inputs);
   if (output == dash) refuse_binary_in_terminal(format);
+  if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
   Takes takes(*spec.topic, spec.arguments, spec.wording);
   if (series) return write_series(spec, takes, format, output, inputs, quiet);
   write_output(output, one_file(spec, takes, format, quiet));
@@ -185,7 +200,8 @@ std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format,
                        fmt::format("{} {}", title, trace.subtitle),
                        spec.look.slots.contains(Slot::title),
                        {}};
-  const auto alt = [&](const std::string& text) { return spec.caption.empty() ? text : spec.caption; };
+  const std::string caption = spec.caption.empty() ? "" : spec.caption + " ";
+  const auto alt = [&](const std::string& text) { return caption + text; };
   const bool series = output.find(step_mark) != std::string::npos;
   if (!series && format != Format::pdf) {
     const bool one_step = format == Format::svg || format == Format::png;

@@ -10,7 +10,10 @@
 
 namespace gradus::cli {
 
-/// Refuses flags that say nothing about this format: --size of a table. Throws UsageError.
+/// The spec without what says nothing about files of this format: the size of a table.
+FigureSpec fitting(FigureSpec spec, Format format);
+
+/// Refuses flags that say nothing about this format. Throws UsageError.
 void refuse_idle_flags(const Request& request, Format format);
 
 /// One file, or one a step when the name holds "{step}". Everything appears or nothing. Throws UsageError,

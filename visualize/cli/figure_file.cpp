@@ -20,12 +20,6 @@
 namespace gradus::cli {
 namespace {
 
-const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"svg", "png",  "pdf", "html", "csv", "md",
-                                              "tex", "json", "txt", "gif",  "mp4", "webp"};
-  return names;
-}
-
 // --- Texts
 // -------------------------------------------------------------------------------------------------------
 
@@ -34,8 +28,8 @@ Colophon colophon_of(const FigureSpec& spec, const Trace& trace, std::span<const
   std::string heading = heading_of(trace, steps);
   const std::size_t title = spec.look.title.empty() ? std::string::npos : heading.find(trace.title);
   if (title != std::string::npos) heading.replace(title, trace.title.size(), spec.look.title);
-  return {heading, spec.caption.empty() ? description : spec.caption, command_of(spec),
-          input_hash(spec.arguments)};
+  const std::string caption = spec.caption.empty() ? "" : spec.caption + " ";
+  return {heading, caption + description, command_of(spec), input_hash(spec.arguments)};
 }
 
 Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps) {
@@ -52,6 +46,16 @@ bool is_drawn(Format format) {
   return format == Format::svg || format == Format::png || format == Format::pdf || is_film(format);
 }
 
+std::span<const std::string> format_names() {
+  static const std::vector<std::string> names{"svg", "png",  "pdf", "html", "csv", "md",
+                                              "tex", "json", "txt", "gif",  "mp4", "webp"};
+  return names;
+}
+
+FilmFormat film_format(Format format) {
+  return format == Format::gif ? FilmFormat::gif : format == Format::mp4 ? FilmFormat::mp4 : FilmFormat::webp;
+}
+
 std::string_view name_of(Format format) { return format_names()[static_cast<std::size_t>(format)]; }
 
 std::optional<Format> format_by_ending(std::string_view path) {
@@ -66,6 +70,9 @@ std::optional<Format> format_by_ending(std::string_view path) {
 std::optional<Format> format_by_content(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return Format::png;
   if (bytes.starts_with("%PDF")) return Format::pdf;
+  if (bytes.starts_with("GIF8")) return Format::gif;
+  if (bytes.starts_with("RIFF") && bytes.substr(8).starts_with("WEBP")) return Format::webp;
+  if (bytes.size() > 8 && bytes.substr(4).starts_with("ftyp")) return Format::mp4;
   const std::string start = folded(bytes.substr(0, 512));
   if (start.find("<!doctype html") != std::string::npos || start.find("<html") != std::string::npos) {
     return Format::html;
@@ -119,19 +126,19 @@ std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) 
   return steps;
 }
 
-namespace {
-
-/// The figure on its sheet; every letter of it can be drawn. Throws UsageError.
 Sheet sheet_of(const Figure& figure, const FigureSpec& spec) {
-  Sheet sheet = lay_out(figure, spec.look);
+  Sheet sheet;
+  try {
+    sheet = lay_out(figure, spec.look);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--view: {}", error.what()));
+  }
   if (const auto missing = missing_glyph(sheet)) {
     throw UsageError(fmt::format("figure: expected texts that can be drawn ({}), found {}",
                                  explained(*missing), shown(missing->text)));
   }
   return sheet;
 }
-
-}  // namespace
 
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   const Figure figure = takes.figure(step);
@@ -142,11 +149,27 @@ std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step,
 }
 
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
-  const auto page = [&](std::size_t i) { return sheet_of(takes.figure(steps[i]), spec); };
-  return pdf_of(steps.size(), page, finish_of(spec), colophon_of_many(spec, takes.opening(), steps));
+  const Colophon colophon = colophon_of_many(spec, takes.opening(), steps);
+  const auto figure = [&](std::size_t i) { return takes.figure(steps[i]); };
+  if (spec.handout) {
+    const Handout handout{spec.paper, *spec.handout, spec.look, colophon.command};
+    const auto page = [&](std::size_t i) { return handout_page(handout, i, steps.size(), figure); };
+    return pdf_of(handout_page_count(handout, steps.size()), page, finish_of(spec), colophon);
+  }
+  const auto page = [&](std::size_t i) { return sheet_of(figure(i), spec); };
+  return pdf_of(steps.size(), page, finish_of(spec), colophon);
 }
 
-std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format) {
+std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                    Format format) {
+  const Finish finish = finish_of(spec);
+  const auto frame = [&](std::size_t i) { return image_of(sheet_of(takes.figure(steps[i]), spec), finish); };
+  return film_bytes(film_format(format), steps.size(), frame, spec.film,
+                    colophon_of_many(spec, takes.opening(), steps));
+}
+
+std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
+                        const std::string& topic_page) {
   switch (format) {
     case Format::csv:
       return csv_of(trace);
@@ -163,7 +186,14 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
   }
   const std::vector<StepNumber> ends{{trace.steps.front().number.step, 0},
                                      {trace.steps.back().number.step, 0}};
-  return player_page(trace, colophon_of_many(spec, trace, ends));
+  const PlayerOptions options{spec.look.slots, spec.said.contains("theme") ? spec.theme->name : "",
+                              topic_page};
+  const Colophon colophon = colophon_of_many(spec, trace, ends);
+  if (!spec.look.y_up && spec.look.title.empty()) return player_page(trace, colophon, options);
+  Trace turned = trace;
+  turned.grid.y_up = spec.look.y_up.value_or(trace.grid.y_up);
+  if (!spec.look.title.empty()) turned.title = spec.look.title;
+  return player_page(turned, colophon, options);
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {

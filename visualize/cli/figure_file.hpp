@@ -2,6 +2,7 @@
 // A figure as a file's bytes: what it shows, in which format, and the command that makes it again.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp
 /// Steps as pictures: all but a player and tables.
 bool is_drawn(Format format);
 bool is_film(Format format);
+FilmFormat film_format(Format format);
 std::string_view name_of(Format format);
+/// The names of all formats, in their order.
+std::span<const std::string> format_names();
 /// By the file name's ending; nothing for an unknown one.
 std::optional<Format> format_by_ending(std::string_view path);
 /// By the file's first bytes; nothing for a file that holds no command.
@@ -32,12 +36,19 @@ StepNumber shown_step(const FigureSpec& spec, const Takes& takes);
 /// recorded.
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes);
 
+/// The figure on its sheet; every letter of it can be drawn. Throws UsageError.
+Sheet sheet_of(const Figure& figure, const FigureSpec& spec);
+
 /// SVG or PNG.
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format);
 /// PDF, one page a step.
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps);
+/// GIF, MP4, WebP: a frame a step. Throws UsageError, WorkError.
+std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                    Format format);
 /// HTML, CSV, JSON, text: made from a trace. It is the opening of the run, or the part that the spec wants.
-std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format);
+std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
+                        const std::string& topic_page = "");
 /// The trace that those show; throws UsageError for steps that the run, or the format, has not.
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format);
 

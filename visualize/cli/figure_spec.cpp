@@ -206,14 +206,93 @@ std::string read_theme(FigureSpec& spec, const std::string& text) {
 }
 
 std::string read_background(FigureSpec& spec, const std::string& text) {
-  const Parameter color{"background", ParameterType::color, "", "", ""};
-  spec.background = folded(trimmed(text)) == "none" ? "none" : canonical(color, text);
-  return spec.background;
+  spec.transparent = folded(trimmed(text)) == "none";
+  spec.ground.reset();
+  if (spec.transparent) return "none";
+  const Parameter parameter{"background", ParameterType::color, "", "", ""};
+  const std::string color = canonical(parameter, text);
+  spec.ground = Rgb{static_cast<std::uint32_t>(std::stoul(color.substr(1), nullptr, 16))};
+  return color;
+}
+
+/// Texts and marks must stay legible on a ground of one's own.
+void check_ground(const FigureSpec& spec) {
+  if (!spec.ground) return;
+  const auto low = low_contrast(with_paper(*spec.theme, *spec.ground));
+  if (!low) return;
+  refuse(
+      "background",
+      fmt::format("a ground on which the {} of theme {} keep {}:1", low->what, spec.theme->name, low->least),
+      fmt::format("#{:06x} with {:.1f}:1", spec.ground->hex, low->found));
 }
 
 std::string read_svg_text(FigureSpec& spec, const std::string& text) {
   spec.svg_text = static_cast<SvgText>(chosen("svg-text", text, {"outlines", "text"}));
   return spec.svg_text == SvgText::outlines ? "" : "text";
+}
+
+// --- On which paper, as which film ------------------------------------------------------------------------
+
+std::string read_handout(FigureSpec& spec, const std::string& text) {
+  const std::string word = folded(trimmed(text));
+  const std::size_t cross = word.find('x');
+  const auto columns = whole_number(std::string_view(word).substr(0, cross));
+  const auto rows =
+      cross == std::string::npos ? std::nullopt : whole_number(std::string_view(word).substr(cross + 1));
+  const auto fits = [](const auto& n, int most) { return n && 1 <= *n && *n <= most; };
+  if (!fits(columns, PageGrid::most_columns) || !fits(rows, PageGrid::most_rows)) {
+    refuse("handout",
+           fmt::format("columns and rows of a page like 2x3, at most {}x{}", PageGrid::most_columns,
+                       PageGrid::most_rows),
+           text);
+  }
+  spec.handout = {static_cast<int>(*columns), static_cast<int>(*rows)};
+  return fmt::format("{}x{}", *columns, *rows);
+}
+
+std::string read_paper(FigureSpec& spec, const std::string& text) {
+  Texts names;
+  for (const Paper& paper : papers()) names.emplace_back(paper.name);
+  spec.paper = papers()[chosen("paper", text, names)];
+  return spec.paper.name == papers().front().name ? "" : std::string(spec.paper.name);
+}
+
+/// Seconds of a film; `standard` is what nobody needs to say.
+std::string read_seconds(std::string_view flag, double& seconds, double standard, double most,
+                         const std::string& text) {
+  const auto value = decimal(text, 0.04, most);
+  if (!value) refuse(flag, fmt::format("seconds from 0.04 to {}", most), text);
+  seconds = *value;
+  return *value == standard ? "" : fmt::format("{}", *value);
+}
+
+std::string read_seconds_per_step(FigureSpec& spec, const std::string& text) {
+  return read_seconds("seconds-per-step", spec.film.seconds_per_step, FilmOptions{}.seconds_per_step, 60,
+                      text);
+}
+
+std::string read_hold_last(FigureSpec& spec, const std::string& text) {
+  return read_seconds("hold-last", spec.film.hold_last, FilmOptions{}.hold_last, 600, text);
+}
+
+std::string read_count(std::string_view flag, int& count, int least, int most, const std::string& text) {
+  const auto value = whole_number(text);
+  if (!value || *value < least || *value > most) {
+    refuse(flag, fmt::format("a whole number from {} to {}", least, most), text);
+  }
+  const int standard = count;
+  count = static_cast<int>(*value);
+  return count == standard ? "" : fmt::format("{}", count);
+}
+
+std::string read_fps(FigureSpec& spec, const std::string& text) {
+  spec.film.fps = FilmOptions{}.fps;
+  return read_count("fps", spec.film.fps, 1, 60, text);
+}
+
+std::string read_loop(FigureSpec& spec, const std::string& text) {
+  spec.film.loop = FilmOptions{}.loop;
+  return read_count("loop", spec.film.loop, 0, 65'535, text);
 }
 
 // --- In whose words --------------------------------------------------------------------------------------
@@ -285,6 +364,12 @@ constexpr FlagReader readers[] = {
     {"language", read_language},
     {"title", read_title},
     {"caption", read_caption},
+    {"handout", read_handout},
+    {"paper", read_paper},
+    {"seconds-per-step", read_seconds_per_step},
+    {"hold-last", read_hold_last},
+    {"fps", read_fps},
+    {"loop", read_loop},
 };
 
 bool is_switch(const std::string& name) { return name == "crop"; }
@@ -301,6 +386,7 @@ void apply_flags(FigureSpec& spec, const Request& request) {
     spec.said.erase(reader.name);
     if (!canonical.empty()) spec.said[reader.name] = canonical;
   }
+  check_ground(spec);
   apply_labels(spec, request.labels);
 }
 
@@ -340,7 +426,8 @@ FigureSpec with_steps(FigureSpec spec, const std::vector<StepRange>& steps) {
 
 Finish finish_of(const FigureSpec& spec) {
   Finish finish(*spec.theme);
-  finish.transparent = spec.background == "none";
+  if (spec.ground) finish.theme = with_paper(finish.theme, *spec.ground);
+  finish.transparent = spec.transparent;
   finish.scale = spec.scale;
   finish.svg_text = spec.svg_text;
   return finish;

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/film.hpp"
 #include "cli/takes.hpp"
 #include "figure/figure.hpp"
+#include "figure/handout.hpp"
 #include "figure/wording.hpp"
 #include "theme/finish.hpp"
 
@@ -22,11 +24,15 @@ struct FigureSpec {
   bool milestones = false;  ///< --steps auto: the first step, each kind of branch once, the last
   Look look;
   const Theme* theme = nullptr;
-  std::string background;  ///< "#rrggbb", "none" or, for the theme's own paper, nothing
+  bool transparent = false;
+  std::optional<Rgb> ground;  ///< instead of the theme's paper
   double scale = 1;
   SvgText svg_text = SvgText::outlines;
   Wording wording;
-  std::string caption;  ///< instead of the one made from the step's sentence
+  std::optional<PageGrid> handout;  ///< PDF: pages for print instead of a page a step
+  Paper paper = papers().front();
+  FilmOptions film;
+  std::string caption;  ///< said before the one made from the step's sentence
   /// Canonical texts of the flags that differ from the defaults, by name: what the command will say.
   std::map<std::string, std::string> said;
 

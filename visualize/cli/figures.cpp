@@ -1,4 +1,4 @@
-// `gradus figures`: the whole gallery, in parallel, only what has changed.
+// `gradus figures`: all figures of a lecture, in parallel, only what has changed.
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -19,6 +20,8 @@
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "cli/topic_pages.hpp"
+#include "cli/zip.hpp"
+#include "core/image.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -62,6 +65,18 @@ class Album {
     if (file) manifest_ = parse_manifest(text.str());
   }
 
+  /// Whose figures these are: LectureFile::owner. Nobody's while there are none.
+  bool belongs_to(const std::string& owner) const {
+    return manifest_.jobs.empty() || manifest_.owner == owner;
+  }
+  /// The owner as people call him.
+  std::string owner() const {
+    const std::size_t end = manifest_.owner.rfind(' ');
+    return manifest_.owner.empty() ? "the built-in gallery"
+                                   : "the lecture " + shown(manifest_.owner.substr(0, end));
+  }
+  void give_to(const std::string& owner) { manifest_.owner = owner; }
+
   bool has(const std::string& slug, const std::string& key) const {
     const auto known = manifest_.jobs.find(slug);
     if (known == manifest_.jobs.end() || known->second.first != key) return false;
@@ -70,6 +85,19 @@ class Album {
   }
   bool knows(const std::string& slug) const { return manifest_.jobs.contains(slug); }
   const std::string& key(const std::string& slug) const { return manifest_.jobs.at(slug).first; }
+  const std::vector<ManifestFile>& files(const std::string& slug) const {
+    return manifest_.jobs.at(slug).second;
+  }
+
+  /// Paths of everything that lies here, sorted.
+  std::vector<std::string> paths() const {
+    std::vector<std::string> all;
+    for (const auto& [slug, job] : manifest_.jobs) {
+      for (const ManifestFile& file : job.second) all.push_back(file.path);
+    }
+    std::ranges::sort(all);
+    return all;
+  }
 
   /// From any thread. What the job made earlier and no longer does is removed.
   void put(const std::string& slug, const std::string& key, std::vector<ManifestFile> files) {
@@ -83,11 +111,10 @@ class Album {
   }
 
   /// Forgets jobs that no longer exist, with their files. Returns how many there were.
-  std::size_t keep_only(const std::vector<Job>& jobs) {
-    const auto gone = [&jobs](const auto& known) {
-      return known.first != index_name && std::ranges::none_of(jobs, [&known](const Job& job) {
-               return job.showcase->slug == known.first;
-             });
+  std::size_t keep_only(const std::vector<LectureFigure>& figures) {
+    const auto gone = [&figures](const auto& known) {
+      return known.first != index_name &&
+             std::ranges::find(figures, known.first, &LectureFigure::name) == figures.end();
     };
     for (const auto& known : manifest_.jobs) {
       if (!gone(known)) continue;
@@ -134,13 +161,19 @@ void in_parallel(std::size_t count, std::size_t threads, DoOne do_one) {
   work();
 }
 
-std::vector<const Job*> selected(const std::vector<Job>& jobs, const Request& request) {
+/// A figure, and its fingerprint: another one when the program, the input or the lecture's words differ.
+struct Job {
+  const LectureFigure* figure;
+  std::string key;
+};
+
+std::vector<Job> selected(const Lecture& lecture, const std::string& program, const Request& request) {
   const auto only = request.flags.find("only");
-  std::vector<const Job*> wanted;
-  for (const Job& job : jobs) {
-    const bool matches = only == request.flags.end() || matches_glob(only->second, job.showcase->slug) ||
-                         matches_glob(only->second, job.topic->name);
-    if (matches) wanted.push_back(&job);
+  std::vector<Job> wanted;
+  for (const LectureFigure& figure : lecture.figures) {
+    const bool matches = only == request.flags.end() || matches_glob(only->second, figure.name) ||
+                         matches_glob(only->second, figure.spec.topic->name);
+    if (matches) wanted.push_back({&figure, fingerprint(program + "\n" + figure.contents())});
   }
   if (wanted.empty() && only != request.flags.end()) {
     throw WorkError(fmt::format("--only: expected a pattern that matches a figure or a topic, found {}",
@@ -161,29 +194,53 @@ fs::path make_folder(const Request& request) {
   return name;
 }
 
-/// Draws what is not there yet. Returns one line for each job that failed.
-std::vector<std::string> draw_all(const std::vector<const Job*>& jobs, const fs::path& out, Album& album,
-                                  std::size_t threads, bool quiet) {
-  std::vector<std::string> failures(jobs.size());
+/// Refuses a folder with the figures of another lecture, unless they may go.
+void claim(Album& album, const LectureFile& file, const fs::path& out, bool force) {
+  if (!force && !album.belongs_to(file.owner)) {
+    throw UsageError(
+        fmt::format("-o: expected a folder without the figures of another lecture, found {} with those of {} "
+                    "(--force removes them)",
+                    shown(out.string()), album.owner()));
+  }
+  album.give_to(file.owner);
+}
+
+struct Failures {
+  std::size_t count = 0;
+  std::vector<Problem> problems;
+  bool about_input = false;  ///< at least one of them
+};
+
+/// Does `work(job)` for every job; what goes wrong becomes a problem, in the jobs' order.
+template <class Work>
+Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size_t threads, bool quiet,
+                 Work work) {
+  std::vector<Problem> problems(jobs.size());
+  std::atomic<bool> about_input = false;
   Progress progress(jobs.size(), quiet);
   in_parallel(jobs.size(), threads, [&](std::size_t i) {
-    const Job& job = *jobs[i];
+    const LectureFigure& figure = *jobs[i].figure;
     try {
-      album.put(job.showcase->slug, job.key, draw(job, out));
-      progress.finished(i, job.showcase->slug);
+      work(jobs[i]);
+      progress.finished(i, figure.name);
     } catch (const std::exception& error) {
-      failures[i] = fmt::format("{}: {}", job.showcase->slug, error.what());
+      if (is_about_input(error)) about_input = true;
+      problems[i] = problem_of(lecture, figure, error);
       progress.finished(i, "");
     }
   });
-  std::erase(failures, "");
-  return failures;
+  const auto fine = std::ranges::count(problems, Problem{});
+  // What a default does wrong in several figures is said once
+  std::set<Problem> known{{}};
+  std::erase_if(problems, [&known](const Problem& problem) { return !known.insert(problem).second; });
+  return {jobs.size() - static_cast<std::size_t>(fine), problems, about_input};
 }
 
 /// "run lengths: (0, 0) to (14, 5)", for the topic's page.
-TopicFigure topic_figure(const Job& job, const Card& card, const Trace& trace) {
+TopicFigure topic_figure(const LectureFigure& figure, const Card& card, const Trace& trace) {
   const std::string faulty = trace.faulty.empty() ? "" : " (faulty)";
-  return {job.topic, fmt::format("{}{}: {}", trace.method_title, faulty, trace.subtitle), card.player};
+  return {figure.spec.topic, fmt::format("{}{}: {}", trace.method_title, faulty, trace.subtitle),
+          card.player};
 }
 
 /// Writes the pages of the topics that have figures here. Returns what was written.
@@ -203,57 +260,90 @@ std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, 
   return written;
 }
 
-/// The gallery page, of all figures that are there, and the pages of their topics.
-void write_index(const std::vector<Job>& jobs, const fs::path& out, Album& album, const std::string& program,
+/// The page of all figures that are there, and the pages of their topics.
+void write_index(const Lecture& lecture, const fs::path& out, Album& album, const std::string& program,
                  bool force) {
-  std::string contents = program;
-  std::vector<const Job*> present;
-  for (const Job& job : jobs) {
-    if (!album.knows(job.showcase->slug)) continue;
-    present.push_back(&job);
-    contents += "\n" + job.showcase->slug + " " + album.key(job.showcase->slug);
+  std::string contents = program + "\n" + lecture.title;
+  std::vector<const LectureFigure*> present;
+  for (const LectureFigure& figure : lecture.figures) {
+    if (!album.knows(figure.name)) continue;
+    present.push_back(&figure);
+    contents += "\n" + figure.name + " " + album.key(figure.name);
   }
   const std::string key = fingerprint(contents);
   if (!force && album.has(index_name, key)) return;
   std::vector<Card> cards;
   std::vector<TopicFigure> figures;
-  for (const Job* job : present) {
-    // Counting the steps and naming the input is all that this run is for
-    const Trace trace = job->topic->run(job->inputs.arguments, {.first = 0, .most = 1});
-    cards.push_back(card_of(*job, trace.last));
-    figures.push_back(topic_figure(*job, cards.back(), trace));
+  for (const LectureFigure* figure : present) {
+    const Takes takes(*figure->spec.topic, figure->spec.arguments, figure->spec.wording);
+    cards.push_back(card_of(*figure, album.files(figure->name), takes));
+    figures.push_back(topic_figure(*figure, cards.back(), takes.opening()));
   }
   std::vector<ManifestFile> written = write_topics(figures, out);
-  write_output((out / index_name).string(), gallery_page(cards));
+  GalleryOptions options;
+  if (!lecture.title.empty()) options.title = lecture.title;
+  write_output((out / index_name).string(), gallery_page(cards, options));
   written.push_back(file_state(out, index_name));
   album.put(index_name, key, std::move(written));
+}
+
+void complain(const std::vector<Problem>& problems) {
+  for (const Problem& problem : problems) note("gradus: " + problem.text);
+}
+
+/// `--check`: every problem of the lecture, one a line.
+int check(const Lecture& lecture, const Request& request, std::size_t threads) {
+  std::vector<Job> jobs;
+  for (const LectureFigure& figure : lecture.figures) jobs.push_back({&figure, ""});
+  const Failures failures =
+      for_all(jobs, lecture, threads, true, [](const Job& job) { rehearse(*job.figure); });
+  std::vector<Problem> all = lecture.problems;
+  all.insert(all.end(), failures.problems.begin(), failures.problems.end());
+  std::ranges::stable_sort(all, {}, &Problem::line);
+  complain(all);
+  if (!lecture.problems.empty() || failures.about_input) return 2;
+  if (!all.empty()) return 1;
+  if (!request.quiet()) {
+    note(fmt::format("{}: {} figure{}, no problems", lecture.file, jobs.size(), jobs.size() == 1 ? "" : "s"));
+  }
+  return 0;
 }
 
 }  // namespace
 
 int figures(const Request& request) {
+  if (request.has("schema")) {
+    write_stream(Stream::out, lecture_schema());
+    return 0;
+  }
   const std::size_t threads = read_jobs(request);
+  const LectureFile file = request.operands.empty() ? gallery_lecture() : lecture_at(request.operands[0]);
+  const Lecture lecture = read_lecture(file);
+  if (request.has("check")) return check(lecture, request, threads);
+  if (!lecture.problems.empty()) throw InputError(lecture.problems.front().text);
+
   const std::string program = program_fingerprint();
-  const std::vector<Job> jobs = gallery_jobs(program);
-  const std::vector<const Job*> wanted = selected(jobs, request);
+  const std::vector<Job> wanted = selected(lecture, program, request);
   const fs::path out = make_folder(request);
   const bool force = request.has("force");
-
   Album album(out);
-  const std::size_t removed = album.keep_only(jobs);
-  std::vector<const Job*> due;
-  for (const Job* job : wanted) {
-    if (force || !album.has(job->showcase->slug, job->key)) due.push_back(job);
+  claim(album, file, out, force);
+  const std::size_t removed = album.keep_only(lecture.figures);
+  std::vector<Job> due;
+  for (const Job& job : wanted) {
+    if (force || !album.has(job.figure->name, job.key)) due.push_back(job);
   }
-  const std::vector<std::string> failures = draw_all(due, out, album, threads, request.quiet());
-  write_index(jobs, out, album, program, force);
+  const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](const Job& job) {
+    album.put(job.figure->name, job.key, draw(*job.figure, out));
+  });
+  write_index(lecture, out, album, program, force);
 
-  for (const std::string& failure : failures) note("gradus: " + failure);
+  complain(failures.problems);
   if (!request.quiet()) {
-    note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.size(),
+    note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,
                      wanted.size() - due.size(), removed));
   }
-  if (!failures.empty()) return 1;
+  if (!failures.problems.empty()) return failures.about_input ? 2 : 1;
   write_stream(Stream::out, (out / index_name).string() + "\n");
   return 0;
 }

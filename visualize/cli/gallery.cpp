@@ -4,14 +4,16 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <set>
 
 #include "cli/errors.hpp"
-#include "cli/figure_file.hpp"
+#include "cli/figure.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "cli/zip.hpp"
+#include "figure/layout.hpp"
 #include "stories/point_text.hpp"
+#include "text/snippet.hpp"
 #include "web/topic_page.hpp"
 
 namespace gradus::cli {
@@ -19,33 +21,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pages of a PDF in the gallery; longer runs show steps evenly spaced.
+/// Pages of a PDF whose steps nobody chose; longer runs show steps evenly spaced.
 constexpr std::int64_t most_gallery_pages = 120;
 /// Steps in its zip, two pictures each, likewise.
 constexpr std::int64_t most_zip_steps = 48;
+/// Links to single files of one format on a card.
+constexpr std::size_t most_links = 12;
 
-/// Input files of showcases are named from the project's root; the program lies somewhere below it.
-std::string find_data(const std::string& name, const std::string& flag) {
-  std::error_code error;
-  if (fs::is_regular_file(name, error)) return name;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
-    for (const fs::path& candidate : {folder / name, folder / "share" / "gradus" / name}) {
-      if (fs::is_regular_file(candidate, error)) return candidate.string();
-    }
-    if (folder == folder.root_path()) break;
-  }
-  throw WorkError(fmt::format("{}: expected the file {} here or in a folder above the program, found none",
-                              flag, shown(name)));
-}
+bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
 
-FigureSpec spec_of(const Job& job) {
-  FigureSpec spec;
-  spec.topic = job.topic;
-  spec.arguments = job.inputs.arguments;
-  spec.theme = &themes().front();
+/// The same figure with one flag set.
+FigureSpec with_flag(FigureSpec spec, const std::string& flag, const std::string& value) {
+  Request request;
+  request.flags[flag] = value;
+  apply_flags(spec, request);
   return spec;
 }
+
+// --- Which steps -------------------------------------------------------------------------------------------
 
 /// Every stride-th step, and the last: at most so many.
 std::vector<StepRange> spaced_steps(std::int64_t last, std::int64_t most) {
@@ -67,31 +60,86 @@ StepNumber telling_step(const Takes& takes) {
   return has_step(takes.opening(), telling) ? telling : takes.opening().steps.back().number;
 }
 
-/// Collects the files of one job under their names.
+/// The steps that the lecture chose, each of which must exist.
+std::vector<StepNumber> chosen_steps(const FigureSpec& spec, const Takes& takes) {
+  // Before they are listed: a range may be as long as its numbers are large
+  if (count_in(spec.steps) > most_pages) {
+    throw UsageError(
+        fmt::format("--steps: expected at most {} steps, found {}", most_pages, count_in(spec.steps)));
+  }
+  return shown_steps(spec, takes);
+}
+
+/// One picture a step.
+std::vector<StepNumber> picture_steps(const FigureSpec& spec, const Takes& takes) {
+  if (!spec.chooses_steps()) return {telling_step(takes)};
+  std::vector<StepNumber> steps = chosen_steps(spec, takes);
+  std::set<StepNumber> seen;
+  std::erase_if(steps, [&seen](StepNumber step) { return !seen.insert(step).second; });
+  return steps;
+}
+
+/// The figure with the pages of its PDF as its steps.
+FigureSpec paged(const FigureSpec& spec, const Takes& takes, std::int64_t most = most_gallery_pages) {
+  const std::vector<StepRange> spaced =
+      spec.chooses_steps() ? std::vector<StepRange>{} : spaced_steps(last_page(takes), most);
+  return spaced.empty() ? spec : with_flag(spec, "steps", text_of(spaced));
+}
+
+std::vector<StepNumber> page_steps(const FigureSpec& pages, const Takes& takes) {
+  return pages.chooses_steps() ? chosen_steps(pages, takes) : shown_steps(pages, takes);
+}
+
+/// The figure as a table or a player: for a player without gaps.
+FigureSpec told(const FigureSpec& spec, const Takes& takes, Format format) {
+  if (format != Format::html || !spec.chooses_steps()) return spec;
+  const std::vector<StepNumber> steps = chosen_steps(spec, takes);
+  const auto [first, last] = std::ranges::minmax(steps);
+  // One step is nothing to play: it is shown among all others
+  const bool among_others = first == last && has_step(takes.opening(), last);
+  return with_flag(
+      spec, "steps",
+      among_others ? fmt::format("0-{}", last_page(takes)) : fmt::format("{}-{}", first.step, last.step));
+}
+
+/// What the card shows of it.
+StepNumber thumbnail_step(const FigureSpec& spec, const Takes& takes) {
+  const std::vector<StepNumber> steps = picture_steps(spec, takes);
+  const StepNumber telling = telling_step(takes);
+  return std::ranges::find(steps, telling) != steps.end() ? telling : steps.back();
+}
+
+// --- Files -------------------------------------------------------------------------------------------------
+
+/// Collects the files of one figure under their names.
 class Folder {
  public:
-  Folder(const Job& job, const fs::path& out) : job_(job), out_(out) {
+  Folder(const LectureFigure& figure, const fs::path& out) : figure_(figure), out_(out) {
     std::error_code error;
-    fs::create_directories(out / job.showcase->slug, error);
-    if (error)
-      throw WorkError(
-          fmt::format("can't make the folder {}: {}", shown((out / slug()).string()), error.message()));
+    const fs::path folder = out / figure.name;
+    fs::create_directories(folder, error);
+    if (error) {
+      throw WorkError(fmt::format("can't make the folder {}: {}", shown(folder.string()), error.message()));
+    }
   }
   /// A folder that stayed empty, because something failed, goes again.
   ~Folder() {
     std::error_code error;
-    fs::remove(out_ / slug(), error);
+    fs::remove(out_ / figure_.name, error);
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
-  const std::string& slug() const { return job_.showcase->slug; }
 
   void add(const std::string& name, std::string_view bytes) {
-    const std::string path = slug() + "/" + name;
-    files_.add((out_ / path).string(), bytes);
+    const std::string path = figure_.name + "/" + name, full = (out_ / path).string();
+    for (const std::string& input : figure_.files) {
+      if (!same_file(full, input)) continue;
+      throw UsageError(fmt::format(
+          "expected an output folder apart from the inputs, found the input file {} in it", shown(full)));
+    }
+    files_.add(full, bytes);
     paths_.push_back(path);
   }
-  void add_figure(const std::string& ending, std::string_view bytes) { add(slug() + ending, bytes); }
 
   std::vector<ManifestFile> finish() {
     files_.commit();
@@ -101,126 +149,275 @@ class Folder {
   }
 
  private:
-  const Job& job_;
+  const LectureFigure& figure_;
   const fs::path& out_;
   NewFiles files_;
   std::vector<std::string> paths_;
 };
 
-void add_inputs(Folder& folder, const Job& job) {
+void add_inputs(Folder& folder, const LectureFigure& figure) {
   // Beside the figures, where `gradus again` looks for them
-  for (const Arguments::Entry& entry : job.inputs.arguments.entries()) {
+  for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
     if (entry.hash.empty()) continue;
-    const auto path = std::ranges::find_if(job.inputs.files, [&entry](const std::string& file) {
-      return fs::path(file).filename() == entry.text;
-    });
-    if (path != job.inputs.files.end()) folder.add(entry.text, read_input(*path, entry.name));
+    const auto path = std::ranges::find_if(
+        figure.files, [&entry](const std::string& file) { return fs::path(file).filename() == entry.text; });
+    if (path != figure.files.end()) folder.add(entry.text, read_input(*path, entry.name));
   }
 }
 
+// --- Cards -------------------------------------------------------------------------------------------------
+
 /// "Flood fill: breadth first, queue", and what is wrong where something is.
-std::string title_of(const Job& job) {
-  const std::string& name = job.inputs.arguments.text("method");
-  const auto method = std::ranges::find(job.topic->methods, name, &Method::name);
-  const std::string title = fmt::format("{}: {}", job.topic->title, method->title);
+std::string title_of(const LectureFigure& figure) {
+  const TopicEntry& topic = *figure.spec.topic;
+  const std::string& name = figure.spec.arguments.text("method");
+  const auto method = std::ranges::find(topic.methods, name, &Method::name);
+  const std::string title = figure.spec.look.title.empty() ? fmt::format("{}: {}", topic.title, method->title)
+                                                           : figure.spec.look.title;
   return method->standing == Standing::faulty ? fmt::format("{} (faulty: {})", title, method->note) : title;
 }
 
-/// The shortest command for the same figure: what differs from the defaults.
-std::string short_command(const Job& job) {
-  std::string line = fmt::format("gradus figure {}", job.topic->name);
-  for (const Argument& argument : job.showcase->arguments) {
-    line += fmt::format(" --{} {}", argument.name, shell_quoted(argument.value));
-  }
-  return line + " -o " + job.showcase->slug + ".pdf";
+/// The file that the card's command makes: a PDF, for it holds everything, else the first kind there is.
+Format format_of_command(const LectureFigure& figure) {
+  const bool has_pdf = std::ranges::find(figure.outputs, Format::pdf) != figure.outputs.end();
+  return has_pdf ? Format::pdf : figure.outputs.front();
 }
 
-std::string zip_bytes(const Job& job, FigureSpec spec, Takes& takes) {
-  spec.steps = spaced_steps(last_page(takes), most_zip_steps);
-  const auto draw = [&](StepNumber step) {
-    const FigureSpec one = at_step(spec, step);
-    return StepPicture{picture_bytes(one, takes, step, Format::svg),
-                       picture_bytes(one, takes, step, Format::png)};
+/// Whether the card's command has to say this flag.
+bool figure_says(const LectureFigure& figure, const std::string& flag, Format format) {
+  return flag != "caption" && fitting(figure.spec, format).said.contains(flag);
+}
+
+/// The shortest command for the same figure: what the lecture says of it. Files go without their folders, as
+/// they lie beside the figure.
+std::string short_command(const LectureFigure& figure) {
+  const Request& request = figure.request;
+  const Format format = format_of_command(figure);
+  std::string line = fmt::format("gradus figure {}", figure.spec.topic->name);
+  for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
+    const auto given = request.arguments.find(entry.name);
+    if (given == request.arguments.end()) continue;
+    line += fmt::format(" --{} {}", hyphened(entry.name),
+                        shell_quoted(entry.hash.empty() ? given->second : entry.text));
+  }
+  for (const auto& [flag, value] : request.flags) {
+    if (!figure_says(figure, flag, format)) continue;
+    line += " --" + flag + (value.empty() ? "" : " " + shell_quoted(value));
+  }
+  for (const std::string& label : request.labels) line += " --label " + shell_quoted(label);
+  const bool series = is_picture(format) && request.has("steps");
+  return fmt::format(
+      "{} -o {}", line,
+      shell_quoted(fmt::format("{}{}.{}", figure.name, series ? "-{step}" : "", name_of(format))));
+}
+
+/// Lines for slides that show the figure's files: for each kind of lecture the files that suit it best.
+std::vector<std::pair<std::string, std::string>> snippets_of(const LectureFigure& figure,
+                                                             const Takes& takes) {
+  const FigureSpec& spec = figure.spec;
+  const Trace& trace = takes.opening();
+  const std::string stem = figure.name + "/" + figure.name;
+  const std::string title = spec.look.title.empty() ? trace.title : spec.look.title;
+  const std::string alt = figure.caption.empty() ? trace.goal : figure.caption;
+  std::vector<std::pair<std::string, std::string>> snippets;
+  const auto add = [&](std::string name, SnippetKind kind, Format format,
+                       const std::vector<StepNumber>& steps) {
+    SnippetFigure shown{std::string(name_of(format)),
+                        fmt::format("{} {}", title, trace.subtitle),
+                        spec.look.slots.contains(Slot::title),
+                        {}};
+    const bool series = is_picture(format) && steps.size() > 1;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const std::string number = series ? "-" + text_of(steps[i]) : "";
+      shown.steps.push_back({fmt::format("{}{}.{}", stem, number, name_of(format)),
+                             format == Format::pdf ? static_cast<int>(i) + 1 : 0, alt});
+    }
+    snippets.emplace_back(std::move(name), snippet_of(kind, shown));
   };
-  return zip_of(step_entries(job.showcase->slug, title_of(job), short_command(job), shown_steps(spec, takes),
+  const auto makes = [&figure](Format format) {
+    return std::ranges::find(figure.outputs, format) != figure.outputs.end();
+  };
+  if (makes(Format::pdf) && !spec.handout) {
+    add("Beamer", SnippetKind::beamer, Format::pdf, page_steps(paged(spec, takes), takes));
+  }
+  for (const Format format : {Format::html, Format::svg, Format::png}) {
+    if (!makes(format)) continue;
+    add("reveal.js", SnippetKind::reveal, format,
+        is_picture(format) ? picture_steps(spec, takes) : std::vector{StepNumber{}});
+    break;
+  }
+  for (const Format format : {Format::svg, Format::png}) {
+    if (!makes(format)) continue;
+    add("Markdown", SnippetKind::markdown, format, picture_steps(spec, takes));
+    break;
+  }
+  return snippets;
+}
+
+/// SVG and PNG of each step, for whoever takes them all.
+std::string zip_bytes(const LectureFigure& figure, Takes& takes) {
+  const FigureSpec spec = paged(figure.spec, takes, most_zip_steps);
+  const auto draw = [&](StepNumber step) {
+    const auto picture = [&](Format format) {
+      return picture_bytes(fitting(at_step(spec, step), format), takes, step, format);
+    };
+    return StepPicture{picture(Format::svg), picture(Format::png)};
+  };
+  return zip_of(step_entries(figure.name, title_of(figure), short_command(figure), page_steps(spec, takes),
                              {takes.last(), 0}, draw));
+}
+
+bool has_zip(const LectureFigure& figure) {
+  return std::ranges::all_of(std::array{Format::svg, Format::png}, [&figure](Format format) {
+    return std::ranges::find(figure.outputs, format) != figure.outputs.end();
+  });
+}
+
+std::string_view label_of(Format format) {
+  switch (format) {
+    case Format::pdf:
+      return "PDF, a page a step";
+    case Format::svg:
+      return "SVG";
+    case Format::png:
+      return "PNG";
+    case Format::csv:
+      return "table (CSV)";
+    case Format::json:
+      return "data (JSON)";
+    case Format::md:
+      return "table (Markdown)";
+    case Format::tex:
+      return "table (LaTeX)";
+    case Format::gif:
+      return "film (GIF)";
+    case Format::mp4:
+      return "film (MP4)";
+    case Format::webp:
+      return "film (WebP)";
+    default:
+      return "text";
+  }
+}
+
+/// Links to the figure's files of one format.
+void add_downloads(Card& card, const LectureFigure& figure, std::span<const ManifestFile> files,
+                   Format format) {
+  const std::string stem = figure.name + "/" + figure.name, ending = fmt::format(".{}", name_of(format));
+  std::vector<std::string> steps;
+  for (const ManifestFile& file : files) {
+    if (file.path == stem + ending) {
+      card.downloads.emplace_back(label_of(format), file.path);
+    } else if (file.path.starts_with(stem + "-") && file.path.ends_with(ending) &&
+               file.path != card.thumbnail) {
+      steps.push_back(file.path);
+    }
+  }
+  if (steps.size() > most_links) {
+    card.downloads.emplace_back(fmt::format("{} of {} steps", label_of(format), steps.size()),
+                                figure.name + "/");
+    return;
+  }
+  for (const std::string& path : steps) {
+    const std::size_t start = stem.size() + 1;
+    const std::string step = path.substr(start, path.size() - ending.size() - start);
+    card.downloads.emplace_back(fmt::format("{}, step {}", label_of(format), step), path);
+  }
 }
 
 }  // namespace
 
 std::string program_fingerprint() { return fingerprint(read_input("/proc/self/exe", "gradus")); }
 
-std::vector<Job> gallery_jobs(const std::string& program) {
-  std::vector<Job> jobs;
-  for (const TopicEntry* topic : catalogue()) {
-    for (const Showcase& showcase : topic->gallery) {
-      std::map<std::string, std::string> given;
-      for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
-      Job job{topic, &showcase, read_inputs(*topic, given, find_data), ""};
-      job.key = fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}", program, showcase.slug, showcase.caption,
-                                        command_of("figure", *topic, job.inputs.arguments),
-                                        input_hash(job.inputs.arguments)));
-      const bool known = std::ranges::any_of(
-          jobs, [&showcase](const Job& other) { return other.showcase->slug == showcase.slug; });
-      if (known)
-        throw std::logic_error(fmt::format("two figures of the gallery are called {}", showcase.slug));
-      jobs.push_back(std::move(job));
-    }
+std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, Format format,
+                                     const std::string& stem) {
+  const FigureSpec spec = fitting(figure, format);
+  const std::string ending = fmt::format(".{}", name_of(format));
+  if (format == Format::pdf) {
+    const FigureSpec pages = paged(spec, takes);
+    return {{stem + ending, pages_bytes(pages, takes, page_steps(pages, takes))}};
   }
-  return jobs;
+  if (is_film(format)) {
+    const FigureSpec shown = paged(spec, takes);
+    return {{stem + ending, film_of(shown, takes, page_steps(shown, takes), format)}};
+  }
+  if (!is_picture(format)) {
+    const FigureSpec text = told(spec, takes, format);
+    const std::string page = topic_page_path(*spec.topic);
+    return {{stem + ending,
+             trace_bytes(text, shown_part(text, takes, format), format, page.empty() ? page : "../" + page)}};
+  }
+  std::vector<OutputFile> files;
+  const std::vector<StepNumber> steps = picture_steps(spec, takes);
+  for (const StepNumber step : steps) {
+    const std::string number = steps.size() == 1 ? "" : "-" + text_of(step);
+    files.push_back({stem + number + ending, picture_bytes(at_step(spec, step), takes, step, format)});
+  }
+  return files;
 }
 
-std::vector<ManifestFile> draw(const Job& job, const fs::path& out) {
-  FigureSpec spec = spec_of(job);
-  Takes takes(*job.topic, job.inputs.arguments);
-  const StepNumber telling = telling_step(takes);
-  Folder folder(job, out);
+void rehearse(const LectureFigure& figure) {
+  const FigureSpec& spec = figure.spec;
+  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  for (const Format format : figure.outputs) {
+    if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
+    if (format == Format::pdf || is_film(format)) {
+      page_steps(paged(spec, takes), takes);
+    } else if (!is_picture(format)) {
+      shown_part(told(spec, takes, format), takes, format);
+    }
+  }
+  sheet_of(takes.figure(thumbnail_step(spec, takes)), spec);
+}
 
-  FigureSpec one = at_step(spec, telling);
-  folder.add_figure(".svg", picture_bytes(one, takes, telling, Format::svg));
-  folder.add_figure(".png", picture_bytes(one, takes, telling, Format::png));
-  one.look.slots = {Slot::drawing};
-  folder.add_figure("-drawing.svg", picture_bytes(one, takes, telling, Format::svg));
-
-  folder.add_figure(".html", trace_bytes(spec, takes.opening(), Format::html));
-  folder.add_figure(".csv", trace_bytes(spec, takes.opening(), Format::csv));
-  folder.add_figure(".json", trace_bytes(spec, takes.opening(), Format::json));
-
-  FigureSpec pages = spec;
-  pages.steps = spaced_steps(last_page(takes), most_gallery_pages);
-  folder.add_figure(".pdf", pages_bytes(pages, takes, shown_steps(pages, takes)));
-  folder.add_figure("-steps.zip", zip_bytes(job, spec, takes));
-  add_inputs(folder, job);
+std::vector<ManifestFile> draw(const LectureFigure& figure, const fs::path& out) {
+  const FigureSpec& spec = figure.spec;
+  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  Folder folder(figure, out);
+  for (const Format format : figure.outputs) {
+    for (const OutputFile& file : output_files(spec, takes, format, figure.name)) {
+      folder.add(file.name, file.bytes);
+    }
+  }
+  const StepNumber telling = thumbnail_step(spec, takes);
+  const FigureSpec thumbnail = fitting(with_flag(at_step(spec, telling), "slots", "drawing"), Format::svg);
+  folder.add(figure.name + "-drawing.svg", picture_bytes(thumbnail, takes, telling, Format::svg));
+  if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes));
+  add_inputs(folder, figure);
   return folder.finish();
 }
 
-Card card_of(const Job& job, std::int64_t last) {
-  const std::string& slug = job.showcase->slug;
-  const auto path = [&slug](const std::string& ending) { return slug + "/" + slug + ending; };
+Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes) {
+  const auto makes = [&figure](Format format) {
+    return std::ranges::find(figure.outputs, format) != figure.outputs.end();
+  };
+  const std::string stem = figure.name + "/" + figure.name;
   Card card;
-  card.slug = slug;
-  card.title = title_of(job);
-  card.chapter = job.topic->chapter;
-  card.caption = job.showcase->caption;
-  if (is_cut(last)) {
-    card.caption += fmt::format(" (The PDF shows at most {} of the {} steps, evenly spaced.)",
-                                most_gallery_pages, last + 1);
+  card.slug = figure.name;
+  card.title = title_of(figure);
+  card.chapter = figure.spec.topic->chapter;
+  card.caption = figure.caption;
+  if (makes(Format::pdf) && !figure.spec.chooses_steps() && is_cut(takes.last())) {
+    card.caption += fmt::format("{}(The PDF shows at most {} of the {} steps, evenly spaced.)",
+                                card.caption.empty() ? "" : " ", most_gallery_pages, takes.last() + 1);
   }
-  card.command = short_command(job);
-  card.thumbnail = path("-drawing.svg");
-  card.player = path(".html");
-  card.downloads = {{"PDF, a page a step", path(".pdf")},
-                    {"SVG", path(".svg")},
-                    {"PNG", path(".png")},
-                    {"table (CSV)", path(".csv")},
-                    {"data (JSON)", path(".json")}};
-  card.zip = path("-steps.zip");
-  card.topic_page = topic_page_path(*job.topic);
-  card.words = job.topic->aliases;
-  card.words.insert(card.words.end(), {job.topic->name, job.inputs.arguments.text("method")});
-  for (const Arguments::Entry& entry : job.inputs.arguments.entries()) {
-    if (!entry.hash.empty()) card.downloads.emplace_back("input " + entry.text, slug + "/" + entry.text);
+  card.command = short_command(figure);
+  card.thumbnail = stem + "-drawing.svg";
+  if (makes(Format::html)) card.player = stem + ".html";
+  // The most useful first, whatever the order in the lecture
+  for (const Format format : {Format::pdf, Format::svg, Format::png, Format::gif, Format::mp4, Format::webp,
+                              Format::csv, Format::md, Format::tex, Format::json, Format::txt}) {
+    if (makes(format)) add_downloads(card, figure, files, format);
   }
+  for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
+    if (!entry.hash.empty())
+      card.downloads.emplace_back("input " + entry.text, figure.name + "/" + entry.text);
+  }
+  if (has_zip(figure)) card.zip = stem + "-steps.zip";
+  card.topic_page = topic_page_path(*figure.spec.topic);
+  card.snippets = snippets_of(figure, takes);
+  card.words = figure.spec.topic->aliases;
+  card.words.insert(card.words.end(), {figure.spec.topic->name, figure.spec.arguments.text("method")});
   return card;
 }
 

@@ -1,36 +1,40 @@
 #pragma once
-// The figures that the topics themselves propose: one folder each, and a card on the gallery page.
+// The figures of a lecture as files: one folder each, and a card on the page of all figures.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "cli/inputs.hpp"
-#include "stories/topic.hpp"
+#include "cli/lecture.hpp"
 #include "web/gallery_page.hpp"
 #include "web/json.hpp"
 
 namespace gradus::cli {
 
-/// A figure of the gallery, with its input read.
-struct Job {
-  const TopicEntry* topic = nullptr;
-  const Showcase* showcase = nullptr;
-  Inputs inputs;
-  std::string key;  ///< differs when the program, the input or the description does
+/// A file to be written.
+struct OutputFile {
+  std::string name, bytes;
 };
 
-/// Every figure there is, by topic. `program` is the fingerprint of the program that draws them.
-std::vector<Job> gallery_jobs(const std::string& program);
+/// The files of a figure in one format: the only place that knows which those are. Pictures show the most
+/// telling step, "<stem>.svg"; of several chosen steps there is one file each, "<stem>-4.svg". A PDF has a
+/// page a step; a player plays the stretch that the chosen steps span. Throws UsageError for steps that the
+/// run has not.
+std::vector<OutputFile> output_files(const FigureSpec& spec, Takes& takes, Format format,
+                                     const std::string& stem);
+
+/// Does all that draw() does short of drawing. Throws what draw() would, as far as it can be known.
+void rehearse(const LectureFigure& figure);
+
+/// Draws the figure's files into out/<name>/ and tells what they are. Everything appears or nothing.
+std::vector<ManifestFile> draw(const LectureFigure& figure, const std::filesystem::path& out);
+
+/// Its card. `files`: those that draw() made.
+Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes);
 
 /// The fingerprint of this program's own bytes.
 std::string program_fingerprint();
-
-/// Draws the job's files into out/<slug>/ and tells what they are. Everything appears or nothing.
-std::vector<ManifestFile> draw(const Job& job, const std::filesystem::path& out);
-
-/// Its card. `last`: the number of the run's last step.
-Card card_of(const Job& job, std::int64_t last);
 
 /// Size and time of a file below `out`, as the manifest keeps them; size 2^64 - 1 when there is none.
 ManifestFile file_state(const std::filesystem::path& out, const std::string& path);

@@ -1,6 +1,6 @@
 #pragma once
 // What a topic is to everyone outside its own files: one TopicEntry, exported by its story. Command-line
-// flags, `list --json`, help, gallery and the page's form are all made from it.
+// flags, `list --json`, help, lectures and the page's form are all made from it.
 
 #include <cstdint>
 #include <initializer_list>
@@ -88,13 +88,6 @@ std::string canonical(const Parameter& parameter, std::string_view text);
 /// name: a maze's characters alone, and either a wall among them or rows of one length.
 bool is_maze_rows(std::string_view text);
 
-/// A figure of the built-in gallery.
-struct Showcase {
-  std::string slug;                 ///< file name without ending, unique in the gallery
-  std::vector<Argument> arguments;  ///< what differs from the defaults; "method" too
-  std::string caption;
-};
-
 struct TopicEntry {
   std::string name, title, chapter;  ///< "bresenham_line", "Bresenham line", "scan_conversion"
   std::vector<std::string> aliases;
@@ -103,7 +96,6 @@ struct TopicEntry {
   std::string default_method;
   std::vector<Parameter> parameters;
   std::vector<std::string> examples;  ///< three argument lists to paste: "--from 0,0 --to 7,3"
-  std::vector<Showcase> gallery;
   Trace (*run)(const Arguments&, Recording);
 };
 

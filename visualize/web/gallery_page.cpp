@@ -79,18 +79,23 @@ std::string links_html(const Card& card) {
 }
 
 std::string card_html(const Card& card) {
+  const std::string& opened = card.player.empty() ? card.thumbnail : card.player;
+  const std::string player =
+      card.player.empty() ? ""
+                          : fmt::format(
+                                "<li><a class=\"player\" href=\"{}\">step through it<span class=\"unseen\">: "
+                                "{}</span></a></li>\n",
+                                link_to(card.player), escaped(card.title));
   return fmt::format(R"(<article class="card" id="{}" data-words="{}">
 <a class="picture" href="{}" tabindex="-1" aria-hidden="true"><img src="{}" alt="" loading="lazy"></a>
 <h3><a href="{}">{}</a></h3>
 <p class="caption">{}</p>
 <ul class="links">
-<li><a class="player" href="{}">step through it<span class="unseen">: {}</span></a></li>
-{}</ul>
+{}{}</ul>
 {}{}</article>
 )",
-                     escaped(card.slug), escaped(search_text(card)), link_to(card.player),
-                     link_to(card.thumbnail), link_to(card.player), escaped(card.title),
-                     escaped(card.caption), link_to(card.player), escaped(card.title), links_html(card),
+                     escaped(card.slug), escaped(search_text(card)), link_to(opened), link_to(card.thumbnail),
+                     link_to(opened), escaped(card.title), escaped(card.caption), player, links_html(card),
                      copied_text(command_html(card.command), "the command for " + card.title),
                      snippets_html(card));
 }

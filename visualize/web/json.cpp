@@ -476,13 +476,16 @@ std::string manifest_json(const Manifest& manifest) {
       files.push_back({{"path", f.path}, {"size", f.size}, {"modified", f.modified}});
     jobs[slug] = {{"key", job.first}, {"files", std::move(files)}};
   }
-  return Json{{"jobs", std::move(jobs)}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return Json{{"owner", manifest.owner}, {"jobs", std::move(jobs)}}.dump(1, ' ', false,
+                                                                         Json::error_handler_t::replace) +
+         "\n";
 }
 
 Manifest parse_manifest(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   Manifest out;
   if (!json.is_object() || !json.contains("jobs") || !json["jobs"].is_object()) return out;
+  if (json.contains("owner") && json["owner"].is_string()) out.owner = json["owner"].get<std::string>();
   const auto is_file = [](const Json& f) {
     return f.is_object() && f.contains("path") && f["path"].is_string() && f.contains("size") &&
            f["size"].is_number_unsigned() && f.contains("modified") && f["modified"].is_number_integer();

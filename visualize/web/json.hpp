@@ -36,6 +36,7 @@ struct ManifestFile {
   std::int64_t modified;  ///< nanoseconds
 };
 struct Manifest {
+  std::string owner;  ///< whose figures these are: empty for the built-in gallery
   std::map<std::string, std::pair<std::string, std::vector<ManifestFile>>> jobs;  ///< slug -> (key, files)
 };
 std::string manifest_json(const Manifest& manifest);

@@ -250,9 +250,11 @@ TEST(ListJson, TellsATopicByItsParameters) {
 
 TEST(ManifestJson, ComesBack) {
   Manifest manifest;
+  manifest.owner = "my lecture.json fnv1a:0";
   manifest.jobs["line"] = {"key \xff 1", {{"a b/line.svg", 12, -5}, {"line.pdf", UINT64_MAX, INT64_MAX}}};
   manifest.jobs["empty"] = {"", {}};
   const Manifest back = parse_manifest(manifest_json(manifest));
+  EXPECT_EQ(back.owner, manifest.owner);
   ASSERT_EQ(back.jobs.size(), 2u);
   const auto& [key, files] = back.jobs.at("line");
   EXPECT_EQ(key, "key \xef\xbf\xbd 1");

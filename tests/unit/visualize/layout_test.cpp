@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "cli/lecture.hpp"
 #include "figure/figure.hpp"
 #include "figure/layout.hpp"
 #include "support/sheets.hpp"
@@ -120,23 +121,19 @@ TEST(Layout, CellsOfASlideAreNeverSmallerThan24Of720) {
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
   std::size_t sentences = 0;
-  for (const TopicEntry* entry : catalogue()) {
-    for (const Showcase& showcase : entry->gallery) {
-      std::map<std::string, std::string> given;
-      for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
-      const Trace trace = test::trace_of(entry->name, given);
-      Playhead playhead(trace);
-      for (const Case& aspect : aspects()) {
-        SCOPED_TRACE(aspect.name);
-        const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 40);
-        for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
-          const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), aspect.look);
-          for (const Shape& shape : sheet.shapes) {
-            const TextShape* text = std::get_if<TextShape>(&shape.what);
-            if (!text || (shape.slot != Slot::sentence && shape.slot != Slot::title)) continue;
-            ++sentences;
-            EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
-          }
+  for (const cli::LectureFigure& figure : cli::read_lecture(cli::gallery_lecture()).figures) {
+    const Trace trace = figure.spec.topic->run(figure.spec.arguments, {});
+    Playhead playhead(trace);
+    for (const Case& aspect : aspects()) {
+      SCOPED_TRACE(aspect.name);
+      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 40);
+      for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
+        const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), aspect.look);
+        for (const Shape& shape : sheet.shapes) {
+          const TextShape* text = std::get_if<TextShape>(&shape.what);
+          if (!text || (shape.slot != Slot::sentence && shape.slot != Slot::title)) continue;
+          ++sentences;
+          EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
         }
       }
     }

@@ -2,6 +2,7 @@
 // box.
 
 #include "figure/wording.hpp"
+#include "cli/lecture.hpp"
 
 #include <fmt/args.h>
 #include <gtest/gtest.h>
@@ -459,22 +460,18 @@ TEST(Languages, EveryFigureHoldsItsTexts) {
 TEST(Languages, SentencesOfTheGalleryAreNotCutShort) {
   std::size_t sentences = 0;
   for (const Language& each : languages()) {
-    for (const TopicEntry* topic : catalogue()) {
-      for (const Showcase& showcase : topic->gallery) {
-        std::map<std::string, std::string> given;
-        for (const Argument& argument : showcase.arguments) given[argument.name] = argument.value;
-        const Trace trace = test::trace_of(topic->name, given, {.wording = Wording(each)});
-        Playhead playhead(trace);
-        Look look;
-        look.slots = {Slot::title, Slot::sentence};
-        for (std::size_t i = 0; i < std::min<std::size_t>(trace.steps.size(), 500); ++i) {
-          const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), look);
-          for (const Shape& shape : sheet.shapes) {
-            const TextShape* text = std::get_if<TextShape>(&shape.what);
-            if (!text || shape.slot != Slot::sentence) continue;
-            ++sentences;
-            EXPECT_EQ(text->text.find("…"), std::string::npos) << each.code() << ": " << text->text;
-          }
+    for (const cli::LectureFigure& figure : cli::read_lecture(cli::gallery_lecture()).figures) {
+      const Trace trace = figure.spec.topic->run(figure.spec.arguments, {.wording = Wording(each)});
+      Playhead playhead(trace);
+      Look look;
+      look.slots = {Slot::title, Slot::sentence};
+      for (std::size_t i = 0; i < std::min<std::size_t>(trace.steps.size(), 500); ++i) {
+        const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), look);
+        for (const Shape& shape : sheet.shapes) {
+          const TextShape* text = std::get_if<TextShape>(&shape.what);
+          if (!text || shape.slot != Slot::sentence) continue;
+          ++sentences;
+          EXPECT_EQ(text->text.find("…"), std::string::npos) << each.code() << ": " << text->text;
         }
       }
     }

@@ -738,18 +738,6 @@ const TopicEntry& entry() {
                       "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--center 0,0 --radius 10", "--radius 7 --method late_update",
                    "--center -960383883,-1920767765 --radius 2147483647 --window -8,-6,8,6"},
-      .gallery = {{"bresenham_circle",
-                   {{"center", "0,0"}, {"radius", "8"}},
-                   "One octant is computed, seven are its mirror images."},
-                  {"bresenham_circle_window",
-                   {{"center", "0,0"},
-                    {"radius", "2147483647"},
-                    {"window", "960383877,1920767762,960383889,1920767771"}},
-                   "A circle of 12,148,001,996 pixels in a window: the first visible one is computed, not "
-                   "walked to."},
-                  {"bresenham_circle_late_update",
-                   {{"center", "0,0"}, {"radius", "7"}, {"method", "late_update"}},
-                   "The notes' listing updates p too late and turns inwards too soon."}},
       .run = run};
   return topic;
 }

@@ -649,25 +649,6 @@ const TopicEntry& entry() {
                      {"window", ParameterType::window, "", "0,0,15,9",
                       "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
-      .gallery =
-          {{"bresenham_line",
-            {{"from", "0,0"}, {"to", "7,3"}},
-            "One addition and the sign of one number decide each pixel of a line."},
-           {"bresenham_line_steep",
-            {{"from", "2,5"}, {"to", "-3,-4"}},
-            "The same loop in any direction: only the two moves change."},
-           {"bresenham_line_run_length",
-            {{"from", "0,0"}, {"to", "14,5"}, {"method", "run_length"}},
-            "One division finds whole runs of pixels at once."},
-           {"bresenham_line_window",
-            {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,10,283,19"}},
-            "A line of 91,618,249 pixels in a window: the first visible one is computed, not walked to."},
-           {"bresenham_line_dda",
-            {{"from", "0,0"}, {"to", "12,10"}, {"method", "dda"}},
-            "A rounded slope, added again and again, leaves the nearest pixels."},
-           {"bresenham_line_first_octant",
-            {{"from", "0,0"}, {"to", "2,4"}, {"method", "first_octant"}},
-            "The textbook's first loop on a steep line ends somewhere else."}},
       .run = run};
   return topic;
 }

@@ -513,19 +513,6 @@ const TopicEntry& entry() {
             "fill only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",
                    "--image photo.png --at 40,30 --color '#d55e00' --tolerance 12"},
-      .gallery = {{"flood_fill_span", {}, "Whole runs of a row at a time: little memory, few questions."},
-                  {"flood_fill_depth_first",
-                   {{"method", "depth_first"}},
-                   "Depth first: on from every painted pixel, back when there is nowhere to go."},
-                  {"flood_fill_breadth_first",
-                   {{"method", "breadth_first"}},
-                   "Breadth first: in waves, the pixel that has waited longest comes next."},
-                  {"flood_fill_eight",
-                   {{"method", "breadth_first"}, {"connectivity", "8"}},
-                   "With 8 neighbours the fill slips through the diagonal gap."},
-                  {"flood_fill_image",
-                   {{"image", "examples/images/camera.png"}, {"at", "300,60"}, {"tolerance", "20"}},
-                   "A real image: everything that is connected to the seed and like it within 20 levels."}},
       .run = run};
   return topic;
 }

@@ -1,0 +1,602 @@
+#include "cli/lecture.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/located_json.hpp"
+#include "cli/names.hpp"
+#include "core/image.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus {
+
+std::string_view example_text(std::string_view path);  // embedded by the build
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = JsonNode::Kind;
+using Texts = std::vector<std::string>;
+
+// --- Files -------------------------------------------------------------------------------------------------
+
+/// What is shipped with the program, by its name from the project's root: here, or in a folder above the
+/// program. Empty when it is nowhere.
+std::string shipped(const std::string& name) {
+  std::error_code error;
+  if (fs::is_regular_file(name, error)) return name;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+    for (const fs::path& candidate : {folder / name, folder / "share" / "gradus" / name}) {
+      if (fs::is_regular_file(candidate, error)) return candidate.string();
+    }
+    if (folder == folder.root_path()) break;
+  }
+  return "";
+}
+
+/// Quoted only where that is needed to see what it is.
+std::string plain(const std::string& name) {
+  const std::string quoted = shown(name);
+  return quoted == "'" + name + "'" ? name : quoted;
+}
+
+/// Beside the lecture; else one of those that come with the program, so that a copy of the built-in gallery
+/// works as it is.
+std::string find_beside(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  const fs::path beside = folder / name;
+  if (fs::is_regular_file(beside, error)) return beside.string();
+  const std::string other = shipped("examples/" + name);
+  return other.empty() ? beside.string() : other;
+}
+
+// --- Errors ------------------------------------------------------------------------------------------------
+
+/// The message with the flag it is about in front: "--from: expected …".
+std::string message_of(const std::exception& error) {
+  const auto* argument = dynamic_cast<const ArgumentError*>(&error);
+  return argument ? fmt::format("--{}: {}", argument->parameter, argument->what()) : error.what();
+}
+
+/// "from" for "--from: expected …"; empty for a message about no flag.
+std::string flag_in(std::string_view message) {
+  if (!message.starts_with("--")) return "";
+  return std::string(message.substr(2, message.find_first_of(" :") - 2));
+}
+
+/// Other flags that a message speaks of, as a lecture calls them: "--steps" -> "steps". What was found stays
+/// as it is.
+std::string in_words_of_lectures(std::string text) {
+  std::size_t end = text.rfind(", found ");
+  for (const LectureKey& key : lecture_keys()) {
+    const std::string flag = " --" + hyphened(key.name);
+    const std::size_t at = text.find(flag);
+    if (at >= std::min(end, text.size())) continue;
+    text.replace(at, flag.size(), " " + key.name);
+    end = text.rfind(", found ");
+  }
+  return text;
+}
+
+/// `what` goes on from the way: ": expected …".
+Problem problem_at(const Lecture& lecture, const Place& place, const std::string& what) {
+  const std::string text = place.path.empty() ? what.substr(2) : place.path + what;
+  return {place.line, fmt::format("{}:{}: {}", lecture.file, place.line, text)};
+}
+
+// --- Reading -----------------------------------------------------------------------------------------------
+
+struct Given {
+  std::string text;
+  Place place;
+};
+
+/// What a figure can have from its lecture.
+struct Settings {
+  std::map<std::string, Given> flags;   ///< by the flag's name
+  std::map<std::string, Given> labels;  ///< by symbol
+  std::vector<Format> outputs{Format::svg, Format::png, Format::pdf, Format::html, Format::csv, Format::json};
+};
+
+/// The flag of `gradus figure` that this key stands for, if any.
+const Flag* flag_of(const LectureKey& key) {
+  static const Command& figure = *std::ranges::find(commands(), "figure", &Command::name);
+  const auto flag =
+      std::ranges::find_if(figure.flags, [&key](const Flag& f) { return folded(f.name) == key.name; });
+  return flag == figure.flags.end() ? nullptr : &*flag;
+}
+
+/// Beside the figures' folders.
+constexpr std::string_view pages_folder = "topics";
+
+bool is_name(std::string_view text) {
+  const auto fits = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && text.size() <= 80 && text[0] != '-' && std::ranges::all_of(text, fits);
+}
+
+bool has_control(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+}
+
+/// The same on a disk that takes upper case for lower case.
+std::string lowered(std::string name) {
+  for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name;
+}
+
+/// "figures[3]" and "method" make "figures[3].method".
+std::string way(const std::string& path, const std::string& key) {
+  return (path.empty() ? "" : path + ".") + plain(key);
+}
+
+class Reader {
+ public:
+  explicit Reader(const LectureFile& file) : file_(file) { lecture_.file = file.name; }
+
+  Lecture read() {
+    const JsonNode root = read_json(file_.text, file_.name);
+    if (!is_object(root, {root.line, ""}, "an object with the key \"figures\"")) return std::move(lecture_);
+    check_keys(root, "", &LectureKey::of_lecture);
+    if (const JsonMember* title = root.member("title")) {
+      lecture_.title = line_of_text(title->value, {title->line, "title"}).value_or("");
+    }
+    if (const JsonMember* schema = root.member("$schema")) text_of(schema->value, {schema->line, "$schema"});
+    Settings defaults;
+    read_settings(root, "", &LectureKey::of_lecture, defaults);
+    read_figures(root, defaults);
+    name_figures();
+    std::ranges::stable_sort(lecture_.problems, {}, &Problem::line);
+    return std::move(lecture_);
+  }
+
+ private:
+  void note(Problem problem) {
+    // A default that is wrong is wrong for every figure: once is enough
+    if (std::ranges::find(lecture_.problems, problem) == lecture_.problems.end()) {
+      lecture_.problems.push_back(std::move(problem));
+    }
+  }
+  void complain(const Place& place, const std::string& what) {
+    note(problem_at(lecture_, place, ": " + what));
+  }
+  void complain(const Place& place, std::string_view expected, const JsonNode& found) {
+    complain(place, fmt::format("expected {}, found {}", expected, described(found)));
+  }
+
+  // --- Single values
+
+  bool is_object(const JsonNode& node, const Place& place, std::string_view expected) {
+    if (node.kind == Kind::object) return true;
+    complain(place, expected, node);
+    return false;
+  }
+
+  std::optional<std::string> text_of(const JsonNode& node, const Place& place) {
+    if (node.kind == Kind::text) return node.text;
+    complain(place, "a text", node);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> line_of_text(const JsonNode& node, const Place& place) {
+    const auto text = text_of(node, place);
+    if (!text || (!trimmed(*text).empty() && !has_control(*text))) return text;
+    complain(place, "a text on one line", node);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> number_or_text(const JsonNode& node, const Place& place,
+                                            std::string_view expected) {
+    if (node.kind == Kind::text || node.kind == Kind::number) return node.text;
+    complain(place, expected, node);
+    return std::nullopt;
+  }
+
+  /// [0, 9] is "0,9".
+  std::optional<std::string> joined(const JsonNode& node, const Place& place, std::string_view separator,
+                                    std::string_view expected) {
+    if (node.kind != Kind::list || node.elements.empty()) return number_or_text(node, place, expected);
+    Texts texts;
+    for (const JsonNode& element : node.elements) {
+      const auto text = number_or_text(element, {element.line, place.path}, expected);
+      if (!text) return std::nullopt;
+      texts.push_back(*text);
+    }
+    return fmt::format("{}", fmt::join(texts, separator));
+  }
+
+  /// The value as its flag takes it; nothing for a switch that is off.
+  std::optional<std::string> flag_value(const LectureKey& key, const JsonNode& node, const Place& place) {
+    switch (key.kind) {
+      case KeyKind::toggle:
+        if (node.kind != Kind::boolean) complain(place, "true or false", node);
+        return node.kind == Kind::boolean && node.truth ? std::optional<std::string>("") : std::nullopt;
+      case KeyKind::number:
+        return number_or_text(node, place, "a number");
+      case KeyKind::list:
+        return joined(node, place, ",", "a list of numbers and texts, or one text");
+      default:
+        return text_of(node, place);
+    }
+  }
+
+  /// A name in full: a beginning that is unique today need not be so when the lecture is given again.
+  std::optional<std::size_t> whole_name(const std::string& word, const Texts& names, const Place& place) {
+    const auto found = std::ranges::find(names, word);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    complain(place, fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "), shown(word),
+                                suggestion(word, names)));
+    return std::nullopt;
+  }
+
+  // --- Keys
+
+  /// What may be meant by a key that isn't one here: a slip of the pen, or a key that belongs elsewhere.
+  static std::string hint_for(const std::string& key, const Texts& allowed, const TopicEntry* topic) {
+    const bool is_input =
+        topic && std::ranges::find(topic->parameters, key, &Parameter::name) != topic->parameters.end();
+    if (is_input) return " (it belongs into \"input\")";
+    const auto elsewhere = std::ranges::find(lecture_keys(), key, &LectureKey::name);
+    if (elsewhere != lecture_keys().end()) {
+      return elsewhere->of_figure ? " (it belongs into a figure, beside \"topic\")"
+                                  : " (it belongs to the lecture, beside \"figures\")";
+    }
+    return suggestion(key, allowed);
+  }
+
+  void refuse_key(const JsonMember& member, const std::string& path, const Texts& allowed,
+                  const std::string& hint) {
+    // A list of all keys is long: only for who gets no better advice
+    const std::string expected =
+        hint.empty() ? fmt::format("one of {}", fmt::join(allowed, ", ")) : "a known key";
+    complain({member.line, way(path, member.key)},
+             fmt::format("expected {}, found {}{}", expected, shown(member.key), hint));
+  }
+
+  void check_keys(const JsonNode& node, const std::string& path, bool LectureKey::* where,
+                  const TopicEntry* topic = nullptr) {
+    Texts allowed;
+    for (const LectureKey& key : lecture_keys()) {
+      if (key.*where) allowed.push_back(key.name);
+    }
+    for (const JsonMember& member : node.members) {
+      if (std::ranges::find(allowed, member.key) != allowed.end()) continue;
+      refuse_key(member, path, allowed, hint_for(member.key, allowed, topic));
+    }
+  }
+
+  void read_settings(const JsonNode& node, const std::string& path, bool LectureKey::* where,
+                     Settings& settings) {
+    // One of these gives way to the other, also to one of the lecture
+    if (node.member("step") || node.member("steps"))
+      settings.flags.erase("step"), settings.flags.erase("steps");
+    for (const LectureKey& key : lecture_keys()) {
+      const JsonMember* member = node.member(key.name);
+      if (!member || !(key.*where)) continue;
+      const Place place{member->line, way(path, key.name)};
+      if (key.kind == KeyKind::outputs) read_outputs(member->value, place, settings);
+      if (key.kind == KeyKind::labels) read_labels(member->value, place, settings);
+      const Flag* flag = flag_of(key);
+      if (!flag || (key.name == "title" && path.empty())) continue;
+      settings.flags.erase(flag->name);
+      if (const auto text = flag_value(key, member->value, place))
+        settings.flags[flag->name] = {*text, place};
+    }
+  }
+
+  void read_outputs(const JsonNode& node, const Place& place, Settings& settings) {
+    const Texts names{format_names().begin(), format_names().end()};
+    const std::string expected = fmt::format("a list of {}", fmt::join(names, ", "));
+    if (node.kind == Kind::list ? node.elements.empty() : node.kind != Kind::text) {
+      return complain(place, expected, node);
+    }
+    settings.outputs.clear();
+    for (const JsonNode& element : node.kind == Kind::list ? node.elements : std::vector{node}) {
+      if (element.kind != Kind::text) {
+        complain({element.line, place.path}, expected, element);
+        continue;
+      }
+      const auto which = whole_name(element.text, names, {element.line, place.path});
+      if (!which) continue;
+      const auto format = static_cast<Format>(*which);
+      if (std::ranges::find(settings.outputs, format) == settings.outputs.end())
+        settings.outputs.push_back(format);
+    }
+  }
+
+  void read_labels(const JsonNode& node, const Place& place, Settings& settings) {
+    if (!is_object(node, place, "an object of symbols and their names like {\"p\": \"d\"}")) return;
+    for (const JsonMember& member : node.members) {
+      const Place here{member.line, way(place.path, member.key)};
+      if (trimmed(member.key).empty() || member.key.find('=') != std::string::npos) {
+        complain(here, fmt::format("expected a symbol, found {}", shown(member.key)));
+      } else if (const auto text = line_of_text(member.value, here)) {
+        settings.labels[member.key] = {*text, here};
+      }
+    }
+  }
+
+  // --- Figures
+
+  void read_figures(const JsonNode& root, const Settings& defaults) {
+    const JsonMember* figures = root.member("figures");
+    if (!figures) return complain({root.line, ""}, "expected the key \"figures\", found none");
+    if (figures->value.kind != Kind::list || figures->value.elements.empty()) {
+      return complain({figures->line, "figures"}, "a list of at least one figure", figures->value);
+    }
+    for (std::size_t i = 0; i < figures->value.elements.size(); ++i) {
+      read_figure(figures->value.elements[i], fmt::format("figures[{}]", i), defaults);
+    }
+  }
+
+  void read_figure(const JsonNode& node, const std::string& path, Settings settings) {
+    LectureFigure figure;
+    figure.place = {node.line, path};
+    if (!is_object(node, figure.place, "an object with the keys \"topic\" and \"input\"")) return;
+    const std::size_t problems = lecture_.problems.size();
+    figure.request.command = &*std::ranges::find(commands(), "figure", &Command::name);
+    figure.request.topic = topic_of(node, path);
+    check_keys(node, path, &LectureKey::of_figure, figure.request.topic);
+    read_settings(node, path, &LectureKey::of_figure, settings);
+    read_own(node, path, figure);
+    take(settings, figure);
+    read_request(figure);
+    // A default that is wrong is noted once; the figures after the first are not whole either
+    const bool whole = figure.spec.topic && lecture_.problems.size() == problems;
+    if (whole) lecture_.figures.push_back(std::move(figure));
+  }
+
+  const TopicEntry* topic_of(const JsonNode& node, const std::string& path) {
+    const JsonMember* topic = node.member("topic");
+    if (!topic) {
+      complain({node.line, path}, "expected the key \"topic\", found none");
+      return nullptr;
+    }
+    const Place place{topic->line, path + ".topic"};
+    const auto name = text_of(topic->value, place);
+    if (!name) return nullptr;
+    Texts names;
+    for (const TopicEntry* known : catalogue()) names.push_back(known->name);
+    const auto which = whole_name(*name, names, place);
+    return which ? catalogue()[*which] : nullptr;
+  }
+
+  /// What a figure has for itself: inputs, method, name, caption.
+  void read_own(const JsonNode& node, const std::string& path, LectureFigure& figure) {
+    if (const JsonMember* input = node.member("input")) {
+      read_input(input->value, {input->line, path + ".input"}, figure);
+    } else {
+      complain({node.line, path}, "expected the key \"input\" ({} for the topic's defaults), found none");
+    }
+    const auto take = [&](const char* key, auto reader, auto keep) {
+      const JsonMember* member = node.member(key);
+      if (!member) return;
+      const Place place{member->line, way(path, key)};
+      figure.places[key] = place;
+      if (const auto text = (this->*reader)(member->value, place)) keep(*text);
+    };
+    take("method", &Reader::text_of, [&](const std::string& text) {
+      if (!figure.request.topic) return;
+      Texts names;
+      for (const Method& method : figure.request.topic->methods) names.push_back(method.name);
+      if (whole_name(text, names, figure.places["method"])) figure.request.arguments["method"] = text;
+    });
+    take("caption", &Reader::line_of_text, [&](const std::string& text) { figure.caption = text; });
+    take("name", &Reader::safe_name, [&](const std::string& text) { figure.name = text; });
+  }
+
+  std::optional<std::string> safe_name(const JsonNode& node, const Place& place) {
+    const auto text = text_of(node, place);
+    if (text && lowered(*text) == pages_folder) {
+      complain(place, "another name, for the pages of the topics have this one", node);
+      return std::nullopt;
+    }
+    if (!text || is_name(*text)) return text;
+    complain(place, "a name of at most 80 letters a-z, digits, _ and -, not beginning with -", node);
+    return std::nullopt;
+  }
+
+  void read_input(const JsonNode& node, const Place& place, LectureFigure& figure) {
+    if (!is_object(node, place, "an object of the topic's inputs like {\"from\": \"0,0\"}")) return;
+    if (!figure.request.topic) return;
+    const std::vector<Parameter>& parameters = figure.request.topic->parameters;
+    Texts names;
+    for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+    for (const JsonMember& member : node.members) {
+      const Place here{member.line, way(place.path, member.key)};
+      const auto parameter = std::ranges::find(parameters, member.key, &Parameter::name);
+      if (parameter == parameters.end()) {
+        const bool beside =
+            std::ranges::find(lecture_keys(), member.key, &LectureKey::name) != lecture_keys().end();
+        refuse_key(member, place.path, names,
+                   beside ? " (it belongs beside \"input\", not into it)" : suggestion(member.key, names));
+        continue;
+      }
+      figure.places[parameter->name] = here;
+      if (const auto text = input_value(*parameter, member.value, here)) {
+        figure.request.arguments[parameter->name] = *text;
+      }
+    }
+  }
+
+  std::optional<std::string> input_value(const Parameter& parameter, const JsonNode& node,
+                                         const Place& place) {
+    const bool is_file = parameter.type == ParameterType::picture || parameter.type == ParameterType::maze;
+    const bool is_points = parameter.type == ParameterType::cell || parameter.type == ParameterType::window;
+    std::optional<std::string> text;
+    if (parameter.type == ParameterType::maze && node.kind == Kind::list) {
+      text = joined(node, place, "/", "a list of rows");
+      if (text && !is_maze_rows(*text)) {
+        complain(place, fmt::format("expected rows of '#', '.' and letters, found {}", shown(*text)));
+        return std::nullopt;
+      }
+    } else if (is_points) {
+      text = joined(node, place, ",", "whole numbers like " + parameter.example);
+    } else {
+      text = number_or_text(node, place, is_file ? "a file's name" : "a text or a number");
+    }
+    if (is_file && text && *text == dash) {
+      complain(place, "a file's name", node);
+      return std::nullopt;
+    }
+    return text;
+  }
+
+  /// From what the lecture says to a request, as a command line would have made it.
+  static void take(const Settings& settings, LectureFigure& figure) {
+    figure.outputs = settings.outputs;
+    for (const auto& [name, given] : settings.flags) {
+      figure.request.flags[name] = given.text;
+      figure.places[folded(name)] = given.place;
+    }
+    for (const auto& [symbol, given] : settings.labels) {
+      figure.request.labels.push_back(symbol + "=" + given.text);
+      figure.places["label"] = {given.place.line, given.place.path.substr(0, given.place.path.rfind('.'))};
+    }
+  }
+
+  /// Values are read by the functions that read the command line's.
+  void read_request(LectureFigure& figure) {
+    Request& request = figure.request;
+    Inputs inputs;
+    bool fine = request.topic && read_all(figure, request.arguments, [&] {
+                  inputs = read_inputs(*request.topic, request.arguments, file_.find);
+                });
+    FigureSpec spec;
+    fine = read_all(figure, request.flags, [&] { spec = read_spec(request, inputs.arguments); }) && fine;
+    if (!fine) return;
+    figure.spec = std::move(spec);
+    figure.files = std::move(inputs.files);
+  }
+
+  /// Calls `read` until it is content, each time without the value that it complained of. Whether the first
+  /// time was the last.
+  bool read_all(const LectureFigure& figure, std::map<std::string, std::string>& values,
+                const std::function<void()>& read) {
+    for (bool fine = true;; fine = false) {
+      try {
+        read();
+        return fine;
+      } catch (const std::exception& error) {
+        if (!is_about_input(error)) throw;
+        note(problem_of(lecture_, figure, error));
+        const std::string flag = flag_in(message_of(error));
+        if (values.erase(flag) + values.erase(folded(flag)) == 0) return false;
+      }
+    }
+  }
+
+  // --- Names
+
+  /// Input files lie beside the figure's own, which begin with its name.
+  static std::string input_called(const std::string& name, const LectureFigure& figure) {
+    for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
+      const std::string stem = lowered(fs::path(entry.text).stem().string());
+      if (!entry.hash.empty() && (stem == lowered(name) || stem.starts_with(lowered(name) + "-")))
+        return entry.text;
+    }
+    return "";
+  }
+
+  void name_figures() {
+    std::map<std::string, const LectureFigure*> owners;
+    for (const LectureFigure& figure : lecture_.figures) {
+      if (figure.name.empty()) continue;
+      const auto [owner, is_new] = owners.emplace(lowered(figure.name), &figure);
+      const Place& place = figure.places.at("name");
+      if (!is_new) {
+        complain(place, fmt::format("expected another name than that of {} (line {}), found {}",
+                                    owner->second->place.path, owner->second->places.at("name").line,
+                                    shown(figure.name)));
+      }
+      if (const std::string input = input_called(figure.name, figure); !input.empty()) {
+        complain(place, fmt::format("expected another name than that of the input file {}, found {}",
+                                    shown(input), shown(figure.name)));
+      }
+    }
+    for (LectureFigure& figure : lecture_.figures) {
+      if (figure.name.empty()) figure.name = free_name(figure, owners);
+      owners.emplace(lowered(figure.name), &figure);
+    }
+  }
+
+  /// The topic's name, then with "_2", "_3", …
+  static std::string free_name(const LectureFigure& figure,
+                               const std::map<std::string, const LectureFigure*>& owners) {
+    const std::string& topic = figure.spec.topic->name;
+    for (int number = 1;; ++number) {
+      std::string name = number == 1 ? topic : fmt::format("{}_{}", topic, number);
+      if (!owners.contains(name) && input_called(name, figure).empty()) return name;
+    }
+  }
+
+  const LectureFile& file_;
+  Lecture lecture_;
+};
+
+}  // namespace
+
+LectureFile lecture_at(const std::string& path) {
+  LectureFile file;
+  file.text = read_input(path, "LECTURE");
+  file.name = path == dash ? "standard input" : plain(path);
+  const fs::path folder = path == dash ? fs::path() : fs::path(path).parent_path();
+  std::error_code error;
+  const fs::path place = fs::canonical(path == dash ? fs::path(".") : fs::path(path), error);
+  // The name for people; the fingerprint tells files of one name in two folders apart
+  file.owner = fmt::format("{} {}", path == dash ? file.name : plain(fs::path(path).filename().string()),
+                           fingerprint(place.string()));
+  file.find = [folder](const std::string& name, const std::string&) { return find_beside(folder, name); };
+  return file;
+}
+
+LectureFile gallery_lecture() {
+  const std::string folder = "examples/";
+  return {folder + "gallery.json", std::string(example_text("gallery.json")), "",
+          [folder](const std::string& name, const std::string& flag) {
+            const std::string path = shipped(folder + name);
+            if (!path.empty()) return path;
+            throw WorkError(
+                fmt::format("{}: expected the file {} here or in a folder above the program, found none",
+                            flag, shown(folder + name)));
+          }};
+}
+
+std::string LectureFigure::contents() const {
+  std::string text =
+      fmt::format("{}\n{}\n{}\n{}\n", name, caption, command_of(spec), input_hash(spec.arguments));
+  for (const Format format : outputs) text += fmt::format("{} ", name_of(format));
+  for (const auto& [flag, value] : request.flags) text += fmt::format("\n--{} {}", flag, shell_quoted(value));
+  for (const std::string& label : request.labels) text += fmt::format("\n--label {}", shell_quoted(label));
+  return text;
+}
+
+Lecture read_lecture(const LectureFile& file) { return Reader(file).read(); }
+
+bool is_about_input(const std::exception& error) {
+  return dynamic_cast<const UsageError*>(&error) || dynamic_cast<const ArgumentError*>(&error) ||
+         dynamic_cast<const InputError*>(&error);
+}
+
+Problem problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error) {
+  if (!is_about_input(error)) return {figure.place.line, fmt::format("{}: {}", figure.name, error.what())};
+  const std::string message = message_of(error), flag = flag_in(message);
+  if (flag.empty()) return problem_at(lecture, figure.place, ": " + message);
+  const auto known = figure.places.find(folded(flag));
+  const Place nearby{figure.place.line, way(figure.place.path, folded(flag))};
+  return problem_at(lecture, known == figure.places.end() ? nearby : known->second,
+                    in_words_of_lectures(message.substr(2 + flag.size())));
+}
+
+}  // namespace cli
+}  // namespace gradus

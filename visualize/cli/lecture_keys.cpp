@@ -1,0 +1,234 @@
+// The keys of a lecture, and its JSON Schema.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/lecture.hpp"
+#include "cli/located_json.hpp"
+#include "cli/names.hpp"
+
+namespace gradus::cli {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// Flags that say where to and in which format: a lecture has keys of its own for that.
+bool is_about_output(const Flag& flag) {
+  return flag.name == "output" || flag.name == "format" || flag.name == "snippet";
+}
+
+KeyKind kind_of(const Flag& flag) {
+  if (flag.value.empty()) return KeyKind::toggle;
+  if (flag.name == "label") return KeyKind::labels;
+  if (flag.value == "N") return KeyKind::number;
+  return flag.value == "LIST" || flag.value.find(',') != std::string::npos ? KeyKind::list : KeyKind::text;
+}
+
+LectureKey key_of(const Flag& flag) {
+  const bool of_one_figure = flag.name == "title" || flag.name == "caption";
+  std::string name = flag.name == "label" ? "labels" : folded(flag.name);
+  return {std::move(name), kind_of(flag), !of_one_figure, true, flag.help};
+}
+
+std::vector<LectureKey> all_keys() {
+  std::vector<LectureKey> keys{
+      {"$schema", KeyKind::text, true, false, "ignored: tells editors where this schema is"},
+      {"topic", KeyKind::topic, false, true, "what the figure is about: a name that `gradus list` shows"},
+      {"input", KeyKind::input, false, true,
+       "the topic's inputs, by name; those left out have their defaults"},
+      {"method", KeyKind::method, false, true, "one of the topic's methods"},
+      {"name", KeyKind::text, false, true,
+       "name of the figure's folder and files: letters a-z, digits, _ and -; default: the topic's, numbered"},
+      {"caption", KeyKind::text, false, true, "a sentence under the figure, on its card"},
+      {"outputs", KeyKind::outputs, true, true, "the files to make; default: svg, png, pdf, html, csv, json"},
+  };
+  const Command& figure = *std::ranges::find(commands(), "figure", &Command::name);
+  for (const Flag& flag : figure.flags) {
+    const LectureKey key = key_of(flag);
+    if (is_about_output(flag) || std::ranges::find(keys, key.name, &LectureKey::name) != keys.end()) continue;
+    keys.push_back(key);
+  }
+  // The same word, once for the whole and once for a figure
+  const auto title = std::ranges::find(keys, "title", &LectureKey::name);
+  if (title == keys.end()) {
+    keys.insert(keys.begin() + 1, {"title", KeyKind::text, true, false, "heads the page of all figures"});
+  } else {
+    title->of_lecture = true;
+    title->help = "of the lecture: heads the page of all figures; of a figure: " + title->help;
+  }
+  keys.push_back({"figures", KeyKind::figures, true, false, "the figures, in the order of the page"});
+  return keys;
+}
+
+// --- Schema ------------------------------------------------------------------------------------------------
+
+JsonNode type(const Texts& names) { return names.size() == 1 ? json_text(names[0]) : json_texts(names); }
+
+JsonNode list_of(JsonNode items) {
+  return json_object(
+      {{"type", 0, json_text("array")}, {"items", 0, std::move(items)}, {"minItems", 0, json_number("1")}});
+}
+
+JsonNode whole_numbers(const char* count) {
+  return json_object({{"type", 0, json_text("array")},
+                      {"items", 0, json_object({{"type", 0, json_text("integer")}})},
+                      {"minItems", 0, json_number(count)},
+                      {"maxItems", 0, json_number(count)}});
+}
+
+JsonNode either(std::vector<JsonNode> schemas) {
+  return json_object({{"anyOf", 0, json_list(std::move(schemas))}});
+}
+
+JsonNode of_type(const Texts& names) { return json_object({{"type", 0, type(names)}}); }
+
+JsonNode one_of(const Texts& names) { return json_object({{"enum", 0, json_texts(names)}}); }
+
+/// The names that a flag takes, where they are few.
+Texts choices_of(const std::string& key) {
+  Texts names;
+  if (key == "theme") {
+    for (const Theme& theme : themes()) names.push_back(theme.name);
+  }
+  if (key == "language") {
+    for (const Language& language : languages()) names.push_back(language.code());
+  }
+  if (key == "layout") return {"slide", "handout"};
+  if (key == "y") return {"up", "down"};
+  if (key == "svg_text") return {"outlines", "text"};
+  if (key == "paper") return {"a4", "letter"};
+  return names;
+}
+
+Texts topic_names() {
+  Texts names;
+  for (const TopicEntry* topic : catalogue()) names.push_back(topic->name);
+  return names;
+}
+
+Texts output_names() {
+  const auto names = format_names();
+  return {names.begin(), names.end()};
+}
+
+JsonNode schema_of(const LectureKey& key) {
+  switch (key.kind) {
+    case KeyKind::text: {
+      const Texts choices = choices_of(key.name);
+      if (key.name == "name") {
+        return json_object({{"type", 0, json_text("string")},
+                            {"pattern", 0, json_text("^[A-Za-z0-9_][A-Za-z0-9_-]{0,79}$")}});
+      }
+      return choices.empty() ? of_type({"string"}) : one_of(choices);
+    }
+    case KeyKind::number:
+      return of_type({"number", "string"});
+    case KeyKind::toggle:
+      return of_type({"boolean"});
+    case KeyKind::list:
+      return either({of_type({"string", "number"}), list_of(of_type({"string", "number"}))});
+    case KeyKind::labels:
+      return json_object(
+          {{"type", 0, json_text("object")}, {"additionalProperties", 0, of_type({"string"})}});
+    case KeyKind::topic:
+      return one_of(topic_names());
+    case KeyKind::method:
+      return of_type({"string"});
+    case KeyKind::input:
+      return of_type({"object"});
+    case KeyKind::outputs:
+      return either({one_of(output_names()), list_of(one_of(output_names()))});
+    case KeyKind::figures:
+      return list_of(json_object({{"$ref", 0, json_text("#/$defs/figure")}}));
+  }
+  return of_type({"string"});
+}
+
+JsonNode with_description(JsonNode schema, const std::string& text) {
+  schema.members.insert(schema.members.begin(), {"description", 0, json_text(text)});
+  return schema;
+}
+
+JsonNode schema_of(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::cell:
+      return either({of_type({"string"}), whole_numbers("2")});
+    case ParameterType::window:
+      return either({of_type({"string"}), whole_numbers("4")});
+    case ParameterType::integer:
+      return either(
+          {of_type({"string"}), json_object({{"type", 0, json_text("integer")},
+                                             {"minimum", 0, json_number(std::to_string(parameter.least))},
+                                             {"maximum", 0, json_number(std::to_string(parameter.most))}})});
+    case ParameterType::choice: {
+      std::vector<JsonNode> names;
+      for (const std::string& choice : parameter.choices) {
+        names.push_back(json_text(choice));
+        if (choice.find_first_not_of("0123456789") == std::string::npos) names.push_back(json_number(choice));
+      }
+      return json_object({{"enum", 0, json_list(std::move(names))}});
+    }
+    case ParameterType::maze:
+      return either({of_type({"string"}), list_of(of_type({"string"}))});
+    default:
+      return of_type({"string"});
+  }
+}
+
+/// If the figure is about this topic, its inputs and methods are these.
+JsonNode rule_of(const TopicEntry& topic) {
+  std::vector<JsonMember> inputs;
+  for (const Parameter& parameter : topic.parameters) {
+    inputs.push_back({parameter.name, 0, with_description(schema_of(parameter), parameter.help)});
+  }
+  Texts methods;
+  for (const Method& method : topic.methods) methods.push_back(method.name);
+  const JsonNode is_this = json_object(
+      {{"properties", 0, json_object({{"topic", 0, json_object({{"const", 0, json_text(topic.name)}})}})}});
+  const JsonNode input = json_object(
+      {{"properties", 0, json_object(std::move(inputs))}, {"additionalProperties", 0, json_truth(false)}});
+  return json_object({{"if", 0, is_this},
+                      {"then", 0,
+                       json_object({{"properties", 0,
+                                     json_object({{"input", 0, input}, {"method", 0, one_of(methods)}})}})}});
+}
+
+/// The keys of a lecture, or of a figure.
+JsonNode properties(bool LectureKey::* where) {
+  std::vector<JsonMember> members;
+  for (const LectureKey& key : lecture_keys()) {
+    if (key.*where) members.push_back({key.name, 0, with_description(schema_of(key), key.help)});
+  }
+  return json_object(std::move(members));
+}
+
+}  // namespace
+
+std::span<const LectureKey> lecture_keys() {
+  static const std::vector<LectureKey> keys = all_keys();
+  return keys;
+}
+
+std::string lecture_schema() {
+  std::vector<JsonNode> rules;
+  for (const TopicEntry* topic : catalogue()) rules.push_back(rule_of(*topic));
+  const JsonNode figure = json_object({{"type", 0, json_text("object")},
+                                       {"properties", 0, properties(&LectureKey::of_figure)},
+                                       {"required", 0, json_texts({"topic", "input"})},
+                                       {"additionalProperties", 0, json_truth(false)},
+                                       {"allOf", 0, json_list(std::move(rules))}});
+  return write_json(json_object(
+      {{"$schema", 0, json_text("https://json-schema.org/draft/2020-12/schema")},
+       {"title", 0, json_text("A lecture for `gradus figures`")},
+       {"description", 0,
+        json_text("Which figures to make, with which inputs and in which look. Keys beside \"figures\" are "
+                  "defaults that each figure can override.")},
+       {"type", 0, json_text("object")},
+       {"properties", 0, properties(&LectureKey::of_lecture)},
+       {"required", 0, json_texts({"figures"})},
+       {"additionalProperties", 0, json_truth(false)},
+       {"$defs", 0, json_object({{"figure", 0, figure}})}}));
+}
+
+}  // namespace gradus::cli
