@@ -87,7 +87,7 @@ TEST(Handout, PapersHaveTheirSizes) {
 }
 
 TEST(Handout, RefusesGridsThatCannotBeRead) {
-  for (const auto [columns, rows] : {std::pair{0, 3}, {2, 0}, {5, 3}, {2, 7}, {-1, 1}}) {
+  for (const auto& [columns, rows] : {std::pair{0, 3}, {2, 0}, {5, 3}, {2, 7}, {-1, 1}}) {
     EXPECT_THROW(handout_page_count(handout_of("a4", columns, rows), 4), std::invalid_argument);
   }
 }
@@ -170,7 +170,7 @@ TEST(Handout, NothingOverlapsOrLeavesItsBox) {
 TEST(Handout, SmallGridsAreShownWholeInTheUsualBoxes) {
   for (const char* topic : {"bresenham_line", "flood_fill"}) {
     const Trace trace = test::trace_of(topic);
-    for (const auto [columns, rows] : {std::pair{1, 1}, {1, 2}, {2, 2}, {2, 3}, {2, 4}, {3, 4}}) {
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 2}, {2, 2}, {2, 3}, {2, 4}, {3, 4}}) {
       Pages pages(trace, handout_of("a4", columns, rows));
       for (const Shape& shape : pages.page(0).shapes) {
         EXPECT_FALSE(shape.id.ends_with("overview frame")) << topic << " " << columns << "x" << rows;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "web/gallery_page.hpp"
+#include "figure/markup.hpp"
 #include "web/html.hpp"
 #include "web/topic_page.hpp"
 
