@@ -23,8 +23,8 @@ struct Texture {
 /// a material of its own has: a light grey without a highlight.
 struct Material {
   std::string name = "default";
-  Rgb ambient{0.8f};      ///< k_a: the share of the ambient light, >= 0
-  Rgb diffuse{0.8f};      ///< k_d: the share that is scattered evenly, >= 0
+  Rgb ambient{0.7f};      ///< k_a: the share of the ambient light, >= 0
+  Rgb diffuse{0.7f};      ///< k_d: the share that is scattered evenly, >= 0
   Rgb specular{0.0f};     ///< k_s: the share in the highlight, >= 0
   float shininess = 32;   ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
   Rgb emission{0.0f};     ///< light of its own, >= 0

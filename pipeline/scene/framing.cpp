@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/contract.hpp"
 #include "projection/viewing/viewing.hpp"
@@ -18,6 +19,24 @@ std::array<dvec3, 8> corners_of(const Bounds& bounds) {
                   i & 4 ? bounds.upper.z : bounds.lower.z};
   }
   return corners;
+}
+
+/// Where along an axis of the view the eye, at depth z, has as much above as below it in the picture. Some
+/// place between a and b does.
+double middle(std::span<const dvec3> seen, int axis, double z, double a, double b) {
+  double low = std::min(a, b), high = std::max(a, b);
+  constexpr int halvings = 24;
+  for (int i = 0; i < halvings; ++i) {
+    const double at = low + (high - low) / 2;
+    double above = -std::numeric_limits<double>::infinity(), below = above;
+    for (const dvec3 v : seen) {
+      const double slope = (v[axis] - at) / (v.z - z);
+      above = std::max(above, slope);
+      below = std::max(below, -slope);
+    }
+    (above > below ? low : high) = at;
+  }
+  return low + (high - low) / 2;
 }
 
 }  // namespace
@@ -39,34 +58,48 @@ dvec3 viewing_side(const Object& object) {
   return {sum.x > 0 ? 1.0 : -1.0, 0, 0};
 }
 
-Camera framed(const Bounds& bounds, double aspect, dvec3 side, double vertical_radians) {
-  expects(!bounds.empty(), "there is nothing to frame: the box is empty");
+Camera framed(std::span<const dvec3> points, double aspect, dvec3 side, double vertical_radians) {
+  Bounds bounds;
+  for (const dvec3 point : points) bounds.add(point);
+  expects(!bounds.empty(), "there is nothing to frame");
   const dvec3 centre = bounds.centre();
-  const double radius = bounds.radius() > 0 ? bounds.radius() : 1;
   const bool from_above = viewing::sine_between(side, dvec3{0, 1, 0}) < 1e-6;
   const dvec3 up = from_above ? dvec3{0, 0, -1} : dvec3{0, 1, 0};
 
   Camera camera;
   camera.lens.vertical_radians = vertical_radians;
-  camera.lens.near = radius / 1000;
-  camera.lens.far = 1000 * radius;
+  camera.frame = viewing::look_at(unit_vector(side), dvec3{0}, up);
+  camera.frame.eye = centre;
   const Projection<double> p = projection_of(camera.lens, aspect);
-  const double margin = 1.05;
-  // As near as the corners allow: a corner (x, y) across and z before the middle asks for x_scale x <= depth,
-  // and depth = distance - z
-  const Frame<double> frame = viewing::look_at(centre + unit_vector(side), centre, up);
-  double distance = 0;
-  for (const dvec3 corner : corners_of(bounds)) {
-    const dvec3 from_middle = corner - centre;
-    const double x = std::abs(glm::dot(frame.right, from_middle)) * p.x_scale;
-    const double y = std::abs(glm::dot(frame.up, from_middle)) * p.y_scale;
-    const double towards_eye = -glm::dot(frame.forward, from_middle);
-    distance = std::max(distance, margin * std::max(x, y) + towards_eye);
+  // The slopes of the picture's borders, less the margin
+  const double inside = 0.9;
+  const double slope_x = inside / p.x_scale, slope_y = inside / p.y_scale;
+  // How far out the planes along the borders, each through the outermost point, cross the axes of the view
+  std::vector<dvec3> seen;
+  seen.reserve(points.size());
+  dvec2 upper{-std::numeric_limits<double>::infinity()}, lower = upper;
+  double front = std::numeric_limits<double>::infinity();
+  for (const dvec3 point : points) {
+    const dvec3 v = viewing::to_view(camera.frame, point);
+    upper = {std::max(upper.x, v.x - slope_x * v.z), std::max(upper.y, v.y - slope_y * v.z)};
+    lower = {std::max(lower.x, -v.x - slope_x * v.z), std::max(lower.y, -v.y - slope_y * v.z)};
+    front = std::min(front, v.z);
+    seen.push_back(v);
   }
-  if (distance <= 0) distance = radius;
-  camera.frame = frame;
-  camera.frame.eye = centre - distance * frame.forward;
+  // Opposite planes meet where the eye sees both; the farther place sees all. Not into what is seen
+  const double radius = bounds.radius();
+  double z = std::min(-(upper.x + lower.x) / (2 * slope_x), -(upper.y + lower.y) / (2 * slope_y));
+  z = radius > 0 ? std::min(z, front - 0.01 * radius) : front - 1;
+  const double x = middle(seen, 0, z, -lower.x - slope_x * z, upper.x + slope_x * z);
+  const double y = middle(seen, 1, z, -lower.y - slope_y * z, upper.y + slope_y * z);
+  camera.frame.eye = centre + x * camera.frame.right + y * camera.frame.up + z * camera.frame.forward;
   return with_depths(camera, bounds);
+}
+
+Camera framed(const Bounds& bounds, double aspect, dvec3 side, double vertical_radians) {
+  expects(!bounds.empty(), "there is nothing to frame: the box is empty");
+  const std::array<dvec3, 8> corners = corners_of(bounds);
+  return framed(std::span<const dvec3>(corners), aspect, side, vertical_radians);
 }
 
 Camera with_depths(Camera camera, const Bounds& bounds) {
@@ -84,13 +117,13 @@ Camera with_depths(Camera camera, const Bounds& bounds) {
   return camera;
 }
 
-std::vector<Light> default_lights(const Camera& camera, const Bounds&) {
+std::vector<Light> default_lights(const Camera& camera) {
   const Frame<double>& f = camera.frame;
   Light key, fill;
   key.kind = fill.kind = Light::Kind::directional;
   key.direction = f.forward + 0.6 * f.right - 0.8 * f.up;
-  key.intensity = Rgb{0.85f};
-  fill.direction = f.forward - 1.2 * f.right - 0.1 * f.up;
+  key.intensity = Rgb{0.7f};
+  fill.direction = f.forward - 1.0 * f.right + 0.5 * f.up;
   fill.intensity = Rgb{0.25f};
   return {key, fill};
 }

@@ -314,12 +314,16 @@ std::optional<std::string> contents(const std::filesystem::path& path) {
     throw InputError(fmt::format("{}: a folder, expected a file", path.string()));
   std::ifstream file(path, std::ios::binary);
   std::string text;
-  if (file) {
-    const auto size = std::filesystem::file_size(path, ignored);
-    if (!ignored) text.reserve(static_cast<std::size_t>(size));
-    text.assign(std::istreambuf_iterator<char>(file), {});
+  // In large pieces: pipes don't know their size beforehand
+  constexpr std::size_t piece = 1 << 20;
+  while (file) {
+    const std::size_t have = text.size();
+    text.resize(have + piece);
+    file.read(text.data() + have, piece);
+    text.resize(have + static_cast<std::size_t>(file.gcount()));
+    if (file.gcount() == 0) break;
   }
-  if (!file) throw InputError(fmt::format("{}: can't be read", path.string()));
+  if (!file.eof()) throw InputError(fmt::format("{}: can't be read", path.string()));
   return text;
 }
 

@@ -1,6 +1,8 @@
 #include "scene/scene.hpp"
 
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "scene/framing.hpp"
@@ -18,9 +20,12 @@ Scene scene_of(Mesh mesh, double aspect, std::string name) {
   expects(!mesh.faces.empty(), "a scene needs a model with at least one face");
   Scene scene;
   scene.objects.push_back(object_of(std::move(mesh), std::move(name)));
-  const Bounds bounds = bounds_of(scene);
-  scene.camera = framed(bounds, aspect, viewing_side(scene.objects[0]));
-  scene.lights = default_lights(scene.camera, bounds);
+  const Object& object = scene.objects[0];
+  std::vector<dvec3> points;
+  points.reserve(object.mesh.corners.size());
+  for (const Corner& corner : object.mesh.corners) points.push_back(position_of(object.mesh, corner));
+  scene.camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object));
+  scene.lights = default_lights(scene.camera);
   return scene;
 }
 

@@ -24,15 +24,15 @@ struct Scene {
   std::vector<Object> objects;
   Camera camera;
   std::vector<Light> lights;
-  Rgb ambient{0.2f};                 ///< the light that comes from everywhere
-  Rgb background{0.9f, 0.9f, 0.9f};  ///< where there is nothing
+  Rgb ambient{0.15f};    ///< the light that comes from everywhere
+  Rgb background{1.0f};  ///< where there is nothing
 };
 
 /// The object of a mesh: missing normals are made, and it is two-sided unless it encloses a body
 /// (closed_outward).
 Object object_of(Mesh mesh, std::string name = {});
 
-/// A scene of one mesh with the camera and the lights that are placed from its bounds (scene/framing.hpp).
+/// A scene of one mesh with the camera and the lights that are placed for it (scene/framing.hpp).
 /// aspect: width / height of the picture. Errors: ContractViolation for a mesh without faces.
 Scene scene_of(Mesh mesh, double aspect, std::string name = {});
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <glm/vec4.hpp>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/contract.hpp"
@@ -55,18 +54,40 @@ struct Passed {
   std::size_t corners;  ///< that are left
 };
 
-/// The corner where the edge between `inside` and `outside` meets the plane. It is computed from the inside
-/// to the outside whichever way the edge runs, so that both faces at an edge get the same corner; its
-/// coordinate across the plane is not computed but copied from bound * w, so that it lies on the plane and
-/// not beside it. Vertex: has a vec<4, T> `at`, and mix(a, b, t) makes the vertex t of the way from a to b.
-/// Returns the vertex and t.
+/// Whether an edge has its ends strictly on the two sides.
+template <class T>
+constexpr bool crosses(T was, T is) {
+  return (was > T(0) && is < T(0)) || (was < T(0) && is > T(0));
+}
+
+/// A new corner, on the edge between two others.
 template <class T, class Vertex>
-constexpr std::pair<Vertex, T> crossing(const Plane<T>& plane, const Vertex& inside, const Vertex& outside) {
+struct Crossing {
+  Vertex vertex;
+  glm::vec<4, T> inside, outside;  ///< the ends of the edge
+  T t;                             ///< the share of the way from the inside to the outside
+};
+
+/// The corner where the edge between a and b meets the plane. It is computed from the inside to the outside
+/// whichever way the edge runs, so that both faces at an edge get the same corner; its coordinate across the
+/// plane is not computed but copied from bound * w, so that it lies on the plane and not beside it. Vertex:
+/// has a vec<4, T> `at`, and mix(a, b, t) makes the vertex t of the way from a to b. Domain: a and b lie on
+/// the two sides of the plane.
+template <class T, class Vertex>
+constexpr Crossing<T, Vertex> crossing(const Plane<T>& plane, const Vertex& a, const Vertex& b) {
+  const bool leaves = distance(plane, a.at) > T(0);
+  const Vertex &inside = leaves ? a : b, &outside = leaves ? b : a;
   const T from = distance(plane, inside.at), to = distance(plane, outside.at);
   const T t = from / (from - to);
   Vertex vertex = mix(inside, outside, t);
   vertex.at[plane.axis] = T(0) - plane.sign * plane.bound * vertex.at.w;
-  return {vertex, t};
+  return {vertex, inside.at, outside.at, t};
+}
+
+/// The place of a corner in its polygon.
+template <class Vertex>
+constexpr std::size_t number_in(std::span<const Vertex> polygon, const Vertex& corner) {
+  return static_cast<std::size_t>(&corner - polygon.data());
 }
 
 /// A corner with a place and nothing else.
@@ -95,25 +116,21 @@ template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unob
 std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane, O&& observer = {}) {
   std::vector<Vertex> kept;
   kept.reserve(polygon.size() + 1);
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vertex& before = polygon[(i + n - 1) % n];
-    const Vertex& now = polygon[i];
-    const T d_before = distance(plane, before.at);
-    const T d = distance(plane, now.at);
-    if constexpr (observed<O>) observer(Tested<T>{plane, i, now.at, d >= T(0)});
-    // The edge crosses the plane: cut it there
-    if (d_before > T(0) && d < T(0)) {
-      kept.push_back(crossing(plane, before, now).first);
-      if constexpr (observed<O>)
-        observer(Cut<T>{plane, before.at, now.at, crossing(plane, before, now).second, kept.back().at});
-    } else if (d_before < T(0) && d > T(0)) {
-      kept.push_back(crossing(plane, now, before).first);
-      if constexpr (observed<O>)
-        observer(Cut<T>{plane, now.at, before.at, crossing(plane, now, before).second, kept.back().at});
+  if (polygon.empty()) return kept;
+  const Vertex* last = &polygon.back();
+  for (const Vertex& now : polygon) {
+    const T was = distance(plane, last->at);
+    const T is = distance(plane, now.at);
+    if constexpr (observed<O>) observer(Tested<T>{plane, number_in(polygon, now), now.at, is >= T(0)});
+    // Cut the edge that crosses the plane
+    if (crosses(was, is)) {
+      auto c = crossing(plane, *last, now);
+      kept.push_back(c.vertex);
+      if constexpr (observed<O>) observer(Cut<T>{plane, c.inside, c.outside, c.t, c.vertex.at});
     }
     // What is inside stays
-    if (d >= T(0)) kept.push_back(now);
+    if (is >= T(0)) kept.push_back(now);
+    last = &now;
   }
   if constexpr (observed<O>) observer(Passed<T>{plane, kept.size()});
   return kept;
@@ -132,7 +149,8 @@ template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unob
 std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> planes, O&& observer = {}) {
   for (const Plane<T>& plane : planes) {
     if (polygon.empty()) break;
-    polygon = clip(std::span<const Vertex>(polygon), plane, observer);
+    std::span<const Vertex> rest = polygon;
+    polygon = clip(rest, plane, observer);
   }
   return polygon;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -80,7 +81,12 @@ class Ring {
   int next(int i) const { return next_[static_cast<std::size_t>(i)]; }
   int before(int i) const { return before_[static_cast<std::size_t>(i)]; }
   int size() const { return size_; }
+  /// A corner of the ring.
+  int any() const { return any_; }
+  /// A corner with its neighbours.
+  Triangle triangle(int i) const { return {before(i), i, next(i)}; }
   void remove(int i) {
+    any_ = next(i);
     next_[static_cast<std::size_t>(before(i))] = next(i);
     before_[static_cast<std::size_t>(next(i))] = before(i);
     --size_;
@@ -89,6 +95,7 @@ class Ring {
  private:
   std::vector<int> next_, before_;
   int size_;
+  int any_ = 0;
 };
 
 /// +1 where the corner is convex, -1 where it is reflex, 0 where it is straight or turns back.
@@ -113,12 +120,21 @@ std::optional<int> blocker_of(std::span<const glm::vec<2, T>> polygon, const Rin
   return std::nullopt;
 }
 
-/// The corner to cut off when there is no ear, in polygons that cross themselves: a straight one if there is,
-/// else the one at hand.
+/// Tests a corner.
 template <class T>
-int corner_to_force(std::span<const glm::vec<2, T>> polygon, const Ring& ring, int corner) {
-  for (int i = 0, c = corner; i < ring.size(); ++i, c = ring.next(c)) {
-    if (turn_at(polygon, ring, c) == 0) return c;
+Tested judge(std::span<const glm::vec<2, T>> polygon, const Ring& ring, int corner) {
+  const int turn = turn_at(polygon, ring, corner);
+  const auto blocker = turn > 0 ? blocker_of(polygon, ring, corner) : std::nullopt;
+  return {ring.before(corner), corner, ring.next(corner), turn, blocker, turn > 0 && !blocker};
+}
+
+/// The corner to cut off when there is no ear: a straight one if there is, else (the polygon crosses itself)
+/// any.
+template <class T>
+int forced(std::span<const glm::vec<2, T>> polygon, const Ring& ring) {
+  int corner = ring.any();
+  for (int i = 0; i < ring.size(); ++i, corner = ring.next(corner)) {
+    if (turn_at(polygon, ring, corner) == 0) return corner;
   }
   return corner;
 }
@@ -139,35 +155,28 @@ int corner_to_force(std::span<const glm::vec<2, T>> polygon, const Ring& ring, i
 /// Accuracy: the tests are exact; size - 2 triangles for every polygon.
 /// Cost: O(n^2) usually, O(n^3) at worst; O(n) tests for a convex polygon.
 /// Errors: ContractViolation for less than 3 corners or coordinates that are not finite.
-template <class T, class Emit, Observer<Tested, Cut, Finished> O = Unobserved>
+template <class T, std::invocable<const Triangle&> Emit, Observer<Tested, Cut, Finished> O = Unobserved>
 void triangulate(std::span<const glm::vec<2, T>> polygon, Emit&& emit, O&& observer = {}) {
-  const int n = static_cast<int>(polygon.size());
+  const int n = int(polygon.size());
   expects(n >= 3, "a polygon has at least 3 corners, not {}", n);
   Ring ring(n);
-  int corner = 1;
+  int at = 1;
   int failed = 0;  // tests since the last ear
   while (ring.size() > 2) {
-    const int before = ring.before(corner);
-    const int after = ring.next(corner);
     // An ear is convex and holds no corner
-    const int turn = turn_at(polygon, ring, corner);
-    const auto blocker = turn > 0 ? blocker_of(polygon, ring, corner) : std::nullopt;
-    const bool ear = turn > 0 && !blocker;
-    if constexpr (observed<O>) observer(Tested{before, corner, after, turn, blocker, ear});
-    const bool forced = !ear && ++failed >= ring.size();
-    if (!ear && !forced) {
-      corner = after;
+    const auto v = judge(polygon, ring, at);
+    if constexpr (observed<O>) observer(v);
+    if (!v.ear && ++failed < ring.size()) {
+      at = ring.next(at);
       continue;
     }
-    if (forced) {
-      corner = corner_to_force(polygon, ring, corner);
-    }
+    if (!v.ear) at = forced(polygon, ring);
     // Cut it off
-    const Triangle triangle{ring.before(corner), corner, ring.next(corner)};
-    emit(triangle);
-    ring.remove(corner);
-    if constexpr (observed<O>) observer(Cut{triangle, ring.size(), forced});
-    corner = triangle[2];
+    const Triangle ear = ring.triangle(at);
+    emit(ear);
+    ring.remove(at);
+    if constexpr (observed<O>) observer(Cut{ear, ring.size(), !v.ear});
+    at = ear[2];
     failed = 0;
   }
   if constexpr (observed<O>) observer(Finished{n - 2});
@@ -177,8 +186,9 @@ void triangulate(std::span<const glm::vec<2, T>> polygon, Emit&& emit, O&& obser
 template <class T, class Emit, Observer<Tested, Cut, Finished> O = Unobserved>
 void triangulate(std::span<const glm::vec<3, T>> polygon, Emit&& emit, O&& observer = {}) {
   expects(polygon.size() >= 3, "a polygon has at least 3 corners, not {}", polygon.size());
-  const std::vector<glm::vec<2, T>> flat = flattened(polygon);
-  triangulate(std::span<const glm::vec<2, T>>(flat), emit, observer);
+  const auto flat = flattened(polygon);
+  std::span<const glm::vec<2, T>> all = flat;
+  triangulate(all, emit, observer);
 }
 
 }  // namespace gradus::ear_clipping

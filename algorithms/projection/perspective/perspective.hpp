@@ -37,8 +37,12 @@ struct Divided {
 /// Errors: none.
 template <class T, Observer<Multiplied<T>> O = Unobserved>
 glm::vec<4, T> transform(const Projection<T>& projection, glm::vec<3, T> view, O&& observer = {}) {
-  const glm::vec<4, T> clip{projection.x_scale * view.x, projection.y_scale * view.y,
-                            projection.z_scale * view.z + projection.z_offset, view.z};
+  const auto [sx, sy, sz, shift] = projection;
+  const T x = sx * view.x;
+  const T y = sy * view.y;
+  const T z = sz * view.z + shift;
+  const T w = view.z;
+  const glm::vec<4, T> clip{x, y, z, w};
   if constexpr (observed<O>) observer(Multiplied<T>{view, clip});
   return clip;
 }
@@ -51,7 +55,10 @@ glm::vec<4, T> transform(const Projection<T>& projection, glm::vec<3, T> view, O
 template <class T, Observer<Divided<T>> O = Unobserved>
 glm::vec<3, T> divide(glm::vec<4, T> clip, O&& observer = {}) {
   expects(clip.w > T(0), "only points before the eye can be divided, this one has a w of 0 or less");
-  const glm::vec<3, T> ndc{clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
+  const T x = clip.x / clip.w;
+  const T y = clip.y / clip.w;
+  const T z = clip.z / clip.w;
+  const glm::vec<3, T> ndc{x, y, z};
   if constexpr (observed<O>) observer(Divided<T>{clip, ndc});
   return ndc;
 }

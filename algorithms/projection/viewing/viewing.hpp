@@ -65,22 +65,27 @@ inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 ///   parallel to the view direction (their sine is below least_sine).
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
-  const glm::vec<3, T> zero{T(0)};
+  using Vec = glm::vec<3, T>;
   // Forward: from the eye to the target
-  const auto forward = unit_vector(target - eye);
-  expects(forward != zero, "the eye and the target are the same point ({}, {}, {})", eye.x, eye.y, eye.z);
-  if constexpr (observed<O>) observer(Aimed<T>{eye, target, forward});
+  const Vec ahead = unit_vector(target - eye);
+  expects(ahead != Vec{T(0)}, "the eye and the target are the same point ({}, {}, {})", eye.x, eye.y, eye.z);
+  if constexpr (observed<O>) observer(Aimed<T>{eye, target, ahead});
   // Right: upright on forward and on up
-  const auto hint = unit_vector(up);
-  expects(hint != zero, "up is the zero vector, which points nowhere");
-  const auto across = glm::cross(forward, hint);
+  const Vec hint = unit_vector(up);
+  expects(hint != Vec{T(0)}, "up is the zero vector, which points nowhere");
+  const Vec across = glm::cross(ahead, hint);
   const T sine = glm::length(across);
   expects(sine >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
-  const auto right = unit_vector(across);
+  const Vec right = unit_vector(across);
   if constexpr (observed<O>) observer(Levelled<T>{up, right, sine});
   // Up: upright on both
-  const auto above = glm::cross(right, forward);
-  const Frame<T> frame{eye, right, above, forward};
+  const Vec above = glm::cross(right, ahead);
+  const Frame<T> frame{
+      eye,
+      right,
+      above,
+      ahead,
+  };
   if constexpr (observed<O>) observer(Framed<T>{frame});
   return frame;
 }
@@ -93,9 +98,11 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
 /// Errors: none.
 template <class T, Observer<Viewed<T>> O = Unobserved>
 glm::vec<3, T> to_view(const Frame<T>& frame, glm::vec<3, T> world, O&& observer = {}) {
-  const auto from_eye = world - frame.eye;
-  const glm::vec<3, T> view{glm::dot(frame.right, from_eye), glm::dot(frame.up, from_eye),
-                            glm::dot(frame.forward, from_eye)};
+  const auto p = world - frame.eye;
+  const T x = glm::dot(frame.right, p);
+  const T y = glm::dot(frame.up, p);
+  const T depth = glm::dot(frame.forward, p);
+  const glm::vec<3, T> view{x, y, depth};
   if constexpr (observed<O>) observer(Viewed<T>{world, view});
   return view;
 }

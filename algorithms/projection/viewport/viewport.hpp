@@ -28,7 +28,11 @@ struct Mapped {
 template <class T, Observer<Mapped<T>> O = Unobserved>
 glm::vec<2, T> to_pixel(glm::vec<2, T> ndc, int width, int height, O&& observer = {}) {
   expects(width >= 1 && height >= 1, "a picture has at least one pixel, not {} x {}", width, height);
-  const glm::vec<2, T> pixel{(T(1) + ndc.x) * (T(width) / T(2)), (T(1) - ndc.y) * (T(height) / T(2))};
+  const T half_width = T(width) / T(2);
+  const T half_height = T(height) / T(2);
+  const T x = (T(1) + ndc.x) * half_width;
+  const T y = (T(1) - ndc.y) * half_height;
+  const glm::vec<2, T> pixel{x, y};
   if constexpr (observed<O>) observer(Mapped<T>{ndc, pixel});
   return pixel;
 }

@@ -94,7 +94,7 @@ constexpr ivec2 centre_of(ivec2 pixel) {
 }
 
 /// The pixels of the window whose centres lie in the box round the triangle.
-constexpr Window centres_in_box(const Triangle& t, const Window& window) {
+constexpr Window centres(const Triangle& t, const Window& window) {
   const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
   const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
   // Shifts round down, to the pixel before for centres that lie before the box
@@ -127,9 +127,25 @@ struct Finished {
   std::int64_t tested, covered;  ///< pixels
 };
 
-/// Whether the centre belongs to the side of the edge: inside, or on an edge that owns what lies on it.
+/// Whether the corners lie at most `farthest` pixels from 0.
+constexpr bool near_enough(const Triangle& triangle) {
+  constexpr int limit = farthest * subpixels;
+  return std::ranges::all_of(
+      triangle, [](ivec2 p) { return -limit <= p.x && p.x <= limit && -limit <= p.y && p.y <= limit; });
+}
+constexpr bool near_enough(const Window& w) {
+  return w.empty() ||
+         (-farthest <= std::min(w.lower.x, w.lower.y) && std::max(w.upper.x, w.upper.y) < farthest);
+}
+
+/// Whether a centre belongs to one side: inside, or on an edge that owns what lies on it.
 constexpr bool belongs(const Edge& edge, std::int64_t weight) {
   return weight > 0 || (weight == 0 && edge.owns);
+}
+
+/// Whether the triangle covers the centre with these weights.
+constexpr bool holds(const Edges& edges, const Weights& e) {
+  return belongs(edges[0], e[0]) && belongs(edges[1], e[1]) && belongs(edges[2], e[2]);
 }
 
 /// Tells which pixels of a window a triangle covers, by the signs of three edge functions and the top-left
@@ -146,31 +162,27 @@ constexpr bool belongs(const Edge& edge, std::int64_t weight) {
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<SetUp, Tested, Finished> O = Unobserved>
 constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot, O&& observer = {}) {
-  constexpr int limit = farthest * subpixels;
-  for (const ivec2 p : triangle) {
-    expects(-limit <= p.x && p.x <= limit && -limit <= p.y && p.y <= limit,
-            "the corner ({}, {}) of a triangle lies too far out", p.x, p.y);
-  }
-  expects(window.empty() || (window.lower.x >= -farthest && window.lower.y >= -farthest &&
-                             window.upper.x < farthest && window.upper.y < farthest),
-          "the window lies too far out");
+  expects(near_enough(triangle), "a corner of the triangle lies more than {} pixels out", farthest);
+  expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
   const auto area = doubled_area(triangle);
   if (area == 0) return;
   const auto edges = edges_of(triangle);
-  const auto box = centres_in_box(triangle, window);
+  const auto box = centres(triangle, window);
   if constexpr (observed<O>) observer(SetUp{triangle, area, edges, box});
-  const auto [a, b, c] = edges;
+  const auto& [a, b, c] = edges;
+  const auto [lower, upper] = box;
   std::int64_t tested = 0, covered = 0;
-  for (int y = box.lower.y; y <= box.upper.y; ++y) {
+  for (int y = lower.y; y <= upper.y; ++y) {
     // The edge functions where the row begins
-    const ivec2 first = centre_of({box.lower.x, y});
-    Weights e{a.at(first), b.at(first), c.at(first)};
-    for (int x = box.lower.x; x <= box.upper.x; ++x) {
-      // Inside of all three edges?
-      const bool inside = belongs(a, e[0]) && belongs(b, e[1]) && belongs(c, e[2]);
-      if constexpr (observed<O>) observer(Tested{{x, y}, e, inside});
-      if (inside) plot(ivec2{x, y}, e);
-      tested += 1, covered += inside;
+    const ivec2 p = centre_of({lower.x, y});
+    Weights e{a.at(p), b.at(p), c.at(p)};
+    for (int x = lower.x; x <= upper.x; ++x) {
+      // On the inside of all three?
+      const bool in = holds(edges, e);
+      if constexpr (observed<O>) observer(Tested{{x, y}, e, in});
+      if (in) plot(ivec2{x, y}, e);
+      tested += 1;
+      covered += in;
       // One pixel to the right
       e[0] += a.step();
       e[1] += b.step();

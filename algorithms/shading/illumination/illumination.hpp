@@ -72,6 +72,19 @@ std::pair<glm::vec<3, T>, T> towards(const Light& light, glm::vec<3, T> place) {
   return {unit_vector(way), std::sqrt(glm::dot(way, way))};
 }
 
+/// The share of the light that is scattered: N.L, none from behind.
+template <std::floating_point T>
+T scattered(T n_dot_l) {
+  return n_dot_l > T(0) ? n_dot_l : T(0);
+}
+
+/// The share of the light in the highlight: (R.V)^n, none from behind and none away from R.
+template <std::floating_point T>
+T mirrored(T n_dot_l, T r_dot_v, const Material& material) {
+  if (!(n_dot_l > T(0) && r_dot_v > T(0)) || material.specular == Rgb{0}) return T(0);
+  return pow(r_dot_v, T(material.shininess));
+}
+
 /// Phong's illumination of one place: k_a I_a + sum over the lights of f I (k_d N.L + k_s (R.V)^n), with the
 /// attenuation f and R the mirrored L. A light behind the surface (N.L <= 0) adds neither part. The highlight
 /// has k_s and the light's colour, not the surface's. B. T. Phong, Illumination for computer generated
@@ -91,36 +104,32 @@ template <std::floating_point T, Observer<AmbientAdded<T>, LightAdded<T>, Finish
 Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const Material& material,
                std::span<const Light> lights, Rgb ambient, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
-  const Vec zero{T(0)};
-  Parts<T> parts{zero, zero, zero};
+  Vec diffuse{T(0)}, specular{T(0)};
   // Light that comes from everywhere
-  parts.ambient = Vec(material.emission) + Vec(material.ambient * ambient);
-  if constexpr (observed<O>) observer(AmbientAdded<T>{parts.ambient});
+  Rgb even = material.ambient * ambient;
+  const Vec base(material.emission + even);
+  if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const auto [l, d] = towards(lights[i], place);
-    const T f = attenuation(lights[i], d);
-    const Vec light = f * Vec(lights[i].intensity);
+  std::size_t number = 0;
+  for (const Light& light : lights) {
+    const auto [l, d] = towards(light, place);
+    const T f = attenuation(light, d);
     const Vec r = reflected(normal, l);
-    const T n_dot_l = glm::dot(normal, l);
-    const T r_dot_v = glm::dot(r, v);
-    Vec diffuse = zero, specular = zero;
-    // Scattered: the more upright the more
-    if (n_dot_l > T(0)) {
-      diffuse = light * Vec(material.diffuse);
-      diffuse *= n_dot_l;
-    }
-    // Mirrored: the nearer to R the more
-    if (n_dot_l > T(0) && r_dot_v > T(0) && material.specular != Rgb{0}) {
-      specular = light * Vec(material.specular);
-      specular *= pow(r_dot_v, T(material.shininess));
-    }
-    parts.diffuse += diffuse;
-    parts.specular += specular;
-    if constexpr (observed<O>) observer(LightAdded<T>{i, l, r, n_dot_l, r_dot_v, f, diffuse, specular});
+    const T nl = glm::dot(normal, l);
+    const T rv = glm::dot(r, v);
+    // Both parts; none from behind
+    const Vec i = f * Vec(light.intensity);
+    const T k = scattered(nl);
+    const Vec kd = k * Vec(material.diffuse);
+    const T s = mirrored(nl, rv, material);
+    const Vec ks = s * Vec(material.specular);
+    diffuse += i * kd;
+    specular += i * ks;
+    if constexpr (observed<O>) observer(LightAdded<T>{number, l, r, nl, rv, f, i * kd, i * ks});
+    ++number;
   }
-  if constexpr (observed<O>) observer(Finished<T>{parts.ambient, parts.diffuse, parts.specular});
-  return parts;
+  if constexpr (observed<O>) observer(Finished<T>{base, diffuse, specular});
+  return {base, diffuse, specular};
 }
 
 }  // namespace gradus::illumination

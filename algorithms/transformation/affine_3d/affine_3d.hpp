@@ -63,10 +63,12 @@ inline glm::dmat4 rotation(dvec3 axis, double radians) {
 /// Errors: none.
 template <class T, Observer<Transformed<T>> O = Unobserved>
 glm::vec<3, T> transform(const glm::mat<4, 4, T>& m, glm::vec<3, T> point, O&& observer = {}) {
-  const T x = point.x, y = point.y, z = point.z;
-  const glm::vec<3, T> to{m[0].x * x + m[1].x * y + m[2].x * z + m[3].x,
-                          m[0].y * x + m[1].y * y + m[2].y * z + m[3].y,
-                          m[0].z * x + m[1].z * y + m[2].z * z + m[3].z};
+  using Vec = glm::vec<3, T>;
+  // Each column times its coordinate
+  const Vec x = point.x * Vec(m[0]);
+  const Vec y = point.y * Vec(m[1]);
+  const Vec z = point.z * Vec(m[2]);
+  const Vec to = x + y + z + Vec(m[3]);
   if constexpr (observed<O>) observer(Transformed<T>{point, to});
   return to;
 }

@@ -49,7 +49,9 @@ template <class T, Observer<Tested<T>> O = Unobserved>
 Facing facing(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c, O&& observer = {}) {
   // det[x y w], whatever the signs of w
   const int sign = determinant_sign(a, b, c);
-  const Facing facing = sign > 0 ? Facing::front : sign < 0 ? Facing::back : Facing::edge_on;
+  Facing facing = Facing::edge_on;
+  if (sign > 0) facing = Facing::front;
+  if (sign < 0) facing = Facing::back;
   if constexpr (observed<O>) observer(Tested<T>{a, b, c, sign, facing});
   return facing;
 }

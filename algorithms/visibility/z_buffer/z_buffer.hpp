@@ -30,10 +30,16 @@ struct Cell {
   bool taken = false;
 };
 
+/// The depth that a cell holds, nothing when it is free.
+template <class T, class Key>
+constexpr std::optional<T> held(const Cell<T, Key>& cell) {
+  return cell.taken ? std::optional<T>(cell.depth) : std::nullopt;
+}
+
 /// Whether (depth, key) goes before what the cell holds: it is nearer, or as near with the lower key. A depth
 /// that is no number goes before nothing.
 template <class T, class Key>
-constexpr bool goes_before(T depth, const Key& key, const Cell<T, Key>& cell) {
+constexpr bool beats(const Cell<T, Key>& cell, T depth, const Key& key) {
   if (!(depth == depth)) return false;
   if (!cell.taken) return true;
   if (depth < cell.depth) return true;
@@ -56,11 +62,9 @@ constexpr bool goes_before(T depth, const Key& key, const Cell<T, Key>& cell) {
 template <class T, class Key, Observer<Compared<T, Key>> O = Unobserved>
 constexpr bool keep_nearest(Raster<Cell<T, Key>>& buffer, ivec2 pixel, T depth, const Key& key,
                             O&& observer = {}) {
-  Cell<T, Key>& cell = buffer[pixel];
-  const bool nearer = goes_before(depth, key, cell);
-  if constexpr (observed<O>)
-    observer(
-        Compared<T, Key>{pixel, depth, key, cell.taken ? std::optional(cell.depth) : std::nullopt, nearer});
+  auto& cell = buffer[pixel];
+  const bool nearer = beats(cell, depth, key);
+  if constexpr (observed<O>) observer(Compared<T, Key>{pixel, depth, key, held(cell), nearer});
   if (nearer) cell = {depth, key, true};
   return nearer;
 }
