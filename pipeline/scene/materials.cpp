@@ -77,7 +77,7 @@ std::string map_file(Statement& s) {
 
 bool known_but_unused(std::string_view key) {
   constexpr std::array numbers{"Ni",    "Pr",     "Pm",        "Ps", "Pc", "Pcr",
-                               "aniso", "anisor", "sharpness", "Km", "Kt"};
+                               "aniso", "anisor", "sharpness", "Km", "Kt", "Tf"};
   return std::ranges::find(numbers, key) != numbers.end();
 }
 
@@ -118,10 +118,8 @@ class Reader {
       if (m.diffuse_map.file.empty())
         notes_.push_back(s.place("map_Kd names no file: the material has no texture"));
     } else if (known_but_unused(key)) {
-      s.number(key);
-      s.end(key);
-    } else if (key == "Tf") {
-      colour(s, key);
+      do s.number(key);
+      while (s.more());
     } else if (!other_map(key)) {
       notes_.push_back(
           s.place(fmt::format("{} is no known statement of an MTL file and is left out", in_quotes(key))));
@@ -137,7 +135,7 @@ class Reader {
  private:
   void begin(Statement& s) {
     const std::string name(s.rest());
-    if (name.empty()) s.fail("newmtl without a name");
+    if (name.empty()) notes_.push_back(s.place("a material without a name, which nothing can use"));
     const auto same = [&name](const Draft& draft) { return draft.material.name == name; };
     if (std::ranges::any_of(drafts_, same)) s.fail(fmt::format("a second material {}", in_quotes(name)));
     drafts_.emplace_back();

@@ -47,6 +47,14 @@ T sine_between(glm::vec<3, T> a, glm::vec<3, T> b) {
   return glm::length(glm::cross(unit_vector(a), unit_vector(b)));
 }
 
+/// The direction of v without what rounding has left of it along n. Domain: n of length 1, v nearly at right
+/// angles.
+template <std::floating_point T>
+glm::vec<3, T> upright_on(glm::vec<3, T> n, glm::vec<3, T> v) {
+  const glm::vec<3, T> direction = unit_vector(v);
+  return unit_vector(direction - glm::dot(direction, n) * n);
+}
+
 /// The least sine of the angle between the view direction and the hint for up that look_at accepts: below it
 /// rounding would turn the picture.
 template <std::floating_point T>
@@ -60,7 +68,7 @@ inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 /// Domain: finite coordinates, target - eye does not overflow.
 /// Steps: Aimed Levelled Framed.
 /// Accuracy: lengths and right angles to 8 ulp of 1; determinant of right, up, forward -1.
-/// Cost: two square roots, two cross products.
+/// Cost: five square roots, two cross products.
 /// Errors: ContractViolation when eye and target are the same point, when up has length 0, and when up is
 ///   parallel to the view direction (their sine is below least_sine).
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
@@ -76,7 +84,7 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
   const Vec across = glm::cross(ahead, hint);
   const T sine = glm::length(across);
   expects(sine >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
-  const Vec right = unit_vector(across);
+  const Vec right = upright_on(ahead, across);
   if constexpr (observed<O>) observer(Levelled<T>{up, right, sine});
   // Up: upright on both
   const Vec above = glm::cross(right, ahead);

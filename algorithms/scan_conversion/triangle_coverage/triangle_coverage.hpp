@@ -108,7 +108,7 @@ constexpr Window centres(const Triangle& t, const Window& window) {
 using Weights = std::array<std::int64_t, 3>;
 
 /// The triangle has its edges; the pixels in the box are tested next.
-struct SetUp {
+struct Prepared {
   Triangle triangle;
   std::int64_t doubled_area;
   Edges edges;
@@ -156,11 +156,11 @@ constexpr bool holds(const Edges& edges, const Weights& e) {
 ///   called for each covered pixel, row by row.
 ///
 /// Domain: corners at most `farthest` pixels from 0, and so is the window. A triangle without area covers
-/// nothing. Steps: SetUp Tested* Finished; Tested for each pixel of the box; nothing at all without area.
+/// nothing. Steps: Prepared Tested* Finished; Tested for each pixel of the box; nothing at all without area.
 /// Accuracy: exact. Triangles that share an edge, on either side of it, cover each centre once.
 /// Cost: the pixels of the box within the window, three additions each.
 /// Errors: ContractViolation for corners or windows that lie too far out.
-template <std::invocable<ivec2, const Weights&> Plot, Observer<SetUp, Tested, Finished> O = Unobserved>
+template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>
 constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot, O&& observer = {}) {
   expects(near_enough(triangle), "a corner of the triangle lies more than {} pixels out", farthest);
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
@@ -168,7 +168,7 @@ constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot
   if (area == 0) return;
   const auto edges = edges_of(triangle);
   const auto box = centres(triangle, window);
-  if constexpr (observed<O>) observer(SetUp{triangle, area, edges, box});
+  if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
   const auto& [a, b, c] = edges;
   const auto [lower, upper] = box;
   std::int64_t tested = 0, covered = 0;
