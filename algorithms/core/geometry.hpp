@@ -2,12 +2,18 @@
 // The few shapes that topics share. Vectors are GLM's; what GLM lacks is here.
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
 
 namespace gradus {
 
 using glm::dvec2;
+using glm::dvec3;
 using glm::ivec2;
 
 /// A rectangle of cells, lower and upper corner both included, so that the whole int32 plane is one.
@@ -40,5 +46,34 @@ constexpr Window intersection(const Window& a, const Window& b) {
 constexpr Window window_around(ivec2 a, ivec2 b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
+
+/// The vector of length 1 that points the way of v; the zero vector for the zero vector.
+/// Domain: finite components of any size: they are scaled before they are squared, so that neither 1e-200 nor
+/// 1e200 is lost. Accuracy: 4 ulp a component.
+template <std::floating_point T>
+glm::vec<3, T> unit_vector(glm::vec<3, T> v) {
+  const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (largest == 0) return v;
+  // By a power of two, which rounds nothing
+  const int exponent = std::ilogb(largest);
+  v = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+  return v / std::sqrt(glm::dot(v, v));
+}
+
+/// The smallest box along the axes that holds some points; empty while it holds none.
+struct Bounds {
+  dvec3 lower{std::numeric_limits<double>::infinity()};
+  dvec3 upper{-std::numeric_limits<double>::infinity()};
+
+  bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+  void add(dvec3 point) {
+    lower = {std::min(lower.x, point.x), std::min(lower.y, point.y), std::min(lower.z, point.z)};
+    upper = {std::max(upper.x, point.x), std::max(upper.y, point.y), std::max(upper.z, point.z)};
+  }
+  /// Domain: not empty.
+  dvec3 centre() const { return lower * 0.5 + upper * 0.5; }
+  /// Half the diagonal: the ball round the centre that holds the box. Domain: not empty.
+  double radius() const { return glm::length(upper * 0.5 - lower * 0.5); }
+};
 
 }  // namespace gradus

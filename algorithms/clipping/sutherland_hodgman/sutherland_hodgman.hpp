@@ -1,0 +1,168 @@
+#pragma once
+// Cutting a polygon off at planes, one plane after the other, in homogeneous coordinates: before the
+// division, so that what lies behind the eye is gone when it comes.
+
+#include <array>
+#include <cstddef>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "core/observe.hpp"
+
+namespace gradus::sutherland_hodgman {
+
+/// A plane of clip space that goes with an axis: inside is sign * p[axis] + bound * p.w >= 0. So {2, 1, 0} is
+/// z >= 0, {0, -1, 1} is x <= w and {0, -1, 64} is x <= 64 w.
+template <class T>
+struct Plane {
+  int axis;  ///< 0 x, 1 y, 2 z
+  T sign;    ///< 1 or -1
+  T bound;   ///< the limit in units of w
+};
+
+/// How far inside of the plane a point lies; its sign is that of the exact comparison of the coordinate with
+/// the rounded bound * w.
+template <class T>
+constexpr T distance(const Plane<T>& plane, const glm::vec<4, T>& p) {
+  return plane.bound * p.w + plane.sign * p[plane.axis];
+}
+
+/// A corner was tested against a plane.
+template <class T>
+struct Tested {
+  Plane<T> plane;
+  std::size_t corner;  ///< its number in the polygon as it came to this plane
+  glm::vec<4, T> at;
+  bool inside;
+};
+
+/// An edge leaves or enters through a plane, and gets a corner there.
+template <class T>
+struct Cut {
+  Plane<T> plane;
+  glm::vec<4, T> inside, outside;  ///< the ends of the edge
+  T t;                             ///< the share of the way from the inside to the outside, in (0, 1)
+  glm::vec<4, T> at;
+};
+
+/// One plane is done with.
+template <class T>
+struct Passed {
+  Plane<T> plane;
+  std::size_t corners;  ///< that are left
+};
+
+/// Whether an edge has its ends strictly on the two sides.
+template <class T>
+constexpr bool crosses(T was, T is) {
+  return (was > T(0) && is < T(0)) || (was < T(0) && is > T(0));
+}
+
+/// A new corner, on the edge between two others.
+template <class T, class Vertex>
+struct Crossing {
+  Vertex vertex;
+  glm::vec<4, T> inside, outside;  ///< the ends of the edge
+  T t;                             ///< the share of the way from the inside to the outside
+};
+
+/// The corner where the edge between a and b meets the plane. It is computed from the inside to the outside
+/// whichever way the edge runs, so that both faces at an edge get the same corner; its coordinate across the
+/// plane is not computed but copied from bound * w, so that it lies on the plane and not beside it. Vertex:
+/// has a vec<4, T> `at`, and mix(a, b, t) makes the vertex t of the way from a to b. Domain: a and b lie on
+/// the two sides of the plane.
+template <class T, class Vertex>
+constexpr Crossing<T, Vertex> crossing(const Plane<T>& plane, const Vertex& a, const Vertex& b) {
+  const bool leaves = distance(plane, a.at) > T(0);
+  const Vertex &inside = leaves ? a : b, &outside = leaves ? b : a;
+  const T from = distance(plane, inside.at), to = distance(plane, outside.at);
+  const T t = from / (from - to);
+  Vertex vertex = mix(inside, outside, t);
+  vertex.at[plane.axis] = T(0) - plane.sign * plane.bound * vertex.at.w;
+  return {vertex, inside.at, outside.at, t};
+}
+
+/// The place of a corner in its polygon.
+template <class Vertex>
+constexpr std::size_t number_in(std::span<const Vertex> polygon, const Vertex& corner) {
+  return static_cast<std::size_t>(&corner - polygon.data());
+}
+
+/// A corner with a place and nothing else.
+template <class T>
+struct Point {
+  glm::vec<4, T> at;
+};
+
+template <class T>
+constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
+  return {a.at + t * (b.at - a.at)};
+}
+
+/// The part of a polygon that lies inside of a plane.
+/// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
+///
+/// polygon: the corners in order. Vertex: see crossing. plane: the border itself is inside.
+///
+/// Domain: finite coordinates. Of a concave polygon pieces may hang together by edges that run along the
+/// plane. Steps: (Tested Cut?)* Passed, Tested once for every corner. Accuracy: corners inside are copied; a
+/// cut lies on the plane to the rounding of bound * w, and within 4 ulp of
+///   the edge's extent along it. A corner on the plane gives no second one.
+/// Cost: one test a corner, one division a cut.
+/// Errors: none.
+template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
+std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane, O&& observer = {}) {
+  std::vector<Vertex> kept;
+  kept.reserve(polygon.size() + 1);
+  if (polygon.empty()) return kept;
+  const Vertex* last = &polygon.back();
+  for (const Vertex& now : polygon) {
+    const T was = distance(plane, last->at);
+    const T is = distance(plane, now.at);
+    if constexpr (observed<O>) observer(Tested<T>{plane, number_in(polygon, now), now.at, is >= T(0)});
+    // Cut the edge that crosses the plane
+    if (crosses(was, is)) {
+      auto c = crossing(plane, *last, now);
+      kept.push_back(c.vertex);
+      if constexpr (observed<O>) observer(Cut<T>{plane, c.inside, c.outside, c.t, c.vertex.at});
+    }
+    // What is inside stays
+    if (is >= T(0)) kept.push_back(now);
+    last = &now;
+  }
+  if constexpr (observed<O>) observer(Passed<T>{plane, kept.size()});
+  return kept;
+}
+
+/// The part of a polygon that lies inside of all planes, cut at one after the other.
+///
+/// polygon: the corners in order; the parts of a convex one are convex. planes: in the order of cutting.
+///
+/// Domain: finite coordinates; no plane leaves the polygon as it is.
+/// Steps: ((Tested Cut?)* Passed)*, a Passed for every plane until nothing is left.
+/// Accuracy: that of one plane, for each.
+/// Cost: one test a corner and plane; a convex polygon gains at most one corner a plane.
+/// Errors: none.
+template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
+std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> planes, O&& observer = {}) {
+  for (const Plane<T>& plane : planes) {
+    if (polygon.empty()) break;
+    std::span<const Vertex> rest = polygon;
+    polygon = clip(rest, plane, observer);
+  }
+  return polygon;
+}
+
+/// The six planes of clip space: near and far, then the sides, `x` and `y` times as far out as the picture's.
+/// x, y: 1 cuts at the sides of the picture; larger ones are guard planes, for those who discard pixels.
+/// Errors: ContractViolation unless x, y >= 1.
+template <class T>
+constexpr std::array<Plane<T>, 6> view_volume(T x, T y) {
+  expects(x >= T(1) && y >= T(1), "guard planes lie at the sides of the picture or outside");
+  const T one = T(1);
+  return {{{2, one, T(0)}, {2, -one, one}, {0, one, x}, {0, -one, x}, {1, one, y}, {1, -one, y}}};
+}
+
+}  // namespace gradus::sutherland_hodgman

@@ -1,0 +1,47 @@
+#pragma once
+// What a surface looks like and what lights it: plain data that illumination, shading, ray tracing and the
+// loaders share. Colours are linear RGB; sRGB is the business of image files (core/colour.hpp).
+
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "core/geometry.hpp"
+#include "core/image.hpp"
+
+namespace gradus {
+
+/// A colour or an amount of light, linear, a component each for red, green and blue; 1 is full white.
+using Rgb = glm::vec3;
+
+/// A picture that is laid on a surface. Texture coordinates (0, 0) to (1, 1) cover it, v up.
+struct Texture {
+  std::string file;  ///< as the material names it
+  Image texels;      ///< row 0 at the top; empty while nobody has read the file
+};
+
+/// How much of the light that arrives a surface sends on, in Phong's model. This one is what a face without
+/// a material of its own has: a light grey without a highlight.
+struct Material {
+  std::string name = "default";
+  Rgb ambient{0.7f};      ///< k_a: the share of the ambient light, >= 0
+  Rgb diffuse{0.7f};      ///< k_d: the share that is scattered evenly, >= 0
+  Rgb specular{0.0f};     ///< k_s: the share in the highlight, >= 0
+  float shininess = 32;   ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
+  Rgb emission{0.0f};     ///< light of its own, >= 0
+  float opacity = 1;      ///< 1 covers all behind it, 0 nothing; the textbook chain draws everything opaque
+  Texture diffuse_map{};  ///< multiplies the diffuse part where its file is named
+};
+
+/// A lamp. Its light arrives weakened by 1 / (constant + linear d + quadratic d^2) at the distance d, and
+/// never stronger than it left.
+struct Light {
+  enum class Kind { point, directional };
+
+  Kind kind = Kind::point;
+  dvec3 position{0};         ///< point: where it stands, world space
+  dvec3 direction{0, 0, 0};  ///< directional: where its light travels to, world space, any length but 0
+  Rgb intensity{1.0f};       ///< what it sends out, >= 0
+  double constant = 1, linear = 0, quadratic = 0;  ///< attenuation of a point light, >= 0, not all 0
+};
+
+}  // namespace gradus

@@ -1,0 +1,69 @@
+#pragma once
+// The textbook chain: a scene becomes a picture in eight stages.
+
+#include "core/image.hpp"
+#include "core/observe.hpp"
+#include "points.hpp"
+#include "scene/scene.hpp"
+#include "stages/1_input.hpp"
+#include "stages/2_world.hpp"
+#include "stages/3_perspective.hpp"
+#include "stages/4_back_faces.hpp"
+#include "stages/5_clipping.hpp"
+#include "stages/6_rasterization.hpp"
+#include "stages/7_visibility_and_shading.hpp"
+#include "stages/8_output.hpp"
+
+namespace gradus::pipeline {
+
+/// Pixels of a picture, 1 to 2^15 a side.
+struct Size {
+  int width = 800, height = 600;
+};
+
+/// The largest side of a picture, in pixels.
+inline constexpr int largest_side = 1 << 15;
+
+/// O can be told the steps of all eight stages.
+template <class O>
+concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped,
+                                 Covered, DepthTested, Shaded, Written>;
+
+/// Renders a scene.
+///
+/// scene: objects, camera and lights. size: of the picture; its width / height is the camera's.
+///
+/// Domain: finite coordinates. Nothing before the camera gives the background.
+/// Steps: those of the stages, one after the other; those of stage 6 and of its z-buffer alternate:
+///   stage 1, 2, 3, 4, 5, (Snapped (Covered DepthTested)*)*, Shaded*, Written*.
+/// Accuracy: coverage is exact for corners snapped to 1/256 pixel. The same bytes on every machine.
+/// Cost: memory of about 80 bytes a pixel and 500 bytes a triangle.
+/// Errors: ContractViolation for a size or a lens out of range.
+template <ChainObserver O = Unobserved>
+Image render(const Scene& scene, Size size, O&& observer = {}) {
+  const auto [width, height] = size;
+  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
+          "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
+  const double aspect = static_cast<double>(width) / height;
+
+  // 1 Input model
+  const Model<ObjectPoint> model = input(scene, observer);
+  // 2 World transformation
+  const Model<WorldPoint> world = to_world(scene, model, observer);
+  // 3 Perspective transformation
+  const Model<ClipPoint> clip = to_clip(scene.camera, aspect, world, observer);
+  // 4 Back-face removal
+  const Model<ClipPoint> facing = remove_back_faces(scene, clip, observer);
+  // 5 Clipping, and the division at its end
+  const std::vector<Triangle> triangles = clip_and_divide(world, facing, width, height, observer);
+  // 6 Rasterization, and 7 hidden surface removal
+  Visible visible(width, height);
+  rasterize(
+      triangles, width, height, [&](const Fragment& f) { keep_nearest(f, visible, observer); }, observer);
+  // 7 Shading
+  const Raster<Rgb> light = shade(scene, triangles, visible, observer);
+  // 8 Output
+  return output(light, observer);
+}
+
+}  // namespace gradus::pipeline

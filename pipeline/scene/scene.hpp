@@ -1,0 +1,42 @@
+#pragma once
+// What is to be seen: objects, lights and a camera.
+
+#include <glm/mat4x4.hpp>
+#include <string>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/mesh.hpp"
+#include "core/surface.hpp"
+
+namespace gradus::pipeline {
+
+/// A mesh and where it stands.
+struct Object {
+  std::string name;
+  Mesh mesh;                ///< every corner with a normal (add_missing_normals)
+  glm::dmat4 placement{1};  ///< object space to world space, affine
+  bool two_sided = true;    ///< false: back faces are never seen and are removed
+};
+
+/// Objects in the order of their numbers, in one world.
+struct Scene {
+  std::vector<Object> objects;
+  Camera camera;
+  std::vector<Light> lights;
+  Rgb ambient{0.15f};    ///< the light that comes from everywhere
+  Rgb background{1.0f};  ///< where there is nothing
+};
+
+/// The object of a mesh: missing normals are made, and it is two-sided unless it encloses a body
+/// (closed_outward).
+Object object_of(Mesh mesh, std::string name = {});
+
+/// A scene of one mesh with the camera and the lights that are placed for it (scene/framing.hpp).
+/// aspect: width / height of the picture. Errors: ContractViolation for a mesh without faces.
+Scene scene_of(Mesh mesh, double aspect, std::string name = {});
+
+/// The box that holds all objects, in world space.
+Bounds bounds_of(const Scene& scene);
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,95 @@
+#pragma once
+// Stage 1, input model: the vertices of every object, and its faces cut into triangles.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "core/mesh.hpp"
+#include "core/observe.hpp"
+#include "modeling/ear_clipping/ear_clipping.hpp"
+#include "points.hpp"
+#include "scene/scene.hpp"
+
+namespace gradus::pipeline {
+
+/// A vertex of an object came in.
+struct VertexRead {
+  VertexId id;
+  ObjectPoint point;
+};
+
+/// A face came in, and was cut into pieces.
+struct FaceRead {
+  int object, face;
+  std::vector<int> vertices;  ///< of its object, in order
+  std::vector<Piece> pieces;  ///< one less than corners - 1
+  int material;
+  int file, line;  ///< where the face stands; file -1: in none
+};
+
+/// The normal, flat, of a face whose corner has none.
+inline dvec3 flat_normal(const Mesh& mesh, const Face& face) { return unit_vector(area_vector(mesh, face)); }
+
+/// A corner with what its face gives it. first: where its object's vertices begin.
+inline PieceCorner corner_of(const Mesh& mesh, const Face& face, int i, int first) {
+  const Corner& corner = corners_of(mesh, face)[static_cast<std::size_t>(i)];
+  return {first + corner.position,
+          corner.normal < 0 ? flat_normal(mesh, face) : mesh.normals[static_cast<std::size_t>(corner.normal)],
+          corner.texture < 0 ? dvec2{0, 0} : mesh.textures[static_cast<std::size_t>(corner.texture)]};
+}
+
+/// The triangles of a face: itself, or the ears of a larger one.
+inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
+  const Face& face = mesh.faces[static_cast<std::size_t>(id.face)];
+  std::vector<Piece> pieces;
+  const auto add = [&](const ear_clipping::Triangle& t) {
+    pieces.push_back({id,
+                      {corner_of(mesh, face, t[0], first), corner_of(mesh, face, t[1], first),
+                       corner_of(mesh, face, t[2], first)}});
+    ++id.piece;
+  };
+  if (face.count == 3) {
+    add({0, 1, 2});
+    return pieces;
+  }
+  std::vector<dvec3> polygon;
+  for (const Corner& corner : corners_of(mesh, face)) polygon.push_back(position_of(mesh, corner));
+  ear_clipping::triangulate(std::span<const dvec3>(polygon), add);
+  return pieces;
+}
+
+/// What is told of a face.
+inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vector<Piece>& pieces) {
+  const Face& face = mesh.faces[static_cast<std::size_t>(id)];
+  std::vector<int> vertices;
+  for (const Corner& corner : corners_of(mesh, face)) vertices.push_back(corner.position);
+  return {object, id, vertices, pieces, face.material, face.file, face.line};
+}
+
+/// Brings in every object of the scene, in order.
+///
+/// Domain: coordinates are finite. Steps: (VertexRead* FaceRead*)*, for each object.
+/// Accuracy: coordinates are copied. Cost: the size of the model, and ear clipping for faces of more than 3
+/// corners. Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
+template <Observer<VertexRead, FaceRead> O = Unobserved>
+Model<ObjectPoint> input(const Scene& scene, O&& observer = {}) {
+  Model<ObjectPoint> model;
+  for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
+    const Mesh& mesh = scene.objects[static_cast<std::size_t>(object)].mesh;
+    const int first = static_cast<int>(model.vertices.size());
+    for (int i = 0; i < static_cast<int>(mesh.positions.size()); ++i) {
+      model.vertices.push_back({{object, i}, {mesh.positions[static_cast<std::size_t>(i)]}});
+      if constexpr (observed<O>) observer(VertexRead{model.vertices.back().id, model.vertices.back().point});
+    }
+    for (int face = 0; face < static_cast<int>(mesh.faces.size()); ++face) {
+      const std::vector<Piece> pieces = cut(mesh, {object, face, 0}, first);
+      model.pieces.insert(model.pieces.end(), pieces.begin(), pieces.end());
+      if constexpr (observed<O>) observer(face_read(mesh, object, face, pieces));
+    }
+  }
+  return model;
+}
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,41 @@
+#pragma once
+// Stage 3, perspective transformation: from the world to the viewer, and into clip space. It multiplies and
+// does not divide.
+
+#include "core/camera.hpp"
+#include "core/observe.hpp"
+#include "points.hpp"
+#include "projection/perspective/perspective.hpp"
+#include "projection/viewing/viewing.hpp"
+
+namespace gradus::pipeline {
+
+/// A vertex stands in clip space.
+struct Projected {
+  VertexId id;
+  WorldPoint world;
+  dvec3 view;      ///< right, up, depth
+  ClipPoint clip;  ///< w is the depth
+};
+
+/// Takes every vertex through the camera.
+///
+/// aspect: width / height of the picture. Domain: finite coordinates; vertices may lie behind the eye.
+/// Steps: Projected*. Accuracy: that of viewing::to_view and perspective::transform. Cost: a vertex each.
+/// Errors: ContractViolation for a lens that sees nothing.
+template <Observer<Projected> O = Unobserved>
+Model<ClipPoint> to_clip(const Camera& camera, double aspect, const Model<WorldPoint>& world,
+                         O&& observer = {}) {
+  const Projection<double> projection = projection_of(camera.lens, aspect);
+  Model<ClipPoint> clip;
+  clip.vertices.reserve(world.vertices.size());
+  for (const Vertex<WorldPoint>& vertex : world.vertices) {
+    const dvec3 view = viewing::to_view(camera.frame, vertex.point.at);
+    clip.vertices.push_back({vertex.id, {perspective::transform(projection, view)}});
+    if constexpr (observed<O>) observer(Projected{vertex.id, vertex.point, view, clip.vertices.back().point});
+  }
+  clip.pieces = world.pieces;
+  return clip;
+}
+
+}  // namespace gradus::pipeline

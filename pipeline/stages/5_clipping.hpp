@@ -1,0 +1,115 @@
+#pragma once
+// Stage 5, clipping: what lies before the near plane, behind the far plane or far beside the picture is cut
+// off in clip space. Only then comes the division.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "core/observe.hpp"
+#include "points.hpp"
+#include "projection/perspective/perspective.hpp"
+
+namespace gradus::pipeline {
+
+/// A corner on its way through clipping, with all that is linear on the surface.
+struct ClipCorner {
+  glm::dvec4 at{0};
+  dvec3 world{0}, normal{0};
+  dvec2 texture{0, 0};
+};
+
+/// The corner t of the way from a to b.
+inline ClipCorner mix(const ClipCorner& a, const ClipCorner& b, double t) {
+  return {a.at + t * (b.at - a.at), a.world + t * (b.world - a.world), a.normal + t * (b.normal - a.normal),
+          a.texture + t * (b.texture - a.texture)};
+}
+
+/// A piece was clipped and divided.
+struct Clipped {
+  PieceId id;
+  std::vector<ClipPoint> before, after;  ///< its corners in clip space; after: none when nothing is left
+  std::vector<NdcPoint> divided;         ///< those that are left
+  bool changed;                          ///< whether anything was cut off
+};
+
+/// Guard planes lie this many pixels from the middle of the picture: far enough that hardly anything meets
+/// them, near enough for whole numbers. The sides of the picture itself cut nothing: rasterization leaves out
+/// what lies beyond.
+inline constexpr double guard_pixels = 1 << 20;
+
+/// Near and far plane, and the guard planes.
+/// width, height: of the picture in pixels, 1 to 2^17 (refused otherwise).
+inline std::array<sutherland_hodgman::Plane<double>, 6> guard_volume(int width, int height) {
+  expects(1 <= width && width <= 1 << 17 && 1 <= height && height <= 1 << 17,
+          "a picture has 1 to {} pixels a side, not {} x {}", 1 << 17, width, height);
+  return sutherland_hodgman::view_volume(2 * guard_pixels / width, 2 * guard_pixels / height);
+}
+
+/// The polygon of a piece. Normals are turned to the viewer's side.
+inline std::vector<ClipCorner> polygon_of(const Piece& piece, const Model<WorldPoint>& world,
+                                          const Model<ClipPoint>& clip) {
+  std::vector<ClipCorner> polygon;
+  polygon.reserve(3);
+  for (const PieceCorner& corner : piece.corners) {
+    const dvec3 normal = piece.seen_from_behind ? -corner.normal : corner.normal;
+    polygon.push_back({clip.point(corner).at, world.point(corner).at, normal, corner.texture});
+  }
+  return polygon;
+}
+
+/// Whether nothing of the polygon is outside of any plane.
+inline bool inside_all(const std::vector<ClipCorner>& polygon,
+                       std::span<const sutherland_hodgman::Plane<double>> planes) {
+  return std::ranges::all_of(planes, [&](const auto& plane) {
+    return std::ranges::all_of(polygon, [&](const ClipCorner& c) { return distance(plane, c.at) >= 0; });
+  });
+}
+
+/// The corner after the division.
+inline TriangleCorner divided(const ClipCorner& corner) {
+  return {{perspective::divide(corner.at)}, 1 / corner.at.w, {corner.world}, corner.normal, corner.texture};
+}
+
+/// What is told of a clipped piece.
+inline Clipped clipped(PieceId id, const std::vector<ClipCorner>& before,
+                       const std::vector<ClipCorner>& after, bool changed) {
+  Clipped step{id, {}, {}, {}, changed};
+  for (const ClipCorner& corner : before) step.before.push_back({corner.at});
+  for (const ClipCorner& corner : after) step.after.push_back({corner.at});
+  for (const ClipCorner& corner : after) step.divided.push_back(divided(corner).ndc);
+  return step;
+}
+
+/// Clips every piece and divides what is left, which goes on as triangles with the piece's id.
+///
+/// world, model: the same vertices in world and in clip space. width, height: of the picture.
+///
+/// Domain: finite coordinates, any w. Steps: Clipped*, in the order of the pieces.
+/// Accuracy: that of sutherland_hodgman::clip; neighbours get the same new corners on their common edge.
+/// Cost: 18 tests a piece; more where something is cut. Errors: ContractViolation for a picture beyond 2^17
+/// pixels.
+template <Observer<Clipped> O = Unobserved>
+std::vector<Triangle> clip_and_divide(const Model<WorldPoint>& world, const Model<ClipPoint>& model,
+                                      int width, int height, O&& observer = {}) {
+  const auto planes = guard_volume(width, height);
+  std::vector<Triangle> triangles;
+  triangles.reserve(model.pieces.size());
+  for (const Piece& piece : model.pieces) {
+    const std::vector<ClipCorner> before = polygon_of(piece, world, model);
+    const bool whole = inside_all(before, planes);
+    const std::vector<ClipCorner> after = whole ? before : sutherland_hodgman::clip<double>(before, planes);
+    // What is left is convex: a fan of triangles
+    for (std::size_t i = 2; i < after.size(); ++i) {
+      triangles.push_back(
+          {piece.id, {divided(after[0]), divided(after[i - 1]), divided(after[i])}, piece.seen_from_behind});
+    }
+    if constexpr (observed<O>) observer(clipped(piece.id, before, after, !whole));
+  }
+  return triangles;
+}
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,38 @@
+#pragma once
+// Stage 8, output: light becomes the 8-bit sRGB of an image file.
+
+#include "core/colour.hpp"
+#include "core/image.hpp"
+#include "core/observe.hpp"
+#include "core/raster.hpp"
+#include "core/surface.hpp"
+
+namespace gradus::pipeline {
+
+/// A pixel is written.
+struct Written {
+  ivec2 pixel;
+  Rgb light;
+  Rgba8 colour;
+  bool cut_off;  ///< more light than white has: a component was above 1
+};
+
+/// The picture. What is brighter than white becomes white.
+///
+/// Domain: everything. Steps: Written*, row by row. Accuracy: the nearest 8-bit value. Cost: three look-ups a
+/// pixel. Errors: none.
+template <Observer<Written> O = Unobserved>
+Image output(const Raster<Rgb>& light, O&& observer = {}) {
+  Image image(light.width(), light.height());
+  for (int y = 0; y < light.height(); ++y) {
+    for (int x = 0; x < light.width(); ++x) {
+      const Rgb& colour = light[{x, y}];
+      image[{x, y}] = srgb8_from_linear(colour);
+      if constexpr (observed<O>)
+        observer(Written{{x, y}, colour, image[{x, y}], colour.r > 1 || colour.g > 1 || colour.b > 1});
+    }
+  }
+  return image;
+}
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,140 @@
+// Known triangles, the step grammar, the rule for edges, snapping, refusals.
+
+#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "core/record.hpp"
+
+namespace gradus::triangle_coverage {
+namespace {
+
+using Pixels = std::vector<ivec2>;
+
+Triangle pixels(dvec2 a, dvec2 b, dvec2 c) { return {snap(a), snap(b), snap(c)}; }
+
+Pixels covered(const Triangle& triangle, const Window& window) {
+  Pixels found;
+  cover(triangle, window, [&](ivec2 p, const Weights&) { found.push_back(p); });
+  return found;
+}
+
+constexpr Window sheet{{0, 0}, {15, 15}};
+
+TEST(TriangleCoverage, NotesTriangleCoversFourCentres) {
+  // G001-96, G001-97: (1,3), (4,1), (2,5); doubled area 8 pixels
+  const Triangle t = pixels({1, 3}, {4, 1}, {2, 5});
+  EXPECT_EQ(doubled_area(t), 8 * 65536);
+  EXPECT_THAT(covered(t, sheet),
+              testing::UnorderedElementsAre(ivec2{1, 3}, ivec2{2, 2}, ivec2{2, 3}, ivec2{3, 1}));
+  const Triangle turned{t[0], t[2], t[1]};
+  EXPECT_EQ(doubled_area(turned), -8 * 65536);
+  EXPECT_EQ(covered(turned, sheet), covered(t, sheet));
+}
+
+TEST(TriangleCoverage, TheDiagonalOfASquareIsDrawnOnce) {
+  // G001-98: closed half-planes draw 8 of 64 pixels twice
+  const Pixels lower = covered(pixels({0, 0}, {8, 0}, {8, 8}), sheet);
+  const Pixels upper = covered(pixels({0, 0}, {8, 8}, {0, 8}), sheet);
+  EXPECT_EQ(lower.size() + upper.size(), 64u);
+  for (const ivec2 p : lower) EXPECT_THAT(upper, testing::Not(testing::Contains(p)));
+}
+
+TEST(TriangleCoverage, TopAndLeftEdgesOwnTheirCentres) {
+  // A square whose sides run through centres: the left column and the top row belong to it, the others don't
+  const auto square = [](double x, double y) {
+    Pixels all = covered(pixels({x, y}, {x + 2, y}, {x + 2, y + 2}), sheet);
+    const Pixels other = covered(pixels({x, y}, {x + 2, y + 2}, {x, y + 2}), sheet);
+    all.insert(all.end(), other.begin(), other.end());
+    return all;
+  };
+  EXPECT_THAT(square(3.5, 4.5),
+              testing::UnorderedElementsAre(ivec2{3, 4}, ivec2{4, 4}, ivec2{3, 5}, ivec2{4, 5}));
+}
+
+TEST(TriangleCoverage, StepsFollowTheGrammarAndWeightsAddUp) {
+  const Triangle t = pixels({1, 3}, {4, 1}, {2, 5});
+  Recorder<Prepared, Tested, Finished> seen;
+  Pixels plotted;
+  cover(t, sheet, [&](ivec2 p, const Weights&) { plotted.push_back(p); }, seen);
+  EXPECT_EQ(plotted, covered(t, sheet));  // observed == unobserved
+  ASSERT_GE(seen.events().size(), 2u);
+  const auto* prepared = std::get_if<Prepared>(&seen.events().front().step);
+  ASSERT_TRUE(prepared);
+  EXPECT_EQ(prepared->box, (Window{{1, 1}, {3, 4}}));
+  const auto* finished = std::get_if<Finished>(&seen.events().back().step);
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->tested, 12);
+  EXPECT_EQ(finished->covered, 4);
+  EXPECT_EQ(all<Tested>(seen).size(), 12u);
+  EXPECT_TRUE(every<Tested>(seen, [&](const Tested& step) {
+    return step.weights[0] + step.weights[1] + step.weights[2] == 8 * 65536 &&
+           step.weights[0] == prepared->edges[0].at(centre_of(step.pixel));
+  }));
+}
+
+TEST(TriangleCoverage, WithoutAreaNothingIsCoveredOrTold) {
+  Recorder<Prepared, Tested, Finished> seen;
+  cover(pixels({1, 1}, {5, 5}, {9, 9}), sheet, [](ivec2, const Weights&) { FAIL(); }, seen);
+  cover(pixels({1, 1}, {1, 1}, {9, 2}), sheet, [](ivec2, const Weights&) { FAIL(); }, seen);
+  EXPECT_EQ(seen.seen(), 0u);
+}
+
+TEST(TriangleCoverage, NothingOutsideTheWindow) {
+  const Triangle huge = pixels({-1e6, -1e6}, {1e6, -1e6}, {0, 1e6});
+  EXPECT_EQ(covered(huge, {{3, 4}, {5, 5}}).size(), 6u);
+  EXPECT_TRUE(covered(huge, {}).empty());
+}
+
+TEST(TriangleCoverage, SnapsToTheNearestMidwayToTheSmaller) {
+  EXPECT_EQ(snap({0.0, 1.0}), (ivec2{0, 256}));
+  EXPECT_EQ(snap({1 / 512.0, -1 / 512.0}), (ivec2{0, -1}));
+  EXPECT_EQ(snap({3 / 512.0, 0x1.0000000000001p-9}), (ivec2{1, 1}));
+  // Adding 1/2 before rounding down would round this one up
+  EXPECT_EQ(snap({0x1.fffffffffffffp-10, 0}).x, 0);
+  EXPECT_EQ(snap({farthest, -farthest}), (ivec2{farthest * 256, -farthest * 256}));
+}
+
+TEST(TriangleCoverage, MistakesAreNamed) {
+  EXPECT_THROW(snap({farthest + 1, 0}), ContractViolation);
+  EXPECT_THROW(snap({0, std::numeric_limits<double>::quiet_NaN()}), ContractViolation);
+  EXPECT_THROW(covered({ivec2{INT32_MAX, 0}, ivec2{0, 0}, ivec2{0, 9}}, sheet), ContractViolation);
+  EXPECT_THROW(covered(pixels({0, 0}, {1, 0}, {0, 1}), {{0, 0}, {1 << 30, 0}}), ContractViolation);
+}
+
+TEST(TriangleCoverage, PerspectiveCorrectMidpoint) {
+  // G000-16: midway in the picture on an edge from depth 1 to 3, a quarter of the way on the surface
+  const dvec3 shares = perspective_correct({1, 1, 0}, {1, 1.0 / 3, 1});
+  EXPECT_DOUBLE_EQ(shares.y, 0.25);
+  EXPECT_DOUBLE_EQ(barycentric({1, 1, 0}).y, 0.5);
+  // Nearly all weight on a corner close to the eye: no 0/0
+  EXPECT_NEAR(perspective_correct({1, 1, 0}, {1e8, 1, 1}).x, 1, 1e-7);
+}
+
+TEST(TriangleCoverage, LinearValuesDoNotDependOnTheNumbering) {
+  const Triangle t = pixels({1.3, 3.1}, {14.2, 1.7}, {2.6, 15.4});
+  const dvec3 z{0.1, 0.7, 0.3};
+  int count = 0;
+  cover(t, sheet, [&](ivec2 pixel, const Weights& w) {
+    const double depth = Linear(t, z).at(w);
+    for (const auto& [i, j, k] : {std::array{0, 2, 1}, std::array{1, 0, 2}, std::array{1, 2, 0},
+                                  std::array{2, 0, 1}, std::array{2, 1, 0}}) {
+      const auto at = [](const auto& v, int n) { return v[static_cast<std::size_t>(n)]; };
+      const Triangle other{at(t, i), at(t, j), at(t, k)};
+      ASSERT_EQ(Linear(other, {z[i], z[j], z[k]}).at({at(w, i), at(w, j), at(w, k)}), depth)
+          << pixel.x << ' ' << pixel.y;
+    }
+    EXPECT_EQ(Linear(t, dvec3{0.3}).at(w), 0.3);
+    const dvec3 b = barycentric(w);
+    EXPECT_NEAR(depth, glm::dot(b, z), 1e-15);
+    ++count;
+  });
+  EXPECT_GT(count, 50);
+}
+
+}  // namespace
+}  // namespace gradus::triangle_coverage

@@ -1,0 +1,108 @@
+// Known bodies, exact signs, goldens that break other tests.
+
+#include "visibility/back_face_culling/back_face_culling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "core/exact_scalar.hpp"
+#include "core/geometry.hpp"
+#include "core/random.hpp"
+#include "core/record.hpp"
+#include "projection/perspective/perspective.hpp"
+#include "projection/viewing/viewing.hpp"
+#include "support/seed.hpp"
+
+namespace gradus::back_face_culling {
+namespace {
+
+using V = glm::dvec4;
+
+/// Corners in view space, seen through a lens of 90 degrees: x and y stay, w is the depth.
+V clip(dvec3 view) { return {view.x, view.y, 0, view.z}; }
+
+TEST(BackFaceCulling, ACubeShowsUpToThreeFaces) {
+  // G001-74: the cube [-1,1]^3
+  const std::array<std::array<dvec3, 3>, 6> faces{{{{{1, -1, -1}, {1, 1, -1}, {1, 1, 1}}},
+                                                   {{{-1, -1, -1}, {-1, -1, 1}, {-1, 1, 1}}},
+                                                   {{{-1, 1, -1}, {-1, 1, 1}, {1, 1, 1}}},
+                                                   {{{-1, -1, -1}, {1, -1, -1}, {1, -1, 1}}},
+                                                   {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}}},
+                                                   {{{-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}}}}};
+  const auto visible = [&](dvec3 eye, dvec3 target) {
+    const Frame<double> frame = viewing::look_at(eye, target, dvec3{0.1, 0.2, 1});
+    int count = 0;
+    for (const auto& [a, b, c] : faces) {
+      const auto at = [&](dvec3 p) { return clip(viewing::to_view(frame, p)); };
+      count += facing(at(a), at(b), at(c)) == Facing::front;
+    }
+    return count;
+  };
+  EXPECT_EQ(visible({5, 0, 0}, {0, 0, 0}), 1);
+  EXPECT_EQ(visible({5, 5, 0}, {0, 0, 0}), 2);
+  EXPECT_EQ(visible({3, 4, 5}, {0, 0, 0}), 3);
+  EXPECT_EQ(visible({0, 0, 0}, {1, 0, 0}), 0);  // from the inside, also those behind the viewer
+  EXPECT_EQ(visible({3, 4, 5}, {9, 9, 9}), 3);  // looking away changes nothing
+}
+
+TEST(BackFaceCulling, CornersBehindTheEyeDoNotTurnItRound) {
+  // N.V0 of these is +2 and -2; the notes call the positive ones back faces, for their corners run clockwise.
+  // G001-92: the area in the picture has the other sign
+  EXPECT_EQ(facing(clip({0, 0, 2}), clip({1, 0, 2}), clip({0, 1, -2})), Facing::front);
+  // G001-91, E001-39: the normal's z has the other sign
+  EXPECT_EQ(facing(clip({4, 0, 2}), clip({4, 1, 2}), clip({5, 0, 3})), Facing::front);
+  EXPECT_EQ(facing(clip({-4, 0, 2}), clip({-4, 1, 2}), clip({-5, 0, 3})), Facing::back);
+}
+
+TEST(BackFaceCulling, FrontIsCounterClockwiseWithYUp) {
+  EXPECT_EQ(facing(V{0, 0, 0, 1}, V{1, 0, 0, 1}, V{0, 1, 0, 1}), Facing::front);
+  EXPECT_EQ(facing(V{0, 0, 0, 1}, V{0, 1, 0, 1}, V{1, 0, 0, 1}), Facing::back);
+  EXPECT_EQ(facing(V{0, 0, 0, 1}, V{1, 1, 0, 1}, V{2, 2, 0, 1}), Facing::edge_on);
+  EXPECT_EQ(facing(V{0, 0, 0, 0}, V{1, 1, 0, 1}, V{2, 0, 0, 1}), Facing::edge_on);
+}
+
+TEST(BackFaceCulling, TheSignIsExact) {
+  // Seen in plain doubles these two have no area
+  const double u = 0x1p-53;
+  EXPECT_EQ(determinant_sign(V{0.5 + 2 * u, 0.5 + u, 0, 1}, V{12, 12, 0, 1}, V{24, 24, 0, 1}), -1);
+  EXPECT_EQ(determinant_sign(V{0.5 + u, 0.5 + 2 * u, 0, 1}, V{12, 12, 0, 1}, V{24, 24, 0, 1}), 1);
+  Random random(test::seed());
+  int cases = 0, zero = 0;
+  for (; cases < 5000; ++cases) {
+    const ExactScope scope;
+    const auto any = [&] {
+      const auto one = [&] {
+        return static_cast<double>(random.uniform_int(-3, 3)) +
+               (random.uniform_int(0, 1) ? 0 : random.uniform(-u, u));
+      };
+      return V{one(), one(), 0, one()};
+    };
+    const V a = any(), b = any(), c = any();
+    const auto e = [](const V& p) {
+      return glm::vec<4, Exact>{Exact(p.x), Exact(p.y), Exact(p.z), Exact(p.w)};
+    };
+    const Exact det = Exact(a.x) * (Exact(b.y) * Exact(c.w) - Exact(b.w) * Exact(c.y)) -
+                      Exact(a.y) * (Exact(b.x) * Exact(c.w) - Exact(b.w) * Exact(c.x)) +
+                      Exact(a.w) * (Exact(b.x) * Exact(c.y) - Exact(b.y) * Exact(c.x));
+    ASSERT_EQ(determinant_sign(a, b, c), sign(det));
+    ASSERT_EQ(determinant_sign(e(a), e(b), e(c)), sign(det));
+    zero += sign(det) == 0;
+  }
+  EXPECT_EQ(cases, 5000);
+  EXPECT_GT(zero, 50);
+}
+
+TEST(BackFaceCulling, StepsAndMistakes) {
+  Recorder<Tested<double>> seen;
+  EXPECT_EQ(facing(V{0, 0, 0, 1}, V{1, 0, 0, 1}, V{0, 1, 0, 1}, seen), Facing::front);
+  ASSERT_EQ(seen.seen(), 1u);
+  EXPECT_EQ(all<Tested<double>>(seen)[0].sign, 1);
+  EXPECT_EQ(facing(glm::vec4{0, 0, 0, 1}, glm::vec4{1, 0, 0, 1}, glm::vec4{0, 1, 0, 1}), Facing::front);
+  EXPECT_THROW(facing(V{std::numeric_limits<double>::quiet_NaN(), 0, 0, 1}, V{1, 0, 0, 1}, V{0, 1, 0, 1}),
+               ContractViolation);
+}
+
+}  // namespace
+}  // namespace gradus::back_face_culling
