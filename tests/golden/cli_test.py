@@ -96,7 +96,7 @@ def test_help_and_version():
         result = gradus(*words)
         equal((result.code, result.err), (0, ""), f"gradus {words} gives help")
         check(result.out.index("Examples") < result.out.index("Commands"), "examples come first")
-    for command in ("list", "run", "figure", "figures", "again"):
+    for command in ("list", "run", "figure", "figures", "render", "again"):
         result = gradus(command, "--help")
         equal((result.code, result.err), (0, ""), f"gradus {command} --help")
         check(result.out.startswith(f"gradus {command}: ") and "Examples\n  gradus" in result.out, result.out)
@@ -331,8 +331,8 @@ def test_wrong_input():
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
-        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, again, found 'lits', did you mean 'list'?"),
-        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, again, found 'zzz'"),
+        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, render, again, found 'lits', did you mean 'list'?"),
+        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, render, again, found 'zzz'"),
         (["run"], "run: expected a TOPIC, found none (`gradus run --help` shows examples)"),
         (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
         (["run", "radiosity"], topics + "'radiosity'"),
@@ -426,8 +426,8 @@ def test_wrong_input():
         (["again", "gone.svg"], "again: expected a readable file, found 'gone.svg' (No such file or directory)"),
         (["again", "plain.svg"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'plain.svg'"),
         (["again", "in.txt"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'in.txt'"),
-        (["again", "evil.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil.svg'"),
-        (["again", "evil2.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil2.svg'"),
+        (["again", "evil.svg"], "again: expected a figure with a `gradus figure` or `gradus render` command in it, found 'evil.svg'"),
+        (["again", "evil2.svg"], "again: expected a figure with a `gradus figure` or `gradus render` command in it, found 'evil2.svg'"),
         (["figures", "-o", "in.txt"], "-o: expected a folder, found 'in.txt'"),
         (["figures", "-o", "new", "--jobs", "0"], "--jobs: expected a whole number from 1 to 1024, found '0'"),
     ]

@@ -1,7 +1,8 @@
-// `gradus again`: a figure made again from the command in its own metadata.
+// `gradus again`: a figure or a rendered picture made again from the command in its own metadata.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cairo/cairo_output.hpp"
@@ -10,6 +11,7 @@
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
+#include "cli/render.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -48,18 +50,63 @@ std::string beside(const std::string& path) {
   return (file.parent_path() / (file.stem().string() + "-again" + file.extension().string())).string();
 }
 
+/// Where it goes when nobody says where: beside the file.
+std::string output_for(const Request& request, const std::string& path) {
+  if (request.has("output")) return request.flags.at("output");
+  return path == dash ? std::string(dash) : beside(path);
+}
+
+/// Throws UsageError when the input is no longer what it was.
+void check_hash(const std::string& found, const Colophon& colophon) {
+  if (found == colophon.input_hash) return;
+  throw UsageError(fmt::format("again: expected the input with which the figure was made ({}), found {}",
+                               colophon.input_hash, found));
+}
+
 /// The request that stands in the file. It says what to draw, never where to.
 Request recorded_request(const Colophon& colophon, const std::string& path) {
   const auto refuse = [&path] {
-    throw UsageError(
-        fmt::format("again: expected a figure with a `gradus figure` command in it, found {}", shown(path)));
+    throw UsageError(fmt::format(
+        "again: expected a figure with a `gradus figure` or `gradus render` command in it, found {}",
+        shown(path)));
   };
   const auto words = shell_words(colophon.command);
-  if (!words || words->size() < 3 || (*words)[0] != "gradus" || (*words)[1] != "figure") refuse();
+  if (!words || words->size() < 3 || (*words)[0] != "gradus") refuse();
+  const bool is_figure = (*words)[1] == "figure";
+  if (!is_figure && (*words)[1] != "render") refuse();
   Request recorded = read_request({words->begin() + 1, words->end()});
-  if (!recorded.topic || !recorded.operands.empty() || recorded.has("output") || recorded.has("format"))
-    refuse();
+  if (is_figure ? !recorded.topic || !recorded.operands.empty() : recorded.operands.size() != 1) refuse();
+  if (recorded.has("output") || recorded.has("format")) refuse();
   return recorded;
+}
+
+/// A picture of a model: the flags that `gradus render` has too may change it.
+int render_again(Request recorded, const Colophon& colophon, const Request& request,
+                 const std::string& path) {
+  if (recorded.operands[0] == dash) {
+    throw UsageError("again: expected a picture of a model from a file, found one from standard input");
+  }
+  const std::vector<Flag>& known = recorded.command->flags;
+  for (const auto& [flag, value] : request.flags) {
+    const bool common = std::ranges::find(common_flags(), flag, &Flag::name) != common_flags().end();
+    if (!common && std::ranges::find(known, flag, &Flag::name) == known.end()) {
+      throw UsageError(
+          fmt::format("--{}: expected a figure, found the rendered picture {}", flag, shown(path)));
+    }
+    recorded.flags[flag] = value;
+  }
+  if (!request.labels.empty()) {
+    throw UsageError(fmt::format("--label: expected a figure, found the rendered picture {}", shown(path)));
+  }
+  const std::string output = output_for(request, path);
+  check_picture_output(output);
+  Rendered picture = rendered(recorded, [&](const std::string& name, const std::string& flag) {
+    return find_input(name, flag, path, colophon.input_hash);
+  });
+  check_hash(picture.colophon.input_hash, colophon);
+  picture.files.push_back(path);
+  write_rendered(picture, output, request.quiet());
+  return 0;
 }
 
 }  // namespace
@@ -75,20 +122,16 @@ int again(const Request& request) {
                     path == dash ? "something else" : shown(path)));
   }
   const Request recorded = recorded_request(*colophon, path);
+  if (!recorded.topic) return render_again(recorded, *colophon, request, path);
   Inputs inputs =
       read_inputs(*recorded.topic, recorded.arguments, [&](const std::string& name, const std::string& flag) {
         return find_input(name, flag, path, colophon->input_hash);
       });
-  if (input_hash(inputs.arguments) != colophon->input_hash) {
-    throw UsageError(fmt::format("again: expected the input with which the figure was made ({}), found {}",
-                                 colophon->input_hash, input_hash(inputs.arguments)));
-  }
+  check_hash(input_hash(inputs.arguments), *colophon);
   FigureSpec spec = read_spec(recorded, inputs.arguments);
   apply_flags(spec, request);
   const bool named = request.has("output");
-  const std::string output = named          ? request.flags.at("output")
-                             : path == dash ? std::string(dash)
-                                            : beside(path);
+  const std::string output = output_for(request, path);
   const Format format =
       request.has("format") || (named && output != dash) ? read_format(request, output) : *content;
   refuse_idle_flags(request, format);

@@ -56,6 +56,7 @@ int help(const Request& request);
 int run(const Request& request);
 int figure(const Request& request);
 int figures(const Request& request);
+int render(const Request& request);
 int again(const Request& request);
 
 /// `gradus --version`.

@@ -43,6 +43,9 @@ std::string table(std::span<const TopicEntry* const> topics, bool color) {
   return text;
 }
 
+/// What is no topic, for who looks for it here.
+constexpr std::string_view models = "\nModels are drawn by another command: gradus render --help\n";
+
 }  // namespace
 
 int list(const Request& request) {
@@ -54,7 +57,8 @@ int list(const Request& request) {
     return 1;
   }
   const bool color = use_color(request.color(), Stream::out);
-  write_stream(Stream::out, request.has("json") ? list_json(topics) : table(topics, color));
+  const std::string ending(word.empty() ? models : "");
+  write_stream(Stream::out, request.has("json") ? list_json(topics) : table(topics, color) + ending);
   return 0;
 }
 

@@ -24,6 +24,7 @@ int perform(const Request& request) {
   if (name == "run") return run(request);
   if (name == "figure") return figure(request);
   if (name == "figures") return figures(request);
+  if (name == "render") return render(request);
   return again(request);
 }
 

@@ -1,0 +1,500 @@
+#!/usr/bin/env python3
+"""`gradus render` from end to end: pictures of models, what it refuses, and `gradus again` on them.
+
+    tests/golden/render_test.py [GRADUS]            compares with the pictures in tests/golden/renders
+    tests/golden/render_test.py GRADUS --write      makes those pictures anew: look at each before committing
+"""
+import math
+import os
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+
+GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MODELS, OTHERS = ROOT / "examples/models", ROOT / "tests/support/models"
+RENDERS = ROOT / "tests/golden/renders"
+SPOT, LETTER = str(MODELS / "spot.obj"), str(MODELS / "letter_f.obj")
+BOX, SHELF = str(OTHERS / "tinyobj/cornell_box.obj"), str(OTHERS / "geometry_central/platonic_shelf.obj")
+TORUS = os.path.join(tempfile.mkdtemp(prefix="gradus_render_"), "torus.obj")
+
+# The committed pictures, all 160 x 120
+REFERENCES = {
+    "letter_f": [LETTER],
+    "letter_f_from_behind": [LETTER, "--eye", "-1,1,-4"],
+    "spot": [SPOT],
+    "spot_face": [SPOT, "--eye", "-1.5,1.2,-2.7", "--light", "2,2,-2", "--background", "#202830"],
+    "spot_from_above": [SPOT, "--eye", "0,4,0", "--fov", "36"],
+    "spot_lying": [SPOT, "--up", "0,0,1"],
+    "torus": [TORUS],
+    "cornell_box": [BOX],
+    "platonic_shelf": [SHELF],
+}
+# A pixel differs when one of its channels is off by more than LEVELS of 255; SHARE of the pixels may.
+# Rounding may move a rim by a pixel and a shade by a level; anything that is wrong moves more.
+LEVELS, SHARE = 2, 0.002
+
+passed = failed = 0
+
+
+def check(truth, what):
+    global passed, failed
+    if truth:
+        passed += 1
+    else:
+        failed += 1
+        print("FAILED:", what)
+    return truth
+
+
+def equal(found, expected, what):
+    return check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
+
+
+class Result:
+    def __init__(self, process):
+        self.code, self.bytes = process.returncode, process.stdout or b""
+        self.err = (process.stderr or b"").decode("utf-8", "replace")
+
+
+def gradus(*words, stdin=b"", **options):
+    options.setdefault("stdout", subprocess.PIPE)
+    return Result(subprocess.run([GRADUS, *words], input=stdin, stderr=subprocess.PIPE, timeout=120, **options))
+
+
+def read(path):
+    return pathlib.Path(path).read_bytes()
+
+
+def write(path, text):
+    pathlib.Path(path).write_bytes(text if isinstance(text, bytes) else text.encode())
+
+
+def write_torus():
+    """Lying, 48 by 24 quads, a quarter as thick as it is wide."""
+    lines = []
+    for i in range(48):
+        for j in range(24):
+            a, b = 2 * math.pi * i / 48, 2 * math.pi * j / 24
+            r = 1.5 + 0.5 * math.cos(b)
+            lines.append(f"v {r * math.cos(a):.6f} {0.5 * math.sin(b):.6f} {-r * math.sin(a):.6f}")
+    for i in range(48):
+        for j in range(24):
+            corners = ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))
+            lines.append("f " + " ".join(str(1 + i % 48 * 24 + j % 24) for i, j in corners))
+    write(TORUS, "\n".join(lines) + "\n")
+
+
+# --- PNG --------------------------------------------------------------------------------------------------------
+
+class Picture:
+    """An 8-bit RGB or RGBA picture without filters, as gradus writes them: pixels[y][x], and its texts."""
+
+    def __init__(self, data):
+        assert data.startswith(b"\x89PNG\r\n\x1a\n"), data[:8]
+        at, packed, self.texts = 8, b"", {}
+        while at < len(data):
+            length, kind = struct.unpack(">I4s", data[at:at + 8])
+            body = data[at + 8:at + 8 + length]
+            if kind == b"IHDR":
+                self.width, self.height, depth, self.kind = struct.unpack(">IIBB", body[:10])
+                assert depth == 8 and self.kind in (2, 6), (depth, self.kind)
+            elif kind == b"IDAT":
+                packed += body
+            elif kind == b"iTXt":
+                key, rest = body.split(b"\0", 1)
+                self.texts[key.decode()] = rest[2:].split(b"\0", 2)[2].decode()
+            at += length + 12
+        size, raw = (3 if self.kind == 2 else 4), zlib.decompress(packed)
+        stride = size * self.width + 1
+        self.pixels = []
+        for y in range(self.height):
+            row = raw[y * stride:(y + 1) * stride]
+            assert row[0] == 0, "a filter"
+            self.pixels.append([tuple(row[1 + size * x:1 + size * (x + 1)]) for x in range(self.width)])
+
+    def mirrored(self):
+        other = Picture.__new__(Picture)
+        other.width, other.height, other.pixels = self.width, self.height, [row[::-1] for row in self.pixels]
+        return other
+
+    def where(self, shows):
+        """left, top, right, bottom of the pixels of that kind, all inclusive."""
+        places = [(x, y) for y, row in enumerate(self.pixels) for x, p in enumerate(row) if shows(p)]
+        return places and (min(x for x, _ in places), min(y for _, y in places),
+                           max(x for x, _ in places), max(y for _, y in places))
+
+
+def png(texts):
+    """One white pixel that carries these texts."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0))
+            + b"".join(chunk(b"iTXt", k.encode() + b"\0\0\0\0\0" + v.encode()) for k, v in texts.items())
+            + chunk(b"IDAT", zlib.compress(b"\0\xff\xff\xff")) + chunk(b"IEND", b""))
+
+
+def differing(a, b):
+    """The share of pixels that differ by more than LEVELS in a channel."""
+    if (a.width, a.height) != (b.width, b.height):
+        return 1
+    pairs = ((p, q) for r, s in zip(a.pixels, b.pixels) for p, q in zip(r, s))
+    return sum(max(abs(c - d) for c, d in zip(p, q)) > LEVELS for p, q in pairs) / (a.width * a.height)
+
+
+def picture(*words):
+    """What `gradus render … -o -` shows."""
+    result = gradus("render", *words, "-o", "-")
+    if not equal(result.code, 0, f"render {' '.join(words)}: {result.err}"):
+        raise RuntimeError(result.err)
+    return Picture(result.bytes)
+
+
+# --- Pictures ---------------------------------------------------------------------------------------------------
+
+def test_references():
+    for name, words in REFERENCES.items():
+        reference = Picture(read(RENDERS / f"{name}.png"))
+        share = differing(picture(*words, "--size", "160x120"), reference)
+        print(f"{name}: {share:.4f} of the pixels differ from the reference")
+        check(share <= SHARE, f"{name}: {share} of the pixels differ by more than {LEVELS} levels")
+    equal(sorted(p.name for p in RENDERS.glob("*.png")), sorted(f"{name}.png" for name in REFERENCES),
+          "each reference has its picture")
+    check(differing(Picture(read(RENDERS / "spot.png")), Picture(read(RENDERS / "torus.png"))) > 0.1,
+          "two models differ")
+
+
+def orange(p):
+    return p[0] > 150 and p[0] > p[2] + 60
+
+
+def blue(p):
+    return p[2] > 120 and p[2] > p[0] + 60
+
+
+def test_f_reads_as_f():
+    letter = picture(LETTER, "--size", "160x120")
+    reference = Picture(read(RENDERS / "letter_f.png"))
+    check(differing(letter.mirrored(), reference) > 0.15, "its mirror image is far from the reference")
+    # Straight from the front: a stem at the left from top to bottom, two bars to the right of it, the upper
+    # one longer, and nothing at the lower right
+    front = picture(LETTER, "--size", "200x200", "--eye", "0.4,0.625,4")
+    left, top, right, bottom = front.where(orange)
+    wide, high = right - left + 1, bottom - top + 1
+    check(0.55 < wide / high < 0.73, f"as wide as the model: {wide} x {high}")
+
+    def ink(x, y):
+        return orange(front.pixels[top + round(y * (high - 1))][left + round(x * (wide - 1))])
+    rows = {0.1: (True, True, True), 0.3: (True, False, False), 0.5: (True, True, False), 0.9: (True, False, False)}
+    for y, expected in rows.items():
+        equal(tuple(ink(x, y) for x in (0.15, 0.65, 0.95)), expected, f"the row {y} of the F")
+    back = picture(LETTER, "--size", "200x200", "--eye", "0.4,0.625,-4")
+    check(not back.where(orange), "no front from behind")
+    left, top, right, bottom = back.where(blue)
+    low = back.pixels[bottom - (bottom - top) // 10]
+    check(not blue(low[left + 3]) and blue(low[right - 3]), "from behind the stem stands at the right")
+
+
+def framing_of(words, size):
+    """Share of the picture between each border and the model, and the larger share that the model takes."""
+    shown = picture(*words, "--background", "none", "--size", "x".join(map(str, size)))
+    equal(shown.kind, 6, "with alpha")
+    check({p[3] for row in shown.pixels for p in row} <= {0, 255}, "alpha is all or nothing")
+    left, top, right, bottom = shown.where(lambda p: p[3] == 255)
+    w, h = size
+    margins = left / w, (w - 1 - right) / w, top / h, (h - 1 - bottom) / h
+    return margins, max((right - left + 1) / w, (bottom - top + 1) / h)
+
+
+def test_framing():
+    flags = [[], ["--fov", "5"], ["--fov", "90"], ["--up", "0,0,1"], ["--up", "0,-1,0"], ["--up", "1,2,-3"]]
+    count = 0
+    for model in (SPOT, LETTER, TORUS, BOX, SHELF):
+        for size in ((200, 150), (90, 160), (240, 60)):
+            for more in flags if size == (200, 150) else flags[:1]:
+                margins, share = framing_of([model, *more], size)
+                what = f"{os.path.basename(model)} {size} {more}: margins {margins}, {share}"
+                check(min(margins) >= 0.03, what)
+                check(0.85 <= share <= 0.93, what)
+                count += 1
+    equal(count, 5 * 8, "framings tried")
+    margins, share = framing_of([SPOT, "--eye", "0,0.3,40"], (200, 150))
+    check(share < 0.2 and max(margins) - min(margins) < 0.2, f"an eye far away sees it small, in the middle: {share}")
+
+
+def test_lit():
+    for model in (SPOT, TORUS):
+        shown = picture(model, "--background", "none", "--size", "160x120")
+        levels = sorted(p[0] for row in shown.pixels for p in row if p[3])
+        check(levels[-1] - levels[0] > 60 and 120 < levels[len(levels) // 2] < 240, f"lit, with shades: {levels[::500]}")
+    for light, brighter in (("-9,1,3", 0), ("9,1,3", 1)):
+        shown = picture(TORUS, "--background", "none", "--size", "160x120", "--eye", "0,2,8", "--light", light)
+        halves = [sum(p[0] for row in shown.pixels for p in row[at:at + 80] if p[3]) for at in (0, 80)]
+        check(halves[brighter] > 1.2 * halves[1 - brighter], f"a lamp at {light} lights its side: {halves}")
+
+
+def test_views():
+    plain = picture(SPOT, "--size", "64x48")
+    for same in (["--fov", "40"], ["--up", "0,7,0"], ["--background", "white"], ["--background", "#FFFFFF"]):
+        check(differing(picture(SPOT, "--size", "64x48", *same), plain) == 0, f"{same} is what nobody needs to say")
+    for other in (["--fov", "60", "--eye", "1,1,3"], ["--target", "1,0,0"], ["--eye", "3,1,0"], ["--background", "red"],
+                  ["--light", "0,9,0"], ["--up", "1,0,0"]):
+        check(differing(picture(SPOT, "--size", "64x48", *other), plain) > 0.05, f"{other} changes the picture")
+    equal(picture(SPOT, "--size", "64x48", "--background", "#123456").pixels[0][0], (0x12, 0x34, 0x56), "the background")
+    for size in ((1, 1), (1, 50), (2000, 1)):
+        shown = picture(SPOT, "--size", "x".join(map(str, size)))
+        equal((shown.width, shown.height), size, "any size")
+
+
+def test_nothing_to_see():
+    result = gradus("render", SPOT, "-o", "a.png", "--eye", "0,0,5", "--target", "0,0,9", "--size", "40x30")
+    equal((result.code, result.err),
+          (0, "render: the whole model lies behind the eye: the picture shows the background alone\na.png\n"), "behind the eye")
+    equal({p for row in Picture(read("a.png")).pixels for p in row}, {(255, 255, 255)}, "the background alone")
+    result = gradus("render", SPOT, "-o", "a.png", "--eye", "0,0,5", "--target", "9,0,5", "--size", "40x30")
+    equal(result.err, "render: no pixel shows the model: the picture shows the background alone\na.png\n", "beside the picture")
+    result = gradus("render", SPOT, "-o", "a.png", "--eye", "0,0,5", "--target", "0,0,9", "-q")
+    equal((result.code, result.err), (0, ""), "-q says nothing")
+    write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+    result = gradus("render", "line.obj", "-o", "a.png")
+    check(result.code == 0 and "no pixel shows" in result.err, f"a face without area: {result.err}")
+
+
+def test_extremes():
+    for name, size in (("huge", "1e30"), ("tiny", "1e-30"), ("far", "1e9")):
+        write(f"{name}.obj", f"v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nv {size} {size} 0\nf 1 2 4 3\n")
+        result = gradus("render", f"{name}.obj", "-o", f"{name}.png", "--size", "40x30")
+        equal((result.code, result.err), (0, f"{name}.png\n"), name)
+        check(differing(Picture(read(f"{name}.png")), Picture(read("huge.png"))) < 0.01, f"{name}: size makes no difference")
+    write("dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
+    for words in (["dot.obj"], [SPOT, "--eye", "1e30,0,0"], [SPOT, "--eye", "0,0.3,0"], ["huge.obj", "--eye", "1,1,1"],
+                  [SPOT, "--light", "0,0,0"], [SPOT, "--light", "1e30,0,-1e30"], [SPOT, "--fov", "0.001"],
+                  [SPOT, "--fov", "179.999"], ["tiny.obj", "--eye", "1e-30,1e-30,1e-30"]):
+        result = gradus("render", *words, "-o", "a.png", "--size", "40x30", "-q")
+        equal((result.code, result.err), (0, ""), f"{words}")
+
+
+def test_every_model():
+    """Each model of the loaders' tests gives a picture, or a line with the file's name."""
+    count = {0: 0, 2: 0}
+    for model in sorted(OTHERS.rglob("*.obj")):
+        result = gradus("render", str(model), "-o", "a.png", "--size", "32x24", "-q")
+        check(result.code in count, f"{model.name}: exit code {result.code}: {result.err}")
+        count[result.code] = count.get(result.code, 0) + 1
+        equal(os.path.exists("a.png"), result.code == 0, f"{model.name}: a picture or none")
+        if result.code == 0:
+            os.remove("a.png")
+        else:
+            check(re.fullmatch(r"gradus: [^\n]*\.(obj|mtl):(\d+:)? [^\n]+\n", result.err), f"{model.name}: {result.err}")
+    print(f"models: {count[0]} rendered, {count[2]} refused")
+    check(count[0] >= 40 and count[2] >= 5, f"both happen: {count}")
+
+
+# --- The command ------------------------------------------------------------------------------------------------
+
+def test_examples_run():
+    os.symlink(ROOT / "examples", "examples")
+    examples = re.findall(r"^  (gradus render .*)$", gradus("render", "--help").bytes.decode(), re.M)
+    check(len(examples) >= 5, f"examples to paste: {examples}")
+    for line in examples:
+        result = subprocess.run(line.replace("gradus", f"'{GRADUS}'", 1), shell=True, capture_output=True)
+        target = line.split("> ")[-1] if ">" in line else re.search(r"-o (\S+)", line)[1]
+        equal(result.returncode, 0, f"{line}: {result.stderr}")
+        check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
+    overview = gradus("--help").bytes.decode()
+    check("gradus render examples/models/letter_f.obj" in overview and re.search(r"^  render +\S", overview, re.M), overview)
+    check("gradus render" in gradus("list").bytes.decode(), "gradus list tells where models are")
+
+
+def test_same_bytes():
+    words = ["--size", "80x60", "--eye", "-2,1,-3", "--light", "1,2,-3"]
+    shutil.copytree(MODELS, "folder")
+    equal(gradus("render", LETTER, "-o", "a.png", *words).err, "a.png\n", "the name of what was made")
+    gradus("render", "folder/letter_f.obj", "-o", "b.png", *words)
+    equal(read("b.png"), read("a.png"), "the same bytes, wherever the model lies")
+    equal(gradus("render", LETTER, "-o", "-", *words).bytes, read("a.png"), "and on standard output")
+    spelled = ["--SIZE=080x60", "--ey", "(-2, 1.0, -3)", "--lig=+1,2,-3", "--fov", "40.0"]
+    equal(gradus("ren", LETTER, *spelled, "-o-").bytes, read("a.png"), "however it is spelled")
+    os.chdir("folder")
+    piped = gradus("render", "-", "-o", "-", *words, stdin=read("letter_f.obj"))
+    check(differing(Picture(piped.bytes), Picture(read("../a.png"))) == 0, "a model from standard input, materials from here")
+
+
+def test_metadata():
+    shown = picture(LETTER, "--size", "80x60", "--fov", "40", "--background", "None", "--target", "0.50,1/2,0")
+    equal(shown.texts["gradus-command"], "gradus render letter_f.obj --size 80x60 --target 0.5,1/2,0 --background none", "command")
+    equal(shown.texts["Title"], "letter_f.obj, rendered", "title")
+    check(re.fullmatch(r"letter_f.obj: 12 faces, 36 triangles, seen from \S+, 80 x 60 pixels\.", shown.texts["Description"]),
+          shown.texts["Description"])
+    check(re.fullmatch(r"fnv1a:\w{16} fnv1a:\w{16}", shown.texts["gradus-input-hash"]), "hashes of model and materials")
+    check(shown.texts["Software"].startswith("gradus ") and shown.texts["Copyright"] == "CC0-1.0", "as in figures")
+
+
+def test_bad_commands():
+    size = "--size: expected a width and a height like 800x600, of 1 to 8192 pixels, found "
+    three = "expected three numbers like 3,2,4, none larger than 1e30, found "
+    fov = "--fov: expected the vertical angle of view, 0.001 to 179.999 degrees, found "
+    out = ["-o", "x.png"]
+    cases = [
+        ([], "render: expected a MODEL.obj, found none (`gradus render --help` shows examples)"),
+        ([SPOT], "-o: expected a file like model.png, or - for standard output, found none"),
+        ([SPOT, LETTER, *out], re.compile("render: expected only a MODEL.obj, found '.*letter_f.obj'")),
+        ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png, found 'x.svg'"),
+        ([SPOT, "-o", "x"], "-o: expected a name that ends in .png, found 'x'"),
+        ([SPOT, "-o", "none/x.png"], "-o: expected a folder that exists, found 'none'"),
+        ([SPOT, "-o", "."], "-o: expected a file's name, found '.'"),
+        (["none.obj", *out], "MODEL: expected a readable file, found 'none.obj' (No such file or directory)"),
+        ([".", *out], "MODEL: expected a readable file, found '.' (Is a directory)"),
+        *[([SPOT, *out, "--size", text], size + f"'{text}'")
+          for text in ("0x5", "5x0", "800", "800x", "x600", "8193x1", "1x8193", "-5x5", "8.5x5", "axb", "5x5x5", "4:3",
+                       "99999999999999999999x1")],
+        ([SPOT, *out, "--size", "8192x8192"], "--size: expected at most 33554432 pixels in all, found '8192x8192' with 67108864"),
+        *[([SPOT, *out, "--" + flag, text], f"--{flag}: {three}'{text}'")
+          for flag in ("eye", "target", "up", "light")
+          for text in ("1,2", "1,2,3,4", "1,2,x", "nan,0,0", "0,inf,0", "1e31,0,0", "1 2 3", "(1,2,3", ",,", "1,,2", "0x1,2,3")],
+        ([SPOT, *out, "--up", "0,-0,0"], "--up: expected a direction like 0,1,0, found 0,0,0"),
+        ([SPOT, *out, "--eye", "1,2,3", "--target", "1,2,3"], "--target: expected another point than the eye 1,2,3, found 1,2,3"),
+        ([SPOT, *out, "--eye", "1e20,0,0", "--target", "1e20,0,0.0"], "--target: expected another point than the eye 1e+20,0,0, found 1e+20,0,0"),
+        ([SPOT, *out, "--eye", "0,0,5", "--target", "0,0,0", "--up", "0,0,-2"],
+         "--up: expected a direction that is not along the view from 0,0,5 to 0,0,0, found 0,0,-2"),
+        *[([SPOT, *out, "--fov", text], fov + f"'{text}'") for text in ("0", "180", "-40", "nan", "inf", "1e-9", "forty", "40,5")],
+        ([SPOT, *out, "--background", "blurple"], re.compile("--background: expected .*#rrggbb.*, found 'blurple'.*")),
+        ([SPOT, *out, "--background", "#12345"], re.compile("--background: expected .*#rrggbb.*, found '#12345'.*")),
+        ([SPOT, *out, "--step", "3"], re.compile("render: expected one of --output, --size, .*, found '--step'.*")),
+        ([SPOT, *out, "--eye"], "--eye: expected X,Y,Z, found none"),
+        ([SPOT, *out, "--eye", "1,2,3", "--eye", "1,2,3"], "--eye: expected one value, found '1,2,3' and '1,2,3'"),
+    ]
+    for words, message in cases:
+        result = gradus("render", *words)
+        equal((result.code, result.bytes), (2, b""), f"render {words}")
+        text = result.err.removeprefix("gradus: ").removesuffix("\n")
+        check(message.fullmatch(text) if isinstance(message, re.Pattern) else text == message, f"{words}\n    {message}\n    {text}")
+        equal(os.listdir("."), [], f"render {words} leaves nothing")
+    print(f"bad commands: {len(cases)}")
+    shutil.copy(SPOT, "model.png")
+    result = gradus("render", "model.png", "-o", "model.png")
+    equal((result.code, result.err), (2, "gradus: -o: expected another file than the input, found 'model.png'\n"), "over the model")
+    equal(read("model.png"), read(SPOT), "the model is whole")
+    shutil.copy(LETTER, "letter_f.obj"), shutil.copy(MODELS / "letter_f.mtl", "letter_f.png")
+    write("letter_f.obj", read("letter_f.obj").replace(b"letter_f.mtl", b"letter_f.png"))
+    result = gradus("render", "letter_f.obj", "-o", "letter_f.png")
+    equal((result.code, result.err), (2, "gradus: -o: expected another file than the input, found 'letter_f.png'\n"), "over the materials")
+    if os.path.exists("/dev/full"):
+        with open("/dev/full", "wb") as full:
+            result = gradus("render", SPOT, "-o", "-", stdout=full)
+        check(result.code == 1 and "No space left" in result.err, f"a full disk: {result.err}")
+
+
+def test_broken_models():
+    good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    cases = {  # text -> where the mistake is
+        good + "f 1 2 4\n": "m.obj:4: ", good + "f 1 2\n": "m.obj:4: ", "v 0 nan 0\n": "m.obj:1: ", good: "m.obj: ", "": "m.obj: ",
+        good + "\nf 1 2 0\n": "m.obj:5: ", good + "bogus\n": "m.obj:4: ", "v 0 0\n": "m.obj:1: ",
+        good + "f 1 2 -4\n": "m.obj:4: ", "\x00\x01": "m.obj",
+    }
+    for text, place in cases.items():
+        write("m.obj", text)
+        result = gradus("render", "m.obj", "-o", "m.png")
+        check(result.code == 2 and result.err.startswith(f"gradus: {place}") and result.err.count("\n") == 1, f"{text!r}: {result.err}")
+        equal(os.listdir("."), ["m.obj"], f"{text!r} leaves nothing")
+        result = gradus("render", "-", "-o", "-", stdin=text.encode())
+        check(result.code == 2 and result.bytes == b"" and result.err.startswith("gradus: standard input"), result.err)
+    write("m.obj", "mtllib m.mtl\nusemtl red\n" + good + "f 1 2 3\n")
+    write("m.mtl", "newmtl red\nKd 1 0 x\n")
+    result = gradus("render", "m.obj", "-o", "m.png")
+    check(result.code == 2 and "m.mtl:2: " in result.err, f"a broken library: {result.err}")
+    os.remove("m.mtl")
+    result = gradus("render", "m.obj", "-o", "m.png")
+    check(result.code == 0 and "m.obj:1: " in result.err and result.err.endswith("\nm.png\n"), f"a missing library is a remark: {result.err}")
+    write("m.mtl", "newmtl red\nKd 1 0 0\nmap_Kd wood.png\n")
+    result = gradus("render", "m.obj", "-o", "m.png")
+    check("textures are not drawn: 'wood.png' of material 'red'" in result.err, result.err)
+
+
+# --- Again ------------------------------------------------------------------------------------------------------
+
+def refused(message, *words):
+    before = sorted(os.listdir("."))
+    result = gradus("again", *words)
+    equal((result.code, result.bytes), (2, b""), f"again {words}")
+    check(re.fullmatch(f"gradus: {message}\n", result.err), f"again {words}: {result.err}")
+    equal(sorted(os.listdir(".")), before, f"again {words} leaves nothing")
+
+
+def test_again():
+    for name in ("letter_f.obj", "letter_f.mtl"):
+        shutil.copy(MODELS / name, name)
+    gradus("render", "letter_f.obj", "-o", "f.png", "--size", "80x60", "--eye", "-1,1,-4", "--background", "navy")
+    equal((gradus("again", "f.png").code, read("f-again.png")), (0, read("f.png")), "made again, byte by byte")
+    equal(gradus("again", "-", stdin=read("f.png")).bytes, read("f.png"), "from standard input to standard output")
+    os.mkdir("elsewhere")
+    shutil.copy("f.png", "elsewhere/f.png")
+    equal((gradus("again", "elsewhere/f.png", "-o", "g.png").code, read("g.png")), (0, read("f.png")), "with the model here")
+    os.chdir("elsewhere")
+    refused("MODEL: expected the file 'letter_f.obj' beside the figure or in the current folder, found none", "f.png")
+    equal(gradus("again", "../f.png", "-o", "g.png").code, 0, "with the model beside the picture")
+    equal(read("g.png"), read("../f.png"), "with the model beside the picture")
+    os.chdir("..")
+    gradus("again", "f.png", "-o", "big.png", "--size", "160x120", "--background", "none")
+    gradus("render", "letter_f.obj", "-o", "other.png", "--size", "160x120", "--eye", "-1,1,-4", "--background", "none")
+    equal(read("big.png"), read("other.png"), "larger, on another ground")
+    refused("--theme: expected a figure, found the rendered picture 'f.png'", "f.png", "--theme", "dark")
+    refused("--label: expected a figure, found the rendered picture 'f.png'", "f.png", "--label", "p=d")
+    refused("-o: expected a name that ends in .png, found 'f.svg'", "f.png", "-o", "f.svg")
+    refused("-o: expected another file than the input, found 'f.png'", "f.png", "-o", "f.png")
+    write("letter_f.mtl", read("letter_f.mtl") + b"\n")
+    refused(r"again: expected the input with which the figure was made \(.*\), found fnv1a:\S+ fnv1a:\S+", "f.png")
+    os.remove("letter_f.mtl")
+    refused(r"again: expected the input with which the figure was made \(.*\), found fnv1a:\S+", "f.png")
+    write("letter_f.obj", read("letter_f.obj") + b"\n")
+    refused(r"MODEL: expected the file with which the figure was made \(.*\), found another 'letter_f.obj'", "f.png")
+    write("piped.png", gradus("render", "-", "-o", "-", stdin=read(SPOT)).bytes)
+    refused("again: expected a picture of a model from a file, found one from standard input", "piped.png")
+    for number, command in enumerate(("gradus render --help", "gradus render a.obj -o b.png", "gradus render", "gradus list x",
+                                      "gradus render a.obj b.obj", "rm -rf x")):
+        name = f"evil{number}.png"
+        write(name, png({"gradus-command": command}))
+        refused("(again|render): expected .*, found .*", name)
+    write("walk.png", png({"gradus-command": f"gradus render ../../{SPOT}", "gradus-input-hash": "x"}))
+    refused("MODEL: expected the file 'spot.obj' beside the figure or in the current folder, found none", "walk.png")
+
+
+def test_speed():
+    times = []
+    for _ in range(5):
+        start = time.perf_counter()
+        gradus("render", SPOT, "-o", "a.png", "--size", "800x600")
+        times.append(1000 * (time.perf_counter() - start))
+    print(f"spot at 800x600: {min(times):.0f} ms (best of {len(times)}, process start included)")
+    check(min(times) < 1500, "a picture is quick")
+
+
+def main():
+    write_torus()
+    if "--write" in sys.argv:
+        RENDERS.mkdir(exist_ok=True)
+        for name, words in REFERENCES.items():
+            gradus("render", *words, "--size", "160x120", "-o", str(RENDERS / f"{name}.png"))
+        return 0
+    for test in [value for name, value in globals().items() if name.startswith("test_")]:
+        folder = tempfile.mkdtemp(prefix="gradus_render_")
+        os.chdir(folder)
+        try:
+            test()
+        except Exception as error:  # one broken test must not hide the others
+            check(False, f"{test.__name__}: {type(error).__name__}: {error}")
+        finally:
+            os.chdir("/")
+            shutil.rmtree(folder, ignore_errors=True)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,337 @@
+// `gradus render`: a picture of a model, by the textbook chain.
+
+#include "cli/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "cairo/image_file.hpp"
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/names.hpp"
+#include "core/colour.hpp"
+#include "pipeline.hpp"
+#include "scene/framing.hpp"
+#include "scene/obj.hpp"
+#include "scene/view.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(std::string_view flag, const std::string& expected, std::string_view found) {
+  throw UsageError(fmt::format("--{}: expected {}, found {}", flag, expected, found));
+}
+
+// --- The flags ---------------------------------------------------------------------------------------------
+
+constexpr std::int64_t most_side = 8192, most_pixels = 1 << 25;
+constexpr double least_degrees = 0.001, most_degrees = 179.999;
+constexpr double largest_coordinate = 1e30;  // as in models
+
+/// What the flags say.
+struct Wish {
+  pipeline::Size size;
+  pipeline::View view;
+  std::optional<dvec3> light;
+  std::optional<Rgba8> background;
+  bool transparent = false;
+  std::string said;  ///< the flags in their canonical spelling, " --size 640x480"
+};
+
+std::optional<Number> number_in(std::string_view text) {
+  const Read<Number> read = read_number(text);
+  const Number* number = std::get_if<Number>(&read);
+  return number ? std::optional(*number) : std::nullopt;
+}
+
+/// "3,2,4" or "(3, 2, 4)".
+std::optional<std::array<Number, 3>> triple_in(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+  const std::size_t first = text.find(','), second = text.find(',', std::min(first, text.size() - 1) + 1);
+  if (second == std::string_view::npos || first == second) return std::nullopt;
+  const auto x = number_in(text.substr(0, first)), y = number_in(text.substr(first + 1, second - first - 1)),
+             z = number_in(text.substr(second + 1));
+  if (!x || !y || !z) return std::nullopt;
+  return std::array{*x, *y, *z};
+}
+
+/// Reads the flags one after the other, and writes down what they say.
+class WishReader {
+ public:
+  explicit WishReader(const std::map<std::string, std::string>& flags) : flags_(flags) {}
+
+  Wish read() {
+    read_size();
+    wish_.view.eye = vector("eye");
+    wish_.view.target = vector("target");
+    wish_.view.up = vector("up");
+    if (wish_.view.up == dvec3{0}) refuse("up", "a direction like 0,1,0", "0,0,0");
+    read_fov();
+    wish_.light = vector("light");
+    read_background();
+    return std::move(wish_);
+  }
+
+ private:
+  const std::string* given(const std::string& flag) const {
+    const auto found = flags_.find(flag);
+    return found == flags_.end() ? nullptr : &found->second;
+  }
+
+  void say(std::string_view flag, std::string_view value) {
+    wish_.said += fmt::format(" --{} {}", flag, shell_quoted(value));
+  }
+
+  void read_size() {
+    const std::string* text = given("size");
+    if (!text) return;
+    const std::string word = folded(trimmed(*text));
+    const std::size_t cross = std::min(word.find('x'), word.size());
+    const auto width = whole_number(word.substr(0, cross)),
+               height = whole_number(word.substr(std::min(cross + 1, word.size())));
+    const auto fits = [](const auto& side) { return side && 1 <= *side && *side <= most_side; };
+    if (!fits(width) || !fits(height)) {
+      refuse("size", fmt::format("a width and a height like 800x600, of 1 to {} pixels", most_side),
+             shown(*text));
+    }
+    if (*width * *height > most_pixels) {
+      refuse("size", fmt::format("at most {} pixels in all", most_pixels),
+             fmt::format("{} with {}", shown(*text), *width * *height));
+    }
+    wish_.size = {static_cast<int>(*width), static_cast<int>(*height)};
+    const std::string canonical = fmt::format("{}x{}", *width, *height);
+    if (canonical != "800x600") say("size", canonical);
+  }
+
+  std::optional<dvec3> vector(const std::string& flag) {
+    const std::string* text = given(flag);
+    if (!text) return std::nullopt;
+    const auto numbers = triple_in(*text);
+    const auto fits = [](const Number& n) { return std::abs(n.value) <= largest_coordinate; };
+    if (!numbers || !std::ranges::all_of(*numbers, fits)) {
+      refuse(flag, "three numbers like 3,2,4, none larger than 1e30", shown(*text));
+    }
+    const auto& [x, y, z] = *numbers;
+    say(flag, fmt::format("{},{},{}", x.text, y.text, z.text));
+    return dvec3{x.value, y.value, z.value};
+  }
+
+  void read_fov() {
+    const std::string* text = given("fov");
+    if (!text) return;
+    const auto degrees = number_in(*text);
+    if (!degrees || !(least_degrees <= degrees->value && degrees->value <= most_degrees)) {
+      refuse("fov", fmt::format("the vertical angle of view, {} to {} degrees", least_degrees, most_degrees),
+             shown(*text));
+    }
+    if (degrees->value == 40) return;
+    wish_.view.vertical_radians = degrees->value * 3.141592653589793 / 180;
+    say("fov", degrees->text);
+  }
+
+  void read_background() {
+    const std::string* text = given("background");
+    if (!text) return;
+    wish_.transparent = folded(trimmed(*text)) == "none";
+    if (wish_.transparent) return say("background", "none");
+    const Parameter parameter{"background", ParameterType::color, "", "", ""};
+    Arguments read;
+    read.set({.name = "background", .text = canonical(parameter, *text)});
+    wish_.background = read.color("background");
+    if (wish_.background != Rgba8{255, 255, 255}) say("background", read.text("background"));
+  }
+
+  const std::map<std::string, std::string>& flags_;
+  Wish wish_;
+};
+
+// --- The model ---------------------------------------------------------------------------------------------
+
+struct Input {
+  pipeline::ModelFile model;
+  std::string name;    ///< without folders
+  std::string hashes;  ///< of the model and its libraries, in the order in which they were read
+  std::vector<std::string> files;
+};
+
+Input read_model(const std::string& operand, const FindFile& find) {
+  Input input;
+  const auto take = [&input](const std::string& path) {
+    std::string bytes = read_input(path, "MODEL");
+    input.hashes += (input.hashes.empty() ? "" : " ") + fingerprint(bytes);
+    input.files.push_back(path);
+    return bytes;
+  };
+  const bool from_stdin = operand == dash;
+  const std::string path = from_stdin ? operand : find(operand, "MODEL");
+  const fs::path folder = from_stdin ? fs::path() : fs::path(path).parent_path();
+  const std::string text = take(path);
+  input.name = from_stdin ? operand : fs::path(operand).filename().string();
+  input.model = pipeline::parse_obj(
+      text, from_stdin ? "standard input" : path, [&](const std::string& name) -> std::optional<std::string> {
+        std::string library = name;
+        std::ranges::replace(library, '\\', '/');  // written on Windows
+        const std::string beside = (folder / library).string();
+        std::error_code error;
+        return fs::exists(beside, error) ? std::optional(take(beside)) : std::nullopt;
+      });
+  return input;
+}
+
+// --- The scene ---------------------------------------------------------------------------------------------
+
+std::string text_of(dvec3 v) { return fmt::format("{:.4g},{:.4g},{:.4g}", v.x, v.y, v.z); }
+
+/// Throws UsageError for flags that leave the picture undetermined.
+Camera camera_for(const pipeline::Object& object, const pipeline::View& view, double aspect) {
+  const pipeline::Aim aim = pipeline::aim_of(object, view, aspect);
+  if (!leads_somewhere(aim)) {
+    if (view.target) refuse("target", "another point than the eye " + text_of(aim.eye), text_of(aim.target));
+    refuse("eye", "another point than the target, the middle of the model", text_of(aim.eye));
+  }
+  if (!tells_upright(aim)) {
+    refuse("up",
+           fmt::format("a direction that is not along the view from {} to {}", text_of(aim.eye),
+                       text_of(aim.target)),
+           text_of(aim.up));
+  }
+  return camera_of(aim, view.vertical_radians, object);
+}
+
+pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) {
+  pipeline::Scene scene;
+  scene.objects.push_back(pipeline::object_of(std::move(mesh), name));
+  scene.camera =
+      camera_for(scene.objects[0], wish.view, static_cast<double>(wish.size.width) / wish.size.height);
+  scene.lights = pipeline::default_lights(scene.camera);
+  if (wish.light) {
+    Light lamp;
+    lamp.position = *wish.light;
+    lamp.intensity = Rgb{0.85f};
+    scene.lights = {lamp};
+  }
+  if (wish.background) scene.background = linear_from_srgb8(*wish.background);
+  return scene;
+}
+
+// --- The picture -------------------------------------------------------------------------------------------
+
+/// The picture, and how many of its pixels show the model.
+struct Picture {
+  Image image;
+  std::int64_t covered = 0;
+};
+
+Picture picture_of(const pipeline::Scene& scene, const Wish& wish) {
+  Raster<std::uint8_t> shows_model(wish.size.width, wish.size.height, 0);
+  Picture picture;
+  auto mark = [&](const pipeline::Shaded& pixel) {
+    shows_model[pixel.fragment.pixel] = 1;
+    ++picture.covered;
+  };
+  picture.image = pipeline::render(scene, wish.size, only<pipeline::Shaded>(mark));
+  for (int y = 0; wish.transparent && y < wish.size.height; ++y) {
+    for (int x = 0; x < wish.size.width; ++x) {
+      if (!shows_model[{x, y}]) picture.image[{x, y}] = {0, 0, 0, 0};
+    }
+  }
+  return picture;
+}
+
+std::string counted(std::int64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+Colophon colophon_of(const Input& input, const pipeline::Scene& scene, const Wish& wish) {
+  const std::string name = input.name == dash ? "a model" : input.name;
+  const Mesh& mesh = scene.objects[0].mesh;
+  return {fmt::format("{}, rendered", name),
+          fmt::format("{}: {}, {}, seen from {}, {} x {} pixels.", name,
+                      counted(static_cast<std::int64_t>(mesh.faces.size()), "face"),
+                      counted(triangle_count(mesh), "triangle"), text_of(scene.camera.frame.eye),
+                      wish.size.width, wish.size.height),
+          fmt::format("gradus render {}{}", shell_quoted(input.name), wish.said), input.hashes};
+}
+
+/// What the reader of the model left out; of much the beginning.
+std::vector<std::string> remarks_on(const Input& input) {
+  constexpr std::size_t most = 5;
+  const std::vector<std::string>& notes = input.model.notes;
+  std::vector<std::string> remarks(notes.begin(),
+                                   notes.begin() + static_cast<std::ptrdiff_t>(std::min(notes.size(), most)));
+  if (notes.size() > most)
+    remarks.push_back(fmt::format("and {} more remarks like these", notes.size() - most));
+  const auto textured = std::ranges::find_if(input.model.mesh.materials,
+                                             [](const Material& m) { return !m.diffuse_map.file.empty(); });
+  if (textured != input.model.mesh.materials.end()) {
+    remarks.push_back(fmt::format("render: textures are not drawn: {} of material {}",
+                                  shown(textured->diffuse_map.file), shown(textured->name)));
+  }
+  return remarks;
+}
+
+/// Why there is nothing to be seen.
+std::string empty_remark(const pipeline::Scene& scene) {
+  const Mesh& mesh = scene.objects[0].mesh;
+  const bool behind = std::ranges::all_of(mesh.corners, [&](const Corner& corner) {
+    const Frame<double>& frame = scene.camera.frame;
+    return glm::dot(frame.forward, position_of(mesh, corner) - frame.eye) <= 0;
+  });
+  return behind ? "render: the whole model lies behind the eye: the picture shows the background alone"
+                : "render: no pixel shows the model: the picture shows the background alone";
+}
+
+}  // namespace
+
+Rendered rendered(const Request& request, const FindFile& find) {
+  const Wish wish = WishReader(request.flags).read();
+  Input input = read_model(request.operands.at(0), find);
+  Rendered result{"", {}, input.files, remarks_on(input)};
+  const pipeline::Scene scene = scene_for(std::move(input.model.mesh), input.name, wish);
+  result.colophon = colophon_of(input, scene, wish);
+  const Picture picture = picture_of(scene, wish);
+  if (picture.covered == 0) result.remarks.push_back(empty_remark(scene));
+  result.png = png_of(picture.image, result.colophon);
+  return result;
+}
+
+void check_picture_output(const std::string& output) {
+  check_output(output, {});
+  if (output == dash && is_terminal(Stream::out)) {
+    throw UsageError("-o: expected a file or a pipe for png, found a terminal");
+  }
+  if (output != dash && folded(fs::path(output).extension().string()) != ".png") {
+    throw UsageError(fmt::format("-o: expected a name that ends in .png, found {}", shown(output)));
+  }
+}
+
+void write_rendered(const Rendered& picture, const std::string& output, bool quiet) {
+  check_output(output, picture.files);
+  write_output(output, picture.png);
+  if (quiet) return;
+  for (const std::string& remark : picture.remarks) note(remark);
+  if (output != dash) note(output);
+}
+
+int render(const Request& request) {
+  const auto output = request.flags.find("output");
+  if (output == request.flags.end()) {
+    throw UsageError("-o: expected a file like model.png, or - for standard output, found none");
+  }
+  check_picture_output(output->second);
+  write_rendered(rendered(request), output->second, request.quiet());
+  return 0;
+}
+
+}  // namespace gradus::cli
