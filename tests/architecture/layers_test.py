@@ -28,6 +28,7 @@ PACKAGES = {
     "nlohmann/": "visualize/web/json.cpp",
     "boost/": "algorithms/core/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
+    "tiny_obj_loader.h": "tests/",
 }
 ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h")  # heavy or confined: a single .cpp
 ORACLES = ("boost/", "png.h", "nlohmann/")  # tests use them too
