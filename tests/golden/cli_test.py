@@ -398,7 +398,7 @@ def test_wrong_input():
         ([*line, *out, "--label", "p"], "--label: expected a symbol and a name for it like p=d, found 'p'"),
         ([*line, *out, "--label", "p="], "--label: expected a text, found ''"),
         ([*line, *out, "--label", "p=\u2603"], "--label: expected letters that can be drawn (the figures' fonts have no glyph for U+2603), found '\u2603'"),
-        ([*line, *out, "--title", "a\nb"], "--title: expected letters that can be drawn (the figures' fonts have no glyph for U+000A), found 'a\\nb'"),
+        ([*line, *out, "--title", "a\nb"], "--title: expected a text on one line, found 'a\\nb'"),
         ([*line, *out, "--language", "xx"], "--language: expected one of en, de, found 'xx'"),
         # snippets
         ([*line, *out, "--snippet", "beamer"], "--snippet: expected pdf, png to show in beamer, found svg"),
