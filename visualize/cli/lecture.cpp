@@ -143,7 +143,10 @@ std::string way(const std::string& path, const std::string& key) {
 
 class Reader {
  public:
-  explicit Reader(const LectureFile& file) : file_(file) { lecture_.file = file.name; }
+  Reader(const LectureFile& file, const std::map<std::string, std::string>& instead)
+      : file_(file), instead_(instead) {
+    lecture_.file = file.name;
+  }
 
   Lecture read() {
     const JsonNode root = read_json(file_.text, file_.name);
@@ -481,6 +484,7 @@ class Reader {
       figure.places[folded(name)] = given.place;
       if (name == "caption") figure.caption = given.text;
     }
+    for (const auto& [name, text] : instead_) figure.request.flags[name] = text;
     for (const auto& [symbol, given] : settings.labels) {
       // The lecture's own labels are for those topics that have the symbol
       if (is_default(given) && !has_symbol(figure.request.topic, symbol)) continue;
@@ -565,6 +569,7 @@ class Reader {
   }
 
   const LectureFile& file_;
+  const std::map<std::string, std::string>& instead_;  ///< flags
   Lecture lecture_;
   std::set<const TopicEntry*> topics_;  ///< of all figures, also those that are not whole
 };
@@ -606,7 +611,9 @@ std::string LectureFigure::contents() const {
   return text;
 }
 
-Lecture read_lecture(const LectureFile& file) { return Reader(file).read(); }
+Lecture read_lecture(const LectureFile& file, const std::map<std::string, std::string>& instead) {
+  return Reader(file, instead).read();
+}
 
 bool is_about_input(const std::exception& error) {
   return dynamic_cast<const UsageError*>(&error) || dynamic_cast<const ArgumentError*>(&error) ||
