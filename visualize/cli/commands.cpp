@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/errors.hpp"
 #include "cli/names.hpp"
 #include "stories/point_text.hpp"
@@ -54,6 +56,16 @@ const std::vector<Flag> outputs{
 
 std::vector<Flag> joined(std::vector<Flag> flags, std::initializer_list<std::vector<Flag>> more) {
   for (const std::vector<Flag>& some : more) flags.insert(flags.end(), some.begin(), some.end());
+  return flags;
+}
+
+/// The looks that one may want of a whole lecture, whatever it says itself.
+std::vector<Flag> same_for_all() {
+  std::vector<Flag> flags;
+  for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
+    flags.push_back(*std::ranges::find(looks, name, &Flag::name));
+  }
+  flags.push_back(*std::ranges::find(words, "language", &Flag::name));
   return flags;
 }
 
@@ -114,14 +126,17 @@ std::vector<Command> all_commands() {
        0,
        1,
        false,
-       {with_help(output, "the folder; default out"),
-        {"check", 0, "", "reads the lecture and reports every problem; draws nothing"},
-        {"schema", 0, "", "prints the JSON Schema of lectures, for editors that check while you type"},
-        {"only", 0, "GLOB", "only figures or topics with such a name; * and ? stand for any letters"},
-        {"jobs", 'j', "N", "how many at once; default: the usable cores"},
-        {"force", 'f', "", "all anew"}},
+       joined({with_help(output, "the folder; default out"),
+               {"check", 0, "", "reads the lecture and reports every problem; draws nothing"},
+               {"schema", 0, "", "prints the JSON Schema of lectures, for editors that check while you type"},
+               {"only", 0, "GLOB", "only figures or topics with such a name; * and ? stand for any letters"},
+               {"jobs", 'j', "N", "how many at once; default: the usable cores"},
+               {"force", 'f', "", "all anew"},
+               {"zip", 0, "", "packs the folder into one file beside it, for a learning platform"}},
+              {same_for_all()}),
        {"gradus figures -o out/", "gradus figures my_lecture.json -o out/",
         "gradus figures my_lecture.json --check", "gradus figures -o out/ --only 'TOPIC*'",
+        "gradus figures my_lecture.json -o dark/ --theme dark --size 4:3", "gradus figures -o out/ --zip",
         "gradus figures -o out/ --jobs 2 --force"}},
       {"render",
        "a MODEL.obj",

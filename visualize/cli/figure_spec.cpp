@@ -32,6 +32,7 @@ std::size_t chosen(std::string_view flag, std::string_view text, const Texts& na
 std::string drawable(std::string_view flag, std::string_view text, Face face) {
   const std::string_view word = trimmed(text);
   if (word.empty()) refuse(flag, "a text", text);
+  if (word.find('\n') != std::string_view::npos) refuse(flag, "a text on one line", text);
   if (const auto missing = missing_glyph(word, face)) {
     refuse(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), text);
   }
@@ -320,7 +321,7 @@ SymbolLabel label_in(const std::string& text, const Texts& symbols) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse("label", "a symbol and a name for it like p=d", text);
   const std::string symbol(trimmed(std::string_view(text).substr(0, equals)));
-  if (std::ranges::find(symbols, symbol) == symbols.end()) {
+  if (!symbols.empty() && std::ranges::find(symbols, symbol) == symbols.end()) {
     throw UsageError(fmt::format("--label: expected one of the symbols {}, found {}{}",
                                  fmt::join(symbols, ", "), shown(symbol), suggestion(symbol, symbols)));
   }
@@ -329,7 +330,8 @@ SymbolLabel label_in(const std::string& text, const Texts& symbols) {
 
 void apply_labels(FigureSpec& spec, const Texts& given) {
   std::vector<SymbolLabel> labels = spec.wording.labels();
-  const Texts symbols = topic_symbols(spec.topic->name);
+  if (given.empty()) return;
+  const Texts symbols = spec.topic ? topic_symbols(spec.topic->name) : Texts{};
   for (const std::string& text : given) {
     const SymbolLabel label = label_in(text, symbols);
     std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });

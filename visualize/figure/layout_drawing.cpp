@@ -336,11 +336,14 @@ class DrawingLayout {
     return {std::clamp(anchor.x, label.x, label.right()), std::clamp(anchor.y, label.y, label.bottom())};
   }
 
-  /// A label that touches another marked cell than its own seems to name that one.
+  /// A label that touches another marked cell than its own, or stands in its row, seems to name that one.
   double ambiguity(dvec2 anchor, const Box& label) const {
     double cost = 0;
+    const double row = label.y + label.height / 2;
     for (const Box& cell : taken_) {
-      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && overlap(grown(label, 7 * s_), cell)) cost += 60 * s_;
+      if (inside({anchor.x, anchor.y, 0, 0}, cell)) continue;
+      const bool in_its_row = cell.y < row && row < cell.bottom() && overlap(grown(label, 16 * s_), cell);
+      if (in_its_row || overlap(grown(label, 7 * s_), cell)) cost += (in_its_row ? 150 : 60) * s_;
     }
     return cost;
   }
@@ -431,6 +434,8 @@ class DrawingLayout {
     std::swap(crowded_, step_crowded);
     strokes_ = step_strokes;
     if (outside_) place(*outside_, std::get<Label>(outside_->shape), 12 * s_, 2 * s_);
+    // What was chosen and what was not have the first pick, a length the last
+    std::ranges::stable_partition(labels_, [](const auto& l) { return l.first->role != Role::measure; });
     for (const auto& [mark, label] : labels_) place(*mark, *label, gap, 2 * s_);
   }
 
