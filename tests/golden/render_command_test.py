@@ -300,12 +300,16 @@ def test_every_model():
 def test_examples_run():
     os.symlink(ROOT / "examples", "examples")
     examples = re.findall(r"^  (gradus render .*)$", gradus("render", "--help").bytes.decode(), re.M)
-    check(len(examples) >= 5, f"examples to paste: {examples}")
+    examples += re.findall(r"^(gradus render .*)$", (ROOT / "docs/rendering.md").read_text(), re.M)
+    check(len(examples) >= 7, f"examples to paste: {examples}")
     for line in examples:
         result = subprocess.run(line.replace("gradus", f"'{GRADUS}'", 1), shell=True, capture_output=True)
         target = line.split("> ")[-1] if ">" in line else re.search(r"-o (\S+)", line)[1]
         equal(result.returncode, 0, f"{line}: {result.stderr}")
         check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
+    for name in ("f.png", "spot.png"):
+        check(differing(Picture(read(name)), Picture(read(ROOT / "docs/rendering" / name))) <= SHARE,
+              f"docs/rendering/{name} is what its command makes")
     overview = gradus("--help").bytes.decode()
     check("gradus render examples/models/letter_f.obj" in overview and re.search(r"^  render +\S", overview, re.M), overview)
     check("gradus render" in gradus("list").bytes.decode(), "gradus list tells where models are")
