@@ -415,6 +415,10 @@ def test_broken_models():
     os.remove("m.mtl")
     result = gradus("render", "m.obj", "-o", "m.png")
     check(result.code == 0 and "m.obj:1: " in result.err and result.err.endswith("\nm.png\n"), f"a missing library is a remark: {result.err}")
+    os.mkdir("m.mtl")
+    equal(gradus("render", "m.obj", "-o", "m2.png").err, "gradus: mtllib: expected a readable file, found 'm.mtl' (Is a directory)\n",
+          "a folder as a library")
+    os.rmdir("m.mtl")
     write("m.mtl", "newmtl red\nKd 1 0 0\nmap_Kd wood.png\n")
     result = gradus("render", "m.obj", "-o", "m.png")
     check("textures are not drawn: 'wood.png' of material 'red'" in result.err, result.err)

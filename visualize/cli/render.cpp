@@ -167,8 +167,8 @@ struct Input {
 
 Input read_model(const std::string& operand, const FindFile& find) {
   Input input;
-  const auto take = [&input](const std::string& path) {
-    std::string bytes = read_input(path, "MODEL");
+  const auto take = [&input](const std::string& path, std::string_view what) {
+    std::string bytes = read_input(path, what);
     input.hashes += (input.hashes.empty() ? "" : " ") + fingerprint(bytes);
     input.files.push_back(path);
     return bytes;
@@ -176,7 +176,7 @@ Input read_model(const std::string& operand, const FindFile& find) {
   const bool from_stdin = operand == dash;
   const std::string path = from_stdin ? operand : find(operand, "MODEL");
   const fs::path folder = from_stdin ? fs::path() : fs::path(path).parent_path();
-  const std::string text = take(path);
+  const std::string text = take(path, "MODEL");
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
   input.model = pipeline::parse_obj(
       text, from_stdin ? "standard input" : path, [&](const std::string& name) -> std::optional<std::string> {
@@ -184,7 +184,7 @@ Input read_model(const std::string& operand, const FindFile& find) {
         std::ranges::replace(library, '\\', '/');  // written on Windows
         const std::string beside = (folder / library).string();
         std::error_code error;
-        return fs::exists(beside, error) ? std::optional(take(beside)) : std::nullopt;
+        return fs::exists(beside, error) ? std::optional(take(beside, "mtllib")) : std::nullopt;
       });
   return input;
 }
