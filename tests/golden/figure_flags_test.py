@@ -185,6 +185,10 @@ def test_aspects_are_arranged_anew():
                     right = max(right, float(shape["x"]) + float(shape["width"]))
                     bottom = max(bottom, float(shape["y"]) + float(shape["height"]))
         check(right > 0.95 * width and bottom > 0.9 * height, f"{size}: used to {right}, {bottom}")
+        for about in (LINE, ["flood_fill"], ["bresenham_circle"]):
+            shapes = by_id(svg(figure("--size", size, "--svg-text", "text", to="a.svg", about=about)))
+            margin = float(shapes[("sentence", "bar")][0][1]["x"])
+            check(float(shapes[("drawing", "y axis")][0][1]["x"]) >= margin - 0.01, f"{about[0]} {size}: the axis' name keeps out of the margin")
 
 
 def test_scale():

@@ -213,7 +213,8 @@ class DrawingLayout {
     name_axis("x axis", {x_name, b.bottom() + 26 * s_}, trace_.grid.x_name, Align::left);
     // The arrow behind the name of the rows says where they grow; columns always grow to the right
     const double y_name = text_width(trace_.grid.y_name, Face::italic, text_size * s_);
-    name_axis("y axis", {b.x - 10 * s_ - y_name, b.y - 10 * s_},
+    // A long name may stand over the grid's corner, but not in the margin
+    name_axis("y axis", {std::max(b.x - 10 * s_ - y_name, at_.labels.x), b.y - 10 * s_},
               trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓"), Align::left);
   }
 
