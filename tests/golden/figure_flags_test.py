@@ -693,9 +693,13 @@ def commands_run(commands):
     check(len(commands) > 2, "there are commands")
 
 
-def test_examples_of_the_help():
+def put_a_lecture():
     with open("my_lecture.json", "w") as file:
         json.dump({"figures": [{"topic": "bresenham_line", "input": {"from": "0,0", "to": "9,4"}}]}, file)
+
+
+def test_examples_of_the_help():
+    put_a_lecture()
     commands = []
     for command in ("figure", "again", "figures"):
         for line in gradus(command, "--help").stdout.splitlines():
@@ -707,8 +711,7 @@ def test_examples_of_the_help():
 
 
 def test_commands_of_the_readme():
-    # In its own folder, with what a clone has
-    os.symlink(SOURCE / "examples", "examples")
+    put_a_lecture()
     blocks = re.findall(r"^```\n(.*?)^```", (SOURCE / "README.md").read_text(), re.M | re.S)
     commands = [re.split(r"\s{2,}#", line)[0].strip() for block in blocks for line in block.splitlines() if line.startswith("gradus ")]
     commands_run(commands)

@@ -214,7 +214,7 @@ class DrawingLayout {
     // The arrow behind the name of the rows says where they grow; columns always grow to the right
     const double y_name = text_width(trace_.grid.y_name, Face::italic, text_size * s_);
     // A long name may stand over the grid's corner, but not in the margin
-    name_axis("y axis", {std::max(b.x - 10 * s_ - y_name, at_.labels.x), b.y - 10 * s_},
+    name_axis("y axis", {std::max(b.x - 10 * s_ - y_name, at_.left), b.y - 10 * s_},
               trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓"), Align::left);
   }
 
@@ -651,6 +651,7 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   const double width = cell * static_cast<double>(shown->columns) + (stage.left + stage.right) * s;
   const double height = cell * static_cast<double>(shown->rows) + (axis_above + axis_below) * s;
   scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  scene.left = scene.settled.x;
   scene.frame = {scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells,
                  {scene.settled.x + stage.left * s, scene.settled.y + axis_above * s,
                   width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},
