@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 import jsonschema
 
@@ -205,6 +206,50 @@ def test_two_lectures_do_not_share_a_folder():
     equal(gradus("figures", "./b.json")[2], "0 drawn, 1 unchanged, 0 removed\n", "the same lecture by another path")
     gradus("figures", "-o", "gallery", "--only", "flood_fill_span")
     equal("with those of the built-in gallery" in gradus("figures", "b.json", "-o", "gallery")[2], True, "the gallery's folder")
+
+
+def test_the_shipped_lecture_and_its_slides():
+    lecture = ROOT / "examples/lecture/scan_conversion.json"
+    figures = json.loads(lecture.read_text(encoding="utf-8"))["figures"]
+    equal(len(figures), 12, "figures of the shipped lecture")
+    equal(gradus("figures", str(lecture), "-o", "out", "-q")[:2], (0, "out/index.html\n"), "the shipped lecture")
+    shown = re.findall(r"\\includegraphics(?:<\d+>)?\[page=(\d+),.*?\]\{(.*?)\}",
+                       (ROOT / "examples/lecture/slides.tex").read_text(encoding="utf-8"))
+    pages = {}
+    for page, path in shown:
+        pages.setdefault(path, []).append(int(page))
+    equal(list(pages), [f"{figure['name']}/{figure['name']}.pdf" for figure in figures], "slides of every figure, in order")
+    for path, numbers in pages.items():
+        count = int(subprocess.run(["qpdf", "--show-npages", f"out/{path}"], capture_output=True, check=True).stdout)
+        equal(numbers, list(range(1, count + 1)), f"pages of {path}")
+
+
+def test_looks_for_a_whole_lecture():
+    write("a.json", figures({"labels": {"p": "d"}, "outputs": ["svg"]},
+                            {"topic": "flood_fill", "input": {"maze": ["###", "#.#", "###"], "at": [1, 1]}, "theme": "light",
+                             "outputs": ["svg"]}, size="16:9"))
+    equal(gradus("figures", "a.json", "-o", "dark", "--theme", "dark", "--size", "4:3", "--zip", "-q")[0], 0, "for another room")
+    for name in ("bresenham_line", "flood_fill"):
+        text = pathlib.Path(f"dark/{name}/{name}.svg").read_text(encoding="utf-8")
+        check("--theme dark --size 4:3" in text and 'viewBox="0 0 960 720"' in text, f"{name} in the other look")
+    with zipfile.ZipFile("dark.zip") as packed:
+        equal(packed.testzip(), None, "the zip is whole")
+        equal(sorted(packed.namelist()), sorted(made("dark")), "all of the folder is in it")
+        check(all(packed.read(name) == pathlib.Path("dark", name).read_bytes() for name in packed.namelist()), "as it is")
+    code, out, err = gradus("figures", "a.json", "-o", "new", "--theme", "drak")
+    equal((code, out, err), (2, "", "gradus: --theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did "
+                             "you mean 'dark'?\n"), "a wrong look")
+    check(not os.path.exists("new"), "nothing made")
+
+
+def test_labels_of_a_lecture_serve_its_topics():
+    fill = {"topic": "flood_fill", "input": {"maze": ["#.#"], "at": [1, 0]}, "outputs": ["csv"]}
+    write("a.json", figures({"outputs": ["svg"]}, fill, labels={"p": "d"}))
+    equal(gradus("figures", "a.json", "-q")[0], 0, "a symbol that one of two topics has")
+    write("b.json", figures(fill, labels={"p": "d"}))
+    code, _, err = gradus("figures", "b.json", "--check")
+    equal(code, 2, "a symbol that none has")
+    check("labels.p: expected a symbol of one of the topics, found 'p'" in err, err)
 
 
 def test_from_standard_input():

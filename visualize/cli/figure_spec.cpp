@@ -221,10 +221,18 @@ void check_ground(const FigureSpec& spec) {
   if (!spec.ground) return;
   const auto low = low_contrast(with_paper(*spec.theme, *spec.ground));
   if (!low) return;
-  refuse(
-      "background",
-      fmt::format("a ground on which the {} of theme {} keep {}:1", low->what, spec.theme->name, low->least),
-      fmt::format("#{:06x} with {:.1f}:1", spec.ground->hex, low->found));
+  throw UsageError(fmt::format(
+      "--background: expected a ground on which the {} of theme {} keep {}:1, found '#{:06x}' with {:.1f}:1",
+      low->what, spec.theme->name, low->least, spec.ground->hex, low->found));
+}
+
+/// A picture of this size takes a gigabyte, and H.264 knows no larger one.
+void check_pixels(const FigureSpec& spec) {
+  constexpr double most_pixels = 16'384;
+  const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
+  if (std::max(width, height) <= most_pixels) return;
+  throw UsageError(fmt::format("--scale: expected at most {} pixels a side, found {:.0f} x {:.0f}",
+                               most_pixels, width, height));
 }
 
 std::string read_svg_text(FigureSpec& spec, const std::string& text) {
@@ -389,6 +397,7 @@ void apply_flags(FigureSpec& spec, const Request& request) {
     if (!canonical.empty()) spec.said[reader.name] = canonical;
   }
   check_ground(spec);
+  check_pixels(spec);
   apply_labels(spec, request.labels);
 }
 
@@ -406,8 +415,8 @@ std::string command_of(const FigureSpec& spec) {
   for (const FlagReader& reader : readers) {
     const auto said = spec.said.find(reader.name);
     if (said == spec.said.end()) continue;
-    line += fmt::format(" --{}", reader.name);
-    if (!is_switch(reader.name)) line += " " + shell_quoted(said->second);
+    line += " ";
+    line += is_switch(reader.name) ? fmt::format("--{}", reader.name) : flag_with(reader.name, said->second);
   }
   for (const SymbolLabel& label : spec.wording.labels()) {
     line += " --label " + shell_quoted(fmt::format("{}={}", label.symbol, label.text));

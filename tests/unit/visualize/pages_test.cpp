@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "web/gallery_page.hpp"
 #include "figure/markup.hpp"
+#include "web/gallery_page.hpp"
 #include "web/html.hpp"
 #include "web/topic_page.hpp"
 
