@@ -61,7 +61,7 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   rasterize(
       triangles, width, height, [&](const Fragment& f) { keep_nearest(f, visible, observer); }, observer);
   // 7 Shading
-  const Raster<Rgb> light = shade(scene, triangles, visible, observer);
+  const Raster<LinearRgb> light = shade(scene, triangles, visible, observer);
   // 8 Output
   return output(light, observer);
 }

@@ -42,11 +42,11 @@ std::uint8_t srgb8_from_linear(float light) {
   return static_cast<std::uint8_t>(above - limit.begin());
 }
 
-Rgba8 srgb8_from_linear(Rgb light) {
+Rgba8 srgb8_from_linear(LinearRgb light) {
   return {srgb8_from_linear(light.r), srgb8_from_linear(light.g), srgb8_from_linear(light.b), 255};
 }
 
-Rgb linear_from_srgb8(Rgba8 pixel) {
+LinearRgb linear_from_srgb8(Rgba8 pixel) {
   return {linear_from_srgb8(pixel.r), linear_from_srgb8(pixel.g), linear_from_srgb8(pixel.b)};
 }
 

@@ -18,9 +18,9 @@ float linear_from_srgb8(std::uint8_t value);
 std::uint8_t srgb8_from_linear(float light);
 
 /// An opaque pixel of this colour.
-Rgba8 srgb8_from_linear(Rgb light);
+Rgba8 srgb8_from_linear(LinearRgb light);
 
 /// The colour of a pixel, its alpha not looked at.
-Rgb linear_from_srgb8(Rgba8 pixel);
+LinearRgb linear_from_srgb8(Rgba8 pixel);
 
 }  // namespace gradus

@@ -11,7 +11,7 @@
 namespace gradus {
 
 /// A colour or an amount of light, linear, a component each for red, green and blue; 1 is full white.
-using Rgb = glm::vec3;
+using LinearRgb = glm::vec3;
 
 /// A picture that is laid on a surface. Texture coordinates (0, 0) to (1, 1) cover it, v up.
 struct Texture {
@@ -23,11 +23,11 @@ struct Texture {
 /// a material of its own has: a light grey without a highlight.
 struct Material {
   std::string name = "default";
-  Rgb ambient{0.7f};      ///< k_a: the share of the ambient light, >= 0
-  Rgb diffuse{0.7f};      ///< k_d: the share that is scattered evenly, >= 0
-  Rgb specular{0.0f};     ///< k_s: the share in the highlight, >= 0
-  float shininess = 32;   ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
-  Rgb emission{0.0f};     ///< light of its own, >= 0
+  LinearRgb ambient{0.7f};   ///< k_a: the share of the ambient light, >= 0
+  LinearRgb diffuse{0.7f};   ///< k_d: the share that is scattered evenly, >= 0
+  LinearRgb specular{0.0f};  ///< k_s: the share in the highlight, >= 0
+  float shininess = 32;      ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
+  LinearRgb emission{0.0f};  ///< light of its own, >= 0
   float opacity = 1;      ///< 1 covers all behind it, 0 nothing; the textbook chain draws everything opaque
   Texture diffuse_map{};  ///< multiplies the diffuse part where its file is named
 };
@@ -38,9 +38,9 @@ struct Light {
   enum class Kind { point, directional };
 
   Kind kind = Kind::point;
-  dvec3 position{0};         ///< point: where it stands, world space
-  dvec3 direction{0, 0, 0};  ///< directional: where its light travels to, world space, any length but 0
-  Rgb intensity{1.0f};       ///< what it sends out, >= 0
+  dvec3 position{0};          ///< point: where it stands, world space
+  dvec3 direction{0, 0, 0};   ///< directional: where its light travels to, world space, any length but 0
+  LinearRgb intensity{1.0f};  ///< what it sends out, >= 0
   double constant = 1, linear = 0, quadratic = 0;  ///< attenuation of a point light, >= 0, not all 0
 };
 

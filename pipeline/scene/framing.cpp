@@ -122,9 +122,9 @@ std::vector<Light> default_lights(const Camera& camera) {
   Light key, fill;
   key.kind = fill.kind = Light::Kind::directional;
   key.direction = f.forward + 0.6 * f.right - 0.8 * f.up;
-  key.intensity = Rgb{0.7f};
+  key.intensity = LinearRgb{0.7f};
   fill.direction = f.forward - 1.0 * f.right + 0.5 * f.up;
-  fill.intensity = Rgb{0.25f};
+  fill.intensity = LinearRgb{0.25f};
   return {key, fill};
 }
 

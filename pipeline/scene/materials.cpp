@@ -20,7 +20,7 @@ struct Draft {
   Material finished() const {
     Material done = material;
     if (!has_ambient) done.ambient = done.diffuse;
-    if (!highlight) done.specular = Rgb{0};
+    if (!highlight) done.specular = LinearRgb{0};
     return done;
   }
 };
@@ -32,13 +32,13 @@ double share(Statement& s, std::string_view what) {
 }
 
 /// "r g b", or "r" for all three.
-Rgb colour(Statement& s, std::string_view what) {
+LinearRgb colour(Statement& s, std::string_view what) {
   Statement ahead = s;
   const std::string_view first = ahead.word();
   if (first == "spectral" || first == "xyz")
     s.fail(fmt::format("{} as {} is not read, only as r g b", what, first));
   const auto r = static_cast<float>(share(s, what));
-  if (!s.more()) return Rgb{r};
+  if (!s.more()) return LinearRgb{r};
   const auto g = static_cast<float>(share(s, what));
   const auto b = static_cast<float>(share(s, what));
   s.end(what);

@@ -24,8 +24,8 @@ struct Scene {
   std::vector<Object> objects;
   Camera camera;
   std::vector<Light> lights;
-  Rgb ambient{0.15f};    ///< the light that comes from everywhere
-  Rgb background{1.0f};  ///< where there is nothing
+  LinearRgb ambient{0.15f};    ///< the light that comes from everywhere
+  LinearRgb background{1.0f};  ///< where there is nothing
 };
 
 /// The object of a mesh: missing normals are made, and it is two-sided unless it encloses a body

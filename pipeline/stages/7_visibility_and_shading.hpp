@@ -30,7 +30,7 @@ struct Shaded {
   dvec2 texture;
   int material;  ///< of the object's mesh
   dvec3 ambient, diffuse, specular;
-  Rgb colour;  ///< their sum
+  LinearRgb colour;  ///< their sum
 };
 
 /// A fragment as the z-buffer keeps it. At equal depth the lowest (object, face, piece) is kept.
@@ -79,8 +79,9 @@ inline Shaded shade(const Scene& scene, const Fragment& fragment, const Triangle
   const auto parts = illumination::phong(place, normal, scene.camera.frame.eye,
                                          mesh.materials[static_cast<std::size_t>(material)],
                                          std::span<const Light>(scene.lights), scene.ambient);
-  return {fragment,      {place},       normal,         texture,         material,
-          parts.ambient, parts.diffuse, parts.specular, Rgb(parts.sum())};
+  return {fragment,      {place},        normal,
+          texture,       material,       parts.ambient,
+          parts.diffuse, parts.specular, LinearRgb(parts.sum())};
 }
 
 /// Gives every visible fragment its colour, and every other pixel the background's.
@@ -90,9 +91,9 @@ inline Shaded shade(const Scene& scene, const Fragment& fragment, const Triangle
 /// Cost: one illumination a visible pixel.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
-Raster<Rgb> shade(const Scene& scene, const std::vector<Triangle>& triangles, const Visible& visible,
-                  O&& observer = {}) {
-  Raster<Rgb> light(visible.width(), visible.height(), scene.background);
+Raster<LinearRgb> shade(const Scene& scene, const std::vector<Triangle>& triangles, const Visible& visible,
+                        O&& observer = {}) {
+  Raster<LinearRgb> light(visible.width(), visible.height(), scene.background);
   for (int y = 0; y < visible.height(); ++y) {
     for (int x = 0; x < visible.width(); ++x) {
       const auto& cell = visible[{x, y}];

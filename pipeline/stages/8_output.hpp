@@ -12,13 +12,13 @@ namespace gradus::pipeline {
 /// A pixel is written.
 struct Written {
   ivec2 pixel;
-  Rgb light;
+  LinearRgb light;
   Rgba8 colour;
   bool cut_off;  ///< more light than white has: a component was above 1
 };
 
 /// Whether there is more light than white has.
-inline bool too_bright(const Rgb& light) { return light.r > 1 || light.g > 1 || light.b > 1; }
+inline bool too_bright(const LinearRgb& light) { return light.r > 1 || light.g > 1 || light.b > 1; }
 
 /// The picture. What is brighter than white becomes white.
 ///
@@ -28,11 +28,11 @@ inline bool too_bright(const Rgb& light) { return light.r > 1 || light.g > 1 || 
 /// Cost: three look-ups a pixel.
 /// Errors: none.
 template <Observer<Written> O = Unobserved>
-Image output(const Raster<Rgb>& light, O&& observer = {}) {
+Image output(const Raster<LinearRgb>& light, O&& observer = {}) {
   Image image(light.width(), light.height());
   for (int y = 0; y < light.height(); ++y) {
     for (int x = 0; x < light.width(); ++x) {
-      const Rgb& colour = light[{x, y}];
+      const LinearRgb& colour = light[{x, y}];
       image[{x, y}] = srgb8_from_linear(colour);
       if constexpr (observed<O>) observer(Written{{x, y}, colour, image[{x, y}], too_bright(colour)});
     }

@@ -81,7 +81,7 @@ T scattered(T n_dot_l) {
 /// The share of the light in the highlight: (R.V)^n, none from behind and none away from R.
 template <std::floating_point T>
 T mirrored(T n_dot_l, T r_dot_v, const Material& material) {
-  if (!(n_dot_l > T(0) && r_dot_v > T(0)) || material.specular == Rgb{0}) return T(0);
+  if (!(n_dot_l > T(0) && r_dot_v > T(0)) || material.specular == LinearRgb{0}) return T(0);
   return pow(r_dot_v, T(material.shininess));
 }
 
@@ -101,11 +101,11 @@ T mirrored(T n_dot_l, T r_dot_v, const Material& material) {
 /// Errors: none.
 template <std::floating_point T, Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const Material& material,
-               std::span<const Light> lights, Rgb ambient, O&& observer = {}) {
+               std::span<const Light> lights, LinearRgb ambient, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
   // Light that comes from everywhere
-  Rgb even = material.ambient * ambient;
+  LinearRgb even = material.ambient * ambient;
   const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);

@@ -7,6 +7,6 @@ extern "C" {
                                          const gradus::Light* lights, std::size_t count,
                                          gradus::illumination::Parts<double>& parts) {
   parts = gradus::illumination::phong(place, normal, eye, material,
-                                      std::span<const gradus::Light>(lights, count), gradus::Rgb{1});
+                                      std::span<const gradus::Light>(lights, count), gradus::LinearRgb{1});
 }
 }

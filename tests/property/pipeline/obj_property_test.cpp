@@ -82,7 +82,7 @@ void expect_sound(const ModelFile& model) {
     }
   }
   for (const Material& m : mesh.materials) {
-    for (const Rgb c : {m.ambient, m.diffuse, m.specular, m.emission}) {
+    for (const LinearRgb c : {m.ambient, m.diffuse, m.specular, m.emission}) {
       ASSERT_TRUE(finite(c.r) && finite(c.g) && finite(c.b) && std::min({c.r, c.g, c.b}) >= 0);
     }
   }

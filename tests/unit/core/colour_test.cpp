@@ -44,8 +44,8 @@ TEST(Colour, BeyondTheEnds) {
   EXPECT_EQ(srgb8_from_linear(20.0f), 255);
   EXPECT_EQ(srgb8_from_linear(std::numeric_limits<float>::quiet_NaN()), 0);
   EXPECT_EQ(srgb8_from_linear(std::numeric_limits<float>::infinity()), 255);
-  EXPECT_EQ(srgb8_from_linear(Rgb{1, 0.5f, 0}), (Rgba8{255, 188, 0, 255}));
-  EXPECT_EQ(linear_from_srgb8(Rgba8{255, 0, 255, 9}), (Rgb{1, 0, 1}));
+  EXPECT_EQ(srgb8_from_linear(LinearRgb{1, 0.5f, 0}), (Rgba8{255, 188, 0, 255}));
+  EXPECT_EQ(linear_from_srgb8(Rgba8{255, 0, 255, 9}), (LinearRgb{1, 0, 1}));
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ Mesh letter() { return load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/mode
 
 /// A scene without lights: every surface has the colour of its material's own light. The camera looks along
 /// -z.
-Scene glowing(std::vector<std::pair<std::string, Rgb>> models) {
+Scene glowing(std::vector<std::pair<std::string, LinearRgb>> models) {
   Scene scene;
-  scene.background = Rgb{0};
-  scene.ambient = Rgb{0};
+  scene.background = LinearRgb{0};
+  scene.ambient = LinearRgb{0};
   scene.camera.lens = {radians_from_degrees(90), 1, 100};
   for (const auto& [text, colour] : models) {
     scene.objects.push_back(object_of(model(text)));

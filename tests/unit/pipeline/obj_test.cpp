@@ -136,9 +136,9 @@ TEST(Obj, MaterialsWithBlanksFromSeveralLibraries) {
     return m.mesh.materials[static_cast<std::size_t>(m.mesh.faces[face].material)];
   };
   EXPECT_EQ(of(0).name, "default");
-  EXPECT_EQ(of(1).diffuse, (Rgb{0.5f, 0, 0}));
-  EXPECT_EQ(of(1).ambient, (Rgb{0.5f, 0, 0}));  // no Ka: Kd
-  EXPECT_EQ(of(2).specular, Rgb{0.5f});
+  EXPECT_EQ(of(1).diffuse, (LinearRgb{0.5f, 0, 0}));
+  EXPECT_EQ(of(1).ambient, (LinearRgb{0.5f, 0, 0}));  // no Ka: Kd
+  EXPECT_EQ(of(2).specular, LinearRgb{0.5f});
   EXPECT_EQ(of(2).shininess, 7);
   EXPECT_EQ(of(2).opacity, 0.75f);
   EXPECT_EQ(of(2).diffuse_map.file, "my wood.png");
@@ -148,7 +148,7 @@ TEST(Obj, MaterialsWithBlanksFromSeveralLibraries) {
                                    "m.obj:16: no material 'none' was read: it is drawn like the default"));
   // A library may come after the first use
   EXPECT_EQ(parse(square + "usemtl blue\nf 1 2 3\nmtllib c.mtl\n", files).mesh.materials[1].diffuse,
-            (Rgb{0, 0, 1}));
+            (LinearRgb{0, 0, 1}));
 }
 
 TEST(Obj, WhatIsBrokenIsToldWithItsPlace) {

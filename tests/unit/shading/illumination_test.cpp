@@ -11,11 +11,11 @@
 namespace gradus::illumination {
 namespace {
 
-Material surface(float kd, float ks, float n, Rgb colour = Rgb{1}) {
+Material surface(float kd, float ks, float n, LinearRgb colour = LinearRgb{1}) {
   Material m;
   m.ambient = 0.1f * colour;
   m.diffuse = kd * colour;
-  m.specular = Rgb{ks};
+  m.specular = LinearRgb{ks};
   m.shininess = n;
   return m;
 }
@@ -28,7 +28,7 @@ Light lamp(dvec3 position) {
 
 dvec3 lit(dvec3 light, dvec3 eye, const Material& material = surface(0.7f, 0.2f, 10)) {
   const std::vector<Light> lights{lamp(light)};
-  return phong(dvec3{0}, dvec3{0, 0, 1}, eye, material, std::span<const Light>(lights), Rgb{1}).sum();
+  return phong(dvec3{0}, dvec3{0, 0, 1}, eye, material, std::span<const Light>(lights), LinearRgb{1}).sum();
 }
 
 TEST(Illumination, Goldens) {
@@ -58,7 +58,7 @@ TEST(Illumination, WhatHasNoDirectionAddsNothing) {
   EXPECT_NEAR(lit({0, 0, 4}, {0, 0, 0}).x, 0.8, 1e-7);  // the eye: no highlight
   const std::vector<Light> lights{lamp({0, 0, 4})};
   const auto parts = phong(dvec3{0}, dvec3{0}, dvec3{0, 0, 1}, surface(0.7f, 0.2f, 0),
-                           std::span<const Light>(lights), Rgb{1});
+                           std::span<const Light>(lights), LinearRgb{1});
   EXPECT_EQ(parts.diffuse + parts.specular, dvec3{0});  // no normal, although n = 0
 }
 
@@ -78,7 +78,7 @@ TEST(Illumination, LightsAddUpAndWeaken) {
   sun.intensity = {0, 0, 2};
   const std::vector<Light> lights{near, far, sun};
   const auto parts =
-      phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, 0, 9}, m, std::span<const Light>(lights), Rgb{0.5f});
+      phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, 0, 9}, m, std::span<const Light>(lights), LinearRgb{0.5f});
   EXPECT_NEAR(glm::distance(parts.diffuse, dvec3{0.625, 0.625, 1.625}), 0, 1e-7);
   EXPECT_NEAR(parts.ambient.x, 0.05, 1e-7);
   Material glowing = m;
@@ -91,7 +91,7 @@ TEST(Illumination, StepsFollowTheGrammar) {
   const std::vector<Light> lights{lamp({0, 3, 4}), lamp({0, 0, -1})};
   const auto run = [&](auto&& observer) {
     return phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, -3, 4}, surface(0.7f, 0.2f, 10),
-                 std::span<const Light>(lights), Rgb{1}, observer);
+                 std::span<const Light>(lights), LinearRgb{1}, observer);
   };
   const auto parts = run(seen);
   EXPECT_EQ(parts.sum(), run(Unobserved{}).sum());
@@ -106,7 +106,7 @@ TEST(Illumination, StepsFollowTheGrammar) {
   EXPECT_EQ(std::get<Finished<double>>(seen.events()[3].step).specular, parts.specular);
   // float says the same, less exactly
   const auto floats = phong(glm::vec3{0}, glm::vec3{0, 0, 1}, glm::vec3{0, -3, 4}, surface(0.7f, 0.2f, 10),
-                            std::span<const Light>(lights), Rgb{1});
+                            std::span<const Light>(lights), LinearRgb{1});
   EXPECT_NEAR(floats.sum().x, parts.sum().x, 1e-6);
 }
 
