@@ -218,7 +218,7 @@ pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) 
   if (wish.light) {
     Light lamp;
     lamp.position = *wish.light;
-    lamp.intensity = Rgb{0.85f};
+    lamp.intensity = LinearRgb{0.85f};
     scene.lights = {lamp};
   }
   if (wish.background) scene.background = linear_from_srgb8(*wish.background);
