@@ -47,17 +47,36 @@ constexpr Window window_around(ivec2 a, ivec2 b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+/// A vector times a power of two that makes its largest component at least 1 and less than 2, which rounds
+/// nothing (but of components that are vanishingly small beside it). The zero vector stays.
+template <std::floating_point T>
+struct Scaled {
+  glm::vec<3, T> vector;
+  int exponent;  ///< the vector was 2^exponent times as long
+
+  explicit Scaled(glm::vec<3, T> v) : vector(v), exponent(0) {
+    const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0) return;
+    exponent = std::ilogb(largest);
+    vector = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+  }
+};
+
+/// The length of v. Domain: finite components of any size: they are scaled before they are squared, so that
+/// neither 1e-200 nor 1e200 is lost. Accuracy: 2 ulp.
+template <std::floating_point T>
+T length_of(glm::vec<3, T> v) {
+  const Scaled<T> scaled(v);
+  return std::scalbn(std::sqrt(glm::dot(scaled.vector, scaled.vector)), scaled.exponent);
+}
+
 /// The vector of length 1 that points the way of v; the zero vector for the zero vector.
-/// Domain: finite components of any size: they are scaled before they are squared, so that neither 1e-200 nor
-/// 1e200 is lost. Accuracy: 4 ulp a component.
+/// Domain: as length_of. Accuracy: 4 ulp a component.
 template <std::floating_point T>
 glm::vec<3, T> unit_vector(glm::vec<3, T> v) {
-  const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (largest == 0) return v;
-  // By a power of two, which rounds nothing
-  const int exponent = std::ilogb(largest);
-  v = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
-  return v / std::sqrt(glm::dot(v, v));
+  const glm::vec<3, T> scaled = Scaled<T>(v).vector;
+  const T square = glm::dot(scaled, scaled);
+  return square == 0 ? v : scaled / std::sqrt(square);
 }
 
 /// The smallest box along the axes that holds some points; empty while it holds none.
@@ -73,7 +92,7 @@ struct Bounds {
   /// Domain: not empty.
   dvec3 centre() const { return lower * 0.5 + upper * 0.5; }
   /// Half the diagonal: the ball round the centre that holds the box. Domain: not empty.
-  double radius() const { return glm::length(upper * 0.5 - lower * 0.5); }
+  double radius() const { return length_of(upper * 0.5 - lower * 0.5); }
 };
 
 }  // namespace gradus

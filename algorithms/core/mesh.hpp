@@ -62,7 +62,9 @@ Bounds bounds_of(const Mesh& mesh);
 /// The normal of a face with the length of its doubled area, by Newell's method, which also knows what to do
 /// with concave faces, collinear corners and faces that are not quite flat.
 /// Source: Sutherland, Sproull, Schumacker, "A characterization of ten hidden-surface algorithms", 1974,
-/// after M. E. Newell. Domain: coordinates up to 1e150. Accuracy: about 1e-15 of the face's extent squared.
+/// after M. E. Newell.
+/// Domain: coordinates up to 1e150.
+/// Accuracy: about 1e-15 of the face's extent squared.
 dvec3 area_vector(const Mesh& mesh, const Face& face);
 
 /// How many triangles the faces make: corners - 2 each.
@@ -76,8 +78,8 @@ bool closed_outward(const Mesh& mesh);
 /// Gives a normal to every corner that has none, or whose own is zero: at each position the mean of the
 /// faces' normals, weighted by their areas. smoothing: a group for each face, by id; faces are averaged with
 /// others of the same group, and those of group 0 stay flat. Empty: all faces are in one group. Where a
-/// position has no area round it, its corners get the zero vector. Errors: ContractViolation when `smoothing`
-/// is neither empty nor as long as the list of faces.
+/// position has no area round it, its corners get the zero vector.
+/// Errors: ContractViolation when `smoothing` is neither empty nor as long as the list of faces.
 void add_missing_normals(Mesh& mesh, std::span<const int> smoothing = {});
 
 }  // namespace gradus

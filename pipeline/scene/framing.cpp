@@ -50,7 +50,7 @@ dvec3 viewing_side(const Object& object) {
   for (const Face& face : object.mesh.faces) {
     const dvec3 vector = turn * area_vector(object.mesh, face);
     sum += vector;
-    area += glm::length(vector);
+    area += length_of(vector);
   }
   const double across = std::max(std::abs(sum.x), std::abs(sum.z));
   if (across < 0.02 * area || across < std::abs(sum.y)) return front_right_above;

@@ -24,14 +24,12 @@ inline constexpr dvec3 front_right_above{0.45, 0.32, 1};
 /// a twentieth on either side.
 ///
 /// points: of what is to be seen, at least one. aspect: width / height of the picture, > 0. side: from the
-/// things to
-///   the eye, any length but 0; straight up or down turns the picture so that -z is up.
+///   things to the eye, any length but 0; straight up or down turns the picture so that -z is up.
 /// vertical_radians: the angle of view between lower and upper edge, in (0, pi).
 ///
 /// Accuracy: two opposite borders of the picture, less the margin, are touched; between the other two the
-/// points stand
-///   in the middle. Cost: 50 times the points. Points that are all in one place are seen from a distance
-///   of 1.
+///   points stand in the middle.
+/// Cost: 50 times the points. Points that are all in one place are seen from a distance of 1.
 /// Errors: ContractViolation for no points and for parameters out of range.
 Camera framed(std::span<const dvec3> points, double aspect, dvec3 side = front_right_above,
               double vertical_radians = Lens{}.vertical_radians);

@@ -34,8 +34,7 @@ ModelFile load_obj(const std::string& path);
 /// Source: Wavefront, The Advanced Visualizer, Object files (.obj), version 3.0, 1995.
 ///
 /// text: the file's contents. file: how mistakes call it. open: how to get at the libraries it names; it is
-/// asked for
-///   the name as it stands in the file.
+///   asked for the name as it stands in the file.
 ///
 /// Read: v (with a weight or a colour behind it, which are checked and not used), vt, vn, f in all four forms
 /// (v, v/vt, v//vn, v/vt/vn) with positive and negative numbers, usemtl, mtllib, s, o, g, p and l (counted).
@@ -43,11 +42,12 @@ ModelFile load_obj(const std::string& path);
 /// area-weighted means over a smoothing group; s off and s 0 are flat; a file without s is one group. A
 /// library or a material that is not there gives the default material and a note.
 ///
-/// Domain: any bytes. Accuracy: the nearest double to each number. Cost: more than a million triangles a
-/// second. Errors: InputError "file:line: what is wrong" for all that is broken: unknown and free-form
-/// statements, numbers
-///   that are none, not finite or larger than 1e30, faces of less than 3 corners or of mixed forms, index 0,
-///   indices out of range, a broken library, a model without a face. Then nothing is returned.
+/// Domain: any bytes.
+/// Accuracy: the nearest double to each number.
+/// Cost: more than a million triangles a second.
+/// Errors: InputError "file:line: what is wrong" for all that is broken: unknown and free-form statements,
+///   numbers that are none, not finite or larger than 1e30, faces of less than 3 corners or of mixed forms,
+///   index 0, indices out of range, a broken library, a model without a face. Then nothing is returned.
 ModelFile parse_obj(std::string_view text, const std::string& file, const FileReader& open);
 
 }  // namespace gradus::pipeline

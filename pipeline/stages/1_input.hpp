@@ -70,9 +70,11 @@ inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vecto
 
 /// Brings in every object of the scene, in order.
 ///
-/// Domain: coordinates are finite. Steps: (VertexRead* FaceRead*)*, for each object.
-/// Accuracy: coordinates are copied. Cost: the size of the model, and ear clipping for faces of more than 3
-/// corners. Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
+/// Domain: coordinates are finite.
+/// Steps: (VertexRead* FaceRead*)*, for each object.
+/// Accuracy: coordinates are copied.
+/// Cost: the size of the model, and ear clipping for faces of more than 3 corners.
+/// Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
 template <Observer<VertexRead, FaceRead> O = Unobserved>
 Model<ObjectPoint> input(const Scene& scene, O&& observer = {}) {
   Model<ObjectPoint> model;

@@ -26,8 +26,10 @@ struct Turned {
 
 /// Takes vertices and normals from the objects' spaces to the world.
 ///
-/// Domain: affine placements. Steps: Placed* Turned*.
-/// Accuracy: that of affine_3d::transform. Cost: a transformation a vertex and a corner.
+/// Domain: affine placements.
+/// Steps: Placed* Turned*.
+/// Accuracy: that of affine_3d::transform.
+/// Cost: a transformation a vertex and a corner.
 /// Errors: none.
 template <Observer<Placed, Turned> O = Unobserved>
 Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& observer = {}) {

@@ -20,8 +20,11 @@ struct Projected {
 
 /// Takes every vertex through the camera.
 ///
-/// aspect: width / height of the picture. Domain: finite coordinates; vertices may lie behind the eye.
-/// Steps: Projected*. Accuracy: that of viewing::to_view and perspective::transform. Cost: a vertex each.
+/// aspect: width / height of the picture.
+/// Domain: finite coordinates; vertices may lie behind the eye.
+/// Steps: Projected*.
+/// Accuracy: that of viewing::to_view and perspective::transform.
+/// Cost: a vertex each.
 /// Errors: ContractViolation for a lens that sees nothing.
 template <Observer<Projected> O = Unobserved>
 Model<ClipPoint> to_clip(const Camera& camera, double aspect, const Model<WorldPoint>& world,

@@ -22,8 +22,10 @@ struct Faced {
 /// Removes the pieces that show their backs, and those seen edge-on. Those of two-sided objects stay and are
 /// marked.
 ///
-/// Domain: finite coordinates, any w. Steps: Faced*.
-/// Accuracy: exact. Cost: a determinant a piece.
+/// Domain: finite coordinates, any w.
+/// Steps: Faced*.
+/// Accuracy: exact.
+/// Cost: a determinant a piece.
 /// Errors: ContractViolation for coordinates that are not finite.
 template <Observer<Faced> O = Unobserved>
 Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O&& observer = {}) {

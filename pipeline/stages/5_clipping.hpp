@@ -88,10 +88,11 @@ inline Clipped clipped(PieceId id, const std::vector<ClipCorner>& before,
 ///
 /// world, model: the same vertices in world and in clip space. width, height: of the picture.
 ///
-/// Domain: finite coordinates, any w. Steps: Clipped*, in the order of the pieces.
+/// Domain: finite coordinates, any w.
+/// Steps: Clipped*, in the order of the pieces.
 /// Accuracy: that of sutherland_hodgman::clip; neighbours get the same new corners on their common edge.
-/// Cost: 18 tests a piece; more where something is cut. Errors: ContractViolation for a picture beyond 2^17
-/// pixels.
+/// Cost: 18 tests a piece; more where something is cut.
+/// Errors: ContractViolation for a picture beyond 2^17 pixels.
 template <Observer<Clipped> O = Unobserved>
 std::vector<Triangle> clip_and_divide(const Model<WorldPoint>& world, const Model<ClipPoint>& model,
                                       int width, int height, O&& observer = {}) {

@@ -47,13 +47,13 @@ inline std::array<SnappedPoint, 3> snapped(const std::array<PixelPoint, 3>& corn
 /// shows the side that stage 4 has said it does not show.
 ///
 /// triangles: from stage 5. width, height: of the picture. emit(const Fragment&) is called triangle by
-/// triangle, row by
-///   row.
+///   triangle, row by row.
 ///
-/// Domain: corners between the guard planes. Steps: (Snapped Covered*)*.
+/// Domain: corners between the guard planes.
+/// Steps: (Snapped Covered*)*.
 /// Accuracy: coverage exact for the snapped corners, without gaps and double hits between neighbours of one
-/// mesh; weights
-///   to 8 ulp, depths to 6 ulp. Cost: the pixels of each triangle's box.
+///   mesh; weights to 8 ulp, depths to 6 ulp.
+/// Cost: the pixels of each triangle's box.
 /// Errors: ContractViolation for corners beyond the guard planes.
 template <std::invocable<const Fragment&> Emit, Observer<Snapped, Covered> O = Unobserved>
 void rasterize(const std::vector<Triangle>& triangles, int width, int height, Emit&& emit,

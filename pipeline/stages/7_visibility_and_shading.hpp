@@ -80,7 +80,9 @@ inline Shaded shade(const Scene& scene, const Fragment& fragment, const Triangle
 
 /// Gives every visible fragment its colour, and every other pixel the background's.
 ///
-/// Steps: Shaded*, row by row. Accuracy: that of illumination::phong. Cost: one illumination a visible pixel.
+/// Steps: Shaded*, row by row.
+/// Accuracy: that of illumination::phong.
+/// Cost: one illumination a visible pixel.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
 Raster<Rgb> shade(const Scene& scene, const std::vector<Triangle>& triangles, const Visible& visible,

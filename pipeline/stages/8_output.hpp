@@ -19,8 +19,11 @@ struct Written {
 
 /// The picture. What is brighter than white becomes white.
 ///
-/// Domain: everything. Steps: Written*, row by row. Accuracy: the nearest 8-bit value. Cost: three look-ups a
-/// pixel. Errors: none.
+/// Domain: everything.
+/// Steps: Written*, row by row.
+/// Accuracy: the nearest 8-bit value.
+/// Cost: three look-ups a pixel.
+/// Errors: none.
 template <Observer<Written> O = Unobserved>
 Image output(const Raster<Rgb>& light, O&& observer = {}) {
   Image image(light.width(), light.height());

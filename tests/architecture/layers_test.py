@@ -30,6 +30,7 @@ PACKAGES = {
     "png.h": "algorithms/core/image.cpp",
     "cmark-gfm": "visualize/web/topic_page.cpp",
     "archive": "visualize/cli/zip.cpp",
+    "tiny_obj_loader.h": "tests/",
 }
 ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive")  # heavy or confined: a single .cpp
 ORACLES = ("boost/", "png.h", "nlohmann/")  # tests use them too

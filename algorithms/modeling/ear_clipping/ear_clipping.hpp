@@ -144,13 +144,11 @@ int forced(std::span<const glm::vec<2, T>> polygon, const Ring& ring) {
 /// ears, American Mathematical Monthly 82, 1975, 648-651.
 ///
 /// polygon: the corners, counter-clockwise. emit(Triangle) gets each triangle, counter-clockwise; a convex
-/// polygon
-///   comes as a fan from corner 0.
+///   polygon comes as a fan from corner 0.
 ///
 /// Domain: at least 3 corners, finite. A simple polygon gives triangles that cover it exactly once; corners
-/// on a line
-///   or at the same place may give some without area. One that crosses itself or runs clockwise gives as many
-///   triangles, which cover something else.
+///   on a line or at the same place may give some without area. One that crosses itself or runs clockwise
+///   gives as many triangles, which cover something else.
 /// Steps: (Tested+ Cut)* Finished.
 /// Accuracy: the tests are exact; size - 2 triangles for every polygon.
 /// Cost: O(n^2) usually, O(n^3) at worst; O(n) tests for a convex polygon.

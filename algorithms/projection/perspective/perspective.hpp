@@ -26,12 +26,13 @@ struct Divided {
 
 /// The perspective transformation of one point: x and y by the cotangents of half the angles of view, z so
 /// that after division it is a + b / depth, and w = depth. After division lines stay lines and planes stay
-/// planes, which they would not with z' = z. Source: J. F. Blinn, A trip down the graphics pipeline, 1996,
-/// chapter 18 (the matrix with 0 <= z <= w).
+/// planes, which they would not with z' = z.
+/// Source: J. F. Blinn, A trip down the graphics pipeline, 1996, chapter 18 (the matrix with 0 <= z <= w).
 ///
 /// projection: see projection_of. view: any point, also at or behind the eye.
 ///
-/// Domain: everything. Steps: Multiplied.
+/// Domain: everything.
+/// Steps: Multiplied.
 /// Accuracy: 1 rounding for x and y, 2 for z, w exact; z = near gives exactly 0.
 /// Cost: 3 multiplications, 1 addition, no division.
 /// Errors: none.
@@ -50,8 +51,11 @@ glm::vec<4, T> transform(const Projection<T>& projection, glm::vec<3, T> view, O
 /// The division: x / w, y / w, z / w.
 ///
 /// Domain: w > 0, which clipping against the near plane sees to. (Points at or behind the eye have w <= 0;
-/// dividing them would mirror them into the picture.) Steps: Divided. Accuracy: 1/2 ulp a component. Cost: 3
-/// divisions. Errors: ContractViolation when w <= 0 or NaN.
+///   dividing them would mirror them into the picture.)
+/// Steps: Divided.
+/// Accuracy: 1/2 ulp a component.
+/// Cost: 3 divisions.
+/// Errors: ContractViolation when w <= 0 or NaN.
 template <class T, Observer<Divided<T>> O = Unobserved>
 glm::vec<3, T> divide(glm::vec<4, T> clip, O&& observer = {}) {
   expects(clip.w > T(0), "only points before the eye can be divided, this one has a w of 0 or less");

@@ -100,7 +100,8 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
 
 /// The coordinates of a point for the viewer: how far right, how far up, how deep.
 ///
-/// Domain: finite. Steps: Viewed.
+/// Domain: finite.
+/// Steps: Viewed.
 /// Accuracy: 4 roundings a component, relative to the distance from the eye: eye is subtracted first.
 /// Cost: 9 multiplications, 9 additions.
 /// Errors: none.

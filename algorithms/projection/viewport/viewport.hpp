@@ -21,7 +21,8 @@ struct Mapped {
 ///
 /// width, height: of the picture in pixels. ndc: any point, also outside the picture.
 ///
-/// Domain: width, height >= 1. Steps: Mapped.
+/// Domain: width, height >= 1.
+/// Steps: Mapped.
 /// Accuracy: 3 roundings, at most 2 ulp of the width or the height for what lies in the picture.
 /// Cost: two multiplications, two divisions by 2, two additions.
 /// Errors: ContractViolation for an empty picture.

@@ -33,9 +33,10 @@ using Triangle = std::array<ivec2, 3>;
 /// pixels from 0 or is no number. Accuracy: exact.
 inline bool can_snap(dvec2 pixel) { return std::abs(pixel.x) <= farthest && std::abs(pixel.y) <= farthest; }
 
-/// A place in the picture on the grid of 1/256 pixel: the nearest one, midway the smaller.
-/// The one function that snaps: whoever draws the same picture goes through it.
-/// Domain: can_snap(pixel). Accuracy: exact; moves a point by at most 1/512 pixel a coordinate.
+/// A place in the picture on the grid of 1/256 pixel: the nearest one, midway the smaller. The one function
+/// that snaps: whoever draws the same picture goes through it.
+/// Domain: can_snap(pixel).
+/// Accuracy: exact; moves a point by at most 1/512 pixel a coordinate.
 /// Errors: ContractViolation for places outside of the domain.
 inline ivec2 snap(dvec2 pixel) {
   expects(can_snap(pixel), "the place ({}, {}) is too far from the picture to be snapped", pixel.x, pixel.y);
@@ -152,11 +153,11 @@ constexpr bool holds(const Edges& edges, const Weights& e) {
 /// rule. J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988, 17-20.
 ///
 /// triangle: snapped corners, in either direction. window: the pixels that are asked for. plot(ivec2,
-/// Weights) is
-///   called for each covered pixel, row by row.
+///   Weights) is called for each covered pixel, row by row.
 ///
 /// Domain: corners at most `farthest` pixels from 0, and so is the window. A triangle without area covers
-/// nothing. Steps: Prepared Tested* Finished; Tested for each pixel of the box; nothing at all without area.
+///   nothing.
+/// Steps: Prepared Tested* Finished; Tested for each pixel of the box; nothing at all without area.
 /// Accuracy: exact. Triangles that share an edge, on either side of it, cover each centre once.
 /// Cost: the pixels of the box within the window, three additions each.
 /// Errors: ContractViolation for corners or windows that lie too far out.
@@ -200,13 +201,15 @@ constexpr dvec3 barycentric(const Weights& w) {
 }
 
 /// The shares of the three corners on the surface itself, seen in perspective: 1/w is linear in the picture,
-/// and so is a/w of everything that is linear on the surface. Source: J. F. Blinn, Hyperbolic interpolation,
-/// IEEE Computer Graphics and Applications 12(4), 1992.
+/// and so is a/w of everything that is linear on the surface.
+/// Source: J. F. Blinn, Hyperbolic interpolation, IEEE Computer Graphics and Applications 12(4), 1992.
 ///
 /// weights: from cover. over_w: 1/w of the corners, > 0.
 ///
-/// Domain: as said. Accuracy: 8 ulp each; between 0 and 1, and they add up to 1 within 4 ulp.
-/// Cost: 3 multiplications, 1 division. Errors: none.
+/// Domain: as said.
+/// Accuracy: 8 ulp each; between 0 and 1, and they add up to 1 within 4 ulp.
+/// Cost: 3 multiplications, 1 division.
+/// Errors: none.
 constexpr dvec3 perspective_correct(const Weights& weights, const dvec3& over_w) {
   const dvec3 shares = dvec3(static_cast<double>(weights[0]), static_cast<double>(weights[1]),
                              static_cast<double>(weights[2])) *

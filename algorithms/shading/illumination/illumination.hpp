@@ -87,15 +87,14 @@ T mirrored(T n_dot_l, T r_dot_v, const Material& material) {
 
 /// Phong's illumination of one place: k_a I_a + sum over the lights of f I (k_d N.L + k_s (R.V)^n), with the
 /// attenuation f and R the mirrored L. A light behind the surface (N.L <= 0) adds neither part. The highlight
-/// has k_s and the light's colour, not the surface's. B. T. Phong, Illumination for computer generated
-/// pictures, Communications of the ACM 18(6), 1975, 311-317.
+/// has k_s and the light's colour, not the surface's.
+/// B. T. Phong, Illumination for computer generated pictures, Communications of the ACM 18(6), 1975, 311-317.
 ///
 /// place: on the surface. normal: of length 1, on the viewer's side; zero has no diffuse part and no
-/// highlight. eye: where the viewer stands. ambient: I_a.
+///   highlight. eye: where the viewer stands. ambient: I_a.
 ///
 /// Domain: finite values. A light or an eye at the very place adds nothing, or no highlight. R.V <= 0 gives
-/// no
-///   highlight, also for n = 0. Sums above 1 are not cut off here.
+///   no highlight, also for n = 0. Sums above 1 are not cut off here.
 /// Steps: AmbientAdded LightAdded* Finished, a LightAdded for every light.
 /// Accuracy: 1e-14 relative a part in double, apart from n times as much in the highlight.
 /// Cost: a square root for each light and for the viewer, a power where there is a highlight.

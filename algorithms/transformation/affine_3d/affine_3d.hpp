@@ -40,7 +40,8 @@ glm::mat<4, 4, T> scaling(glm::vec<3, T> factors) {
 
 /// Turns round an axis through the origin, counter-clockwise for whoever the axis points at.
 /// Source: O. Rodrigues, Des lois géométriques qui régissent les déplacements d'un système solide, 1840.
-/// axis: any length but 0. radians: any finite angle. Accuracy: 1e-15 an entry.
+/// axis: any length but 0. radians: any finite angle.
+/// Accuracy: 1e-15 an entry.
 /// Errors: ContractViolation for an axis of length 0.
 inline glm::dmat4 rotation(dvec3 axis, double radians) {
   const dvec3 n = unit_vector(axis);
@@ -57,7 +58,8 @@ inline glm::dmat4 rotation(dvec3 axis, double radians) {
 /// A point after an affine transformation.
 ///
 /// m: its last row is 0 0 0 1 (not looked at). point: any.
-/// Domain: everything. Steps: Transformed.
+/// Domain: everything.
+/// Steps: Transformed.
 /// Accuracy: 3 roundings a component; exact for Exact.
 /// Cost: 9 multiplications, 9 additions.
 /// Errors: none.

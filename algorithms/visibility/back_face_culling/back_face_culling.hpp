@@ -35,8 +35,8 @@ int determinant_sign(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c) {
 
 /// Which side of the triangle a, b, c faces the viewer, told before any division: for w > 0 the determinant
 /// has the sign of the area in the picture, and it stays right when corners lie behind the eye, where the
-/// area does not. Source: M. Olano, T. Greer, Triangle scan conversion using 2D homogeneous coordinates,
-/// 1997, section 4.
+/// area does not.
+/// Source: M. Olano, T. Greer, Triangle scan conversion using 2D homogeneous coordinates, 1997, section 4.
 ///
 /// a, b, c: corners in clip space, counter-clockwise seen from outside.
 ///

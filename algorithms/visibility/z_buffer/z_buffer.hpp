@@ -51,8 +51,7 @@ constexpr bool beats(const Cell<T, Key>& cell, T depth, const Key& key) {
 /// A subdivision algorithm for computer display of curved surfaces, 1974.
 ///
 /// buffer: a cell a pixel. pixel: in the buffer. depth: smaller is nearer. key: who it is, e.g. (object,
-/// face); at
-///   equal depth the lower one is kept.
+///   face); at equal depth the lower one is kept.
 ///
 /// Domain: buffer.contains(pixel), not checked. A NaN depth is never kept.
 /// Steps: Compared.

@@ -1,0 +1,125 @@
+// Faces of any size, closedness, made normals.
+
+#include "core/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/contract.hpp"
+
+namespace gradus {
+namespace {
+
+Mesh cube(double size = 1, bool outward = true) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.push_back(size * dvec3{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});
+  for (std::vector<int> face :
+       {std::vector{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}}) {
+    if (!outward) std::ranges::reverse(face);
+    std::vector<Corner> corners;
+    for (const int v : face) corners.push_back({v});
+    add_face(mesh, corners);
+  }
+  return mesh;
+}
+
+TEST(Mesh, FacesKeepTheirCornersAndPlaces) {
+  Mesh mesh = cube();
+  EXPECT_EQ(triangle_count(mesh), 12);
+  const std::vector<Corner> pentagon{{0}, {1}, {3}, {7}, {4}};
+  EXPECT_EQ(add_face(mesh, pentagon, 0, 2, 77), 6);
+  EXPECT_EQ(mesh.faces[6].line, 77);
+  EXPECT_EQ(mesh.faces[6].file, 2);
+  EXPECT_EQ(corners_of(mesh, mesh.faces[6])[4], Corner{4});
+  EXPECT_EQ(triangle_count(mesh), 15);
+  EXPECT_THROW(add_face(mesh, std::span(pentagon).first(2)), ContractViolation);
+}
+
+TEST(Mesh, BoundsAreThoseOfTheFaces) {
+  Mesh mesh = cube(2);
+  mesh.positions.push_back({100, 0, 0});  // no face uses it
+  EXPECT_EQ(bounds_of(mesh).lower, dvec3{-2});
+  EXPECT_EQ(bounds_of(mesh).upper, dvec3{2});
+  EXPECT_DOUBLE_EQ(bounds_of(mesh).radius(), 2 * std::sqrt(3.0));
+  EXPECT_TRUE(bounds_of(Mesh{}).empty());
+}
+
+TEST(Mesh, AreaVectorsOfConcaveFaces) {
+  // G001-75: the first three corners of this L turn the wrong way
+  Mesh mesh;
+  mesh.positions = {{2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}};
+  add_face(mesh, std::vector<Corner>{{0}, {1}, {2}, {3}, {4}, {5}});
+  EXPECT_EQ(area_vector(mesh, mesh.faces[0]), (dvec3{0, 0, 6}));
+}
+
+TEST(Mesh, ClosedOutward) {
+  EXPECT_TRUE(closed_outward(cube()));
+  EXPECT_FALSE(closed_outward(cube(1, false)));  // inside out
+  Mesh open = cube();
+  open.faces.pop_back();
+  EXPECT_FALSE(closed_outward(open));
+  Mesh turned = cube();  // one face the other way round
+  std::swap(turned.corners[1], turned.corners[3]);
+  EXPECT_FALSE(closed_outward(turned));
+  Mesh twice = cube();
+  add_face(twice, std::vector<Corner>{{1}, {3}, {7}, {5}});
+  EXPECT_FALSE(closed_outward(twice));
+  EXPECT_FALSE(closed_outward(Mesh{}));
+}
+
+TEST(Mesh, MadeNormalsAreAreaWeighted) {
+  // A corner of the cube lies on three faces of one size: its normal is the diagonal, whatever their corners
+  // (G001-88)
+  for (const double size : {1.0, 1e-200, 1e100}) {
+    Mesh mesh = cube(size);
+    add_missing_normals(mesh);
+    ASSERT_EQ(mesh.normals.size(), 8u) << size;
+    for (const Corner& corner : mesh.corners) {
+      const dvec3 normal = mesh.normals[static_cast<std::size_t>(corner.normal)];
+      EXPECT_NEAR(glm::distance(normal, unit_vector(position_of(mesh, corner))), 0, 1e-15);
+    }
+  }
+  // Two faces at right angles, one three times as large
+  Mesh roof;
+  roof.positions = {{0, 0, 0}, {0, 0, 1}, {3, 0, 0}, {0, 1, 0}};
+  add_face(roof, std::vector<Corner>{{0}, {1}, {2}});  // normal +y, doubled area 3
+  add_face(roof, std::vector<Corner>{{0}, {3}, {1}});  // normal +x, doubled area 1
+  add_missing_normals(roof);
+  const dvec3 shared = roof.normals[static_cast<std::size_t>(roof.corners[0].normal)];
+  EXPECT_NEAR(glm::distance(shared, unit_vector(dvec3{1, 3, 0})), 0, 1e-15);
+}
+
+TEST(Mesh, SmoothingGroupsAndGivenNormals) {
+  Mesh mesh = cube();
+  const std::vector<int> groups{1, 2, 0, 0, 1, 0};  // faces 0 (+x) and 4 (+z) are smooth together
+  add_missing_normals(mesh, groups);
+  const auto normal = [&](int face, int corner) {
+    const Corner& c =
+        corners_of(mesh, mesh.faces[static_cast<std::size_t>(face)])[static_cast<std::size_t>(corner)];
+    return mesh.normals[static_cast<std::size_t>(c.normal)];
+  };
+  EXPECT_EQ(normal(2, 0), (dvec3{0, 1, 0}));
+  EXPECT_EQ(normal(1, 0), (dvec3{-1, 0, 0}));
+  EXPECT_EQ(normal(0, 0), (dvec3{1, 0, 0}));  // corner 1 is not on face 4
+  EXPECT_NEAR(glm::distance(normal(0, 2), unit_vector(dvec3{1, 0, 1})), 0, 1e-15);
+  EXPECT_THROW(add_missing_normals(mesh, std::span(groups).first(2)), ContractViolation);
+
+  Mesh given = cube();
+  given.normals = {{0, 0, 1}, {0, 0, 0}};
+  given.corners[0].normal = 0;
+  given.corners[1].normal = 1;  // zero: none
+  add_missing_normals(given);
+  EXPECT_EQ(given.corners[0].normal, 0);
+  EXPECT_GT(given.corners[1].normal, 1);
+  // A face without area has no normal to give
+  Mesh flat;
+  flat.positions = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+  add_face(flat, std::vector<Corner>{{0}, {1}, {2}});
+  add_missing_normals(flat);
+  EXPECT_EQ(flat.normals[0], dvec3{0});
+}
+
+}  // namespace
+}  // namespace gradus

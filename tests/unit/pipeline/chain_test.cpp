@@ -1,0 +1,301 @@
+// The eight stages: their steps, their ids, what reaches the picture.
+
+#include <gtest/gtest.h>
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "core/random.hpp"
+#include "core/record.hpp"
+#include "pipeline.hpp"
+#include "scene/framing.hpp"
+#include "scene/obj.hpp"
+#include "support/seed.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
+
+namespace gradus::pipeline {
+namespace {
+
+using Record = Recorder<VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped, Covered,
+                        DepthTested, Shaded, Written>;
+
+Mesh model(const std::string& text) {
+  return parse_obj(text, "m.obj", [](const std::string&) { return std::nullopt; }).mesh;
+}
+
+Mesh letter() { return load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/models/letter_f.obj").mesh; }
+
+/// A scene without lights: every surface has the colour of its material's own light. The camera looks along
+/// -z.
+Scene glowing(std::vector<std::pair<std::string, Rgb>> models) {
+  Scene scene;
+  scene.background = Rgb{0};
+  scene.ambient = Rgb{0};
+  scene.camera.lens = {radians_from_degrees(90), 1, 100};
+  for (const auto& [text, colour] : models) {
+    scene.objects.push_back(object_of(model(text)));
+    for (Material& m : scene.objects.back().mesh.materials) m.emission = colour;
+  }
+  return scene;
+}
+
+constexpr Rgba8 red{255, 0, 0, 255}, green{0, 255, 0, 255}, black{0, 0, 0, 255};
+
+TEST(Chain, TheLetterReadsAsF) {
+  // From straight ahead, in 16 x 12 pixels
+  Scene scene = scene_of(letter(), 16.0 / 12);
+  const auto picture = [&](dvec3 side) {
+    std::vector<dvec3> points = scene.objects[0].mesh.positions;
+    scene.camera = framed(std::span<const dvec3>(points), 16.0 / 12, side);
+    const Image image = render(scene, {16, 12});
+    std::string text;
+    for (int y = 0; y < 12; ++y) {
+      for (int x = 0; x < 16; ++x) text += image[{x, y}] == Rgba8{255, 255, 255, 255} ? '.' : '#';
+      text += '\n';
+    }
+    return text;
+  };
+  EXPECT_EQ(picture({0, 0, 1}),
+            "................\n"
+            ".....######.....\n"
+            ".....######.....\n"
+            ".....##.........\n"
+            ".....##.........\n"
+            ".....#####......\n"
+            ".....#####......\n"
+            ".....##.........\n"
+            ".....##.........\n"
+            ".....##.........\n"
+            ".....##.........\n"
+            "................\n");
+  // From behind it is a mirrored one: the same chain, no trick
+  std::istringstream front(picture({0, 0, 1})), back(picture({0, 0, -1}));
+  for (std::string a, b; std::getline(front, a) && std::getline(back, b);) {
+    std::ranges::reverse(b);
+    const auto last = [](const std::string& row) { return row.find_last_of('#'); };
+    EXPECT_LE(std::abs(static_cast<int>(last(a)) - static_cast<int>(last(b))), 1) << a << ' ' << b;
+  }
+}
+
+TEST(Chain, EveryStageTellsItsStepsInOrder) {
+  const Scene scene = scene_of(letter(), 1.5);
+  Record seen;
+  const Image image = render(scene, {60, 40}, seen);
+  EXPECT_EQ(image, render(scene, {60, 40}));  // observed == unobserved
+  ASSERT_TRUE(seen.complete());
+
+  // Each stage after the one before, but rasterization and z-buffer alternate
+  constexpr int stage[]{1, 1, 2, 2, 3, 4, 5, 6, 6, 6, 7, 8};
+  int last = 0;
+  for (const auto& event : seen.events()) {
+    EXPECT_GE(stage[event.step.index()], last);
+    last = stage[event.step.index()];
+  }
+  EXPECT_EQ(all<VertexRead>(seen).size(), 20u);
+  EXPECT_EQ(all<FaceRead>(seen).size(), 12u);
+  EXPECT_EQ(all<Placed>(seen).size(), 20u);
+  EXPECT_EQ(all<Projected>(seen).size(), 20u);
+  EXPECT_EQ(all<Faced>(seen).size(), 36u);
+  EXPECT_EQ(all<Written>(seen).size(), 2400u);
+  const auto clipped = all<Clipped>(seen);
+  const auto facing = all<Faced>(seen);
+  EXPECT_EQ(clipped.size(), static_cast<std::size_t>(std::ranges::count(facing, false, &Faced::removed)));
+  EXPECT_EQ(all<Snapped>(seen).size(), clipped.size());
+  EXPECT_EQ(all<Covered>(seen).size(), all<DepthTested>(seen).size());
+  std::set<std::pair<int, int>> pixels;
+  for (const Covered& c : all<Covered>(seen)) pixels.insert({c.fragment.pixel.x, c.fragment.pixel.y});
+  EXPECT_EQ(all<Shaded>(seen).size(), pixels.size());
+
+  // The front face, number 0 of the file's faces, stands in line 29 and has eight pieces
+  const FaceRead front = all<FaceRead>(seen)[0];
+  EXPECT_EQ(front.vertices.size(), 10u);
+  ASSERT_EQ(front.pieces.size(), 8u);
+  EXPECT_EQ(front.line, 29);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(front.pieces[static_cast<std::size_t>(i)].id, (PieceId{0, 0, i}));
+  // Weights are shares, and the place they give lies on the face
+  EXPECT_TRUE(every<Shaded>(seen, [&](const Shaded& s) {
+    const dvec3 w = s.fragment.weights;
+    return std::abs(w.x + w.y + w.z - 1) < 1e-15 &&
+           (s.fragment.id.face != 0 || std::abs(s.place.at.z - 0.15) < 1e-15) &&
+           glm::dot(s.normal, scene.camera.frame.eye - s.place.at) > 0 && s.fragment.depth >= 0 &&
+           s.fragment.depth <= 1;
+  }));
+}
+
+TEST(Chain, AFragmentLiesOnTheRayThroughItsPixel) {
+  const Scene scene = scene_of(letter(), 1.5);
+  Record seen;
+  render(scene, {90, 60}, seen);
+  const auto shaded = all<Shaded>(seen);
+  ASSERT_GT(shaded.size(), 500u);
+  for (const Shaded& s : shaded) {
+    const Ray ray = ray_through(scene.camera, 90, 60, dvec2(s.fragment.pixel) + 0.5);
+    const double depth = glm::dot(s.place.at - ray.origin, scene.camera.frame.forward);
+    const double error = glm::distance(s.place.at, ray.origin + depth * ray.direction);
+    // Corners were moved by up to 1/512 pixel a coordinate
+    const double pixel = depth * glm::distance(ray_through(scene.camera, 90, 60, {1, 0}).direction,
+                                               ray_through(scene.camera, 90, 60, {0, 0}).direction);
+    EXPECT_LT(error, pixel / 256);
+  }
+}
+
+TEST(Chain, AtEqualDepthTheLowestObjectAndFaceIsSeen) {
+  const std::string wall = "v -9 -9 -5\nv 9 -9 -5\nv 9 9 -5\nv -9 9 -5\n";
+  // The same triangle in two objects, with its corners in another order
+  Scene scene = glowing({{wall + "f 1 2 3\n", {1, 0, 0}}, {wall + "f 3 1 2\n", {0, 1, 0}}});
+  EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), red);
+  std::swap(scene.objects[0], scene.objects[1]);
+  EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), green);
+  // Turned round, it is the same triangle still
+  scene = glowing({{wall + "f 1 2 3\n", {1, 0, 0}}, {wall + "f 2 1 3\n", {0, 1, 0}}});
+  EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), red);
+  // Two faces of one object
+  scene = glowing({{wall + "usemtl a\nf 1 2 3\nusemtl b\nf 2 3 1\n", {1, 0, 0}}});
+  scene.objects[0].mesh.materials[2].emission = {0, 1, 0};
+  EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), red);
+}
+
+TEST(Chain, EqualDepthHoldsForSlantedTrianglesOfAnyNumbering) {
+  Random random(test::seed());
+  int cases = 0;
+  std::int64_t pixels = 0;
+  for (; cases < 300; ++cases) {
+    std::string v;
+    for (int i = 0; i < 3; ++i)
+      v += fmt::format("v {} {} {}\n", random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, -2));
+    const char* orders[]{"f 1 2 3\n", "f 2 3 1\n", "f 3 1 2\n", "f 1 3 2\n", "f 3 2 1\n", "f 2 1 3\n"};
+    const Scene scene = glowing({{v + orders[random.uniform_int(0, 5)], {1, 0, 0}},
+                                 {v + orders[random.uniform_int(0, 5)], {0, 1, 0}}});
+    const Image image = render(scene, {40, 40});
+    for (const Rgba8& pixel : image.cells()) {
+      ASSERT_NE(pixel, green) << "case " << cases << ", seed " << test::seed();
+      pixels += pixel == red;
+    }
+  }
+  EXPECT_EQ(cases, 300);
+  EXPECT_GT(pixels, 10000);
+}
+
+TEST(Chain, NearerHidesFartherAndPiercingPlanesMeet) {
+  const std::string far = "v -99 -99 -9\nv 99 -99 -9\nv 99 99 -9\nv -99 99 -9\nf 1 2 3 4\n";
+  const std::string slope =
+      "v -99 -99 -3\nv 99 -99 -15\nv 99 99 -15\nv -99 99 -3\nf 1 2 3 4\n";  // meets it in the middle
+  const Image image = render(glowing({{far, {1, 0, 0}}, {slope, {0, 1, 0}}}), {10, 4});
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 10; ++x) EXPECT_EQ((image[{x, y}]), (x < 5 ? green : red)) << x << ' ' << y;
+  }
+}
+
+TEST(Chain, WhatLiesBehindTheEyeIsCutAway) {
+  // A floor from far behind the viewer to far ahead: below the horizon in every column, nothing above
+  const std::string floor = "v -9e5 -1 9e5\nv 9e5 -1 9e5\nv 9e5 -1 -9e5\nv -9e5 -1 -9e5\nf 1 2 3 4\n";
+  Scene scene = glowing({{floor, {0, 1, 0}}});
+  scene.camera.lens.far = 1e6;
+  Record seen(5'000'000);
+  const Image image = render(scene, {64, 64}, seen);
+  for (int x = 0; x < 64; ++x) {
+    EXPECT_EQ((image[{x, 31}]), black) << x;
+    EXPECT_EQ((image[{x, 33}]), green) << x;
+    EXPECT_EQ((image[{x, 63}]), green) << x;
+  }
+  EXPECT_TRUE(every<Clipped>(seen, [](const Clipped& c) { return c.changed && c.after.size() >= 3; }));
+  for (const Clipped& c : all<Clipped>(seen)) {
+    for (const NdcPoint& p : c.divided) {
+      EXPECT_GE(p.at.z, 0);
+      EXPECT_LE(p.at.z, 1 + 1e-15);
+      EXPECT_LE(std::abs(p.at.x) * 32, guard_pixels * (1 + 1e-12));
+    }
+  }
+}
+
+TEST(Chain, GuardPlanesKeepNeighboursTogether) {
+  // Fans of huge triangles round random hubs: the picture must be covered without a gap, once
+  Random random(test::seed() + 7);
+  int cases = 0;
+  for (; cases < 150; ++cases) {
+    const double x = random.uniform(-3, 3), y = random.uniform(-3, 3),
+                 far = std::pow(10.0, random.uniform(1, 9));
+    std::string text = fmt::format("v {} {} -4\n", x, y), faces;
+    const int n = 7;
+    for (int i = 0; i < n; ++i) {
+      const double angle = (i + random.uniform(-0.3, 0.3)) * 6.283185307179586 / n;
+      text += fmt::format("v {} {} {}\n", x + far * std::cos(angle), y + far * std::sin(angle),
+                          -4 + random.uniform(-0.9, 0.9) * far * 0.01);
+      faces += fmt::format("f 1 {} {}\n", i + 2, (i + 1) % n + 2);
+    }
+    Scene scene = glowing({{text + faces, {0, 1, 0}}});
+    scene.camera.lens = {radians_from_degrees(60), 0.01, 1e9};
+    Record seen(5'000'000);
+    const Image image = render(scene, {24, 18}, seen);
+    ASSERT_TRUE(seen.complete());
+    std::map<std::pair<int, int>, int> hits;
+    bool bent = false;
+    for (const Covered& c : all<Covered>(seen)) ++hits[{c.fragment.pixel.x, c.fragment.pixel.y}];
+    for (const Faced& f : all<Faced>(seen)) bent = bent || f.facing != back_face_culling::Facing::front;
+    if (bent) continue;  // the fan folds over: some pixels are covered twice, and rightly
+    for (const auto& [pixel, count] : hits)
+      ASSERT_EQ(count, 1) << "case " << cases << ", seed " << test::seed();
+  }
+  EXPECT_EQ(cases, 150);
+}
+
+TEST(Chain, ClosedBodiesLoseTheirBacksAndNothingElse) {
+  Scene scene = scene_of(letter(), 1.5);
+  ASSERT_FALSE(scene.objects[0].two_sided);
+  const Image culled = render(scene, {90, 60});
+  scene.objects[0].two_sided = true;
+  Record seen;
+  EXPECT_EQ(render(scene, {90, 60}, seen), culled);
+  EXPECT_TRUE(every<Faced>(
+      seen, [](const Faced& f) { return !f.removed || f.facing == back_face_culling::Facing::edge_on; }));
+}
+
+TEST(Chain, PlacementsMoveTurnAndMirror) {
+  Scene scene = scene_of(letter(), 1);
+  const Image plain = render(scene, {48, 48});
+  // Mirrored at x = 0 it still is a closed body with its outside out
+  scene.objects[0].placement = affine_3d::scaling(dvec3{-1, 1, 1});
+  scene.camera = framed(bounds_of(scene), 1);
+  Record seen;
+  const Image mirrored = render(scene, {48, 48}, seen);
+  EXPECT_NE(mirrored, plain);
+  EXPECT_TRUE(every<Turned>(seen, [](const Turned& t) { return t.mirrored; }));
+  EXPECT_TRUE(every<Shaded>(
+      seen, [&](const Shaded& s) { return glm::dot(s.normal, scene.camera.frame.eye - s.place.at) > 0; }));
+  EXPECT_GT(all<Shaded>(seen).size(), 300u);
+  // Moved together with the camera, it is the same picture
+  Scene moved = scene_of(letter(), 1);
+  moved.objects[0].placement = affine_3d::translation(dvec3{4, 8, -2});
+  moved.camera.frame.eye += dvec3{4, 8, -2};
+  const Image again = render(moved, {48, 48});
+  int different = 0;
+  for (std::size_t i = 0; i < plain.cells().size(); ++i) different += !(plain.cells()[i] == again.cells()[i]);
+  EXPECT_LE(different, 5);  // rounding may move a corner by 1/256 pixel
+}
+
+TEST(Chain, NothingToSeeGivesTheBackground) {
+  Scene scene;
+  scene.background = {0, 1, 0};
+  const Image image = render(scene, {3, 2});
+  for (const Rgba8& pixel : image.cells()) EXPECT_EQ(pixel, green);
+  EXPECT_THROW(render(scene, {0, 2}), ContractViolation);
+  EXPECT_THROW(render(scene, {40000, 2}), ContractViolation);
+  EXPECT_THROW(scene_of(Mesh{}, 1), ContractViolation);
+  scene.camera.lens.near = 0;
+  EXPECT_THROW(render(scene, {3, 2}), ContractViolation);
+}
+
+TEST(Chain, TooMuchLightIsWhite) {
+  Record seen;
+  Scene scene = glowing({{"v -9 -9 -5\nv 9 -9 -5\nv 0 9 -5\nf 1 2 3\n", {20, 0.5f, 0}}});
+  EXPECT_EQ((render(scene, {4, 4}, seen)[{2, 2}]), (Rgba8{255, 188, 0, 255}));
+  const auto written = all<Written>(seen);
+  EXPECT_TRUE(std::ranges::any_of(written, &Written::cut_off));
+}
+
+}  // namespace
+}  // namespace gradus::pipeline
