@@ -112,9 +112,9 @@ class Reader {
     std::string all = bytes;
     // Reading it shows which libraries it names, and whether it can be read
     pipeline::parse_obj(bytes, path == dash ? "standard input" : path, [&](const std::string& library) {
-      const auto text = path == dash ? std::nullopt : beside(folder, library, parameter);
-      if (text) all += entry.libraries[library] = *text;
-      return text;
+      const auto found = path == dash ? std::nullopt : beside(folder, library, parameter);
+      if (found) all += entry.libraries[library] = *found;
+      return found;
     });
     entry.hash = fingerprint(all);
     return entry;

@@ -116,6 +116,7 @@ struct Grid {
   Window cells;      ///< the cells there are; all of int32 is allowed
   bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
   std::string x_name = "x", y_name = "y";
+  bool whole = false;            ///< all cells are always shown, however small: no view that follows the step
   std::optional<Image> picture;  ///< the input picture, one texel a cell, from cells.lower; row 0 first
 };
 

@@ -594,7 +594,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
   stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
   stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
   const bool slide = look.layout == Layout::slide;
-  stage.least_cell = slide ? least_cell : 16;
+  stage.least_cell = grid.whole ? 6 : slide ? least_cell : 16;
   // On paper it is the cell's real size that counts: 3 mm
   stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 ? 11 / unit_of(look) : 0.0);
   stage.largest_cell = slide ? 84 : 108;

@@ -131,7 +131,7 @@ std::string_view shipped_model(std::string_view name);
 /// A source file of the catalogue as the build saw it, by its path from the project's root.
 std::string_view source_text(std::string_view path);
 
-/// The shown lines of a function in a source file: its body without the plumbing (observer lines, expects,
+/// The shown lines of a function in a source file: its body without the plumbing (observers, expects,
 /// template heads), real line numbers, the function's own indentation removed.
 std::vector<SourceLine> listing_of(std::string_view source, std::string_view function);
 

@@ -290,6 +290,7 @@ Json grid_json(const Grid& grid) {
            {"y_up", grid.y_up},
            {"x_name", grid.x_name},
            {"y_name", grid.y_name}};
+  if (grid.whole) out["whole"] = true;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);
   return out;
 }

@@ -62,9 +62,9 @@ std::size_t count_of(const Run& run, PieceId id) {
       std::ranges::count_if(run.covered, [&](const Fragment& f) { return f.id == id; }));
 }
 
-/// How good a piece is to follow: clipped and seen, much seen, much covered.
+/// How good a piece is to follow: clipped and seen, meeting others where it is seen, much seen, much covered.
 struct Worth {
-  bool cut_and_seen = false;
+  bool cut_and_seen = false, meets = false;
   std::size_t seen = 0, covered = 0;
   auto operator<=>(const Worth&) const = default;
 };
@@ -73,7 +73,11 @@ Worth worth_of(const Run& run, const Piece& piece) {
   const auto seen = static_cast<std::size_t>(
       std::ranges::count_if(run.shaded, [&](const Shaded& s) { return s.fragment.id == piece.id; }));
   const Clipped* clipped = run.clipped_of(piece.id);
-  return {clipped && clipped->changed && seen > 0, seen, count_of(run, piece.id)};
+  const bool meets = std::ranges::any_of(run.tests, [&](const DepthTested& t) {
+    const Shaded* shaded = run.shaded_at(t.fragment.pixel);
+    return t.before && shaded && shaded->fragment.id == piece.id;
+  });
+  return {clipped && clipped->changed && seen > 0, meets, seen, count_of(run, piece.id)};
 }
 
 std::size_t piece_to_follow(const Run& run, std::optional<std::int64_t> face) {

@@ -15,6 +15,9 @@ using namespace pipeline;
 
 /// Space to paper, oblique: x to the right, y up, z towards the reader down to the left, shortened.
 dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
+/// The same from the right side: z to the left, y up, x towards the reader. What looks at a front looks
+/// right.
+dvec2 oblique_from_right(dvec3 p) { return {-p.z - 0.42 * p.x, p.y - 0.3 * p.x}; }
 /// Seen from the side: depth to the right, y up.
 dvec2 from_side(double depth, double y) { return {depth, y}; }
 
@@ -36,7 +39,7 @@ std::string padded(const char* name, int number) { return fmt::format("{} {:05}"
 }  // namespace
 
 std::string real_text(double value) {
-  const double size = std::abs(value);
+  const double size = std::abs(value) < 1e-6 ? 0 : std::abs(value);
   if (size != 0 && (size < 1e-3 || size >= 1e6)) {
     const std::string text = fmt::format("{:.3g}", size);
     return value < 0 ? "−" + text : text;
@@ -123,7 +126,7 @@ void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
 }
 
 void Views::caption(View& view, const Panel& panel, const std::string& key) const {
-  view.add({"caption " + key, Role::input,
+  view.add({"caption " + key, Role::boundary,
             Label{{(panel.lower.x + panel.upper.x) / 2, 0.4}, words_.say("pipeline.space." + key)}});
 }
 
@@ -151,14 +154,14 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
   }
 }
 
-/// The axes of a space from its origin, where that is in view, in the oblique drawing.
-void Views::axes(View& view, const Panel& panel, const std::string& name) const {
+/// The directions of a space's axes, in the lower left corner.
+void Views::axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const {
   const double length = 0.16 * (panel.upper.y - panel.lower.y) / panel.scale;
   const dvec2 corner = {panel.lower.x + 1.2, panel.upper.y - 0.6};
   const dvec2 origin = panel.at({0, 0});
   for (const auto& [axis, label] :
        {std::pair{dvec3{1, 0, 0}, "x"}, {dvec3{0, 1, 0}, "y"}, {dvec3{0, 0, 1}, "z"}}) {
-    const dvec2 tip = corner + (panel.at(oblique(axis * length)) - origin);
+    const dvec2 tip = corner + (panel.at(to_paper(axis * length)) - origin);
     view.add({fmt::format("e {} axis {}", name, label), Role::boundary, Stroke{corner, tip, true}});
     view.add(
         {fmt::format("e {} axis name {}", name, label), Role::boundary, Label{tip, words_.symbol(label)}});
@@ -170,7 +173,7 @@ View Views::object(const Pointer& at) const {
   const auto place = [&](std::size_t i) { return oblique(run_.read[i].point.at); };
   const Panel panel = fitted(place, 0);
   caption(view, panel, "object");
-  axes(view, panel, "object");
+  axes(view, panel, "object", oblique);
   model(view, panel, "object", place, at);
   return view;
 }
@@ -178,10 +181,10 @@ View Views::object(const Pointer& at) const {
 View Views::world(const Pointer& at) const {
   View view;
   const auto before = [&](std::size_t i) { return oblique(run_.read[i].point.at); };
-  const auto after = [&](std::size_t i) { return oblique(run_.placed[i].to.at); };
+  const auto after = [&](std::size_t i) { return oblique_from_right(run_.placed[i].to.at); };
   const Panel here = fitted(before, -1);
   caption(view, here, "object");
-  axes(view, here, "object");
+  axes(view, here, "object", oblique);
   model(view, here, "object", before, {}, false);
   const Camera& camera = run_.scene.camera;
   const dvec3 eye = camera.frame.eye;
@@ -190,19 +193,20 @@ View Views::world(const Pointer& at) const {
   std::vector<dvec2> window;
   for (const dvec2 corner : {dvec2{0, 0}, dvec2{width, 0}, dvec2{width, height}, dvec2{0, height}}) {
     const Ray ray = ray_through(camera, width, height, corner);
-    window.push_back(oblique(ray.origin + depth * ray.direction));
+    window.push_back(oblique_from_right(ray.origin + depth * ray.direction));
   }
   std::vector<dvec2> more = window;
-  more.push_back(oblique(eye));
+  more.push_back(oblique_from_right(eye));
   const Panel there = fitted(after, 1, more);
   caption(view, there, "world");
+  axes(view, there, "world", oblique_from_right);
   polygon(view, there, "a world window", Role::boundary, window);
-  const dvec2 from = there.at(oblique(eye));
+  const dvec2 from = there.at(oblique_from_right(eye));
   for (std::size_t i = 0; i < window.size(); ++i) {
     view.add({fmt::format("a world ray {}", i), Role::candidate, Stroke{from, there.at(window[i])}});
   }
-  view.add({"c world eye", Role::input, Dot{from}});
-  view.add({"d world eye name", Role::input, Label{from, words_.say("pipeline.eye")}});
+  view.add({"c world eye", Role::boundary, Dot{from}});
+  view.add({"d world eye name", Role::boundary, Label{from, words_.say("pipeline.eye")}});
   model(view, there, "world", after, at, at.corner >= 0);
   return view;
 }
@@ -213,7 +217,7 @@ void Views::wedge(View& view, const Panel& panel, const std::string& name, doubl
   const dvec2 eye = panel.at({0, 0});
   view.add({"a " + name + " top", Role::boundary, Stroke{eye, panel.at({depth, slope * depth})}});
   view.add({"a " + name + " bottom", Role::boundary, Stroke{eye, panel.at({depth, -slope * depth})}});
-  view.add({"c " + name + " eye", Role::input, Dot{eye}});
+  view.add({"c " + name + " eye", Role::boundary, Dot{eye}});
   const dvec2 low = panel.at({near, -slope * near}), high = panel.at({near, slope * near});
   view.add({"a " + name + " near", Role::boundary, Stroke{low, high}});
   view.add({"d " + name + " near name", Role::boundary, Label{low, words_.say("pipeline.near")}});
@@ -316,7 +320,7 @@ View Views::clipping(const Pointer& at) const {
 
 void Views::mark_pixel(View& view) const {
   const double x = pixel_.x, y = pixel_.y;
-  view.add({"g pixel", Role::measure,
+  view.add({"g pixel", Role::input,
             Path{{{x - 0.5, y - 0.5}, {x + 0.5, y - 0.5}, {x + 0.5, y + 0.5}, {x - 0.5, y + 0.5}}, true}});
 }
 
@@ -338,8 +342,8 @@ View Views::raster(int last_row, const Pointer& at) const {
     for (const SnappedPoint& p : triangle.corners) {
       path.points.push_back({p.at.x / 256.0 - 0.5, p.at.y / 256.0 - 0.5});
       if (at.corner != corner++) continue;
-      view.add({"c corner", Role::input, Dot{path.points.back()}});
-      view.add({"d corner name", Role::input, Label{path.points.back(), at.text}});
+      view.add({"c corner", Role::boundary, Dot{path.points.back()}});
+      view.add({"d corner name", Role::boundary, Label{path.points.back(), at.text}});
     }
     view.add({padded("b triangle", triangle.triangle), Role::boundary, std::move(path)});
   }

@@ -66,7 +66,7 @@ class Views {
                const std::vector<dvec2>& points) const;
   void caption(View& view, const Panel& panel, const std::string& key) const;
   void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth) const;
-  void axes(View& view, const Panel& panel, const std::string& name) const;
+  void axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const;
   void mark_pixel(View& view) const;
 
   bool follows(pipeline::PieceId id) const { return id == piece_.id; }

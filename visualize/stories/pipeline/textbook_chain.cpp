@@ -449,11 +449,12 @@ void describe(Trace& trace, const Arguments& arguments, const Run& run) {
   trace.listing.erase(trace.listing.begin(), first);
   trace.grid.cells = run.image.window();
   trace.grid.y_up = false;
+  trace.grid.whole = true;
   trace.grid.x_name = words.say("pipeline.column_name");
   trace.grid.y_name = words.say("pipeline.row_name");
   trace.columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}};
   for (const Role role : {Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary,
-                          Role::candidate, Role::measure}) {
+                          Role::candidate, Role::input}) {
     trace.legend.push_back({role, words.say(fmt::format("pipeline.legend.{}", name_of(role)))});
   }
 }
@@ -508,8 +509,8 @@ const TopicEntry& entry() {
             .example = "clipping",
             .help = "the tour ends with this stage",
             .choices = stage_names()},
-           whole("columns", "24", "32", "the picture's width in pixels", 8, 64),
-           whole("rows", "16", "20", "the picture's height in pixels", 8, 64),
+           whole("columns", "20", "32", "the picture's width in pixels", 8, 64),
+           whole("rows", "14", "20", "the picture's height in pixels", 8, 64),
            whole("face", "", "3", "the face that is followed, counted from 0; a telling one if not given", 0,
                  INT32_MAX),
            {.name = "pixel",

@@ -48,7 +48,7 @@ function arrange(grid, width, height, s, focus) {
   const room = {x: Math.max(width - left - right, 1), y: Math.max(height - (AXIS_BELOW + AXIS_ABOVE) * s, 1)};
   let cell = Math.min(room.x / (x1 - x0 + 1), room.y / (y1 - y0 + 1), LARGEST_CELL * s);
   let view = {x0, y0, x1, y1}, top = AXIS_ABOVE * s;
-  const follows = cell < LEAST_CELL * s;
+  const follows = cell < LEAST_CELL * s && !grid.whole;
   if (follows) {
     cell = FOLLOWED_CELL * s;
     top += (INSET + 8) * s;
