@@ -107,13 +107,15 @@ TEST(Layout, NoTextIsSmallerThanLegible) {
 
 TEST(Layout, CellsOfASlideAreNeverSmallerThan24Of720) {
   std::size_t cells = 0;
-  for_each_slide([&](const Trace&, const Sheet& sheet, const Look& look) {
+  for_each_slide([&](const Trace& trace, const Sheet& sheet, const Look& look) {
     if (look.layout == Layout::handout) return;
+    // A grid that is shown whole pays with smaller cells
+    const int least = trace.grid.whole ? 6 : 24;
     for (const Shape& shape : sheet.shapes) {
       const RectShape* rect = std::get_if<RectShape>(&shape.what);
       if (!rect || !shape.id.starts_with("cell ")) continue;
       ++cells;
-      EXPECT_GE(rect->box.width, 24 * shorter_side(look) / 720 * (1 - 1e-12));
+      EXPECT_GE(rect->box.width, least * shorter_side(look) / 720 * (1 - 1e-12));
     }
   });
   EXPECT_GT(cells, 10000u);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "web/gallery_page.hpp"
 #include "figure/markup.hpp"
+#include "web/gallery_page.hpp"
 #include "web/html.hpp"
 #include "web/topic_page.hpp"
 
@@ -76,6 +76,7 @@ TEST(GalleryPage, ShowsOnlyWhatACardHas) {
 
 TEST(TopicPage, EveryTopicHasOne) {
   for (const TopicEntry* topic : catalogue()) {
+    if (topic->chapter == "pipeline") continue;  // its page is docs/pipeline.md
     EXPECT_EQ(topic_page_path(*topic), "topics/" + topic->chapter + "/" + topic->name + ".html");
     const std::string page = topic_page(*topic, {});
     EXPECT_THAT(page, HasSubstr("<title>" + escaped(topic->title) + ": how it works</title>"));

@@ -84,7 +84,7 @@ class Tour {
     step.type = std::move(event.type);
     step.key = std::move(event.key);
     step.phase =
-        stage_ == 0 ? words_.say("words.set_up") : words_.say(fmt::format("pipeline.stage.{}", stage_));
+        stage_ == 0 ? words_.say("words.set_up") : words_.say("pipeline.stage." + std::to_string(stage_));
     step.sentence = std::move(event.sentence);
     step.row = std::move(event.row);
     step.fields = std::move(event.fields);
@@ -127,7 +127,7 @@ class Tour {
   std::string face_name() const { return figure_number(piece_.id.face); }
   template <class... Values>
   std::string say(std::string_view key, const Values&... values) const {
-    return words_.say(fmt::format("pipeline.{}", key), values...);
+    return words_.say(key, values...);
   }
   std::string pixel_text() const { return figure_point(pixel_); }
 
@@ -138,7 +138,7 @@ class Tour {
     stage_ = 0;
     milestone(views_.object(), {"Started",
                                 "",
-                                say("started", arg("face", face_name()), arg("pixel", pixel_text()),
+                                say("pipeline.started", arg("face", face_name()), arg("pixel", pixel_text()),
                                     arg("width", run_.size.width), arg("height", run_.size.height)),
                                 {},
                                 {{"face", std::int64_t{piece_.id.face}},
@@ -151,11 +151,11 @@ class Tour {
       const dvec3 p = run_.read[vertex(i)].point.at;
       const std::string name = name_of_vertex(vertex(i));
       fine(views_.object({i, place_text(p)}),
-           {"VertexRead", name, say("vertex_read", arg("name", name), arg("place", place_text(p))),
+           {"VertexRead", name, say("pipeline.vertex_read", arg("name", name), arg("place", place_text(p))),
             row(name, p), fields_of(p)});
     }
     const FaceRead& face = run_.faces[static_cast<std::size_t>(piece_.id.face)];
-    const std::string key = face.pieces.size() == 1 ? "face_read.whole" : "face_read.cut";
+    const std::string key = face.pieces.size() == 1 ? "pipeline.face_read.whole" : "pipeline.face_read.cut";
     fine(views_.object(), {"FaceRead",
                            face_name(),
                            say(key, arg("face", face_name()), arg("line", figure_number(face.line)),
@@ -167,7 +167,7 @@ class Tour {
                             {"pieces", static_cast<std::int64_t>(face.pieces.size())}}});
     milestone(views_.object(), {"InputModel",
                                 "",
-                                say("input", arg("vertices", run_.read.size()),
+                                say("pipeline.input", arg("vertices", run_.read.size()),
                                     arg("faces", run_.faces.size()), arg("pieces", run_.pieces.size())),
                                 {},
                                 {{"vertices", static_cast<std::int64_t>(run_.read.size())},
@@ -184,17 +184,17 @@ class Tour {
       const bool moved = placed.from.at != placed.to.at;
       fine(views_.world({i, place_text(placed.to.at)}),
            {"Placed", name,
-            say(moved ? "placed.moved" : "placed.same", arg("name", name),
+            say(moved ? "pipeline.placed.moved" : "pipeline.placed.same", arg("name", name),
                 arg("from", place_text(placed.from.at)), arg("to", place_text(placed.to.at))),
             row(name, placed.to.at), fields_of(placed.to.at)});
     }
     const Camera& camera = run_.scene.camera;
-    milestone(views_.world(),
-              {"WorldTransformation",
-               "",
-               say("world", arg("vertices", run_.placed.size()), arg("eye", place_text(camera.frame.eye))),
-               {},
-               fields_of(camera.frame.eye)});
+    milestone(views_.world(), {"WorldTransformation",
+                               "",
+                               say("pipeline.world", arg("vertices", run_.placed.size()),
+                                   arg("eye", place_text(camera.frame.eye))),
+                               {},
+                               fields_of(camera.frame.eye)});
   }
 
   void perspective() {
@@ -203,7 +203,7 @@ class Tour {
       const std::string name = name_of_vertex(vertex(i));
       fine(views_.clip_space({i, ""}),
            {"Projected", name,
-            say("projected", arg("name", name), arg("depth", real_text(p.view.z)),
+            say("pipeline.projected", arg("name", name), arg("depth", real_text(p.view.z)),
                 arg("view", place_text(p.view)), arg("x", real_text(p.clip.at.x)),
                 arg("y", real_text(p.clip.at.y)), arg("z", real_text(p.clip.at.z))),
             row(name, p.clip.at), fields_of(p.clip.at)});
@@ -225,10 +225,10 @@ class Tour {
       c[static_cast<std::size_t>(i)] = {at.x, at.y, at.w};
     }
     const double determinant = glm::dot(c[0], glm::cross(c[1], c[2]));
-    const char* verdict = faced.facing == back_face_culling::Facing::front ? "faced.front"
+    const char* verdict = faced.facing == back_face_culling::Facing::front ? "pipeline.faced.front"
                           : faced.facing == back_face_culling::Facing::back
-                              ? (faced.removed ? "faced.back" : "faced.two_sided")
-                              : "faced.edge_on";
+                              ? (faced.removed ? "pipeline.faced.back" : "pipeline.faced.two_sided")
+                              : "pipeline.faced.edge_on";
     fine(views_.facing(), {"Faced",
                            face_name(),
                            say(verdict, arg("determinant", real_text(determinant)), arg("face", face_name()),
@@ -250,7 +250,8 @@ class Tour {
     if (const Clipped* own = run_.clipped_of(piece_.id)) {
       for (std::size_t k = 0; k < own->after.size(); ++k) clipped_corner(*own, k);
       if (own->after.empty()) {
-        fine(views_.clipping(), {"Clipped", face_name(), say("clipped.gone", arg("face", face_name()))});
+        fine(views_.clipping(),
+             {"Clipped", face_name(), say("pipeline.clipped.gone", arg("face", face_name()))});
       }
     }
     const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
@@ -273,16 +274,17 @@ class Tour {
     const std::string from = old == own.before.end()
                                  ? std::string()
                                  : name_of_vertex(vertex(static_cast<int>(old - own.before.begin())));
-    const std::string key = old == own.before.end() ? "clipped.new" : "clipped.kept";
+    const std::string key = old == own.before.end() ? "pipeline.clipped.new" : "pipeline.clipped.kept";
     fine(views_.clipping({static_cast<int>(k), ""}),
          {"Clipped", name,
           say(key, arg("name", name), arg("vertex", from), arg("z", real_text(at.z)),
               arg("w", real_text(at.w))),
           row(name, at), fields_of(at)});
-    fine(views_.clipping({static_cast<int>(k), place_text(ndc)}),
-         {"Divided", name,
-          say("divided", arg("name", name), arg("w", real_text(at.w)), arg("place", place_text(ndc))),
-          row(fmt::format("{} / w", name), ndc), fields_of(ndc)});
+    fine(
+        views_.clipping({static_cast<int>(k), place_text(ndc)}),
+        {"Divided", name,
+         say("pipeline.divided", arg("name", name), arg("w", real_text(at.w)), arg("place", place_text(ndc))),
+         row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)});
   }
 
   void rasterization() {
@@ -317,8 +319,9 @@ class Tour {
     fine(views_.raster(-1, {corner, name + " " + place}),
          {"Snapped",
           name,
-          say("snapped", arg("name", name), arg("x", real_text(exact.x)), arg("y", real_text(exact.y)),
-              arg("column", figure_number(at.x)), arg("row", figure_number(at.y)), arg("place", place)),
+          say("pipeline.snapped", arg("name", name), arg("x", real_text(exact.x)),
+              arg("y", real_text(exact.y)), arg("column", figure_number(at.x)),
+              arg("row", figure_number(at.y)), arg("place", place)),
           row(name, real_text(at.x / 256.0), real_text(at.y / 256.0)),
           {{"x", std::int64_t{at.x}}, {"y", std::int64_t{at.y}}}});
   }
@@ -355,7 +358,7 @@ class Tour {
       fine(views_.visible(true),
            {"Shaded",
             pixel_key(pixel_),
-            say("shaded", arg("pixel", pixel_text()), arg("ambient", grey(shaded->ambient)),
+            say("pipeline.shaded", arg("pixel", pixel_text()), arg("ambient", grey(shaded->ambient)),
                 arg("diffuse", grey(shaded->diffuse)), arg("specular", grey(shaded->specular)),
                 arg("sum", grey(sum))),
             row(words_.say("pipeline.light"), sum),
@@ -377,8 +380,10 @@ class Tour {
 
   void depth_test(const DepthTested& test) {
     const Fragment& f = test.fragment;
-    const std::string key = !test.before ? "tested.first" : test.nearer ? "tested.nearer" : "tested.farther";
-    const std::string name = say("face", arg("face", figure_number(f.id.face)));
+    const std::string key = !test.before  ? "pipeline.tested.first"
+                            : test.nearer ? "pipeline.tested.nearer"
+                                          : "pipeline.tested.farther";
+    const std::string name = say("pipeline.face", arg("face", figure_number(f.id.face)));
     fine(views_.visible(false),
          {"DepthTested",
           pixel_key(f.pixel),
@@ -398,9 +403,9 @@ class Tour {
       fine(views_.output(false),
            {"Written",
             pixel_key(pixel_),
-            say(run_.shaded_at(pixel_) ? "written.lit" : "written.background", arg("pixel", pixel_text()),
-                arg("light", place_text(light)), arg("red", w.colour.r), arg("green", w.colour.g),
-                arg("blue", w.colour.b)),
+            say(run_.shaded_at(pixel_) ? "pipeline.written.lit" : "pipeline.written.background",
+                arg("pixel", pixel_text()), arg("light", place_text(light)), arg("red", w.colour.r),
+                arg("green", w.colour.g), arg("blue", w.colour.b)),
             row("sRGB", figure_number(w.colour.r), figure_number(w.colour.g), figure_number(w.colour.b)),
             {{"red", std::int64_t{w.colour.r}},
              {"green", std::int64_t{w.colour.g}},
@@ -409,7 +414,7 @@ class Tour {
     milestone(views_.output(true),
               {"Output",
                "",
-               say("output", arg("pixels", run_.written.size()), arg("shown", run_.shaded.size())),
+               say("pipeline.output", arg("pixels", run_.written.size()), arg("shown", run_.shaded.size())),
                {},
                {{"pixels", static_cast<std::int64_t>(run_.written.size())},
                 {"visible", static_cast<std::int64_t>(run_.shaded.size())}}});
@@ -455,7 +460,7 @@ void describe(Trace& trace, const Arguments& arguments, const Run& run) {
   trace.columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}};
   for (const Role role : {Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary,
                           Role::candidate, Role::input}) {
-    trace.legend.push_back({role, words.say(fmt::format("pipeline.legend.{}", name_of(role)))});
+    trace.legend.push_back({role, words.say("pipeline.legend." + std::string(name_of(role)))});
   }
 }
 
