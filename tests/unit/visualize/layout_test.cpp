@@ -288,9 +288,10 @@ TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
         const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 5);
         for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
           const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
+          if (figure.canvas->plane()) continue;  // no axes
           const bool follows = !(layout::visible_cells(figure, look) == trace.grid.cells);
           const auto parts = fixed_parts(lay_out(figure, look), follows);
-          if (i == 0) first = parts;
+          if (first.empty()) first = parts;
           ASSERT_EQ(first.size(), parts.size());
           for (const auto& [id, box] : parts) {
             ++compared;

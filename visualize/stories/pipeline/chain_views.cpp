@@ -309,7 +309,7 @@ View Views::clipping(const Pointer& at) const {
                 Dot{p, !made && !pointed}});
       view.add({fmt::format("f name {}", k), made || pointed ? Role::accepted : Role::current,
                 Label{p, fmt::format("c{}", k)}});
-      if (!pointed) continue;
+      if (!pointed || at.text.empty()) continue;
       const dvec2 q = there.at(divided[k]);
       view.add({"e divided corner", Role::accepted, Dot{q}});
       view.add({"f divided name", Role::accepted, Label{q, fmt::format("c{} {}", k, at.text)}});
