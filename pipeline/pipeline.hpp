@@ -37,7 +37,7 @@ concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projec
 /// Steps: those of the stages, one after the other; those of stage 6 and of its z-buffer alternate: stage 1,
 ///   2, 3, 4, 5, (Snapped (Covered DepthTested)*)*, Shaded*, Written*.
 /// Accuracy: coverage is exact for corners snapped to 1/256 pixel. The same bytes on every machine.
-/// Cost: memory of about 80 bytes a pixel and 500 bytes a triangle.
+/// Cost: memory of about 100 bytes a pixel and 1000 bytes a triangle.
 /// Errors: ContractViolation for a size or a lens out of range.
 template <ChainObserver O = Unobserved>
 Image render(const Scene& scene, Size size, O&& observer = {}) {

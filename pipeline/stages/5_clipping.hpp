@@ -69,6 +69,16 @@ inline bool inside_all(const std::vector<ClipCorner>& polygon,
   });
 }
 
+/// What is left of a polygon. Where rounding errors of very large coordinates reach beyond the near plane,
+/// nothing is.
+inline std::vector<ClipCorner> part_inside(const std::vector<ClipCorner>& polygon,
+                                           std::span<const sutherland_hodgman::Plane<double>> planes) {
+  if (inside_all(polygon, planes)) return polygon;
+  std::vector<ClipCorner> part = sutherland_hodgman::clip(polygon, planes);
+  if (!std::ranges::all_of(part, [](const ClipCorner& c) { return c.at.w > 0; })) part.clear();
+  return part;
+}
+
 /// The corner after the division.
 inline TriangleCorner divided(const ClipCorner& corner) {
   return {{perspective::divide(corner.at)}, 1 / corner.at.w, {corner.world}, corner.normal, corner.texture};
@@ -101,14 +111,13 @@ std::vector<Triangle> clip_and_divide(const Model<WorldPoint>& world, const Mode
   triangles.reserve(model.pieces.size());
   for (const Piece& piece : model.pieces) {
     const std::vector<ClipCorner> before = polygon_of(piece, world, model);
-    const bool whole = inside_all(before, planes);
-    const std::vector<ClipCorner> after = whole ? before : sutherland_hodgman::clip<double>(before, planes);
+    const std::vector<ClipCorner> after = part_inside(before, planes);
     // What is left is convex: a fan of triangles
     for (std::size_t i = 2; i < after.size(); ++i) {
       triangles.push_back(
           {piece.id, {divided(after[0]), divided(after[i - 1]), divided(after[i])}, piece.seen_from_behind});
     }
-    if constexpr (observed<O>) observer(clipped(piece.id, before, after, !whole));
+    if constexpr (observed<O>) observer(clipped(piece.id, before, after, !inside_all(before, planes)));
   }
   return triangles;
 }

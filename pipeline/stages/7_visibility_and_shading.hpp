@@ -43,16 +43,21 @@ struct Candidate {
 };
 
 /// Per pixel the fragment that is nearest so far.
-using Visible = Raster<z_buffer::Cell<double, Candidate>>;
+using PixelCell = z_buffer::Cell<double, Candidate>;
+using Visible = Raster<PixelCell>;
+
+/// The fragment that a pixel holds; nothing when it is free.
+inline std::optional<Fragment> held(const PixelCell& cell) {
+  return cell.taken ? std::optional(cell.key.fragment) : std::nullopt;
+}
 
 /// Tests a fragment against its pixel, and keeps it when it is the nearest so far.
 /// Steps: DepthTested. Accuracy: exact, whatever the order. Cost: a comparison.
 template <Observer<DepthTested> O = Unobserved>
 void keep_nearest(const Fragment& fragment, Visible& visible, O&& observer = {}) {
-  const auto before = visible[fragment.pixel];
+  const PixelCell before = visible[fragment.pixel];
   const bool nearer = z_buffer::keep_nearest(visible, fragment.pixel, fragment.depth, Candidate{fragment});
-  if constexpr (observed<O>)
-    observer(DepthTested{fragment, before.taken ? std::optional(before.key.fragment) : std::nullopt, nearer});
+  if constexpr (observed<O>) observer(DepthTested{fragment, held(before), nearer});
 }
 
 /// The mean of what the three corners have, with the fragment's weights.

@@ -17,6 +17,9 @@ struct Written {
   bool cut_off;  ///< more light than white has: a component was above 1
 };
 
+/// Whether there is more light than white has.
+inline bool too_bright(const Rgb& light) { return light.r > 1 || light.g > 1 || light.b > 1; }
+
 /// The picture. What is brighter than white becomes white.
 ///
 /// Domain: everything.
@@ -31,8 +34,7 @@ Image output(const Raster<Rgb>& light, O&& observer = {}) {
     for (int x = 0; x < light.width(); ++x) {
       const Rgb& colour = light[{x, y}];
       image[{x, y}] = srgb8_from_linear(colour);
-      if constexpr (observed<O>)
-        observer(Written{{x, y}, colour, image[{x, y}], colour.r > 1 || colour.g > 1 || colour.b > 1});
+      if constexpr (observed<O>) observer(Written{{x, y}, colour, image[{x, y}], too_bright(colour)});
     }
   }
   return image;

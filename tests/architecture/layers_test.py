@@ -165,14 +165,14 @@ def cli_violations(root):
 def observer_violations(root):
     """Observers are called in one form only, and taken by O&&."""
     found = []
-    for topic in project.topics(root):
-        for file in project.topic_headers(topic, root):
-            for number, line in enumerate(project.without_comments(file.read_text(encoding="utf-8")).split("\n"), 1):
-                place = f"{file.relative_to(root).as_posix()}:{number}"
-                if project.OBSERVER_CALL.search(line) and not project.OBSERVER_LINE.match(line.rstrip()):
-                    found.append(f"{place}: not of the form `if constexpr (observed<O>) observer(…);` on one line")
-                if re.search(r"\bO\s+observer\b", line):
-                    found.append(f"{place}: the observer is taken by value, take O&&")
+    topics = [file for topic in project.topics(root) for file in project.topic_headers(topic, root)]
+    for file in topics + project.sources(root, "pipeline"):
+        for number, line in enumerate(project.without_comments(file.read_text(encoding="utf-8")).split("\n"), 1):
+            place = f"{file.relative_to(root).as_posix()}:{number}"
+            if project.OBSERVER_CALL.search(line) and not project.OBSERVER_LINE.match(line.rstrip()):
+                found.append(f"{place}: not of the form `if constexpr (observed<O>) observer(…);` on one line")
+            if re.search(r"\bO\s+observer\b", line):
+                found.append(f"{place}: the observer is taken by value, take O&&")
     return found
 
 
@@ -399,6 +399,14 @@ class Planted(unittest.TestCase):
     def test_an_observer_line_on_two_lines(self):
         self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("observer(Stepped{", "observer(\n    Stepped{"))
         self.caught("a_line.hpp:8: not of the form")
+
+    def test_an_observer_line_of_another_form_in_the_pipeline(self):
+        self.write("pipeline/stages/1_input.hpp", HEADER.replace("if constexpr (observed<O>) observer", "observer"))
+        self.caught("1_input.hpp:8: not of the form")
+
+    def test_the_oracle_of_models_outside_tests(self):
+        self.write("pipeline/scene/obj.cpp", "#include <tiny_obj_loader.h>\n")
+        self.caught("<tiny_obj_loader.h> belongs into tests/")
 
     def test_an_observer_by_value(self):
         self.write("algorithms/lines/a_line/a_line.hpp", HEADER.replace("O&& observer", "O observer"))

@@ -68,18 +68,20 @@ struct Crossing {
   T t;                             ///< the share of the way from the inside to the outside
 };
 
-/// The corner where the edge between a and b meets the plane. It is computed from the inside to the outside
-/// whichever way the edge runs, so that both faces at an edge get the same corner; its coordinate across the
-/// plane is not computed but copied from bound * w, so that it lies on the plane and not beside it. Vertex:
-/// has a vec<4, T> `at`, and mix(a, b, t) makes the vertex t of the way from a to b. Domain: a and b lie on
-/// the two sides of the plane.
+/// The corner where the edge between a and b meets the plane. It is computed from the end with the smaller
+/// |w|, whichever way the edge runs: both faces at an edge get the same corner, and an end that is very far
+/// away leaves no rounding errors of its size. The coordinate across the plane is not computed but copied
+/// from bound * w, so that the corner lies on the plane and not beside it. Vertex: has a vec<4, T> `at`, and
+/// mix(a, b, t) makes the vertex t of the way from a to b. Domain: a and b lie on the two sides of the plane.
 template <class T, class Vertex>
 constexpr Crossing<T, Vertex> crossing(const Plane<T>& plane, const Vertex& a, const Vertex& b) {
   const bool leaves = distance(plane, a.at) > T(0);
   const Vertex &inside = leaves ? a : b, &outside = leaves ? b : a;
   const T from = distance(plane, inside.at), to = distance(plane, outside.at);
   const T t = from / (from - to);
-  Vertex vertex = mix(inside, outside, t);
+  const auto size = [](T w) { return w < T(0) ? -w : w; };
+  Vertex vertex = size(outside.at.w) < size(inside.at.w) ? mix(outside, inside, to / (to - from))
+                                                         : mix(inside, outside, t);
   vertex.at[plane.axis] = T(0) - plane.sign * plane.bound * vertex.at.w;
   return {vertex, inside.at, outside.at, t};
 }
@@ -156,14 +158,16 @@ std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> 
   return polygon;
 }
 
-/// The six planes of clip space: near and far, then the sides, `x` and `y` times as far out as the picture's.
-/// x, y: 1 cuts at the sides of the picture; larger ones are guard planes, for those who discard pixels.
-/// Errors: ContractViolation unless x, y >= 1.
+/// The six planes of clip space in the order of cutting: far, then the sides, `x` and `y` times as far out as
+/// the picture's, near at the end. By then nothing is larger than the far plane allows; a cut near the eye of
+/// an edge that comes from very far away would otherwise be all rounding error. x, y: 1 cuts at the sides of
+/// the picture; larger ones are guard planes, for those who discard pixels. Errors: ContractViolation unless
+/// x, y >= 1.
 template <class T>
 constexpr std::array<Plane<T>, 6> view_volume(T x, T y) {
   expects(x >= T(1) && y >= T(1), "guard planes lie at the sides of the picture or outside");
   const T one = T(1);
-  return {{{2, one, T(0)}, {2, -one, one}, {0, one, x}, {0, -one, x}, {1, one, y}, {1, -one, y}}};
+  return {{{2, -one, one}, {0, one, x}, {0, -one, x}, {1, one, y}, {1, -one, y}, {2, one, T(0)}}};
 }
 
 }  // namespace gradus::sutherland_hodgman

@@ -59,7 +59,7 @@ TEST(SutherlandHodgman, InsideStaysAndOutsideGoes) {
 
 TEST(SutherlandHodgman, CutsBehindTheEyeBeforeTheDivision) {
   // One corner behind the eye leaves two before it; two leave one
-  const auto near = view_volume(1.0, 1.0)[0];
+  const auto near = view_volume(1.0, 1.0)[5];
   const auto kept = [&](double za, double zb, double zc) {
     const auto at = [](double x, double z) { return P{{x, x, z - 1, z}}; };  // near plane at depth 1
     const Polygon polygon{at(0, za), at(1, zb), at(2, zc)};

@@ -243,6 +243,41 @@ TEST(Chain, GuardPlanesKeepNeighboursTogether) {
   EXPECT_EQ(cases, 150);
 }
 
+TEST(Chain, CoordinatesOfAnySizeAreClippedSoundly) {
+  Random random(test::seed() + 8);
+  int cases = 0;
+  std::int64_t cut = 0, corners = 0;
+  for (; cases < 2000; ++cases) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+      const auto any = [&] {
+        return (random.uniform_int(0, 1) ? 1 : -1) * std::pow(10.0, random.uniform(-30, 29));
+      };
+      text += fmt::format("v {} {} {}\n", any(), any(), any());
+    }
+    Scene scene = glowing({{text + "f 1 2 3\n", {0, 1, 0}}});
+    scene.camera.lens = {radians_from_degrees(random.uniform(1, 170)), 1e-3,
+                         std::pow(10.0, random.uniform(-2, 9))};
+    Record seen;
+    ASSERT_NO_THROW(render(scene, {16, 9}, seen)) << "case " << cases << ", seed " << test::seed() << "\n"
+                                                  << text;
+    for (const Clipped& c : all<Clipped>(seen)) {
+      cut += c.changed && !c.after.empty();
+      for (const ClipPoint& p : c.after) ASSERT_GT(p.at.w, 0);
+      for (const NdcPoint& p : c.divided) {
+        ASSERT_LE(std::max(std::abs(p.at.x) * 8, std::abs(p.at.y) * 4.5), guard_pixels * (1 + 1e-9));
+        ASSERT_GE(p.at.z, -1e-12);
+        ASSERT_LE(p.at.z, 1 + 1e-12);
+        ++corners;
+      }
+    }
+  }
+  EXPECT_EQ(cases, 2000);
+  EXPECT_GT(cut, 100);
+  std::printf("%lld pieces cut, %lld corners\n", static_cast<long long>(cut),
+              static_cast<long long>(corners));
+}
+
 TEST(Chain, ClosedBodiesLoseTheirBacksAndNothingElse) {
   Scene scene = scene_of(letter(), 1.5);
   ASSERT_FALSE(scene.objects[0].two_sided);

@@ -36,6 +36,21 @@ TEST(TriangleCoverage, NotesTriangleCoversFourCentres) {
   EXPECT_EQ(covered(turned, sheet), covered(t, sheet));
 }
 
+TEST(TriangleCoverage, EdgeFunctionsOfTheNotesTriangle) {
+  // G001-95, as a x + b y + c; edge i lies opposite corner i
+  const Triangle t = pixels({1, 3}, {4, 1}, {2, 5});
+  const Edges edges = edges_of(t);
+  for (int x = -2; x < 7; ++x) {
+    for (int y = -2; y < 7; ++y) {
+      const ivec2 place{256 * x, 256 * y};
+      EXPECT_EQ(edges[2].at(place), 65536 * (2 * x + 3 * y - 11));
+      EXPECT_EQ(edges[0].at(place), 65536 * (-4 * x - 2 * y + 18));
+      EXPECT_EQ(edges[1].at(place), 65536 * (2 * x - y + 1));
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(edges[i].at(t[i]), 8 * 65536);
+}
+
 TEST(TriangleCoverage, TheDiagonalOfASquareIsDrawnOnce) {
   // G001-98: closed half-planes draw 8 of 64 pixels twice
   const Pixels lower = covered(pixels({0, 0}, {8, 0}, {8, 8}), sheet);
