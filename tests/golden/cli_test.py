@@ -398,8 +398,8 @@ def test_wrong_input():
         # words
         ([*line, *out, "--label", "p"], "--label: expected a symbol and a name for it like p=d, found 'p'"),
         ([*line, *out, "--label", "p="], "--label: expected a text, found ''"),
-        ([*line, *out, "--label", "p=\u2603"], "--label: expected letters that the figures' font has (not U+2603, \u2603), found '\u2603'"),
-        ([*line, *out, "--title", "a\nb"], "--title: expected letters that the figures' font has (not U+000A, a control character), found 'a\\nb'"),
+        ([*line, *out, "--label", "p=\u2603"], "--label: expected letters that can be drawn (the figures' fonts have no glyph for U+2603), found '\u2603'"),
+        ([*line, *out, "--title", "a\nb"], "--title: expected a text on one line, found 'a\\nb'"),
         ([*line, *out, "--language", "xx"], "--language: expected one of en, de, found 'xx'"),
         # snippets
         ([*line, *out, "--snippet", "beamer"], "--snippet: expected pdf, png to show in beamer, found svg"),
@@ -425,8 +425,8 @@ def test_wrong_input():
         ([*fill, "--image", "ok.png", "--at", "1,1", "-o", "ok.png"], "-o: expected another file than the input, found 'ok.png'"),
         ([*fill, "--image", "ok.png", "--at", "1,1", "-o", "./ok.png"], "-o: expected another file than the input, found './ok.png'"),
         (["again", "gone.svg"], "again: expected a readable file, found 'gone.svg' (No such file or directory)"),
-        (["again", "plain.svg"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'plain.svg'"),
-        (["again", "in.txt"], "again: expected a figure made by gradus (SVG, PNG, PDF or player), found 'in.txt'"),
+        (["again", "plain.svg"], "again: expected a figure made by gradus (SVG, PNG, PDF, player or film), found 'plain.svg'"),
+        (["again", "in.txt"], "again: expected a figure made by gradus (SVG, PNG, PDF, player or film), found 'in.txt'"),
         (["again", "evil.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil.svg'"),
         (["again", "evil2.svg"], "again: expected a figure with a `gradus figure` command in it, found 'evil2.svg'"),
         (["figures", "-o", "in.txt"], "-o: expected a folder, found 'in.txt'"),
@@ -649,8 +649,8 @@ def test_figures_only():
     check(all(name.startswith("bresenham") for name in result.err.splitlines()[:-1]), result.err)
     page = read("out/index.html").decode()
     check("bresenham_line" in page and "flood_fill" not in page, "the page shows what is there")
-    equal([name for name in files("out") if name.startswith("topics/")], ["topics/scan_conversion/bresenham_line.html"],
-          "and the topic's page is")
+    equal([name for name in files("out") if name.startswith("topics/")],
+          [f"topics/scan_conversion/bresenham_{name}.html" for name in ("circle", "line")], "and the topics' pages are")
     gradus("figures", "-o", "out", "--only", "flood_fill_span")
     page = read("out/index.html").decode()
     check("bresenham_line" in page and "flood_fill_span" in page, "figures made earlier stay on the page")

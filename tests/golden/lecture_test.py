@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 import jsonschema
 
@@ -86,20 +87,22 @@ def test_a_lecture_becomes_figures():
     equal(err, "bresenham_line\nbresenham_line_2\nOne\nflood_fill\n4 drawn, 0 unchanged, 0 removed\n", "what was done")
     first = made("out")
     equal(sorted(first), sorted(
-        [f"bresenham_line/bresenham_line{end}" for end in ("-drawing.svg", ".svg", ".png", ".pdf", ".html", ".csv", ".json")]
+        [f"bresenham_line/bresenham_line{end}" for end in ("-drawing.svg", ".svg", ".png", ".pdf", ".html", ".csv", ".json", "-steps.zip")]
         + [f"bresenham_line_2/bresenham_line_2{end}"
            for end in ("-drawing.svg", "-1.png", "-4.png", "-5.png", ".pdf", ".html", ".csv")]
         + ["One/One-drawing.svg", "One/One.svg", "index.html"]
-        + [f"flood_fill/flood_fill{end}" for end in ("-drawing.svg", ".json", ".txt")]), "the files")
+        + [f"flood_fill/flood_fill{end}" for end in ("-drawing.svg", ".json", ".txt")]
+        + [f"topics/scan_conversion/{topic}.html" for topic in ("bresenham_line", "flood_fill")]), "the files")
     pages = [subprocess.run(["qpdf", "--show-npages", f"out/{name}/{name}.pdf"], capture_output=True, check=True).stdout
              for name in ("bresenham_line", "bresenham_line_2")]
     equal(pages, [b"10\n", b"3\n"], "a page a step")
     page = pathlib.Path("out/index.html").read_text(encoding="utf-8")
-    check("<title>Lecture &lt;3&gt;</title>" in page and "<h1>Lecture &lt;3&gt;</h1>" in page, "the title, escaped")
+    check("<title>Lecture &lt;3&gt;: " in page and "<h1>Lecture &lt;3&gt;</h1>" in page, "the title, escaped")
     check("&lt;script&gt;alert(1)&lt;/script&gt; &amp; more" in page and "<script>alert" not in page, "the caption, escaped")
     for link in re.findall(r'(?:href|src)="([^"#:]+)"', page):
         check(os.path.exists(os.path.join("out", link)), f"the link {link} leads somewhere")
-    check("--theme dark" in page and "--steps 1,4-5" in page, "commands say what the lecture says")
+    plain = re.sub(r"<[^>]+>", "", page)
+    check("--theme dark" in plain and "--steps 1,4-5" in plain, "commands say what the lecture says")
 
     equal(gradus("figures", "a.json", "-o", "out"), (0, "out/index.html\n", "0 drawn, 4 unchanged, 0 removed\n"),
           "nothing changed")
@@ -111,7 +114,9 @@ def test_a_lecture_becomes_figures():
                  "bresenham_line/bresenham_line.pdf", "One/One-drawing.svg"):
         again = "again" + os.path.splitext(name)[1]
         gradus("again", "out/" + name, "-o", again)
-        check(os.path.exists(again) and pathlib.Path(again).read_bytes() == pathlib.Path("out", name).read_bytes(),
+        # Only here a player lies beside the page about its topic, and has a link to it
+        drawn = re.sub(rb'<a class="topic".*?</a>', b"", pathlib.Path("out", name).read_bytes())
+        check(os.path.exists(again) and pathlib.Path(again).read_bytes() == drawn,
               f"{name} made again by the command in it")
 
 
@@ -123,7 +128,8 @@ def test_only_what_changed_is_drawn():
     write("a.json", figures({"name": "a", "caption": "New."}, {"name": "c", "input": {"to": "5,2"}}, outputs=["csv"]))
     write("out/b/mine.txt", "kept")
     equal(gradus("figures", "a.json")[2], "a\nc\n2 drawn, 0 unchanged, 1 removed\n", "a new name, other outputs")
-    equal(sorted(made("out")), ["a/a-drawing.svg", "a/a.csv", "b/mine.txt", "c/c-drawing.svg", "c/c.csv", "index.html"],
+    equal(sorted(made("out")), ["a/a-drawing.svg", "a/a.csv", "b/mine.txt", "c/c-drawing.svg", "c/c.csv", "index.html",
+                              "topics/scan_conversion/bresenham_line.html"],
           "files made earlier go, others stay")
     write("a.json", figures({"name": "a", "caption": "New."}, {"name": "c", "input": {"to": "5,3"}}, outputs=["csv"]))
     equal(gradus("figures", "a.json", "--only", "a")[2], "0 drawn, 1 unchanged, 0 removed\n", "--only")
@@ -144,7 +150,8 @@ def test_files_are_looked_for_beside_the_lecture():
     equal((code, err), (0, "flood_fill\n1 drawn, 0 unchanged, 0 removed\n"), "from another folder")
     check(os.path.exists("out/flood_fill/horse.png"), "the picture lies beside the figure")
     page = pathlib.Path("out/index.html").read_text(encoding="utf-8")
-    check("--image horse.png" in page and "lectures" not in page, "no folders in commands")
+    plain = re.sub(r"<[^>]+>", "", page)
+    check("--image horse.png" in plain and "lectures" not in plain, "no folders in commands")
     gradus("again", "out/flood_fill/flood_fill.svg", "-o", "again.svg")
     equal(pathlib.Path("again.svg").read_bytes(), pathlib.Path("out/flood_fill/flood_fill.svg").read_bytes(), "again")
 
@@ -194,10 +201,55 @@ def test_two_lectures_do_not_share_a_folder():
                                         "with those of the lecture 'a.json' (--force removes them)\n"), f"then {other}")
     equal(made("out"), before, "nothing touched")
     equal(gradus("figures", "b.json", "--force")[2], "b\n1 drawn, 0 unchanged, 1 removed\n", "--force says what goes")
-    equal(sorted(made("out")), ["b/b-drawing.svg", "b/b.svg", "index.html"], "only the new ones")
+    equal(sorted(made("out")), ["b/b-drawing.svg", "b/b.svg", "index.html", "topics/scan_conversion/bresenham_line.html"],
+          "only the new ones")
     equal(gradus("figures", "./b.json")[2], "0 drawn, 1 unchanged, 0 removed\n", "the same lecture by another path")
     gradus("figures", "-o", "gallery", "--only", "flood_fill_span")
     equal("with those of the built-in gallery" in gradus("figures", "b.json", "-o", "gallery")[2], True, "the gallery's folder")
+
+
+def test_the_shipped_lecture_and_its_slides():
+    lecture = ROOT / "examples/lecture/scan_conversion.json"
+    figures = json.loads(lecture.read_text(encoding="utf-8"))["figures"]
+    equal(len(figures), 12, "figures of the shipped lecture")
+    equal(gradus("figures", str(lecture), "-o", "out", "-q")[:2], (0, "out/index.html\n"), "the shipped lecture")
+    shown = re.findall(r"\\includegraphics(?:<\d+>)?\[page=(\d+),.*?\]\{(.*?)\}",
+                       (ROOT / "examples/lecture/slides.tex").read_text(encoding="utf-8"))
+    pages = {}
+    for page, path in shown:
+        pages.setdefault(path, []).append(int(page))
+    equal(list(pages), [f"{figure['name']}/{figure['name']}.pdf" for figure in figures], "slides of every figure, in order")
+    for path, numbers in pages.items():
+        count = int(subprocess.run(["qpdf", "--show-npages", f"out/{path}"], capture_output=True, check=True).stdout)
+        equal(numbers, list(range(1, count + 1)), f"pages of {path}")
+
+
+def test_looks_for_a_whole_lecture():
+    write("a.json", figures({"labels": {"p": "d"}, "outputs": ["svg"]},
+                            {"topic": "flood_fill", "input": {"maze": ["###", "#.#", "###"], "at": [1, 1]}, "theme": "light",
+                             "outputs": ["svg"]}, size="16:9"))
+    equal(gradus("figures", "a.json", "-o", "dark", "--theme", "dark", "--size", "4:3", "--zip", "-q")[0], 0, "for another room")
+    for name in ("bresenham_line", "flood_fill"):
+        text = pathlib.Path(f"dark/{name}/{name}.svg").read_text(encoding="utf-8")
+        check("--theme dark --size 4:3" in text and 'viewBox="0 0 960 720"' in text, f"{name} in the other look")
+    with zipfile.ZipFile("dark.zip") as packed:
+        equal(packed.testzip(), None, "the zip is whole")
+        equal(sorted(packed.namelist()), sorted(made("dark")), "all of the folder is in it")
+        check(all(packed.read(name) == pathlib.Path("dark", name).read_bytes() for name in packed.namelist()), "as it is")
+    code, out, err = gradus("figures", "a.json", "-o", "new", "--theme", "drak")
+    equal((code, out, err), (2, "", "gradus: --theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did "
+                             "you mean 'dark'?\n"), "a wrong look")
+    check(not os.path.exists("new"), "nothing made")
+
+
+def test_labels_of_a_lecture_serve_its_topics():
+    fill = {"topic": "flood_fill", "input": {"maze": ["#.#"], "at": [1, 0]}, "outputs": ["csv"]}
+    write("a.json", figures({"outputs": ["svg"]}, fill, labels={"p": "d"}))
+    equal(gradus("figures", "a.json", "-q")[0], 0, "a symbol that one of two topics has")
+    write("b.json", figures(fill, labels={"p": "d"}))
+    code, _, err = gradus("figures", "b.json", "--check")
+    equal(code, 2, "a symbol that none has")
+    check("labels.p: expected a symbol of one of the topics, found 'p'" in err, err)
 
 
 def test_from_standard_input():
@@ -261,7 +313,7 @@ def test_every_problem_has_its_line():
     equal((code, err.splitlines()), (2, expected), "--check runs the topics")
     code, out, err = gradus("figures", "my.json", "-o", "out")
     equal((code, out, err.splitlines()), (2, "", ["fine", *expected, "1 drawn, 0 unchanged, 0 removed"]), "the others are drawn")
-    equal(sorted(made("out")), ["fine/fine-drawing.svg", "fine/fine.svg", "index.html"], "no trace of those that failed")
+    equal(sorted(made("out")), ["fine/fine-drawing.svg", "fine/fine.svg", "index.html", "topics/scan_conversion/bresenham_line.html"], "no trace of those that failed")
 
     write("my.json", '{"figures": [\n{"topic": "bresenham_line" "input": {}}]}')
     equal(gradus("figures", "my.json", "--check")[::2],

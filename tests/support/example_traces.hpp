@@ -78,6 +78,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   }
   tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,2,11,11"}});
   tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,-3,3,3"}});
+  tell("bresenham_circle", {{"radius", "6"}, {"window", "-7,-7,7,7"}});
   tell("bresenham_circle",
        {{"center", "-960383883,-1920767765"}, {"radius", "2147483647"}, {"window", "-8,-6,8,6"}});
   traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));

@@ -104,8 +104,7 @@ struct SubjectOf {
 
 class SvgWriter {
  public:
-  SvgWriter(const Sheet& sheet, const Finish& finish)
-      : sheet_(sheet), finish_(finish), unit_(sheet.unit) {}
+  SvgWriter(const Sheet& sheet, const Finish& finish) : sheet_(sheet), finish_(finish), unit_(sheet.unit) {}
 
   std::string write(const Colophon& colophon) {
     if (!finish_.transparent) draw_ground();

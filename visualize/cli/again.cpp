@@ -71,7 +71,7 @@ int again(const Request& request) {
   const auto colophon = content ? colophon_in(bytes) : std::nullopt;
   if (!colophon) {
     throw UsageError(
-        fmt::format("again: expected a figure made by gradus (SVG, PNG, PDF or player), found {}",
+        fmt::format("again: expected a figure made by gradus (SVG, PNG, PDF, player or film), found {}",
                     path == dash ? "something else" : shown(path)));
   }
   const Request recorded = recorded_request(*colophon, path);

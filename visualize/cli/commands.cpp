@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/errors.hpp"
 #include "cli/names.hpp"
 #include "stories/point_text.hpp"
@@ -57,6 +59,16 @@ std::vector<Flag> joined(std::vector<Flag> flags, std::initializer_list<std::vec
   return flags;
 }
 
+/// The looks that one may want of a whole lecture, whatever it says itself.
+std::vector<Flag> same_for_all() {
+  std::vector<Flag> flags;
+  for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
+    flags.push_back(*std::ranges::find(looks, name, &Flag::name));
+  }
+  flags.push_back(*std::ranges::find(words, "language", &Flag::name));
+  return flags;
+}
+
 Flag with_help(Flag flag, const char* help) {
   flag.help = help;
   return flag;
@@ -101,27 +113,30 @@ std::vector<Command> all_commands() {
             format,
             {"snippet", 0, "KIND", "prints the lines to paste into a lecture: beamer, reveal or markdown"}},
            {looks, words, outputs}),
-       {"gradus figure TOPIC -o line.svg", "gradus figure TOPIC --step 4 --theme dark -o line.png",
-        "gradus figure TOPIC -o 'line-{step}.png'    one file a step",
-        "gradus figure TOPIC -o line.pdf             one page a step",
-        "gradus figure TOPIC -o line.html            the player, to step through in a browser",
-        "gradus figure TOPIC -o line.pdf --steps auto --size 4:3 --snippet beamer",
-        "gradus figure TOPIC -o line.pdf --handout 2x3 --paper a4",
-        "gradus figure TOPIC -o line.gif --seconds-per-step 2"}},
+       {"gradus figure TOPIC -o figure.svg", "gradus figure TOPIC --step 4 --theme dark -o figure.png",
+        "gradus figure TOPIC -o 'figure-{step}.png'    one file a step",
+        "gradus figure TOPIC -o figure.pdf             one page a step",
+        "gradus figure TOPIC -o figure.html            the player, to step through in a browser",
+        "gradus figure TOPIC -o figure.pdf --steps auto --size 4:3 --snippet beamer",
+        "gradus figure TOPIC -o figure.pdf --handout 2x3 --paper a4",
+        "gradus figure TOPIC -o figure.gif --seconds-per-step 2"}},
       {"figures",
        "one LECTURE",
        "draws every figure of a lecture, or of the built-in gallery; only what has changed",
        0,
        1,
        false,
-       {with_help(output, "the folder; default out"),
-        {"check", 0, "", "reads the lecture and reports every problem; draws nothing"},
-        {"schema", 0, "", "prints the JSON Schema of lectures, for editors that check while you type"},
-        {"only", 0, "GLOB", "only figures or topics with such a name; * and ? stand for any letters"},
-        {"jobs", 'j', "N", "how many at once; default: the usable cores"},
-        {"force", 'f', "", "all anew"}},
-       {"gradus figures -o out/", "gradus figures my_lecture.json -o out/",
+       joined({with_help(output, "the folder; default out"),
+               {"check", 0, "", "reads the lecture and reports every problem; draws nothing"},
+               {"schema", 0, "", "prints the JSON Schema of lectures, for editors that check while you type"},
+               {"only", 0, "GLOB", "only figures or topics with such a name; * and ? stand for any letters"},
+               {"jobs", 'j', "N", "how many at once; default: the usable cores"},
+               {"force", 'f', "", "all anew"},
+               {"zip", 0, "", "packs the folder into one file beside it, for a learning platform"}},
+              {same_for_all()}),
+       {"gradus figures -o out/", "gradus figures my_lecture.json -o my_lecture/",
         "gradus figures my_lecture.json --check", "gradus figures -o out/ --only 'TOPIC*'",
+        "gradus figures my_lecture.json -o dark/ --theme dark --size 4:3", "gradus figures -o out/ --zip",
         "gradus figures -o out/ --jobs 2 --force"}},
       {"again",
        "a FILE",

@@ -208,7 +208,17 @@ std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format,
     figure.steps = {{output, 0, alt(one_step ? takes.figure(shown_step(spec, takes)).sentence : trace.goal)}};
     return snippet_of(kind, figure);
   }
-  for (const StepNumber step : series ? shown_steps(spec, takes) : pages_of(spec, takes)) {
+  const std::vector<StepNumber> steps = series ? shown_steps(spec, takes) : pages_of(spec, takes);
+  if (spec.handout && !series) {
+    const std::size_t a_page = spec.handout->figures();
+    for (std::size_t at = 0; at < steps.size(); at += a_page) {
+      const auto on_page = std::span(steps).subspan(at, std::min(a_page, steps.size() - at));
+      const int page = static_cast<int>(figure.steps.size()) + 1;
+      figure.steps.push_back({output, page, alt(summary_of(trace, on_page))});
+    }
+    return snippet_of(kind, figure);
+  }
+  for (const StepNumber step : steps) {
     const int page = format == Format::pdf ? (series ? 1 : static_cast<int>(figure.steps.size()) + 1) : 0;
     figure.steps.push_back({name_for(output, step), page, alt(takes.figure(step).sentence)});
   }

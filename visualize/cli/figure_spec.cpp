@@ -32,6 +32,7 @@ std::size_t chosen(std::string_view flag, std::string_view text, const Texts& na
 std::string drawable(std::string_view flag, std::string_view text, Face face) {
   const std::string_view word = trimmed(text);
   if (word.empty()) refuse(flag, "a text", text);
+  if (word.find('\n') != std::string_view::npos) refuse(flag, "a text on one line", text);
   if (const auto missing = missing_glyph(word, face)) {
     refuse(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), text);
   }
@@ -220,10 +221,18 @@ void check_ground(const FigureSpec& spec) {
   if (!spec.ground) return;
   const auto low = low_contrast(with_paper(*spec.theme, *spec.ground));
   if (!low) return;
-  refuse(
-      "background",
-      fmt::format("a ground on which the {} of theme {} keep {}:1", low->what, spec.theme->name, low->least),
-      fmt::format("#{:06x} with {:.1f}:1", spec.ground->hex, low->found));
+  throw UsageError(fmt::format(
+      "--background: expected a ground on which the {} of theme {} keep {}:1, found '#{:06x}' with {:.1f}:1",
+      low->what, spec.theme->name, low->least, spec.ground->hex, low->found));
+}
+
+/// A picture of this size takes a gigabyte, and H.264 knows no larger one.
+void check_pixels(const FigureSpec& spec) {
+  constexpr double most_pixels = 16'384;
+  const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
+  if (std::max(width, height) <= most_pixels) return;
+  throw UsageError(fmt::format("--scale: expected at most {} pixels a side, found {:.0f} x {:.0f}",
+                               most_pixels, width, height));
 }
 
 std::string read_svg_text(FigureSpec& spec, const std::string& text) {
@@ -320,7 +329,7 @@ SymbolLabel label_in(const std::string& text, const Texts& symbols) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse("label", "a symbol and a name for it like p=d", text);
   const std::string symbol(trimmed(std::string_view(text).substr(0, equals)));
-  if (std::ranges::find(symbols, symbol) == symbols.end()) {
+  if (!symbols.empty() && std::ranges::find(symbols, symbol) == symbols.end()) {
     throw UsageError(fmt::format("--label: expected one of the symbols {}, found {}{}",
                                  fmt::join(symbols, ", "), shown(symbol), suggestion(symbol, symbols)));
   }
@@ -329,7 +338,8 @@ SymbolLabel label_in(const std::string& text, const Texts& symbols) {
 
 void apply_labels(FigureSpec& spec, const Texts& given) {
   std::vector<SymbolLabel> labels = spec.wording.labels();
-  const Texts symbols = topic_symbols(spec.topic->name);
+  if (given.empty()) return;
+  const Texts symbols = spec.topic ? topic_symbols(spec.topic->name) : Texts{};
   for (const std::string& text : given) {
     const SymbolLabel label = label_in(text, symbols);
     std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
@@ -387,6 +397,7 @@ void apply_flags(FigureSpec& spec, const Request& request) {
     if (!canonical.empty()) spec.said[reader.name] = canonical;
   }
   check_ground(spec);
+  check_pixels(spec);
   apply_labels(spec, request.labels);
 }
 
@@ -404,8 +415,8 @@ std::string command_of(const FigureSpec& spec) {
   for (const FlagReader& reader : readers) {
     const auto said = spec.said.find(reader.name);
     if (said == spec.said.end()) continue;
-    line += fmt::format(" --{}", reader.name);
-    if (!is_switch(reader.name)) line += " " + shell_quoted(said->second);
+    line += " ";
+    line += is_switch(reader.name) ? fmt::format("--{}", reader.name) : flag_with(reader.name, said->second);
   }
   for (const SymbolLabel& label : spec.wording.labels()) {
     line += " --label " + shell_quoted(fmt::format("{}={}", label.symbol, label.text));

@@ -309,6 +309,26 @@ int check(const Lecture& lecture, const Request& request, std::size_t threads) {
   return 0;
 }
 
+/// Flags that stand in the place of what a lecture says of its looks. Throws UsageError for a wrong one.
+std::map<std::string, std::string> looks_of(const Request& request) {
+  static constexpr std::string_view others[] = {"output", "check", "schema", "only",  "jobs",
+                                                "force",  "zip",   "quiet",  "color", "help"};
+  std::map<std::string, std::string> looks = request.flags;
+  std::erase_if(looks,
+                [](const auto& flag) { return std::ranges::find(others, flag.first) != std::end(others); });
+  Request alone;
+  alone.flags = looks;
+  read_spec(alone, {});
+  return looks;
+}
+
+/// "out/" -> "out.zip"
+std::string zip_beside(const fs::path& out) {
+  const fs::path whole = fs::absolute(out).lexically_normal();
+  const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
+  return folder.string() + ".zip";
+}
+
 }  // namespace
 
 int figures(const Request& request) {
@@ -318,7 +338,7 @@ int figures(const Request& request) {
   }
   const std::size_t threads = read_jobs(request);
   const LectureFile file = request.operands.empty() ? gallery_lecture() : lecture_at(request.operands[0]);
-  const Lecture lecture = read_lecture(file);
+  const Lecture lecture = read_lecture(file, looks_of(request));
   if (request.has("check")) return check(lecture, request, threads);
   if (!lecture.problems.empty()) throw InputError(lecture.problems.front().text);
 
@@ -338,6 +358,7 @@ int figures(const Request& request) {
   });
   write_index(lecture, out, album, program, force);
 
+  if (request.has("zip")) zip_folder(out, album.paths(), zip_beside(out));
   complain(failures.problems);
   if (!request.quiet()) {
     note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,

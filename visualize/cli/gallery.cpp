@@ -197,12 +197,11 @@ std::string short_command(const LectureFigure& figure) {
   for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
     const auto given = request.arguments.find(entry.name);
     if (given == request.arguments.end()) continue;
-    line += fmt::format(" --{} {}", hyphened(entry.name),
-                        shell_quoted(entry.hash.empty() ? given->second : entry.text));
+    line += " " + flag_with(hyphened(entry.name), entry.hash.empty() ? given->second : entry.text);
   }
   for (const auto& [flag, value] : request.flags) {
     if (!figure_says(figure, flag, format)) continue;
-    line += " --" + flag + (value.empty() ? "" : " " + shell_quoted(value));
+    line += " " + (value.empty() ? "--" + flag : flag_with(flag, value));
   }
   for (const std::string& label : request.labels) line += " --label " + shell_quoted(label);
   const bool series = is_picture(format) && request.has("steps");

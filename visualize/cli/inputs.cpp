@@ -188,7 +188,7 @@ std::string command_of(std::string_view command, const TopicEntry& topic, const 
   std::string line = fmt::format("gradus {} {}", command, topic.name);
   for (const Arguments::Entry& entry : arguments.entries()) {
     if (entry.name == "method" && entry.text == topic.default_method) continue;
-    line += fmt::format(" --{} {}", hyphened(entry.name), shell_quoted(entry.text));
+    line += " " + flag_with(hyphened(entry.name), entry.text);
   }
   return line;
 }

@@ -13,6 +13,7 @@
 #include "cli/located_json.hpp"
 #include "cli/names.hpp"
 #include "core/image.hpp"
+#include "figure/wording.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus {
@@ -142,7 +143,10 @@ std::string way(const std::string& path, const std::string& key) {
 
 class Reader {
  public:
-  explicit Reader(const LectureFile& file) : file_(file) { lecture_.file = file.name; }
+  Reader(const LectureFile& file, const std::map<std::string, std::string>& instead)
+      : file_(file), instead_(instead) {
+    lecture_.file = file.name;
+  }
 
   Lecture read() {
     const JsonNode root = read_json(file_.text, file_.name);
@@ -155,6 +159,7 @@ class Reader {
     Settings defaults;
     read_settings(root, "", &LectureKey::of_lecture, defaults);
     read_figures(root, defaults);
+    check_labels(defaults);
     name_figures();
     std::ranges::stable_sort(lecture_.problems, {}, &Problem::line);
     return std::move(lecture_);
@@ -346,6 +351,7 @@ class Reader {
     const std::size_t problems = lecture_.problems.size();
     figure.request.command = &*std::ranges::find(commands(), "figure", &Command::name);
     figure.request.topic = topic_of(node, path);
+    if (figure.request.topic) topics_.insert(figure.request.topic);
     check_keys(node, path, &LectureKey::of_figure, figure.request.topic);
     read_settings(node, path, &LectureKey::of_figure, settings);
     read_own(node, path, figure);
@@ -391,7 +397,6 @@ class Reader {
       for (const Method& method : figure.request.topic->methods) names.push_back(method.name);
       if (whole_name(text, names, figure.places["method"])) figure.request.arguments["method"] = text;
     });
-    take("caption", &Reader::line_of_text, [&](const std::string& text) { figure.caption = text; });
     take("name", &Reader::safe_name, [&](const std::string& text) { figure.name = text; });
   }
 
@@ -453,14 +458,37 @@ class Reader {
     return text;
   }
 
+  static bool is_default(const Given& label) { return label.place.path.starts_with("labels"); }
+
+  static bool has_symbol(const TopicEntry* topic, const std::string& symbol) {
+    if (!topic) return false;
+    const std::vector<std::string> symbols = topic_symbols(topic->name);
+    return std::ranges::find(symbols, symbol) != symbols.end();
+  }
+
+  /// A label of the whole lecture must be of use to one of its figures.
+  void check_labels(const Settings& defaults) {
+    for (const auto& [symbol, given] : defaults.labels) {
+      const bool used = std::ranges::any_of(
+          topics_, [&symbol](const TopicEntry* topic) { return has_symbol(topic, symbol); });
+      if (!used && !topics_.empty()) {
+        complain(given.place, fmt::format("expected a symbol of one of the topics, found {}", shown(symbol)));
+      }
+    }
+  }
+
   /// From what the lecture says to a request, as a command line would have made it.
-  static void take(const Settings& settings, LectureFigure& figure) {
+  void take(const Settings& settings, LectureFigure& figure) {
     figure.outputs = settings.outputs;
     for (const auto& [name, given] : settings.flags) {
       figure.request.flags[name] = given.text;
       figure.places[folded(name)] = given.place;
+      if (name == "caption") figure.caption = given.text;
     }
+    for (const auto& [name, text] : instead_) figure.request.flags[name] = text;
     for (const auto& [symbol, given] : settings.labels) {
+      // The lecture's own labels are for those topics that have the symbol
+      if (is_default(given) && !has_symbol(figure.request.topic, symbol)) continue;
       figure.request.labels.push_back(symbol + "=" + given.text);
       figure.places["label"] = {given.place.line, given.place.path.substr(0, given.place.path.rfind('.'))};
     }
@@ -542,7 +570,9 @@ class Reader {
   }
 
   const LectureFile& file_;
+  const std::map<std::string, std::string>& instead_;  ///< flags
   Lecture lecture_;
+  std::set<const TopicEntry*> topics_;  ///< of all figures, also those that are not whole
 };
 
 }  // namespace
@@ -582,7 +612,9 @@ std::string LectureFigure::contents() const {
   return text;
 }
 
-Lecture read_lecture(const LectureFile& file) { return Reader(file).read(); }
+Lecture read_lecture(const LectureFile& file, const std::map<std::string, std::string>& instead) {
+  return Reader(file, instead).read();
+}
 
 bool is_about_input(const std::exception& error) {
   return dynamic_cast<const UsageError*>(&error) || dynamic_cast<const ArgumentError*>(&error) ||

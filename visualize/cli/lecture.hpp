@@ -99,8 +99,9 @@ struct Lecture {
 };
 
 /// Reads it all, noting every problem. Throws InputError for what is no JSON, WorkError when a file of the
-/// built-in gallery is missing.
-Lecture read_lecture(const LectureFile& file);
+/// built-in gallery is missing. `instead`: flags of looks, checked already, that stand in the place of what
+/// the lecture says.
+Lecture read_lecture(const LectureFile& file, const std::map<std::string, std::string>& instead = {});
 
 /// What went wrong with a figure, with its place; for errors that are not about the user's input its name
 /// will do.

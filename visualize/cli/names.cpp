@@ -114,6 +114,10 @@ std::string shell_quoted(std::string_view value) {
   return quoted + "'";
 }
 
+std::string flag_with(std::string_view flag, std::string_view value) {
+  return fmt::format("--{}{}{}", flag, value.starts_with("--") ? "=" : " ", shell_quoted(value));
+}
+
 std::optional<std::vector<std::string>> shell_words(std::string_view line) {
   std::vector<std::string> words;
   bool inside = false;  // a word has begun, be it empty

@@ -37,6 +37,8 @@ bool matches_glob(std::string_view pattern, std::string_view name);
 
 /// A value as a POSIX shell would need it: quoted only where it must be.
 std::string shell_quoted(std::string_view value);
+/// "--theme dark", and "--title=--odd" where the value would be taken for a flag.
+std::string flag_with(std::string_view flag, std::string_view value);
 /// The words of a command line as shell_quoted wrote them. Nothing when a quote is left open.
 std::optional<std::vector<std::string>> shell_words(std::string_view line);
 

@@ -127,21 +127,32 @@ void lay_out_listing(Pen& pen, const Figure& figure, const Box& box, int count) 
   }
 }
 
+/// The width that no column may pass so that all fit: the widest give way, the others stay whole.
+double widest_that_fits(std::vector<double> wanted, double room) {
+  std::ranges::sort(wanted);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double share = room / static_cast<double>(wanted.size() - i);
+    if (wanted[i] > share) return share;
+    room -= wanted[i];
+  }
+  return wanted.back();
+}
+
 /// Left edge and width of each column: as wide as its widest text asks for, the rest shared evenly.
 std::vector<std::pair<double, double>> column_places(const Trace& trace, const Box& box, double s) {
   const std::vector<double> wanted = column_widths(trace);
   double sum = 0;
   for (const double width : wanted) sum += width * s;
   double spare = (box.width - 12 * s - sum) / static_cast<double>(wanted.size());
-  double squeeze = 1;
+  double most = box.width;
   if (spare < -squeezable * s) {
-    squeeze = (box.width - 12 * s) / sum;
+    most = s * widest_that_fits(wanted, box.width / s - 12);
     spare = 0;
   }
   std::vector<std::pair<double, double>> places;
   double x = box.x + 8 * s;
   for (const double width : wanted) {
-    const double given = width * s * squeeze + spare;
+    const double given = std::min(width * s, most) + spare;
     places.emplace_back(x, given);
     x += given;
   }

@@ -97,6 +97,7 @@ struct Frame {
 /// Where the parts of the drawing lie, in pixels: over all steps only the cells in view may change.
 struct Scene {
   Frame frame;
+  double left = 0;                       ///< where the numbers of the rows may begin
   bool follows = false, beside = false;  ///< as in Fit
   Box inset;                             ///< of the overview, where there is one
   Box settled;                           ///< what the drawing fills in every step: cells, axes, overview

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -229,7 +230,8 @@ class DrawingLayout {
     name_axis("x axis", {x_name, b.bottom() + 26 * s_}, trace_.grid.x_name, Align::left);
     // The arrow behind the name of the rows says where they grow; columns always grow to the right
     const double y_name = text_width(trace_.grid.y_name, Face::italic, text_size * s_);
-    name_axis("y axis", {b.x - 10 * s_ - y_name, b.y - 10 * s_},
+    // A long name may stand over the grid's corner, but not in the margin
+    name_axis("y axis", {std::max(b.x - 10 * s_ - y_name, at_.left), b.y - 10 * s_},
               trace_.grid.y_name + (frame_.y_up ? " ↑" : " ↓"), Align::left);
   }
 
@@ -353,11 +355,14 @@ class DrawingLayout {
     return {std::clamp(anchor.x, label.x, label.right()), std::clamp(anchor.y, label.y, label.bottom())};
   }
 
-  /// A label that touches another marked cell than its own seems to name that one.
+  /// A label that touches another marked cell than its own, or stands in its row, seems to name that one.
   double ambiguity(dvec2 anchor, const Box& label) const {
     double cost = 0;
+    const double row = label.y + label.height / 2;
     for (const Box& cell : taken_) {
-      if (!inside({anchor.x, anchor.y, 0, 0}, cell) && overlap(grown(label, 7 * s_), cell)) cost += 60 * s_;
+      if (inside({anchor.x, anchor.y, 0, 0}, cell)) continue;
+      const bool in_its_row = cell.y < row && row < cell.bottom() && overlap(grown(label, 16 * s_), cell);
+      if (in_its_row || overlap(grown(label, 7 * s_), cell)) cost += (in_its_row ? 150 : 60) * s_;
     }
     return cost;
   }
@@ -448,6 +453,8 @@ class DrawingLayout {
     std::swap(crowded_, step_crowded);
     strokes_ = step_strokes;
     if (outside_) place(*outside_, std::get<Label>(outside_->shape), 12 * s_, 2 * s_);
+    // What was chosen and what was not have the first pick, a length the last
+    std::ranges::stable_partition(labels_, [](const auto& l) { return l.first->role != Role::measure; });
     for (const auto& [mark, label] : labels_) place(*mark, *label, gap, 2 * s_);
   }
 
@@ -473,11 +480,13 @@ class DrawingLayout {
                    frame_.y_up ? whole.bottom() - y * whole.height : whole.y + y * whole.height};
     };
     for (const Mark& mark : trace_.backdrop) {
-      const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
-      if (!stroke) continue;
-      if (const auto part = clipped(to_whole(stroke->a), to_whole(stroke->b), whole)) {
-        pen_.line("overview " + mark.id,
-                  {{part->first, part->second}, Paint::mark(mark.role), 2 * s_, false, false, false});
+      if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+        draw_overview_chain(mark, {to_whole(stroke->a), to_whole(stroke->b)}, whole);
+      } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+        std::vector<dvec2> points;
+        std::ranges::transform(path->points, std::back_inserter(points), to_whole);
+        if (path->closed) points.push_back(points.front());
+        draw_overview_chain(mark, points, whole);
       }
     }
     const Window& view = frame_.view;
@@ -488,6 +497,18 @@ class DrawingLayout {
     if (part.height < 8 * s_) part = {part.x, part.y + part.height / 2 - 4 * s_, part.width, 8 * s_};
     pen_.rect("overview view", {part, {}, Paint::mark(Role::current), 3 * s_, 0, false, Hatch::none, {}});
     if (captions) caption_overview(whole);
+  }
+
+  /// A line or a curve; of a curve's points those a pixel apart are enough here.
+  void draw_overview_chain(const Mark& mark, const std::vector<dvec2>& points, const Box& whole) {
+    StrokesShape shape{{}, Paint::mark(mark.role), 2 * s_, false};
+    dvec2 from = points.front();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (i + 1 < points.size() && std::hypot(points[i].x - from.x, points[i].y - from.y) < s_) continue;
+      if (const auto part = clipped(from, points[i], whole)) shape.segments.push_back(*part);
+      from = points[i];
+    }
+    if (!shape.segments.empty()) pen_.strokes("overview " + mark.id, std::move(shape));
   }
 
   void draw_overview_cells(const Box& whole) {
@@ -647,6 +668,7 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   const double width = cell * static_cast<double>(shown->columns) + (stage.left + stage.right) * s;
   const double height = cell * static_cast<double>(shown->rows) + (axis_above + axis_below) * s;
   scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  scene.left = scene.settled.x;
   scene.frame = {scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells,
                  {scene.settled.x + stage.left * s, scene.settled.y + axis_above * s,
                   width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},

@@ -6,8 +6,8 @@
 
 namespace gradus {
 
-/// A text for XML or HTML, in an element or in a quoted attribute: markup escaped; what XML can't hold (control
-/// characters but tab and line ends, broken UTF-8) as U+FFFD.
+/// A text for XML or HTML, in an element or in a quoted attribute: markup escaped; what XML can't hold
+/// (control characters but tab and line ends, broken UTF-8) as U+FFFD.
 std::string escaped(std::string_view text);
 
 }  // namespace gradus

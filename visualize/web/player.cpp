@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "theme/theme.hpp"
 #include "figure/markup.hpp"
+#include "theme/theme.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
 #include "web/json.hpp"

@@ -236,7 +236,8 @@ TEST(Lecture, BecomesWhatTheCommandLineWouldSay) {
   EXPECT_EQ(command_of(first.spec),
             "gradus figure bresenham_line --from -1,0 --to 9,4 --steps 1,3-4 --slots drawing --theme dark");
   EXPECT_EQ(command_of(second.spec),
-            "gradus figure bresenham_line --method dda --from 0,0 --to 5,2 --step 4.10 --slots drawing");
+            "gradus figure bresenham_line --method dda --from 0,0 --to 5,2 --step 4.10 --slots drawing "
+            "--caption 'It drifts.'");
   EXPECT_THAT(command_of(third.spec),
               HasSubstr("--maze '####/#..#/####' --at 1,1 --tolerance 0 --connectivity 8"));
   EXPECT_THAT(first.outputs,

@@ -233,11 +233,14 @@ TEST(Wording, ATopicsSymbolsAreThoseOfItsSection) {
 
 /// Words of letters, digits and "_"; letters of other scripts are letters.
 std::vector<std::string> words_in(std::string_view text) {
+  // A no-break space and an exponent end a word as any sign does
+  const auto letter = [](char32_t c) {
+    return c < 0x80 ? std::isalnum(static_cast<int>(c)) || c == U'_' : c != U'\u00a0' && c != U'²';
+  };
   std::vector<std::string> words(1);
-  for (const char c : text) {
-    const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || (c & 0x80);
-    if (letter) words.back() += c;
-    if (!letter && !words.back().empty()) words.emplace_back();
+  for (const char32_t c : code_points(text)) {
+    if (letter(c)) words.back() += utf8_of({&c, 1});
+    if (!letter(c) && !words.back().empty()) words.emplace_back();
   }
   return words;
 }

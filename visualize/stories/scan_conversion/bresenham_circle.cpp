@@ -140,6 +140,8 @@ void set_scene(Trace& trace, const Circle& circle, bool late) {
   const auto say = [&trace](std::string_view key) { return trace.wording.say(key); };
   trace.grid.cells = circle.window ? *circle.window : scene_of(circle);
   trace.grid.y_up = true;
+  trace.grid.x_name = trace.wording.symbol("x");
+  trace.grid.y_name = trace.wording.symbol("y");
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(trace, circle);
   if (circle.radius > 0) draw_ideal(trace, circle);
   trace.legend = {
@@ -162,7 +164,7 @@ class CircleTeller {
  protected:
   template <class... Values>
   std::string say(std::string_view key, const Values&... values) const {
-    return words_.say(fmt::format("bresenham_circle.{}", key), values...);
+    return words_.say(key, values...);
   }
 
   ivec2 pixel(ivec2 at) const { return pixel_of(circle_.center, octant_, at.x, at.y); }
@@ -179,12 +181,13 @@ class CircleTeller {
   }
   Row read_row(const Compared& c) const {
     Row completed = row(c.at, c.p);
-    completed[4] = say(c.p < 0 ? "sign.negative" : "sign.positive");
+    completed[4] = say(c.p < 0 ? "bresenham_circle.sign.negative" : "bresenham_circle.sign.positive");
     completed[5] = named(c.east);
     return completed;
   }
   std::string test(std::int64_t p) const {
-    return say(p < 0 ? "test.negative" : "test.positive", arg("p", figure_number(p)));
+    return say(p < 0 ? "bresenham_circle.test.negative" : "bresenham_circle.test.positive",
+               arg("p", figure_number(p)));
   }
 
   /// A pixel that was plotted and will look so from the next step on.
@@ -227,7 +230,7 @@ class CircleTeller {
     point_at(delta, next(c.at, false), Role::candidate, "diagonal move name", named(false));
     const dvec2 between = point(c.at.x + 1, c.at.y - 0.5);
     delta.set.push_back({"midpoint", Role::candidate, Dot{between, true}});
-    delta.set.push_back({"midpoint name", Role::candidate, Label{between, say("midpoint")}});
+    delta.set.push_back({"midpoint name", Role::candidate, Label{between, say("bresenham_circle.midpoint")}});
   }
   /// The distance from a place's centre to the circle, along the radius.
   void measure(Delta& delta, ivec2 at) {
@@ -236,8 +239,9 @@ class CircleTeller {
     const dvec2 pixel_centre = point(at.x, at.y);
     const dvec2 foot = point(at.x * (circle_.radius / length), at.y * (circle_.radius / length));
     delta.set.push_back({"error", Role::measure, Stroke{pixel_centre, foot}});
-    delta.set.push_back({"error name", Role::measure,
-                         Label{0.5 * (pixel_centre + foot), say("error", arg("error", error_text(at)))}});
+    delta.set.push_back(
+        {"error name", Role::measure,
+         Label{0.5 * (pixel_centre + foot), say("bresenham_circle.error", arg("error", error_text(at)))}});
   }
   std::string error_text(ivec2 at) const { return fmt::format("{:.3f}", radial_error(circle_.radius, at)); }
 
@@ -268,11 +272,11 @@ class WholeTeller : public CircleTeller {
     plot_images(delta, at);
     writer_.step(std::move(delta), pixel(at), source_line, [&](TraceStep& step) {
       step.type = "Started";
-      step.phase = say("phase.set_up");
+      step.phase = say("words.set_up");
       step.key = pixel_key(pixel(at));
       step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
-      step.sentence = s.radius == 0 ? say("started_at_centre", arg("p", figure_number(s.p)))
-                                    : say("started", arg("radius", figure_number(s.radius)),
+      step.sentence = s.radius == 0 ? say("bresenham_circle.started_at_centre", arg("p", figure_number(s.p)))
+                                    : say("bresenham_circle.started", arg("radius", figure_number(s.radius)),
                                           arg("p", figure_number(s.p)));
       step.row = row(at, s.p);
     });
@@ -291,11 +295,12 @@ class WholeTeller : public CircleTeller {
     writer_.skip_to(k_);
     writer_.step(std::move(delta), pixel(j.at), source_line, [&](TraceStep& step) {
       step.type = "Jumped";
-      step.phase = say("phase.main_loop");
+      step.phase = say("words.main_loop");
       step.key = pixel_key(pixel(j.at));
       step.fields = {{"at", j.at}, {"p", j.p}};
-      step.sentence = say("jumped", arg("k", figure_number(k_)), arg("x", figure_number(j.at.x)),
-                          arg("y", figure_number(j.at.y)), arg("p", figure_number(j.p)));
+      step.sentence =
+          say("bresenham_circle.jumped", arg("k", figure_number(k_)), arg("x", figure_number(j.at.x)),
+              arg("y", figure_number(j.at.y)), arg("p", figure_number(j.p)));
       step.row = row(j.at, j.p);
     });
   }
@@ -306,13 +311,14 @@ class WholeTeller : public CircleTeller {
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
       step.type = "Compared";
-      step.phase = say("phase.main_loop");
+      step.phase = say("words.main_loop");
       step.key = pixel_key(pixel(c.at));
       step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
-      step.sentence = say("compared", arg("straight", named(true)), arg("diagonal", named(false)),
-                          arg("e", figure_number(outside(circle_.radius, next(c.at, true)))),
-                          arg("se", figure_number(outside(circle_.radius, next(c.at, false)))),
-                          arg("test", test(c.p)), arg("step", named(c.east)));
+      step.sentence =
+          say("bresenham_circle.compared", arg("straight", named(true)), arg("diagonal", named(false)),
+              arg("e", figure_number(outside(circle_.radius, next(c.at, true)))),
+              arg("se", figure_number(outside(circle_.radius, next(c.at, false)))), arg("test", test(c.p)),
+              arg("step", named(c.east)));
       step.read = read_row(c);
     });
   }
@@ -322,29 +328,30 @@ class WholeTeller : public CircleTeller {
     const bool past_diagonal = s.at.x > s.at.y;
     Delta delta = cleared(true);
     point_at(delta, next(s.from(), !s.east), Role::rejected, "rejected name",
-             say("rejected", arg("step", named(!s.east))));
+             say("bresenham_circle.rejected", arg("step", named(!s.east))));
     if (past_diagonal) {
-      point_at(delta, s.at, Role::accepted, "chosen name", say("mirrored"));
+      point_at(delta, s.at, Role::accepted, "chosen name", say("bresenham_circle.mirrored"));
     } else {
       plot_images(delta, s.at);
-      delta.set.push_back({"chosen name", Role::current,
-                           Label{point(s.at.x, s.at.y), say("chosen", arg("step", named(s.east)))}});
+      delta.set.push_back(
+          {"chosen name", Role::current,
+           Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
       measure(delta, s.at);
     }
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
       step.type = "Stepped";
-      step.phase = say("phase.main_loop");
+      step.phase = say("words.main_loop");
       step.key = pixel_key(pixel(s.at));
       step.fields = {
           {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
       step.sentence = past_diagonal
-                          ? say("past_diagonal", arg("test", test(s.p_before)), arg("step", named(s.east)),
-                                arg("x", figure_number(s.at.x)), arg("y", figure_number(s.at.y)),
-                                arg("before", figure_point(s.from())))
-                          : say("stepped", arg("test", test(s.p_before)), arg("step", named(s.east)),
-                                arg("x", figure_number(s.at.x)), arg("y", figure_number(s.at.y)),
-                                arg("update", update(s)));
+                          ? say("bresenham_circle.past_diagonal", arg("test", test(s.p_before)),
+                                arg("step", named(s.east)), arg("x", figure_number(s.at.x)),
+                                arg("y", figure_number(s.at.y)), arg("before", figure_point(s.from())))
+                          : say("bresenham_circle.stepped", arg("test", test(s.p_before)),
+                                arg("step", named(s.east)), arg("x", figure_number(s.at.x)),
+                                arg("y", figure_number(s.at.y)), arg("update", update(s)));
       step.read = read;
       step.row = row(s.at, s.p);
     });
@@ -356,7 +363,7 @@ class WholeTeller : public CircleTeller {
     for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     writer_.fine(std::move(delta), circle_.center, source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = say("phase.result");
+      step.phase = say("words.result");
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
       step.sentence = words_.count("bresenham_circle.done", f.pixels);
@@ -393,9 +400,9 @@ class WindowTeller : public CircleTeller {
     const ivec2 focus = clamped(s.center, cells);
     writer_.step({}, focus, source_line, [&](TraceStep& step) {
       step.type = "Started";
-      step.phase = say("phase.set_up");
+      step.phase = say("words.set_up");
       step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
-      step.sentence = say("started_in_window", arg("center", figure_point(s.center)),
+      step.sentence = say("bresenham_circle.started_in_window", arg("center", figure_point(s.center)),
                           arg("radius", figure_number(s.radius)));
     });
   }
@@ -408,12 +415,12 @@ class WindowTeller : public CircleTeller {
     ++k_;
     writer_.step(std::move(delta), pixel(j.at), source_line, [&](TraceStep& step) {
       step.type = "Jumped";
-      step.phase = say("phase.octant", arg("octant", octant_.number));
+      step.phase = say("bresenham_circle.phase.octant", arg("octant", octant_.number));
       step.key = pixel_key(pixel(j.at));
       step.fields = {{"octant", std::int64_t{octant_.number}}, {"at", j.at}, {"p", j.p}};
-      step.sentence =
-          say("entered", arg("octant", octant_.number), arg("pixel", figure_point(pixel(j.at))),
-              arg("x", figure_number(j.at.x)), arg("y", figure_number(j.at.y)), arg("p", figure_number(j.p)));
+      step.sentence = say("bresenham_circle.entered", arg("octant", octant_.number),
+                          arg("pixel", figure_point(pixel(j.at))), arg("x", figure_number(j.at.x)),
+                          arg("y", figure_number(j.at.y)), arg("p", figure_number(j.p)));
       step.row = row(j.at, j.p);
     });
   }
@@ -424,11 +431,11 @@ class WindowTeller : public CircleTeller {
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
       step.type = "Compared";
-      step.phase = say("phase.octant", arg("octant", octant_.number));
+      step.phase = say("bresenham_circle.phase.octant", arg("octant", octant_.number));
       step.key = pixel_key(pixel(c.at));
       step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
-      step.sentence = say("compared_in_window", arg("straight", named(true)), arg("diagonal", named(false)),
-                          arg("test", test(c.p)), arg("step", named(c.east)));
+      step.sentence = say("bresenham_circle.compared_in_window", arg("straight", named(true)),
+                          arg("diagonal", named(false)), arg("test", test(c.p)), arg("step", named(c.east)));
       step.read = read_row(c);
     });
   }
@@ -437,20 +444,21 @@ class WindowTeller : public CircleTeller {
     const Row read = read_row(compared_);
     Delta delta = cleared(true);
     point_at(delta, next(s.from(), !s.east), Role::rejected, "rejected name",
-             say("rejected", arg("step", named(!s.east))));
+             say("bresenham_circle.rejected", arg("step", named(!s.east))));
     plotted(delta, pixel(s.at), Role::current);
-    delta.set.push_back({"chosen name", Role::current,
-                         Label{point(s.at.x, s.at.y), say("chosen", arg("step", named(s.east)))}});
+    delta.set.push_back(
+        {"chosen name", Role::current,
+         Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
     measure(delta, s.at);
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
       step.type = "Stepped";
-      step.phase = say("phase.octant", arg("octant", octant_.number));
+      step.phase = say("bresenham_circle.phase.octant", arg("octant", octant_.number));
       step.key = pixel_key(pixel(s.at));
       step.fields = {
           {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
-      step.sentence = say("stepped_in_window", arg("test", test(s.p_before)), arg("step", named(s.east)),
-                          arg("pixel", figure_point(pixel(s.at))),
+      step.sentence = say("bresenham_circle.stepped_in_window", arg("test", test(s.p_before)),
+                          arg("step", named(s.east)), arg("pixel", figure_point(pixel(s.at))),
                           arg("change", figure_number(s.p - s.p_before)), arg("p", figure_number(s.p)));
       step.read = read;
       step.row = row(s.at, s.p);
@@ -464,10 +472,11 @@ class WindowTeller : public CircleTeller {
     const ivec2 focus = pixels.empty() ? clamped(circle_.center, *circle_.window) : pixels.back();
     writer_.fine(std::move(delta), focus, source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = say("phase.result");
+      step.phase = say("words.result");
       step.level = Level::idea;
       step.fields = {{"pixels", f.pixels}};
-      step.sentence = f.pixels == 0 ? say("missed") : words_.count("bresenham_circle.done", f.pixels);
+      step.sentence =
+          f.pixels == 0 ? say("bresenham_circle.missed") : words_.count("bresenham_circle.done", f.pixels);
     });
   }
 
@@ -488,11 +497,11 @@ class LateTeller : public CircleTeller {
     plot_images(delta, at);
     writer_.step(std::move(delta), pixel(at), source_line, [&](TraceStep& step) {
       step.type = "Started";
-      step.phase = say("phase.set_up");
+      step.phase = say("words.set_up");
       step.key = pixel_key(pixel(at));
       step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
-      step.sentence = s.radius == 0 ? say("started_at_centre", arg("p", figure_number(s.p)))
-                                    : say("started", arg("radius", figure_number(s.radius)),
+      step.sentence = s.radius == 0 ? say("bresenham_circle.started_at_centre", arg("p", figure_number(s.p)))
+                                    : say("bresenham_circle.started", arg("radius", figure_number(s.radius)),
                                           arg("p", figure_number(s.p)));
       step.row = row(at, s.p);
     });
@@ -504,14 +513,14 @@ class LateTeller : public CircleTeller {
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
       step.type = "Compared";
-      step.phase = say("phase.main_loop");
+      step.phase = say("words.main_loop");
       step.key = pixel_key(pixel(c.at));
       step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
       const std::int64_t right = decision_at(circle_.radius, c.at.x, c.at.y);
-      step.sentence = c.p == right
-                          ? say("compared_late.right", arg("test", test(c.p)), arg("step", named(c.east)))
-                          : say("compared_late.wrong", arg("test", test(c.p)), arg("step", named(c.east)),
-                                arg("right", figure_number(right)));
+      step.sentence = c.p == right ? say("bresenham_circle.compared_late.right", arg("test", test(c.p)),
+                                         arg("step", named(c.east)))
+                                   : say("bresenham_circle.compared_late.wrong", arg("test", test(c.p)),
+                                         arg("step", named(c.east)), arg("right", figure_number(right)));
       step.read = read_row(c);
     });
   }
@@ -521,22 +530,25 @@ class LateTeller : public CircleTeller {
     Delta delta = cleared(true);
     const ivec2 right =
         s.at.x <= last_column(circle_.radius) ? place(s.at.x, height_at(circle_.radius, s.at.x)) : s.at;
-    if (right != s.at) point_at(delta, right, Role::accepted, "right name", say("right_pixel"));
+    if (right != s.at)
+      point_at(delta, right, Role::accepted, "right name", say("bresenham_circle.right_pixel"));
     plot_images(delta, s.at);
-    delta.set.push_back({"chosen name", Role::current,
-                         Label{point(s.at.x, s.at.y), say("chosen", arg("step", named(s.east)))}});
+    delta.set.push_back(
+        {"chosen name", Role::current,
+         Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
     measure(delta, s.at);
     if (radial_error(circle_.radius, s.at) > radial_error(circle_.radius, worst_)) worst_ = s.at;
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
       step.type = "Stepped";
-      step.phase = say("phase.main_loop");
+      step.phase = say("words.main_loop");
       step.key = pixel_key(pixel(s.at));
       step.fields = {
           {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
-      step.sentence = say("stepped_late", arg("test", test(s.p_before)), arg("step", named(s.east)),
-                          arg("x", figure_number(s.at.x)), arg("y", figure_number(s.at.y)),
-                          arg("update", update(s)), arg("excess", s.east ? 4 : 8));
+      step.sentence =
+          say("bresenham_circle.stepped_late", arg("test", test(s.p_before)), arg("step", named(s.east)),
+              arg("x", figure_number(s.at.x)), arg("y", figure_number(s.at.y)), arg("update", update(s)),
+              arg("excess", s.east ? 4 : 8));
       step.read = read;
       step.row = row(s.at, s.p);
     });
@@ -549,10 +561,10 @@ class LateTeller : public CircleTeller {
     if (worst_.y > 0) measure(delta, worst_);
     writer_.fine(std::move(delta), pixel(worst_), source_line, [&](TraceStep& step) {
       step.type = "Finished";
-      step.phase = say("phase.result");
+      step.phase = say("words.result");
       step.level = Level::idea;
       step.fields = {{"plots", f.pixels}, {"pixels", static_cast<std::int64_t>(pixels.size())}};
-      step.sentence = say("went_wrong", arg("plots", f.pixels), arg("pixels", pixels.size()),
+      step.sentence = say("bresenham_circle.went_wrong", arg("plots", f.pixels), arg("pixels", pixels.size()),
                           arg("error", error_text(worst_)));
     });
   }
