@@ -47,21 +47,30 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   const double aspect = static_cast<double>(width) / height;
 
   // 1 Input model
-  const Model<ObjectPoint> model = input(scene, observer);
+  const Model<ObjectPoint> model =  // faces become triangles
+      input(scene, observer);
   // 2 World transformation
-  const Model<WorldPoint> world = to_world(scene, model, observer);
+  const Model<WorldPoint> world =  // objects stand in one space
+      to_world(scene, model, observer);
   // 3 Perspective transformation
-  const Model<ClipPoint> clip = to_clip(scene.camera, aspect, world, observer);
+  const Model<ClipPoint> clip =  // multiplies, does not divide
+      to_clip(scene.camera, aspect, world, observer);
   // 4 Back-face removal
-  const Model<ClipPoint> facing = remove_back_faces(scene, clip, observer);
-  // 5 Clipping, and the division at its end
-  const std::vector<Triangle> triangles = clip_and_divide(world, facing, width, height, observer);
-  // 6 Rasterization, and 7 hidden surface removal
+  const Model<ClipPoint> facing =  // by the sign of det[x y w]
+      remove_back_faces(scene, clip, observer);
+  // 5 Clipping
+  const std::vector<Triangle> triangles =  // divides at its end
+      clip_and_divide(world, facing, width, height, observer);
+  // 6 Rasterization
   Visible visible(width, height);
-  rasterize(
-      triangles, width, height, [&](const Fragment& f) { keep_nearest(f, visible, observer); }, observer);
+  const auto emit = [&](const Fragment& f) {
+    // 7 Hidden surface removal
+    keep_nearest(f, visible, observer);
+  };
+  rasterize(triangles, width, height, emit, observer);
   // 7 Shading
-  const Raster<LinearRgb> light = shade(scene, triangles, visible, observer);
+  const Raster<LinearRgb> light =  // Phong, for what is seen
+      shade(scene, triangles, visible, observer);
   // 8 Output
   return output(light, observer);
 }

@@ -134,11 +134,17 @@ def mirror_violations(root):
             if not topic.partial and not (root / path).is_file():
                 found.append(f"{path} is missing: it is one of the five files of {topic.name}")
     known = {topic.path for topic in topics}
+    alone = project.stories(root)
+    for path in alone:
+        if not (root / f"visualize/stories/{path}.cpp").is_file():
+            found.append(f"visualize/stories/{path}.cpp is missing: gradus_add_story names it")
+    chapters = {path.split("/")[0] for path in alone}  # their folders hold what such a story needs beside it
     for pattern, name in (("algorithms/*/*/", r"algorithms/(.+)"), ("visualize/stories/*/*.cpp", r"visualize/stories/(.+)\.cpp"),
                           ("examples/*/*.cpp", r"examples/(.+)\.cpp"), ("docs/topics/*/*.md", r"docs/topics/(.+)\.md")):
         for file in sorted(root.glob(pattern)):
             path = file.relative_to(root).as_posix()
-            if re.fullmatch(name, path).group(1) not in known:
+            story = pattern.startswith("visualize/") and re.fullmatch(name, path).group(1).split("/")[0] in chapters
+            if re.fullmatch(name, path).group(1) not in known and not story:
                 found.append(f"{path}: no gradus_add_topic line in CMakeLists.txt names its topic")
     return found
 
@@ -370,6 +376,13 @@ class Planted(unittest.TestCase):
     def test_a_story_without_a_topic(self):
         self.write("visualize/stories/lines/c_line.cpp", "")
         self.caught("lines/c_line.cpp: no gradus_add_topic line")
+
+    def test_a_story_of_the_visualizer_alone(self):
+        self.append("CMakeLists.txt", "gradus_add_story(chains/a_chain)\n")
+        self.caught("visualize/stories/chains/a_chain.cpp is missing")
+        self.write("visualize/stories/chains/a_chain.cpp", "")
+        self.write("visualize/stories/chains/its_views.cpp", "")
+        self.test_the_small_project_is_without_fault()
 
     def test_a_folder_without_a_topic(self):
         self.write("algorithms/lines/c_line/c_line.hpp", "")

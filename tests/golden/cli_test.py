@@ -17,6 +17,7 @@ import time
 import zlib
 
 GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+MODELS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/models")
 PLAIN = {k: v for k, v in os.environ.items()
          if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "SLURM_CPUS_PER_TASK")}
 INT32 = "-2147483648 to 2147483647"
@@ -660,6 +661,36 @@ def test_figures_only():
     if os.path.exists(svg):
         gradus("again", svg, "-o", "a.svg")
         equal(read("a.svg"), read(svg), "a figure of the gallery made again")
+
+
+def test_models():
+    for name in ("letter_f.obj", "letter_f.mtl"):
+        write(name, read(os.path.join(MODELS, name)))
+    result = gradus("figure", "pipeline", "letter_f.obj", "--stage", "clipping", "-o", "a.svg")
+    equal((result.code, result.out), (0, ""), "a stage of a model, given as a word")
+    gradus("figure", "pipeline", "--model", "letter_f.obj", "--stage", "clipping", "-o", "b.svg")
+    equal(read("b.svg"), read("a.svg"), "the same by its flag")
+    check(b"--model letter_f.obj --stage clipping" in read("a.svg"), "the command that makes it again")
+    gradus("again", "a.svg", "-o", "c.svg")
+    equal(read("c.svg"), read("a.svg"), "made again")
+    own = json.loads(gradus("run", "pipeline", "--json").out)
+    given = json.loads(gradus("run", "pipeline", "letter_f.obj", "--json").out)
+    equal(given["result"], own["result"], "the letter F is what is shown when no model is given")
+    equal(gradus("figure", "pipeline", "-o", "tour.html").code, 0, "the tour")
+    write("bad.obj", "v 0 0 zero\n")
+    for arguments, complaint in (
+            (("letter_f.obj", "--model", "letter_f.obj"), "--model: expected one model, found 'letter_f.obj' and 'letter_f.obj'"),
+            (("letter_f.obj", "more"), "figure: expected only a TOPIC, found 'more'"),
+            (("none.obj",), "--model: expected a readable file, found 'none.obj' (No such file or directory)"),
+            (("bad.obj",), "bad.obj:1: the vertex is no number: 'zero'"),
+            (("--eye", "1,2"), "--eye: expected three numbers x,y,z like 1,0.5,2, found '1,2'"),
+            (("--fov", "0"), "--fov: expected a number from 1 to 170, found '0'"),
+            (("--face", "12"), "--face: expected a face from 0 to 11, found 12"),
+            (("--pixel", "20,0"), "--pixel: expected a pixel inside the 20 × 14 picture, found 20,0")):
+        result = gradus("figure", "pipeline", *arguments, "-o", "d.svg")
+        equal((result.code, result.err, os.path.exists("d.svg")), (2, f"gradus: {complaint}\n", False), str(arguments))
+    result = gradus("figure", "bresenham_line", "letter_f.obj", "-o", "d.svg")
+    equal((result.code, result.err), (2, "gradus: figure: expected only a TOPIC, found 'letter_f.obj'\n"), "no model's topic")
 
 
 def main():

@@ -54,7 +54,12 @@ std::string whole_text(const Trace& trace) {
     for (const CellChange& change : step.delta.cells) {
       text += fmt::format("[{},{} {}]", change.at.x, change.at.y,
                           change.look ? name_of(change.look->role) : std::string_view("bare"));
+      if (change.look && change.look->color) {
+        const Rgba8 c = *change.look->color;
+        text += fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
+      }
     }
+    if (step.delta.plane) text += *step.delta.plane ? "plane" : "cells";
     for (const Mark& mark : step.delta.set) text += text_of_mark(mark) + "\n";
   }
   for (const Field& field : trace.result) text += field.name + "=" + text_of_value(field.value) + "\n";

@@ -68,6 +68,10 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   line("0,0", "4,-2", "first_octant");
   tell("bresenham_line", {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}});
   tell("bresenham_line", {{"window", "20,20,30,30"}});
+  tell("pipeline", {{"turn", "50"}, {"near", "1.8"}});
+  tell("pipeline",
+       {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}, {"stage", "visibility"}});
+  tell("pipeline", {{"face", "1"}, {"eye", "0.9,0.9,0.9"}});
   for (const char* radius : {"0", "1", "5", "29"}) {
     tell("bresenham_circle", {{"radius", radius}});
     tell("bresenham_circle", {{"radius", radius}, {"method", "late_update"}});

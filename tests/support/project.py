@@ -34,6 +34,12 @@ def topics(root=ROOT):
     return found
 
 
+def stories(root=ROOT):
+    """The paths of the gradus_add_story lines: topics of the visualizer alone."""
+    return re.findall(r"^gradus_add_story\(([^)\s]+)\)", (root / "CMakeLists.txt").read_text(encoding="utf-8"),
+                      re.MULTILINE)
+
+
 def sources(root, *folders):
     """The C++ files of these folders, sorted."""
     return sorted(f for folder in folders for f in (root / folder).rglob("*")

@@ -102,6 +102,19 @@ class Parser {
   std::vector<std::string> unused_;
 };
 
+/// The operand behind a topic that is about a model is that model.
+void take_model(Request& request) {
+  const Parameter* model = request.topic ? model_of(*request.topic) : nullptr;
+  if (!model || request.operands.empty()) return;
+  const auto flag = request.arguments.find(model->name);
+  if (flag != request.arguments.end()) {
+    throw UsageError(fmt::format("--{}: expected one model, found {} and {}", hyphened(model->name),
+                                 shown(flag->second), shown(request.operands.front())));
+  }
+  request.arguments[model->name] = request.operands.front();
+  request.operands.erase(request.operands.begin());
+}
+
 void check_operands(const Request& request) {
   const Command& command = *request.command;
   const std::size_t count = request.operands.size() + (request.topic ? 1 : 0);
@@ -125,6 +138,7 @@ Request read_request(const std::vector<std::string>& words) {
   request.command = spelled.command;
   request.topic = spelled.topic;
   Parser(spelled, request).parse();
+  if (request.command && request.command->about_topic) take_model(request);
   if (request.command) check_operands(request);
   return request;
 }

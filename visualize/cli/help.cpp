@@ -64,6 +64,12 @@ std::string range_of(const Parameter& parameter) {
       return "a PNG file, or - for standard input";
     case ParameterType::maze:
       return "a text file, - for standard input, or rows like '#.#/...'";
+    case ParameterType::number:
+      return fmt::format("a number, {} to {}", parameter.least, parameter.most);
+    case ParameterType::place:
+      return "three numbers x,y,z";
+    case ParameterType::model:
+      return "an OBJ file, or - for standard input; the flag may be left out";
   }
   return "";
 }

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "scene/obj.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -62,6 +64,8 @@ class Reader {
         return picture(parameter, text);
       case ParameterType::maze:
         return maze(parameter, text);
+      case ParameterType::model:
+        return model(parameter, text);
       case ParameterType::choice: {
         const std::size_t chosen = choose_name(flag_of(parameter), text, parameter.choices);
         return {.name = parameter.name, .text = parameter.choices[chosen]};
@@ -96,6 +100,32 @@ class Reader {
       if (even(joined)) return {.name = parameter.name, .text = joined, .content = rows};
     }
     return {.name = parameter.name, .text = name, .content = rows, .hash = fingerprint(bytes)};
+  }
+
+  /// A model and the material libraries that lie beside it.
+  Arguments::Entry model(const Parameter& parameter, const std::string& text) {
+    const std::string name = canonical(parameter, text);
+    std::string bytes = file_bytes(parameter, text);
+    const std::string path = inputs_.files.back();
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    Arguments::Entry entry{.name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
+    // Reading it shows which libraries it names, and whether it can be read
+    pipeline::parse_obj(bytes, path == dash ? "standard input" : path, [&](const std::string& library) {
+      const auto found = path == dash ? std::nullopt : beside(folder, library, parameter);
+      if (found && entry.libraries.emplace(library, *found).second) entry.hash += " " + fingerprint(*found);
+      return found;
+    });
+    return entry;
+  }
+
+  /// A file that a model names, if it lies beside it.
+  std::optional<std::string> beside(const std::filesystem::path& folder, std::string library,
+                                    const Parameter& parameter) {
+    std::ranges::replace(library, '\\', '/');  // written on Windows
+    const std::string path = (folder / library).string();
+    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+    inputs_.files.push_back(path);
+    return read_input(path, flag_of(parameter));
   }
 
   /// A maze with uneven rows keeps its file's name, for the message that the topic will have to give.

@@ -436,7 +436,8 @@ class Reader {
 
   std::optional<std::string> input_value(const Parameter& parameter, const JsonNode& node,
                                          const Place& place) {
-    const bool is_file = parameter.type == ParameterType::picture || parameter.type == ParameterType::maze;
+    const bool is_file = parameter.type == ParameterType::picture || parameter.type == ParameterType::maze ||
+                         parameter.type == ParameterType::model;
     const bool is_points = parameter.type == ParameterType::cell || parameter.type == ParameterType::window;
     std::optional<std::string> text;
     if (parameter.type == ParameterType::maze && node.kind == Kind::list) {

@@ -161,6 +161,8 @@ JsonNode schema_of(const Parameter& parameter) {
           {of_type({"string"}), json_object({{"type", 0, json_text("integer")},
                                              {"minimum", 0, json_number(std::to_string(parameter.least))},
                                              {"maximum", 0, json_number(std::to_string(parameter.most))}})});
+    case ParameterType::number:
+      return of_type({"string", "number"});
     case ParameterType::choice: {
       std::vector<JsonNode> names;
       for (const std::string& choice : parameter.choices) {

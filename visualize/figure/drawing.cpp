@@ -37,6 +37,7 @@ void Canvas::put(ivec2 p, std::uint8_t role) {
 }
 
 void Canvas::apply(const Delta& delta) {
+  plane_ = delta.plane.value_or(plane_);
   for (const std::string& id : delta.removed) marks_.erase(id);
   for (const CellChange& change : delta.cells) {
     put(change.at, change.look ? static_cast<std::uint8_t>(change.look->role) : bare);
@@ -44,6 +45,11 @@ void Canvas::apply(const Delta& delta) {
       texts_[key_of(change.at)] = change.look->text;
     } else {
       texts_.erase(key_of(change.at));
+    }
+    if (change.look && change.look->color) {
+      colors_[key_of(change.at)] = *change.look->color;
+    } else {
+      colors_.erase(key_of(change.at));
     }
   }
   for (const Mark& mark : delta.set) marks_.insert_or_assign(mark.id, mark);
@@ -58,16 +64,18 @@ std::optional<CellLook> Canvas::at(ivec2 p) const {
   }
   if (role == bare) return std::nullopt;
   const auto text = texts_.find(key_of(p));
-  return CellLook{static_cast<Role>(role), text == texts_.end() ? std::string() : text->second};
+  const auto color = colors_.find(key_of(p));
+  return CellLook{static_cast<Role>(role), text == texts_.end() ? std::string() : text->second,
+                  color == colors_.end() ? std::nullopt : std::optional(color->second)};
 }
 
 std::size_t Canvas::size() const {
-  return dense_.size() / 16 + sparse_.size() + texts_.size() + marks_.size() + 1;
+  return dense_.size() / 16 + sparse_.size() + texts_.size() + colors_.size() + marks_.size() + 1;
 }
 
 bool operator==(const Canvas& a, const Canvas& b) {
   return a.window_ == b.window_ && a.dense_ == b.dense_ && a.sparse_ == b.sparse_ && a.texts_ == b.texts_ &&
-         a.marks_ == b.marks_;
+         a.colors_ == b.colors_ && a.plane_ == b.plane_ && a.marks_ == b.marks_;
 }
 
 }  // namespace gradus

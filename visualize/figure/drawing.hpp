@@ -56,6 +56,7 @@ struct Mark {
 struct CellLook {
   Role role;
   std::string text;
+  std::optional<Rgba8> color{};  ///< a pixel of a picture that comes out: drawn in this instead of the role
   friend bool operator==(const CellLook&, const CellLook&) = default;
 };
 
@@ -68,6 +69,9 @@ struct CellChange {
 /// What one step changes in the drawing, in this order: marks go, cells change (later entries win), marks
 /// come.
 struct Delta {
+  /// From now on the drawing is a plane without cells (true), or the grid again (false). On a plane the
+  /// grid's lines, centres and axes are not drawn; marks keep their coordinates.
+  std::optional<bool> plane{};
   std::vector<std::string> removed;  ///< ids of marks that go
   std::vector<CellChange> cells;
   std::vector<Mark> set;  ///< marks that are new or replaced, by id
@@ -86,6 +90,8 @@ class Canvas {
   /// How the cell looks, if it is not bare. Any cell may be asked for.
   std::optional<CellLook> at(ivec2 p) const;
   const std::map<std::string, Mark>& marks() const { return marks_; }
+  /// Whether the drawing is a plane without cells.
+  bool plane() const { return plane_; }
   /// Roughly what a copy costs, in units of one change.
   std::size_t size() const;
 
@@ -99,6 +105,8 @@ class Canvas {
   std::vector<std::uint8_t> dense_;                         ///< a role a cell, or bare; empty for a huge grid
   std::unordered_map<std::uint64_t, std::uint8_t> sparse_;  ///< the same where cells are too many
   std::unordered_map<std::uint64_t, std::string> texts_;
+  std::unordered_map<std::uint64_t, Rgba8> colors_;
+  bool plane_ = false;
   std::map<std::string, Mark> marks_;
 };
 
@@ -108,6 +116,7 @@ struct Grid {
   Window cells;      ///< the cells there are; all of int32 is allowed
   bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
   std::string x_name = "x", y_name = "y";
+  bool whole = false;            ///< all cells are always shown, however small: no view that follows the step
   std::optional<Image> picture;  ///< the input picture, one texel a cell, from cells.lower; row 0 first
 };
 

@@ -101,8 +101,11 @@ class DrawingLayout {
   void draw() {
     draw_picture();
     draw_cell_grounds();
-    draw_grid();
-    draw_axes();
+    draw_cell_colors();
+    if (!figure_.canvas->plane()) {
+      draw_grid();
+      draw_axes();
+    }
     draw_cell_outlines();
     draw_marks();
     if (at_.follows) draw_overview();
@@ -137,12 +140,26 @@ class DrawingLayout {
   void draw_cell_grounds() {
     for_each_cell([&](ivec2 p) {
       const auto look = figure_.canvas->at(p);
-      if (!look) return;
+      if (!look || look->color) return;
       const std::string id = fmt::format("cell {},{}", p.x, p.y);
       draw_cell_ground(pen_, id, look->role, frame_.square(p));
       if (!look->text.empty()) cell_texts_.emplace_back(p, *look);
       note_cell(p, look->role);
     });
+  }
+
+  /// Cells with colours of their own, as one picture.
+  void draw_cell_colors() {
+    const Window& view = frame_.view;
+    Image part(static_cast<int>(view.width()), static_cast<int>(view.height()), {0, 0, 0, 0});
+    bool any = false;
+    for_each_cell([&](ivec2 p) {
+      const auto look = figure_.canvas->at(p);
+      if (!look || !look->color) return;
+      part[{p.x - view.lower.x, frame_.y_up ? view.upper.y - p.y : p.y - view.lower.y}] = *look->color;
+      any = true;
+    });
+    if (any) pen_.image("colours", {frame_.box, std::move(part), {}});
   }
 
   /// What labels should not cover.
@@ -173,7 +190,7 @@ class DrawingLayout {
     StrokesShape dots{{}, Paint::mark(Role::past), 4.4 * s_, true};
     for_each_cell([&](ivec2 p) {
       const auto look = figure_.canvas->at(p);
-      if (look && (look->role == Role::boundary || !look->text.empty())) return;
+      if (look && (look->role == Role::boundary || look->color || !look->text.empty())) return;
       const dvec2 centre = frame_.point({p.x, p.y});
       dots.segments.emplace_back(centre, centre);
     });
@@ -226,7 +243,7 @@ class DrawingLayout {
 
   void draw_cell_outlines() {
     for_each_cell([&](ivec2 p) {
-      if (const auto look = figure_.canvas->at(p)) {
+      if (const auto look = figure_.canvas->at(p); look && !look->color) {
         draw_cell_outline(pen_, fmt::format("outline {},{}", p.x, p.y), look->role, frame_.square(p));
       }
     });
@@ -598,7 +615,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
   stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
   stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
   const bool slide = look.layout == Layout::slide;
-  stage.least_cell = slide ? least_cell : 16;
+  stage.least_cell = grid.whole ? 6 : slide ? least_cell : 16;
   // On paper it is the cell's real size that counts: 3 mm
   stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 ? 11 / unit_of(look) : 0.0);
   stage.largest_cell = slide ? 84 : 108;

@@ -170,6 +170,53 @@ std::string canonical_maze(const Parameter& parameter, std::string_view text) {
   return name;
 }
 
+/// The canonical spelling of a number in the parameter's range.
+std::optional<std::string> number_in_range(const Parameter& parameter, std::string_view text) {
+  const Read<Number> read = read_number(text);
+  const Number* number = std::get_if<Number>(&read);
+  const auto least = static_cast<double>(parameter.least), most = static_cast<double>(parameter.most);
+  if (!number || number->value < least || number->value > most) return std::nullopt;
+  return number->text;
+}
+
+std::string canonical_number(const Parameter& parameter, std::string_view text) {
+  const auto number = number_in_range(parameter, text);
+  if (!number)
+    refuse(parameter, fmt::format("a number from {} to {}", parameter.least, parameter.most), text);
+  return *number;
+}
+
+/// The three texts between commas, or fewer where there are not three.
+std::vector<std::string_view> coordinates_in(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+std::string canonical_place(const Parameter& parameter, std::string_view text) {
+  std::vector<std::string> numbers;
+  for (const std::string_view part : coordinates_in(text)) {
+    const auto number = number_in_range(parameter, part);
+    if (!number) break;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 3 || coordinates_in(text).size() != 3)
+    refuse(parameter, "three numbers x,y,z like 1,0.5,2", text);
+  return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+std::string canonical_model(const Parameter& parameter, std::string_view text) {
+  const std::string name = base_name(text);
+  if (name.empty()) refuse(parameter, "an OBJ file", text);
+  return name;
+}
+
 }  // namespace
 
 bool is_maze_rows(std::string_view text) {
@@ -229,6 +276,25 @@ std::int64_t Arguments::integer(std::string_view name) const {
   return *value;
 }
 
+std::optional<double> Arguments::number(std::string_view name) const {
+  if (!has(name) || text(name).empty()) return std::nullopt;
+  const Read<Number> read = read_number(text(name));
+  expects(std::holds_alternative<Number>(read), "{} is a number, not '{}'", name, text(name));
+  return std::get<Number>(read).value;
+}
+
+std::optional<dvec3> Arguments::place(std::string_view name) const {
+  if (!has(name) || text(name).empty()) return std::nullopt;
+  const auto parts = coordinates_in(text(name));
+  expects(parts.size() == 3, "{} is a place in its canonical spelling, not '{}'", name, text(name));
+  const auto at = [&](std::size_t i) {
+    const Read<Number> read = read_number(parts[i]);
+    expects(std::holds_alternative<Number>(read), "{} has numbers, not '{}'", name, parts[i]);
+    return std::get<Number>(read).value;
+  };
+  return dvec3{at(0), at(1), at(2)};
+}
+
 Rgba8 Arguments::color(std::string_view name) const {
   const std::string& value = text(name);
   expects(value.size() == 7 && hex_color(value) == value, "{} is a colour #rrggbb, not '{}'", name, value);
@@ -256,6 +322,12 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_picture(parameter, text);
     case ParameterType::maze:
       return canonical_maze(parameter, text);
+    case ParameterType::number:
+      return canonical_number(parameter, text);
+    case ParameterType::place:
+      return canonical_place(parameter, text);
+    case ParameterType::model:
+      return canonical_model(parameter, text);
   }
   refuse(parameter.name, "expected a known type of value, found none");
 }

@@ -65,6 +65,15 @@ std::optional<std::pair<std::size_t, std::size_t>> body_from(const std::vector<s
   return std::nullopt;
 }
 
+/// A call without the observer that it hands on.
+std::string without_observer(std::string_view line) {
+  constexpr std::string_view handed_on = ", observer)";
+  std::string text(line);
+  if (const std::size_t at = text.find(handed_on); at != std::string::npos)
+    text.replace(at, handed_on.size(), ")");
+  return text;
+}
+
 }  // namespace
 
 std::vector<SourceLine> listing_of(std::string_view source, std::string_view function) {
@@ -88,7 +97,7 @@ std::vector<SourceLine> listing_of(std::string_view source, std::string_view fun
         continue;
       }
       if (code.empty()) continue;
-      listing.push_back({static_cast<int>(k) + 1, std::string(lines[k].substr(indent))});
+      listing.push_back({static_cast<int>(k) + 1, without_observer(lines[k].substr(indent))});
     }
     return listing;
   }

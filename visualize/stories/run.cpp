@@ -35,6 +35,11 @@ const TopicEntry* find_entry(std::string_view name) {
   return found == topics.end() ? nullptr : *found;
 }
 
+const Parameter* model_of(const TopicEntry& topic) {
+  const auto found = std::ranges::find(topic.parameters, ParameterType::model, &Parameter::type);
+  return found == topic.parameters.end() ? nullptr : &*found;
+}
+
 Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given) {
   require_known(topic, given);
   Arguments arguments;

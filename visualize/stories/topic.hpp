@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,10 @@ enum class ParameterType {
   color,    ///< "#rrggbb" or a CSS basic colour name; canonical "#rrggbb"
   paint,    ///< a colour as above or, for mazes, one letter
   picture,  ///< a PNG file
-  maze,  ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
+  maze,    ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
+  number,  ///< one number: "0.5", "1/3"
+  place,   ///< three numbers "x,y,z": a point of space
+  model,   ///< an OBJ file; commands take it as an operand too
 };
 
 struct Parameter {
@@ -54,8 +58,9 @@ class Arguments {
     std::string name;
     std::string text;              ///< canonical spelling
     std::optional<Image> image{};  ///< picture parameters: what the file holds
-    std::string content{};         ///< maze parameters: the rows, one a line, wherever they came from
-    std::string hash{};            ///< of the file's bytes, where the value is a file
+    std::string content{};         ///< mazes: the rows, one a line, wherever they came from; models: the file
+    std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
+    std::string hash{};                              ///< of the file's bytes, where the value is a file
   };
   void set(Entry entry);
   bool has(std::string_view name) const;
@@ -65,6 +70,10 @@ class Arguments {
   /// Nothing where none was given.
   std::optional<Window> window(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
+  /// Nothing where none was given.
+  std::optional<double> number(std::string_view name) const;
+  /// Nothing where none was given.
+  std::optional<dvec3> place(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
   const std::vector<Entry>& entries() const { return entries_; }
 
@@ -105,6 +114,9 @@ std::span<const TopicEntry* const> catalogue();
 /// The topic of exactly this name, or nullptr.
 const TopicEntry* find_entry(std::string_view name);
 
+/// The topic's parameter that is a model, if it has one: what commands take as an operand.
+const Parameter* model_of(const TopicEntry& topic);
+
 /// The topic's arguments: those given, canonical, and the defaults of all others. Reads no files: a maze is
 /// given as rows joined by "/". Throws ArgumentError for an unknown name or a wrong value.
 Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given);
@@ -112,10 +124,14 @@ Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given)
 /// Runs a topic on these arguments: arguments_of, then topic.run.
 Trace trace_of(const TopicEntry& topic, std::initializer_list<Argument> given = {}, Recording recording = {});
 
+/// A small model that comes with the project, by its file's name: "letter_f.obj", "letter_f.mtl". Empty for
+/// one that doesn't.
+std::string_view shipped_model(std::string_view name);
+
 /// A source file of the catalogue as the build saw it, by its path from the project's root.
 std::string_view source_text(std::string_view path);
 
-/// The shown lines of a function in a source file: its body without the plumbing (observer lines, expects,
+/// The shown lines of a function in a source file: its body without the plumbing (observers, expects,
 /// template heads), real line numbers, the function's own indentation removed.
 std::vector<SourceLine> listing_of(std::string_view source, std::string_view function);
 

@@ -108,8 +108,8 @@ std::string_view name_of(Level level) {
 }
 
 std::string_view name_of(ParameterType type) {
-  constexpr std::array<std::string_view, 8> names{"cell",  "window", "integer", "choice",
-                                                  "color", "paint",  "picture", "maze"};
+  constexpr std::array<std::string_view, 11> names{"cell",    "window", "integer", "choice", "color", "paint",
+                                                   "picture", "maze",   "number",  "place",  "model"};
   return names[static_cast<std::size_t>(type)];
 }
 
@@ -149,8 +149,19 @@ Json marks_json(const Marks& marks) {
   return out;
 }
 
-/// Cells with one look, side by side in a row: [x, y, count, role] or [x, y, count, role, text]; role -1:
-/// bare.
+/// "#rrggbb".
+std::string hex(Rgba8 color) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const int part : {color.r, color.g, color.b}) {
+    text += digits[static_cast<std::size_t>(part / 16)];
+    text += digits[static_cast<std::size_t>(part % 16)];
+  }
+  return text;
+}
+
+/// Cells with one look, side by side in a row: [x, y, count, role], [x, y, count, role, text] or
+/// [x, y, count, role, text, colour]; role -1: bare.
 class Runs {
  public:
   void add(ivec2 at, const std::optional<CellLook>& look) {
@@ -172,7 +183,8 @@ class Runs {
   void flush() {
     if (count_ == 0) return;
     Json run = Json::array({start_.x, start_.y, count_, look_ ? index_of(look_->role) : -1});
-    if (look_ && !look_->text.empty()) run.push_back(look_->text);
+    if (look_ && (look_->color || !look_->text.empty())) run.push_back(look_->text);
+    if (look_ && look_->color) run.push_back(hex(*look_->color));
     out_.push_back(std::move(run));
   }
   ivec2 start_{0, 0};
@@ -226,7 +238,9 @@ Json before_json(const Trace& trace) {
   }
   Json marks = Json::array();
   for (const auto& [id, mark] : trace.before.marks()) marks.push_back(mark_json(mark));
-  return {{"cells", std::move(runs).finish()}, {"set", std::move(marks)}};
+  Json out{{"cells", std::move(runs).finish()}, {"set", std::move(marks)}};
+  if (trace.before.plane()) out["plane"] = true;
+  return out;
 }
 
 std::string base64(const std::string& bytes) {
@@ -276,6 +290,7 @@ Json grid_json(const Grid& grid) {
            {"y_up", grid.y_up},
            {"x_name", grid.x_name},
            {"y_name", grid.y_name}};
+  if (grid.whole) out["whole"] = true;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);
   return out;
 }
@@ -303,6 +318,7 @@ Json step_json(const TraceStep& step, const std::set<Slot>& slots) {
   put(Slot::table, "read", step.read);
   put(Slot::table, "row", step.row);
   if (!slots.contains(Slot::drawing)) return out;
+  if (step.delta.plane) out["plane"] = *step.delta.plane;
   put(Slot::drawing, "removed", step.delta.removed);
   Runs runs;
   for (const CellChange& change : step.delta.cells) runs.add(change.at, change.look);
@@ -448,7 +464,8 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
                      {"default", p.default_value},
                      {"example", p.example},
                      {"help", p.help}};
-      if (p.type == ParameterType::integer || p.type == ParameterType::cell) {
+      if (p.type == ParameterType::integer || p.type == ParameterType::cell ||
+          p.type == ParameterType::number) {
         parameter["least"] = p.least;
         parameter["most"] = p.most;
       }

@@ -48,7 +48,7 @@ function arrange(grid, width, height, s, focus) {
   const room = {x: Math.max(width - left - right, 1), y: Math.max(height - (AXIS_BELOW + AXIS_ABOVE) * s, 1)};
   let cell = Math.min(room.x / (x1 - x0 + 1), room.y / (y1 - y0 + 1), LARGEST_CELL * s);
   let view = {x0, y0, x1, y1}, top = AXIS_ABOVE * s;
-  const follows = cell < LEAST_CELL * s;
+  const follows = cell < LEAST_CELL * s && !grid.whole;
   if (follows) {
     cell = FOLLOWED_CELL * s;
     top += (INSET + 8) * s;
@@ -217,13 +217,15 @@ class Drawing {
     this.at = arrange(trace.grid, width, height, s, steps[index].focus);
     this.labels = new LabelPlacer(this.at);
     this.keepStill(`${width} ${height} ${s} ${theme.name} ${JSON.stringify(this.at.view)}`);
-    this.labels.texts.push(...this.stillTexts);
+    const {plane} = this.canvas;
+    if (!plane) this.labels.texts.push(...this.stillTexts);
     const cells = this.shownCells = this.visibleCells();
     const over = svg('g'), dots = svg('g'), texts = svg('g');
     const pending = this.drawMarks(over, dots);
     this.placeLabels(pending, cells, over, texts);
     this.svg.replaceChildren(
-        this.patterns, this.picture, this.grounds(cells), this.still, this.centres(), this.outlines(cells),
+        this.patterns, this.picture, this.grounds(cells), this.colors(cells), plane ? '' : this.still,
+        plane ? '' : this.centres(), this.outlines(cells),
         this.cellTexts(cells), over, dots, texts);
     this.svg.setAttribute('width', width);
     this.svg.setAttribute('height', height);
@@ -238,7 +240,7 @@ class Drawing {
       if (!row) continue;
       for (let x = x0; x <= x1; ++x) {
         const look = row.get(x);
-        if (look) out.push([x, y, look[0], look[1]]);
+        if (look) out.push([x, y, ...look]);
       }
     }
     return out;
@@ -302,7 +304,7 @@ class Drawing {
     for (let y = view.y0; y <= view.y1; ++y) {
       for (let x = view.x0; x <= view.x1; ++x) {
         const look = this.canvas.look(x, y);
-        if (!look || (look[0] !== wall && look[1] === '')) d += `M${toPixels(this.at, x, y).join(' ')}h0`;
+        if (!look || (look[0] !== wall && look[1] === '' && !look[2])) d += `M${toPixels(this.at, x, y).join(' ')}h0`;
       }
     }
     return svg('path', {
@@ -354,9 +356,20 @@ class Drawing {
       const [px, py] = toPixels(this.at, x, y);
       return `M${px - side / 2} ${py - side / 2}h${side}v${side}h${-side}z`;
     };
-    return cells.filter((cell) => cell[2] === role).map(square).join('');
+    return cells.filter((cell) => cell[2] === role && !cell[4]).map(square).join('');
   }
-  rolesOf(cells) { return [...new Set(cells.map((c) => c[2]))].sort((a, b) => a - b); }
+  /** Cells with colours of their own: the pixels of a picture that comes out. */
+  colors(cells) {
+    const group = svg('g', {'data-layer': 'colors', 'shape-rendering': 'crispEdges'}), {cell} = this.at;
+    for (const [x, y, , , color] of cells) {
+      if (!color) continue;
+      const [px, py] = toPixels(this.at, x, y);
+      group.append(
+          svg('rect', {x: px - cell / 2, y: py - cell / 2, width: cell, height: cell, fill: color}));
+    }
+    return group;
+  }
+  rolesOf(cells) { return [...new Set(cells.filter((c) => !c[4]).map((c) => c[2]))].sort((a, b) => a - b); }
   grounds(cells) {
     const group = svg('g', {'data-layer': 'grounds'});
     for (const role of this.rolesOf(cells)) {
@@ -385,7 +398,7 @@ class Drawing {
   }
   crosses(cells, role) {
     const arm = 0.2 * this.at.cell;
-    const ofRole = cells.filter((cell) => cell[2] === role);
+    const ofRole = cells.filter((cell) => cell[2] === role && !cell[4]);
     return ofRole.map(([x, y]) => crossPath(...toPixels(this.at, x, y), arm)).join('');
   }
   cellTexts(cells) {

@@ -16,17 +16,19 @@ function upperBound(list, wanted, valueOf = (v) => v) {
   return low;
 }
 
-/** What the drawing shows after some step: rows of cells, each [role, text], and marks by id. */
+/** What the drawing shows after some step: rows of cells, each [role, text, colour], and marks by id. */
 class Canvas {
   rows = new Map();
   marks = new Map();
   cells = 0;
+  plane = false;  // without cells
 
   copy() {
     const other = new Canvas();
     for (const [y, row] of this.rows) other.rows.set(y, new Map(row));
     other.marks = new Map(this.marks);
     other.cells = this.cells;
+    other.plane = this.plane;
     return other;
   }
   get size() { return this.cells + this.marks.size; }
@@ -34,9 +36,10 @@ class Canvas {
 
   /** Marks go, cells change (later runs win), marks come. */
   apply(delta) {
+    this.plane = delta.plane ?? this.plane;
     for (const id of delta.removed ?? []) this.marks.delete(id);
-    for (const [x, y, count, role, text = ''] of delta.cells ?? []) {
-      const look = role < 0 ? null : [role, text];
+    for (const [x, y, count, role, text = '', color] of delta.cells ?? []) {
+      const look = role < 0 ? null : [role, text, color];
       for (let i = 0; i < count; ++i) this.put(x + i, y, look);
     }
     for (const mark of delta.set ?? []) this.marks.set(mark[0], mark);

@@ -1,0 +1,238 @@
+// The tour through the textbook chain: every stage has its step, its numbers are the pipeline's, and the
+// followed pixel ends in the colour that it has in the picture.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "pipeline.hpp"
+#include "stories/pipeline/chain_run.hpp"
+#include "support/example_traces.hpp"
+
+namespace gradus {
+namespace {
+
+using Given = std::map<std::string, std::string>;
+
+/// Runs in which nothing is cut, something is cut, the followed face is removed, and nothing is seen.
+const std::vector<Given>& runs() {
+  static const std::vector<Given> all{{},
+                                      {{"turn", "50"}, {"near", "1.8"}},
+                                      {{"face", "1"}},
+                                      {{"eye", "0.3,0.6,1"}, {"target", "0.3,0.6,5"}, {"columns", "9"}},
+                                      {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}}};
+  return all;
+}
+
+Trace tour(const Given& given) { return test::trace_of("pipeline", given); }
+pipeline::Scene scene(const Given& given) {
+  return textbook_chain::scene_of(test::complete(test::topic("pipeline"), given));
+}
+pipeline::Size size(const Given& given) {
+  const Arguments arguments = test::complete(test::topic("pipeline"), given);
+  return {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))};
+}
+
+template <class T>
+T field(const TraceStep& step, std::string_view name) {
+  for (const Field& f : step.fields) {
+    if (f.name == name) return std::get<T>(f.value);
+  }
+  ADD_FAILURE() << step.type << " has no field " << name;
+  return T{};
+}
+glm::dvec4 numbers(const TraceStep& step) {
+  return {field<double>(step, "x"), field<double>(step, "y"), field<double>(step, "z"),
+          field<double>(step, "w")};
+}
+dvec3 place(const TraceStep& step) {
+  return {field<double>(step, "x"), field<double>(step, "y"), field<double>(step, "z")};
+}
+const TraceStep& milestone(const Trace& trace, std::int64_t stage) {
+  return trace.steps[index_of(trace, {stage, 0})];
+}
+
+TEST(PipelineTour, HasAStepForEveryStage) {
+  for (const Given& given : runs()) {
+    const Trace trace = tour(given);
+    ASSERT_TRUE(trace.whole());
+    ASSERT_EQ(trace.last, 8);
+    std::vector<std::string> lines;
+    for (std::int64_t stage = 1; stage <= 8; ++stage) {
+      const TraceStep& step = milestone(trace, stage);
+      EXPECT_TRUE(step.phase.starts_with(fmt::format("{} ", stage))) << step.phase;
+      const auto line = std::ranges::find(trace.listing, step.line, &SourceLine::number);
+      ASSERT_NE(line, trace.listing.end());
+      lines.push_back(line->text.substr(line->text.find_first_not_of(' ')));
+    }
+    EXPECT_THAT(lines, testing::ElementsAre("input(scene);", "to_world(scene, model);",
+                                            "to_clip(scene.camera, aspect, world);",
+                                            "remove_back_faces(scene, clip);",
+                                            "clip_and_divide(world, facing, width, height);",
+                                            "rasterize(triangles, width, height, emit);",
+                                            "shade(scene, triangles, visible);", "return output(light);"));
+  }
+}
+
+TEST(PipelineTour, EndsWithTheStageThatIsAskedFor) {
+  const std::vector<std::string> names{"input",    "world",         "perspective", "back_faces",
+                                       "clipping", "rasterization", "visibility",  "output"};
+  const Trace all = tour({});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Trace trace = tour({{"stage", names[i]}});
+    ASSERT_EQ(trace.last, static_cast<std::int64_t>(i) + 1);
+    for (std::size_t k = 0; k < trace.steps.size(); ++k)
+      ASSERT_EQ(trace.steps[k].sentence, all.steps[k].sentence);
+  }
+}
+
+TEST(PipelineTour, TellsTheNumbersOfAnotherWayToThem) {
+  int placed = 0, projected = 0, divided = 0, snapped = 0;
+  for (const Given& given : runs()) {
+    const Trace trace = tour(given);
+    const pipeline::Scene s = scene(given);
+    const auto [width, height] = size(given);
+    const auto turn = given.contains("turn") ? std::stod(given.at("turn")) * std::acos(-1.0) / 180 : 0.0;
+    const glm::dmat4 view = view_matrix(s.camera.frame);
+    const glm::dmat4 projection = projection_matrix(projection_of(s.camera.lens, double(width) / height));
+    std::map<std::string, dvec3> object;
+    glm::dvec4 clip{0};
+    std::vector<dvec2> pixels;
+    std::vector<dvec2> corners;
+    for (const TraceStep& step : trace.steps) {
+      if (step.type == "VertexRead") {
+        object[step.key] = place(step);
+        EXPECT_EQ(place(step), s.objects[0].mesh.positions[std::stoul(step.key.substr(1))]);
+      } else if (step.type == "Placed") {
+        const dvec3 p = object.at(step.key);
+        const dvec3 turned{std::cos(turn) * p.x + std::sin(turn) * p.z, p.y,
+                           std::cos(turn) * p.z - std::sin(turn) * p.x};
+        EXPECT_LT(glm::distance(place(step), turned), 1e-14);
+        object[step.key] = place(step);
+        ++placed;
+      } else if (step.type == "Projected") {
+        const glm::dvec4 other = projection * (view * glm::dvec4(object.at(step.key), 1));
+        EXPECT_LT(glm::distance(numbers(step), other), 1e-11) << step.sentence;
+        ++projected;
+      } else if (step.type == "Clipped" && !step.fields.empty()) {
+        clip = numbers(step);
+        EXPECT_GE(clip.z, -1e-12);
+      } else if (step.type == "Divided") {
+        EXPECT_LT(glm::distance(place(step), dvec3(clip) / clip.w), 1e-14);
+        corners.emplace_back((clip.x / clip.w + 1) / 2 * width, (1 - clip.y / clip.w) / 2 * height);
+        ++divided;
+      } else if (step.type == "Snapped") {
+        const dvec2 at = dvec2(field<std::int64_t>(step, "x"), field<std::int64_t>(step, "y")) / 256.0;
+        const auto near = [&](dvec2 p) {
+          return std::max(std::abs(p.x - at.x), std::abs(p.y - at.y)) <= 1 / 512.0 + 1e-9;
+        };
+        EXPECT_TRUE(std::ranges::any_of(corners, near)) << step.sentence;
+        ++snapped;
+      }
+    }
+  }
+  EXPECT_EQ(placed, 15);
+  EXPECT_EQ(projected, 15);
+  EXPECT_GE(divided, 10);
+  EXPECT_GE(snapped, 12);
+}
+
+TEST(PipelineTour, ShowsThePictureThatRenderMakes) {
+  for (const Given& given : runs()) {
+    const Trace trace = tour(given);
+    const Image image = pipeline::render(scene(given), size(given));
+    Playhead playhead(trace);
+    const Canvas& canvas = playhead.at(trace.steps.size() - 1);
+    EXPECT_FALSE(canvas.plane());
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) ASSERT_EQ(canvas.at({x, y}).value().color, (image[{x, y}]));
+    }
+    const ivec2 pixel = std::get<ivec2>(trace.result[1].value);
+    const Rgba8 c = image[pixel];
+    EXPECT_EQ(std::get<std::string>(trace.result[2].value),
+              fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b));
+    const auto written = std::ranges::find(trace.steps, "Written", &TraceStep::type);
+    ASSERT_NE(written, trace.steps.end());
+    EXPECT_EQ(field<std::int64_t>(*written, "red"), c.r);
+    EXPECT_EQ(field<std::int64_t>(*written, "green"), c.g);
+    EXPECT_EQ(field<std::int64_t>(*written, "blue"), c.b);
+  }
+}
+
+TEST(PipelineTour, CountsWhatEveryStageKeeps) {
+  for (const Given& given : runs()) {
+    const Trace trace = tour(given);
+    const auto count = [&](std::int64_t stage, std::string_view name) {
+      return field<std::int64_t>(milestone(trace, stage), name);
+    };
+    EXPECT_EQ(count(1, "pieces"), 36);
+    EXPECT_EQ(count(4, "removed") + count(4, "kept"), count(1, "pieces"));
+    EXPECT_LE(count(5, "gone"), count(5, "clipped"));
+    if (count(5, "clipped") == 0) EXPECT_EQ(count(5, "triangles"), count(4, "kept"));
+    EXPECT_GE(count(5, "triangles"), count(4, "kept") - count(5, "gone"));
+    EXPECT_LE(count(7, "nearest"), count(7, "covered"));
+    EXPECT_EQ(count(7, "covered"), count(6, "covered"));
+    EXPECT_LE(count(7, "visible"), count(6, "fragments"));
+    EXPECT_EQ(count(8, "visible"), count(7, "visible"));
+    EXPECT_EQ(count(8, "pixels"), trace.grid.cells.width() * trace.grid.cells.height());
+    std::int64_t cells = 0;
+    for (const TraceStep& step : trace.steps) {
+      if (step.type == "Covered")
+        cells += field<std::int64_t>(step, "last") - field<std::int64_t>(step, "first") + 1;
+    }
+    EXPECT_EQ(cells, count(6, "covered"));
+  }
+}
+
+TEST(PipelineTour, FollowsAFaceThatIsRemovedOnlyToItsEnd) {
+  const Trace trace = tour({{"face", "1"}});
+  for (const TraceStep& step : trace.steps) {
+    EXPECT_NE(step.type, "Clipped");
+    EXPECT_NE(step.type, "Covered");
+  }
+  const auto faced = std::ranges::find(trace.steps, "Faced", &TraceStep::type);
+  ASSERT_NE(faced, trace.steps.end());
+  EXPECT_TRUE(field<bool>(*faced, "removed"));
+  EXPECT_LT(field<double>(*faced, "determinant"), 0);
+}
+
+TEST(PipelineTour, CutsTheFollowedTriangleAtTheNearPlane) {
+  const Trace trace = tour({{"turn", "50"}, {"near", "1.8"}});
+  const auto made = std::ranges::count_if(trace.steps, [](const TraceStep& step) {
+    return step.type == "Clipped" && field<double>(step, "z") == 0;
+  });
+  EXPECT_EQ(made, 2);
+  EXPECT_GT(field<std::int64_t>(milestone(trace, 5), "clipped"), 0);
+}
+
+TEST(PipelineTour, SpeaksEveryLanguage) {
+  for (const Language& language : languages()) {
+    for (const Given& given : runs()) {
+      const Trace trace = test::trace_of("pipeline", given, {0, Recording::default_most, Wording(language)});
+      for (const TraceStep& step : trace.steps) EXPECT_FALSE(step.sentence.empty());
+    }
+  }
+}
+
+TEST(PipelineTour, RefusesWhatThereIsNot) {
+  const auto complaint = [](const Given& given) {
+    try {
+      tour(given);
+    } catch (const ArgumentError& error) {
+      return error.parameter + ": " + error.what();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(complaint({{"face", "12"}}), "face: expected a face from 0 to 11, found 12");
+  EXPECT_EQ(complaint({{"pixel", "20,3"}}), "pixel: expected a pixel inside the 20 × 14 picture, found 20,3");
+  EXPECT_EQ(complaint({{"eye", "1,1,1"}, {"target", "1,1,1"}}),
+            "eye: expected a place other than the target, found the same");
+  EXPECT_THAT(complaint({{"near", "0"}}),
+              testing::StartsWith("near: expected a depth above 0 and before the far plane"));
+}
+
+}  // namespace
+}  // namespace gradus

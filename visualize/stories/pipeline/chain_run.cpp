@@ -1,0 +1,197 @@
+#include "stories/pipeline/chain_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "projection/viewing/viewing.hpp"
+#include "scene/framing.hpp"
+#include "scene/obj.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
+
+namespace gradus::textbook_chain {
+namespace {
+
+using namespace pipeline;
+
+constexpr double radians_a_degree = 3.141592653589793 / 180;
+
+Mesh mesh_of(const Arguments& arguments) {
+  if (arguments.has("model") && !arguments.text("model").empty()) {
+    const Arguments::Entry& entry = arguments.entry("model");
+    const auto open = [&](const std::string& name) {
+      const auto found = entry.libraries.find(name);
+      return found == entry.libraries.end() ? std::nullopt : std::optional(found->second);
+    };
+    return parse_obj(entry.content, entry.text, open).mesh;
+  }
+  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
+  return parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
+}
+
+/// The camera that is placed for the model, or the one that looks where the arguments say.
+Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect) {
+  const Object& object = scene.objects[0];
+  std::vector<dvec3> points;
+  for (const Corner& corner : object.mesh.corners) {
+    points.push_back(affine_3d::transform(object.placement, position_of(object.mesh, corner)));
+  }
+  const double fov = arguments.number("fov").value_or(40) * radians_a_degree;
+  Camera camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object), fov);
+  const auto eye = arguments.place("eye"), target = arguments.place("target");
+  if (eye || target) {
+    const Bounds bounds = bounds_of(scene);
+    const dvec3 from = eye.value_or(camera.frame.eye), to = target.value_or(bounds.centre());
+    if (from == to) throw ArgumentError("eye", "expected a place other than the target, found the same");
+    const bool upright = length_of(glm::cross(unit_vector(to - from), dvec3{0, 1, 0})) < 1e-6;
+    camera.frame = viewing::look_at(from, to, upright ? dvec3{0, 0, -1} : dvec3{0, 1, 0});
+    camera = with_depths(camera, bounds);
+  }
+  const auto near = arguments.number("near");
+  if (near && !(0 < *near && *near < camera.lens.far)) {
+    throw ArgumentError("near",
+                        fmt::format("expected a depth above 0 and before the far plane at {:.4g}, found {}",
+                                    camera.lens.far, arguments.text("near")));
+  }
+  if (near) camera.lens.near = *near;
+  return camera;
+}
+
+std::size_t count_of(const Run& run, PieceId id) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(run.covered, [&](const Fragment& f) { return f.id == id; }));
+}
+
+/// How good a piece is to follow: clipped and seen, meeting others where it is seen, much seen, much covered.
+struct Worth {
+  bool cut_and_seen = false, meets = false;
+  std::size_t seen = 0, covered = 0;
+  auto operator<=>(const Worth&) const = default;
+};
+
+Worth worth_of(const Run& run, const Piece& piece) {
+  const auto seen = static_cast<std::size_t>(
+      std::ranges::count_if(run.shaded, [&](const Shaded& s) { return s.fragment.id == piece.id; }));
+  const Clipped* clipped = run.clipped_of(piece.id);
+  const bool meets = std::ranges::any_of(run.tests, [&](const DepthTested& t) {
+    const Shaded* shaded = run.shaded_at(t.fragment.pixel);
+    return t.before && shaded && shaded->fragment.id == piece.id;
+  });
+  return {clipped && clipped->changed && seen > 0, meets, seen, count_of(run, piece.id)};
+}
+
+std::size_t piece_to_follow(const Run& run, std::optional<std::int64_t> face) {
+  std::size_t best = run.pieces.size();
+  Worth most;
+  for (std::size_t i = 0; i < run.pieces.size(); ++i) {
+    if (face && run.pieces[i].id.face != *face) continue;
+    const Worth worth = worth_of(run, run.pieces[i]);
+    if (best < run.pieces.size() && worth <= most) continue;
+    best = i;
+    most = worth;
+  }
+  return best;
+}
+
+/// The piece's pixel where most fragments meet; among several one where it is seen, then the middle one.
+ivec2 pixel_to_follow(const Run& run, PieceId id) {
+  std::vector<ivec2> own;
+  for (const Fragment& f : run.covered) {
+    if (f.id == id) own.push_back(f.pixel);
+  }
+  if (own.empty()) return {run.size.width / 2, run.size.height / 2};
+  const auto meetings = [&](ivec2 pixel) {
+    const Shaded* shaded = run.shaded_at(pixel);
+    const auto met =
+        std::ranges::count_if(run.tests, [&](const DepthTested& t) { return t.fragment.pixel == pixel; });
+    return std::pair{shaded && shaded->fragment.id == id, met};
+  };
+  std::pair<bool, std::ptrdiff_t> most{};
+  std::vector<ivec2> best;
+  for (const ivec2 pixel : own) {
+    const auto met = meetings(pixel);
+    if (best.empty() || met > most) best.clear();
+    if (best.empty()) most = met;
+    if (met == most) best.push_back(pixel);
+  }
+  return best[best.size() / 2];
+}
+
+}  // namespace
+
+const Clipped* Run::clipped_of(PieceId id) const {
+  const auto found = std::ranges::find(clipped, id, &Clipped::id);
+  return found == clipped.end() ? nullptr : &*found;
+}
+
+const Shaded* Run::shaded_at(ivec2 pixel) const {
+  const auto found = std::ranges::find_if(shaded, [&](const Shaded& s) { return s.fragment.pixel == pixel; });
+  return found == shaded.end() ? nullptr : &*found;
+}
+
+Scene scene_of(const Arguments& arguments) {
+  Mesh mesh = mesh_of(arguments);
+  if (const std::int64_t count = triangle_count(mesh); count > most_triangles) {
+    throw ArgumentError("model",
+                        fmt::format("expected a small model of at most {} triangles, for each is drawn "
+                                    "at every stage, found {} (`gradus render` draws large ones)",
+                                    most_triangles, count));
+  }
+  const double aspect =
+      static_cast<double>(arguments.integer("columns")) / static_cast<double>(arguments.integer("rows"));
+  Scene scene = pipeline::scene_of(std::move(mesh), aspect);
+  const auto turn = static_cast<double>(arguments.integer("turn"));
+  if (turn != 0) scene.objects[0].placement = affine_3d::rotation({0, 1, 0}, turn * radians_a_degree);
+  scene.camera = camera_of(scene, arguments, aspect);
+  scene.lights = default_lights(scene.camera);
+  return scene;
+}
+
+Run run_of(Scene scene, Size size) {
+  Recorder<VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped, Covered, DepthTested,
+           Shaded, Written>
+  record(std::size_t{10'000'000});
+  Run run;
+  run.image = render(scene, size, record);
+  run.scene = std::move(scene);
+  run.size = size;
+  run.read = all<VertexRead>(record);
+  run.faces = all<FaceRead>(record);
+  for (const FaceRead& face : run.faces)
+    run.pieces.insert(run.pieces.end(), face.pieces.begin(), face.pieces.end());
+  run.placed = all<Placed>(record);
+  run.clip = all<Projected>(record);
+  run.faced = all<Faced>(record);
+  run.clipped = all<Clipped>(record);
+  run.snapped = all<Snapped>(record);
+  for (const Covered& covered : all<Covered>(record)) run.covered.push_back(covered.fragment);
+  run.tests = all<DepthTested>(record);
+  run.shaded = all<Shaded>(record);
+  run.written = all<Written>(record);
+  return run;
+}
+
+Followed followed_in(const Run& run, const Arguments& arguments) {
+  std::optional<std::int64_t> face;
+  if (arguments.has("face") && !arguments.text("face").empty()) face = arguments.integer("face");
+  if (face && *face >= static_cast<std::int64_t>(run.faces.size())) {
+    throw ArgumentError("face",
+                        fmt::format("expected a face from 0 to {}, found {}", run.faces.size() - 1, *face));
+  }
+  Followed followed{piece_to_follow(run, face), {}};
+  if (followed.piece == run.pieces.size()) {
+    throw ArgumentError("face", fmt::format("expected a face with an area, found {}", *face));
+  }
+  if (!arguments.has("pixel") || arguments.text("pixel").empty()) {
+    followed.pixel = pixel_to_follow(run, run.pieces[followed.piece].id);
+    return followed;
+  }
+  followed.pixel = arguments.cell("pixel");
+  if (!run.image.contains(followed.pixel)) {
+    throw ArgumentError("pixel", fmt::format("expected a pixel inside the {} × {} picture, found {}",
+                                             run.size.width, run.size.height, arguments.text("pixel")));
+  }
+  return followed;
+}
+
+}  // namespace gradus::textbook_chain

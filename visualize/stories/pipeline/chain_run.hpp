@@ -1,0 +1,59 @@
+#pragma once
+// One run of the textbook chain, kept stage by stage for its story: what each stage told, by vertex and
+// piece.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/record.hpp"
+#include "pipeline.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::textbook_chain {
+
+/// Everything all eight stages told, of a scene with one object.
+struct Run {
+  pipeline::Scene scene;
+  pipeline::Size size;
+  std::vector<pipeline::VertexRead> read;    ///< by vertex
+  std::vector<pipeline::FaceRead> faces;     ///< by face
+  std::vector<pipeline::Piece> pieces;       ///< of all faces, in order
+  std::vector<pipeline::Placed> placed;      ///< by vertex
+  std::vector<pipeline::Projected> clip;     ///< by vertex
+  std::vector<pipeline::Faced> faced;        ///< by piece
+  std::vector<pipeline::Clipped> clipped;    ///< of the pieces that stage 4 kept
+  std::vector<pipeline::Snapped> snapped;    ///< by triangle
+  std::vector<pipeline::Fragment> covered;   ///< in the order of drawing
+  std::vector<pipeline::DepthTested> tests;  ///< likewise
+  std::vector<pipeline::Shaded> shaded;
+  std::vector<pipeline::Written> written;
+  Image image;
+
+  const pipeline::Clipped* clipped_of(pipeline::PieceId id) const;
+  const pipeline::Shaded* shaded_at(ivec2 pixel) const;
+};
+
+/// The most triangles a model may have for its tour.
+inline constexpr std::int64_t most_triangles = 2000;
+
+/// The scene that the arguments ask for: the model turned, and the camera that is placed for it or given.
+/// Throws ArgumentError for a model too large, or an eye or near plane that sees nothing.
+pipeline::Scene scene_of(const Arguments& arguments);
+
+/// Runs the chain.
+Run run_of(pipeline::Scene scene, pipeline::Size size);
+
+/// The piece and the pixel that are followed.
+struct Followed {
+  std::size_t piece = 0;  ///< place in Run::pieces
+  ivec2 pixel{0};
+};
+
+/// The piece of this face that covers most pixels, or of all faces: one that is clipped and seen, else the
+/// one of which most is seen. The pixel: this one, or the piece's pixel at which most pieces meet. Throws
+/// ArgumentError for a face or a pixel that there is not.
+Followed followed_in(const Run& run, const Arguments& arguments);
+
+}  // namespace gradus::textbook_chain

@@ -1,0 +1,85 @@
+#pragma once
+// The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "figure/drawing.hpp"
+#include "figure/wording.hpp"
+#include "stories/pipeline/chain_run.hpp"
+
+namespace gradus::textbook_chain {
+
+/// A whole drawing; a step's delta is the difference of two of them.
+struct View {
+  std::map<std::string, Mark> marks{};
+  std::map<std::pair<int, int>, CellLook> cells{};  ///< by (row, column)
+  bool plane = true;
+
+  void add(Mark mark) { marks.insert_or_assign(mark.id, mark); }
+};
+
+/// What turns one drawing into the other.
+Delta difference(const View& before, const View& after);
+
+/// What an event points at: the corner of the followed piece, or of what clipping has left of it, and its
+/// text.
+struct Pointer {
+  int corner = -1;  ///< -1: at none
+  std::string text{};
+};
+
+/// The drawings of a run.
+class Views {
+ public:
+  Views(const Run& run, const Followed& followed, const Wording& words)
+      : run_(run), piece_(run.pieces[followed.piece]), pixel_(followed.pixel), words_(words) {}
+
+  View object(const Pointer& at = {}) const;
+  View world(const Pointer& at = {}) const;
+  View clip_space(const Pointer& at = {}) const;
+  View facing() const;
+  View clipping(const Pointer& at = {}) const;
+  /// Cells of the followed piece down to this row; -1: before the first.
+  View raster(int last_row, const Pointer& at = {}) const;
+  /// Which fragments of the followed piece are nearest; the followed pixel with the light that it has.
+  View visible(bool lit) const;
+  /// The picture; only the followed pixel of it where `whole` is false.
+  View output(bool whole) const;
+
+ private:
+  struct Panel;
+  Panel whole(dvec2 lower, dvec2 upper) const;
+  Panel left(dvec2 lower, dvec2 upper) const;
+  Panel right(dvec2 lower, dvec2 upper) const;
+  Panel panel(double x0, double x1, dvec2 lower, dvec2 upper) const;
+
+  template <class At>
+  void model(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
+             bool labelled = true) const;
+  template <class At>
+  Panel fitted(At at, int side, const std::vector<dvec2>& more = {}) const;
+  void polygon(View& view, const Panel& panel, std::string id, Role role,
+               const std::vector<dvec2>& points) const;
+  void caption(View& view, const Panel& panel, const std::string& key) const;
+  void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth) const;
+  void axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const;
+  void mark_pixel(View& view) const;
+
+  bool follows(pipeline::PieceId id) const { return id == piece_.id; }
+
+  const Run& run_;
+  const pipeline::Piece& piece_;
+  ivec2 pixel_;
+  const Wording& words_;
+};
+
+/// A number as the tour shows it: four significant digits, the typographic minus.
+std::string real_text(double value);
+/// "(1, −0.5, 2)".
+std::string place_text(dvec3 p);
+
+}  // namespace gradus::textbook_chain

@@ -1,0 +1,547 @@
+// The story of the textbook chain: a small model's data before and after each stage, and one triangle and one
+// pixel followed through all eight.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pipeline.hpp"
+#include "stories/pipeline/chain_run.hpp"
+#include "stories/pipeline/chain_views.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus::textbook_chain {
+namespace {
+
+using fmt::arg;
+using namespace pipeline;
+
+constexpr std::string_view source = "pipeline/pipeline.hpp";
+
+/// The stages as the parameter `stage` calls them, and the calls that the chain makes of them.
+struct Stage {
+  std::string_view name, call;
+};
+constexpr std::array<Stage, 8> stages{{{"input", "input("},
+                                       {"world", "to_world("},
+                                       {"perspective", "to_clip("},
+                                       {"back_faces", "remove_back_faces("},
+                                       {"clipping", "clip_and_divide("},
+                                       {"rasterization", "rasterize("},
+                                       {"visibility", "shade("},
+                                       {"output", "return output("}}};
+
+/// The line of the chain that makes this call.
+int line_of(const std::vector<SourceLine>& listing, std::string_view call) {
+  const auto found = std::ranges::find_if(listing, [&](const SourceLine& l) {
+    return l.text.find(call) != std::string::npos && !l.text.starts_with("//");
+  });
+  return found == listing.end() ? 0 : found->number;
+}
+
+std::vector<std::string> stage_names() {
+  std::vector<std::string> names;
+  for (const Stage& stage : stages) names.emplace_back(stage.name);
+  return names;
+}
+
+/// An event in the making.
+struct Event {
+  std::string type, key, sentence;
+  Row row{};
+  std::vector<Field> fields{};
+};
+
+std::vector<Field> fields_of(dvec3 p) { return {{"x", p.x}, {"y", p.y}, {"z", p.z}}; }
+std::vector<Field> fields_of(glm::dvec4 p) { return {{"x", p.x}, {"y", p.y}, {"z", p.z}, {"w", p.w}}; }
+
+class Tour {
+ public:
+  Tour(TraceWriter& writer, const Run& run, const Followed& followed)
+      : writer_(writer),
+        words_(writer.wording()),
+        run_(run),
+        piece_(run.pieces[followed.piece]),
+        number_(followed.piece),
+        pixel_(followed.pixel),
+        views_(run, followed, words_) {}
+
+  /// Tells the stages up to and with this one.
+  void tell(int last) {
+    constexpr std::array<void (Tour::*)(), 8> tellers{
+        &Tour::input,    &Tour::world,         &Tour::perspective, &Tour::facing,
+        &Tour::clipping, &Tour::rasterization, &Tour::visibility,  &Tour::output};
+    goal();
+    for (stage_ = 1; stage_ <= last; ++stage_) (this->*tellers[static_cast<std::size_t>(stage_ - 1)])();
+  }
+
+ private:
+  // --- Telling an event
+  // --------------------------------------------------------------------------------------
+
+  void describe(TraceStep& step, Event&& event) const {
+    step.type = std::move(event.type);
+    step.key = std::move(event.key);
+    step.phase =
+        stage_ == 0 ? words_.say("words.set_up") : words_.say("pipeline.stage." + std::to_string(stage_));
+    step.sentence = std::move(event.sentence);
+    step.row = std::move(event.row);
+    step.fields = std::move(event.fields);
+  }
+
+  int line(std::string_view call = {}) const {
+    const std::size_t at = static_cast<std::size_t>(std::max(stage_, 1) - 1);
+    return line_of(writer_.trace().listing, call.empty() ? stages[at].call : call);
+  }
+
+  void fine(View view, Event event, std::string_view call = {}) {
+    writer_.fine(difference(shown_, view), pixel_, line(call),
+                 [&](TraceStep& step) { describe(step, std::move(event)); });
+    shown_ = std::move(view);
+  }
+
+  void milestone(View view, Event event) {
+    writer_.step(difference(shown_, view), pixel_, stage_ == 0 ? 0 : line(), [&](TraceStep& step) {
+      describe(step, std::move(event));
+      step.level = Level::idea;
+    });
+    shown_ = std::move(view);
+  }
+
+  Row row(std::string point, std::string x = {}, std::string y = {}, std::string z = {},
+          std::string w = {}) const {
+    return {figure_number(stage_), std::move(point), std::move(x), std::move(y), std::move(z), std::move(w)};
+  }
+  Row row(std::string point, dvec3 p) const {
+    return row(std::move(point), real_text(p.x), real_text(p.y), real_text(p.z));
+  }
+  Row row(std::string point, glm::dvec4 p) const {
+    return row(std::move(point), real_text(p.x), real_text(p.y), real_text(p.z), real_text(p.w));
+  }
+
+  std::size_t vertex(int corner) const {
+    return static_cast<std::size_t>(piece_.corners[static_cast<std::size_t>(corner)].vertex);
+  }
+  static std::string name_of_vertex(std::size_t v) { return fmt::format("v{}", v); }
+  std::string face_name() const { return figure_number(piece_.id.face); }
+  template <class... Values>
+  std::string say(std::string_view key, const Values&... values) const {
+    return words_.say(key, values...);
+  }
+  std::string pixel_text() const { return figure_point(pixel_); }
+
+  // --- The stages
+  // ----------------------------------------------------------------------------------------------
+
+  void goal() {
+    stage_ = 0;
+    milestone(views_.object(), {"Started",
+                                "",
+                                say("pipeline.started", arg("face", face_name()), arg("pixel", pixel_text()),
+                                    arg("width", run_.size.width), arg("height", run_.size.height)),
+                                {},
+                                {{"face", std::int64_t{piece_.id.face}},
+                                 {"piece", std::int64_t{piece_.id.piece}},
+                                 {"pixel", pixel_}}});
+  }
+
+  void input() {
+    for (int i = 0; i < 3; ++i) {
+      const dvec3 p = run_.read[vertex(i)].point.at;
+      const std::string name = name_of_vertex(vertex(i));
+      fine(views_.object({i, place_text(p)}),
+           {"VertexRead", name, say("pipeline.vertex_read", arg("name", name), arg("place", place_text(p))),
+            row(name, p), fields_of(p)});
+    }
+    const FaceRead& face = run_.faces[static_cast<std::size_t>(piece_.id.face)];
+    const std::string key = face.pieces.size() == 1 ? "pipeline.face_read.whole" : "pipeline.face_read.cut";
+    fine(views_.object(), {"FaceRead",
+                           face_name(),
+                           say(key, arg("face", face_name()), arg("line", figure_number(face.line)),
+                               arg("corners", face.vertices.size()), arg("pieces", face.pieces.size()),
+                               arg("names", corner_names())),
+                           {},
+                           {{"face", std::int64_t{face.face}},
+                            {"line", std::int64_t{face.line}},
+                            {"pieces", static_cast<std::int64_t>(face.pieces.size())}}});
+    milestone(views_.object(), {"InputModel",
+                                "",
+                                say("pipeline.input", arg("vertices", run_.read.size()),
+                                    arg("faces", run_.faces.size()), arg("pieces", run_.pieces.size())),
+                                {},
+                                {{"vertices", static_cast<std::int64_t>(run_.read.size())},
+                                 {"faces", static_cast<std::int64_t>(run_.faces.size())},
+                                 {"pieces", static_cast<std::int64_t>(run_.pieces.size())}}});
+  }
+
+  std::string corner_names() const { return fmt::format("v{}, v{}, v{}", vertex(0), vertex(1), vertex(2)); }
+
+  void world() {
+    for (int i = 0; i < 3; ++i) {
+      const Placed& placed = run_.placed[vertex(i)];
+      const std::string name = name_of_vertex(vertex(i));
+      const bool moved = placed.from.at != placed.to.at;
+      fine(views_.world({i, place_text(placed.to.at)}),
+           {"Placed", name,
+            say(moved ? "pipeline.placed.moved" : "pipeline.placed.same", arg("name", name),
+                arg("from", place_text(placed.from.at)), arg("to", place_text(placed.to.at))),
+            row(name, placed.to.at), fields_of(placed.to.at)});
+    }
+    const Camera& camera = run_.scene.camera;
+    milestone(views_.world(), {"WorldTransformation",
+                               "",
+                               say("pipeline.world", arg("vertices", run_.placed.size()),
+                                   arg("eye", place_text(camera.frame.eye))),
+                               {},
+                               fields_of(camera.frame.eye)});
+  }
+
+  void perspective() {
+    for (int i = 0; i < 3; ++i) {
+      const Projected& p = run_.clip[vertex(i)];
+      const std::string name = name_of_vertex(vertex(i));
+      fine(views_.clip_space({i, ""}),
+           {"Projected", name,
+            say("pipeline.projected", arg("name", name), arg("depth", real_text(p.view.z)),
+                arg("view", place_text(p.view)), arg("x", real_text(p.clip.at.x)),
+                arg("y", real_text(p.clip.at.y)), arg("z", real_text(p.clip.at.z))),
+            row(name, p.clip.at), fields_of(p.clip.at)});
+    }
+    const auto behind = std::ranges::count_if(run_.clip, [](const Projected& p) { return p.clip.at.z < 0; });
+    milestone(views_.clip_space(),
+              {"PerspectiveTransformation",
+               "",
+               words_.count("pipeline.perspective", behind, arg("vertices", run_.clip.size())),
+               {},
+               {{"before_near", static_cast<std::int64_t>(behind)}}});
+  }
+
+  void facing() {
+    const Faced& faced = run_.faced[number_];
+    std::array<dvec3, 3> c;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec4 at = run_.clip[vertex(i)].clip.at;
+      c[static_cast<std::size_t>(i)] = {at.x, at.y, at.w};
+    }
+    const double determinant = glm::dot(c[0], glm::cross(c[1], c[2]));
+    const char* verdict = faced.facing == back_face_culling::Facing::front ? "pipeline.faced.front"
+                          : faced.facing == back_face_culling::Facing::back
+                              ? (faced.removed ? "pipeline.faced.back" : "pipeline.faced.two_sided")
+                              : "pipeline.faced.edge_on";
+    fine(views_.facing(), {"Faced",
+                           face_name(),
+                           say(verdict, arg("determinant", real_text(determinant)), arg("face", face_name()),
+                               arg("names", corner_names())),
+                           row("det", real_text(determinant)),
+                           {{"determinant", determinant}, {"removed", faced.removed}}});
+    const auto removed = std::ranges::count_if(run_.faced, &Faced::removed);
+    milestone(views_.facing(),
+              {"BackFaceRemoval",
+               "",
+               words_.count("pipeline.facing", removed,
+                            arg("kept", static_cast<std::int64_t>(run_.faced.size()) - removed)),
+               {},
+               {{"removed", static_cast<std::int64_t>(removed)},
+                {"kept", static_cast<std::int64_t>(run_.faced.size()) - removed}}});
+  }
+
+  void clipping() {
+    if (const Clipped* own = run_.clipped_of(piece_.id)) {
+      for (std::size_t k = 0; k < own->after.size(); ++k) clipped_corner(*own, k);
+      if (own->after.empty()) {
+        fine(views_.clipping(),
+             {"Clipped", face_name(), say("pipeline.clipped.gone", arg("face", face_name()))});
+      }
+    }
+    const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
+    const auto gone = std::ranges::count_if(run_.clipped, [](const Clipped& c) { return c.after.empty(); });
+    milestone(views_.clipping(), {"Clipping",
+                                  "",
+                                  words_.count("pipeline.clipping", changed, arg("gone", gone),
+                                               arg("triangles", run_.snapped.size())),
+                                  {},
+                                  {{"clipped", static_cast<std::int64_t>(changed)},
+                                   {"gone", static_cast<std::int64_t>(gone)},
+                                   {"triangles", static_cast<std::int64_t>(run_.snapped.size())}}});
+  }
+
+  void clipped_corner(const Clipped& own, std::size_t k) {
+    const glm::dvec4 at = own.after[k].at;
+    const dvec3 ndc = own.divided[k].at;
+    const std::string name = fmt::format("c{}", k);
+    const auto old = std::ranges::find_if(own.before, [&](const ClipPoint& p) { return p.at == at; });
+    const std::string from = old == own.before.end()
+                                 ? std::string()
+                                 : name_of_vertex(vertex(static_cast<int>(old - own.before.begin())));
+    const std::string key = old == own.before.end() ? "pipeline.clipped.new" : "pipeline.clipped.kept";
+    fine(views_.clipping({static_cast<int>(k), ""}),
+         {"Clipped", name,
+          say(key, arg("name", name), arg("vertex", from), arg("z", real_text(at.z)),
+              arg("w", real_text(at.w))),
+          row(name, at), fields_of(at)});
+    fine(
+        views_.clipping({static_cast<int>(k), place_text(ndc)}),
+        {"Divided", name,
+         say("pipeline.divided", arg("name", name), arg("w", real_text(at.w)), arg("place", place_text(ndc))),
+         row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)});
+  }
+
+  void rasterization() {
+    int corner = 0, low = run_.size.height, high = -1;
+    std::int64_t covered = 0;
+    for (const Snapped& triangle : run_.snapped) {
+      if (triangle.id != piece_.id) continue;
+      for (std::size_t k = 0; k < 3; ++k) snapped_corner(triangle, k, corner++);
+    }
+    for (const Fragment& f : run_.covered) {
+      if (f.id != piece_.id) continue;
+      low = std::min(low, f.pixel.y);
+      high = std::max(high, f.pixel.y);
+      ++covered;
+    }
+    for (int y = low; y <= high; ++y) covered_row(y);
+    const auto all = static_cast<std::int64_t>(run_.covered.size());
+    milestone(views_.raster(run_.size.height),
+              {"Rasterization",
+               "",
+               words_.count("pipeline.rasterization", covered, arg("face", face_name()), arg("all", all),
+                            arg("triangles", run_.snapped.size())),
+               {},
+               {{"covered", covered}, {"fragments", all}}});
+  }
+
+  void snapped_corner(const Snapped& triangle, std::size_t k, int corner) {
+    const dvec2 exact = triangle.exact[k].at;
+    const ivec2 at = triangle.corners[k].at;
+    const std::string name = fmt::format("p{}", corner);
+    const std::string place = fmt::format("({},\u00a0{})", real_text(at.x / 256.0), real_text(at.y / 256.0));
+    fine(views_.raster(-1, {corner, name + " " + place}),
+         {"Snapped",
+          name,
+          say("pipeline.snapped", arg("name", name), arg("x", real_text(exact.x)),
+              arg("y", real_text(exact.y)), arg("column", figure_number(at.x)),
+              arg("row", figure_number(at.y)), arg("place", place)),
+          row(name, real_text(at.x / 256.0), real_text(at.y / 256.0)),
+          {{"x", std::int64_t{at.x}}, {"y", std::int64_t{at.y}}}});
+  }
+
+  void covered_row(int y) {
+    int count = 0, first = 0, last = 0;
+    double depth = 0;
+    for (const Fragment& f : run_.covered) {
+      if (f.id != piece_.id || f.pixel.y != y) continue;
+      if (count++ == 0) {
+        first = last = f.pixel.x;
+        depth = f.depth;
+      }
+      first = std::min(first, f.pixel.x);
+      last = std::max(last, f.pixel.x);
+    }
+    if (count == 0) return;
+    fine(views_.raster(y),
+         {"Covered",
+          fmt::format("{},{}", first, y),
+          words_.count("pipeline.covered", count, arg("row", figure_number(y)),
+                       arg("first", figure_number(first)), arg("last", figure_number(last))),
+          row(figure_point({first, y}), real_text(first + 0.5), real_text(y + 0.5), real_text(depth)),
+          {{"row", std::int64_t{y}}, {"first", std::int64_t{first}}, {"last", std::int64_t{last}}}});
+  }
+
+  void visibility() {
+    for (const DepthTested& test : run_.tests) {
+      if (test.fragment.pixel == pixel_) depth_test(test);
+    }
+    if (const Shaded* shaded = run_.shaded_at(pixel_)) {
+      const auto grey = [](dvec3 light) { return place_text(light); };
+      const glm::dvec3 sum(shaded->colour);
+      fine(views_.visible(true),
+           {"Shaded",
+            pixel_key(pixel_),
+            say("pipeline.shaded", arg("pixel", pixel_text()), arg("ambient", grey(shaded->ambient)),
+                arg("diffuse", grey(shaded->diffuse)), arg("specular", grey(shaded->specular)),
+                arg("sum", grey(sum))),
+            row(words_.say("pipeline.light"), sum),
+            {{"red", sum.x}, {"green", sum.y}, {"blue", sum.z}}});
+    }
+    std::int64_t won = 0, covered = 0;
+    for (const Fragment& f : run_.covered) covered += f.id == piece_.id;
+    for (const Shaded& s : run_.shaded) won += s.fragment.id == piece_.id;
+    milestone(views_.visible(false),
+              {"HiddenSurfaceRemovalAndShading",
+               "",
+               words_.count("pipeline.visibility", won, arg("covered", covered), arg("face", face_name()),
+                            arg("shown", run_.shaded.size()), arg("fragments", run_.tests.size())),
+               {},
+               {{"nearest", won},
+                {"covered", covered},
+                {"visible", static_cast<std::int64_t>(run_.shaded.size())}}});
+  }
+
+  void depth_test(const DepthTested& test) {
+    const Fragment& f = test.fragment;
+    const std::string key = !test.before  ? "pipeline.tested.first"
+                            : test.nearer ? "pipeline.tested.nearer"
+                                          : "pipeline.tested.farther";
+    const std::string name = say("pipeline.face", arg("face", figure_number(f.id.face)));
+    fine(views_.visible(false),
+         {"DepthTested",
+          pixel_key(f.pixel),
+          say(key, arg("pixel", pixel_text()), arg("face", figure_number(f.id.face)),
+              arg("depth", real_text(f.depth)),
+              arg("other", test.before ? figure_number(test.before->id.face) : ""),
+              arg("kept", test.before ? real_text(test.before->depth) : "")),
+          row(name, real_text(f.pixel.x + 0.5), real_text(f.pixel.y + 0.5), real_text(f.depth)),
+          {{"face", std::int64_t{f.id.face}}, {"depth", f.depth}, {"nearer", test.nearer}}},
+         "keep_nearest(");
+  }
+
+  void output() {
+    for (const Written& w : run_.written) {
+      if (w.pixel != pixel_) continue;
+      const dvec3 light(w.light);
+      fine(views_.output(false),
+           {"Written",
+            pixel_key(pixel_),
+            say(run_.shaded_at(pixel_) ? "pipeline.written.lit" : "pipeline.written.background",
+                arg("pixel", pixel_text()), arg("light", place_text(light)), arg("red", w.colour.r),
+                arg("green", w.colour.g), arg("blue", w.colour.b)),
+            row("sRGB", figure_number(w.colour.r), figure_number(w.colour.g), figure_number(w.colour.b)),
+            {{"red", std::int64_t{w.colour.r}},
+             {"green", std::int64_t{w.colour.g}},
+             {"blue", std::int64_t{w.colour.b}}}});
+    }
+    milestone(views_.output(true),
+              {"Output",
+               "",
+               say("pipeline.output", arg("pixels", run_.written.size()), arg("shown", run_.shaded.size())),
+               {},
+               {{"pixels", static_cast<std::int64_t>(run_.written.size())},
+                {"visible", static_cast<std::int64_t>(run_.shaded.size())}}});
+  }
+
+  TraceWriter& writer_;
+  const Wording& words_;
+  const Run& run_;
+  const Piece& piece_;
+  std::size_t number_;
+  ivec2 pixel_;
+  Views views_;
+  View shown_{.plane = false};
+  int stage_ = 0;
+};
+
+void describe(Trace& trace, const Arguments& arguments, const Run& run) {
+  const Wording& words = trace.wording;
+  trace.topic = "pipeline";
+  trace.title = words.say("pipeline.title");
+  const bool given = arguments.has("model") && !arguments.text("model").empty();
+  trace.subtitle =
+      words.say("pipeline.subtitle", arg("model", given ? arguments.text("model") : "letter_f.obj"),
+                arg("width", run.size.width), arg("height", run.size.height));
+  trace.method = arguments.text("method");
+  trace.method_title = words.say("pipeline.method.z_buffer");
+  trace.goal = words.say("pipeline.goal");
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (!entry.hash.empty()) trace.input_hash = entry.hash;
+    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
+  }
+  trace.source_file = std::string(source);
+  trace.listing = listing_of(source_text(source), "render");
+  // Above the first stage stand the picture's size and its checks
+  const auto first =
+      std::ranges::find_if(trace.listing, [](const SourceLine& l) { return l.text.starts_with("// 1"); });
+  trace.listing.erase(trace.listing.begin(), first);
+  trace.grid.cells = run.image.window();
+  trace.grid.y_up = false;
+  trace.grid.whole = true;
+  trace.grid.x_name = words.say("pipeline.column_name");
+  trace.grid.y_name = words.say("pipeline.row_name");
+  trace.columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}};
+  for (const Role role : {Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary,
+                          Role::candidate, Role::input}) {
+    trace.legend.push_back({role, words.say("pipeline.legend." + std::string(name_of(role)))});
+  }
+}
+
+Trace run_tour(const Arguments& arguments, Recording recording) {
+  const Size size{static_cast<int>(arguments.integer("columns")),
+                  static_cast<int>(arguments.integer("rows"))};
+  const Run run = run_of(scene_of(arguments), size);
+  const Followed followed = followed_in(run, arguments);
+  TraceWriter writer(recording);
+  describe(writer.trace(), arguments, run);
+  const auto names = stage_names();
+  const auto last = std::ranges::find(names, arguments.text("stage")) - names.begin() + 1;
+  Tour(writer, run, followed).tell(static_cast<int>(last));
+  Trace trace = std::move(writer).finish();
+  const Rgba8 colour = run.image[followed.pixel];
+  const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
+  trace.result = {
+      {"face", std::int64_t{run.pieces[followed.piece].id.face}}, {"pixel", followed.pixel}, {"colour", hex}};
+  trace.telling = {trace.last, 0};
+  return trace;
+}
+
+Parameter whole(std::string name, std::string value, std::string example, std::string help, int least,
+                int most) {
+  return {std::move(name),
+          ParameterType::integer,
+          std::move(value),
+          std::move(example),
+          std::move(help),
+          least,
+          most};
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  static const TopicEntry topic{
+      .name = "pipeline",
+      .title = Wording().say("pipeline.title"),
+      .chapter = "pipeline",
+      .aliases = {"textbook chain", "rendering pipeline", "graphics pipeline", "tour"},
+      .summary = "a small model through the eight stages of the textbook chain",
+      .methods = {method_in_english("pipeline", "z_buffer", Standing::taught)},
+      .default_method = "z_buffer",
+      .parameters =
+          {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
+           {.name = "stage",
+            .type = ParameterType::choice,
+            .default_value = "output",
+            .example = "clipping",
+            .help = "the tour ends with this stage",
+            .choices = stage_names()},
+           whole("columns", "20", "32", "the picture's width in pixels", 8, 64),
+           whole("rows", "14", "20", "the picture's height in pixels", 8, 64),
+           whole("face", "", "3", "the face that is followed, counted from 0; a telling one if not given", 0,
+                 INT32_MAX),
+           {.name = "pixel",
+            .type = ParameterType::cell,
+            .default_value = "",
+            .example = "12,7",
+            .help =
+                "the pixel that is followed: column,row from the top left; one of the face's if not given",
+            .least = 0,
+            .most = 63},
+           {"eye", ParameterType::place, "", "1,1,3",
+            "where the viewer stands: x,y,z; placed for the model if not given"},
+           {"target", ParameterType::place, "", "0,0.5,0",
+            "what the viewer looks at: x,y,z; the model's middle if not given"},
+           {"fov", ParameterType::number, "40", "60", "the vertical angle of view in degrees", 1, 170},
+           {.name = "near",
+            .type = ParameterType::number,
+            .default_value = "",
+            .example = "0.5",
+            .help = "the depth of the near plane; before the model if not given",
+            .least = 0},
+           whole("turn", "0", "30", "degrees by which the model is turned round the y axis, stage 2", -360,
+                 360)},
+      .examples = {"--stage clipping", "--model MODEL.obj --eye 1,1,3", "--turn 30 --face 0 --pixel 12,7"},
+      .run = run_tour};
+  return topic;
+}
+
+}  // namespace gradus::textbook_chain
