@@ -1,5 +1,5 @@
-// Pictures of shipped and test models against committed ones, with a tolerance. GRADUS_UPDATE_GOLDEN=1 writes them
-// anew.
+// Pictures of shipped and test models against committed ones, with a tolerance. GRADUS_UPDATE_GOLDEN=1 writes
+// them anew.
 
 #include <gtest/gtest.h>
 

@@ -108,7 +108,8 @@ class Reader {
     std::string bytes = file_bytes(parameter, text);
     const std::string path = inputs_.files.back();
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    Arguments::Entry entry{.name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
+    Arguments::Entry entry{
+        .name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
     // Reading it shows which libraries it names, and whether it can be read
     pipeline::parse_obj(bytes, path == dash ? "standard input" : path, [&](const std::string& library) {
       const auto found = path == dash ? std::nullopt : beside(folder, library, parameter);
