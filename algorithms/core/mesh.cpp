@@ -26,7 +26,7 @@ Bounds bounds_of(const Mesh& mesh) {
 namespace {
 
 /// The area vector of the face magnified by `scale`.
-dvec3 scaled_area_vector(const Mesh& mesh, const Face& face, double scale) {
+dvec3 scaled_area_vector(const Mesh& mesh, const MeshFace& face, double scale) {
   const std::span<const Corner> corners = corners_of(mesh, face);
   const dvec3 origin = position_of(mesh, corners[0]);
   dvec3 sum{0};
@@ -41,7 +41,7 @@ dvec3 scaled_area_vector(const Mesh& mesh, const Face& face, double scale) {
 
 }  // namespace
 
-dvec3 area_vector(const Mesh& mesh, const Face& face) { return scaled_area_vector(mesh, face, 1); }
+dvec3 area_vector(const Mesh& mesh, const MeshFace& face) { return scaled_area_vector(mesh, face, 1); }
 
 std::int64_t triangle_count(const Mesh& mesh) {
   return static_cast<std::int64_t>(mesh.corners.size()) - 2 * static_cast<std::int64_t>(mesh.faces.size());
@@ -51,7 +51,7 @@ bool closed_outward(const Mesh& mesh) {
   if (mesh.faces.empty()) return false;
   std::vector<std::pair<int, int>> edges;
   edges.reserve(mesh.corners.size());
-  for (const Face& face : mesh.faces) {
+  for (const MeshFace& face : mesh.faces) {
     const std::span<const Corner> corners = corners_of(mesh, face);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       edges.emplace_back(corners[i].position, corners[(i + 1) % corners.size()].position);
@@ -65,7 +65,7 @@ bool closed_outward(const Mesh& mesh) {
   // Six times the volume, as the sum of the pyramids from the centre to the faces
   const dvec3 centre = bounds_of(mesh).centre();
   double volume = 0;
-  for (const Face& face : mesh.faces) {
+  for (const MeshFace& face : mesh.faces) {
     const std::span<const Corner> corners = corners_of(mesh, face);
     const dvec3 a = position_of(mesh, corners[0]) - centre;
     for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -99,7 +99,7 @@ class VertexNormals {
   }
 
  private:
-  dvec3 face_normal(const Face& face) const { return scaled_area_vector(mesh_, face, scale_); }
+  dvec3 face_normal(const MeshFace& face) const { return scaled_area_vector(mesh_, face, scale_); }
 
   dvec3* sum(int position, std::size_t face) {
     if (smoothing_.empty()) return &whole_[static_cast<std::size_t>(position)];
@@ -128,7 +128,7 @@ void add_missing_normals(Mesh& mesh, std::span<const int> smoothing) {
   VertexNormals normals(mesh, smoothing);
   std::vector<int> shared(smoothing.empty() ? mesh.positions.size() : 0, -1);  // one normal a position
   for (std::size_t id = 0; id < mesh.faces.size(); ++id) {
-    const Face& face = mesh.faces[id];
+    const MeshFace& face = mesh.faces[id];
     for (std::int64_t i = face.first; i < face.first + face.count; ++i) {
       Corner& corner = mesh.corners[static_cast<std::size_t>(i)];
       if (!missing(corner)) continue;

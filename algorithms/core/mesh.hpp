@@ -24,7 +24,7 @@ struct Corner {
 };
 
 /// A face: its corners stand in mesh.corners from `first` on, counter-clockwise seen from outside.
-struct Face {
+struct MeshFace {
   std::int64_t first = 0;
   int count = 0;     ///< corners, >= 3
   int material = 0;  ///< number into mesh.materials
@@ -38,13 +38,13 @@ struct Mesh {
   std::vector<dvec3> normals;   ///< of length 1, or zero where a file gives none worth the name
   std::vector<dvec2> textures;  ///< texture coordinates, v up
   std::vector<Corner> corners;
-  std::vector<Face> faces;
+  std::vector<MeshFace> faces;
   std::vector<Material> materials{Material{}};  ///< number 0 is the default
   std::vector<std::string> files;               ///< what the faces were read from
 };
 
 /// The corners of a face, in order.
-inline std::span<const Corner> corners_of(const Mesh& mesh, const Face& face) {
+inline std::span<const Corner> corners_of(const Mesh& mesh, const MeshFace& face) {
   return {mesh.corners.data() + face.first, static_cast<std::size_t>(face.count)};
 }
 
@@ -65,7 +65,7 @@ Bounds bounds_of(const Mesh& mesh);
 /// after M. E. Newell.
 /// Domain: coordinates up to 1e150.
 /// Accuracy: about 1e-15 of the face's extent squared.
-dvec3 area_vector(const Mesh& mesh, const Face& face);
+dvec3 area_vector(const Mesh& mesh, const MeshFace& face);
 
 /// How many triangles the faces make: corners - 2 each.
 std::int64_t triangle_count(const Mesh& mesh);

@@ -47,7 +47,7 @@ dvec3 viewing_side(const Object& object) {
   dvec3 sum{0};
   double area = 0;
   const glm::dmat3 turn = affine_3d::normal_matrix(object.placement);
-  for (const Face& face : object.mesh.faces) {
+  for (const MeshFace& face : object.mesh.faces) {
     const dvec3 vector = turn * area_vector(object.mesh, face);
     sum += vector;
     area += length_of(vector);

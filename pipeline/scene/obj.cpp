@@ -275,7 +275,7 @@ class Reader {
 
   void check_indices() const {
     const Mesh& mesh = model_.mesh;
-    for (const Face& face : mesh.faces) {
+    for (const MeshFace& face : mesh.faces) {
       for (const Corner& corner : corners_of(mesh, face)) {
         check_index(corner.position, position, face.line);
         check_index(corner.texture, texture, face.line);

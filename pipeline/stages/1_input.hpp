@@ -30,10 +30,12 @@ struct FaceRead {
 };
 
 /// The normal, flat, of a face whose corner has none.
-inline dvec3 flat_normal(const Mesh& mesh, const Face& face) { return unit_vector(area_vector(mesh, face)); }
+inline dvec3 flat_normal(const Mesh& mesh, const MeshFace& face) {
+  return unit_vector(area_vector(mesh, face));
+}
 
 /// A corner with what its face gives it. first: where its object's vertices begin.
-inline PieceCorner corner_of(const Mesh& mesh, const Face& face, int i, int first) {
+inline PieceCorner corner_of(const Mesh& mesh, const MeshFace& face, int i, int first) {
   const Corner& corner = corners_of(mesh, face)[static_cast<std::size_t>(i)];
   return {first + corner.position,
           corner.normal < 0 ? flat_normal(mesh, face) : mesh.normals[static_cast<std::size_t>(corner.normal)],
@@ -42,7 +44,7 @@ inline PieceCorner corner_of(const Mesh& mesh, const Face& face, int i, int firs
 
 /// The triangles of a face: itself, or the ears of a larger one.
 inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
-  const Face& face = mesh.faces[static_cast<std::size_t>(id.face)];
+  const MeshFace& face = mesh.faces[static_cast<std::size_t>(id.face)];
   std::vector<Piece> pieces;
   const auto add = [&](const ear_clipping::Triangle& t) {
     pieces.push_back({id,
@@ -62,7 +64,7 @@ inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
 
 /// What is told of a face.
 inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vector<Piece>& pieces) {
-  const Face& face = mesh.faces[static_cast<std::size_t>(id)];
+  const MeshFace& face = mesh.faces[static_cast<std::size_t>(id)];
   std::vector<int> vertices;
   for (const Corner& corner : corners_of(mesh, face)) vertices.push_back(corner.position);
   return {object, id, vertices, pieces, face.material, face.file, face.line};

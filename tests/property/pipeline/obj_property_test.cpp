@@ -71,7 +71,7 @@ void expect_sound(const ModelFile& model) {
   ASSERT_FALSE(mesh.faces.empty());
   for (const dvec3 p : mesh.positions) ASSERT_TRUE(finite(p.x) && finite(p.y) && finite(p.z));
   for (const dvec3 n : mesh.normals) ASSERT_TRUE(n == dvec3{0} || std::abs(glm::length(n) - 1) < 1e-14);
-  for (const Face& face : mesh.faces) {
+  for (const MeshFace& face : mesh.faces) {
     ASSERT_GE(face.count, 3);
     ASSERT_LT(static_cast<std::size_t>(face.material), mesh.materials.size());
     ASSERT_GE(face.line, 1);

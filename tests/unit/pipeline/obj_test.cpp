@@ -304,7 +304,7 @@ TEST(ObjConformance, EveryModelIsReadWithItsCountsOrRefusedWithAReason) {
     ++read;
 
     // tinyobjloader, face by face; it counts a face's corners in a byte
-    const auto corner_count = [](const Face& f) { return f.count; };
+    const auto corner_count = [](const MeshFace& f) { return f.count; };
     if (std::ranges::max(m.mesh.faces, {}, corner_count).count > 255) continue;
     tinyobj::ObjReaderConfig config;
     config.triangulate = false;
