@@ -712,6 +712,7 @@ def test_examples_of_the_help():
 
 def test_commands_of_the_readme():
     put_a_lecture()
+    shutil.copytree(SOURCE / "examples/models", "examples/models")
     blocks = re.findall(r"^```\n(.*?)^```", (SOURCE / "README.md").read_text(), re.M | re.S)
     commands = [re.split(r"\s{2,}#", line)[0].strip() for block in blocks for line in block.splitlines() if line.startswith("gradus ")]
     commands_run(commands)

@@ -172,10 +172,14 @@ std::string overview(bool color) {
   return text;
 }
 
-/// A topic first; the name of a command if it is no topic's.
+/// A command by its whole name; else a topic, and the beginning of a command's name if it is no topic's.
 std::string help_on(const std::string& word, bool color) {
   std::vector<std::string> names;
   for (const Command& command : commands()) names.push_back(command.name);
+  const auto exact = std::ranges::find(names, folded(word));
+  if (exact != names.end()) {
+    return command_help(commands()[static_cast<std::size_t>(exact - names.begin())], nullptr, color);
+  }
   try {
     return topic_help(find_topic(word), color);
   } catch (const UsageError&) {
