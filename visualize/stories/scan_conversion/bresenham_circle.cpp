@@ -243,6 +243,57 @@ class CircleTeller {
         {"error name", Role::measure,
          Label{0.5 * (pixel_centre + foot), say("bresenham_circle.error", arg("error", error_text(at)))}});
   }
+  /// Names the pixel that a step has gone to.
+  void name_chosen(Delta& delta, const Stepped& s) {
+    delta.set.push_back(
+        {"chosen name", Role::current,
+         Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
+  }
+
+  // What a step holds whoever tells it; phase and sentence are the teller's own.
+  static void describe(TraceStep& step, const Started& s) {
+    step.type = "Started";
+    step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
+  }
+  void describe(TraceStep& step, const Compared& c) const {
+    step.type = "Compared";
+    step.key = pixel_key(pixel(c.at));
+    step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
+    step.read = read_row(c);
+  }
+  void describe(TraceStep& step, const Stepped& s, const Row& read) const {
+    step.type = "Stepped";
+    step.key = pixel_key(pixel(s.at));
+    step.fields = {{"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
+    step.read = read;
+    step.row = row(s.at, s.p);
+  }
+
+  /// A whole circle begins at its top.
+  void tell_start(Delta delta, const Started& s, int source_line) {
+    const ivec2 at{0, s.radius};
+    writer_.step(std::move(delta), pixel(at), source_line, [&](TraceStep& step) {
+      describe(step, s);
+      step.phase = say("words.set_up");
+      step.key = pixel_key(pixel(at));
+      step.sentence = s.radius == 0 ? say("bresenham_circle.started_at_centre", arg("p", figure_number(s.p)))
+                                    : say("bresenham_circle.started", arg("radius", figure_number(s.radius)),
+                                          arg("p", figure_number(s.p)));
+      step.row = row(at, s.p);
+    });
+  }
+  void tell_end(const Finished& f, ivec2 focus, const std::string& sentence, int source_line) {
+    Delta delta = cleared(true);
+    for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
+    writer_.fine(std::move(delta), focus, source_line, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = say("words.result");
+      step.level = Level::idea;
+      step.fields = {{"pixels", f.pixels}};
+      step.sentence = sentence;
+    });
+  }
+
   std::string error_text(ivec2 at) const { return fmt::format("{:.3f}", radial_error(circle_.radius, at)); }
 
   static std::uint64_t key_of(ivec2 p) {
@@ -267,19 +318,9 @@ class WholeTeller : public CircleTeller {
   using CircleTeller::CircleTeller;
 
   void operator()(const Started& s, int source_line = __builtin_LINE(), const char* = nullptr) {
-    const ivec2 at{0, s.radius};
     Delta delta;
-    plot_images(delta, at);
-    writer_.step(std::move(delta), pixel(at), source_line, [&](TraceStep& step) {
-      step.type = "Started";
-      step.phase = say("words.set_up");
-      step.key = pixel_key(pixel(at));
-      step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
-      step.sentence = s.radius == 0 ? say("bresenham_circle.started_at_centre", arg("p", figure_number(s.p)))
-                                    : say("bresenham_circle.started", arg("radius", figure_number(s.radius)),
-                                          arg("p", figure_number(s.p)));
-      step.row = row(at, s.p);
-    });
+    plot_images(delta, {0, s.radius});
+    tell_start(std::move(delta), s, source_line);
   }
 
   /// The run goes on in the middle: places before are drawn, as far back as a view can reach.
@@ -310,16 +351,13 @@ class WholeTeller : public CircleTeller {
     Delta delta = cleared(false);
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
-      step.type = "Compared";
+      describe(step, c);
       step.phase = say("words.main_loop");
-      step.key = pixel_key(pixel(c.at));
-      step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
       step.sentence =
           say("bresenham_circle.compared", arg("straight", named(true)), arg("diagonal", named(false)),
               arg("e", figure_number(outside(circle_.radius, next(c.at, true)))),
               arg("se", figure_number(outside(circle_.radius, next(c.at, false)))), arg("test", test(c.p)),
               arg("step", named(c.east)));
-      step.read = read_row(c);
     });
   }
 
@@ -333,18 +371,13 @@ class WholeTeller : public CircleTeller {
       point_at(delta, s.at, Role::accepted, "chosen name", say("bresenham_circle.mirrored"));
     } else {
       plot_images(delta, s.at);
-      delta.set.push_back(
-          {"chosen name", Role::current,
-           Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
+      name_chosen(delta, s);
       measure(delta, s.at);
     }
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
-      step.type = "Stepped";
+      describe(step, s, read);
       step.phase = say("words.main_loop");
-      step.key = pixel_key(pixel(s.at));
-      step.fields = {
-          {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
       step.sentence = past_diagonal
                           ? say("bresenham_circle.past_diagonal", arg("test", test(s.p_before)),
                                 arg("step", named(s.east)), arg("x", figure_number(s.at.x)),
@@ -352,22 +385,12 @@ class WholeTeller : public CircleTeller {
                           : say("bresenham_circle.stepped", arg("test", test(s.p_before)),
                                 arg("step", named(s.east)), arg("x", figure_number(s.at.x)),
                                 arg("y", figure_number(s.at.y)), arg("update", update(s)));
-      step.read = read;
-      step.row = row(s.at, s.p);
     });
   }
 
   void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
     if (k_ < last_column(circle_.radius)) return;  // only a part was watched
-    Delta delta = cleared(true);
-    for (const ivec2 p : writer_.trace().pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
-    writer_.fine(std::move(delta), circle_.center, source_line, [&](TraceStep& step) {
-      step.type = "Finished";
-      step.phase = say("words.result");
-      step.level = Level::idea;
-      step.fields = {{"pixels", f.pixels}};
-      step.sentence = words_.count("bresenham_circle.done", f.pixels);
-    });
+    tell_end(f, circle_.center, words_.count("bresenham_circle.done", f.pixels), source_line);
   }
 
  private:
@@ -399,9 +422,8 @@ class WindowTeller : public CircleTeller {
     const Window& cells = *circle_.window;
     const ivec2 focus = clamped(s.center, cells);
     writer_.step({}, focus, source_line, [&](TraceStep& step) {
-      step.type = "Started";
+      describe(step, s);
       step.phase = say("words.set_up");
-      step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
       step.sentence = say("bresenham_circle.started_in_window", arg("center", figure_point(s.center)),
                           arg("radius", figure_number(s.radius)));
     });
@@ -430,13 +452,10 @@ class WindowTeller : public CircleTeller {
     Delta delta = cleared(false);
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
-      step.type = "Compared";
+      describe(step, c);
       step.phase = say("bresenham_circle.phase.octant", arg("octant", octant_.number));
-      step.key = pixel_key(pixel(c.at));
-      step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
       step.sentence = say("bresenham_circle.compared_in_window", arg("straight", named(true)),
                           arg("diagonal", named(false)), arg("test", test(c.p)), arg("step", named(c.east)));
-      step.read = read_row(c);
     });
   }
 
@@ -446,38 +465,24 @@ class WindowTeller : public CircleTeller {
     point_at(delta, next(s.from(), !s.east), Role::rejected, "rejected name",
              say("bresenham_circle.rejected", arg("step", named(!s.east))));
     plotted(delta, pixel(s.at), Role::current);
-    delta.set.push_back(
-        {"chosen name", Role::current,
-         Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
+    name_chosen(delta, s);
     measure(delta, s.at);
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
-      step.type = "Stepped";
+      describe(step, s, read);
       step.phase = say("bresenham_circle.phase.octant", arg("octant", octant_.number));
-      step.key = pixel_key(pixel(s.at));
-      step.fields = {
-          {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
       step.sentence = say("bresenham_circle.stepped_in_window", arg("test", test(s.p_before)),
                           arg("step", named(s.east)), arg("pixel", figure_point(pixel(s.at))),
                           arg("change", figure_number(s.p - s.p_before)), arg("p", figure_number(s.p)));
-      step.read = read;
-      step.row = row(s.at, s.p);
     });
   }
 
   void operator()(const Finished& f, int source_line = __builtin_LINE(), const char* = nullptr) {
-    Delta delta = cleared(true);
     const auto& pixels = writer_.trace().pixels;
-    for (const ivec2 p : pixels) delta.cells.push_back({p, CellLook{Role::result, ""}});
     const ivec2 focus = pixels.empty() ? clamped(circle_.center, *circle_.window) : pixels.back();
-    writer_.fine(std::move(delta), focus, source_line, [&](TraceStep& step) {
-      step.type = "Finished";
-      step.phase = say("words.result");
-      step.level = Level::idea;
-      step.fields = {{"pixels", f.pixels}};
-      step.sentence =
-          f.pixels == 0 ? say("bresenham_circle.missed") : words_.count("bresenham_circle.done", f.pixels);
-    });
+    tell_end(f, focus,
+             f.pixels == 0 ? say("bresenham_circle.missed") : words_.count("bresenham_circle.done", f.pixels),
+             source_line);
   }
 
  private:
@@ -492,19 +497,9 @@ class LateTeller : public CircleTeller {
   using CircleTeller::CircleTeller;
 
   void operator()(const Started& s, int source_line = __builtin_LINE(), const char* = nullptr) {
-    const ivec2 at{0, s.radius};
     Delta delta;
-    plot_images(delta, at);
-    writer_.step(std::move(delta), pixel(at), source_line, [&](TraceStep& step) {
-      step.type = "Started";
-      step.phase = say("words.set_up");
-      step.key = pixel_key(pixel(at));
-      step.fields = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}};
-      step.sentence = s.radius == 0 ? say("bresenham_circle.started_at_centre", arg("p", figure_number(s.p)))
-                                    : say("bresenham_circle.started", arg("radius", figure_number(s.radius)),
-                                          arg("p", figure_number(s.p)));
-      step.row = row(at, s.p);
-    });
+    plot_images(delta, {0, s.radius});
+    tell_start(std::move(delta), s, source_line);
   }
 
   void operator()(const Compared& c, int source_line = __builtin_LINE(), const char* = nullptr) {
@@ -512,16 +507,13 @@ class LateTeller : public CircleTeller {
     Delta delta = cleared(false);
     compare(delta, c);
     writer_.fine(std::move(delta), pixel(c.at), source_line, [&](TraceStep& step) {
-      step.type = "Compared";
+      describe(step, c);
       step.phase = say("words.main_loop");
-      step.key = pixel_key(pixel(c.at));
-      step.fields = {{"at", c.at}, {"p", c.p}, {"east", c.east}};
       const std::int64_t right = decision_at(circle_.radius, c.at.x, c.at.y);
       step.sentence = c.p == right ? say("bresenham_circle.compared_late.right", arg("test", test(c.p)),
                                          arg("step", named(c.east)))
                                    : say("bresenham_circle.compared_late.wrong", arg("test", test(c.p)),
                                          arg("step", named(c.east)), arg("right", figure_number(right)));
-      step.read = read_row(c);
     });
   }
 
@@ -533,24 +525,17 @@ class LateTeller : public CircleTeller {
     if (right != s.at)
       point_at(delta, right, Role::accepted, "right name", say("bresenham_circle.right_pixel"));
     plot_images(delta, s.at);
-    delta.set.push_back(
-        {"chosen name", Role::current,
-         Label{point(s.at.x, s.at.y), say("bresenham_circle.chosen", arg("step", named(s.east)))}});
+    name_chosen(delta, s);
     measure(delta, s.at);
     if (radial_error(circle_.radius, s.at) > radial_error(circle_.radius, worst_)) worst_ = s.at;
     ++k_;
     writer_.step(std::move(delta), pixel(s.at), source_line, [&](TraceStep& step) {
-      step.type = "Stepped";
+      describe(step, s, read);
       step.phase = say("words.main_loop");
-      step.key = pixel_key(pixel(s.at));
-      step.fields = {
-          {"from", s.from()}, {"at", s.at}, {"p_before", s.p_before}, {"p", s.p}, {"east", s.east}};
       step.sentence =
           say("bresenham_circle.stepped_late", arg("test", test(s.p_before)), arg("step", named(s.east)),
               arg("x", figure_number(s.at.x)), arg("y", figure_number(s.at.y)), arg("update", update(s)),
               arg("excess", s.east ? 4 : 8));
-      step.read = read;
-      step.row = row(s.at, s.p);
     });
   }
 
@@ -589,16 +574,10 @@ class LateTeller : public CircleTeller {
   ivec2 worst_{0, circle_.radius};  ///< the place that is farthest off so far
 };
 
-/// A method with its texts from the English catalogue.
-Method method(std::string name, Standing standing) {
-  const Wording english;
-  return {name, english.say("bresenham_circle.method." + name), standing,
-          english.say("bresenham_circle.note." + name)};
-}
-
 const std::vector<Method>& all_methods() {
-  static const std::vector<Method> methods{method("decision_parameter", Standing::taught),
-                                           method("late_update", Standing::faulty)};
+  static const std::vector<Method> methods{
+      method_in_english("bresenham_circle", "decision_parameter", Standing::taught),
+      method_in_english("bresenham_circle", "late_update", Standing::faulty)};
   return methods;
 }
 
