@@ -390,6 +390,7 @@ def test_wrong_input():
         ([*line, "-o", "x.png", "--svg-text", "text"], "--svg-text: expected svg, found png"),
         ([*line, "-o", "x.png", "--scale", "9"], "--scale: expected a number from 0.1 to 8, found '9'"),
         ([*line, "-o", "x.png", "--scale", "nan"], "--scale: expected a number from 0.1 to 8, found 'nan'"),
+        ([*line, "-o", "x.pdf", "--paper", "letter"], "--paper: expected --handout with it, found letter alone"),
         ([*line, *out, "--layout", "poster"], "--layout: expected one of slide, handout, found 'poster'"),
         ([*line, *out, "--y", "left"], "--y: expected one of up, down, found 'left'"),
         ([*line, *out, "--view", "5,0,3,1"], "--view: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),

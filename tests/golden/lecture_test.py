@@ -236,6 +236,8 @@ def test_looks_for_a_whole_lecture():
         equal(packed.testzip(), None, "the zip is whole")
         equal(sorted(packed.namelist()), sorted(made("dark")), "all of the folder is in it")
         check(all(packed.read(name) == pathlib.Path("dark", name).read_bytes() for name in packed.namelist()), "as it is")
+    err = gradus("figures", "a.json", "-o", "dark", "--theme", "dark", "--size", "4:3", "--zip")[2]
+    equal(err, os.path.abspath("dark.zip") + "\n0 drawn, 2 unchanged, 0 removed\n", "says where the zip is")
     code, out, err = gradus("figures", "a.json", "-o", "new", "--theme", "drak")
     equal((code, out, err), (2, "", "gradus: --theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did "
                              "you mean 'dark'?\n"), "a wrong look")

@@ -59,16 +59,6 @@ std::vector<Flag> joined(std::vector<Flag> flags, std::initializer_list<std::vec
   return flags;
 }
 
-/// The looks that one may want of a whole lecture, whatever it says itself.
-std::vector<Flag> same_for_all() {
-  std::vector<Flag> flags;
-  for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
-    flags.push_back(*std::ranges::find(looks, name, &Flag::name));
-  }
-  flags.push_back(*std::ranges::find(words, "language", &Flag::name));
-  return flags;
-}
-
 Flag with_help(Flag flag, const char* help) {
   flag.help = help;
   return flag;
@@ -133,7 +123,7 @@ std::vector<Command> all_commands() {
                {"jobs", 'j', "N", "how many at once; default: the usable cores"},
                {"force", 'f', "", "all anew"},
                {"zip", 0, "", "packs the folder into one file beside it, for a learning platform"}},
-              {same_for_all()}),
+              {{lecture_looks().begin(), lecture_looks().end()}}),
        {"gradus figures -o out/", "gradus figures my_lecture.json -o my_lecture/",
         "gradus figures my_lecture.json --check", "gradus figures -o out/ --only 'TOPIC*'",
         "gradus figures my_lecture.json -o dark/ --theme dark --size 4:3", "gradus figures -o out/ --zip",
@@ -173,6 +163,18 @@ std::vector<Command> all_commands() {
 }
 
 }  // namespace
+
+std::span<const Flag> lecture_looks() {
+  static const std::vector<Flag> flags = [] {
+    std::vector<Flag> chosen;
+    for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
+      chosen.push_back(*std::ranges::find(looks, name, &Flag::name));
+    }
+    chosen.push_back(*std::ranges::find(words, "language", &Flag::name));
+    return chosen;
+  }();
+  return flags;
+}
 
 std::span<const Command> commands() {
   static const std::vector<Command> all = all_commands();

@@ -34,6 +34,9 @@ std::span<const Command> commands();
 /// Flags that every command takes.
 std::span<const Flag> common_flags();
 
+/// The looks that `figures` takes for a whole lecture, whatever it says itself.
+std::span<const Flag> lecture_looks();
+
 /// A command line, read: names resolved, values as written.
 struct Request {
   const Command* command = nullptr;  ///< none: `gradus` alone, or with --help or --version

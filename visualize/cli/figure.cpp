@@ -69,6 +69,12 @@ constexpr FlagUse uses[] = {
     {"loop", [](Format format) { return format == Format::gif || format == Format::webp; }, "gif or webp"},
 };
 
+/// What a reader who chose no steps should know of a run too long to be kept whole.
+void remark_cut(const FigureSpec& spec, const Trace& trace, bool quiet) {
+  const std::string remark = cut_remark(trace);
+  if (!spec.chooses_steps() && !remark.empty() && !quiet) note(remark);
+}
+
 std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
   return format == Format::pdf ? pages_bytes(spec, takes, {step}) : picture_bytes(spec, takes, step, format);
 }
@@ -80,10 +86,7 @@ void write_series(const FigureSpec& spec, Takes& takes, Format format, const std
         fmt::format("-o: expected {} for svg, png or pdf only, found {}", step_mark, shown(output)));
   }
   const std::vector<StepNumber> steps = shown_steps(spec, takes);
-  if (const std::string remark = cut_remark(takes.opening());
-      !remark.empty() && !spec.chooses_steps() && !quiet) {
-    note(remark);
-  }
+  remark_cut(spec, takes.opening(), quiet);
   for (const StepNumber step : steps) check_output(name_for(output, step), inputs);
   NewFiles files;
   Progress progress(steps.size(), quiet);
@@ -123,16 +126,12 @@ std::string document(FigureSpec spec, Takes& takes, bool quiet) {
 
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   const Trace trace = shown_part(spec, takes, format);
-  if (const std::string remark = cut_remark(trace); !spec.chooses_steps() && !remark.empty() && !quiet)
-    note(remark);
+  remark_cut(spec, trace, quiet);
   return trace_bytes(spec, trace, format);
 }
 
 std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
-  if (const std::string remark = cut_remark(takes.opening());
-      !remark.empty() && !spec.chooses_steps() && !quiet) {
-    note(remark);
-  }
+  remark_cut(spec, takes.opening(), quiet);
   return film_of(spec, takes, shown_steps(spec, takes), format);
 }
 
@@ -143,57 +142,9 @@ std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool q
   return picture_bytes(spec, takes, shown_step(spec, takes), format);
 }
 
-}  // namespace
-
-FigureSpec fitting(FigureSpec spec, Format format) {
-  for (const FlagUse& use : uses) {
-    if (!use.serves(format)) spec.said.erase(use.flag);
-  }
-  return spec;
-}
-
-void refuse_idle_flags(const Request& request, Format format) {
-  for (const FlagUse& use : uses) {
-    if (!request.has(use.flag) || use.serves(format)) continue;
-    throw UsageError(fmt::format("--{}: expected {}, found {}", use.flag, use.expected, name_of(format)));
-  }
-}
-
-void write_figure(FigureSpec spec, Format format, const std::string& output,
-                  std::span<const std::string> inputs, bool quiet) {
-  spec = fitting(std::move(spec), format);
-  const bool series = output.find(step_mark) != std::string::npos;
-  if (!series) check_output(output, inputs);
-  if (output == dash) refuse_binary_in_terminal(format);
-  if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
-  Takes takes(*spec.topic, spec.arguments, spec.wording);
-  if (series) return write_series(spec, takes, format, output, inputs, quiet);
-  write_output(output, one_file(spec, takes, format, quiet));
-  if (output != dash && !quiet) note(output);
-}
-
-namespace {
-
-/// --snippet; it goes to standard output, so the figure cannot. Throws UsageError.
-std::optional<SnippetKind> read_snippet(const Request& request, Format format, const std::string& output) {
-  const auto wanted = request.flags.find("snippet");
-  if (wanted == request.flags.end()) return std::nullopt;
-  const std::vector<std::string> names(std::begin(snippet_names), std::end(snippet_names));
-  const auto kind = static_cast<SnippetKind>(choose_name("--snippet", wanted->second, names));
-  const auto shown_there = snippet_formats(kind);
-  if (std::ranges::find(shown_there, name_of(format)) == shown_there.end()) {
-    throw UsageError(fmt::format("--snippet: expected {} to show in {}, found {}",
-                                 fmt::join(shown_there, ", "), names[static_cast<std::size_t>(kind)],
-                                 name_of(format)));
-  }
-  if (output == dash) throw UsageError("--snippet: expected a file after -o, found -");
-  return kind;
-}
-
-}  // namespace
-
-std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format, const std::string& output) {
-  Takes takes(*spec.topic, spec.arguments, spec.wording);
+/// The lines that put the written files into a lecture.
+std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Takes& takes, Format format,
+                        const std::string& output) {
   const Trace& trace = takes.opening();
   const std::string title = spec.look.title.empty() ? trace.title : spec.look.title;
   SnippetFigure figure{std::string(name_of(format)),
@@ -225,6 +176,62 @@ std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format,
   return snippet_of(kind, figure);
 }
 
+}  // namespace
+
+FigureSpec fitting(FigureSpec spec, Format format) {
+  for (const FlagUse& use : uses) {
+    if (!use.serves(format)) spec.said.erase(use.flag);
+  }
+  return spec;
+}
+
+void refuse_idle_flags(const Request& request, Format format) {
+  for (const FlagUse& use : uses) {
+    if (!request.has(use.flag) || use.serves(format)) continue;
+    throw UsageError(fmt::format("--{}: expected {}, found {}", use.flag, use.expected, name_of(format)));
+  }
+}
+
+void write_figure(FigureSpec spec, Format format, const std::string& output,
+                  std::span<const std::string> inputs, bool quiet, std::optional<SnippetKind> snippet) {
+  spec = fitting(std::move(spec), format);
+  if (spec.said.contains("paper") && !spec.handout) {
+    throw UsageError(fmt::format("--paper: expected --handout with it, found {} alone", spec.paper.name));
+  }
+  const bool series = output.find(step_mark) != std::string::npos;
+  if (!series) check_output(output, inputs);
+  if (output == dash) refuse_binary_in_terminal(format);
+  if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
+  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  if (series) {
+    write_series(spec, takes, format, output, inputs, quiet);
+  } else {
+    write_output(output, one_file(spec, takes, format, quiet));
+    if (output != dash && !quiet) note(output);
+  }
+  if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, takes, format, output));
+}
+
+namespace {
+
+/// --snippet; it goes to standard output, so the figure cannot. Throws UsageError.
+std::optional<SnippetKind> read_snippet(const Request& request, Format format, const std::string& output) {
+  const auto wanted = request.flags.find("snippet");
+  if (wanted == request.flags.end()) return std::nullopt;
+  const std::vector<std::string> names(std::begin(snippet_names), std::end(snippet_names));
+  const auto kind = static_cast<SnippetKind>(choose_name("--snippet", wanted->second, names));
+  const auto shown_there = snippet_formats(kind);
+  if (std::ranges::find(shown_there, name_of(format)) == shown_there.end()) {
+    throw UsageError(fmt::format("--snippet: expected {} to show in {}, found {}",
+                                 fmt::join(shown_there, ", "), names[static_cast<std::size_t>(kind)],
+                                 name_of(format)));
+  }
+  if (output == dash) throw UsageError("--snippet: expected a file after -o, found -");
+  return kind;
+}
+
+}  // namespace
+
 int figure(const Request& request) {
   const auto output = request.flags.find("output");
   if (output == request.flags.end()) {
@@ -235,8 +242,7 @@ int figure(const Request& request) {
   const auto snippet = read_snippet(request, format, output->second);
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
-  write_figure(spec, format, output->second, inputs.files, request.quiet());
-  if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, format, output->second));
+  write_figure(spec, format, output->second, inputs.files, request.quiet(), snippet);
   return 0;
 }
 

@@ -16,12 +16,10 @@ FigureSpec fitting(FigureSpec spec, Format format);
 /// Refuses flags that say nothing about this format. Throws UsageError.
 void refuse_idle_flags(const Request& request, Format format);
 
-/// One file, or one a step when the name holds "{step}". Everything appears or nothing. Throws UsageError,
-/// WorkError.
+/// One file, or one a step when the name holds "{step}"; then the lines that put it into a lecture.
+/// Everything appears or nothing. Throws UsageError, WorkError.
 void write_figure(FigureSpec spec, Format format, const std::string& output,
-                  std::span<const std::string> inputs, bool quiet);
-
-/// The lines that put the written files into a lecture.
-std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Format format, const std::string& output);
+                  std::span<const std::string> inputs, bool quiet,
+                  std::optional<SnippetKind> snippet = std::nullopt);
 
 }  // namespace gradus::cli

@@ -311,15 +311,12 @@ int check(const Lecture& lecture, const Request& request, std::size_t threads) {
 
 /// Flags that stand in the place of what a lecture says of its looks. Throws UsageError for a wrong one.
 std::map<std::string, std::string> looks_of(const Request& request) {
-  static constexpr std::string_view others[] = {"output", "check", "schema", "only",  "jobs",
-                                                "force",  "zip",   "quiet",  "color", "help"};
-  std::map<std::string, std::string> looks = request.flags;
-  std::erase_if(looks,
-                [](const auto& flag) { return std::ranges::find(others, flag.first) != std::end(others); });
   Request alone;
-  alone.flags = looks;
+  for (const Flag& look : lecture_looks()) {
+    if (request.has(look.name)) alone.flags[look.name] = request.flags.at(look.name);
+  }
   read_spec(alone, {});
-  return looks;
+  return alone.flags;
 }
 
 /// "out/" -> "out.zip"
@@ -358,7 +355,10 @@ int figures(const Request& request) {
   });
   write_index(lecture, out, album, program, force);
 
-  if (request.has("zip")) zip_folder(out, album.paths(), zip_beside(out));
+  if (request.has("zip")) {
+    zip_folder(out, album.paths(), zip_beside(out));
+    if (!request.quiet()) note(zip_beside(out));
+  }
   complain(failures.problems);
   if (!request.quiet()) {
     note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,

@@ -11,7 +11,6 @@
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "cli/zip.hpp"
-#include "figure/layout.hpp"
 #include "stories/point_text.hpp"
 #include "text/snippet.hpp"
 #include "web/topic_page.hpp"
@@ -83,7 +82,7 @@ std::vector<StepNumber> picture_steps(const FigureSpec& spec, const Takes& takes
 FigureSpec paged(const FigureSpec& spec, const Takes& takes, std::int64_t most = most_gallery_pages) {
   const std::vector<StepRange> spaced =
       spec.chooses_steps() ? std::vector<StepRange>{} : spaced_steps(last_page(takes), most);
-  return spaced.empty() ? spec : with_flag(spec, "steps", text_of(spaced));
+  return spaced.empty() ? spec : with_steps(spec, spaced);
 }
 
 std::vector<StepNumber> page_steps(const FigureSpec& pages, const Takes& takes) {
@@ -97,9 +96,8 @@ FigureSpec told(const FigureSpec& spec, const Takes& takes, Format format) {
   const auto [first, last] = std::ranges::minmax(steps);
   // One step is nothing to play: it is shown among all others
   const bool among_others = first == last && has_step(takes.opening(), last);
-  return with_flag(
-      spec, "steps",
-      among_others ? fmt::format("0-{}", last_page(takes)) : fmt::format("{}-{}", first.step, last.step));
+  return with_steps(spec, {among_others ? StepRange{{0, 0}, {last_page(takes), 0}}
+                                        : StepRange{{first.step, 0}, {last.step, 0}}});
 }
 
 /// What the card shows of it.
