@@ -158,7 +158,8 @@ glm::vec<3, T> along(const Plane<T>& plane, glm::vec<3, T> v, glm::vec<3, T> poi
   expects(meets(plane, v), "projectors meet the plane, these are parallel to it");
   const auto [n, offset] = plane;
   // n · (point + t v) = offset
-  const T t = (offset - glm::dot(n, point)) / glm::dot(n, v);
+  const T ahead = offset - glm::dot(n, point);
+  const T t = ahead / glm::dot(n, v);
   if constexpr (observed<O>) observer(Cast<T>{point, t});
   const glm::vec<3, T> image = point + t * v;
   if constexpr (observed<O>) observer(Projected<T>{point, image});

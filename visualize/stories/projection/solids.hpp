@@ -56,7 +56,8 @@ inline Solid with_edges(Solid solid) {
       sides[{a, b}].push_back(face);
     }
   }
-  for (const auto& [ends, faces] : sides) solid.edges.push_back({ends.first, ends.second, faces[0], faces[1]});
+  for (const auto& [ends, faces] : sides)
+    solid.edges.push_back({ends.first, ends.second, faces[0], faces[1]});
   return solid;
 }
 
@@ -137,14 +138,18 @@ struct Sheet {
 
 /// A number as these stories show it: what is but a rounding error of the figure is 0.
 inline std::string real(double value) { return figure_real(std::abs(value) < 1e-9 ? 0 : value); }
+/// The same with two decimals, for tables.
+inline std::string short_real(double value) {
+  return real(static_cast<double>(std::llround(std::clamp(value, -1e12, 1e12) * 100)) / 100);
+}
 inline std::string place_text(dvec2 p) {
-  return fmt::format("({},\u00a0{})", real(p.x), real(p.y));
+  return fmt::format("({},\u00a0{})", short_real(p.x), short_real(p.y));
 }
 inline std::string place_text(dvec3 p) {
-  return fmt::format("({},\u00a0{},\u00a0{})", real(p.x), real(p.y), real(p.z));
+  return fmt::format("({},\u00a0{},\u00a0{})", short_real(p.x), short_real(p.y), short_real(p.z));
 }
 
-constexpr int paper_width = 36, paper_height = 27;
+constexpr int paper_width = 36, paper_height = 23;
 
 /// The drawing of a solid, its projectors and its picture.
 class Scenery {
@@ -155,7 +160,11 @@ class Scenery {
   /// as they will be; other: what else the picture has to have room for.
   Scenery(const Wording& words, Solid solid, Sheet sheet, std::vector<bool> hidden, std::optional<dvec3> eye,
           const Images& images, const std::vector<dvec3>& other = {})
-      : words_(words), solid_(std::move(solid)), sheet_(sheet), hidden_(std::move(hidden)), eye_(eye),
+      : words_(words),
+        solid_(std::move(solid)),
+        sheet_(sheet),
+        hidden_(std::move(hidden)),
+        eye_(eye),
         hidden_in_space_(hidden_along(solid_, looking_from_right)) {
     Extent picture;
     for (const std::optional<dvec3>& p : images) {
@@ -168,8 +177,8 @@ class Scenery {
     for (const dvec3 p : solid_.corners) space.add(from_right(p));
     for (const dvec3 p : outline()) space.add(from_right(p));
     if (eye_) space.add(from_right(*eye_));
-    space_ = Panel({{0.8, 1.5}, {21, 24.2}}, space);
-    picture_ = Panel({{22.6, 1.5}, {35.2, 24.2}}, patch_);
+    space_ = Panel({{0.8, 1}, {21, 20.4}}, space);
+    picture_ = Panel({{22.6, 1}, {35.2, 20.4}}, patch_);
   }
 
   const Sheet& sheet() const { return sheet_; }
@@ -179,8 +188,8 @@ class Scenery {
   /// Space, plane and solid alone.
   View empty() const {
     View view;
-    view.add({"caption space", Role::guide, Text{{11, 26}, words_.say("projection.space")}});
-    view.add({"caption picture", Role::guide, Text{{29, 26}, words_.say("projection.picture")}});
+    view.add({"caption space", Role::guide, Text{{11, 22}, words_.say("projection.space")}});
+    view.add({"caption picture", Role::guide, Text{{29, 22}, words_.say("projection.picture")}});
     std::vector<dvec2> corners;
     for (const dvec3 p : outline()) corners.push_back(in_space(p));
     view.add({"a plane", Role::boundary, Path{corners, true}});
@@ -189,8 +198,9 @@ class Scenery {
     view.add({"a picture frame", Role::boundary, Path{frame, true}});
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const auto [a, b, left, right] = solid_.edges[i];
-      view.add({fmt::format("c solid {:02}", i), Role::input,
-                Stroke{in_space(solid_.corners[a]), in_space(solid_.corners[b]), false, hidden_in_space_[i]}});
+      view.add(
+          {fmt::format("c solid {:02}", i), Role::input,
+           Stroke{in_space(solid_.corners[a]), in_space(solid_.corners[b]), false, hidden_in_space_[i]}});
     }
     if (eye_) {
       view.add({"e eye", Role::input, Dot{in_space(*eye_)}});
