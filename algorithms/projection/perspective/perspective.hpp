@@ -140,7 +140,7 @@ std::optional<glm::vec<2, T>> vanishing_point(const glm::mat<4, 4, T>& matrix, g
                                               O&& observer = {}) {
   expects(direction != glm::vec<3, T>(T(0)), "a line has a direction, not the zero vector");
   // A direction is a point at infinity
-  const glm::vec<4, T> v{direction.x, direction.y, direction.z, T(0)};
+  const glm::vec<4, T> v(direction, T(0));
   const glm::vec<4, T> image = matrix * v;
   if constexpr (observed<O>) observer(TakenToInfinity<T>{direction, image});
   if (image.w != T(0)) {
@@ -280,7 +280,7 @@ struct Resolved {
 /// depth changes.
 /// E. Lapidous, G. Jiao, Optimal depth buffer for low-cost graphics hardware, Graphics Hardware 1999, 67-73.
 ///
-/// near, far: 0 < near < far. z: near <= z <= far.
+/// n, f: depths of the near and the far plane, 0 < n < f. z: n <= z <= f.
 ///
 /// Domain: as said. Nearer surfaces than a step may still be told apart, when a rounding lies between them:
 ///   two depths a step apart always are, as long as step is small beside z.
@@ -289,15 +289,14 @@ struct Resolved {
 /// Cost: a few divisions.
 /// Errors: ContractViolation outside the domain.
 template <Observer<Resolved> O = Unobserved>
-double separable_step(DepthCurve curve, DepthFormat format, double near, double far, double z,
-                      O&& observer = {}) {
-  expects(near <= z && z <= far, "depths lie between {} and {}, not at {}", near, far, z);
-  const double depth = depth_of(curve, near, far, z);
+double separable_step(DepthCurve curve, DepthFormat format, double n, double f, double z, O&& observer = {}) {
+  expects(n <= z && z <= f, "depths lie between {} and {}, not at {}", n, f, z);
+  const auto depth = depth_of(curve, n, f, z);
   const double gap = spacing(format, depth);
-  double slope = 1 / (far - near);
+  double slope = 1 / (f - n);
   if (curve != DepthCurve::linear) {
     // d/dz of a + b / z
-    slope *= near / z * (far / z);
+    slope *= n / z * (f / z);
   }
   const double step = gap / slope;
   if constexpr (observed<O>) observer(Resolved{z, depth, gap, slope, step});

@@ -168,6 +168,21 @@ TEST(PerspectiveProjection, FartherIsSmaller) {
   EXPECT_NEAR(project(1.0, dvec3{1, 0, 1})->x, project(1.0, dvec3{1, 0, 1 + 1e-9})->x, 2e-9);
 }
 
+TEST(PerspectiveProjection, TheScreenOfTheWireframeReport) {
+  // G002-04 to G002-06: centre (400,300), fov 500; its eye is at z = zoom = 1000 and looks along -z
+  const auto screen = [](double x, double z) {
+    const std::optional<dvec3> image = project(500.0, dvec3{x - 400, 0, 1000 - z});
+    return image ? std::optional<double>(400 + image->x) : std::nullopt;
+  };
+  EXPECT_EQ(screen(600, -1000), 450);
+  EXPECT_EQ(screen(600, 500), 600);
+  EXPECT_EQ(screen(600, 900), 1400);
+  EXPECT_EQ(screen(600, 0), 500);  // not 600: no depth is left out
+  EXPECT_NEAR(*screen(600, 1e-9), 500, 1e-9);
+  EXPECT_EQ(screen(600, 1000), std::nullopt);
+  EXPECT_EQ(screen(600, 2000), std::nullopt);  // not 300, the mirrored one
+}
+
 TEST(PerspectiveProjection, ScalingAndForeshortening) {
   // A segment parallel to the plane keeps its proportions, a receding one does not
   const ExactScope scope;
