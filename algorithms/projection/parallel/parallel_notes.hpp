@@ -25,8 +25,7 @@ glm::vec<3, T> keep_x_and_y(T d, Slant<T>, glm::vec<3, T> point, O&& observer = 
   const glm::vec<4, T> row_x{i, o, o, o};
   const glm::vec<4, T> row_y{o, i, o, o};
   const glm::vec<4, T> row_z{o, o, o, d};
-  const T px = point.x, py = point.y, pz = point.z;
-  const glm::vec<4, T> p{px, py, pz, i};
+  const glm::vec<4, T> p(point, i);
   const T x = glm::dot(row_x, p);
   const T y = glm::dot(row_y, p);
   const T z = glm::dot(row_z, p);
