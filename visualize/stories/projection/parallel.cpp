@@ -12,8 +12,10 @@ namespace gradus::parallel {
 namespace {
 
 using fmt::arg;
+using solids::modest_numbers;
 using solids::place_text;
 using solids::real;
+using solids::vector_of;
 
 constexpr std::string_view folder = "algorithms/projection/parallel/";
 
@@ -37,11 +39,6 @@ solids::Sheet sheet_for(dvec3 origin, dvec3 forward) {
   return {origin, right, unit_vector(glm::cross(forward, right))};
 }
 
-dvec3 vector_of(const Arguments& arguments, std::string_view name) {
-  const std::vector<double> v = arguments.numbers(name);
-  return {v[0], v[1], v[2]};
-}
-
 /// The arguments' slant: from a direction if there is one, else from angle and foreshortening.
 Slant<double> slant_in(const Arguments& arguments) {
   if (!arguments.numbers("direction").empty()) {
@@ -52,7 +49,7 @@ Slant<double> slant_in(const Arguments& arguments) {
     }
     return slant_of(direction);
   }
-  const std::vector<double> receding = arguments.numbers("receding");
+  const std::vector<double> receding = modest_numbers(arguments, "receding");
   if (!(0 <= receding[1] && receding[1] <= 10)) {
     throw ArgumentError("receding",
                         fmt::format("expected a foreshortening from 0 to 10, not {}", receding[1]));
@@ -62,7 +59,7 @@ Slant<double> slant_in(const Arguments& arguments) {
 }
 
 void read_plane(Task& task, const Arguments& arguments) {
-  const std::vector<double> numbers = arguments.numbers("plane");
+  const std::vector<double> numbers = modest_numbers(arguments, "plane");
   task.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
   const dvec3 normal = task.plane.normal;
   if (normal == dvec3{0}) throw ArgumentError("plane", "expected a normal that is not 0,0,0");
@@ -82,7 +79,8 @@ Task task_of(const Arguments& arguments) {
   Task task;
   task.method = arguments.text("method");
   task.d = *arguments.number("d");
-  const std::vector<double> turn = arguments.numbers("turn");
+  if (std::abs(task.d) > 1e6) throw ArgumentError("d", "expected a number from -1000000 to 1000000");
+  const std::vector<double> turn = modest_numbers(arguments, "turn");
   const solids::Solid solid = arguments.text("solid") == "box" ? solids::box() : solids::house();
   task.solid = solids::placed(solid, solids::turned_axes(turn[0], turn[1]), vector_of(arguments, "at"));
   if (task.method == "along") {

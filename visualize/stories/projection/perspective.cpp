@@ -12,9 +12,11 @@ namespace gradus::perspective {
 namespace {
 
 using fmt::arg;
+using solids::modest_numbers;
 using solids::place_text;
 using solids::real;
 using solids::short_real;
+using solids::vector_of;
 
 constexpr std::string_view folder = "algorithms/projection/perspective/";
 
@@ -42,19 +44,16 @@ class ViewTeller {
   View shown_ = bare_grid();
 };
 
-dvec3 vector_of(const Arguments& arguments, std::string_view name) {
-  const std::vector<double> v = arguments.numbers(name);
-  return {v[0], v[1], v[2]};
-}
-
 double distance_of(const Arguments& arguments) {
   const double d = *arguments.number("distance");
-  if (!(d > 0)) throw ArgumentError("distance", fmt::format("expected a distance above 0, not {}", d));
+  if (!(1e-3 <= d && d <= 1e6)) {
+    throw ArgumentError("distance", fmt::format("expected a distance from 0.001 to 1000000, not {}", d));
+  }
   return d;
 }
 
 std::array<dvec3, 3> axes_of(const Arguments& arguments) {
-  const std::vector<double> turn = arguments.numbers("turn");
+  const std::vector<double> turn = modest_numbers(arguments, "turn");
   return solids::turned_axes(turn[0], turn[1]);
 }
 
@@ -628,6 +627,7 @@ std::string power_text(int exponent, int plain = 3) {
 
 /// A power of ten as one, all else as figures show it.
 std::string short_depth(double z) {
+  if (!(z > 0)) return figure_real(z);
   const double exponent = decade(z);
   return exponent == std::round(exponent) ? power_text(static_cast<int>(exponent)) : figure_real(z);
 }
@@ -860,7 +860,7 @@ std::string subtitle_of(const Wording& words, const Arguments& arguments, const 
     return words.say("perspective.subtitle.line", arg("from", place_text(vector_of(arguments, "from"))),
                      arg("to", place_text(vector_of(arguments, "to"))));
   }
-  const std::vector<double> turn = arguments.numbers("turn");
+  const std::vector<double> turn = modest_numbers(arguments, "turn");
   const bool house = method == "projection" && arguments.text("solid") == "house";
   return words.say(house ? "perspective.subtitle.house" : "perspective.subtitle.box",
                    arg("yaw", real(turn[0])), arg("pitch", real(turn[1])));

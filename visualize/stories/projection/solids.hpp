@@ -17,6 +17,7 @@
 #include "core/geometry.hpp"
 #include "figure/wording.hpp"
 #include "stories/paper.hpp"
+#include "stories/topic.hpp"
 
 namespace gradus::solids {
 
@@ -135,6 +136,22 @@ struct Sheet {
   dvec2 picture(dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
   dvec3 place(dvec2 p) const { return origin + p.x * right + p.y * up; }
 };
+
+/// The numbers of an argument, none of them so large that a figure could not show it.
+inline std::vector<double> modest_numbers(const Arguments& arguments, std::string_view name) {
+  const std::vector<double> numbers = arguments.numbers(name);
+  for (const double number : numbers) {
+    if (std::abs(number) <= 1e6) continue;
+    throw ArgumentError(std::string(name),
+                        fmt::format("expected numbers from -1000000 to 1000000, not {}", number));
+  }
+  return numbers;
+}
+/// The same for three numbers.
+inline dvec3 vector_of(const Arguments& arguments, std::string_view name) {
+  const std::vector<double> v = modest_numbers(arguments, name);
+  return {v[0], v[1], v[2]};
+}
 
 /// A number as these stories show it: what is but a rounding error of the figure is 0.
 inline std::string real(double value) { return figure_real(std::abs(value) < 1e-9 ? 0 : value); }
