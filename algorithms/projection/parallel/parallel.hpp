@@ -108,7 +108,8 @@ struct Projected {
 template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
 glm::vec<3, T> orthographic(Axis axis, T d, glm::vec<3, T> point, O&& observer = {}) {
   const int i = static_cast<int>(axis);
-  // How far forward the plane is
+  // How far ahead along the axis
+  // the plane is
   const T t = d - point[i];
   if constexpr (observed<O>) observer(Cast<T>{point, t});
   // The projector runs along the axis
@@ -134,6 +135,7 @@ glm::vec<3, T> oblique(T d, Slant<T> slant, glm::vec<3, T> point, O&& observer =
   // How far forward the plane is
   const T t = d - point.z;
   if constexpr (observed<O>) observer(Cast<T>{point, t});
+  // As far as that, it leans aside
   const T x = point.x + t * a;
   const T y = point.y + t * b;
   const glm::vec<3, T> image{x, y, d};
@@ -157,10 +159,12 @@ template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
 glm::vec<3, T> along(const Plane<T>& plane, glm::vec<3, T> v, glm::vec<3, T> point, O&& observer = {}) {
   expects(meets(plane, v), "projectors meet the plane, these are parallel to it");
   const auto [n, offset] = plane;
+  // The projector is point + t v, and
   // n · (point + t v) = offset
   const T ahead = offset - glm::dot(n, point);
   const T t = ahead / glm::dot(n, v);
   if constexpr (observed<O>) observer(Cast<T>{point, t});
+  // There it meets the plane
   const glm::vec<3, T> image = point + t * v;
   if constexpr (observed<O>) observer(Projected<T>{point, image});
   return image;

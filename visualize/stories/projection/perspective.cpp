@@ -746,7 +746,7 @@ class PrecisionTeller : public ViewTeller {
     step.fields = {{"stored", std::string(kinds[kind_].name)}};
   }
   std::string name_of_kind(std::size_t i) const {
-    return words_.say(fmt::format("perspective.stored.{}", kinds[i].name));
+    return words_.say("perspective.stored." + std::string(kinds[i].name));
   }
 
   void milestone() {
@@ -754,7 +754,7 @@ class PrecisionTeller : public ViewTeller {
     show(view(points_), line_, [&](TraceStep& step) {
       describe(step, "Curve");
       const double first = step_at(kind, near_), last = step_at(kind, far_);
-      step.sentence = words_.say(fmt::format("perspective.curve.{}", kind.name),
+      step.sentence = words_.say("perspective.curve." + std::string(kind.name),
                                  arg("first", step_text(first)), arg("last", step_text(last)));
       step.row = {name_of_kind(kind_)};
       for (const int i : table_places) {
@@ -901,6 +901,8 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(solids::paper_width, method == "projection" ? solids::paper_height : 27);
+  trace.grid.x_name = words.symbol("x");
+  trace.grid.y_name = words.symbol("y");
   trace.legend = legend_of(words, method);
   if (method == "projection") {
     list_source(trace, "perspective.hpp", {"project"});
