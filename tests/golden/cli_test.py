@@ -591,14 +591,19 @@ def test_figures():
     made = {name: read(os.path.join("out", name)) for name in files("out")}
     slugs = sorted({name.split("/")[0] for name in made if "/" in name} - {"topics"})
     check(len(slugs) >= 2 and "bresenham_line" in slugs, f"figures: {slugs}")
-    for slug in slugs:
+    rendered = [slug for slug in slugs if any(name.startswith(f"{slug}/") and name.endswith(".obj") for name in made)]
+    equal(len(rendered), 3, f"renders: {rendered}")
+    drawn = [slug for slug in slugs if slug not in rendered]
+    for slug in drawn:
         for ending in (".pdf", ".svg", ".png", "-drawing.svg", ".html", ".csv", ".json", "-steps.zip"):
             check(f"{slug}/{slug}{ending}" in made, f"{slug}{ending} is there")
+    for slug in rendered:
+        check(f"{slug}/{slug}.png" in made and f'src="./{slug}/{slug}.png"' in made["index.html"].decode(), f"{slug}.png is there and shown")
     check("topics/scan_conversion/bresenham_line.html" in made, "the pages of the topics")
     page = made["index.html"].decode()
     for link in re.findall(r'(?:href|src)="([^"#:]+)"', page):
         check(os.path.exists(os.path.join("out", link)), f"the link {link} leads somewhere")
-    check(all(f"{slug}/{slug}.pdf" in page for slug in slugs) and "//" not in re.sub(r"https?://www\.w3\.org|https?://creativecommons\.org", "", "".join(
+    check(all(f"{slug}/{slug}.pdf" in page for slug in drawn) and "//" not in re.sub(r"https?://www\.w3\.org|https?://creativecommons\.org", "", "".join(
         re.findall(r'(?:href|src)="([^"]*)"', page))), "relative links only")
     lines = result.err.splitlines()
     equal(lines[-1], f"{len(slugs)} drawn, 0 unchanged, 0 removed", "what was done")
@@ -619,8 +624,9 @@ def test_figures():
 
     # One changed, one lost
     write("out/bresenham_line/bresenham_line.svg", "edited")
-    os.remove(f"out/{slugs[-1]}/{slugs[-1]}.pdf")
-    changed = sorted({"bresenham_line", slugs[-1]})
+    os.remove(f"out/{drawn[-1]}/{drawn[-1]}.pdf")
+    os.remove(f"out/{rendered[-1]}/{rendered[-1]}.png")
+    changed = sorted({"bresenham_line", drawn[-1], rendered[-1]})
     result = gradus("figures", "-o", "out")
     equal(sorted(result.err.splitlines()[:-1]), changed, "what was changed is drawn again")
     equal({name: read(os.path.join("out", name)) for name in files("out") if not name.startswith(".")}, without, "as before")
