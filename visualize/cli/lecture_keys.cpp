@@ -87,15 +87,13 @@ JsonNode list_of(JsonNode items) {
       {{"type", 0, json_text("array")}, {"items", 0, std::move(items)}, {"minItems", 0, json_number("1")}});
 }
 
-JsonNode exactly(const char* count, JsonNode items) {
+/// So many of these types.
+JsonNode tuple_of(std::size_t count, const Texts& types) {
+  const JsonNode size = json_number(std::to_string(count));
   return json_object({{"type", 0, json_text("array")},
-                      {"items", 0, std::move(items)},
-                      {"minItems", 0, json_number(count)},
-                      {"maxItems", 0, json_number(count)}});
-}
-
-JsonNode whole_numbers(const char* count) {
-  return exactly(count, json_object({{"type", 0, json_text("integer")}}));
+                      {"items", 0, json_object({{"type", 0, type(types)}})},
+                      {"minItems", 0, size},
+                      {"maxItems", 0, size}});
 }
 
 JsonNode either(std::vector<JsonNode> schemas) {
@@ -150,7 +148,7 @@ JsonNode schema_of(const LectureKey& key) {
     case KeyKind::list:
       return either({of_type({"string", "number"}), list_of(of_type({"string", "number"}))});
     case KeyKind::place:
-      return either({of_type({"string"}), exactly("3", of_type({"string", "number"}))});
+      return either({of_type({"string"}), tuple_of(3, {"string", "number"})});
     case KeyKind::labels:
       return json_object(
           {{"type", 0, json_text("object")}, {"additionalProperties", 0, of_type({"string"})}});
@@ -178,9 +176,9 @@ JsonNode with_description(JsonNode schema, const std::string& text) {
 JsonNode schema_of(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::cell:
-      return either({of_type({"string"}), whole_numbers("2")});
+      return either({of_type({"string"}), tuple_of(2, {"integer"})});
     case ParameterType::window:
-      return either({of_type({"string"}), whole_numbers("4")});
+      return either({of_type({"string"}), tuple_of(4, {"integer"})});
     case ParameterType::integer:
       return either(
           {of_type({"string"}), json_object({{"type", 0, json_text("integer")},
@@ -188,6 +186,13 @@ JsonNode schema_of(const Parameter& parameter) {
                                              {"maximum", 0, json_number(std::to_string(parameter.most))}})});
     case ParameterType::number:
       return of_type({"string", "number"});
+    case ParameterType::numbers:
+    case ParameterType::bounds:
+      return either({of_type({"string"}), tuple_of(parameter.parts.size(), {"number"})});
+    case ParameterType::points:
+      return either({of_type({"string"}), list_of(tuple_of(parameter.parts.size(), {"number"}))});
+    case ParameterType::order:
+      return either({of_type({"string"}), list_of(one_of(parameter.choices))});
     case ParameterType::choice: {
       std::vector<JsonNode> names;
       for (const std::string& choice : parameter.choices) {
