@@ -69,6 +69,11 @@ inline dvec3 over_w_of(const Triangle& triangle) {
   return {a.over_w, b.over_w, c.over_w};
 }
 
+/// What each corner contributes to a point of the surface, from its weights in the picture.
+inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& over_w) {
+  return triangle_coverage::perspective_correct(weights, over_w);
+}
+
 /// Tells of every pixel that a triangle covers. A sliver that snapping has turned round is not drawn: it
 /// shows the side that stage 4 has said it does not show.
 ///
@@ -94,7 +99,8 @@ void rasterize(const std::vector<Triangle>& triangles, int width, int height, Em
         in_picture(t, width, height);
     const auto corners = snapped(exact);
     const auto grid = on_grid(corners);
-    const auto area = doubled_area(grid);
+    const auto area =  // its sign is the side
+        triangle_coverage::doubled_area(grid);
     const bool drawn = shows_its_side(t, area);
     if constexpr (observed<O>) observer(Snapped{t.id, i, exact, corners, area, drawn});
     if (!drawn) continue;
@@ -103,14 +109,15 @@ void rasterize(const std::vector<Triangle>& triangles, int width, int height, Em
     const auto depth = depth_over(grid, t);
     const dvec3 over_w = over_w_of(t);
     auto tell = [&](ivec2 p, const auto& w) {
-      const dvec3 shares =  // of the corners
-          perspective_correct(w, over_w);
+      // Perspective-correct shares
+      const auto shares = shares_of(w, over_w);
       const double z = depth.at(w);
       const Fragment f{t.id, i, p, z, shares};
       if constexpr (observed<O>) observer(Covered{f});
       emit(f);
     };
-    cover(grid, picture, tell);
+    triangle_coverage::cover(  // row by row
+        grid, picture, tell);
   }
 }
 

@@ -171,7 +171,7 @@ std::optional<std::string> find_library(const std::string& model, std::string na
   const fs::path folder = fs::path(model).parent_path();
   for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
     std::error_code error;
-    if (fs::is_regular_file(candidate, error)) return candidate.string();
+    if (fs::exists(candidate, error)) return candidate.string();
   }
   return std::nullopt;
 }
