@@ -110,9 +110,9 @@ void rasterize(const std::vector<Triangle>& triangles, int width, int height, Em
     const dvec3 over_w = over_w_of(t);
     auto tell = [&](ivec2 p, const auto& w) {
       // Perspective-correct shares
-      const auto shares = shares_of(w, over_w);
+      const auto parts = shares_of(w, over_w);
       const double z = depth.at(w);
-      const Fragment f{t.id, i, p, z, shares};
+      const Fragment f{t.id, i, p, z, parts};
       if constexpr (observed<O>) observer(Covered{f});
       emit(f);
     };

@@ -14,30 +14,16 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import zipfile
 
 import jsonschema
 
-GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ["GRADUS_COMMAND"])
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, check, equal
+
 ROOT = pathlib.Path(os.environ.get("GRADUS_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
 LINE = {"topic": "bresenham_line", "input": {"from": "0,0", "to": "9,4"}}
-passed = failed = 0
-
-
-def check(truth, what):
-    global passed, failed
-    if truth:
-        passed += 1
-    else:
-        failed += 1
-        print("FAILED:", what)
-
-
-def equal(found, expected, what):
-    check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
-
-
 def gradus(*words, stdin=b"", cwd=None):
     """Exit code, stdout, stderr."""
     done = subprocess.run([GRADUS, *words], input=stdin, capture_output=True, timeout=300, cwd=cwd)
@@ -62,19 +48,8 @@ def made(folder):
             if path.is_file() and path.name != ".gradus-manifest.json"}
 
 
-def in_new_folder(test):
-    folder = tempfile.mkdtemp(prefix="gradus_lecture_")
-    os.chdir(folder)
-    try:
-        test()
-    except Exception as error:  # one broken test must not hide the others
-        check(False, f"{test.__name__}: {type(error).__name__}: {error}")
-    finally:
-        os.chdir("/")
-        shutil.rmtree(folder, ignore_errors=True)
-
-
 # --- What is made ------------------------------------------------------------------------------------------------------
+
 
 def test_a_lecture_becomes_figures():
     write("a.json", figures(
@@ -507,6 +482,7 @@ def test_hostile_lectures():
 
 # --- The schema ----------------------------------------------------------------------------------------------------------
 
+
 def valid(schema, lecture):
     return jsonschema.Draft202012Validator(schema).is_valid(lecture)
 
@@ -598,13 +574,5 @@ def test_the_page_on_lectures_has_every_key():
               f"example {number} of the page")
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    for test in tests:
-        in_new_folder(test)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(command.run_all(globals()))

@@ -144,7 +144,11 @@ TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
         EXPECT_EQ(step.line, 0) << step.type << ": nothing of this stage reported it";
       }
     }
-    EXPECT_EQ(trace.steps.back().line, trace.listing.back().number) << "its end";
+    const bool returns = trace.listing.back().text.starts_with("return ");
+    EXPECT_EQ(trace.steps.back().line,
+              returns ? trace.listing.back().number : trace.steps[trace.steps.size() - 2].line)
+        << "its end";
+    EXPECT_GT(trace.steps.back().line, 0);
   }
   EXPECT_GE(listed, 100);
   EXPECT_GE(reported, 30);

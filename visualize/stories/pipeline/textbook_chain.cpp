@@ -151,15 +151,20 @@ class Tour {
   void fine(View view, Event event, std::string_view reported = {}, std::string_view call = {}) {
     const int line = listed_ == 0 ? chain_line(call)
                                   : own_line(reported.empty() ? std::string_view(event.type) : reported);
+    reported_ = line;
     writer_.fine(difference(shown_, view), pixel_, line,
                  [&](TraceStep& step) { describe(step, std::move(event)); });
     shown_ = std::move(view);
   }
 
-  /// The listed stage ends with the last line of its listing.
+  /// The line with which the listed stage ends: its return, or what it reported last.
+  int end_line() const {
+    const SourceLine& last = writer_.trace().listing.back();
+    return stage_ != listed_ ? 0 : last.text.starts_with("return ") ? last.number : reported_;
+  }
+
   void milestone(View view, Event event) {
-    const int end = stage_ == listed_ ? writer_.trace().listing.back().number : 0;
-    const int line = listed_ == 0 ? chain_line() : end;
+    const int line = listed_ == 0 ? chain_line() : end_line();
     writer_.step(difference(shown_, view), pixel_, line, [&](TraceStep& step) {
       describe(step, std::move(event));
       step.level = Level::idea;
@@ -489,6 +494,7 @@ class Tour {
   Views views_;
   View shown_ = bare_grid();
   int stage_ = 0;
+  int reported_ = 0;  ///< the line of the last finer event
 };
 
 void describe(Trace& trace, const Arguments& arguments, const Run& run, int listed) {
