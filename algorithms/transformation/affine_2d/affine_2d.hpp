@@ -187,6 +187,12 @@ struct Moved {
   Point<T> from, to;
 };
 
+/// The number of an element of a span.
+template <class T>
+std::size_t number_of(const T& element, std::span<const T> all) {
+  return static_cast<std::size_t>(&element - all.data());
+}
+
 /// Takes points through a chain of factors by way of one matrix: multiplied once, used for every point.
 /// Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition 1990, 5.3.
 ///
@@ -203,17 +209,17 @@ Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> poi
   // Nothing acts yet
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (std::size_t k = 0; k < factors.size(); ++k) {
+  for (const auto& factor : factors) {
     // What acts later stands further left
-    const auto m = matrix(factors[k]);
+    const auto m = matrix(factor);
     product = m * product;
-    if constexpr (observed<O>) observer(Multiplied<T>{k, m, product});
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
   }
   // One matrix serves all points
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto from = points[i];
-    points[i] = transform(product, from);
-    if constexpr (observed<O>) observer(Moved<T>{i, from, points[i]});
+  for (Point<T>& p : points) {
+    const auto from = p;
+    p = transform(product, from);
+    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
   }
   return product;
 }
@@ -240,12 +246,12 @@ struct Acted {
 template <class T, Observer<Started<T>, Acted<T>> O = Unobserved>
 void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   if constexpr (observed<O>) observer(Started<T>{Matrix<T>(T(1)), {points.begin(), points.end()}});
-  for (std::size_t k = 0; k < factors.size(); ++k) {
+  for (const auto& factor : factors) {
     // From the pivot, and back to it
     for (Point<T>& p : points) {
-      p = transform(factors[k], p);
+      p = transform(factor, p);
     }
-    if constexpr (observed<O>) observer(Acted<T>{k, {points.begin(), points.end()}});
+    if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
   }
 }
 
@@ -274,18 +280,18 @@ Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors,
   for (Point<T>& p : points) p = p - origin;
   if constexpr (observed<O>) observer(Rebased<T>{origin, {points.begin(), points.end()}});
   Matrix<T> product(T(1));
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    auto local = factors[k];
+  for (const auto& factor : factors) {
+    auto local = factor;
     local.pivot = local.pivot - origin;
     // What acts later stands further left
     const auto m = matrix(local);
     product = m * product;
-    if constexpr (observed<O>) observer(Multiplied<T>{k, m, product});
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto from = points[i];
-    points[i] = transform(product, from);
-    if constexpr (observed<O>) observer(Moved<T>{i, from, points[i]});
+  for (Point<T>& p : points) {
+    const auto from = p;
+    p = transform(product, from);
+    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
   }
   return product;
 }
@@ -366,7 +372,7 @@ struct Stuck {
 template <class T, Observer<Undone<T>, Stuck> O = Unobserved>
 bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   // The last one that acted goes first
-  for (std::size_t k = factors.size(); k-- > 0;) {
+  for (auto k = factors.size(); k-- > 0;) {
     const auto back = inverse(factors[k]);
     if (!back) {
       // Many points had become one

@@ -38,8 +38,8 @@ template <class T, Observer<Started<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> centre_added(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    auto f = factors[k];
+  for (const auto& factor : factors) {
+    auto f = factor;
     if (is_shear(f)) {
       // The centre comes back in,
       // though it was never taken out
@@ -47,12 +47,12 @@ Matrix<T> centre_added(std::span<const Factor<T>> factors, std::span<Point<T>> p
     }
     const auto m = matrix(f);
     product = m * product;
-    if constexpr (observed<O>) observer(Multiplied<T>{k, m, product});
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto from = points[i];
-    points[i] = transform(product, from);
-    if constexpr (observed<O>) observer(Moved<T>{i, from, points[i]});
+  for (Point<T>& p : points) {
+    const auto from = p;
+    p = transform(product, from);
+    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
   }
   return product;
 }

@@ -156,7 +156,8 @@ inline glm::dmat4 rotation(dvec3 axis, double radians) {
   return polished(rodrigues(direction_of(axis), turn(radians)));
 }
 /// The same in float, computed in double and rounded once: 4 times 2^-23.
-inline glm::mat4 rotation(glm::vec3 axis, float radians) {
+template <std::same_as<float> T>
+glm::mat4 rotation(glm::vec<3, T> axis, T radians) {
   return glm::mat4(rotation(dvec3(axis), double{radians}));
 }
 
@@ -246,6 +247,12 @@ struct Multiplied {
   Matrix<T> matrix, product;
 };
 
+/// The number of an element of a span.
+template <class T>
+std::size_t number_of(const T& element, std::span<const T> all) {
+  return static_cast<std::size_t>(&element - all.data());
+}
+
 /// Takes points through a chain of transformations by way of one matrix: multiplied once, used for every
 /// point. Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition
 /// 1990, 5.6-5.7.
@@ -262,10 +269,10 @@ Matrix<T> one_matrix(std::span<const Matrix<T>> factors, std::span<Point<T>> poi
   // Nothing acts yet
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (std::size_t k = 0; k < factors.size(); ++k) {
+  for (const Matrix<T>& m : factors) {
     // What acts later stands further left
-    product = compose(factors[k], product);
-    if constexpr (observed<O>) observer(Multiplied<T>{k, factors[k], product});
+    product = compose(m, product);
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(m, factors), m, product});
   }
   // One matrix serves all points
   for (Point<T>& p : points) {
@@ -404,8 +411,8 @@ Point<T> turn_vector(Point<T> n, Point<T> through, const Turn<T>& turn, Point<T>
   // as long as s, a quarter turn on
   const auto v = glm::cross(n, s);
   if constexpr (observed<O>) observer(Crossed<T>{v});
-  const auto turned = turn.cos * s + turn.sin * v;
-  const auto to = through + (r + turned);
+  const auto t = turn.cos * s + turn.sin * v;
+  const auto to = through + (r + t);
   if constexpr (observed<O>) observer(Turned<T>{to});
   return to;
 }

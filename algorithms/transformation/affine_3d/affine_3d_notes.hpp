@@ -36,9 +36,9 @@ template <class T, Observer<Started<T>, Multiplied<T>, RowTransformed<T>> O = Un
 Matrix<T> row_vectors(std::span<const Matrix<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    product = compose(factors[k], product);
-    if constexpr (observed<O>) observer(Multiplied<T>{k, factors[k], product});
+  for (const Matrix<T>& m : factors) {
+    product = compose(m, product);
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(m, factors), m, product});
   }
   for (Point<T>& p : points) {
     const auto from = p;
