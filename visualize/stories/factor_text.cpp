@@ -118,7 +118,8 @@ std::optional<FactorText> factor_in(Kind kind, std::string_view rest, std::span<
   const auto about = cut_at(rest, "about");
   if (about && (kind == Kind::translate || !put(tuple_in(*about, names), factor.pivot))) return std::nullopt;
   const bool one = kind == Kind::rotate || (kind == Kind::scale && rest.find(',') == std::string_view::npos);
-  const bool read = put(tuple_in(rest, one ? std::span<const std::string>(one_number) : names), factor.amount);
+  const bool read =
+      put(tuple_in(rest, one ? std::span<const std::string>(one_number) : names), factor.amount);
   return read ? std::optional(factor) : std::nullopt;
 }
 
@@ -135,11 +136,10 @@ Read<FactorText> read_factor(std::string_view text, std::span<const std::string>
   const std::size_t end = std::min(word.find_first_of(" \t\r\n"), word.size());
   const auto verb = std::ranges::find(verbs, std::string_view(word).substr(0, end),
                                       &std::pair<std::string_view, Kind>::first);
-  const auto known = [space](Kind kind) {
-    return !space || (kind != Kind::shear && kind != Kind::reflect);
-  };
+  const auto known = [space](Kind kind) { return !space || (kind != Kind::shear && kind != Kind::reflect); };
   if (verb == verbs.end() || !known(verb->second)) {
-    const std::string_view list = space ? "translate, scale or rotate" : "translate, scale, rotate, shear or reflect";
+    const std::string_view list =
+        space ? "translate, scale or rotate" : "translate, scale, rotate, shear or reflect";
     return Misread{fmt::format("expected {}, found {}", list, shown(text))};
   }
   auto factor = factor_in(verb->second, trimmed(std::string_view(word).substr(end)), names);
@@ -177,7 +177,8 @@ Read<std::vector<FactorText>> read_factors(std::string_view text, std::span<cons
 std::string text_of(const FactorText& factor) {
   std::string text(verb_of(factor.kind));
   if (factor.kind == Kind::reflect) {
-    const auto named = std::ranges::find(mirrors, factor.mirror, &std::pair<std::string_view, Mirror>::second);
+    const auto named =
+        std::ranges::find(mirrors, factor.mirror, &std::pair<std::string_view, Mirror>::second);
     return text + " " + (named != mirrors.end() ? std::string(named->first) : text_of(factor.line));
   }
   text += " " + text_of(factor.amount);

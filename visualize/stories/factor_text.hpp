@@ -20,11 +20,11 @@ enum class Mirror { x_axis, y_axis, origin, diagonal, line };
 struct FactorText {
   enum class Kind { translate, scale, rotate, shear, reflect };
   Kind kind = Kind::translate;
-  Tuple amount{};               ///< how far, how many times, how many degrees
-  Tuple pivot{};                ///< the point that stays; empty: the origin
-  Tuple axis{};                 ///< in space: the direction that a rotation goes round
+  Tuple amount{};  ///< how far, how many times, how many degrees
+  Tuple pivot{};   ///< the point that stays; empty: the origin
+  Tuple axis{};    ///< in space: the direction that a rotation goes round
   Mirror mirror = Mirror::line;
-  std::vector<Tuple> line{};    ///< a mirror's two points
+  std::vector<Tuple> line{};  ///< a mirror's two points
 };
 
 /// Reads factors with ";" between them. In the plane (`names` has two names):
