@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/contract.hpp"
 
@@ -12,12 +13,18 @@ namespace {
 
 using fmt::arg;
 
-constexpr double character = 0.82, row_height = 1.6, column_gap = 0.9;
+constexpr double character = 0.92, row_height = 1.8, column_gap = 0.8;
 
 double width_of(std::string_view text) {
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
   return character *
          static_cast<double>(text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues)));
+}
+
+/// Four columns leave room for two decimals each.
+std::string entry_text(double value, bool two_decimals) {
+  if (!two_decimals || std::abs(value) >= 1000) return figure_real(value);
+  return figure_real(std::round(value * 100) / 100);
 }
 
 std::string negated(std::string text) {
@@ -52,7 +59,7 @@ void add_matrix(View& view, std::string_view id, dvec2 right, const std::string&
   for (std::size_t c = columns; c-- > 0;) {
     double width = character;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      const std::string text = figure_real(rows[r][c]);
+      const std::string text = entry_text(rows[r][c], columns > 3);
       width = std::max(width, width_of(text));
       const double y = right.y + half - row_height * (static_cast<double>(r) + 0.5);
       view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right}});
@@ -114,7 +121,12 @@ std::string product_name(const Wording& words, std::size_t factors) {
   if (factors == 0) return words.symbol("M");
   std::vector<std::string> names;
   for (std::size_t k = factors; k-- > 0;) names.push_back(factor_name(words, k));
-  return fmt::format("{}", fmt::join(names, "·"));
+  return chained(names);
+}
+
+std::string chained(const std::vector<std::string>& names) {
+  if (names.size() <= 4) return fmt::format("{}", fmt::join(names, "·"));
+  return fmt::format("{}·{}·…·{}", names[0], names[1], names.back());
 }
 
 std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values) {

@@ -32,6 +32,9 @@ std::string product_name(const Wording& words, std::size_t factors);
 /// "M2"; factors count from 0.
 std::string factor_name(const Wording& words, std::size_t factor);
 
+/// "M3·M2·M1"; of many names only the first two and the last.
+std::string chained(const std::vector<std::string>& names);
+
 /// Sums as they are computed: "1.732·2 + (−1)·1 + 0.268".
 std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values);
 

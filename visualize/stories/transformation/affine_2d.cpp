@@ -235,7 +235,7 @@ class Teller {
       for (const dvec2 p : points) world.add(p);
     }
     if (world.size() == dvec2{0}) world = {world.lower - 1.0, world.upper + 1.0};
-    panel_.emplace(Extent{{4.2, 3}, {35, 20.2}}, widened(world, 0.08));
+    panel_.emplace(Extent{{3.6, 4.6}, {25, 18.4}}, widened(world, 0.08));
   }
 
   std::string ending() const {
@@ -313,19 +313,19 @@ class Teller {
     const std::string inverse = undoing() ? "⁻¹" : "";
     std::string product = m + inverse + " = ";
     if (undoing()) {
-      for (std::size_t k = 0; k < count(); ++k) {
-        product += (k ? "·" : "") + factor_name(words_, k) + inverse;
-      }
+      std::vector<std::string> names;
+      for (std::size_t k = 0; k < count(); ++k) names.push_back(factor_name(words_, k) + inverse);
+      product += chained(names);
     } else {
       product += product_name(words_, factor_count);
     }
-    view.add({"l formula", Role::guide, Text{{0.4, 25.6}, product, Align::left}});
+    view.add({"l formula", Role::guide, Text{{13, 0.9}, product}});
     const bool none = done_ == 0;
     const std::size_t factor = none ? 0 : undoing() ? count() - done_ : done_ - 1;
     const std::string name =
         whole || none ? m + (none ? "" : inverse) : factor_name(words_, factor) + inverse;
     const Role role = whole ? Role::result : none ? Role::guide : Role::current;
-    add_matrix(view, "m", {35.4, 24}, name, rows_of(whole || none ? matrix_ : shown_), role);
+    add_matrix(view, "m", {25.7, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
   }
 
   Row row() const {
@@ -372,7 +372,7 @@ class Teller {
   std::vector<Shape> stages_;  ///< the shape, and where it stood after each step
   std::size_t done_ = 0;       ///< steps
   Matrix<double> matrix_{1.0}, shown_{1.0};
-  View before_;
+  View before_ = bare_grid();
 };
 
 std::vector<Method> all_methods() {
@@ -412,7 +412,7 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
   trace.goal = words.say("affine_2d.goal");
   if (method.standing == Standing::faulty) trace.faulty = words.say("affine_2d.note." + method.name);
   for (const auto& entry : arguments.entries()) trace.arguments.push_back({entry.name, entry.text});
-  trace.grid = paper_grid(36, 27);
+  trace.grid = paper_grid(26, 26);
   trace.legend = {{Role::input, words.say("affine_2d.legend.input")},
                   {Role::past, words.say("affine_2d.legend.past")},
                   {Role::current, words.say("affine_2d.legend.current")},
@@ -481,7 +481,7 @@ const TopicEntry& entry() {
                       .parts = coordinates},
                      {.name = "polygon",
                       .type = ParameterType::points,
-                      .default_value = "1,1 3,1 3,2 2,2 2,3 1,3",
+                      .default_value = "3,1 3,2 2,2 2,3 1,3 1,1",
                       .example = "0,0 2,0 2,1 0,1",
                       .help = "the shape's corners",
                       .least = 1,

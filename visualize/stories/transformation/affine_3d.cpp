@@ -199,7 +199,7 @@ class Paper {
   TraceWriter& writer_;
   const Wording& words_;
   const Task& task_;
-  View before_;
+  View before_ = bare_grid();
 };
 
 Row row_of(std::string name, dvec3 p) {
@@ -223,9 +223,9 @@ class ProductTeller : Paper {
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, shape);
     }
-    const double top = 19.6;
-    panels_.emplace_back(Extent{{0.8, 2.2}, {others_.empty() ? 35.2 : 17.4, top}}, widened(world, 0.03));
-    if (!others_.empty()) panels_.emplace_back(Extent{{18.6, 2.2}, {35.2, top}}, widened(world, 0.03));
+    const double top = 18;
+    panels_.emplace_back(Extent{{0.6, 2.2}, {others_.empty() ? 25.4 : 12.6, top}}, widened(world, 0.03));
+    if (!others_.empty()) panels_.emplace_back(Extent{{13.4, 2.2}, {25.4, top}}, widened(world, 0.03));
   }
 
   void operator()(const Started<double>&, int line = __builtin_LINE(), const char* = nullptr) {
@@ -303,15 +303,14 @@ class ProductTeller : Paper {
     if (half == 0) return words_.symbol("M") + " = " + product_name(words_, n);
     std::vector<std::string> names;
     for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_, k));
-    return say("affine_3d.reversed", arg("product", fmt::format("{}", fmt::join(names, "·"))));
+    return say("affine_3d.reversed", arg("product", chained(names)));
   }
 
   void tell(std::string type, int line, std::string_view phase, std::string sentence, Role role) {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    const std::string name = done_ == 0 ? words_.symbol("M") : product_name(words_, done_);
-    add_matrix(view, "m", {35.2, 23.4}, name, rows_of(product_), done_ ? role : Role::guide);
+    add_matrix(view, "m", {25.7, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 a = stages_[done_][corner_a];
     const Row row = role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), a);
     step(std::move(view), std::move(type), line, phase, std::move(sentence), row, fields_of(a));
@@ -345,7 +344,7 @@ class PartsTeller : Paper {
       add_to(world, axis(d.product));
       parts_.push_back(part_name(d.part));
     }
-    panel_.emplace(Extent{{0.8, 2.2}, {35.2, 19.6}}, widened(world, 0.03));
+    panel_.emplace(Extent{{0.6, 2.2}, {25.4, 18}}, widened(world, 0.03));
     tell("Input", 0, "words.set_up",
          say("affine_3d.input", arg("angle", figure_real(task.angle)), arg("axis", figure_place(task.axis)),
              arg("through", figure_place(task.through)), arg("count", parts_.size())),
@@ -404,9 +403,10 @@ class PartsTeller : Paper {
     return moved(m, {task_.through - 0.5 * reach() * n_, task_.through + reach() * n_});
   }
   std::string formula() const {
-    std::string text;
-    for (std::size_t k = done_; k-- > 0;) text += (text.empty() ? "" : "·") + parts_[k];
-    return text.empty() ? words_.symbol("M") : words_.symbol("M") + " = " + text;
+    if (done_ == 0) return words_.symbol("M");
+    const std::vector<std::string> newest_first(parts_.rend() - static_cast<std::ptrdiff_t>(done_),
+                                                parts_.rend());
+    return words_.symbol("M") + " = " + chained(newest_first);
   }
 
   void tell(std::string type, int line, std::string_view phase, std::string sentence, Role role) {
@@ -420,8 +420,8 @@ class PartsTeller : Paper {
     const dvec2 a = panel_->at(oblique(box[corner_a]));
     view.add({"j corner", done_ ? role : Role::input, Dot{a}});
     view.add({"k corner", done_ ? role : Role::input, Label{a, "A"}});
-    view.add({"l formula", Role::guide, Text{{18, 0.9}, formula()}});
-    add_matrix(view, "m", {35.2, 23.4}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
+    view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
+    add_matrix(view, "m", {25.7, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 at = box[corner_a];
     const Row row =
         role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), at);
@@ -458,7 +458,7 @@ class VectorTeller : Paper {
     world.add({0, 0});
     add_to(world, circle_);
     add_to(world, axis_);
-    panel_.emplace(Extent{{0.8, 3}, {35.2, 26.4}}, widened(world, 0.05));
+    panel_.emplace(Extent{{0.8, 2.6}, {25.2, 25.4}}, widened(world, 0.05));
     tell("Input", 0, "words.set_up",
          say("affine_3d.vector_input", arg("point", figure_place(task.point)),
              arg("angle", figure_real(task.angle)), arg("axis", figure_place(task.axis)),
@@ -521,7 +521,7 @@ class VectorTeller : Paper {
       add_arrow(view, panel, "t", Role::result, foot, to_, "");
       dot(view, "to", Role::result, to_, "P′");
     }
-    view.add({"l formula", Role::guide, Text{{18, 1}, "P′ = Q + r + cos θ · s + sin θ · v"}});
+    view.add({"l formula", Role::guide, Text{{13, 0.9}, "P′ = Q + r + cos θ · s + sin θ · v"}});
     const dvec3 at = level_ == 4 ? to_ : task_.point;
     step(std::move(view), std::move(type), line, phase, std::move(sentence), std::move(row), fields_of(at));
   }
@@ -567,7 +567,7 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
   trace.source_file =
       std::string(folder) + (method.standing == Standing::faulty ? "affine_3d_notes.hpp" : "affine_3d.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method.name);
-  trace.grid = paper_grid(36, 27);
+  trace.grid = paper_grid(26, 26);
   trace.legend = {{Role::input, words.say("affine_3d.legend.input")},
                   {Role::past, words.say("affine_3d.legend.past")},
                   {Role::current, words.say("affine_3d.legend.current")},
