@@ -325,7 +325,7 @@ class Teller {
     const std::string name =
         whole || none ? m + (none ? "" : inverse) : factor_name(words_, factor) + inverse;
     const Role role = whole ? Role::result : none ? Role::guide : Role::current;
-    add_matrix(view, "m", {25.7, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
+    add_matrix(view, "m", {25, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
   }
 
   Row row() const {
