@@ -255,7 +255,9 @@ class Teller {
                  arg("error", figure_real(furthest(global))));
     }
     if (method_.standing == Standing::faulty) {
-      return say("affine_2d.went_wrong", arg("to", to), arg("right", figure_place(task_.after(count())[0])));
+      const std::string right = figure_place(task_.after(count())[0]);
+      if (right == to) return say("affine_2d.nothing_wrong", arg("to", to));
+      return say("affine_2d.went_wrong", arg("to", to), arg("right", right));
     }
     const double det = determinant(matrix_);
     bool flat = false;
