@@ -3,9 +3,12 @@
 // that matters: the point of a cut is the correctly rounded one, and the order of two cuts along the segment
 // is exact. Everything is computed from the original end points, never from an earlier cut.
 
+#include <array>
 #include <cmath>
 #include <compare>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -29,6 +32,38 @@ template <int N, class T>
 struct AxisBox {
   glm::vec<N, T> lower, upper;
 };
+
+/// A border of a rectangle or box: the lower and the upper one of x, of y, of z.
+enum class Border : std::uint8_t { left, right, bottom, top, near, far };
+
+/// The borders in the order in which a clipper takes them: all four of a rectangle, all six of a box, each
+/// once.
+template <int N>
+using BorderOrder = std::array<Border, 2 * N>;
+
+template <int N>
+constexpr BorderOrder<N> usual_order() {
+  BorderOrder<N> order{};
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Border>(i);
+  return order;
+}
+
+/// 0 x, 1 y, 2 z: the axis that the border cuts across.
+constexpr int axis_of(Border border) { return static_cast<int>(border) / 2; }
+constexpr bool is_upper(Border border) { return static_cast<int>(border) % 2 == 1; }
+
+/// Where the border lies on its axis.
+template <int N, class T>
+T coordinate(const AxisBox<N, T>& box, Border border) {
+  return is_upper(border) ? box.upper[axis_of(border)] : box.lower[axis_of(border)];
+}
+
+/// Whether p lies beyond the border; on it is not beyond it.
+template <int N, class T>
+bool outside(const glm::vec<N, T>& p, const AxisBox<N, T>& box, Border border) {
+  const T at = p[axis_of(border)];
+  return is_upper(border) ? box.upper[axis_of(border)] < at : at < box.lower[axis_of(border)];
+}
 
 /// Whether every coordinate is a number; rationals always are.
 template <int N, class T>
