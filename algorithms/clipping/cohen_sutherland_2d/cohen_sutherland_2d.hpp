@@ -197,10 +197,9 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
     const bool of_a = a.code != 0;
     End<T>& end = of_a ? a : b;
     const Border border = first_of(order, end.code);
-    const End<T> from = end;
+    const End<T> old = end;
     end = end_at(line, border, window);
-    if constexpr (observed<O>)
-      observer(Cut<T>{of_a, border, from.at, from.code, {a.at, b.at}, a.code, b.code});
+    if constexpr (observed<O>) observer(Cut<T>{of_a, border, old.at, old.code, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;
