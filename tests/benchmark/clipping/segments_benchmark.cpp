@@ -187,14 +187,14 @@ void BM_BoostGeometry(benchmark::State& state) {
   namespace bg = boost::geometry;
   using Point = bg::model::d2::point_xy<double>;
   using Box = bg::model::box<Point>;
-  using Piece = bg::model::segment<Point>;
   const Box box(Point(window.lower.x, window.lower.y), Point(window.upper.x, window.upper.y));
   const bg::strategy::intersection::liang_barsky<Box, Point> strategy;
   time_each(state, [&](const Line& line) -> std::optional<Line> {
-    Piece piece(Point(line.a.x, line.a.y), Point(line.b.x, line.b.y));
+    Point a(line.a.x, line.a.y), b(line.b.x, line.b.y);
+    bg::model::referring_segment<Point> piece(a, b);
     bool cut_a = false, cut_b = false;
     if (!strategy.clip_segment(box, piece, cut_a, cut_b)) return std::nullopt;
-    return Line{{piece.first.x(), piece.first.y()}, {piece.second.x(), piece.second.y()}};
+    return Line{{a.x(), a.y()}, {b.x(), b.y()}};
   });
 }
 
