@@ -49,7 +49,8 @@ const char* name(int mix) {
 struct Answer {
   bool accepted = false;
   std::array<test::Rational, 4> ends;
-  std::array<double, 4> unit;  // in the last place of a double there
+  std::array<double, 4>
+      unit;  // in the last place of a double there, but not of one below 1: an error is then one of 2^-52
 };
 
 struct Lines {
@@ -86,7 +87,7 @@ const Lines& lines_of(int mix) {
       answer = {true, {ends->a[0], ends->a[1], ends->b[0], ends->b[1]}, {}};
       for (std::size_t i = 0; i < 4; ++i) {
         const double near = std::abs(static_cast<double>(answer.ends[i]));
-        answer.unit[i] = std::nextafter(near, 1e300) - near;
+        answer.unit[i] = std::nextafter(std::max(near, 1.0), 1e300) - std::max(near, 1.0);
       }
     }
     lines->answers.push_back(answer);

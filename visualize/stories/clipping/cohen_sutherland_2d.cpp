@@ -204,15 +204,16 @@ class Teller {
     scene_.add_window(view);
     const auto [lower, upper] = scene_.shown();
     const auto [from, to] = task_.window;
-    const double xs[] = {(lower.x + from.x) / 2, (from.x + to.x) / 2, (to.x + upper.x) / 2};
-    const double ys[] = {(lower.y + from.y) / 2, (from.y + to.y) / 2, (to.y + upper.y) / 2};
+    // In the upper left corner of each region
+    const double xs[] = {lower.x, from.x, to.x}, ys[] = {from.y, to.y, upper.y};
     const Code across[] = {bit(Border::left), 0, bit(Border::right)};
     const Code up[] = {bit(Border::bottom), 0, bit(Border::top)};
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         const Code region = static_cast<Code>(across[i] | up[k]);
-        view.add({fmt::format("region {:02}", region), Role::guide,
-                  Text{scene_.panel().at({xs[i], ys[k]}), digits(task_, region)}});
+        view.add(
+            {fmt::format("region {:02}", region), Role::guide,
+             Text{scene_.panel().at({xs[i], ys[k]}) + dvec2{0.4, -0.9}, digits(task_, region), Align::left}});
       }
     }
     // Which digit is which

@@ -30,8 +30,8 @@ class Teller {
       : writer_(writer),
         words_(writer.wording()),
         task_(task),
-        scene_(task.line, task.window, {{3.2, 8.6}, {35, 26}}),
-        scale_({3.5, 2.6}, {32.5, 2.6}, least(task), most(task)) {}
+        scene_(task.line, task.window, {{3.2, 9.8}, {35, 26}}),
+        scale_({3.5, 2.3}, {32.5, 2.3}, least(task), most(task)) {}
 
   void operator()(const Started<double>& s, int source_line = __builtin_LINE(), const char* = nullptr) {
     show(drawing(), source_line, [&](TraceStep& step) {
@@ -156,12 +156,16 @@ class Teller {
     View view;
     scene_.add_window(view);
     scale_.add_to(view, "t", words_.symbol("t"));
-    const bool empty = enter_ > leave_ || (!values_.empty() && values_.back().crossing == Crossing::outside);
-    scene_.add_line(view, "line", Role::input, task_.line, true);
-    if (!empty && left_over != Role::rejected) {
+    const bool empty = left_over == Role::rejected || enter_ > leave_ ||
+                       (!values_.empty() && values_.back().crossing == Crossing::outside);
+    if (empty) {
+      scene_.add_line(view, "line", left_over == Role::rejected ? Role::rejected : Role::input, task_.line,
+                      true);
+    } else {
+      scene_.add_line(view, "line before", Role::input, {task_.line.a, point(enter_)}, true);
       scene_.add_line(view, "left over", left_over, {point(enter_), point(leave_)});
+      scene_.add_line(view, "line after", Role::input, {point(leave_), task_.line.b}, true);
     }
-    if (left_over == Role::rejected) scene_.add_line(view, "left over", Role::rejected, task_.line, true);
     scene_.add_point(view, "end a", Role::input, task_.line.a, task_.line.b, words_.symbol("a"));
     scene_.add_point(view, "end b", Role::input, task_.line.b, task_.line.a, words_.symbol("b"));
 
@@ -185,10 +189,10 @@ class Teller {
         scene_.add_point(view, id, role, point(t), point(t), name(border), !enters);
         // Two rows above the scale, entering below leaving, so that names don't meet
         view.add({id + " text", role,
-                  Text{clamped(t) + dvec2{0, enters ? 1.7 : 3.2},
+                  Text{clamped(t) + dvec2{0, enters ? 1.7 : 3.8},
                        words_.say(enters ? "liang_barsky.mark.enters" : "liang_barsky.mark.leaves",
                                   arg("border", name(border)))}});
-        view.add({id + " stem", Role::guide, Stroke{clamped(t), clamped(t) + dvec2{0, enters ? 1.0 : 2.5}}});
+        view.add({id + " stem", Role::guide, Stroke{clamped(t), clamped(t) + dvec2{0, enters ? 1.0 : 3.1}}});
       }
     }
     return view;

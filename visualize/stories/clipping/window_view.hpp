@@ -19,6 +19,10 @@ inline constexpr int paper_width = 36, paper_height = 27;
 
 inline Line line_in(const Arguments& arguments) {
   const auto n = arguments.numbers("line");
+  for (const double x : n) {
+    // Then differences can be shown; the method itself takes any
+    if (std::abs(x) > 8e307) throw ArgumentError("line", "expected coordinates up to 8e307 in size");
+  }
   return {{n[0], n[1]}, {n[2], n[3]}};
 }
 
@@ -43,7 +47,7 @@ inline Extent world_of(const Line& line, const Rectangle& window) {
   for (const dvec2 end : {line.a, line.b}) {
     if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
   }
-  return widened(world, 0.05);
+  return widened(world, 0.1);
 }
 
 /// The plane in a part of the paper.
@@ -63,7 +67,6 @@ class Scene {
     const auto [lower, upper] = window_;
     const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
                                      panel_.at({lower.x, upper.y})};
-    view.add({"window inside", Role::boundary, Area{{corners}}});
     view.add({"window", Role::boundary, Path{corners, true}});
     for (const Border border : usual_order<2>()) {
       dvec2 from = shown_.lower, to = shown_.upper;
