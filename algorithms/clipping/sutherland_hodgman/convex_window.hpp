@@ -145,6 +145,7 @@ template <class T>
 struct Outline {
   std::span<const glm::vec<2, T>> points;
   std::span<const int> next{};  ///< for several rings; empty: one ring, in order
+  int outline_size = 0;         ///< for several rings: vertices of the first one, before those of holes
 
   int after(int i) const {
     if (!next.empty()) return next[static_cast<std::size_t>(i)];
@@ -163,6 +164,12 @@ struct Scene {
   Line<T> line(EdgeName edge) const {
     if (edge.of_window()) return line_of(window, edge.number());
     return {polygon[edge.number()], polygon[polygon.after(edge.number())]};
+  }
+  /// side_of_border of a vertex.
+  int side(int border, const Vertex<T>& v) const { return side_of_border(*this, border, v); }
+  /// The vertex at which the edge after `from` crosses the border. It remembers both.
+  Vertex<T> cut(int border, const Vertex<T>& from) const {
+    return {point_of_cut(*this, from.after, border), -1, from.after, EdgeName::window(border), from.after};
   }
 };
 
@@ -229,6 +236,13 @@ glm::vec<2, T> point_of_cut(const Scene<T, ConvexWindow<T>>& scene, EdgeName edg
 template <class T, class Window>
 int order_along(const Scene<T, Window>& scene, int border, const Vertex<T>& u, const Vertex<T>& v) {
   const Line<T> line = line_of(scene.window, border);
+  if (u.made() && v.made() && u.edge == v.edge && u.border == v.border) return 0;
+  if constexpr (std::same_as<Window, Rectangle<T>>) {
+    // Rounding keeps the order: places that differ say it already
+    const int axis = 1 - axis_of(border);
+    const int order = (u.at[axis] > v.at[axis]) - (u.at[axis] < v.at[axis]);
+    if (order != 0) return line.p[axis] < line.q[axis] ? order : -order;
+  }
   const auto other_line = [&](const Vertex<T>& w) {
     const Line<T> edge = scene.line(w.edge);
     const bool on_it = w.edge == EdgeName::window(border) || heading(line, edge) == 0;

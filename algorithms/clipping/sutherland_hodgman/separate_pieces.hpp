@@ -4,6 +4,7 @@
 // it, and each one where the polygon leaves is joined with the next one where it enters.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -42,11 +43,19 @@ struct CrossingsOrdered {
   std::vector<BorderCrossing<T>> crossings;
 };
 
+/// A ring was tested against a border, all its vertices.
+template <class T>
+struct RingTested {
+  int border;
+  Ring<T> ring;
+  std::vector<int> sides;  ///< of its vertices: 1 inside, 0 on the border, -1 outside
+};
+
 /// Two crossings were joined: from where a ring leaves the polygon goes along the border to where one enters.
 template <class T>
 struct CrossingsJoined {
   int border;
-  Vertex<T> leaves, enters;
+  BorderCrossing<T> leaves, enters;
 };
 
 /// One border is done with.
@@ -65,11 +74,20 @@ struct PieceTraced {
 
 // --- What goes on at one border ----------------------------------
 
-/// The sign of twice the area of a ring. Exact. Domain: finite. Cost: about 60 ns a vertex.
+/// The sign of twice the area of a ring. Exact. Domain: finite. Cost: a few ns a vertex, in doubt 60.
 template <class T>
 int area_sign(std::span<const glm::vec<2, T>> ring) {
   const std::size_t n = ring.size();
   if constexpr (std::floating_point<T>) {
+    // In plain arithmetic, wrong by less than 2^-50 of the sizes added up for each vertex
+    double estimate = 0, sizes = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const glm::dvec2 a(ring[i]), b(ring[i + 1 < n ? i + 1 : 0]);
+      estimate += a.x * b.y - a.y * b.x;
+      sizes += std::abs(a.x * b.y) + std::abs(a.y * b.x);
+    }
+    const double bound = 0x1p-50 * static_cast<double>(n + 1) * sizes + 0x1p-1000;
+    if (std::abs(estimate) > bound) return sign_of(estimate);
     SumOfProducts<2> doubled;
     for (std::size_t i = 0; i < n; ++i) {
       const glm::dvec2 a(ring[i]), b(ring[i + 1 < n ? i + 1 : 0]);
@@ -87,116 +105,132 @@ int area_sign(std::span<const glm::vec<2, T>> ring) {
   }
 }
 
-/// The chains of a ring that lie inside of a border, each from where it enters to where it leaves, and their
-/// crossings. A vertex on the border is not inside: a chain ends there, and the next one may begin there.
-/// Nothing when all lies inside; then the ring stays as it is.
-template <class T, class Window, Observer<VertexTested<T>, EdgeCut<T>> O>
-bool chains_inside(std::span<const Vertex<T>> ring, int border, const Scene<T, Window>& scene,
-                   std::vector<Ring<T>>& chains, std::vector<BorderCrossing<T>>& crossings, O&& observer) {
-  const std::size_t n = ring.size();
-  std::vector<int> sides;
-  for (const Vertex<T>& now : ring) {
-    sides.push_back(side_of_border(scene, border, now));
-    if constexpr (observed<O>) observer(VertexTested<T>{border, number_in(ring, now), now, sides.back()});
-  }
-  // Begin at a vertex that isn't inside
-  const auto first = std::find_if(sides.begin(), sides.end(), [](int s) { return s <= 0; });
-  if (first == sides.end()) return false;
-  const std::size_t start = static_cast<std::size_t>(first - sides.begin());
-  for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = (start + k - 1) % n, j = (start + k) % n;
-    const Vertex<T>&last = ring[i], &now = ring[j];
-    // Enter, by a cut or at a vertex on the border
-    if (sides[i] <= 0 && sides[j] > 0) {
-      Vertex<T> vertex = last;
-      if (sides[i] < 0) vertex = cut_edge(scene, border, last);
-      chains.push_back({vertex});
-      crossings.push_back({vertex, last.after, true, chains.size() - 1});
-      if constexpr (observed<O>) observer(EdgeCut<T>{border, last, now, vertex, false});
-    }
-    // What is inside belongs to the chain
-    if (sides[j] > 0) chains.back().push_back(now);
-    // Leave, by a cut or at a vertex on the border
-    if (sides[i] > 0 && sides[j] <= 0) {
-      Vertex<T> vertex = now;
-      if (sides[j] < 0) vertex = cut_edge(scene, border, last);
-      vertex.after = EdgeName::window(border);
-      chains.back().push_back(vertex);
-      crossings.push_back({vertex, last.after, false, chains.size() - 1});
-      if constexpr (observed<O>) observer(EdgeCut<T>{border, last, now, vertex, true});
-    }
-  }
-  return true;
+/// Whether none of these sides of a border is outside or on it.
+inline bool all_inside(std::span<const int> sides) {
+  return std::all_of(sides.begin(), sides.end(), [](int side) { return side > 0; });
 }
 
-/// Puts crossings in order along a border. Two at one point are in the order that they have a little inside
-/// of it: the edge that leans back comes first.
+/// Rings, in the course of being cut at one border.
 template <class T, class Window>
-void order_crossings(std::vector<BorderCrossing<T>>& crossings, int border, const Scene<T, Window>& scene) {
-  const Line<T> line = line_of(scene.window, border);
-  const auto before = [&](const BorderCrossing<T>& a, const BorderCrossing<T>& b) {
-    const int order = order_along(scene, border, a.vertex, b.vertex);
+class BorderCut {
+ public:
+  BorderCut(const Scene<T, Window>& scene, int border) : scene_(scene), border_(border) {}
+
+  std::vector<int> sides(const Ring<T>& ring) const {
+    std::vector<int> sides;
+    sides.reserve(ring.size());
+    for (const Vertex<T>& vertex : ring) sides.push_back(scene_.side(border_, vertex));
+    return sides;
+  }
+
+  /// Takes the chains of a ring that lie inside, each from where it enters to where it leaves. A vertex on
+  /// the border is not inside: a chain ends there, and the next one may begin there.
+  void cut(const Ring<T>& ring, std::span<const int> sides) {
+    const std::size_t n = ring.size();
+    // Begin at a vertex that isn't inside
+    std::size_t i = 0;
+    while (sides[i] > 0) ++i;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t j = i + 1 < n ? i + 1 : 0;
+      const Vertex<T>&last = ring[i], &now = ring[j];
+      const bool was = sides[i] > 0, is = sides[j] > 0;
+      // Enter, by a cut or at a vertex on the border
+      if (!was && is) {
+        const Vertex<T> vertex = sides[i] < 0 ? scene_.cut(border_, last) : last;
+        chains_.push_back({vertex});
+        crossings_.push_back({vertex, last.after, true, chains_.size() - 1});
+      }
+      // What is inside belongs to the chain
+      if (is) chains_.back().push_back(now);
+      // Leave, by a cut or at a vertex on the border
+      if (was && !is) {
+        Vertex<T> vertex = sides[j] < 0 ? scene_.cut(border_, last) : now;
+        vertex.after = EdgeName::window(border_);
+        chains_.back().push_back(vertex);
+        crossings_.push_back({vertex, last.after, false, chains_.size() - 1});
+      }
+      i = j;
+    }
+  }
+
+  /// Puts the crossings in order along the border. Two at one point are in the order that they have a little
+  /// inside of it: the edge that leans back comes first.
+  void order() {
+    const auto before = [this](const auto& a, const auto& b) { return comes_before(a, b); };
+    std::sort(crossings_.begin(), crossings_.end(), before);
+    // Of edges that run on one another take the one that keeps inside and outside in turns
+    bool inside = false;
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      std::size_t k = i;
+      while (k < crossings_.size() && crossings_[k].enters != inside) {
+        ++k;
+        if (k < crossings_.size() && comes_before(crossings_[i], crossings_[k])) k = crossings_.size();
+      }
+      if (k < crossings_.size()) std::swap(crossings_[i], crossings_[k]);
+      inside = !crossings_[i].enters;
+    }
+  }
+  const std::vector<BorderCrossing<T>>& crossings() const { return crossings_; }
+
+  /// Which crossings belong together: the polygon lies ahead of where a ring leaves, up to the next place
+  /// where one enters.
+  struct Pair {
+    BorderCrossing<T> leaves, enters;
+  };
+  std::vector<Pair> pairs() const {
+    std::vector<Pair> all;
+    std::vector<BorderCrossing<T>> open;  // more than one only where the polygon lies on itself
+    for (const BorderCrossing<T>& now : crossings_) {
+      if (open.empty() || open.back().enters == now.enters) {
+        open.push_back(now);
+        continue;
+      }
+      all.push_back(now.enters ? Pair{open.back(), now} : Pair{now, open.back()});
+      open.pop_back();
+    }
+    return all;
+  }
+  void join(const Pair& pair) {
+    successor_.resize(chains_.size());
+    successor_[pair.leaves.chain] = pair.enters.chain;
+  }
+
+  /// Adds the rings that the chains make, each followed by its successor.
+  void trace(std::vector<Ring<T>>& rings) const {
+    std::vector<bool> used(chains_.size());
+    for (std::size_t first = 0; first < chains_.size(); ++first) {
+      if (used[first]) continue;
+      Ring<T> ring;
+      std::size_t chain = first;
+      do {
+        used[chain] = true;
+        const Ring<T>& now = chains_[chain];
+        chain = successor_[chain];
+        ring.insert(ring.end(), now.begin(), now.end() - 1);
+        // Where it leaves and enters at one point, that is one vertex
+        const int order = order_along(scene_, border_, now.back(), chains_[chain].front());
+        if (order != 0) ring.push_back(now.back());
+      } while (chain != first);
+      if (ring.size() >= 3) rings.push_back(std::move(ring));
+    }
+  }
+
+ private:
+  bool comes_before(const BorderCrossing<T>& a, const BorderCrossing<T>& b) const {
+    const int order = order_along(scene_, border_, a.vertex, b.vertex);
     if (order != 0) return order < 0;
     // Both edges as they point inside
-    const Line<T> u = scene.line(a.edge), v = scene.line(b.edge);
+    const Line<T> line = line_of(scene_.window, border_);
+    const Line<T> u = scene_.line(a.edge), v = scene_.line(b.edge);
     return heading(u, v) * heading(line, u) * heading(line, v) < 0;
-  };
-  std::sort(crossings.begin(), crossings.end(), before);
-  // Of edges that run on one another take the one that keeps inside and outside in turns
-  bool inside = false;
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    for (std::size_t k = i; k < crossings.size() && !before(crossings[i], crossings[k]); ++k) {
-      if (crossings[k].enters != inside) continue;
-      std::swap(crossings[i], crossings[k]);
-      break;
-    }
-    inside = !crossings[i].enters;
   }
-}
 
-/// Joins the crossings of a border, which are in order: the polygon lies ahead of where a ring leaves, up to
-/// the next place where one enters. The chain that comes after each chain.
-template <class T, Observer<CrossingsJoined<T>> O>
-std::vector<std::size_t> join(std::span<const BorderCrossing<T>> crossings, std::size_t chains, int border,
-                              O&& observer) {
-  std::vector<std::size_t> successor(chains);
-  std::vector<BorderCrossing<T>> open;  // more than one only where the polygon lies on itself
-  for (const BorderCrossing<T>& now : crossings) {
-    if (open.empty() || open.back().enters == now.enters) {
-      open.push_back(now);
-      continue;
-    }
-    const BorderCrossing<T> leaves = now.enters ? open.back() : now;
-    const BorderCrossing<T> enters = now.enters ? now : open.back();
-    open.pop_back();
-    successor[leaves.chain] = enters.chain;
-    if constexpr (observed<O>) observer(CrossingsJoined<T>{border, leaves.vertex, enters.vertex});
-  }
-  return successor;
-}
-
-/// The rings that chains make when each is followed by its successor.
-template <class T, class Window>
-std::vector<Ring<T>> traced(const std::vector<Ring<T>>& chains, const std::vector<std::size_t>& successor,
-                            int border, const Scene<T, Window>& scene) {
-  std::vector<Ring<T>> rings;
-  std::vector<bool> used(chains.size());
-  for (std::size_t first = 0; first < chains.size(); ++first) {
-    if (used[first]) continue;
-    Ring<T> ring;
-    std::size_t chain = first;
-    do {
-      used[chain] = true;
-      const Ring<T>& now = chains[chain];
-      chain = successor[chain];
-      ring.insert(ring.end(), now.begin(), now.end() - 1);
-      // Where it leaves and enters at one point, that is one vertex
-      if (order_along(scene, border, now.back(), chains[chain].front()) != 0) ring.push_back(now.back());
-    } while (chain != first);
-    if (ring.size() >= 3) rings.push_back(std::move(ring));
-  }
-  return rings;
-}
+  const Scene<T, Window>& scene_;
+  int border_;
+  std::vector<Ring<T>> chains_;
+  std::vector<BorderCrossing<T>> crossings_;
+  std::vector<std::size_t> successor_;
+};
 
 /// Whether a vertex lies above a height: its exact place, not its rounded one. 1 above, 0 at it, -1 below.
 template <class T, class Window>
@@ -247,63 +281,74 @@ struct Rings {
     }
   }
 
-  Ring<T> ring(std::size_t number) const {
-    Ring<T> vertices;
-    int i = starts[number];
-    do {
-      vertices.push_back({points[static_cast<std::size_t>(i)], i, {}, {}, EdgeName::polygon(i)});
-      i = next[static_cast<std::size_t>(i)];
-    } while (i != starts[number]);
-    return vertices;
+  std::vector<Ring<T>> rings() const {
+    std::vector<Ring<T>> all;
+    for (const int start : starts) {
+      all.emplace_back();
+      int i = start;
+      do {
+        all.back().push_back({points[static_cast<std::size_t>(i)], i, {}, {}, EdgeName::polygon(i)});
+        i = next[static_cast<std::size_t>(i)];
+      } while (i != start);
+    }
+    return all;
   }
 };
 
-/// The part of all rings that lies inside of one border, as rings of its own.
+/// What the vertices of pieces refer to.
+template <class T, class Window>
+Scene<T, Window> scene_of(const Rings<T>& rings, const Window& window) {
+  return {{rings.points, rings.next, rings.outline_size}, window};
+}
+
+/// Cuts all rings at one border and keeps what lies inside, as rings of its own.
 ///
-/// Steps: (VertexTested* EdgeCut*)*, ring by ring, then CrossingsOrdered CrossingsJoined* BorderSplit. A ring
-///   that touches the border at a vertex has a cut there, too.
+/// Steps: RingTested* CrossingsOrdered CrossingsJoined* BorderSplit, RingTested once for every ring.
 /// Cost: a test a vertex; O(k log k) for k crossings.
 template <class T, class Window,
-          Observer<VertexTested<T>, EdgeCut<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>> O =
-              Unobserved>
-std::vector<Ring<T>> split_at_border(std::span<const Ring<T>> rings, int border,
-                                     const Scene<T, Window>& scene, O&& observer = {}) {
-  std::vector<Ring<T>> kept, chains;
-  std::vector<BorderCrossing<T>> crossings;
-  // Cut each ring into the chains that lie inside
+          Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>> O = Unobserved>
+void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O&& observer = {}) {
+  std::vector<Ring<T>> kept;
+  BorderCut<T, Window> cut(scene, border);
+  // Cut each ring into chains that lie inside
   for (const Ring<T>& ring : rings) {
-    const std::span<const Vertex<T>> vertices(ring);
-    const bool cut = chains_inside(vertices, border, scene, chains, crossings, observer);
-    if (!cut) kept.push_back(ring);
+    const auto sides = cut.sides(ring);
+    if constexpr (observed<O>) observer(RingTested<T>{border, ring, sides});
+    if (all_inside(sides)) {
+      kept.push_back(ring);
+    } else {
+      cut.cut(ring, sides);
+    }
   }
-  // Put the crossings in order along the border
-  order_crossings(crossings, border, scene);
-  if constexpr (observed<O>) observer(CrossingsOrdered<T>{border, crossings});
-  // Join where one leaves with where the next enters
-  const std::span<const BorderCrossing<T>> ordered(crossings);
-  const auto successor = join(ordered, chains.size(), border, observer);
+  // Order the crossings along the border
+  cut.order();
+  if constexpr (observed<O>) observer(CrossingsOrdered<T>{border, cut.crossings()});
+  // Where one leaves go on to where the next
+  // one enters
+  for (const auto& pair : cut.pairs()) {
+    cut.join(pair);
+    if constexpr (observed<O>) observer(CrossingsJoined<T>{border, pair.leaves, pair.enters});
+  }
   // Trace the rings that this makes
-  for (Ring<T>& ring : traced(chains, successor, border, scene)) kept.push_back(std::move(ring));
-  if constexpr (observed<O>) observer(BorderSplit<T>{border, kept});
-  return kept;
+  cut.trace(kept);
+  rings = std::move(kept);
+  if constexpr (observed<O>) observer(BorderSplit<T>{border, rings});
 }
 
 /// Whether a ring is a hole that nothing was cut from.
 template <class T>
-bool whole_hole(const Rings<T>& polygon, const Ring<T>& ring) {
-  const auto made = [](const Vertex<T>& v) { return v.made() || v.after.of_window(); };
-  if (std::any_of(ring.begin(), ring.end(), made)) return false;
-  return ring.front().input >= polygon.outline_size;
+bool whole_hole(const Ring<T>& ring, int outline_size) {
+  return std::all_of(ring.begin(), ring.end(),
+                     [&](const Vertex<T>& v) { return v.input >= outline_size && !v.after.of_window(); });
 }
 
-/// Outlines with their holes.
+/// Outlines with the holes that lie in them.
 template <class T, class Window>
-std::vector<Piece<T>> pieces_of(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene,
-                                const Rings<T>& polygon) {
+std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene) {
   std::vector<Piece<T>> pieces;
   std::vector<Ring<T>> holes;
   for (Ring<T>& ring : rings) {
-    if (whole_hole(polygon, ring)) {
+    if (whole_hole(ring, scene.polygon.outline_size)) {
       holes.push_back(std::move(ring));
     } else {
       pieces.push_back({std::move(ring), {}});
@@ -316,10 +361,7 @@ std::vector<Piece<T>> pieces_of(std::vector<Ring<T>>& rings, const Scene<T, Wind
     const auto piece = std::find_if(pieces.begin(), pieces.end(), around);
     if (piece != pieces.end()) piece->holes.push_back(std::move(hole));
   }
-  for (Piece<T>& piece : pieces) {
-    leave_out_repeated(piece.outline);
-    for (Ring<T>& hole : piece.holes) leave_out_repeated(hole);
-  }
+  for (Piece<T>& piece : pieces) leave_out_repeated(piece.outline);
   std::erase_if(pieces, [](const Piece<T>& piece) { return piece.outline.empty(); });
   return pieces;
 }
@@ -335,31 +377,29 @@ std::vector<Piece<T>> pieces_of(std::vector<Ring<T>>& rings, const Scene<T, Wind
 /// Domain: finite coordinates of any size; rings that don't cross themselves or each other. They may touch
 ///   themselves and each other, have vertices on borders and edges along them. (Where they do cross, the
 ///   area, counted as often as the rings go round it, still is the right one.)
-/// Steps: that of split_at_border for every border, then PieceTraced*. Until nothing is left.
+/// Steps: (RingTested* CrossingsOrdered CrossingsJoined* BorderSplit)* PieceTraced*, a BorderSplit for every
+///   border until nothing is left.
 /// Accuracy: decisions and orders exact; vertices as clip_to_window. Pieces have an area, and share none;
 ///   what touches the window in points or edges alone gives nothing.
 /// Cost: one test a vertex and border; O(k log k) for k crossings on one border.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 template <class T, class Window,
-          Observer<VertexTested<T>, EdgeCut<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>,
-                   PieceTraced<T>>
-              O = Unobserved>
+          Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>, PieceTraced<T>> O =
+              Unobserved>
 std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& window,
                                       std::span<const int> order, O&& observer = {}) {
   expect_window(window);
-  const Scene<T, Window> scene{{polygon.points, polygon.next}, window};
-  std::vector<Ring<T>> rings;
-  for (std::size_t i = 0; i < polygon.starts.size(); ++i) rings.push_back(polygon.ring(i));
+  const auto scene = scene_of(polygon, window);
+  std::vector<Ring<T>> rings = polygon.rings();
   // Split at one border after the other
   for (const int border : order) {
     if (rings.empty()) break;
-    const std::span<const Ring<T>> rest(rings);
-    rings = split_at_border(rest, border, scene, observer);
+    split_at(border, rings, scene, observer);
   }
-  // Holes that no border has met lie in one of the pieces
-  std::vector<Piece<T>> pieces = pieces_of(rings, scene, polygon);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if constexpr (observed<O>) observer(PieceTraced<T>{i, pieces[i]});
+  // Holes that no border met lie in a piece
+  const auto pieces = grouped(rings, scene);
+  for (const Piece<T>& piece : pieces) {
+    if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
   }
   return pieces;
 }

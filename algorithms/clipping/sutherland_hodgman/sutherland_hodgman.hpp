@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "clipping/sutherland_hodgman/convex_window.hpp"
@@ -63,7 +64,11 @@ constexpr std::size_t number_in(std::span<const V> polygon, const V& corner) {
 template <class T>
 class Kept {
  public:
-  explicit Kept(int border, std::size_t room) : border_(EdgeName::window(border)) { polygon.reserve(room); }
+  /// room: memory to use again; what stood there is gone.
+  Kept(int border, std::vector<Vertex<T>> room)
+      : polygon(std::move(room)), border_(EdgeName::window(border)) {
+    polygon.clear();
+  }
   void add(const Vertex<T>& vertex, bool on_border) {
     if (on_border && last_on_ && !polygon.empty()) polygon.back().after = border_;
     if (polygon.empty()) first_on_ = on_border;
@@ -80,16 +85,11 @@ class Kept {
   bool first_on_ = false, last_on_ = false;
 };
 
-/// The vertex at which the edge after `from` crosses the border. It remembers both.
-template <class T, class Window>
-Vertex<T> cut_edge(const Scene<T, Window>& scene, int border, const Vertex<T>& from) {
-  return {point_of_cut(scene, from.after, border), -1, from.after, EdgeName::window(border), from.after};
-}
-
 /// The part of a polygon that lies inside of one border.
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
 ///
-/// polygon: the vertices in order. scene: what they were made of. border: its own points are inside.
+/// polygon: the vertices in order. scene: what they were made of. border: its own points are inside. room:
+///   memory to use again.
 ///
 /// Domain: finite coordinates.
 /// Steps: (VertexTested EdgeCut?)* BorderPassed, VertexTested once for every vertex. The edge is cut after
@@ -100,16 +100,17 @@ Vertex<T> cut_edge(const Scene<T, Window>& scene, int border, const Vertex<T>& f
 /// Errors: none.
 template <class T, class Window, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> cut_at_border(std::span<const Vertex<T>> polygon, int border,
-                                     const Scene<T, Window>& scene, O&& observer = {}) {
-  Kept<T> kept(border, polygon.size() + 4);
+                                     const Scene<T, Window>& scene, std::vector<Vertex<T>> room = {},
+                                     O&& observer = {}) {
+  Kept<T> kept(border, std::move(room));
   const Vertex<T>* last = &polygon.back();
-  int was = side_of_border(scene, border, *last);
+  int was = scene.side(border, *last);
   for (const Vertex<T>& now : polygon) {
-    const int is = side_of_border(scene, border, now);
+    const int is = scene.side(border, now);
     if constexpr (observed<O>) observer(VertexTested<T>{border, number_in(polygon, now), now, is});
     // Cut the edge that crosses the border
     if (was * is < 0) {
-      const auto cut = cut_edge(scene, border, *last);
+      auto cut = scene.cut(border, *last);
       kept.add(cut, true);
       if constexpr (observed<O>) observer(EdgeCut<T>{border, *last, now, cut, was > 0});
     }
@@ -120,7 +121,7 @@ std::vector<Vertex<T>> cut_at_border(std::span<const Vertex<T>> polygon, int bor
   }
   kept.close();
   if constexpr (observed<O>) observer(BorderPassed<T>{border, kept.polygon});
-  return kept.polygon;
+  return std::move(kept.polygon);
 }
 
 /// The vertices of a polygon as it is given, before anything is cut.
@@ -214,11 +215,12 @@ std::vector<Vertex<T>> clip_to_window(std::span<const glm::vec<2, T>> points, co
   expect_finite(points);
   expect_window(window);
   const Scene<T, Window> scene{{points}, window};
-  std::vector<Vertex<T>> polygon = vertices_of(points);
+  std::vector<Vertex<T>> polygon = vertices_of(points), room;
   for (const int border : order) {
     if (polygon.empty()) break;
     const std::span<const Vertex<T>> rest(polygon);
-    polygon = cut_at_border(rest, border, scene, observer);
+    room = cut_at_border(rest, border, scene, std::move(room), observer);
+    std::swap(polygon, room);
   }
   leave_out_repeated(polygon);
   return polygon;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "core/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/random.hpp"
@@ -69,7 +70,6 @@ using Points = std::vector<dvec2>;
 Points corners_of(const Rectangle<double>& w) {
   return {w.lower, {w.upper.x, w.lower.y}, w.upper, {w.lower.x, w.upper.y}};
 }
-Points corners_of(const ConvexWindow<double>& w) { return w.corners; }
 
 Rational area_in(const Points& ring, const Rectangle<double>& w) {
   return test::area_in_rectangle(ring, w.lower, w.upper);
@@ -257,7 +257,7 @@ template <class Window>
 void compare_pieces(const std::vector<Points>& rings, const Window& window, int parts, const Rational& area,
                     Ran& ran) {
   const Rings<double> polygon{std::span<const Points>(rings)};
-  const Scene<double, Window> scene{{polygon.points, polygon.next}, window};
+  const auto scene = scene_of(polygon, window);
   const std::vector<int> order = all_borders(window);
   const auto pieces = separate_pieces(polygon, window, std::span<const int>(order));
   EXPECT_EQ(static_cast<int>(pieces.size()), parts);
@@ -353,10 +353,9 @@ TEST(SutherlandHodgmanProperty, PiecesOfAnyRingHaveItsArea) {
   Random random(test::seed() + 4);
   Ran rectangle, oblique;
   const auto compare = [&](const Points& points, const auto& window, Ran& ran) {
-    using Window = std::remove_cvref_t<decltype(window)>;
     const std::vector<Points> rings{points};
     const Rings<double> polygon{std::span<const Points>(rings)};
-    const Scene<double, Window> scene{{polygon.points, polygon.next}, window};
+    const auto scene = scene_of(polygon, window);
     const std::vector<int> order = all_borders(window);
     Rational sum = 0;
     for (const auto& piece : separate_pieces(polygon, window, std::span<const int>(order))) {
@@ -376,6 +375,42 @@ TEST(SutherlandHodgmanProperty, PiecesOfAnyRingHaveItsArea) {
   }
   EXPECT_EQ(rectangle.cases, wanted);
   EXPECT_GT(oblique.cases, 400);
+}
+
+TEST(SutherlandHodgmanProperty, TheBatchGivesTheSameBits) {
+  Random random(test::seed() + 6);
+  BatchClipper clip;
+  std::size_t cases = 0;
+  BatchCount all;
+  Polygons result;
+  for (int batch = 0; batch < 60; ++batch) {
+    const auto window = random_rectangle(random, batch % 2 == 0);
+    const double size = batch % 3 == 0 ? 1 : 0.2;
+    Polygons given;
+    for (int i = 0; i < 100; ++i) {
+      Points points = random_points(random, batch % 2 == 0);
+      for (dvec2& p : points) p = p * size + (1 - size) * dvec2(random.uniform(-1, 4), random.uniform(-1, 4));
+      given.add(points);
+    }
+    const BatchCount count = clip(given, window, result);
+    all.copied += count.copied;
+    all.dropped += count.dropped;
+    all.clipped += count.clipped;
+    ASSERT_EQ(result.size(), given.size());
+    for (std::size_t i = 0; i < given.size(); ++i, ++cases) {
+      const auto single = clip_to_window(given[i], window);
+      ASSERT_EQ(result[i].size(), single.size());
+      for (std::size_t k = 0; k < single.size(); ++k) ASSERT_EQ(result[i][k], single[k].at);
+    }
+  }
+  std::printf("%zu copied, %zu dropped, %zu clipped\n", all.copied, all.dropped, all.clipped);
+  EXPECT_EQ(cases, 6000u);
+  EXPECT_EQ(all.copied + all.dropped + all.clipped, cases);
+  EXPECT_GT(all.copied, 300u);
+  EXPECT_GT(all.dropped, 300u);
+  EXPECT_GT(all.clipped, 2000u);
+  const Polygons broken{{{0, 0}, {1, HUGE_VAL}, {2, 0}}, {3}};
+  EXPECT_THROW(clip(broken, {{0, 0}, {1, 1}}, result), ContractViolation);
 }
 
 TEST(SutherlandHodgmanProperty, CrossingsOfLinesAreExact) {

@@ -182,12 +182,12 @@ testing::AssertionResult same_ring(Points a, const Points& b) {
                                      << area_of(a);
 }
 
-const Points contains_window{{-10, -10}, {30, -10}, {10, 40}};                              // G001-54
+const Points contains_window_points{{-10, -10}, {30, -10}, {10, 40}};                       // G001-54
 const Points enters{{-5, 2}, {5, 2}, {5, 8}};                                               // G001-55
 const Points letter_u{{2, -4}, {8, -4}, {8, 4}, {6, 4}, {6, -2}, {4, -2}, {4, 4}, {2, 4}};  // G001-57
 
 TEST(SutherlandHodgmanPlane, GoldenPolygons) {
-  EXPECT_TRUE(same_ring(clipped(contains_window), {{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  EXPECT_TRUE(same_ring(clipped(contains_window_points), {{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
   EXPECT_EQ(clipped(enters), (Points{{0, 5}, {0, 2}, {5, 2}, {5, 8}}));
   // G001-56
   const Points letter_c{{-5, 1}, {9, 1}, {9, 9}, {-5, 9}, {-5, 7}, {7, 7}, {7, 3}, {-5, 3}};
@@ -221,7 +221,7 @@ TEST(SutherlandHodgmanPlane, OutsideInsideAndAround) {
   EXPECT_TRUE(clipped({{-3, 3}, {-4, -4}, {3, -3}}).empty());
   EXPECT_TRUE(clipped({}).empty());
   // Nothing hangs on the direction
-  const Points backwards(contains_window.rbegin(), contains_window.rend());
+  const Points backwards(contains_window_points.rbegin(), contains_window_points.rend());
   EXPECT_EQ(area_of(clipped(backwards)), -100);
   EXPECT_TRUE(same_ring(outline(pieces({backwards}).at(0)), {{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
 }
@@ -253,7 +253,7 @@ TEST(SutherlandHodgmanPlane, VerticesRememberWhatMadeThem) {
   EXPECT_EQ(ring[1].after, EdgeName::polygon(0));
   EXPECT_EQ(ring[2].input, 1);
   // A corner is made by two borders, and copied
-  const auto corner = clip_to_window(std::span<const dvec2>(contains_window), square);
+  const auto corner = clip_to_window(std::span<const dvec2>(contains_window_points), square);
   for (const auto& v : corner) EXPECT_TRUE(v.edge.of_window() && v.border.of_window());
 }
 
@@ -298,10 +298,10 @@ TEST(SutherlandHodgmanPlane, BridgesAreNamed) {
   EXPECT_EQ(found[0].to.at, dvec2(6, 0));
   EXPECT_EQ(seen.seen(), 1u);
   // What is run once is no bridge
-  const auto window_itself = clip_to_window(std::span<const dvec2>(contains_window), square);
-  EXPECT_TRUE(
-      bridges(std::span<const Vertex<double>>(window_itself), std::span<const dvec2>(contains_window), square)
-          .empty());
+  const auto window_itself = clip_to_window(std::span<const dvec2>(contains_window_points), square);
+  EXPECT_TRUE(bridges(std::span<const Vertex<double>>(window_itself),
+                      std::span<const dvec2>(contains_window_points), square)
+                  .empty());
 }
 
 TEST(SutherlandHodgmanPlane, PiecesComeApart) {
@@ -353,8 +353,8 @@ TEST(SutherlandHodgmanPlane, HolesAreCutToo) {
 }
 
 TEST(SutherlandHodgmanPlane, PieceStepsFollowTheGrammar) {
-  Recorder<VertexTested<double>, EdgeCut<double>, CrossingsOrdered<double>, CrossingsJoined<double>,
-           BorderSplit<double>, PieceTraced<double>>
+  Recorder<RingTested<double>, CrossingsOrdered<double>, CrossingsJoined<double>, BorderSplit<double>,
+           PieceTraced<double>>
       seen;
   const std::vector<Points> rings{letter_u};
   const std::vector<int> order{0, 1, 2, 3};
@@ -368,8 +368,8 @@ TEST(SutherlandHodgmanPlane, PieceStepsFollowTheGrammar) {
   }
   const auto joined = all<CrossingsJoined<double>>(seen);
   ASSERT_EQ(joined.size(), 2u);
-  EXPECT_EQ(joined[0].leaves.at.x, 2);
-  EXPECT_EQ(joined[0].enters.at.x, 4);
+  EXPECT_EQ(joined[0].leaves.vertex.at.x, 2);
+  EXPECT_EQ(joined[0].enters.vertex.at.x, 4);
   EXPECT_EQ(all<PieceTraced<double>>(seen).size(), 2u);
   EXPECT_EQ(all<BorderSplit<double>>(seen).size(), 4u);
 }
@@ -409,11 +409,11 @@ TEST(SutherlandHodgmanPlane, RefusesWhatIsNoPolygonAndNoWindow) {
 }
 
 template <class T>
-std::vector<Vertex<T>> in_scalar(const Points& points, const ConvexWindow<double>& window) {
+std::vector<Vertex<T>> in_scalar(const Points& points, const ConvexWindow<double>& around) {
   std::vector<glm::vec<2, T>> given;
   ConvexWindow<T> oblique;
   for (const dvec2 p : points) given.push_back({T(p.x), T(p.y)});
-  for (const dvec2 p : window.corners) oblique.corners.push_back({T(p.x), T(p.y)});
+  for (const dvec2 p : around.corners) oblique.corners.push_back({T(p.x), T(p.y)});
   const std::vector<std::vector<glm::vec<2, T>>> rings{given};
   const std::vector<int> order = all_borders(oblique);
   const auto apart = separate_pieces(Rings<T>(std::span<const std::vector<glm::vec<2, T>>>(rings)), oblique,
@@ -424,10 +424,10 @@ std::vector<Vertex<T>> in_scalar(const Points& points, const ConvexWindow<double
 
 TEST(SutherlandHodgmanPlane, FloatDoubleAndExactAgree) {
   const ExactScope scope;
-  const ConvexWindow<double> window{{{-1, -1}, {9, 1}, {5, 12}}};
-  const auto exact = in_scalar<Exact>(letter_u, window);
-  const auto doubles = in_scalar<double>(letter_u, window);
-  const auto floats = in_scalar<float>(letter_u, window);
+  const ConvexWindow<double> around{{{-1, -1}, {9, 1}, {5, 12}}};
+  const auto exact = in_scalar<Exact>(letter_u, around);
+  const auto doubles = in_scalar<double>(letter_u, around);
+  const auto floats = in_scalar<float>(letter_u, around);
   ASSERT_EQ(exact.size(), doubles.size());
   ASSERT_EQ(exact.size(), floats.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -440,36 +440,26 @@ TEST(SutherlandHodgmanPlane, FloatDoubleAndExactAgree) {
 
 // --- The notes ----------------------------------------------------------------------------------
 
-template <class Method>
-double area_by(Method method, const Points& points) {
+template <class Pass>
+double area_by(Pass pass, const Points& points) {
   const std::vector<int> order{0, 1, 2, 3};
-  return area_of(method(std::span<const dvec2>(points), square, std::span<const int>(order)));
+  return area_of(by_passes(Task<double>{points, square, order}, pass));
 }
 
 TEST(SutherlandHodgmanNotes, WrongAsPrinted) {
-  const auto run = [](const auto& points, const auto& window_, const auto& order) {
-    return entering_not_cut(points, window_, order);
-  };
-  EXPECT_EQ(area_by(run, enters), 15);
-  const auto stale = [](const auto& points, const auto& window_, const auto& order) {
-    return previous_left_behind(points, window_, order);
-  };
-  EXPECT_EQ(area_by(stale, enters), 7.5);
-  const auto special = [](const auto& points, const auto& window_, const auto& order) {
-    return containing_left_whole(points, window_, order);
-  };
-  EXPECT_EQ(area_by(special, contains_window), 1000);
-  EXPECT_EQ(area_by(special, enters), 22.5);
-  const auto prose = [](const auto& points, const auto& window_, const auto& order) {
-    return marked_by_window(points, window_, order);
-  };
-  EXPECT_EQ(area_by(prose, contains_window), 0);
-  const auto plain = [](const auto& points, const auto& window_, const auto& order) {
-    return cut_of_a_cut(points, window_, order);
-  };
-  EXPECT_EQ(area_by(plain, contains_window), 100);
+  const auto entering = [](auto polygon, auto border) { return entering_not_cut(polygon, border); };
+  const auto previous = [](auto polygon, auto border) { return previous_left_behind(polygon, border); };
+  const auto marked = [](auto polygon, auto border) { return marked_by_window(polygon, border); };
+  const auto plain = [](auto polygon, auto border) { return cut_of_a_cut(polygon, border); };
+  EXPECT_EQ(area_by(entering, enters), 15);
+  EXPECT_EQ(area_by(previous, enters), 7.5);
+  EXPECT_EQ(area_by(marked, contains_window_points), 0);
+  EXPECT_EQ(area_by(plain, contains_window_points), 100);
   EXPECT_EQ(area_by(plain, enters), 22.5);
   EXPECT_EQ(area_by(plain, letter_u), 16);
+  const std::vector<int> order{0, 1, 2, 3};
+  EXPECT_EQ(area_of(containing_left_whole(Task<double>{contains_window_points, square, order})), 1000);
+  EXPECT_EQ(area_of(containing_left_whole(Task<double>{enters, square, order})), 22.5);
 }
 
 }  // namespace
