@@ -389,8 +389,8 @@ template <class T, class Window,
 std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& window,
                                       std::span<const int> order, O&& observer = {}) {
   expect_window(window);
-  const auto scene = scene_of(polygon, window);
-  std::vector<Ring<T>> rings = polygon.rings();
+  auto scene = scene_of(polygon, window);
+  auto rings = polygon.rings();
   // Split at one border after the other
   for (const int border : order) {
     if (rings.empty()) break;

@@ -101,9 +101,9 @@ std::vector<Vertex<T>> entering_not_cut(std::span<const Vertex<T>> polygon, cons
   const Vertex<T>* last = &polygon.back();
   for (const Vertex<T>& now : polygon) {
     const bool was = border.inside(*last);
-    const bool is = border.inside(now);
-    if constexpr (observed<O>)
-      observer(VertexTested<T>{border.number, number_in(polygon, now), now, border.side(now)});
+    const int side = border.side(now);
+    const bool is = side >= 0;
+    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, side});
     if (is) {
       // Missing: a cut if it enters
       kept.push_back(now);
@@ -128,9 +128,9 @@ std::vector<Vertex<T>> previous_left_behind(std::span<const Vertex<T>> polygon, 
   const Vertex<T>* last = &polygon.back();
   for (const Vertex<T>& now : polygon) {
     const bool was = border.inside(*last);
-    const bool is = border.inside(now);
-    if constexpr (observed<O>)
-      observer(VertexTested<T>{border.number, number_in(polygon, now), now, border.side(now)});
+    const int side = border.side(now);
+    const bool is = side >= 0;
+    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, side});
     if (was != is) {
       kept.push_back(border.cut(*last, now));
       if constexpr (observed<O>) observer(EdgeCut<T>{border.number, *last, now, kept.back(), was});
@@ -159,8 +159,8 @@ std::vector<Vertex<T>> marked_by_window(std::span<const Vertex<T>> polygon, cons
     // Should ask for this border alone
     const bool was = border.in_window(*last);
     const bool is = border.in_window(now);
-    if constexpr (observed<O>)
-      observer(VertexTested<T>{border.number, number_in(polygon, now), now, is ? 1 : -1});
+    const int mark = is ? 1 : -1;
+    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, mark});
     const int from = border.side(*last);
     const int to = border.side(now);
     if (was != is && from * to < 0) {
@@ -208,7 +208,10 @@ std::vector<Vertex<T>> containing_left_whole(const Task<T>& task, O&& observer =
     if constexpr (observed<O>) observer(BorderPassed<T>{task.order[0], polygon});
     return polygon;
   }
-  return by_passes(task, [&](auto rest, auto b) { return cut_of_a_cut(rest, b, observer); });
+  return by_passes(task, [&](auto v, auto b) {
+    // The textbook's loop
+    return cut_of_a_cut(v, b, observer);
+  });
 }
 
 }  // namespace gradus::sutherland_hodgman

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
@@ -88,15 +89,14 @@ class Names {
  public:
   std::string operator()(const Corner& v) {
     if (!v.made()) return fmt::format("{}", v.input + 1);
-    const auto [found, added] = letters_.insert({{v.edge.id, v.border.id}, letters_.size()});
+    const auto [found, added] = letters_.insert({{v.edge.id, v.border.id, v.at.x, v.at.y}, letters_.size()});
     const std::size_t n = found->second;
     const char letter = static_cast<char>('A' + n % 26);
     return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
   }
-  void forget() { letters_.clear(); }
 
  private:
-  std::map<std::pair<int, int>, std::size_t> letters_;
+  std::map<std::tuple<int, int, double, double>, std::size_t> letters_;
 };
 
 /// Tells the steps of all methods.
@@ -316,7 +316,8 @@ class Teller {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::string id = fmt::format("h corner {:03}", i);
       view_.add({id, Role::result, Dot{ring[i]}});
-      if (ring.size() <= 24) view_.add({id + " name", Role::result, Label{ring[i], names_(polygon[i])}});
+      if (ring.size() <= 24 && polygon[i].made())
+        view_.add({id + " name", Role::result, Label{ring[i], names_(polygon[i])}});
     }
   }
 
