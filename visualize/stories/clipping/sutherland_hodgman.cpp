@@ -110,7 +110,7 @@ class Teller {
         pieces_(pieces),
         right_(right) {
     writer.trace().columns = {{"border", false}, {"corner", false}, {"side", false}, {"kept", false}};
-    if (pieces) writer.trace().columns = {{"border", false}, {"crossings"}, {"rings"}};
+    if (pieces) writer.trace().columns = {{"border", false}, {"out"}, {"in"}, {"rings"}};
     base();
     std::string order;
     for (const int border : given.order) order += (order.empty() ? "" : ", ") + name_of_border(border);
@@ -138,6 +138,8 @@ class Teller {
     last_tested_ = t;
     show_kept();
     view_.add({"f here", Role::current, Dot{panel_.at(t.vertex.at), true}});
+    last_row_ = {name_of_border(t.border), name, words_.say(fmt::format("sutherland_hodgman.side.{}", side)),
+                 t.side >= 0 ? name : ""};
     tell("VertexTested", "", line,
          words_.say(fmt::format("sutherland_hodgman.tested.{}", side), arg("corner", name),
                     arg("at", figure_place(t.vertex.at)), arg("border", name_of_border(t.border))),
@@ -145,8 +147,7 @@ class Teller {
           {"side", std::int64_t{t.side}},
           {"x", t.vertex.at.x},
           {"y", t.vertex.at.y}},
-         {name_of_border(t.border), name, words_.say(fmt::format("sutherland_hodgman.side.{}", side)),
-          t.side >= 0 ? name : ""});
+         last_row_);
   }
 
   void operator()(const EdgeCut<double>& c, int line = __builtin_LINE(), const char* = nullptr) {
@@ -160,6 +161,14 @@ class Teller {
     view_.add({"f here", Role::current, Dot{panel_.at(c.vertex.at)}});
     view_.add({"g made " + name, Role::current,
                Label{panel_.at(c.vertex.at), fmt::format("{} {}", name, figure_place(c.vertex.at))}});
+    // In the table, too: the cut's row takes over the corner that stays
+    Row read;
+    std::string kept = name;
+    if (kept_last) {
+      read = last_row_;
+      kept += ", " + read.back();
+      read.back().clear();
+    }
     const bool corner = c.vertex.edge.of_window();
     const std::string key = corner ? "corner" : c.leaves ? "leaves" : "enters";
     tell("EdgeCut", "", line,
@@ -170,7 +179,8 @@ class Teller {
           {"leaves", c.leaves},
           {"x", c.vertex.at.x},
           {"y", c.vertex.at.y}},
-         {name_of_border(c.border), name, words_.say("sutherland_hodgman.side.cut"), name});
+         {name_of_border(c.border), name, words_.say("sutherland_hodgman.side.cut"), kept}, Level::step,
+         read);
     // From now on the name alone
     view_.add({"g made " + name, Role::past, Label{panel_.at(c.vertex.at), name}});
   }
@@ -239,7 +249,8 @@ class Teller {
     tell("CrossingsJoined", "", line,
          words_.say("sutherland_hodgman.joined", arg("from", from), arg("to", to),
                     arg("border", name_of_border(j.border))),
-         {{"from", static_cast<std::int64_t>(from)}, {"to", static_cast<std::int64_t>(to)}}, {});
+         {{"from", static_cast<std::int64_t>(from)}, {"to", static_cast<std::int64_t>(to)}},
+         {name_of_border(j.border), fmt::format("{}", from), fmt::format("{}", to), ""});
   }
 
   void operator()(const BorderSplit<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
@@ -253,8 +264,7 @@ class Teller {
          words_.count("sutherland_hodgman.split", static_cast<std::int64_t>(s.rings.size()),
                       arg("border", name_of_border(s.border))),
          {{"border", std::int64_t{s.border}}, {"rings", static_cast<std::int64_t>(s.rings.size())}},
-         {name_of_border(s.border), fmt::format("{}", crossings_), fmt::format("{}", s.rings.size())},
-         Level::idea);
+         {name_of_border(s.border), "", "", fmt::format("{}", s.rings.size())}, Level::idea);
     left_border();
   }
 
@@ -287,6 +297,12 @@ class Teller {
   void operator()(const BridgeFound<double>& b, int = 0, const char* = nullptr) {
     quiet();
     const dvec2 from = panel_.at(b.from.at), to = panel_.at(b.to.at);
+    found_.push_back({b.from.at, b.to.at});
+    // The outline without the bridges, so that they are seen
+    erase("h line");
+    for (std::size_t i = 0; i < result_.size(); ++i) {
+      add_without_bridges(i, result_[i], result_[i + 1 < result_.size() ? i + 1 : 0]);
+    }
     const std::string id = fmt::format("i bridge {:03}", bridges_++);
     view_.add({id, Role::rejected, Stroke{from, to}});
     view_.add({id + " name", Role::rejected,
@@ -397,6 +413,28 @@ class Teller {
     const Role role = side >= 0 ? Role::accepted : Role::rejected;
     view_.add({"e side " + name, role, Dot{panel_.at(v.at), side < 0}});
   }
+  /// An edge of the result but for the stretches of bridges on it.
+  void add_without_bridges(std::size_t number, dvec2 a, dvec2 b) {
+    const dvec2 way = b - a;
+    const double square = glm::dot(way, way);
+    std::vector<std::pair<double, double>> gaps;
+    for (const auto& [from, to] : found_) {
+      const auto beside = [&](dvec2 p) { return std::abs(way.x * (p.y - a.y) - way.y * (p.x - a.x)); };
+      if (beside(from) > 1e-9 * square || beside(to) > 1e-9 * square) continue;
+      const double s = glm::dot(from - a, way) / square, t = glm::dot(to - a, way) / square;
+      gaps.emplace_back(std::clamp(std::min(s, t), 0.0, 1.0), std::clamp(std::max(s, t), 0.0, 1.0));
+    }
+    std::sort(gaps.begin(), gaps.end());
+    gaps.emplace_back(1, 1);
+    double done = 0;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      if (gaps[i].first > done) {
+        view_.add({fmt::format("h line {:03} {}", number, i), Role::result,
+                   Stroke{panel_.at(a + done * way), panel_.at(a + gaps[i].first * way)}});
+      }
+      done = std::max(done, gaps[i].second);
+    }
+  }
   void show_kept() {
     if (kept_.size() > 1) view_.add({"d kept", Role::accepted, Path{panel_.at(kept_)}});
   }
@@ -407,7 +445,7 @@ class Teller {
   }
 
   void tell(std::string_view type, std::string_view phase, int line, std::string sentence,
-            std::vector<Field> fields, Row row, Level level = Level::step) {
+            std::vector<Field> fields, Row row, Level level = Level::step, Row read = {}) {
     const std::string said = phase.empty() ? phase_ : words_.say(phase);
     writer_.step(difference(before_, view_), {0, 0}, line, [&](TraceStep& step) {
       step.type = type;
@@ -416,6 +454,7 @@ class Teller {
       step.level = level;
       step.fields = std::move(fields);
       step.sentence = std::move(sentence);
+      step.read = std::move(read);
       step.row = std::move(row);
     });
     before_ = view_;
@@ -433,6 +472,8 @@ class Teller {
   std::optional<int> border_;
   std::vector<Ring<double>> before_border_;
   Points kept_, result_;
+  Row last_row_;
+  std::vector<std::pair<dvec2, dvec2>> found_;  ///< bridges
   std::optional<VertexTested<double>> last_tested_;
   std::map<std::pair<std::size_t, bool>, std::size_t> numbers_;
   std::size_t crossings_ = 0;
@@ -572,7 +613,7 @@ const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all{
       {.name = "polygon",
        .type = ParameterType::points,
-       .default_value = "-4,3 3,-4 8,-3 13,5 7,8 6,-1 4,-1 4,7",
+       .default_value = "-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
        .example = "2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4",
        .help = "the polygon's corners, in either direction",
        .least = 3,
@@ -595,7 +636,7 @@ const std::vector<Parameter>& parameters() {
       {.name = "window_polygon",
        .type = ParameterType::points,
        .default_value = "",
-       .example = "5,-1 11,5 5,11 -1,5",
+       .example = "5,-3 12,3 8,10 -2,7",
        .help = "a convex window instead: its corners in order; cut at in that order, counter-clockwise",
        .least = 3,
        .most = 50,
@@ -626,7 +667,7 @@ const TopicEntry& entry() {
       .parameters = parameters(),
       .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                    "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",
-                   "--window-polygon '5,-1 11,5 5,11 -1,5'"},
+                   "--window-polygon '5,-3 12,3 8,10 -2,7'"},
       .run = run};
   return topic;
 }
