@@ -18,21 +18,20 @@ int main() {
 
   // One polygon, with a bridge between its parts
   const std::vector<dvec2> letter_u{{2, -4}, {8, -4}, {8, 4}, {6, 4}, {6, -2}, {4, -2}, {4, 4}, {2, 4}};
-  const std::span<const dvec2> points(letter_u);
   const Rectangle<double> window{{0, 0}, {10, 10}};
-  for (const auto& v : clip_to_window(points, window)) fmt::print("({}, {}) ", v.at.x, v.at.y);
+  for (const auto& v : clip_to_window(std::span<const dvec2>(letter_u), window))
+    fmt::print("({}, {}) ", v.at.x, v.at.y);
   fmt::print("\n");
 
-  // Two pieces, and where they were joined, as the algorithm reports it
+  // Two pieces, and the borders that had a part in them, as the algorithm reports it
   const auto watch = []<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, CrossingsJoined<double>>) {
-      fmt::print("x = {} leads on to x = {}\n", step.leaves.vertex.at.x, step.enters.vertex.at.x);
-    }
+    if constexpr (std::same_as<Step, CrossingsJoined<double>>)
+      fmt::print("joined at border {}\n", step.border);
   };
   const std::vector<std::vector<dvec2>> rings{letter_u};
   const std::vector<int> order = all_borders(window);
-  const auto pieces = separate_pieces(Rings<double>(rings), window, std::span<const int>(order), watch);
-  fmt::print("{} pieces\n", pieces.size());
+  fmt::print("{} pieces\n",
+             separate_pieces(Rings<double>(rings), window, std::span<const int>(order), watch).size());
 
   // The last step as a figure
   const Trace trace =
