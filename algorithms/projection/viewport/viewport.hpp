@@ -21,7 +21,7 @@ namespace gradus::viewport {
 
 /// A rectangle along the axes: on the camera plane in its units, y up, or in the picture in pixels.
 template <class T>
-struct Area {
+struct Rectangle {
   glm::vec<2, T> lower, upper;
 
   glm::vec<2, T> size() const { return upper - lower; }
@@ -43,8 +43,8 @@ enum class Rounding : std::uint8_t {
 /// Takes the window on the camera plane to the viewport in a picture.
 template <class T>
 struct Mapping {
-  Area<T> window;    ///< what is seen, on the camera plane
-  Area<T> viewport;  ///< where it comes to lie, in pixels
+  Rectangle<T> window;    ///< what is seen, on the camera plane
+  Rectangle<T> viewport;  ///< where it comes to lie, in pixels
   ivec2 picture;     ///< width and height in pixels
   RowZero row_zero = RowZero::top;
 };
@@ -53,7 +53,7 @@ struct Mapping {
 inline constexpr int most_pixels = 1 << 30;
 
 template <class T>
-void expect_sizes(const Area<T>& window, ivec2 picture) {
+void expect_sizes(const Rectangle<T>& window, ivec2 picture) {
   expects(picture.x >= 1 && picture.y >= 1, "a picture has at least one pixel, not {} x {}", picture.x,
           picture.y);
   expects(picture.x <= most_pixels && picture.y <= most_pixels, "a picture has at most {} rows and columns",
@@ -71,7 +71,7 @@ void expect_sizes(const Area<T>& window, ivec2 picture) {
 /// Cost: none.
 /// Errors: ContractViolation for an empty window or picture.
 template <class T>
-Mapping<T> stretched(const Area<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
+Mapping<T> stretched(const Rectangle<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
   expect_sizes(window, picture);
   return {window, {{T(0), T(0)}, {T(picture.x), T(picture.y)}}, picture, row_zero};
 }
@@ -84,7 +84,7 @@ Mapping<T> stretched(const Area<T>& window, ivec2 picture, RowZero row_zero = Ro
 /// Cost: four multiplications, two divisions.
 /// Errors: as stretched.
 template <class T>
-Mapping<T> letterboxed(const Area<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
+Mapping<T> letterboxed(const Rectangle<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
   expect_sizes(window, picture);
   const T width = T(picture.x), height = T(picture.y);
   const auto size = window.size();
@@ -138,7 +138,7 @@ struct Mapped {
 /// corner, exactly there.
 template <class T>
 glm::vec<2, T> fraction_of(const Mapping<T>& map, glm::vec<2, T> point) {
-  const Area<T>& window = map.window;
+  const Rectangle<T>& window = map.window;
   const auto size = window.size();
   const T x = (point.x - window.lower.x) / size.x;
   if (map.row_zero == RowZero::bottom) return {x, (point.y - window.lower.y) / size.y};
@@ -147,7 +147,7 @@ glm::vec<2, T> fraction_of(const Mapping<T>& map, glm::vec<2, T> point) {
 
 /// The place that lies so far across the viewport: its corners exactly at 0 and 1.
 template <class T>
-glm::vec<2, T> place_at(const Area<T>& viewport, glm::vec<2, T> fraction) {
+glm::vec<2, T> place_at(const Rectangle<T>& viewport, glm::vec<2, T> fraction) {
   const auto along = [](T a, T b, T t) { return (T(1) - t) * a + t * b; };
   return {along(viewport.lower.x, viewport.upper.x, fraction.x),
           along(viewport.lower.y, viewport.upper.y, fraction.y)};
@@ -156,7 +156,7 @@ glm::vec<2, T> place_at(const Area<T>& viewport, glm::vec<2, T> fraction) {
 /// Whether a place lies in the viewport, its lower sides included, its upper ones not: so that viewports side
 /// by side share no place. False for what is not a number.
 template <class T>
-bool holds(const Area<T>& viewport, glm::vec<2, T> place) {
+bool holds(const Rectangle<T>& viewport, glm::vec<2, T> place) {
   return viewport.lower.x <= place.x && place.x < viewport.upper.x && viewport.lower.y <= place.y &&
          place.y < viewport.upper.y;
 }
@@ -207,7 +207,7 @@ std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point,
   const auto fraction = fraction_of(map, point);
   if constexpr (observed<O>) observer(Measured<T>{point, fraction});
   // As far across the viewport, in pixels
-  const Area<T>& viewport = map.viewport;
+  const Rectangle<T>& viewport = map.viewport;
   const auto place = place_at(viewport, fraction);
   if constexpr (observed<O>) observer(Placed<T>{fraction, place});
   // Outside: say so, move nothing

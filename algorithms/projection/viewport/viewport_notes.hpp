@@ -42,7 +42,7 @@ ivec2 clamped(const Mapping<T>& map, glm::vec<2, T> point, Rounding rounding, O&
   const auto fraction = fraction_of(map, point);
   if constexpr (observed<O>) observer(Measured<T>{point, fraction});
   // As far across the viewport, in pixels
-  const Area<T>& viewport = map.viewport;
+  const Rectangle<T>& viewport = map.viewport;
   const auto place = place_at(viewport, fraction);
   if constexpr (observed<O>) observer(Placed<T>{fraction, place});
   // The nearest integers

@@ -18,10 +18,10 @@ namespace {
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 
 ExactVec2 exactly(dvec2 v) { return {Exact(v.x), Exact(v.y)}; }
-Area<Exact> exactly(const Area<double>& area) { return {exactly(area.lower), exactly(area.upper)}; }
+Rectangle<Exact> exactly(const Rectangle<double>& area) { return {exactly(area.lower), exactly(area.upper)}; }
 
 /// Windows of all sizes, many far from the origin; pictures from 1 x 1 on.
-Area<double> any_window(Random& random) {
+Rectangle<double> any_window(Random& random) {
   const double size = std::scalbn(random.uniform(1, 2), static_cast<int>(random.uniform_int(-60, 60)));
   const auto side = [&](double extent) {
     const double centre = random.uniform_int(0, 2) ? 0 : extent * random.uniform(-10, 10);
@@ -69,7 +69,7 @@ TEST(ViewportProperty, PixelsAreThoseOfRationals) {
   double worst = 0;
   for (; cases < 6000; ++cases) {
     const ExactScope scope;
-    const Area<double> window = any_window(random);
+    const Rectangle<double> window = any_window(random);
     const ivec2 picture = any_picture(random);
     const RowZero row_zero = random.uniform_int(0, 1) ? RowZero::top : RowZero::bottom;
     const Mapping<double> map = stretched(window, picture, row_zero);
@@ -117,7 +117,7 @@ TEST(ViewportProperty, EveryPixelCentreLeadsBackToItsPixel) {
   std::int64_t pixels = 0;
   double worst = 0;
   for (; windows < 2000; ++windows) {
-    const Area<double> window = any_window(random);
+    const Rectangle<double> window = any_window(random);
     const ivec2 picture{static_cast<int>(random.uniform_int(1, 24)),
                         static_cast<int>(random.uniform_int(1, 24))};
     const RowZero row_zero = random.uniform_int(0, 1) ? RowZero::top : RowZero::bottom;
@@ -165,7 +165,7 @@ TEST(ViewportProperty, ThereAndBackIsExactInRationals) {
   int cases = 0, bars = 0;
   for (; cases < 1000; ++cases) {
     const ExactScope scope;
-    const Area<double> window = any_window(random);
+    const Rectangle<double> window = any_window(random);
     const ivec2 picture = any_picture(random);
     const RowZero row_zero = random.uniform_int(0, 1) ? RowZero::top : RowZero::bottom;
     const Mapping<Exact> full = stretched(exactly(window), picture, row_zero);
@@ -188,7 +188,7 @@ TEST(ViewportProperty, ThereAndBackIsExactInRationals) {
     ASSERT_EQ(boxed.viewport.lower + boxed.viewport.upper, (ExactVec2{Exact(picture.x), Exact(picture.y)}));
     bars += used.x != Exact(picture.x) || used.y != Exact(picture.y);
     // In doubles the letterbox is that of the rationals, nearly
-    const Area<double> rounded = letterboxed(window, picture, row_zero).viewport;
+    const Rectangle<double> rounded = letterboxed(window, picture, row_zero).viewport;
     for (int axis = 0; axis < 2; ++axis) {
       ASSERT_LE(std::abs(to_double(Exact(rounded.lower[axis]) - boxed.viewport.lower[axis])),
                 2 * ulp * picture[axis]);
@@ -204,7 +204,7 @@ TEST(ViewportProperty, WindowCornersAreExact) {
   Random random(test::seed());
   int cases = 0;
   for (; cases < 50000; ++cases) {
-    const Area<double> window = any_window(random);
+    const Rectangle<double> window = any_window(random);
     const Mapping<double> map = stretched(window, any_picture(random));
     ASSERT_EQ(place_at(map.viewport, fraction_of(map, dvec2{window.lower.x, window.upper.y})), (dvec2{0}));
     ASSERT_EQ(place_at(map.viewport, fraction_of(map, dvec2{window.upper.x, window.lower.y})),
@@ -224,7 +224,7 @@ TEST(ViewportProperty, ToPixelIsTheMappingOfTheUnitSquare) {
   for (; cases < 2000; ++cases) {
     const ExactScope scope;
     const ivec2 picture = any_picture(random);
-    const Area<Exact> square{{Exact(-1), Exact(-1)}, {Exact(1), Exact(1)}};
+    const Rectangle<Exact> square{{Exact(-1), Exact(-1)}, {Exact(1), Exact(1)}};
     const Mapping<Exact> map = stretched(square, picture);
     const ExactVec2 p = exactly({random.uniform(-2, 2), random.uniform(-2, 2)});
     ASSERT_EQ(to_pixel(p, picture.x, picture.y), place_at(map.viewport, fraction_of(map, p)));

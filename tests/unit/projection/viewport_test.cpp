@@ -14,12 +14,12 @@
 namespace gradus::viewport {
 namespace {
 
-using DArea = Area<double>;
+using DRectangle = Rectangle<double>;
 using DMapping = Mapping<double>;
 using Pixel = std::optional<ivec2>;
 
 /// The report's camera plane, 2 x 1.5, in 640 x 480 pixels.
-const DMapping report = stretched(DArea{{-1, -0.75}, {1, 0.75}}, {640, 480});
+const DMapping report = stretched(DRectangle{{-1, -0.75}, {1, 0.75}}, {640, 480});
 
 /// Where a point stands in the picture before it is rounded.
 dvec2 place_of(const DMapping& map, dvec2 point) { return place_at(map.viewport, fraction_of(map, point)); }
@@ -111,7 +111,7 @@ int sixteenths(PixelOf pixel_of, int column) {
 
 TEST(Viewport, NearestIntegersShareTheColumnsUnevenly) {
   // E000-10, E000-11: 0 .. 8 has nine integers for eight columns
-  const DMapping unit = stretched(DArea{{0, 0}, {8, 1}}, {8, 1}, RowZero::bottom);
+  const DMapping unit = stretched(DRectangle{{0, 0}, {8, 1}}, {8, 1}, RowZero::bottom);
   const auto by = [&](Rounding rounding) {
     // Half a pixel up or down rows are 0 or 1: keep to row 0
     return [&unit, rounding](dvec2 p) { return rasterize(unit, dvec2{p.x, 0.25}, rounding); };
@@ -150,7 +150,7 @@ TEST(Viewport, TheClampSmearsLinesAlongTheBorder) {
 
 TEST(Viewport, ALetterboxKeepsShapes) {
   // A square window in a wide picture: bars left and right
-  const DMapping wide = letterboxed(DArea{{-1, -1}, {1, 1}}, {8, 6});
+  const DMapping wide = letterboxed(DRectangle{{-1, -1}, {1, 1}}, {8, 6});
   EXPECT_EQ(wide.viewport.lower, (dvec2{1, 0}));
   EXPECT_EQ(wide.viewport.upper, (dvec2{7, 6}));
   EXPECT_EQ(place_of(wide, {0, 0}), (dvec2{4, 3}));
@@ -159,21 +159,21 @@ TEST(Viewport, ALetterboxKeepsShapes) {
   // A bar is in the picture, but not of the window
   EXPECT_EQ(rasterize(wide, dvec2{1.1, 0}), std::nullopt);
   EXPECT_EQ(rasterize(wide, dvec2{-1, 0}), Pixel({1, 3}));
-  const DMapping tall = letterboxed(DArea{{-2, -1}, {2, 1}}, {8, 6});
+  const DMapping tall = letterboxed(DRectangle{{-2, -1}, {2, 1}}, {8, 6});
   EXPECT_EQ(tall.viewport.lower, (dvec2{0, 1}));
   EXPECT_EQ(tall.viewport.upper, (dvec2{8, 5}));
-  const DMapping same = letterboxed(DArea{{-4, -3}, {4, 3}}, {8, 6});
+  const DMapping same = letterboxed(DRectangle{{-4, -3}, {4, 3}}, {8, 6});
   EXPECT_EQ(same.viewport.lower, (dvec2{0, 0}));
   EXPECT_EQ(same.viewport.upper, (dvec2{8, 6}));
   // Stretched, a square becomes 4 : 3
-  const DMapping full = stretched(DArea{{-1, -1}, {1, 1}}, {8, 6});
+  const DMapping full = stretched(DRectangle{{-1, -1}, {1, 1}}, {8, 6});
   EXPECT_EQ(place_of(full, {1, 0}) - place_of(full, {0, 0}), (dvec2{4, 0}));
   EXPECT_EQ(place_of(full, {0, 1}) - place_of(full, {0, 0}), (dvec2{0, -3}));
 }
 
 TEST(Viewport, PixelCentresLeadBack) {
-  EXPECT_EQ(pixel_centre(stretched(DArea{{0, 0}, {8, 6}}, {8, 6}), {0, 0}), (dvec2{0.5, 5.5}));
-  EXPECT_EQ(pixel_centre(stretched(DArea{{0, 0}, {8, 6}}, {8, 6}, RowZero::bottom), {0, 0}),
+  EXPECT_EQ(pixel_centre(stretched(DRectangle{{0, 0}, {8, 6}}, {8, 6}), {0, 0}), (dvec2{0.5, 5.5}));
+  EXPECT_EQ(pixel_centre(stretched(DRectangle{{0, 0}, {8, 6}}, {8, 6}, RowZero::bottom), {0, 0}),
             (dvec2{0.5, 0.5}));
   EXPECT_EQ(to_plane(report, dvec2{0, 0}), (dvec2{-1, 0.75}));
   EXPECT_EQ(to_plane(report, dvec2{640, 480}), (dvec2{1, -0.75}));
@@ -200,14 +200,14 @@ TEST(Viewport, StepsFollowTheGrammar) {
 
 TEST(Viewport, OneBodyForEveryScalar) {
   EXPECT_EQ(to_pixel(glm::vec2{0.25f, 0.5f}, 8, 4), (glm::vec2{5, 1}));
-  const Mapping<float> single = letterboxed(Area<float>{{-1, -1}, {1, 1}}, {8, 6});
+  const Mapping<float> single = letterboxed(Rectangle<float>{{-1, -1}, {1, 1}}, {8, 6});
   EXPECT_EQ(rasterize(single, glm::vec2{0.4f, 0.4f}), Pixel({5, 1}));
   EXPECT_EQ(clamped(single, glm::vec2{9, 0}, Rounding::half_up), (ivec2{7, 3}));
   EXPECT_NEAR(pixel_centre(single, {1, 0}).x, -5.f / 6, 1e-7f);
   EXPECT_NEAR(pixel_centre(single, {1, 0}).y, 5.f / 6, 1e-7f);
   const ExactScope scope;
   EXPECT_EQ(to_pixel(ExactVec2{Exact(1, 3), Exact(1, 7)}, 3, 7), (ExactVec2{Exact(2), Exact(3)}));
-  const auto exact = stretched(Area<Exact>{{Exact(-1), Exact(-1)}, {Exact(1), Exact(1)}}, {3, 7});
+  const auto exact = stretched(Rectangle<Exact>{{Exact(-1), Exact(-1)}, {Exact(1), Exact(1)}}, {3, 7});
   EXPECT_EQ(rasterize(exact, ExactVec2{Exact(1, 3), Exact(1, 7)}), Pixel({2, 3}));
   EXPECT_EQ(rasterize(exact, ExactVec2{Exact(1), Exact(0)}), std::nullopt);
   EXPECT_EQ(clamped(exact, ExactVec2{Exact(1), Exact(0)}, Rounding::half_even), (ivec2{2, 4}));
@@ -217,13 +217,13 @@ TEST(Viewport, OneBodyForEveryScalar) {
 
 TEST(Viewport, MistakesAreNamed) {
   EXPECT_THROW(to_pixel(dvec2{0, 0}, 0, 4), ContractViolation);
-  const DArea window{{-1, -1}, {1, 1}};
+  const DRectangle window{{-1, -1}, {1, 1}};
   EXPECT_THROW(stretched(window, {0, 4}), ContractViolation);
   EXPECT_THROW(letterboxed(window, {4, 0}), ContractViolation);
   EXPECT_THROW(stretched(window, {4, most_pixels + 1}), ContractViolation);
-  EXPECT_THROW(stretched(DArea{{1, -1}, {-1, 1}}, {4, 4}), ContractViolation);
-  EXPECT_THROW(letterboxed(DArea{{-1, 1}, {1, 1}}, {4, 4}), ContractViolation);
-  EXPECT_THROW(stretched(DArea{{std::nan(""), -1}, {1, 1}}, {4, 4}), ContractViolation);
+  EXPECT_THROW(stretched(DRectangle{{1, -1}, {-1, 1}}, {4, 4}), ContractViolation);
+  EXPECT_THROW(letterboxed(DRectangle{{-1, 1}, {1, 1}}, {4, 4}), ContractViolation);
+  EXPECT_THROW(stretched(DRectangle{{std::nan(""), -1}, {1, 1}}, {4, 4}), ContractViolation);
 }
 
 }  // namespace
