@@ -20,7 +20,7 @@ template <class T, Observer<RowWritten<T>> O = Unobserved>
 Matrix<T> minus_position(const Frame<T>& frame, O&& observer = {}) {
   Matrix<T> matrix(T(1));
   for (int row = 0; row < 3; ++row) {
-    // An axis, and minus a coordinate of the eye
+    // An axis, and minus the eye itself
     const auto axis = axis_of(frame, row);
     const T shift = -frame.eye[row];
     write_row(matrix, row, axis, shift);

@@ -45,7 +45,7 @@ template <class T>
 struct Mapping {
   Rectangle<T> window;    ///< what is seen, on the camera plane
   Rectangle<T> viewport;  ///< where it comes to lie, in pixels
-  ivec2 picture;     ///< width and height in pixels
+  ivec2 picture;          ///< width and height in pixels
   RowZero row_zero = RowZero::top;
 };
 
@@ -112,7 +112,7 @@ struct Placed {
   glm::vec<2, T> place;  ///< in pixels, continuous
 };
 
-/// The place is not in the viewport, or its pixel not in the picture: nothing is drawn.
+/// The place is not in the viewport: nothing is drawn.
 template <class T>
 struct Outside {
   glm::vec<2, T> place;
@@ -123,6 +123,7 @@ template <class T>
 struct Rounded {
   glm::vec<2, T> place;
   ivec2 pixel;  ///< column, row
+  bool there;   ///< the picture has it; by floor it always does
 };
 
 /// A point stands in the picture (to_pixel).
@@ -204,12 +205,12 @@ template <class T, Observer<Measured<T>, Placed<T>, Outside<T>, Rounded<T>> O = 
 std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point,
                                Rounding rounding = Rounding::floor, O&& observer = {}) {
   // How far across the window is the point?
-  const auto fraction = fraction_of(map, point);
-  if constexpr (observed<O>) observer(Measured<T>{point, fraction});
+  const auto part = fraction_of(map, point);
+  if constexpr (observed<O>) observer(Measured<T>{point, part});
   // As far across the viewport, in pixels
   const Rectangle<T>& viewport = map.viewport;
-  const auto place = place_at(viewport, fraction);
-  if constexpr (observed<O>) observer(Placed<T>{fraction, place});
+  const auto place = place_at(viewport, part);
+  if constexpr (observed<O>) observer(Placed<T>{part, place});
   // Outside: say so, move nothing
   if (!holds(viewport, place)) {
     if constexpr (observed<O>) observer(Outside<T>{place});
@@ -217,11 +218,9 @@ std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point,
   }
   // The pixel, unless there is none
   const auto pixel = rounded(place, rounding);
-  if (!has_pixel(map.picture, pixel)) {
-    if constexpr (observed<O>) observer(Outside<T>{place});
-    return std::nullopt;
-  }
-  if constexpr (observed<O>) observer(Rounded<T>{place, pixel});
+  const bool there = has_pixel(map.picture, pixel);
+  if constexpr (observed<O>) observer(Rounded<T>{place, pixel, there});
+  if (!there) return std::nullopt;
   return pixel;
 }
 

@@ -8,10 +8,10 @@
 
 namespace gradus::viewport {
 
-/// A pixel was moved into the picture.
+/// Column and row are in the picture now, whether or not they were before.
 struct Clamped {
-  ivec2 nearest;  ///< the pixel of the rounded place, before (as near to it as an int can be)
-  ivec2 pixel;    ///< of the border
+  ivec2 nearest;  ///< the integers nearest to the place
+  ivec2 pixel;    ///< the same, or on the border
 };
 
 /// The nearest integer by a named rounding, for any x; beyond +-2^30 it is +-2^30.
@@ -20,6 +20,11 @@ int rounded_anywhere(T x, Rounding rounding) {
   const T most = T(1 << 30);
   if (!(x < most)) return 1 << 30;
   return x < -most ? -(1 << 30) : rounded(x, rounding);
+}
+
+template <class T>
+ivec2 integers(glm::vec<2, T> place, Rounding rounding) {
+  return {rounded_anywhere(place.x, rounding), rounded_anywhere(place.y, rounding)};
 }
 
 /// FAULTY for every point outside, and for those in the last half pixel: rounds to the nearest integer and
@@ -31,7 +36,7 @@ int rounded_anywhere(T x, Rounding rounding) {
 /// Domain: right to half a pixel for points whose nearest integers are in the picture. With 640 x 480 pixels
 ///   for a plane of 2 x 1.5 the point (2, 1) comes out at (639, 0), where the line from the middle to it
 ///   never is: that leaves the picture in row 80.
-/// Steps: Measured Placed Rounded Clamped?
+/// Steps: Measured Placed Rounded Clamped.
 /// Accuracy: none outside; inside half a pixel. The last column collects 3/2 pixels' points, column 0 half a
 ///   pixel's.
 /// Cost: as rasterize.
@@ -39,26 +44,22 @@ int rounded_anywhere(T x, Rounding rounding) {
 template <class T, Observer<Measured<T>, Placed<T>, Rounded<T>, Clamped> O = Unobserved>
 ivec2 clamped(const Mapping<T>& map, glm::vec<2, T> point, Rounding rounding, O&& observer = {}) {
   // How far across the window is the point?
-  const auto fraction = fraction_of(map, point);
-  if constexpr (observed<O>) observer(Measured<T>{point, fraction});
+  const auto part = fraction_of(map, point);
+  if constexpr (observed<O>) observer(Measured<T>{point, part});
   // As far across the viewport, in pixels
   const Rectangle<T>& viewport = map.viewport;
-  const auto place = place_at(viewport, fraction);
-  if constexpr (observed<O>) observer(Placed<T>{fraction, place});
+  const auto place = place_at(viewport, part);
+  if constexpr (observed<O>) observer(Placed<T>{part, place});
   // The nearest integers
-  const ivec2 nearest{
-      rounded_anywhere(place.x, rounding),
-      rounded_anywhere(place.y, rounding),
-  };
-  if constexpr (observed<O>) observer(Rounded<T>{place, nearest});
+  const auto near = integers(place, rounding);
+  const bool there = has_pixel(map.picture, near);
+  if constexpr (observed<O>) observer(Rounded<T>{place, near, there});
   // Each for itself into the picture
   const ivec2 last = map.picture - 1;
-  const ivec2 pixel{
-      std::clamp(nearest.x, 0, last.x),
-      std::clamp(nearest.y, 0, last.y),
-  };
-  if (pixel == nearest) return pixel;
-  if constexpr (observed<O>) observer(Clamped{nearest, pixel});
+  const int column = std::clamp(near.x, 0, last.x);
+  const int row = std::clamp(near.y, 0, last.y);
+  const ivec2 pixel{column, row};
+  if constexpr (observed<O>) observer(Clamped{near, pixel});
   return pixel;
 }
 

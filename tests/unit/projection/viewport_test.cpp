@@ -145,7 +145,8 @@ TEST(Viewport, TheClampSmearsLinesAlongTheBorder) {
   EXPECT_EQ(all<Clamped>(seen)[0].pixel, (ivec2{639, 0}));
   Recorder<Measured<double>, Placed<double>, Rounded<double>, Clamped> inside;
   EXPECT_EQ(clamped(report, dvec2{0.5, 0.3}, Rounding::half_even, inside), (ivec2{480, 144}));
-  EXPECT_EQ(inside.seen(), 3u);
+  ASSERT_EQ(inside.seen(), 4u);
+  EXPECT_EQ(all<Clamped>(inside)[0].pixel, all<Clamped>(inside)[0].nearest);
 }
 
 TEST(Viewport, ALetterboxKeepsShapes) {
@@ -196,6 +197,11 @@ TEST(Viewport, StepsFollowTheGrammar) {
   EXPECT_EQ(rasterize(report, dvec2{2, 1}, Rounding::floor, outside), std::nullopt);
   ASSERT_EQ(outside.seen(), 3u);
   EXPECT_EQ(std::get<Outside<double>>(outside.events()[2].step).place, (dvec2{960, -80}));
+  Recorder<Measured<double>, Placed<double>, Outside<double>, Rounded<double>> beyond;
+  EXPECT_EQ(rasterize(report, dvec2{0.999, 0}, Rounding::half_up, beyond), std::nullopt);
+  ASSERT_EQ(beyond.seen(), 3u);
+  EXPECT_EQ(all<Rounded<double>>(beyond)[0].pixel, (ivec2{640, 240}));
+  EXPECT_FALSE(all<Rounded<double>>(beyond)[0].there);
 }
 
 TEST(Viewport, OneBodyForEveryScalar) {

@@ -9,8 +9,8 @@
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
 #include "stories/paper.hpp"
-#include "stories/projection/wireframe.hpp"
 #include "stories/topic.hpp"
+#include "stories/wireframe.hpp"
 #include "stories/words.hpp"
 
 namespace gradus::viewing {
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
 
 /// Two panels on a paper of 36 x 27: the world, and what the viewer makes of it.
 const Extent world_place{{0.8, 0.8}, {20.2, 24.2}};
-const Extent seen_place{{22.6, 6}, {35.4, 18.8}};
+const Extent seen_place{{21.9, 5.8}, {35.3, 19.2}};
 
 struct Scene {
   dvec3 eye, target, up;
@@ -51,6 +51,10 @@ Scene scene_of(const Arguments& arguments) {
 
 /// What a matrix makes of a point.
 dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * glm::dvec4(p, 1)); }
+
+/// A number without what rounding has left where exact arithmetic says 0: below 2^-40 of `size`.
+double neat(double x, double size) { return std::abs(x) < 0x1p-40 * size ? 0 : x; }
+dvec3 neat(dvec3 v, double size) { return {neat(v.x, size), neat(v.y, size), neat(v.z, size)}; }
 
 /// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
 std::string product_text(dvec3 a, dvec3 b) {
@@ -98,7 +102,7 @@ class Drawing {
         view, "world", Role::past, parallel_sight({0.42, 0.3, 1}),
         [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
     const double size = 0.3 * scene_.distance;
-    hidden_aware(view, "sight", Role::boundary, scene_.eye, scene_.target);
+    hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
     if (!known.axes[1]) {
       arrow(view, "hint", Role::candidate, scene_.eye, scene_.eye + size * unit_vector(scene_.up),
             words_.say("viewing.hint"), true);
@@ -149,17 +153,11 @@ class Drawing {
     const auto flat = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
     Extent all;
     all.add(flat({0, 0, 0}));
-    for (const glm::dmat4& matrix : {wrong, right}) {
-      all.add(flat(through(matrix, scene_.target)));
-      for (const auto& [a, b] : wires_.edges()) {
-        all.add(flat(through(matrix, a)));
-        all.add(flat(through(matrix, b)));
-      }
-    }
+    for (const dvec3 p : {scene_.eye, scene_.target}) all.add(flat(through(wrong, p)));
     const double size = 0.3 * scene_.distance;
     for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, scene_.distance}})
       all.add(flat(tip));
-    const Extent place{{22.2, 1.5}, {35.4, 24.2}};
+    const Extent place{{21.8, 1.5}, {35, 24}};
     const Panel panel(place, widened(all, 0.06));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
     const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
@@ -171,21 +169,17 @@ class Drawing {
     line("space forward", Role::guide, {0, 0, scene_.distance}, "forward");
     view.add({"space eye", Role::input, Dot{at({0, 0, 0})}});
     if (!known.seen) return;
-    const auto drawn = [&](const glm::dmat4& matrix, Role role, const std::string& name, bool dashed) {
-      int number = 0;
-      for (const auto& [a, b] : wires_.edges()) {
-        view.add({fmt::format("letter {} {:02}", name, number++), role,
-                  Stroke{at(through(matrix, a)), at(through(matrix, b)), false, dashed}});
-      }
-    };
-    drawn(right, Role::past, "right", true);
-    drawn(wrong, Role::rejected, "wrong", false);
     const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
+    const dvec3 eye = through(wrong, scene_.eye);
+    view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
+    if (length_of(eye) > 1e-9 * scene_.distance) {
+      view.add({"eye there", Role::rejected, Dot{at(eye)}});
+      view.add({"eye there name", Role::rejected, Label{at(eye), words_.symbol("eye")}});
+    }
     view.add({"target here", Role::accepted, Dot{at(here), true}});
     view.add({"target here name", Role::accepted, Label{at(here), words_.say("viewing.belongs")}});
     view.add({"target there", Role::rejected, Dot{at(there)}});
-    view.add({"target there name", Role::rejected,
-              Label{at(there), words_.say("viewing.target_at", arg("place", figure_place(there)))}});
+    view.add({"target there name", Role::rejected, Label{at(there), words_.symbol("target")}});
   }
 
  private:
@@ -243,8 +237,7 @@ class Drawing {
   }
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
     view.add({id, role, Dot{world_.at(oblique(at))}});
-    view.add(
-        {id + " name", role, Label{world_.at(oblique(at)), fmt::format("{} {}", name, figure_place(at))}});
+    view.add({id + " name", role, Label{world_.at(oblique(at)), std::move(name)}});
   }
   void arrow(View& view, const std::string& id, Role role, dvec3 from, dvec3 to, std::string name,
              bool dashed) const {
@@ -309,39 +302,42 @@ class Teller {
     const dvec3 along = a.target - a.eye;
     step(line, "Aimed", "forward", words_.say("viewing.phase.frame"),
          words_.say("viewing.aimed", arg("along", figure_place(along)),
-                    arg("distance", figure_real(scene_.distance)), arg("forward", figure_place(a.forward))),
+                    arg("distance", figure_real(scene_.distance)),
+                    arg("forward", figure_place(neat(a.forward, 1)))),
          fields("forward", a.forward), {});
   }
   void operator()(const Levelled<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
     learn(0);
     const dvec3 across = glm::cross(frame_.forward, scene_.up);
     step(line, "Levelled", "right", words_.say("viewing.phase.frame"),
-         words_.say("viewing.levelled", arg("across", figure_place(across)),
-                    arg("length", figure_real(length_of(across))), arg("right", figure_place(l.right))),
+         words_.say("viewing.levelled", arg("across", figure_place(neat(across, length_of(across)))),
+                    arg("length", figure_real(length_of(across))),
+                    arg("right", figure_place(neat(l.right, 1)))),
          fields("right", l.right), {});
   }
   void operator()(const Framed<double>& f, int line = __builtin_LINE(), const char* = nullptr) {
     learn(1);
     step(line, "Framed", "up", words_.say("viewing.phase.frame"),
-         words_.say("viewing.framed", arg("up", figure_place(f.frame.up))), fields("up", f.frame.up), {});
+         words_.say("viewing.framed", arg("up", figure_place(neat(f.frame.up, 1)))), fields("up", f.frame.up),
+         {});
   }
   void operator()(const RowWritten<double>& r, int line = __builtin_LINE(), const char* = nullptr) {
     known_.newest = r.row;
     ++known_.rows;
-    write_row(matrix_, r.row, r.axis, r.shift);
+    const dvec3 axis = neat(r.axis, 1);
+    const double shift = neat(r.shift, length_of(scene_.eye));
     const std::string name(axis_names[static_cast<std::size_t>(r.row)]);
     std::string sentence;
     if (method_ == "minus_position") {
-      sentence = words_.say("viewing.position_row", arg("axis", words_.symbol(name)),
-                            arg("shift", figure_real(r.shift)),
-                            arg("right", figure_real(-glm::dot(r.axis, scene_.eye))));
+      sentence = words_.say(
+          "viewing.position_row", arg("axis", words_.symbol(name)), arg("shift", figure_real(shift)),
+          arg("right", figure_real(neat(-glm::dot(axis, scene_.eye), length_of(scene_.eye)))));
     } else if (method_ == "transposed") {
-      sentence = words_.say("viewing.transposed_row", arg("entries", figure_place(r.axis)),
-                            arg("axis", figure_place(axis_of(frame_, r.row))));
+      sentence = words_.say("viewing.transposed_row", arg("entries", figure_place(axis)),
+                            arg("axis", figure_place(neat(axis_of(frame_, r.row), 1))));
     } else {
-      sentence =
-          words_.say("viewing.row", arg("axis", words_.symbol(name)),
-                     arg("product", product_text(r.axis, scene_.eye)), arg("shift", figure_real(r.shift)));
+      sentence = words_.say("viewing.row", arg("axis", words_.symbol(name)),
+                            arg("product", product_text(axis, scene_.eye)), arg("shift", figure_real(shift)));
     }
     step(
         line, "RowWritten", name, words_.say("viewing.phase.matrix"), std::move(sentence),
@@ -349,18 +345,19 @@ class Teller {
         {kind_ == Kind::faulty && method_ == "transposed"
              ? words_.say("viewing.row_number", arg("n", r.row + 1))
              : words_.symbol(name),
-         figure_real(r.axis.x), figure_real(r.axis.y), figure_real(r.axis.z), figure_real(r.shift)});
+         figure_real(axis.x), figure_real(axis.y), figure_real(axis.z), figure_real(shift)});
   }
   void operator()(const ColumnWritten<double>& c, int line = __builtin_LINE(), const char* = nullptr) {
     known_.newest = c.column < 3 ? c.column : -1;
     known_.rows = std::min(3, c.column + 1);
     const std::string name(c.column < 3 ? axis_names[static_cast<std::size_t>(c.column)] : "eye");
+    const dvec3 entries = c.column < 3 ? neat(c.entries, 1) : c.entries;
     step(line, "ColumnWritten", name, words_.say("viewing.phase.matrix"),
          c.column < 3 ? words_.say("viewing.column", arg("axis", words_.symbol(name)),
-                                   arg("entries", figure_place(c.entries)))
-                      : words_.say("viewing.eye_column", arg("eye", figure_place(c.entries))),
+                                   arg("entries", figure_place(entries)))
+                      : words_.say("viewing.eye_column", arg("eye", figure_place(entries))),
          {{"column", std::int64_t{c.column}}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
-         {words_.symbol(name), figure_real(c.entries.x), figure_real(c.entries.y), figure_real(c.entries.z),
+         {words_.symbol(name), figure_real(entries.x), figure_real(entries.y), figure_real(entries.z),
           c.column < 3 ? "0" : "1"});
   }
 
@@ -369,19 +366,22 @@ class Teller {
     known_.newest = -1;
     known_.rows = 3;
     known_.seen = true;
+    const double size = length_of(scene_.eye) + length_of(scene_.target);
+    const int line = writer_.trace().listing.back().number;  // the matrix is returned
     if (kind_ == Kind::inverse) {
       const dvec3 back = through(matrix, {0, 0, scene_.distance});
-      step(0, "Viewed", "target", words_.say("words.result"),
+      step(line, "Viewed", "target", words_.say("words.result"),
            words_.say("viewing.led_back", arg("view", figure_place(dvec3{0, 0, scene_.distance})),
-                      arg("target", figure_place(back))),
+                      arg("target", figure_place(neat(back, size)))),
            fields("world", back), {});
       return;
     }
     matrix_ = matrix;
     const dvec3 seen = through(matrix, scene_.target);
     const std::string key = kind_ == Kind::rows ? "viewing.viewed" : "viewing.off_the_axis";
-    step(0, "Viewed", "target", words_.say("words.result"),
-         words_.say(key, arg("view", figure_place(seen)), arg("distance", figure_real(scene_.distance))),
+    step(line, "Viewed", "target", words_.say("words.result"),
+         words_.say(key, arg("view", figure_place(neat(seen, size))),
+                    arg("distance", figure_real(scene_.distance))),
          fields("view", seen), {words_.say("viewing.last_row"), "0", "0", "0", "1"});
   }
 
@@ -429,7 +429,7 @@ class Teller {
   DFrame frame_;
   glm::dmat4 right_{1}, wrong_{1}, matrix_{1};
   std::string method_;
-  View shown_;
+  View shown_ = bare_grid();
 };
 
 const std::vector<Method>& all_methods() {

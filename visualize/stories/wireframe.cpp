@@ -1,4 +1,4 @@
-#include "stories/projection/wireframe.hpp"
+#include "stories/wireframe.hpp"
 
 #include <cmath>
 #include <set>
