@@ -47,6 +47,11 @@ struct Mapping {
   Rectangle<T> viewport;  ///< where it comes to lie, in pixels
   ivec2 picture;          ///< width and height in pixels
   RowZero row_zero = RowZero::top;
+
+  /// Whether the picture has this pixel.
+  bool has(ivec2 pixel) const {
+    return 0 <= pixel.x && pixel.x < picture.x && 0 <= pixel.y && pixel.y < picture.y;
+  }
 };
 
 /// Pixels a side of the largest picture: 2^30.
@@ -180,11 +185,6 @@ ivec2 rounded(glm::vec<2, T> place, Rounding rounding) {
   return {rounded(place.x, rounding), rounded(place.y, rounding)};
 }
 
-/// Whether the picture has this pixel.
-constexpr bool has_pixel(ivec2 picture, ivec2 pixel) {
-  return 0 <= pixel.x && pixel.x < picture.x && 0 <= pixel.y && pixel.y < picture.y;
-}
-
 /// The pixel of a point on the camera plane, or nothing where the point is outside: the window-to-viewport
 /// transformation (Foley, van Dam, Feiner, Hughes, Computer graphics: principles and practice, 1990, section
 /// 5.4), then a rounding by name.
@@ -218,7 +218,7 @@ std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point,
   }
   // The pixel, unless there is none
   const auto pixel = rounded(place, rounding);
-  const bool there = has_pixel(map.picture, pixel);
+  const bool there = map.has(pixel);
   if constexpr (observed<O>) observer(Rounded<T>{place, pixel, there});
   if (!there) return std::nullopt;
   return pixel;

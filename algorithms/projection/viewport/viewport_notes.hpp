@@ -52,13 +52,13 @@ ivec2 clamped(const Mapping<T>& map, glm::vec<2, T> point, Rounding rounding, O&
   if constexpr (observed<O>) observer(Placed<T>{part, place});
   // The nearest integers
   const auto near = integers(place, rounding);
-  const bool there = has_pixel(map.picture, near);
+  const bool there = map.has(near);
   if constexpr (observed<O>) observer(Rounded<T>{place, near, there});
   // Each for itself into the picture
   const ivec2 last = map.picture - 1;
-  const int column = std::clamp(near.x, 0, last.x);
-  const int row = std::clamp(near.y, 0, last.y);
-  const ivec2 pixel{column, row};
+  const int x = std::clamp(near.x, 0, last.x);
+  const int y = std::clamp(near.y, 0, last.y);
+  const ivec2 pixel{x, y};
   if constexpr (observed<O>) observer(Clamped{near, pixel});
   return pixel;
 }

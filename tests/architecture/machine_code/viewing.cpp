@@ -13,19 +13,23 @@ extern "C" {
 [[gnu::flatten]] void machine_code_to_view(const Frame<double>& frame, dvec3* points, int count) {
   for (int i = 0; i < count; ++i) points[i] = gradus::viewing::to_view(frame, points[i]);
 }
-[[gnu::flatten]] void machine_code_world_to_view(const Frame<double>& frame, glm::dmat4& matrix) {
-  matrix = gradus::viewing::world_to_view(frame);
+[[gnu::flatten]] void machine_code_world_to_view(const Frame<double>* frames, int count,
+                                                 glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::world_to_view(frames[i]);
 }
-[[gnu::flatten]] void machine_code_view_to_world(const Frame<double>& frame, glm::dmat4& matrix) {
-  matrix = gradus::viewing::view_to_world(frame);
+[[gnu::flatten]] void machine_code_view_to_world(const Frame<double>* frames, int count,
+                                                 glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::view_to_world(frames[i]);
 }
-[[gnu::flatten]] void machine_code_inverse_of_any_frame(const Frame<double>& frame, glm::dmat4& matrix) {
-  matrix = gradus::viewing::inverse_of_any_frame(frame);
+[[gnu::flatten]] void machine_code_inverse_of_any_frame(const Frame<double>* frames, int count,
+                                                        glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::inverse_of_any_frame(frames[i]);
 }
-[[gnu::flatten]] void machine_code_minus_position(const Frame<double>& frame, glm::dmat4& matrix) {
-  matrix = gradus::viewing::minus_position(frame);
+[[gnu::flatten]] void machine_code_minus_position(const Frame<double>* frames, int count,
+                                                  glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::minus_position(frames[i]);
 }
-[[gnu::flatten]] void machine_code_transposed(const Frame<double>& frame, glm::dmat4& matrix) {
-  matrix = gradus::viewing::transposed(frame);
+[[gnu::flatten]] void machine_code_transposed(const Frame<double>* frames, int count, glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::transposed(frames[i]);
 }
 }

@@ -213,7 +213,7 @@ TEST(ViewportProperty, WindowCornersAreExact) {
     ASSERT_FALSE(rasterize(map, dvec2{window.upper.x, window.upper.y}).has_value());
     // The clamp never says that a point is outside
     const ivec2 pixel = clamped(map, any_point(random, map), Rounding::half_even);
-    ASSERT_TRUE(has_pixel(map.picture, pixel));
+    ASSERT_TRUE(map.has(pixel));
   }
   EXPECT_EQ(cases, 50000);
 }

@@ -26,6 +26,9 @@ constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
 const Extent world_place{{0.8, 0.8}, {20.2, 24.2}};
 const Extent seen_place{{21.9, 5.8}, {35.3, 19.2}};
 
+/// Farther away the letter is a dot, and numbers don't fit.
+constexpr double farthest = 1'000'000;
+
 struct Scene {
   dvec3 eye, target, up;
   double distance;  ///< from the eye to the target
@@ -34,6 +37,13 @@ struct Scene {
 
 Scene scene_of(const Arguments& arguments) {
   Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
+  for (const auto& [name, at] : {std::pair{"eye", scene.eye}, {"target", scene.target}, {"up", scene.up}}) {
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(at[i]) <= farthest) continue;
+      throw ArgumentError(name, fmt::format("coordinates from {0} to {1} expected, found {2}", -farthest,
+                                            farthest, arguments.text(name)));
+    }
+  }
   if (scene.eye == scene.target)
     throw ArgumentError("target", "a point apart from the eye expected, found the eye itself");
   if (scene.up == dvec3{0})
@@ -519,8 +529,6 @@ const TopicEntry& entry() {
   const auto numbers = [](std::string name, std::string value, std::string example, std::string help) {
     Parameter parameter{std::move(name), ParameterType::numbers, std::move(value), std::move(example),
                         std::move(help)};
-    parameter.least = -1'000'000;
-    parameter.most = 1'000'000;
     parameter.parts = {"x", "y", "z"};
     return parameter;
   };

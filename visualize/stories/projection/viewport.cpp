@@ -246,7 +246,7 @@ class Teller {
         drawing_(input, words_),
         fates_(input.points.size()),
         current_(input.points.size()) {
-    writer.trace().columns = {{"point", false}, {"x"}, {"y"}, {"px"}, {"py"}, {"pixel", false}};
+    writer.trace().columns = {{"point", false}, {"px"}, {"py"}, {"pixel", false}};
   }
 
   void input() {
@@ -308,13 +308,11 @@ class Teller {
   void landed() {
     Fate& now = fate();
     if (faulty_ && !now.pixel) now.pixel = now.nearest;
-    const dvec2 p = input_.points[current_];
     const std::string outcome = now.pixel ? figure_point(*now.pixel) : words_.say("viewport.outside");
     std::vector<Field> fields{{"outside", now.outside}};
     if (now.pixel) fields.push_back({"pixel", *now.pixel});
     tell(false, line_, now.outside ? "Outside" : "Rounded", "words.main_loop", sentence(), std::move(fields),
-         {name_of(current_), figure_real(p.x), figure_real(p.y), figure_real(now.place->x),
-          figure_real(now.place->y), outcome});
+         {name_of(current_), figure_real(now.place->x), figure_real(now.place->y), outcome});
     if (now.pixel) writer_.trace().pixels.push_back(*now.pixel);
   }
 
