@@ -430,9 +430,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const Wording& words = trace.wording;
   trace.topic = "viewport";
   trace.title = words.say("viewport.title");
-  const auto& [lower, upper] = input.map.window;
   trace.subtitle = words.count("viewport.subtitle", static_cast<long long>(input.points.size()),
-                               arg("lower", figure_place(lower)), arg("upper", figure_place(upper)),
                                arg("width", input.map.picture.x), arg("height", input.map.picture.y));
   trace.method = method.name;
   trace.method_title = words.say("viewport.method." + method.name);
