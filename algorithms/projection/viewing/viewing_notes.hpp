@@ -47,7 +47,7 @@ Matrix<T> transposed(const Frame<T>& frame, O&& observer = {}) {
   const auto up = frame.up;
   const auto back = -frame.forward;
   for (int row = 0; row < 3; ++row) {
-    // What belongs into a column stands in a row
+    // A column of the right matrix, as a row
     const glm::vec<3, T> axis{
         right[row],
         up[row],
