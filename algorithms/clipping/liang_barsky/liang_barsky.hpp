@@ -122,8 +122,8 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
 // --- The method without rounding errors --------------------------
 
 /// How a border cuts a line, by comparisons alone.
-template <class T>
-Crossing crossing_of(const Line<T>& line, const Rectangle<T>& window, Border border) {
+template <int N, class T>
+Crossing crossing_of(const Segment<N, T>& line, const AxisBox<N, T>& window, Border border) {
   const int axis = axis_of(border);
   const T a = line.a[axis], b = line.b[axis];
   if (a == b) return outside(line.a, window, border) ? Crossing::outside : Crossing::inside;
@@ -136,8 +136,8 @@ struct Span {
 };
 
 /// The exact order in which the line comes to two borders.
-template <class T>
-std::strong_ordering order_of(const Line<T>& line, const Rectangle<T>& window, Border i, Border j) {
+template <int N, class T>
+std::strong_ordering order_of(const Segment<N, T>& line, const AxisBox<N, T>& window, Border i, Border j) {
   return compare_cuts(line, axis_of(i), coordinate(window, i), axis_of(j), coordinate(window, j));
 }
 
@@ -163,8 +163,9 @@ struct Kept {
 };
 
 /// Takes a border into account: whether any of the line can be left.
-template <class T>
-bool narrow(Span& span, const Line<T>& line, const Rectangle<T>& window, Border border, Crossing crossing) {
+template <int N, class T>
+bool narrow(Span& span, const Segment<N, T>& line, const AxisBox<N, T>& window, Border border,
+            Crossing crossing) {
   const bool enters = crossing == Crossing::enters;
   if (crossing == Crossing::inside) return true;
   if (crossing == Crossing::outside) return false;
@@ -179,8 +180,8 @@ bool narrow(Span& span, const Line<T>& line, const Rectangle<T>& window, Border 
 }
 
 /// The point of the line at a border, correctly rounded.
-template <class T>
-glm::vec<2, T> point_at(const Line<T>& line, const Rectangle<T>& window, Border border) {
+template <int N, class T>
+glm::vec<N, T> point_at(const Segment<N, T>& line, const AxisBox<N, T>& window, Border border) {
   return cut_point(line, axis_of(border), coordinate(window, border));
 }
 
