@@ -39,7 +39,7 @@ enum class Border : std::uint8_t { left, right, bottom, top, near, far };
 /// The borders in the order in which a clipper takes them: all four of a rectangle, all six of a box, each
 /// once.
 template <int N>
-using BorderOrder = std::array<Border, 2 * N>;
+using BorderOrder = std::array<Border, 2 * std::size_t{N}>;
 
 template <int N>
 constexpr BorderOrder<N> usual_order() {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -16,12 +15,14 @@
 #include <string>
 
 #include "core/random.hpp"
+#include "support/clip_oracle.hpp"
 #include "support/seed.hpp"
 
 namespace gradus {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
+using test::is_nearest;
+using test::Rational;
 using test::seed;
 
 template <class T>
@@ -42,20 +43,6 @@ template <class T>
 Rational exact_cut(const Case<T>& k) {
   const Rational a = k.a_axis, b = k.b_axis, from = k.a_other, to = k.b_other, c = k.c;
   return from + (c - a) * (to - from) / (b - a);
-}
-
-bool even(double x) { return std::bit_cast<std::uint64_t>(x) % 2 == 0; }
-bool even(float x) { return std::bit_cast<std::uint32_t>(x) % 2 == 0; }
-
-// Whether no number of the type is nearer, and a tie went to even. (Results lie between end points, so what
-// follows the largest number is never needed.)
-template <class T>
-bool is_nearest(T rounded, const Rational& exact) {
-  if (Rational(rounded) == exact) return true;
-  const T next = std::nextafter(rounded, exact < Rational(rounded) ? -infinite<T> : infinite<T>);
-  const Rational here = abs(Rational(exact - Rational(rounded)));
-  const Rational there = abs(Rational(exact - Rational(next)));
-  return even(rounded) ? here <= there : here < there;
 }
 
 bool same_bits(double a, double b) {
