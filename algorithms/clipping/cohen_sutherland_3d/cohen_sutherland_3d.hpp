@@ -48,11 +48,11 @@ constexpr Border first_of(const Order& order, Code code) {
   return order.back();
 }
 
-/// Errors: ContractViolation unless each face is named once.
-constexpr void expect_each_face(const Order& order) {
+/// Whether an order names each face, and so none twice.
+constexpr bool names_each_face(const Order& order) {
   int named = 0;
   for (const Border face : order) named |= bit(face);
-  expects(named == 63, "an order of cutting names each of the six faces once");
+  return named == 63;
 }
 
 // --- Steps -------------------------------------------------------
@@ -129,7 +129,7 @@ template <int N, class T, class Region,
 std::optional<Line<N, T>> cut_of_a_cut(Line<N, T> line, const Region& region,
                                        const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
-  expect_each_face(order);
+  expects(names_each_face(order), "an order of cutting names each of the six faces once");
   auto [a, b] = line;
   Code code_a = region_code(a, region);
   Code code_b = region_code(b, region);
@@ -148,10 +148,11 @@ std::optional<Line<N, T>> cut_of_a_cut(Line<N, T> line, const Region& region,
     const bool of_a = code_a != 0;
     auto& end = of_a ? a : b;
     Code& code = of_a ? code_a : code_b;
-    const Border face = first_of(order, code);
+    auto face = first_of(order, code);
     const auto from = end;
     const Code before = code;
-    end = meet(end, of_a ? b : a, face, region);
+    const auto& other = of_a ? b : a;
+    end = meet(end, other, face, region);
     code = region_code(end, region);
     if constexpr (observed<O>) observer(Cut<N, T>{of_a, face, from, before, {a, b}, code_a, code_b});
   }
@@ -167,6 +168,18 @@ struct End {
   glm::vec<N, T> at;
   Code code;
 };
+
+/// An end as it came.
+template <int N, class T, class Region>
+End<N, T> coded(const glm::vec<N, T>& p, const Region& region) {
+  return {p, region_code(p, region)};
+}
+
+/// The step that moved an end.
+template <int N, class T>
+Cut<N, T> cut_of(bool of_a, Border face, const End<N, T>& old, const End<N, T>& a, const End<N, T>& b) {
+  return {of_a, face, old.at, old.code, {a.at, b.at}, a.code, b.code};
+}
 
 /// The end where the original line meets a face: correctly rounded, its code exact. Only where a rounded
 /// coordinate falls onto a face is there something to decide.
@@ -204,9 +217,9 @@ template <int N, class T, class Region,
 std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& region,
                                             const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
-  expect_each_face(order);
-  End<N, T> a{line.a, region_code(line.a, region)};
-  End<N, T> b{line.b, region_code(line.b, region)};
+  expects(names_each_face(order), "an order of cutting names each of the six faces once");
+  End<N, T> a = coded(line.a, region);
+  End<N, T> b = coded(line.b, region);
   if constexpr (observed<O>) observer(Classified<N, T>{line, a.code, b.code});
   // Both beyond one face: reject
   while ((a.code & b.code) == 0) {
@@ -219,11 +232,10 @@ std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& regio
     // of its code, along the original line
     const bool of_a = a.code != 0;
     End<N, T>& end = of_a ? a : b;
-    const Border face = first_of(order, end.code);
+    auto face = first_of(order, end.code);
     const End<N, T> old = end;
     end = end_at(line, face, region);
-    if constexpr (observed<O>)
-      observer(Cut<N, T>{of_a, face, old.at, old.code, {a.at, b.at}, a.code, b.code});
+    if constexpr (observed<O>) observer(cut_of(of_a, face, old, a, b));
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;
