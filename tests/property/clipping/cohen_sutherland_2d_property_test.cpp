@@ -2,15 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_batch.hpp"
 #include "core/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "support/clip_oracle.hpp"
@@ -189,6 +195,97 @@ TEST_F(CohenSutherland2dProperty, ACutOfACutDecidesCornersWrongly) {
   std::printf("decided wrongly %d of %d\n", wrong, ran);
   EXPECT_EQ(ran, 20000);
   EXPECT_GE(wrong, 200);
+}
+
+// --- Many at once --------------------------------------------------------------------------------
+
+// Runs `test` once for every kind of machine that this one can be
+template <class Test>
+int on_every_target(Test test) {
+  int targets = 0;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    test();
+    ++targets;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  return targets;
+}
+
+std::vector<std::uint8_t> batched(std::span<const Line<double>> lines, const Rectangle<double>& window,
+                                  std::vector<Line<double>>& clipped) {
+  clipped.resize(lines.size());
+  std::vector<std::uint8_t> accepted(lines.size());
+  const std::size_t kept = clip_batch(lines, window, clipped, accepted);
+  EXPECT_EQ(kept, static_cast<std::size_t>(std::count(accepted.begin(), accepted.end(), 1)));
+  return accepted;
+}
+
+TEST_F(CohenSutherland2dProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarget) {
+  std::int64_t ran = 0, kept = 0;
+  const int targets = on_every_target([&] {
+    for (int round = 0; round < 2000; ++round) {
+      SCOPED_TRACE(where(round));
+      // Lines of this kind with a window of this kind, in numbers that leave a rest
+      const ClipCase first = cases(round);
+      std::vector<Line<double>> lines{first.line};
+      while (lines.size() < static_cast<std::size_t>(round % 23)) lines.push_back(cases(round).line);
+      if (round % 23 == 0) lines.clear();
+      std::vector<Line<double>> clipped;
+      const auto accepted = batched(lines, first.window, clipped);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto line = correctly_rounded(lines[i], first.window);
+        ASSERT_EQ(accepted[i], line.has_value());
+        ASSERT_TRUE(same_bits(clipped[i], line ? *line : lines[i]));
+        ++ran;
+        kept += accepted[i];
+      }
+      // In place
+      std::vector<std::uint8_t> again(lines.size());
+      clip_batch(lines, first.window, lines, again);
+      ASSERT_EQ(again, accepted);
+      for (std::size_t i = 0; i < lines.size(); ++i) ASSERT_TRUE(same_bits(lines[i], clipped[i]));
+    }
+  });
+  EXPECT_GE(targets, 2);
+  EXPECT_GE(ran, 20000 * targets);
+  EXPECT_GE(kept, 2000 * targets);
+}
+
+// The same lines, one window: as the pipeline and the benchmark use it
+TEST_F(CohenSutherland2dProperty, ABatchOfManyLines) {
+  std::vector<Line<double>> lines;
+  for (int i = 0; i < 20000; ++i) lines.push_back(cases(i % 50 == 49 ? 3 : 0).line);
+  const Rectangle<double> window{{-300, -200}, {250, 400}};
+  on_every_target([&] {
+    std::vector<Line<double>> clipped;
+    const auto accepted = batched(lines, window, clipped);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto line = correctly_rounded(lines[i], window);
+      ASSERT_EQ(accepted[i], line.has_value()) << i;
+      ASSERT_TRUE(same_bits(clipped[i], line ? *line : lines[i])) << i;
+    }
+  });
+}
+
+TEST_F(CohenSutherland2dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
+  on_every_target([&] {
+    std::vector<Line<double>> lines(9, Line<double>{{1, 1}, {2, 2}}), clipped(9);
+    std::vector<std::uint8_t> accepted(9);
+    const Rectangle<double> ten{{0, 0}, {10, 10}};
+    EXPECT_EQ(clip_batch(lines, ten, clipped, accepted), 9u);
+    for (const std::size_t bad : {0u, 5u, 8u}) {
+      for (int axis = 0; axis < 4; ++axis) {
+        std::vector<Line<double>> some = lines;
+        (&some[bad].a.x)[axis] = axis % 2 ? std::nan("") : -std::numeric_limits<double>::infinity();
+        EXPECT_THROW(clip_batch(some, ten, clipped, accepted), ContractViolation);
+      }
+    }
+    EXPECT_THROW(clip_batch(lines, {{10, 0}, {0, 10}}, clipped, accepted), ContractViolation);
+    EXPECT_THROW(clip_batch(lines, ten, std::span(clipped).first(8), accepted), ContractViolation);
+    EXPECT_THROW(clip_batch(lines, ten, clipped, std::span(accepted).first(8)), ContractViolation);
+  });
 }
 
 }  // namespace
