@@ -306,6 +306,7 @@ Json grid_json(const Grid& grid) {
            {"x_name", grid.x_name},
            {"y_name", grid.y_name}};
   if (grid.whole) out["whole"] = true;
+  if (!grid.axes) out["axes"] = false;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);
   return out;
 }
