@@ -177,10 +177,11 @@ End<4, T> end_at(const Line<4, T>& line, Border face, const ViewVolume&) {
   }
   end.at = copied_onto(end.at, face);
   for (const Border other : usual_order<3>()) {
+    if (other == face) continue;
     const Depth<T> a = depth(line.a, other), b = depth(line.b, other);
     // Where both ends agree, so does all between them
     const bool out = negative(a) == negative(b) ? negative(a) : negative_at(there, a, b);
-    if (other != face && out) end.code |= bit(other);
+    if (out) end.code |= bit(other);
   }
   return end;
 }
