@@ -129,7 +129,7 @@ std::optional<Line<T>> cut_of_a_cut(Line<T> line, const Rectangle<T>& window,
     const bool of_a = code_a != 0;
     auto& end = of_a ? a : b;
     Code& code = of_a ? code_a : code_b;
-    const Border border = first_of(order, code);
+    const auto border = first_of(order, code);
     const auto from = end;
     const Code before = code;
     end = meet(a, b, border, window);
@@ -148,6 +148,12 @@ struct End {
   glm::vec<2, T> at;
   Code code;
 };
+
+/// An end that has not moved.
+template <class T>
+End<T> end_in(glm::vec<2, T> p, const Rectangle<T>& window) {
+  return {p, region_code(p, window)};
+}
 
 /// The end where the original line meets a border: correctly rounded, its code exact. Only where the rounded
 /// coordinate falls onto a border is there something to decide.
@@ -182,8 +188,8 @@ template <class T, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Un
 std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& window,
                                          const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  End<T> a{line.a, region_code(line.a, window)};
-  End<T> b{line.b, region_code(line.b, window)};
+  End<T> a = end_in(line.a, window);
+  End<T> b = end_in(line.b, window);
   if constexpr (observed<O>) observer(Classified<T>{line, window, a.code, b.code});
   // Both beyond one border: reject
   while ((a.code & b.code) == 0) {
@@ -196,7 +202,7 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
     // of its code, along the original line
     const bool of_a = a.code != 0;
     End<T>& end = of_a ? a : b;
-    const Border border = first_of(order, end.code);
+    auto border = first_of(order, end.code);
     const End<T> old = end;
     end = end_at(line, border, window);
     if constexpr (observed<O>) observer(Cut<T>{of_a, border, old.at, old.code, {a.at, b.at}, a.code, b.code});

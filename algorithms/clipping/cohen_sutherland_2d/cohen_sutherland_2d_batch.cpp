@@ -23,68 +23,105 @@ using M = hn::Mask<D>;
 
 constexpr double largest = 0x1p300;
 
-// A difference and what its rounding took away (two_sum), and its value in two parts of at most 26 and 27
-// bits, so that products of parts are exact
-struct Parts {
-  V value, error, high, low;
+// The same for both ends of the lines, side by side: two chains of operations that don't wait for each other
+struct Pair {
+  V a, b;
+};
+struct PairMask {
+  M a, b;
 };
 
-HWY_INLINE V two_sum_error(V a, V b, V sum) {
-  const V b_kept = hn::Sub(sum, a);
-  const V a_kept = hn::Sub(sum, b_kept);
-  return hn::Add(hn::Sub(a, a_kept), hn::Sub(b, b_kept));
+HWY_INLINE Pair add(Pair x, Pair y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
+HWY_INLINE Pair subtract(Pair x, Pair y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
+HWY_INLINE Pair multiply(Pair x, Pair y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
+HWY_INLINE Pair multiply(Pair x, double y) {
+  const V factor = hn::Set(D(), y);
+  return {hn::Mul(x.a, factor), hn::Mul(x.b, factor)};
 }
+HWY_INLINE Pair inverse_of(Pair x) {
+  const V one = hn::Set(D(), 1.0);
+  return {hn::Div(one, x.a), hn::Div(one, x.b)};
+}
+HWY_INLINE Pair size_of(Pair x) { return {hn::Abs(x.a), hn::Abs(x.b)}; }
+HWY_INLINE Pair choose(PairMask m, Pair yes, Pair no) {
+  return {hn::IfThenElse(m.a, yes.a, no.a), hn::IfThenElse(m.b, yes.b, no.b)};
+}
+HWY_INLINE Pair both(V x) { return {x, x}; }
+HWY_INLINE PairMask operator&(PairMask x, PairMask y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
+HWY_INLINE PairMask operator|(PairMask x, PairMask y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
+HWY_INLINE PairMask but_not(PairMask x, PairMask y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
+HWY_INLINE PairMask greater(Pair x, Pair y) { return {hn::Gt(x.a, y.a), hn::Gt(x.b, y.b)}; }
+HWY_INLINE PairMask equal(Pair x, Pair y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)}; }
 
+// The first 26 bits, so that products of such parts are exact
 HWY_INLINE V high_part(V x) {
   const hn::RebindToUnsigned<D> bits;
   return hn::And(x, hn::BitCast(D(), hn::Set(bits, ~((std::uint64_t{1} << 27) - 1))));
 }
+HWY_INLINE Pair high_part(Pair x) { return {high_part(x.a), high_part(x.b)}; }
 
-HWY_INLINE Parts difference(V a, V b) {
-  const V value = hn::Sub(a, b);
+// A difference: its rounded value, what the rounding took away, and the value in two parts of 26 and 27 bits
+struct Difference {
+  V value, error, high, low;
+};
+struct Differences {
+  Pair value, error, high, low;
+};
+
+HWY_INLINE Difference difference(V x, V y) {
+  const V value = hn::Sub(x, y);
+  const V y_kept = hn::Sub(x, value);
+  const V x_kept = hn::Add(value, y_kept);
   const V high = high_part(value);
-  return {value, two_sum_error(a, hn::Neg(b), value), high, hn::Sub(value, high)};
+  return {value, hn::Add(hn::Sub(x, x_kept), hn::Sub(y_kept, y)), high, hn::Sub(value, high)};
+}
+HWY_INLINE Differences difference(Pair x, Pair y) {
+  const Pair value = subtract(x, y);
+  const Pair y_kept = subtract(x, value);
+  const Pair x_kept = add(value, y_kept);
+  const Pair high = high_part(value);
+  return {value, add(subtract(x, x_kept), subtract(y_kept, y)), high, subtract(value, high)};
+}
+HWY_INLINE Differences choose(PairMask m, const Difference& yes, const Difference& no) {
+  return {choose(m, both(yes.value), both(no.value)), choose(m, both(yes.error), both(no.error)),
+          choose(m, both(yes.high), both(no.high)), choose(m, both(yes.low), both(no.low))};
 }
 
-HWY_INLINE Parts choose(M mask, const Parts& yes, const Parts& no) {
-  return {hn::IfThenElse(mask, yes.value, no.value), hn::IfThenElse(mask, yes.error, no.error),
-          hn::IfThenElse(mask, yes.high, no.high), hn::IfThenElse(mask, yes.low, no.low)};
-}
-
-struct Sure {
-  V value;
-  M sure;
+struct Sums {
+  Pair value;
+  PairMask sure;
 };
 
 // base + way * rise / length: the nearest double where that is certain. The same thought as
 // cut_coordinate_filtered, with shorter products: the quotient is wrong by less than 2^-75 of it
-HWY_INLINE Sure nearest_sum(V base, const Parts& way, const Parts& rise, const Parts& length) {
-  const D d;
-  const V product = hn::Mul(way.value, rise.value);
-  const V inverse = hn::Div(hn::Set(d, 1.0), length.value);
-  const V quotient = hn::Mul(product, inverse);
-  const V high = high_part(quotient), low = hn::Sub(quotient, high);
+HWY_INLINE Sums nearest_sum(Pair base, const Differences& way, const Differences& rise,
+                            const Differences& length) {
+  const Pair product = multiply(way.value, rise.value);
+  const Pair inverse = inverse_of(length.value);
+  const Pair quotient = multiply(product, inverse);
+  const Pair high = high_part(quotient), low = subtract(quotient, high);
 
   // way * rise - quotient * length: the large parts cancel exactly, then the middle ones, then the rest
-  const V first = hn::Sub(hn::Mul(way.high, rise.high), hn::Mul(high, length.high));
-  const V second = hn::Sub(hn::Mul(way.high, rise.low), hn::Mul(high, length.low));
-  const V third = hn::Sub(hn::Mul(way.low, rise.high), hn::Mul(low, length.high));
-  const V fourth = hn::Sub(hn::Mul(way.low, rise.low), hn::Mul(low, length.low));
-  const V errors = hn::Sub(hn::Add(hn::Mul(way.value, rise.error), hn::Mul(way.error, rise.value)),
-                           hn::Mul(quotient, length.error));
-  const V left_over = hn::Add(hn::Add(first, hn::Add(second, third)), hn::Add(fourth, errors));
+  const Pair first = subtract(multiply(way.high, rise.high), multiply(high, length.high));
+  const Pair second = subtract(multiply(way.high, rise.low), multiply(high, length.low));
+  const Pair third = subtract(multiply(way.low, rise.high), multiply(low, length.high));
+  const Pair fourth = subtract(multiply(way.low, rise.low), multiply(low, length.low));
+  const Pair errors = subtract(add(multiply(way.value, rise.error), multiply(way.error, rise.value)),
+                               multiply(quotient, length.error));
+  const Pair left_over = add(add(first, add(second, third)), add(fourth, errors));
 
-  // Add it up, and ask whether the bound could reach another double
-  const V sum = hn::Add(base, quotient);
-  const V rest = hn::Add(two_sum_error(base, quotient, sum), hn::Mul(left_over, inverse));
-  const V bound = hn::Add(
-      hn::Add(hn::Mul(hn::Abs(quotient), hn::Set(d, 0x1p-72)), hn::Mul(hn::Abs(sum), hn::Set(d, 0x1p-100))),
-      hn::Set(d, 0x1p-1060));
-  const V highest = hn::Add(sum, hn::Add(rest, bound));
-  const V lowest = hn::Add(sum, hn::Sub(rest, bound));
+  // Add it up without loss, and ask whether the bound could reach another double
+  const Pair sum = add(base, quotient);
+  const Pair quotient_kept = subtract(sum, base);
+  const Pair lost = add(subtract(base, subtract(sum, quotient_kept)), subtract(quotient, quotient_kept));
+  const Pair rest = add(lost, multiply(left_over, inverse));
+  const Pair bound =
+      add(multiply(add(size_of(quotient), size_of(base)), 0x1p-72), both(hn::Set(D(), 0x1p-1060)));
+  const Pair highest = add(sum, add(rest, bound)), lowest = add(sum, subtract(rest, bound));
   // Products that are nearly 0 have lost digits
-  const M full = hn::Or(hn::Ge(hn::Abs(product), hn::Set(d, 0x1p-700)), hn::Eq(rise.value, hn::Zero(d)));
-  return {highest, hn::And(hn::Eq(highest, lowest), full)};
+  const PairMask full =
+      greater(size_of(product), both(hn::Set(D(), 0x1p-700))) | equal(rise.value, both(hn::Zero(D())));
+  return {highest, equal(highest, lowest) & full};
 }
 
 // Both ends of some lines
@@ -92,119 +129,123 @@ struct Lanes {
   V ax, ay, bx, by;
 };
 
-// An end that lies outside, cut at the border that the line comes to last on its way in
-struct CutEnd {
-  V x, y;
-  V other, lower, upper;  // the coordinate that was computed, and between which borders it may lie
-  M sure;
-};
-
 struct Borders {
   V left, bottom, right, top;
 };
 
-HWY_INLINE CutEnd cut_end(V x, V y, M beyond_x, M beyond_y, M below_x, M below_y, const Parts& dx,
-                          const Parts& dy, const Borders& w) {
-  const D d;
-  const V cx = hn::IfThenElse(below_x, w.left, w.right), cy = hn::IfThenElse(below_y, w.bottom, w.top);
-  // Beyond two borders: the later one is where the way in, divided by the length, is longer
-  const V left = hn::Abs(hn::Mul(hn::Sub(cx, x), dy.value));
-  const V right = hn::Abs(hn::Mul(hn::Sub(cy, y), dx.value));
-  const V bound = hn::Add(hn::Mul(hn::Add(left, right), hn::Set(d, 0x1p-51)), hn::Set(d, 0x1p-1000));
-  const M ordered = hn::Gt(hn::Abs(hn::Sub(left, right)), bound);
-  const M both = hn::And(beyond_x, beyond_y);
-  const M at_x = hn::And(beyond_x, hn::Or(hn::Not(beyond_y), hn::Gt(left, right)));
-
-  const V c = hn::IfThenElse(at_x, cx, cy);
-  const V along = hn::IfThenElse(at_x, x, y), base = hn::IfThenElse(at_x, y, x);
-  const Sure other = nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy));
-  return {hn::IfThenElse(at_x, c, other.value),
-          hn::IfThenElse(at_x, other.value, c),
-          other.value,
-          hn::IfThenElse(at_x, w.bottom, w.left),
-          hn::IfThenElse(at_x, w.top, w.right),
-          hn::And(other.sure, hn::Or(hn::Not(both), ordered))};
-}
-
-struct Clipped {
-  Lanes lanes;
-  M accepted, sure;
+// Each end cut at the border that the line comes to last on its way in
+struct Cuts {
+  Pair x, y;
+  V other, lower, upper;  // of a: the coordinate that was computed, and between which borders it may lie
+  PairMask sure;
 };
 
-HWY_INLINE Clipped clip_lanes(const Lanes& p, const Borders& w) {
-  const D d;
-  // Codes. A coordinate that is not a number makes the sum none either
-  const M a_left = hn::Lt(p.ax, w.left), a_right = hn::Gt(p.ax, w.right);
-  const M a_bottom = hn::Lt(p.ay, w.bottom), a_top = hn::Gt(p.ay, w.top);
-  const M b_left = hn::Lt(p.bx, w.left), b_right = hn::Gt(p.bx, w.right);
-  const M b_bottom = hn::Lt(p.by, w.bottom), b_top = hn::Gt(p.by, w.top);
-  const M ax = hn::Or(a_left, a_right), ay = hn::Or(a_bottom, a_top);
-  const M bx = hn::Or(b_left, b_right), by = hn::Or(b_bottom, b_top);
-  const M in_range =
-      hn::Le(hn::Add(hn::Add(hn::Abs(p.ax), hn::Abs(p.ay)), hn::Add(hn::Abs(p.bx), hn::Abs(p.by))),
-             hn::Set(d, largest));
-  const M rejected = hn::Or(hn::Or(hn::And(a_left, b_left), hn::And(a_right, b_right)),
-                            hn::Or(hn::And(a_bottom, b_bottom), hn::And(a_top, b_top)));
-  const M a_outside = hn::Or(ax, ay), b_outside = hn::Or(bx, by);
-  const M undecided = hn::AndNot(rejected, hn::Or(a_outside, b_outside));
-  if (hn::AllFalse(d, undecided)) return {p, hn::Not(rejected), in_range};
+HWY_INLINE Cuts cut_ends(const Lanes& p, PairMask beyond_x, PairMask beyond_y, PairMask below_x,
+                         PairMask below_y, const Borders& w) {
+  const Difference dx = difference(p.bx, p.ax), dy = difference(p.by, p.ay);
+  const Pair x{p.ax, p.bx}, y{p.ay, p.by};
+  const Pair cx = choose(below_x, both(w.left), both(w.right)),
+             cy = choose(below_y, both(w.bottom), both(w.top));
+  // Beyond two borders: the later one is where the way in, divided by the length, is longer
+  const Pair by_x = size_of(multiply(subtract(cx, x), both(dy.value)));
+  const Pair by_y = size_of(multiply(subtract(cy, y), both(dx.value)));
+  const Pair bound = add(multiply(add(by_x, by_y), 0x1p-51), both(hn::Set(D(), 0x1p-1000)));
+  const PairMask ordered = greater(size_of(subtract(by_x, by_y)), bound);
+  const PairMask at_x = but_not(beyond_x, but_not(beyond_y, greater(by_x, by_y)));
 
+  const Pair c = choose(at_x, cx, cy);
+  const Pair along = choose(at_x, x, y), base = choose(at_x, y, x);
+  const Sums other = nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy));
+  return {choose(at_x, c, other.value),
+          choose(at_x, other.value, c),
+          other.value.a,
+          hn::IfThenElse(at_x.a, w.bottom, w.left),
+          hn::IfThenElse(at_x.a, w.top, w.right),
+          but_not(other.sure, but_not(beyond_x & beyond_y, ordered))};
+}
+
+// Beyond which borders some points lie
+struct Codes {
+  M left, right, bottom, top, x, y, any;
+};
+
+HWY_INLINE Codes codes_of(V x, V y, const Borders& w) {
+  const M left = hn::Lt(x, w.left), right = hn::Gt(x, w.right), bottom = hn::Lt(y, w.bottom),
+          top = hn::Gt(y, w.top);
+  const M beyond_x = hn::Or(left, right), beyond_y = hn::Or(bottom, top);
+  return {left, right, bottom, top, beyond_x, beyond_y, hn::Or(beyond_x, beyond_y)};
+}
+
+// What is left of the lines p, in place, and of which something is left; returns where that is certain
+HWY_INLINE M cut_lanes(Lanes& p, const Codes& ca, const Codes& cb, M rejected, const Borders& w,
+                       M& accepted) {
+  const M undecided = hn::AndNot(rejected, hn::Or(ca.any, cb.any));
   // Each end that is outside is cut once
-  const Parts dx = difference(p.bx, p.ax), dy = difference(p.by, p.ay);
-  const CutEnd a = cut_end(p.ax, p.ay, ax, ay, a_left, a_bottom, dx, dy, w);
-  const CutEnd b = cut_end(p.bx, p.by, bx, by, b_left, b_bottom, dx, dy, w);
+  const Cuts cut = cut_ends(p, {ca.x, cb.x}, {ca.y, cb.y}, {ca.left, cb.left}, {ca.bottom, cb.bottom}, w);
 
   // With both ends outside the line may pass a corner: it is in the window where the point of a lies there.
   // A point that was rounded onto a border may lie beyond it
-  const M two = hn::And(a_outside, b_outside);
-  const M inside = hn::And(hn::Gt(a.other, a.lower), hn::Lt(a.other, a.upper));
-  const M beside = hn::Or(hn::Lt(a.other, a.lower), hn::Gt(a.other, a.upper));
+  const M two = hn::And(ca.any, cb.any);
+  const M inside = hn::And(hn::Gt(cut.other, cut.lower), hn::Lt(cut.other, cut.upper));
+  const M beside = hn::Or(hn::Lt(cut.other, cut.lower), hn::Gt(cut.other, cut.upper));
   const M missed = hn::And(hn::And(undecided, two), beside);
-  const M accepted = hn::Not(hn::Or(rejected, missed));
-  const M a_sure = hn::And(hn::Or(hn::Not(a_outside), a.sure), hn::Or(hn::Not(two), hn::Or(inside, beside)));
-  const M b_sure = hn::Or(hn::Or(hn::Not(b_outside), missed), b.sure);
-  const M sure = hn::And(in_range, hn::Or(hn::Not(undecided), hn::And(a_sure, b_sure)));
+  accepted = hn::Not(hn::Or(rejected, missed));
+  const M a_unsure = hn::Or(hn::AndNot(cut.sure.a, ca.any), hn::AndNot(hn::Or(inside, beside), two));
+  const M b_unsure = hn::AndNot(hn::Or(cut.sure.b, missed), cb.any);
 
-  const M cut_a = hn::And(accepted, a_outside), cut_b = hn::And(accepted, b_outside);
-  return {{hn::IfThenElse(cut_a, a.x, p.ax), hn::IfThenElse(cut_a, a.y, p.ay),
-           hn::IfThenElse(cut_b, b.x, p.bx), hn::IfThenElse(cut_b, b.y, p.by)},
-          accepted,
-          sure};
+  const M cut_a = hn::And(accepted, ca.any), cut_b = hn::And(accepted, cb.any);
+  p.ax = hn::IfThenElse(cut_a, cut.x.a, p.ax);
+  p.ay = hn::IfThenElse(cut_a, cut.y.a, p.ay);
+  p.bx = hn::IfThenElse(cut_b, cut.x.b, p.bx);
+  p.by = hn::IfThenElse(cut_b, cut.y.b, p.by);
+  return hn::Not(hn::And(undecided, hn::Or(a_unsure, b_unsure)));
 }
 
-// Lanes(d) lines from `lines` on; returns how many are accepted
-HWY_INLINE std::size_t clip_some(const Line<double>* lines, const Rectangle<double>& window, const Borders& w,
-                                 Line<double>* clipped, std::uint8_t* accepted) {
+HWY_INLINE std::uint64_t bits_of(M mask) {
+  std::array<std::uint8_t, (HWY_MAX_BYTES / sizeof(double) + 7) / 8> bytes{};
+  hn::StoreMaskBits(D(), mask, bytes.data());
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
+  return bits;
+}
+
+// Lines that are not certain, one by one, from what stands in `lines`, which `clipped` may be; returns for
+// which lines something is left
+HWY_NOINLINE std::uint64_t clip_unsure(const Line<double>* lines, const Rectangle<double>& window,
+                                       std::uint64_t sure, std::uint64_t accepted, const Lanes& found,
+                                       Line<double>* clipped) {
   const D d;
-  constexpr std::size_t most = HWY_MAX_BYTES / sizeof(double);
-  const std::size_t count = hn::Lanes(d);
+  std::array<Line<double>, HWY_MAX_BYTES / sizeof(double)> before;
+  std::copy_n(lines, hn::Lanes(d), before.begin());
+  hn::StoreInterleaved4(found.ax, found.ay, found.bx, found.by, d, &clipped->a.x);
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+    if (sure >> i & 1) continue;
+    const std::optional<Line<double>> line = correctly_rounded(before[i], window);
+    clipped[i] = line ? *line : before[i];
+    accepted = (accepted & ~(std::uint64_t{1} << i)) | std::uint64_t{line.has_value()} << i;
+  }
+  return accepted;
+}
+
+// As many lines as go together, from `lines` on; returns for which of them something is left
+HWY_INLINE std::uint64_t clip_some(const Line<double>* lines, const Rectangle<double>& window,
+                                   const Borders& w, Line<double>* clipped) {
+  const D d;
   Lanes p;
   hn::LoadInterleaved4(d, &lines->a.x, p.ax, p.ay, p.bx, p.by);
-  const Clipped found = clip_lanes(p, w);
-
-  std::array<std::uint8_t, 8 * (most + 7) / 8> bytes{};
-  hn::StoreMaskBits(d, found.accepted, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < (count + 7) / 8; ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  if (!hn::AllTrue(d, found.sure)) {
-    // One by one, from what stood there: `clipped` may be `lines`
-    std::array<Line<double>, most> before;
-    std::copy_n(lines, count, before.begin());
-    hn::StoreMaskBits(d, found.sure, bytes.data());
-    std::uint64_t sure = 0;
-    for (std::size_t i = 0; i < (count + 7) / 8; ++i) sure |= std::uint64_t{bytes[i]} << (8 * i);
-    hn::StoreInterleaved4(found.lanes.ax, found.lanes.ay, found.lanes.bx, found.lanes.by, d, &clipped->a.x);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (sure >> i & 1) continue;
-      const std::optional<Line<double>> line = correctly_rounded(before[i], window);
-      clipped[i] = line ? *line : before[i];
-      bits = (bits & ~(std::uint64_t{1} << i)) | std::uint64_t{line.has_value()} << i;
-    }
-  } else {
-    hn::StoreInterleaved4(found.lanes.ax, found.lanes.ay, found.lanes.bx, found.lanes.by, d, &clipped->a.x);
+  const Codes a = codes_of(p.ax, p.ay, w), b = codes_of(p.bx, p.by, w);
+  const M rejected = hn::Or(hn::Or(hn::And(a.left, b.left), hn::And(a.right, b.right)),
+                            hn::Or(hn::And(a.bottom, b.bottom), hn::And(a.top, b.top)));
+  // A coordinate that is not a number makes the sum none either
+  M sure = hn::Le(hn::Add(hn::Add(hn::Abs(p.ax), hn::Abs(p.ay)), hn::Add(hn::Abs(p.bx), hn::Abs(p.by))),
+                  hn::Set(d, largest));
+  M accepted = hn::Not(rejected);
+  if (!hn::AllFalse(d, hn::AndNot(rejected, hn::Or(a.any, b.any)))) {
+    sure = hn::And(sure, cut_lanes(p, a, b, rejected, w, accepted));
   }
-  for (std::size_t i = 0; i < count; ++i) accepted[i] = static_cast<std::uint8_t>(bits >> i & 1);
-  return static_cast<std::size_t>(std::popcount(bits));
+  if (!hn::AllTrue(d, sure)) return clip_unsure(lines, window, bits_of(sure), bits_of(accepted), p, clipped);
+  hn::StoreInterleaved4(p.ax, p.ay, p.bx, p.by, d, &clipped->a.x);
+  return bits_of(accepted);
 }
 
 std::size_t clip_all(const Line<double>* lines, std::size_t size, const Rectangle<double>& window,
@@ -215,7 +256,9 @@ std::size_t clip_all(const Line<double>* lines, std::size_t size, const Rectangl
                   hn::Set(d, window.upper.y)};
   std::size_t kept = 0, i = 0;
   for (; i + count <= size; i += count) {
-    kept += clip_some(lines + i, window, w, clipped + i, accepted + i);
+    const std::uint64_t bits = clip_some(lines + i, window, w, clipped + i);
+    for (std::size_t k = 0; k < count; ++k) accepted[i + k] = static_cast<std::uint8_t>(bits >> k & 1);
+    kept += static_cast<std::size_t>(std::popcount(bits));
   }
   // The last few
   for (; i < size; ++i) {

@@ -49,11 +49,11 @@ std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
       if constexpr (observed<O>) observer(Rejected{static_cast<Code>(code_a & code_b)});
       return std::nullopt;
     }
-    // Find where the line meets the border
-    const Code code_out = code_a ? code_a : code_b;
-    const Border border = first_of(order, code_out);
+    // Where the line meets a border
+    const Code out = code_a ? code_a : code_b;
+    const auto border = first_of(order, out);
     const auto at = meet(a, b, border, window);
-    // Its code goes to an end, the point nowhere
+    // Only its code goes to an end
     const bool of_a = border == Border::left;
     Code& code = of_a ? code_a : code_b;
     code = region_code(at, window);

@@ -3,8 +3,7 @@
 // border allows the values of t on one side of the t at which the segment crosses it. What all borders allow
 // is an interval, from the last entering to the first leaving; when it is empty nothing is left.
 
-#include <array>
-#include <cstddef>
+#include <compare>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -85,6 +84,7 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
   const auto [a, b] = line;
   const auto d = b - a;
   T enter = T(0), leave = T(1);
+  using enum Crossing;
   if constexpr (observed<O>) observer(Started<T>{line, window, d});
   for (const Border border : order) {
     // The border allows p t <= q
@@ -93,20 +93,20 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
     T p = d[axis], q = c - a[axis];
     if (!is_upper(border)) p = -p, q = -q;
     T t = T(0);
-    auto crossing = q < T(0) ? Crossing::outside : Crossing::inside;
+    auto crossing = q < T(0) ? outside : inside;
     // The last entering, the first leaving
     if (p < T(0)) {
       t = q / p;
-      crossing = Crossing::enters;
+      crossing = enters;
       if (t > enter) enter = t;
     } else if (p > T(0)) {
       t = q / p;
-      crossing = Crossing::leaves;
+      crossing = leaves;
       if (t < leave) leave = t;
     }
     if constexpr (observed<O>) observer(Tested<T>{border, p, q, crossing, t, enter, leave});
     // Nothing left: reject
-    if (crossing == Crossing::outside || enter > leave) {
+    if (crossing == outside || enter > leave) {
       if constexpr (observed<O>) observer(Rejected<T>{enter, leave});
       return std::nullopt;
     }
@@ -135,12 +135,6 @@ struct Span {
   std::optional<Border> enter, leave;
 };
 
-/// The exact order in which the line comes to two borders.
-template <int N, class T>
-std::strong_ordering order_of(const Segment<N, T>& line, const AxisBox<N, T>& window, Border i, Border j) {
-  return compare_cuts(line, axis_of(i), coordinate(window, i), axis_of(j), coordinate(window, j));
-}
-
 /// A border was put in its place among those that the line comes to.
 template <class T>
 struct Ordered {
@@ -162,28 +156,41 @@ struct Kept {
   Span span;
 };
 
-/// Takes a border into account: whether any of the line can be left.
+/// What borders leave of a line: it is narrowed by one after the other.
 template <int N, class T>
-bool narrow(Span& span, const Segment<N, T>& line, const AxisBox<N, T>& window, Border border,
-            Crossing crossing) {
-  const bool enters = crossing == Crossing::enters;
-  if (crossing == Crossing::inside) return true;
-  if (crossing == Crossing::outside) return false;
-  // Nothing happens at a border that both ends are inside of; beyond it lies all, or the part at one end
-  if (!outside(enters ? line.a : line.b, window, border)) return true;
-  if (outside(enters ? line.b : line.a, window, border)) return false;
-  auto& latest = enters ? span.enter : span.leave;
-  const bool better = !latest || (enters ? order_of(line, window, border, *latest) > 0
-                                         : order_of(line, window, border, *latest) < 0);
-  if (better) latest = border;
-  return !span.enter || !span.leave || order_of(line, window, *span.enter, *span.leave) <= 0;
-}
+struct Narrowing {
+  Segment<N, T> line;
+  AxisBox<N, T> window;
+  Span span{};
 
-/// The point of the line at a border, correctly rounded.
-template <int N, class T>
-glm::vec<N, T> point_at(const Segment<N, T>& line, const AxisBox<N, T>& window, Border border) {
-  return cut_point(line, axis_of(border), coordinate(window, border));
-}
+  /// The exact order in which the line comes to two borders.
+  std::strong_ordering order_of(Border i, Border j) const {
+    return compare_cuts(line, axis_of(i), coordinate(window, i), axis_of(j), coordinate(window, j));
+  }
+
+  /// Takes a border into account: whether any of the line can be left.
+  bool by(Border border) {
+    const Crossing crossing = crossing_of(line, window, border);
+    if (crossing == Crossing::inside) return true;
+    if (crossing == Crossing::outside) return false;
+    const bool enters = crossing == Crossing::enters;
+    // Nothing happens at a border that both ends are inside of; beyond it lies all, or the part at one end
+    if (!outside(enters ? line.a : line.b, window, border)) return true;
+    if (outside(enters ? line.b : line.a, window, border)) return false;
+    auto& latest = enters ? span.enter : span.leave;
+    const bool better = !latest || (enters ? order_of(border, *latest) > 0 : order_of(border, *latest) < 0);
+    if (better) latest = border;
+    return !span.enter || !span.leave || order_of(*span.enter, *span.leave) <= 0;
+  }
+
+  /// The line's points at the two borders, correctly rounded, or its ends where it has none.
+  Segment<N, T> rest() const {
+    const auto at = [&](Border border) {
+      return cut_point(line, axis_of(border), coordinate(window, border));
+    };
+    return {span.enter ? at(*span.enter) : line.a, span.leave ? at(*span.leave) : line.b};
+  }
+};
 
 /// The part of a segment that lies in a window, decided exactly, its ends correctly rounded: borders are
 /// compared by the exact order in which the line comes to them, and no value of t is ever rounded.
@@ -201,13 +208,13 @@ template <class T, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O = Unobser
 std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& window,
                                          const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  Span span;
+  Narrowing<2, T> narrowing{line, window};
   if constexpr (observed<O>) observer(Started<T>{line, window, line.b - line.a});
   for (const Border border : order) {
     // The last entering, the first leaving
-    auto crossing = crossing_of(line, window, border);
-    bool left = narrow(span, line, window, border, crossing);
-    if constexpr (observed<O>) observer(Ordered<T>{border, crossing, !left, span});
+    bool left = narrowing.by(border);
+    const auto& span = narrowing.span;
+    if constexpr (observed<O>) observer(Ordered<T>{border, crossing_of(line, window, border), !left, span});
     // Nothing left: reject
     if (!left) {
       if constexpr (observed<O>) observer(Missed{span});
@@ -215,10 +222,8 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
     }
   }
   // The points at those two borders
-  Line<T> rest = line;
-  if (span.enter) rest.a = point_at(line, window, *span.enter);
-  if (span.leave) rest.b = point_at(line, window, *span.leave);
-  if constexpr (observed<O>) observer(Kept<T>{rest, span});
+  Line<T> rest = narrowing.rest();
+  if constexpr (observed<O>) observer(Kept<T>{rest, narrowing.span});
   return rest;
 }
 

@@ -119,13 +119,13 @@ std::optional<SpaceLine<T>> box_correctly_rounded(SpaceLine<T> line, const Box<T
                                                   const BoxOrder& order = usual_order<3>(),
                                                   O&& observer = {}) {
   expect_clippable(line, box);
-  Span span;
+  Narrowing<3, T> narrowing{line, box};
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, line.b - line.a});
   for (const Border face : order) {
     // The last entering, the first leaving
-    auto crossing = crossing_of(line, box, face);
-    bool left = narrow(span, line, box, face, crossing);
-    if constexpr (observed<O>) observer(Ordered<T>{face, crossing, !left, span});
+    bool left = narrowing.by(face);
+    const auto& span = narrowing.span;
+    if constexpr (observed<O>) observer(Ordered<T>{face, crossing_of(line, box, face), !left, span});
     // Nothing left: reject
     if (!left) {
       if constexpr (observed<O>) observer(Missed{span});
@@ -133,10 +133,8 @@ std::optional<SpaceLine<T>> box_correctly_rounded(SpaceLine<T> line, const Box<T
     }
   }
   // The points at those two faces
-  SpaceLine<T> rest = line;
-  if (span.enter) rest.a = point_at(line, box, *span.enter);
-  if (span.leave) rest.b = point_at(line, box, *span.leave);
-  if constexpr (observed<O>) observer(BoxKept<T>{rest, span});
+  SpaceLine<T> rest = narrowing.rest();
+  if constexpr (observed<O>) observer(BoxKept<T>{rest, narrowing.span});
   return rest;
 }
 
