@@ -90,16 +90,13 @@ void expect_clippable(const Segment<N, T>& segment, const AxisBox<N, T>& box) {
 
 // --- The point of a cut -----------------------------------------------------------------------------------
 
-/// The double nearest to the other coordinate of a cut where fast arithmetic is sure of it, else nothing.
+/// The double nearest to a + way * rise / length where fast arithmetic is sure of it, else nothing.
 /// Source: quotient and sum in double-double (T. J. Dekker, A floating-point technique for extending the
 /// available precision, Numerische Mathematik 18, 1971, 224-242), then a rounding test: what lies within the
 /// error bound on both sides must round to the same double.
-/// Domain: any doubles with a_axis != b_axis; nothing where a difference leaves 2^-400..2^400. Cost: 10 ns.
-inline std::optional<double> cut_coordinate_filtered(double a_axis, double b_axis, double a_other,
-                                                     double b_other, double c) {
-  const Rounded way = two_difference(c, a_axis);
-  const Rounded length = two_difference(b_axis, a_axis);
-  const Rounded rise = two_difference(b_other, a_other);
+/// way, rise, length: the three numbers to within 2^-104 of themselves. Domain: any doubles, length not 0;
+/// nothing where one of them leaves 2^-400..2^400. Cost: some 10 ns.
+inline std::optional<double> sum_with_quotient_filtered(double a, Rounded way, Rounded rise, Rounded length) {
   const auto fits = [](double x) { return 0x1p-400 <= std::abs(x) && std::abs(x) <= 0x1p400; };
   if (!fits(way.value) || !fits(length.value) || !fits(rise.value)) return std::nullopt;
 
@@ -112,12 +109,21 @@ inline std::optional<double> cut_coordinate_filtered(double a_axis, double b_axi
   const double correction = left_over / length.value;
 
   // Add it to a, and ask whether the bound could reach another double
-  const Rounded sum = two_sum(a_other, quotient);
+  const Rounded sum = two_sum(a, quotient);
   const double rest = sum.error + correction;
   const double bound = 0x1p-95 * std::abs(quotient) + 0x1p-100 * std::abs(sum.value) + 0x1p-1060;
   const double highest = sum.value + (rest + bound);
   if (highest != sum.value + (rest - bound)) return std::nullopt;
   return highest;
+}
+
+/// The double nearest to the other coordinate of a cut where fast arithmetic is sure of it, else nothing.
+/// Domain: any doubles with a_axis != b_axis; nothing where a difference leaves 2^-400..2^400. Cost: some 10
+/// ns.
+inline std::optional<double> cut_coordinate_filtered(double a_axis, double b_axis, double a_other,
+                                                     double b_other, double c) {
+  return sum_with_quotient_filtered(a_other, two_difference(c, a_axis), two_difference(b_other, a_other),
+                                    two_difference(b_axis, a_axis));
 }
 
 /// The same by exact arithmetic alone. Domain: finite, a_axis != b_axis (refused). Cost: about 1 us, up to

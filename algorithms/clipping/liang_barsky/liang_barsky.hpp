@@ -122,8 +122,8 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
 // --- The method without rounding errors --------------------------
 
 /// How a border cuts a line, by comparisons alone.
-template <class T>
-Crossing crossing_of(const Line<T>& line, const Rectangle<T>& window, Border border) {
+template <int N, class T>
+Crossing crossing_of(const Segment<N, T>& line, const AxisBox<N, T>& window, Border border) {
   const int axis = axis_of(border);
   const T a = line.a[axis], b = line.b[axis];
   if (a == b) return outside(line.a, window, border) ? Crossing::outside : Crossing::inside;
@@ -157,10 +157,10 @@ struct Kept {
 };
 
 /// What borders leave of a line: it is narrowed by one after the other.
-template <class T>
+template <int N, class T>
 struct Narrowing {
-  Line<T> line;
-  Rectangle<T> window;
+  Segment<N, T> line;
+  AxisBox<N, T> window;
   Span span{};
 
   /// The exact order in which the line comes to two borders.
@@ -184,7 +184,7 @@ struct Narrowing {
   }
 
   /// The line's points at the two borders, correctly rounded, or its ends where it has none.
-  Line<T> rest() const {
+  Segment<N, T> rest() const {
     const auto at = [&](Border border) {
       return cut_point(line, axis_of(border), coordinate(window, border));
     };
@@ -208,7 +208,7 @@ template <class T, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O = Unobser
 std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& window,
                                          const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  Narrowing<T> narrowing{line, window};
+  Narrowing<2, T> narrowing{line, window};
   if constexpr (observed<O>) observer(Started<T>{line, window, line.b - line.a});
   for (const Border border : order) {
     // The last entering, the first leaving

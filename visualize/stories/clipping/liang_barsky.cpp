@@ -2,6 +2,8 @@
 
 #include "clipping/liang_barsky/liang_barsky.hpp"
 
+#include "clipping/liang_barsky/liang_barsky_box.hpp"
+#include "stories/clipping/box_view.hpp"
 #include "stories/clipping/window_view.hpp"
 
 namespace gradus::liang_barsky {
@@ -242,37 +244,224 @@ class Teller {
   View shown_ = bare_grid();
 };
 
+/// A segment in space and a box.
+struct BoxTask {
+  SpaceLine<double> line;
+  Box<double> box;
+};
+
+/// The same in a box: the space above, the values of t below.
+class BoxTeller {
+ public:
+  BoxTeller(TraceWriter& writer, const BoxTask& task)
+      : writer_(writer), words_(writer.wording()), task_(task), space_(place(), shown(task)) {}
+
+  void operator()(const BoxStarted<double>& s, int source_line = __builtin_LINE(), const char* = nullptr) {
+    show(source_line, [&](TraceStep& step) {
+      step.type = "BoxStarted";
+      step.phase = words_.say("words.set_up");
+      step.key = "start";
+      step.fields = {{"dx", s.d.x}, {"dy", s.d.y}, {"dz", s.d.z}};
+      step.sentence =
+          words_.say("liang_barsky.started", arg("a", figure_place(s.line.a)), arg("d", figure_place(s.d)));
+      step.row = {"", "", "", "", "", figure_real(enter_), figure_real(leave_)};
+    });
+  }
+
+  void operator()(const Tested<double>& t, int source_line = __builtin_LINE(), const char* = nullptr) {
+    enter_ = t.enter;
+    leave_ = t.leave;
+    values_.push_back({t.border, t.crossing, t.t});
+    const std::string kind(kind_of(t.crossing)), face(name_of(t.border));
+    const bool parallel = t.crossing == Crossing::inside || t.crossing == Crossing::outside;
+    show(source_line, [&](TraceStep& step) {
+      step.type = "Tested";
+      step.phase = words_.say("words.main_loop");
+      step.key = face;
+      step.fields = {{"border", face}, {"p", t.p},         {"q", t.q},
+                     {"t", t.t},       {"enter", t.enter}, {"leave", t.leave}};
+      step.sentence =
+          parallel
+              ? words_.say("liang_barsky." + kind, arg("border", name(t.border)), arg("q", figure_real(t.q)))
+              : words_.say("liang_barsky." + kind, arg("border", name(t.border)), arg("p", figure_real(t.p)),
+                           arg("q", window_view::factor(t.q)), arg("pq", window_view::factor(t.p)),
+                           arg("t", figure_real(t.t)),
+                           arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
+      step.row = {name(t.border),
+                  figure_real(t.p),
+                  figure_real(t.q),
+                  parallel ? "" : figure_real(t.t),
+                  words_.say("liang_barsky.kind." + kind),
+                  figure_real(enter_),
+                  figure_real(leave_)};
+    });
+  }
+
+  void operator()(const BoxAccepted<double>& a, int source_line = __builtin_LINE(), const char* = nullptr) {
+    left_over_ = Role::result;
+    show(source_line, [&](TraceStep& step) {
+      step.type = "BoxAccepted";
+      step.phase = words_.say("words.result");
+      step.level = Level::idea;
+      step.sentence = words_.say("liang_barsky.accepted_box", arg("from", figure_place(a.line.a)),
+                                 arg("to", figure_place(a.line.b)));
+    });
+    writer_.trace().result = {{"accepted", true}};
+  }
+
+  void operator()(const Rejected<double>&, int source_line = __builtin_LINE(), const char* = nullptr) {
+    left_over_ = Role::rejected;
+    show(source_line, [&](TraceStep& step) {
+      step.type = "Rejected";
+      step.phase = words_.say("words.result");
+      step.level = Level::idea;
+      step.sentence = words_.say("liang_barsky.rejected_box");
+    });
+    writer_.trace().result = {{"accepted", false}};
+  }
+
+ private:
+  static Extent place() { return {{3, 9}, {33, 26}}; }
+  static std::vector<dvec3> shown(const BoxTask& task) {
+    std::vector<dvec3> points{task.line.a, task.line.b};
+    for (int corner = 0; corner < 8; ++corner) points.push_back(box_corner(task.box, corner));
+    return points;
+  }
+  static std::string_view name_of(Border face) {
+    constexpr std::string_view names[] = {"left", "right", "bottom", "top", "near", "far"};
+    return names[static_cast<int>(face)];
+  }
+  static std::string_view kind_of(Crossing crossing) {
+    constexpr std::string_view names[] = {"inside", "outside", "enters", "leaves"};
+    return names[static_cast<int>(crossing)];
+  }
+  std::string name(Border face) const {
+    return words_.say(fmt::format("liang_barsky.border.{}", name_of(face)));
+  }
+  dvec2 point(double t) const { return space_.at(task_.line.a * (1 - t) + task_.line.b * t); }
+
+  /// The whole drawing.
+  View drawing() const {
+    View view;
+    add_box(view, space_, task_.box);
+    add_directions(view, {1, 24}, {words_.symbol("x"), words_.symbol("y"), words_.symbol("z")});
+    const NumberLine scale({3.5, 2.3}, {32.5, 2.3}, least, most);
+    scale.add_to(view, "t", words_.symbol("t"));
+    const bool empty = left_over_ == Role::rejected || enter_ > leave_;
+    if (empty) {
+      view.add({"line", left_over_ == Role::rejected ? Role::rejected : Role::input,
+                Stroke{point(0), point(1), false, true}});
+    } else {
+      view.add({"line before", Role::input, Stroke{point(0), point(enter_), false, true}});
+      view.add({"left over", left_over_, Stroke{point(enter_), point(leave_)}});
+      view.add({"line after", Role::input, Stroke{point(leave_), point(1), false, true}});
+      const dvec2 up{0, 0.45};
+      view.add({"allowed", left_over_, Stroke{scale.at(enter_) + up, scale.at(leave_) + up}});
+    }
+    view.add({"end a", Role::input, Dot{point(0)}});
+    view.add({"end b", Role::input, Dot{point(1)}});
+    view.add({"end a name", Role::input, Label{point(0), words_.symbol("a")}});
+    view.add({"end b name", Role::input, Label{point(1), words_.symbol("b")}});
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      add_value(view, scale, values_[i], i + 1 == values_.size());
+    if (!values_.empty() && left_over_ == Role::current) {
+      std::vector<dvec2> outline;
+      for (const dvec3 p : box_face(task_.box, values_.back().border)) outline.push_back(space_.at(p));
+      view.add({"face area", Role::current, Area{{outline}}});
+      view.add({"face outline", Role::current, Path{outline, true}});
+    }
+    return view;
+  }
+
+  /// One value of t: a dot on the scale, and on the line where it lies between its ends or near them.
+  void add_value(View& view, const NumberLine& scale, const Value& value, bool last) const {
+    const auto& [face, crossing, t] = value;
+    if (crossing != Crossing::enters && crossing != Crossing::leaves) return;
+    const bool enters = crossing == Crossing::enters;
+    const Role role = last && left_over_ == Role::current ? Role::current
+                      : enters                            ? Role::candidate
+                                                          : Role::past;
+    const std::string id = fmt::format("value {}", name_of(face));
+    const dvec2 at = scale.at(std::clamp(t, least, most));
+    view.add({id + " dot", role, Dot{at, !enters}});
+    if (t < least || most < t) return;
+    // Two rows above the scale, entering below leaving, so that names don't meet
+    view.add({id + " text", role,
+              Text{at + dvec2{0, enters ? 1.7 : 3.8},
+                   words_.say(enters ? "liang_barsky.mark.enters" : "liang_barsky.mark.leaves",
+                              arg("border", name(face)))}});
+    view.add({id + " stem", Role::guide, Stroke{at, at + dvec2{0, enters ? 1.0 : 3.1}}});
+    if (t < 0 || 1 < t) return;
+    view.add({id, role, Dot{point(t), !enters}});
+    view.add({id + " name", role, Label{point(t), name(face)}});
+  }
+
+  template <class Describe>
+  void show(int line, Describe describe) {
+    View view = drawing();
+    writer_.step(difference(shown_, view), {}, line, describe);
+    shown_ = std::move(view);
+  }
+
+  static constexpr double least = -0.5, most = 1.5;
+
+  TraceWriter& writer_;
+  const Wording& words_;
+  BoxTask task_;
+  SpaceView space_;
+  double enter_ = 0, leave_ = 1;
+  Role left_over_ = Role::current;
+  std::vector<Value> values_;
+  View shown_ = bare_grid();
+};
+
 const std::vector<Method>& all_methods() {
   const auto method = [](std::string name, Standing standing) {
     return method_in_english("liang_barsky", std::move(name), standing);
   };
   static const std::vector<Method> methods{method("parametric", Standing::taught),
-                                           method("correctly_rounded", Standing::fast)};
+                                           method("correctly_rounded", Standing::fast),
+                                           method("box_parametric", Standing::plain)};
   return methods;
+}
+
+BoxTask space_of(const Arguments& arguments) {
+  const auto line = arguments.numbers("space_line"), box = arguments.numbers("box");
+  for (const double x : line) {
+    if (std::abs(x) > 1e300) throw ArgumentError("space_line", "expected coordinates up to 1e300 in size");
+  }
+  return {{{line[0], line[1], line[2]}, {line[3], line[4], line[5]}},
+          {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}};
 }
 
 Trace run(const Arguments& arguments, Recording recording) {
   const Task task{window_view::line_in(arguments), window_view::window_in(arguments),
                   window_view::order_in(arguments)};
   const std::string& method = arguments.text("method");
+  const bool in_space = method == "box_parametric";
+  const BoxTask space = space_of(arguments);
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
   trace.topic = "liang_barsky";
   trace.title = words.say("liang_barsky.title");
-  trace.subtitle = words.say("liang_barsky.subtitle", arg("from", figure_place(task.line.a)),
-                             arg("to", figure_place(task.line.b)));
+  trace.subtitle = words.say("liang_barsky.subtitle",
+                             arg("from", in_space ? figure_place(space.line.a) : figure_place(task.line.a)),
+                             arg("to", in_space ? figure_place(space.line.b) : figure_place(task.line.b)));
   trace.goal = words.say("liang_barsky.goal");
   trace.method = method;
   trace.method_title = words.say("liang_barsky.method." + method);
   for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
+    // Only what the method reads
+    const bool of_space = entry.name == "space_line" || entry.name == "box";
+    const bool unread = entry.name != "method" && of_space != in_space;
+    if (!entry.text.empty() && !unread) trace.arguments.push_back({entry.name, entry.text});
   }
-  trace.source_file = std::string(folder) + "liang_barsky.hpp";
+  trace.source_file = std::string(folder) + (in_space ? "liang_barsky_box.hpp" : "liang_barsky.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method);
   trace.grid = paper_grid(window_view::paper_width, window_view::paper_height);
   trace.columns =
-      method == "parametric"
+      method != "correctly_rounded"
           ? std::vector<Column>{{"border", false}, {"p"}, {"q"}, {"t"}, {"kind", false}, {"enter"}, {"leave"}}
           : std::vector<Column>{{"border", false}, {"kind", false}, {"t"}, {"first", false}, {"last", false}};
   trace.legend = {{Role::input, words.say("liang_barsky.legend.input")},
@@ -283,7 +472,10 @@ Trace run(const Arguments& arguments, Recording recording) {
                   {Role::rejected, words.say("liang_barsky.legend.rejected")},
                   {Role::result, words.say("liang_barsky.legend.result")}};
   Teller teller(writer, task);
-  if (method == "parametric") {
+  if (in_space) {
+    BoxTeller box_teller(writer, space);
+    box_parametric(space.line, space.box, usual_order<3>(), box_teller);
+  } else if (method == "parametric") {
     const double most = std::max(
         {std::abs(task.line.a.x), std::abs(task.line.a.y), std::abs(task.line.b.x), std::abs(task.line.b.y)});
     if (most > 1e300) throw ArgumentError("line", "method parametric needs coordinates up to 1e300 in size");
@@ -308,8 +500,22 @@ const TopicEntry& entry() {
       .summary = "the part of a segment that lies in a window, by the values of t that its borders allow",
       .methods = all_methods(),
       .default_method = "parametric",
-      .parameters = {window_view::line_parameter("-4,3,6,15"), window_view::window_parameter(),
-                     window_view::order_parameter()},
+      .parameters = {window_view::line_parameter("-4,3,6,15"),
+                     window_view::window_parameter(),
+                     window_view::order_parameter(),
+                     {.name = "space_line",
+                      .type = ParameterType::numbers,
+                      .default_value = "-2,1,2,12,11,9",
+                      .example = "-2,1,2,12,11,9",
+                      .help = "method box_parametric: the segment's ends x0,y0,z0,x1,y1,z1",
+                      .parts = {"x0", "y0", "z0", "x1", "y1", "z1"}},
+                     {.name = "box",
+                      .type = ParameterType::bounds,
+                      .default_value = "0,0,0,10,8,6",
+                      .example = "0,0,0,10,8,6",
+                      .help =
+                          "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
+                      .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}}},
       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"},
       .run = run};
   return topic;
