@@ -45,6 +45,11 @@ inline Box box_around(const std::vector<dvec2>& points) {
 inline Box extent_of(const Shape& shape) {
   struct Extent {
     Box operator()(const RectShape& s) const { return s.box; }
+    Box operator()(const AreaShape& s) const {
+      std::vector<dvec2> points;
+      for (const auto& ring : s.rings) points.insert(points.end(), ring.begin(), ring.end());
+      return points.empty() ? Box{} : box_around(points);
+    }
     Box operator()(const LineShape& s) const { return box_around(s.points); }
     Box operator()(const StrokesShape& s) const {
       std::vector<dvec2> points;

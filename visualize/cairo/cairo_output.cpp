@@ -88,7 +88,7 @@ class Painter {
       rectangle(rect.box, rect.radius);
       cairo_fill(context_);
     }
-    if (rect.hatch != Hatch::none) hatch(rect);
+    hatch(rect);
     if (rect.stroke.part != Paint::Part::none && rect.stroke_width > 0) {
       use(rect.stroke);
       rectangle(rect.box, rect.radius);
@@ -96,10 +96,24 @@ class Painter {
     }
   }
 
-  void hatch(const RectShape& rect) {
-    use(rect.hatch_paint);
-    trace(hatch_lines(rect, unit_));
+  template <class HatchedShape>
+  void hatch(const HatchedShape& shape) {
+    if (shape.hatch == Hatch::none) return;
+    use(shape.hatch_paint);
+    trace(hatch_lines(shape, unit_));
     stroke(hatch_width(unit_), false);
+  }
+
+  void draw(const AreaShape& area) {
+    use(area.fill);
+    for (const auto& ring : area.rings) {
+      for (const dvec2& p : ring) cairo_line_to(context_, p.x, p.y);
+      cairo_close_path(context_);
+    }
+    cairo_set_fill_rule(context_, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_fill(context_);
+    cairo_set_fill_rule(context_, CAIRO_FILL_RULE_WINDING);
+    hatch(area);
   }
 
   void trace(const std::vector<Segment>& segments) {

@@ -18,14 +18,51 @@ void add_diagonals(std::vector<Segment>& lines, const Box& b, double gap, bool r
   }
 }
 
+/// Diagonals of an area: each is cut where it meets an edge, and every other part lies inside.
+void add_diagonals(std::vector<Segment>& lines, const AreaShape& area, double gap, bool rising) {
+  const auto across = [rising](dvec2 p) { return rising ? p.x + p.y : p.x - p.y; };
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const auto& ring : area.rings) {
+    for (const dvec2 p : ring) {
+      low = std::min(low, across(p));
+      high = std::max(high, across(p));
+    }
+  }
+  for (double k = std::ceil(low / gap) * gap; k < high; k += gap) {
+    std::vector<double> cuts;  // x
+    for (const auto& ring : area.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+        const double from = across(a) - k, to = across(b) - k;
+        if ((from < 0) != (to < 0)) cuts.push_back(a.x + from / (from - to) * (b.x - a.x));
+      }
+    }
+    std::ranges::sort(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
+      const auto at = [&](double x) { return dvec2{x, rising ? k - x : x - k}; };
+      lines.emplace_back(at(cuts[i]), at(cuts[i + 1]));
+    }
+  }
+}
+
+/// The diagonals that make up a hatching.
+template <class Shape, class Where>
+std::vector<Segment> diagonals_of(const Shape& shape, const Where& where, double unit) {
+  std::vector<Segment> lines;
+  if (shape.hatch == Hatch::none) return lines;
+  if (shape.hatch != Hatch::falling) add_diagonals(lines, where, 10 * unit, true);
+  if (shape.hatch != Hatch::rising) add_diagonals(lines, where, 10 * unit, false);
+  return lines;
+}
+
 }  // namespace
 
 std::vector<Segment> hatch_lines(const RectShape& rect, double unit) {
-  std::vector<Segment> lines;
-  if (rect.hatch == Hatch::none) return lines;
-  if (rect.hatch != Hatch::falling) add_diagonals(lines, rect.box, 10 * unit, true);
-  if (rect.hatch != Hatch::rising) add_diagonals(lines, rect.box, 10 * unit, false);
-  return lines;
+  return diagonals_of(rect, rect.box, unit);
+}
+
+std::vector<Segment> hatch_lines(const AreaShape& area, double unit) {
+  return diagonals_of(area, area, unit);
 }
 
 double hatch_width(double unit) { return 0.9 * unit; }

@@ -95,6 +95,7 @@ Subject subject_of(std::initializer_list<Paint> paints) {
 
 struct SubjectOf {
   Subject operator()(const RectShape& s) const { return subject_of({s.fill, s.stroke}); }
+  Subject operator()(const AreaShape& s) const { return subject_of({s.fill}); }
   Subject operator()(const LineShape& s) const { return subject_of({s.stroke}); }
   Subject operator()(const StrokesShape& s) const { return subject_of({s.stroke}); }
   Subject operator()(const DiscShape& s) const { return subject_of({s.fill, s.stroke}); }
@@ -234,6 +235,23 @@ class SvgWriter {
     begin_rectangle(rect);
     stroke(rect.stroke, rect.stroke_width, rect.dashed);
     end();
+  }
+
+  void draw(const AreaShape& area) {
+    begin("path");
+    color("fill", area.fill);
+    attribute("fill-rule", "evenodd");
+    body_ += " d=\"";
+    for (const auto& ring : area.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        body_ += i == 0 ? 'M' : 'L';
+        pair(ring[i]);
+      }
+      body_ += 'Z';
+    }
+    body_ += '"';
+    end();
+    segments(hatch_lines(area, unit_), area.hatch_paint, hatch_width(unit_), false);
   }
 
   void segments(const std::vector<Segment>& lines, Paint paint, double width, bool round) {

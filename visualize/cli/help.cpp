@@ -66,8 +66,15 @@ std::string range_of(const Parameter& parameter) {
       return "a text file, - for standard input, or rows like '#.#/...'";
     case ParameterType::number:
       return fmt::format("a number, {} to {}", parameter.least, parameter.most);
-    case ParameterType::place:
-      return "three numbers x,y,z";
+    case ParameterType::numbers:
+      return fmt::format("{} numbers {}", parameter.parts.size(), fmt::join(parameter.parts, ","));
+    case ParameterType::bounds:
+      return fmt::format("{} numbers {}, no lower one above its upper one", parameter.parts.size(),
+                         fmt::join(parameter.parts, ","));
+    case ParameterType::points:
+      return fmt::format("points {} with spaces between them", fmt::join(parameter.parts, ","));
+    case ParameterType::order:
+      return fmt::format("{}, each once in any order", fmt::join(parameter.choices, ","));
     case ParameterType::model:
       return "an OBJ file, or - for standard input; the flag may be left out";
   }

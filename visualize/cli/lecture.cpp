@@ -220,6 +220,20 @@ class Reader {
     return fmt::format("{}", fmt::join(texts, separator));
   }
 
+  /// [[0, 0], [6, 3]] is "0,0 6,3".
+  std::optional<std::string> joined_points(const JsonNode& node, const Place& place,
+                                           const Parameter& parameter) {
+    const std::string expected = "a list of points or a text like " + parameter.example;
+    if (node.kind != Kind::list) return number_or_text(node, place, expected);
+    Texts points;
+    for (const JsonNode& element : node.elements) {
+      const auto point = joined(element, {element.line, place.path}, ",", expected);
+      if (!point) return std::nullopt;
+      points.push_back(*point);
+    }
+    return fmt::format("{}", fmt::join(points, " "));
+  }
+
   /// The value as its flag takes it; nothing for a switch that is off.
   std::optional<std::string> flag_value(const LectureKey& key, const JsonNode& node, const Place& place) {
     switch (key.kind) {
@@ -438,7 +452,9 @@ class Reader {
                                          const Place& place) {
     const bool is_file = parameter.type == ParameterType::picture || parameter.type == ParameterType::maze ||
                          parameter.type == ParameterType::model;
-    const bool is_points = parameter.type == ParameterType::cell || parameter.type == ParameterType::window;
+    const auto is_one_of = [&](std::initializer_list<ParameterType> types) {
+      return std::ranges::find(types, parameter.type) != types.end();
+    };
     std::optional<std::string> text;
     if (parameter.type == ParameterType::maze && node.kind == Kind::list) {
       text = joined(node, place, "/", "a list of rows");
@@ -446,8 +462,12 @@ class Reader {
         complain(place, fmt::format("expected rows of '#', '.' and letters, found {}", shown(*text)));
         return std::nullopt;
       }
-    } else if (is_points) {
+    } else if (is_one_of({ParameterType::cell, ParameterType::window})) {
       text = joined(node, place, ",", "whole numbers like " + parameter.example);
+    } else if (is_one_of({ParameterType::numbers, ParameterType::bounds, ParameterType::order})) {
+      text = joined(node, place, ",", "a list or a text like " + parameter.example);
+    } else if (parameter.type == ParameterType::points) {
+      text = joined_points(node, place, parameter);
     } else {
       text = number_or_text(node, place, is_file ? "a file's name" : "a text or a number");
     }

@@ -70,11 +70,13 @@ JsonNode list_of(JsonNode items) {
       {{"type", 0, json_text("array")}, {"items", 0, std::move(items)}, {"minItems", 0, json_number("1")}});
 }
 
-JsonNode whole_numbers(const char* count) {
+/// So many of this type.
+JsonNode tuple_of(std::size_t count, const char* type) {
+  const JsonNode size = json_number(std::to_string(count));
   return json_object({{"type", 0, json_text("array")},
-                      {"items", 0, json_object({{"type", 0, json_text("integer")}})},
-                      {"minItems", 0, json_number(count)},
-                      {"maxItems", 0, json_number(count)}});
+                      {"items", 0, json_object({{"type", 0, json_text(type)}})},
+                      {"minItems", 0, size},
+                      {"maxItems", 0, size}});
 }
 
 JsonNode either(std::vector<JsonNode> schemas) {
@@ -153,9 +155,9 @@ JsonNode with_description(JsonNode schema, const std::string& text) {
 JsonNode schema_of(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::cell:
-      return either({of_type({"string"}), whole_numbers("2")});
+      return either({of_type({"string"}), tuple_of(2, "integer")});
     case ParameterType::window:
-      return either({of_type({"string"}), whole_numbers("4")});
+      return either({of_type({"string"}), tuple_of(4, "integer")});
     case ParameterType::integer:
       return either(
           {of_type({"string"}), json_object({{"type", 0, json_text("integer")},
@@ -163,6 +165,13 @@ JsonNode schema_of(const Parameter& parameter) {
                                              {"maximum", 0, json_number(std::to_string(parameter.most))}})});
     case ParameterType::number:
       return of_type({"string", "number"});
+    case ParameterType::numbers:
+    case ParameterType::bounds:
+      return either({of_type({"string"}), tuple_of(parameter.parts.size(), "number")});
+    case ParameterType::points:
+      return either({of_type({"string"}), list_of(tuple_of(parameter.parts.size(), "number"))});
+    case ParameterType::order:
+      return either({of_type({"string"}), list_of(one_of(parameter.choices))});
     case ParameterType::choice: {
       std::vector<JsonNode> names;
       for (const std::string& choice : parameter.choices) {

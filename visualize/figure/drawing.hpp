@@ -12,6 +12,7 @@
 
 #include "core/geometry.hpp"
 #include "core/image.hpp"
+#include "figure/align.hpp"
 #include "figure/role.hpp"
 
 namespace gradus {
@@ -23,18 +24,38 @@ struct Dot {
   friend bool operator==(const Dot&, const Dot&) = default;
 };
 
-/// A straight line between two points; with `arrow`, a head at b.
+/// A straight line between two points; with `arrow`, a head at b; `dashed` whatever its role: hidden, or only
+/// thought.
 struct Stroke {
   dvec2 a, b;
   bool arrow = false;
+  bool dashed = false;
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-/// A chain of points, closed or not.
+/// A chain of points, closed or not; `dashed` as for a stroke.
 struct Path {
   std::vector<dvec2> points;
   bool closed = false;
+  bool dashed = false;
   friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// The inside of rings (what an odd number of them goes round), in the ground of its role, below all lines.
+/// It has no outline of its own.
+struct Area {
+  std::vector<std::vector<dvec2>> rings;
+  friend bool operator==(const Area&, const Area&) = default;
+};
+
+/// Text at its place: the number of a tick, a region's code, a caption. `at` is its left end, middle or right
+/// end at half height. Where it would lie on a text that is there already it is left out; the first by id
+/// stays.
+struct Text {
+  dvec2 at;
+  std::string text;
+  Align align = Align::centre;
+  friend bool operator==(const Text&, const Text&) = default;
 };
 
 /// Text beside a point. The layout finds a free place near it and draws a leader when that is not adjacent.
@@ -48,7 +69,7 @@ struct Label {
 struct Mark {
   std::string id;  ///< stable over all steps; setting a mark with a known id replaces it
   Role role;
-  std::variant<Dot, Stroke, Path, Label> shape;
+  std::variant<Dot, Stroke, Path, Area, Text, Label> shape;
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 

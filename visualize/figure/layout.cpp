@@ -267,8 +267,8 @@ void lay_out_sentence(Pen& pen, const Figure& figure, const Box& box, int most) 
   }
 }
 
-/// How a role can be seen in this step: not at all, as a mark only, or as a cell.
-enum class Seen : std::uint8_t { no, as_mark, as_cell };
+/// How a role can be seen in this step: not at all, as lines and dots only, as a tinted area, or as a cell.
+enum class Seen : std::uint8_t { no, as_mark, as_area, as_cell };
 
 Seen seen(const Figure& figure, const Window& view, Role role) {
   for (std::int64_t y = view.lower.y; y <= view.upper.y; ++y) {
@@ -277,11 +277,14 @@ Seen seen(const Figure& figure, const Window& view, Role role) {
       if (look && look->role == role) return Seen::as_cell;
     }
   }
-  const auto has_role = [role](const Mark& mark) { return mark.role == role; };
-  const bool marked =
-      std::ranges::any_of(figure.trace->backdrop, has_role) ||
-      std::ranges::any_of(figure.canvas->marks(), [&](const auto& m) { return has_role(m.second); });
-  return marked ? Seen::as_mark : Seen::no;
+  Seen how = Seen::no;
+  const auto look_at = [&](const Mark& mark) {
+    if (mark.role != role || std::holds_alternative<Text>(mark.shape)) return;
+    how = std::max(how, std::holds_alternative<Area>(mark.shape) ? Seen::as_area : Seen::as_mark);
+  };
+  for (const Mark& mark : figure.trace->backdrop) look_at(mark);
+  for (const auto& [id, mark] : figure.canvas->marks()) look_at(mark);
+  return how;
 }
 
 void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines) {
@@ -309,12 +312,12 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
       pen.line("legend " + id, {{{swatch.x, baseline - 7 * s}, {swatch.right(), baseline - 7 * s}},
                                 Paint::mark(entry.role),
                                 (entry.role == Role::measure ? 6 : 3) * s,
-                                false,
+                                layout::is_dashed(entry.role),
                                 false,
                                 false});
     } else {
       draw_cell_ground(pen, "legend " + id, entry.role, swatch);
-      draw_cell_outline(pen, "legend " + id, entry.role, swatch);
+      if (how == Seen::as_cell) draw_cell_outline(pen, "legend " + id, entry.role, swatch);
     }
     pen.text("legend text " + id, {{swatch.right() + 8 * s, baseline},
                                    entry.text,

@@ -31,6 +31,7 @@ class Pen {
   Pen(Sheet& sheet, Slot slot, double scale) : sheet_(sheet), slot_(slot), scale_(scale) {}
 
   void rect(std::string id, RectShape shape) { add(std::move(id), std::move(shape)); }
+  void area(std::string id, AreaShape shape) { add(std::move(id), std::move(shape)); }
   void line(std::string id, LineShape shape) { add(std::move(id), std::move(shape)); }
   void strokes(std::string id, StrokesShape shape) { add(std::move(id), std::move(shape)); }
   void disc(std::string id, DiscShape shape) { add(std::move(id), std::move(shape)); }
@@ -104,6 +105,11 @@ struct Scene {
   Box labels;                            ///< where labels may stand
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
+
+/// Of a line of this role, in units.
+constexpr double line_width(Role role) { return role == Role::measure ? 7 : role == Role::guide ? 1.4 : 2.6; }
+/// Whether lines of this role are dashed.
+constexpr bool is_dashed(Role role) { return role == Role::candidate || role == Role::rejected; }
 
 void lay_out_drawing(Pen& pen, const Figure& figure, const Scene& scene);
 

@@ -55,6 +55,25 @@ std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box)
   return std::pair{a + enter * d, a + leave * d};
 }
 
+/// The part of a ring inside a box: cut at one side after the other.
+std::vector<dvec2> inside_of(std::vector<dvec2> ring, const Box& box) {
+  const auto cut = [&ring](int axis, double border, double sign) {
+    std::vector<dvec2> kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      const double from = sign * (a[axis] - border), to = sign * (b[axis] - border);
+      if (from >= 0) kept.push_back(a);
+      if ((from < 0 && to > 0) || (from > 0 && to < 0)) kept.push_back(a + from / (from - to) * (b - a));
+    }
+    ring = std::move(kept);
+  };
+  cut(0, box.x, 1);
+  cut(0, box.right(), -1);
+  cut(1, box.y, 1);
+  cut(1, box.bottom(), -1);
+  return ring;
+}
+
 /// Cells shown along one axis, following `focus` by jumps of half a view: the first one.
 std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count, std::int64_t focus) {
   if (upper - lower + 1 <= count) return lower;
@@ -263,15 +282,49 @@ class DrawingLayout {
   }
 
   void draw_marks() {
+    for (const Mark& mark : trace_.backdrop) draw_area(mark);
+    for (const auto& [id, mark] : figure_.canvas->marks()) draw_area(mark);
     for (const Mark& mark : trace_.backdrop) draw_mark(mark, true);
     for (const auto& [id, mark] : figure_.canvas->marks()) draw_mark(mark, false);
+    // Over all lines; those that stand through all steps first, so that they keep still
+    for (const Mark& mark : trace_.backdrop) draw_text(mark);
+    for (const auto& [id, mark] : figure_.canvas->marks()) draw_text(mark);
+  }
+
+  void draw_area(const Mark& mark) {
+    const Area* area = std::get_if<Area>(&mark.shape);
+    if (!area) return;
+    AreaShape shape{{}, Paint::fill(mark.role), channel_of(mark.role).hatch, Paint::mark(mark.role)};
+    for (const auto& ring : area->rings) {
+      std::vector<dvec2> points;
+      for (const dvec2 p : ring) points.push_back(frame_.point(p));
+      points = inside_of(std::move(points), frame_.box);
+      if (points.size() >= 3) shape.rings.push_back(std::move(points));
+    }
+    if (!shape.rings.empty()) pen_.area(mark.id, std::move(shape));
+  }
+
+  void draw_text(const Mark& mark) {
+    const Text* text = std::get_if<Text>(&mark.shape);
+    if (!text) return;
+    const dvec2 at = frame_.point(text->at);
+    if (!inside({at.x, at.y, 0, 0}, grown(frame_.box, 1))) return;
+    const double size = text_size * s_;
+    TextShape shape{
+        {at.x, at.y + 0.35 * size}, text->text, Face::sans, size, text->align, Paint::text(mark.role), true,
+        Paint::of(Tone::paper)};
+    const Box box = shape.box();
+    const auto hits = [&](const Box& other) { return overlap(grown(box, 2 * s_), other); };
+    if (!inside(box, at_.labels) || std::ranges::any_of(texts_, hits)) return;
+    texts_.push_back(box);
+    pen_.text(mark.id, std::move(shape));
   }
 
   void draw_mark(const Mark& mark, bool fixed) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
-      draw_chain(mark, {stroke->a, stroke->b}, false, stroke->arrow);
+      draw_chain(mark, {stroke->a, stroke->b}, {.arrow = stroke->arrow, .dashed = stroke->dashed});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      draw_chain(mark, path->points, path->closed, false);
+      draw_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       draw_dot(mark, *dot);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
@@ -279,21 +332,33 @@ class DrawingLayout {
     }
   }
 
-  void draw_chain(const Mark& mark, const std::vector<dvec2>& points, bool closed, bool arrow) {
-    const double width = (mark.role == Role::measure ? 7 : 2.6) * s_;
-    const std::size_t ends = closed ? points.size() : points.size() - 1;
+  struct ChainLook {
+    bool closed = false, arrow = false, dashed = false;
+  };
+  void draw_chain(const Mark& mark, const std::vector<dvec2>& points, const ChainLook& look) {
+    if (points.empty()) return;
+    const bool dashed = look.dashed || is_dashed(mark.role);
+    LineShape line{{}, Paint::mark(mark.role), line_width(mark.role) * s_, dashed};
+    const auto draw = [&] {
+      if (line.points.size() >= 2) pen_.line(mark.id, line);
+      line.points.clear();
+    };
+    const std::size_t ends = look.closed ? points.size() : points.size() - 1;
+    bool whole = look.closed;
     for (std::size_t i = 0; i < ends; ++i) {
-      const auto part =
-          clipped(frame_.point(points[i]), frame_.point(points[(i + 1) % points.size()]), frame_.box);
+      const dvec2 from = frame_.point(points[i]), to = frame_.point(points[(i + 1) % points.size()]);
+      const auto part = clipped(from, to, frame_.box);
+      whole = whole && part && *part == std::pair(from, to);
+      if (!part || (!line.points.empty() && line.points.back() != part->first)) draw();
       if (!part) continue;
       strokes_.push_back(*part);
-      pen_.line(mark.id, {{part->first, part->second},
-                          Paint::mark(mark.role),
-                          width,
-                          mark.role == Role::candidate || mark.role == Role::rejected,
-                          false,
-                          arrow && i + 1 == ends});
+      if (line.points.empty()) line.points.push_back(part->first);
+      line.points.push_back(part->second);
     }
+    if (whole) line.points.pop_back();
+    line.closed = whole;
+    line.arrow = look.arrow;
+    draw();
   }
 
   void draw_dot(const Mark& mark, const Dot& dot) {

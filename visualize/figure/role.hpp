@@ -17,16 +17,17 @@ enum class Role : std::uint8_t {
   rejected,   ///< considered and turned down in this step
   result,     ///< what comes out in the end
   measure,    ///< a length or angle that explains a choice: the distance to the ideal line
+  guide,      ///< what only helps to read: axes and their numbers, captions
 };
 
-inline constexpr std::array all_roles{Role::input,    Role::boundary,  Role::past,
-                                      Role::current,  Role::candidate, Role::accepted,
-                                      Role::rejected, Role::result,    Role::measure};
+inline constexpr std::array all_roles{Role::input,     Role::boundary, Role::past,     Role::current,
+                                      Role::candidate, Role::accepted, Role::rejected, Role::result,
+                                      Role::measure,   Role::guide};
 
 /// The role's name as it stands in JSON and in SVG ids.
 constexpr std::string_view name_of(Role role) {
-  constexpr std::array<std::string_view, 9> names{"input",    "boundary", "past",   "current", "candidate",
-                                                  "accepted", "rejected", "result", "measure"};
+  constexpr std::array<std::string_view, 10> names{"input",    "boundary", "past",   "current", "candidate",
+                                                   "accepted", "rejected", "result", "measure", "guide"};
   return names[static_cast<std::size_t>(role)];
 }
 
@@ -57,6 +58,7 @@ constexpr Channel channel_of(Role role) {
     case Role::input:
     case Role::boundary:
     case Role::measure:
+    case Role::guide:
       break;
   }
   return {};

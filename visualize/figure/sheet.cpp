@@ -13,6 +13,7 @@ std::optional<Role> role_among(std::initializer_list<Paint> paints) {
 }
 
 std::optional<Role> role_in(const RectShape& s) { return role_among({s.fill, s.stroke, s.hatch_paint}); }
+std::optional<Role> role_in(const AreaShape& s) { return role_among({s.fill, s.hatch_paint}); }
 std::optional<Role> role_in(const LineShape& s) { return role_among({s.stroke}); }
 std::optional<Role> role_in(const StrokesShape& s) { return role_among({s.stroke}); }
 std::optional<Role> role_in(const DiscShape& s) { return role_among({s.fill, s.stroke}); }
@@ -24,6 +25,11 @@ void move(Box& box, dvec2 by) {
   box.y += by.y;
 }
 void move(RectShape& s, dvec2 by) { move(s.box, by); }
+void move(AreaShape& s, dvec2 by) {
+  for (auto& ring : s.rings) {
+    for (dvec2& point : ring) point += by;
+  }
+}
 void move(LineShape& s, dvec2 by) {
   for (dvec2& point : s.points) point += by;
 }

@@ -14,6 +14,7 @@
 
 #include "core/geometry.hpp"
 #include "core/image.hpp"
+#include "figure/align.hpp"
 #include "figure/role.hpp"
 
 namespace gradus {
@@ -71,6 +72,13 @@ struct RectShape {
   Hatch hatch = Hatch::none;  ///< over the fill
   Paint hatch_paint;
 };
+/// What rings enclose, an odd number of times.
+struct AreaShape {
+  std::vector<std::vector<dvec2>> rings;
+  Paint fill;
+  Hatch hatch = Hatch::none;  ///< over the fill
+  Paint hatch_paint;
+};
 struct LineShape {
   std::vector<dvec2> points;
   Paint stroke;
@@ -92,7 +100,6 @@ struct DiscShape {
 };
 
 enum class Face : std::uint8_t { sans, bold, italic, mono, mono_bold };
-enum class Align : std::uint8_t { left, centre, right };
 
 struct TextShape {
   dvec2 baseline;  ///< of the text's left end, centre or right end, by `align`
@@ -116,7 +123,7 @@ struct ImageShape {
 struct Shape {
   Slot slot;
   std::string id;
-  std::variant<RectShape, LineShape, StrokesShape, DiscShape, TextShape, ImageShape> what;
+  std::variant<RectShape, AreaShape, LineShape, StrokesShape, DiscShape, TextShape, ImageShape> what;
 };
 
 /// The role that a shape shows, by what it is painted with; none for the furniture: axes, grid, texts of the

@@ -186,29 +186,55 @@ std::string canonical_number(const Parameter& parameter, std::string_view text) 
   return *number;
 }
 
-/// The three texts between commas, or fewer where there are not three.
-std::vector<std::string_view> coordinates_in(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
+std::string canonical_numbers(const Parameter& parameter, std::string_view text) {
+  const Read<Tuple> read = read_tuple(text, parameter.parts);
+  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  return text_of(std::get<Tuple>(read));
 }
 
-std::string canonical_place(const Parameter& parameter, std::string_view text) {
-  std::vector<std::string> numbers;
-  for (const std::string_view part : coordinates_in(text)) {
-    const auto number = number_in_range(parameter, part);
-    if (!number) break;
-    numbers.push_back(*number);
+std::string canonical_bounds(const Parameter& parameter, std::string_view text) {
+  const Read<Tuple> read = read_tuple(text, parameter.parts);
+  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  const Tuple& bounds = std::get<Tuple>(read);
+  const std::size_t half = bounds.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const Number &lower = bounds[i], &upper = bounds[half + i];
+    if (lower.value <= upper.value) continue;
+    const auto order = fmt::format("{} <= {}, not {} > {}", parameter.parts[i], parameter.parts[half + i],
+                                   lower.text, upper.text);
+    refuse(parameter, order, text);
   }
-  if (numbers.size() != 3 || coordinates_in(text).size() != 3)
-    refuse(parameter, "three numbers x,y,z like 1,0.5,2", text);
-  return fmt::format("{}", fmt::join(numbers, ","));
+  return text_of(bounds);
+}
+
+std::string canonical_points(const Parameter& parameter, std::string_view text) {
+  const Read<std::vector<Tuple>> read = read_tuples(text, parameter.parts);
+  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  const auto& points = std::get<std::vector<Tuple>>(read);
+  const auto count = static_cast<std::int64_t>(points.size());
+  if (count < parameter.least)
+    refuse(parameter.name, fmt::format("expected at least {} points, found {}", parameter.least, count));
+  if (count > parameter.most)
+    refuse(parameter.name, fmt::format("expected at most {} points, found {}", parameter.most, count));
+  return text_of(points);
+}
+
+/// The words between commas.
+std::vector<std::string> words_in(std::string_view text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    words.push_back(lowered(trimmed(text.substr(at, end - at))));
+    at = end + 1;
+  }
+  return words;
+}
+
+std::string canonical_order(const Parameter& parameter, std::string_view text) {
+  const std::vector<std::string> words = words_in(text);
+  if (!std::ranges::is_permutation(words, parameter.choices))
+    refuse(parameter, fmt::format("{}, each once in any order", fmt::join(parameter.choices, ",")), text);
+  return fmt::format("{}", fmt::join(words, ","));
 }
 
 std::string canonical_model(const Parameter& parameter, std::string_view text) {
@@ -283,16 +309,59 @@ std::optional<double> Arguments::number(std::string_view name) const {
   return std::get<Number>(read).value;
 }
 
+std::vector<double> Arguments::numbers(std::string_view name) const {
+  std::vector<double> values;
+  if (!has(name) || text(name).empty()) return values;
+  for (const std::string& word : words_in(text(name))) {
+    const Read<Number> read = read_number(word);
+    expects(std::holds_alternative<Number>(read), "{} has numbers, not '{}'", name, word);
+    values.push_back(std::get<Number>(read).value);
+  }
+  return values;
+}
+
 std::optional<dvec3> Arguments::place(std::string_view name) const {
-  if (!has(name) || text(name).empty()) return std::nullopt;
-  const auto parts = coordinates_in(text(name));
-  expects(parts.size() == 3, "{} is a place in its canonical spelling, not '{}'", name, text(name));
-  const auto at = [&](std::size_t i) {
-    const Read<Number> read = read_number(parts[i]);
-    expects(std::holds_alternative<Number>(read), "{} has numbers, not '{}'", name, parts[i]);
-    return std::get<Number>(read).value;
-  };
-  return dvec3{at(0), at(1), at(2)};
+  const std::vector<double> at = numbers(name);
+  if (at.empty()) return std::nullopt;
+  expects(at.size() == 3, "{} is a place in its canonical spelling, not '{}'", name, text(name));
+  return dvec3{at[0], at[1], at[2]};
+}
+
+namespace {
+
+std::vector<Tuple> tuples_of(const Arguments& arguments, std::string_view name,
+                             const std::vector<std::string>& parts) {
+  if (!arguments.has(name) || arguments.text(name).empty()) return {};
+  Read<std::vector<Tuple>> read = read_tuples(arguments.text(name), parts);
+  expects(std::holds_alternative<std::vector<Tuple>>(read),
+          "{} has points in their canonical spelling, not '{}'", name, arguments.text(name));
+  return std::get<std::vector<Tuple>>(std::move(read));
+}
+
+}  // namespace
+
+std::vector<dvec2> Arguments::points(std::string_view name) const {
+  std::vector<dvec2> points;
+  for (const Tuple& p : tuples_of(*this, name, {"x", "y"})) points.emplace_back(p[0].value, p[1].value);
+  return points;
+}
+
+std::vector<dvec3> Arguments::places(std::string_view name) const {
+  std::vector<dvec3> points;
+  for (const Tuple& p : tuples_of(*this, name, {"x", "y", "z"})) {
+    points.emplace_back(p[0].value, p[1].value, p[2].value);
+  }
+  return points;
+}
+
+std::vector<std::size_t> Arguments::order(const Parameter& parameter) const {
+  std::vector<std::size_t> order;
+  for (const std::string& word : words_in(text(parameter.name))) {
+    const auto found = std::ranges::find(parameter.choices, word);
+    expects(found != parameter.choices.end(), "{} has no '{}'", parameter.name, word);
+    order.push_back(static_cast<std::size_t>(found - parameter.choices.begin()));
+  }
+  return order;
 }
 
 Rgba8 Arguments::color(std::string_view name) const {
@@ -324,8 +393,14 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_maze(parameter, text);
     case ParameterType::number:
       return canonical_number(parameter, text);
-    case ParameterType::place:
-      return canonical_place(parameter, text);
+    case ParameterType::numbers:
+      return canonical_numbers(parameter, text);
+    case ParameterType::bounds:
+      return canonical_bounds(parameter, text);
+    case ParameterType::points:
+      return canonical_points(parameter, text);
+    case ParameterType::order:
+      return canonical_order(parameter, text);
     case ParameterType::model:
       return canonical_model(parameter, text);
   }

@@ -1,6 +1,7 @@
 #include "stories/point_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +18,6 @@ __extension__ typedef unsigned __int128 uint128_t;
 
 constexpr std::string_view white = " \t\r\n\f\v";
 constexpr std::string_view number_hint = "a number like 3, -5, 1/3 or 0.25";
-constexpr std::string_view point_hint = "a point like 3,4 or 1/3,2";
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
@@ -234,13 +234,27 @@ Read<Number> read_number(std::string_view text) {
   return number;
 }
 
-Read<Point> read_point(std::string_view text) {
-  const auto pair = pair_in(text);
-  if (!pair) return Misread{fmt::format("expected {}, found {}", point_hint, shown(text))};
-  Read<Number> x = read_number(pair->x), y = read_number(pair->y);
-  if (const Misread* misread = std::get_if<Misread>(&x)) return *misread;
-  if (const Misread* misread = std::get_if<Misread>(&y)) return *misread;
-  return Point{std::get<Number>(std::move(x)), std::get<Number>(std::move(y))};
+Read<Tuple> read_tuple(std::string_view text, std::span<const std::string> names) {
+  const Misread wrong{
+      fmt::format("expected {} numbers {}, found {}", names.size(), fmt::join(names, ","), shown(text))};
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('(') != rest.ends_with(')') || rest == "(") return wrong;
+  if (rest.starts_with('(')) rest = rest.substr(1, rest.size() - 2);
+  Tuple tuple;
+  for (std::size_t at = 0; at <= rest.size();) {
+    const std::size_t end = std::min(rest.find(',', at), rest.size());
+    Read<Number> number = read_number(rest.substr(at, end - at));
+    if (std::holds_alternative<Misread>(number)) {
+      // A single number that is none is worth its own words
+      return tuple.size() < names.size() && !trimmed(rest.substr(at, end - at)).empty()
+                 ? std::get<Misread>(number)
+                 : wrong;
+    }
+    tuple.push_back(std::get<Number>(std::move(number)));
+    at = end + 1;
+  }
+  if (tuple.size() != names.size()) return wrong;
+  return tuple;
 }
 
 namespace {
@@ -275,32 +289,38 @@ std::string without_comments(std::string_view text) {
 
 }  // namespace
 
-Read<std::vector<Point>> read_points(std::string_view text) {
+Read<std::vector<Tuple>> read_tuples(std::string_view text, std::span<const std::string> names) {
   const std::string plain = without_comments(text);
   std::string_view rest = plain;
-  std::vector<Point> points;
+  std::vector<Tuple> points;
   while (true) {
     const std::size_t start = rest.find_first_not_of(" \t\r\n\f\v;");
     if (start == std::string_view::npos) break;
     rest.remove_prefix(start);
     const std::size_t end = point_end(rest);
-    Read<Point> point = read_point(rest.substr(0, end));
+    Read<Tuple> point = read_tuple(rest.substr(0, end), names);
     if (const Misread* misread = std::get_if<Misread>(&point)) {
       return Misread{fmt::format("point {}: {}", points.size() + 1, misread->what)};
     }
-    points.push_back(std::get<Point>(std::move(point)));
+    points.push_back(std::get<Tuple>(std::move(point)));
     rest.remove_prefix(end);
   }
-  if (points.empty())
-    return Misread{fmt::format("expected points like '0,0 6,0 6,3', found {}", shown(text))};
+  if (points.empty()) {
+    return Misread{fmt::format("expected points {} with spaces between them, found {}", fmt::join(names, ","),
+                               shown(text))};
+  }
   return points;
 }
 
-std::string text_of(const Point& point) { return point.x.text + "," + point.y.text; }
-
-std::string text_of(const std::vector<Point>& points) {
+std::string text_of(const Tuple& tuple) {
   std::string text;
-  for (const Point& point : points) text += (text.empty() ? "" : " ") + text_of(point);
+  for (const Number& number : tuple) text += (text.empty() ? "" : ",") + number.text;
+  return text;
+}
+
+std::string text_of(const std::vector<Tuple>& tuples) {
+  std::string text;
+  for (const Tuple& tuple : tuples) text += (text.empty() ? "" : " ") + text_of(tuple);
   return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -41,9 +42,8 @@ struct Number {
   std::optional<Fraction> exact;  ///< nothing where 64 bits do not hold it
   std::string text;               ///< canonical: "1/3" for "+2/6", "0.25" for "0.250"
 };
-struct Point {
-  Number x, y;
-};
+/// The coordinates of a point, or numbers that otherwise belong together.
+using Tuple = std::vector<Number>;
 
 /// What is wrong with a text: the place as words ("" or "point 3: ") and what was expected.
 struct Misread {
@@ -54,14 +54,14 @@ using Read = std::variant<T, Misread>;
 
 /// Domain: digits with a sign, one decimal point, an exponent up to three digits; or a fraction of two int64.
 Read<Number> read_number(std::string_view text);
-/// "3,4", "-5,8", "(3, 4)", "1/3,2".
-Read<Point> read_point(std::string_view text);
+/// As many numbers as there are names, for x and y: "3,4", "-5,8", "(3, 4)", "1/3,2".
+Read<Tuple> read_tuple(std::string_view text, std::span<const std::string> names);
 /// Points with white space or ";" between them: "0,0 6,0 6,3". Errors say which point. A "#" starts a comment
-/// to the end of its line, so that lists in files may have some.
-Read<std::vector<Point>> read_points(std::string_view text);
+/// to the end of its line, so that lists in files may have some. At least one point.
+Read<std::vector<Tuple>> read_tuples(std::string_view text, std::span<const std::string> names);
 
 /// The canonical spelling: "1/3,2", and "0,0 6,0 6,3".
-std::string text_of(const Point& point);
-std::string text_of(const std::vector<Point>& points);
+std::string text_of(const Tuple& tuple);
+std::string text_of(const std::vector<Tuple>& tuples);
 
 }  // namespace gradus

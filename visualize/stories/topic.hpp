@@ -29,8 +29,11 @@ enum class ParameterType {
   picture,  ///< a PNG file
   maze,    ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
   number,  ///< one number: "0.5", "1/3"
-  place,   ///< three numbers "x,y,z": a point of space
-  model,   ///< an OBJ file; commands take it as an operand too
+  numbers,  ///< as many numbers as `parts` has names: "1,0.5,2" for x,y,z
+  bounds,   ///< the same, all lower ones first: "0,0,10,8" for xmin,ymin,xmax,ymax; none above its upper one
+  points,   ///< points of as many numbers as `parts` has names: "0,0 6,0 6,3"; from `least` to `most` of them
+  order,    ///< all of `choices`, each once: "left,right,bottom,top"
+  model,    ///< an OBJ file; commands take it as an operand too
 };
 
 struct Parameter {
@@ -41,6 +44,7 @@ struct Parameter {
   std::string help;                                  ///< one line: meaning and unit
   std::int64_t least = INT32_MIN, most = INT32_MAX;  ///< for numbers: the range, both included
   std::vector<std::string> choices{};
+  std::vector<std::string> parts{};  ///< names of the numbers of a point or of bounds: x, y, z
   std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
 };
 
@@ -72,8 +76,16 @@ class Arguments {
   std::int64_t integer(std::string_view name) const;
   /// Nothing where none was given.
   std::optional<double> number(std::string_view name) const;
-  /// Nothing where none was given.
+  /// Of a parameter of type numbers or bounds; empty where none was given.
+  std::vector<double> numbers(std::string_view name) const;
+  /// Three numbers as a point of space; nothing where none was given.
   std::optional<dvec3> place(std::string_view name) const;
+  /// Points of two numbers; empty where none was given.
+  std::vector<dvec2> points(std::string_view name) const;
+  /// Points of three numbers; empty where none was given.
+  std::vector<dvec3> places(std::string_view name) const;
+  /// For each place in the order wanted, the position among the parameter's choices.
+  std::vector<std::size_t> order(const Parameter& parameter) const;
   Rgba8 color(std::string_view name) const;
   const std::vector<Entry>& entries() const { return entries_; }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Marks are Okabe and Ito's colours (2002), darkened on light grounds until they reach 3:1.
 // Order of tones: paper panel header weak strong rule ink muted accent.
-// Order of roles: input boundary past current candidate accepted rejected result measure.
+// Order of roles: input boundary past current candidate accepted rejected result measure guide.
 const std::array<Theme, 4> all_themes{{
     {"light",
      {{{0xffffff},
@@ -30,6 +30,7 @@ const std::array<Theme, 4> all_themes{{
          {{0xb37400}, {0xfff6e0}, {0x805300}},
          {{0x0072b2}, {0x9ccdeb}, {0x005a8c}},
          {{0xd55e00}, {0xfbe3d3}, {0xa34700}},
+         {{0x7a8794}, {0xffffff}, {0x4b5560}},
      }}},
     {"dark",
      {{{0x14181d},
@@ -51,6 +52,7 @@ const std::array<Theme, 4> all_themes{{
          {{0xe69f00}, {0x3a2c0a}, {0xf2bf4d}},
          {{0x56b4e9}, {0x1f6f9f}, {0x8fcdf3}},
          {{0xff8a3d}, {0x44240f}, {0xffa66b}},
+         {{0x7d8a97}, {0x14181d}, {0xb3bdc7}},
      }}},
     {"greyscale",
      {{{0xffffff},
@@ -72,6 +74,7 @@ const std::array<Theme, 4> all_themes{{
          {{0x5a5a5a}, {0xf7f7f7}, {0x3c3c3c}},
          {{0x333333}, {0xb8b8b8}, {0x333333}},
          {{0x161616}, {0xe6e6e6}, {0x161616}},
+         {{0x808080}, {0xffffff}, {0x4a4a4a}},
      }}},
     {"high_contrast",
      {{{0xffffff},
@@ -93,6 +96,7 @@ const std::array<Theme, 4> all_themes{{
          {{0x8a3c00}, {0xffffff}, {0x8a3c00}},
          {{0x000000}, {0x8fd0ff}, {0x000000}},
          {{0xb30000}, {0xffffff}, {0xb30000}},
+         {{0x555555}, {0xffffff}, {0x222222}},
      }}},
 }};
 

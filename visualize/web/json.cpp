@@ -108,8 +108,9 @@ std::string_view name_of(Level level) {
 }
 
 std::string_view name_of(ParameterType type) {
-  constexpr std::array<std::string_view, 11> names{"cell",    "window", "integer", "choice", "color", "paint",
-                                                   "picture", "maze",   "number",  "place",  "model"};
+  constexpr std::array<std::string_view, 14> names{"cell",   "window",  "integer", "choice", "color",
+                                                   "paint",  "picture", "maze",    "number", "numbers",
+                                                   "bounds", "points",  "order",   "model"};
   return names[static_cast<std::size_t>(type)];
 }
 
@@ -123,6 +124,13 @@ std::string_view name_of(Standing standing) {
 
 int index_of(Role role) { return static_cast<int>(role); }
 
+/// x and y in turn.
+Json points_json(const std::vector<dvec2>& points) {
+  Json out = Json::array();
+  for (const dvec2& p : points) out.insert(out.end(), {p.x, p.y});
+  return out;
+}
+
 /// [id, role, kind, numbers or text …]; the kind says what follows.
 Json mark_json(const Mark& mark) {
   Json out = Json::array({mark.id, index_of(mark.role)});
@@ -131,11 +139,18 @@ Json mark_json(const Mark& mark) {
   } else if (const auto* stroke = std::get_if<Stroke>(&mark.shape)) {
     out.push_back(stroke->arrow ? "arrow" : "stroke");
     out.insert(out.end(), {stroke->a.x, stroke->a.y, stroke->b.x, stroke->b.y});
+    if (stroke->dashed) out.push_back("dashed");
   } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
-    Json points = Json::array();
-    for (const dvec2& p : path->points) points.insert(points.end(), {p.x, p.y});
     out.push_back(path->closed ? "polygon" : "path");
-    out.push_back(std::move(points));
+    out.push_back(points_json(path->points));
+    if (path->dashed) out.push_back("dashed");
+  } else if (const auto* area = std::get_if<Area>(&mark.shape)) {
+    out.push_back("area");
+    for (const auto& ring : area->rings) out.push_back(points_json(ring));
+  } else if (const auto* text = std::get_if<Text>(&mark.shape)) {
+    constexpr std::array<std::string_view, 3> aligns{"left", "centre", "right"};
+    out.insert(out.end(),
+               {"text", text->at.x, text->at.y, text->text, aligns[static_cast<std::size_t>(text->align)]});
   } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
     out.insert(out.end(), {"label", label->at.x, label->at.y, label->text});
   }
@@ -470,6 +485,7 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
         parameter["most"] = p.most;
       }
       if (!p.choices.empty()) parameter["choices"] = p.choices;
+      if (!p.parts.empty()) parameter["parts"] = p.parts;
       parameters.push_back(std::move(parameter));
     }
     return Json{{"name", topic->name},

@@ -250,27 +250,99 @@ TEST(ReadNumber, Refusals) {
             "expected a number like 3, -5, 1/3 or 0.25, found 'two'");
 }
 
-TEST(ReadPoint, Spellings) {
-  EXPECT_EQ(text_of(std::get<Point>(read_point("1/3,2"))), "1/3,2");
-  EXPECT_EQ(text_of(std::get<Point>(read_point("(-0.50, 4/2)"))), "-0.5,2");
-  EXPECT_EQ(std::get<Misread>(read_point("3")).what, "expected a point like 3,4 or 1/3,2, found '3'");
-  EXPECT_EQ(std::get<Misread>(read_point("3,y")).what,
-            "expected a number like 3, -5, 1/3 or 0.25, found 'y'");
-}
+const std::vector<std::string> xy{"x", "y"}, xyz{"x", "y", "z"};
 
-TEST(ReadPoints, Lists) {
-  for (const char* text : {"0,0 6,0 6,3", "(0, 0) (6,0)(6 , 3)", "0,0;6,0;6,3",
-                           "# corners\n0,0\n6,0 # right\n\n6,3\n", "0 ,0  6, 0 6 , 3"}) {
-    const auto read = read_points(text);
-    ASSERT_TRUE(std::holds_alternative<std::vector<Point>>(read)) << text << std::get<Misread>(read).what;
-    EXPECT_EQ(text_of(std::get<std::vector<Point>>(read)), "0,0 6,0 6,3") << text;
+TEST(ReadTuple, Spellings) {
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("1/3,2", xy))), "1/3,2");
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("(-0.50, 4/2)", xy))), "-0.5,2");
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple(" 1e3 ,-0, .25", xyz))), "1000,0,0.25");
+  const auto complaint_of = [](std::string_view text) {
+    return std::get<Misread>(read_tuple(text, xy)).what;
+  };
+  EXPECT_EQ(complaint_of("3"), "expected 2 numbers x,y, found '3'");
+  EXPECT_EQ(complaint_of("3,y"), "expected a number like 3, -5, 1/3 or 0.25, found 'y'");
+  for (const char* text : {"", ",", "3,", ",4", "3,4,5", "(3,4", "3,4)", "("}) {
+    EXPECT_EQ(complaint_of(text), "expected 2 numbers x,y, found " + shown(text));
   }
 }
 
-TEST(ReadPoints, ErrorsNameThePoint) {
-  EXPECT_EQ(std::get<Misread>(read_points("0,0 6 6,3")).what,
-            "point 2: expected a point like 3,4 or 1/3,2, found '6'");
-  EXPECT_EQ(std::get<Misread>(read_points(" ")).what, "expected points like '0,0 6,0 6,3', found ' '");
+TEST(ReadTuples, Lists) {
+  for (const char* text : {"0,0 6,0 6,3", "(0, 0) (6,0)(6 , 3)", "0,0;6,0;6,3",
+                           "# corners\n0,0\n6,0 # right\n\n6,3\n", "0 ,0  6, 0 6 , 3"}) {
+    const auto read = read_tuples(text, xy);
+    ASSERT_TRUE(std::holds_alternative<std::vector<Tuple>>(read)) << text << std::get<Misread>(read).what;
+    EXPECT_EQ(text_of(std::get<std::vector<Tuple>>(read)), "0,0 6,0 6,3") << text;
+  }
+}
+
+TEST(ReadTuples, ErrorsNameThePoint) {
+  EXPECT_EQ(std::get<Misread>(read_tuples("0,0 6 6,3", xy)).what,
+            "point 2: expected 2 numbers x,y, found '6'");
+  EXPECT_EQ(std::get<Misread>(read_tuples(" ", xy)).what,
+            "expected points x,y with spaces between them, found ' '");
+}
+
+Parameter with_parts(ParameterType type, std::vector<std::string> parts) {
+  Parameter made = parameter(type);
+  made.parts = std::move(parts);
+  return made;
+}
+
+TEST(Canonical, Numbers) {
+  const Parameter circle = with_parts(ParameterType::numbers, {"cx", "cy", "r"});
+  EXPECT_EQ(canonical(circle, "(0.50, -0, 1e1)"), "0.5,0,10");
+  EXPECT_EQ(complaint(circle, "1,2"), "value: expected 3 numbers cx,cy,r, found '1,2'");
+  EXPECT_EQ(complaint(circle, "1,2,nan"), "value: expected a number like 3, -5, 1/3 or 0.25, found 'nan'");
+}
+
+TEST(Canonical, BoundsNameWhatIsSwapped) {
+  const Parameter window = with_parts(ParameterType::bounds, {"xmin", "ymin", "xmax", "ymax"});
+  EXPECT_EQ(canonical(window, "0, 0, 10, 8"), "0,0,10,8");
+  EXPECT_EQ(canonical(window, "5,0,5,8"), "5,0,5,8") << "a window without an inside is one";
+  EXPECT_EQ(complaint(window, "10,0,0,8"), "value: expected xmin <= xmax, not 10 > 0, found '10,0,0,8'");
+  EXPECT_EQ(complaint(window, "0,8,10,0"), "value: expected ymin <= ymax, not 8 > 0, found '0,8,10,0'");
+  const Parameter box = with_parts(ParameterType::bounds, {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"});
+  EXPECT_EQ(complaint(box, "0,0,2,1,1,1"), "value: expected zmin <= zmax, not 2 > 1, found '0,0,2,1,1,1'");
+}
+
+TEST(Canonical, PointsAreCounted) {
+  Parameter polygon = with_parts(ParameterType::points, xy);
+  polygon.least = 3;
+  polygon.most = 4;
+  EXPECT_EQ(canonical(polygon, "0,0; 6,0; 6,3"), "0,0 6,0 6,3");
+  EXPECT_EQ(complaint(polygon, "0,0 6,0"), "value: expected at least 3 points, found 2");
+  EXPECT_EQ(complaint(polygon, "0,0 6,0 6,1 6,2 6,3"), "value: expected at most 4 points, found 5");
+  EXPECT_EQ(complaint(polygon, "0,0 6,0 6"), "value: point 3: expected 2 numbers x,y, found '6'");
+}
+
+TEST(Canonical, OrderHasEveryChoiceOnce) {
+  Parameter order = parameter(ParameterType::order);
+  order.choices = {"left", "right", "bottom", "top"};
+  EXPECT_EQ(canonical(order, "Top, left,right ,bottom"), "top,left,right,bottom");
+  for (const char* text :
+       {"", "left", "left,left,right,top", "left,right,bottom,top,top", "left,right,bottom,up"})
+    EXPECT_EQ(complaint(order, text),
+              "value: expected left,right,bottom,top, each once in any order, found " + shown(text));
+}
+
+TEST(Arguments, ReadWhatTheirTypesSay) {
+  Parameter order = parameter(ParameterType::order);
+  order.name = "order";
+  order.choices = {"left", "right", "bottom", "top"};
+  Arguments arguments;
+  arguments.set({"line", "1/2,-3"});
+  arguments.set({"polygon", "0,0 6,0 6,3"});
+  arguments.set({"corners", "0,0,1 6,0,2"});
+  arguments.set({"eye", "1,2,3"});
+  arguments.set({"none", ""});
+  arguments.set({"order", "top,left,right,bottom"});
+  EXPECT_EQ(arguments.numbers("line"), (std::vector<double>{0.5, -3}));
+  EXPECT_EQ(arguments.points("polygon"), (std::vector<dvec2>{{0, 0}, {6, 0}, {6, 3}}));
+  EXPECT_EQ(arguments.places("corners"), (std::vector<dvec3>{{0, 0, 1}, {6, 0, 2}}));
+  EXPECT_EQ(arguments.place("eye"), (dvec3{1, 2, 3}));
+  EXPECT_EQ(arguments.order(order), (std::vector<std::size_t>{3, 0, 1, 2}));
+  EXPECT_TRUE(arguments.numbers("none").empty() && arguments.points("none").empty());
+  EXPECT_EQ(arguments.place("none"), std::nullopt);
 }
 
 TEST(Canonical, PaintIsAColourOrALetter) {

@@ -13,8 +13,6 @@ namespace {
 
 using namespace pipeline;
 
-/// Space to paper, oblique: x to the right, y up, z towards the reader down to the left, shortened.
-dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
 /// The same from the right side: z to the left, y up, x towards the reader. What looks at a front looks
 /// right.
 dvec2 oblique_from_right(dvec3 p) { return {-p.z - 0.42 * p.x, p.y - 0.3 * p.x}; }
@@ -38,74 +36,29 @@ std::string padded(const char* name, int number) { return fmt::format("{} {:05}"
 
 }  // namespace
 
-std::string real_text(double value) {
-  const double size = std::abs(value) < 1e-6 ? 0 : std::abs(value);
-  if (size != 0 && (size < 1e-3 || size >= 1e6)) {
-    const std::string text = fmt::format("{:.3g}", size);
-    return value < 0 ? "−" + text : text;
-  }
-  std::string text = fmt::format("{:.{}f}", size, size >= 1000 ? 1 : size >= 100 ? 2 : 3);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return value < 0 && text != "0" ? "−" + text : text;
-}
+std::string real_text(double value) { return figure_real(std::abs(value) < 1e-6 ? 0 : value); }
 
 std::string place_text(dvec3 p) {
   return fmt::format("({},\u00a0{},\u00a0{})", real_text(p.x), real_text(p.y), real_text(p.z));
 }
 
-Delta difference(const View& before, const View& after) {
-  Delta delta;
-  if (before.plane != after.plane) delta.plane = after.plane;
-  for (const auto& [id, mark] : before.marks) {
-    if (!after.marks.contains(id)) delta.removed.push_back(id);
-  }
-  for (const auto& [at, look] : before.cells) {
-    if (!after.cells.contains(at)) delta.cells.push_back({{at.second, at.first}, std::nullopt});
-  }
-  for (const auto& [at, look] : after.cells) {
-    const auto old = before.cells.find(at);
-    if (old == before.cells.end() || old->second != look)
-      delta.cells.push_back({{at.second, at.first}, look});
-  }
-  for (const auto& [id, mark] : after.marks) {
-    const auto old = before.marks.find(id);
-    if (old == before.marks.end() || old->second != mark) delta.set.push_back(mark);
-  }
-  return delta;
-}
-
-/// A part of the drawing that shows a rectangle of some plane, y up, as large as fits.
-struct Views::Panel {
-  dvec2 lower{0}, upper{0};  ///< in cells: left and top, right and bottom
-  dvec2 middle{0};           ///< of what is shown
-  double scale = 1;          ///< cells a unit
-  dvec2 at(dvec2 p) const {
-    const dvec2 centre = (lower + upper) * 0.5;
-    return {centre.x + (p.x - middle.x) * scale, centre.y - (p.y - middle.y) * scale};
-  }
-};
-
-Views::Panel Views::panel(double x0, double x1, dvec2 lower, dvec2 upper) const {
+Panel Views::panel(double x0, double x1, dvec2 lower, dvec2 upper) const {
   // A margin for names; the caption stands above
-  Panel out{{x0 + 0.6, 1.4}, {x1 - 0.6, run_.size.height - 1.6}, (lower + upper) * 0.5, 1};
-  const dvec2 room = out.upper - out.lower, size = upper - lower;
-  out.scale = std::min(size.x > 0 ? room.x / size.x : 1e9, size.y > 0 ? room.y / size.y : 1e9);
-  if (out.scale >= 1e9) out.scale = 1;
-  return out;
+  return {
+      {{x0 + 0.6, 1.4}, {x1 - 0.6, run_.size.height - 1.6}}, {lower, upper}, Panel::Fit::same_scale, false};
 }
-Views::Panel Views::whole(dvec2 lower, dvec2 upper) const {
+Panel Views::whole(dvec2 lower, dvec2 upper) const {
   return panel(-0.5, run_.size.width - 0.5, lower, upper);
 }
-Views::Panel Views::left(dvec2 lower, dvec2 upper) const {
+Panel Views::left(dvec2 lower, dvec2 upper) const {
   return panel(-0.5, run_.size.width / 2.0 - 0.7, lower, upper);
 }
-Views::Panel Views::right(dvec2 lower, dvec2 upper) const {
+Panel Views::right(dvec2 lower, dvec2 upper) const {
   return panel(run_.size.width / 2.0 - 0.3, run_.size.width - 0.5, lower, upper);
 }
 
 template <class At>
-Views::Panel Views::fitted(At at, int side, const std::vector<dvec2>& more) const {
+Panel Views::fitted(At at, int side, const std::vector<dvec2>& more) const {
   dvec2 lower{1e300}, upper{-1e300};
   const auto add = [&](dvec2 p) {
     lower = glm::min(lower, p);
@@ -127,7 +80,8 @@ void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
 
 void Views::caption(View& view, const Panel& panel, const std::string& key) const {
   view.add({"caption " + key, Role::boundary,
-            Label{{(panel.lower.x + panel.upper.x) / 2, 0.4}, words_.say("pipeline.space." + key)}});
+            Label{{(panel.place().lower.x + panel.place().upper.x) / 2, 0.4},
+                  words_.say("pipeline.space." + key)}});
 }
 
 /// Faces as outlines; the followed piece over them with its corners named.
@@ -156,8 +110,8 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
 
 /// The directions of a space's axes, in the lower left corner.
 void Views::axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const {
-  const double length = 0.16 * (panel.upper.y - panel.lower.y) / panel.scale;
-  const dvec2 corner = {panel.lower.x + 1.2, panel.upper.y - 0.6};
+  const double length = 0.16 * (panel.place().upper.y - panel.place().lower.y) / panel.scale().y;
+  const dvec2 corner = {panel.place().lower.x + 1.2, panel.place().upper.y - 0.6};
   const dvec2 origin = panel.at({0, 0});
   for (const auto& [axis, label] :
        {std::pair{dvec3{1, 0, 0}, "x"}, {dvec3{0, 1, 0}, "y"}, {dvec3{0, 0, 1}, "z"}}) {

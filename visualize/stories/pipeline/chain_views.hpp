@@ -1,29 +1,15 @@
 #pragma once
 // The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
 
-#include <map>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "figure/drawing.hpp"
 #include "figure/wording.hpp"
+#include "stories/paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
 
 namespace gradus::textbook_chain {
-
-/// A whole drawing; a step's delta is the difference of two of them.
-struct View {
-  std::map<std::string, Mark> marks{};
-  std::map<std::pair<int, int>, CellLook> cells{};  ///< by (row, column)
-  bool plane = true;
-
-  void add(Mark mark) { marks.insert_or_assign(mark.id, mark); }
-};
-
-/// What turns one drawing into the other.
-Delta difference(const View& before, const View& after);
 
 /// What an event points at: the corner of the followed piece, or of what clipping has left of it, and its
 /// text.
@@ -51,7 +37,6 @@ class Views {
   View output(bool whole) const;
 
  private:
-  struct Panel;
   Panel whole(dvec2 lower, dvec2 upper) const;
   Panel left(dvec2 lower, dvec2 upper) const;
   Panel right(dvec2 lower, dvec2 upper) const;
@@ -77,7 +62,7 @@ class Views {
   const Wording& words_;
 };
 
-/// A number as the tour shows it: four significant digits, the typographic minus.
+/// A number as the tour shows it: what is below 1e-6 is a rounding error.
 std::string real_text(double value);
 /// "(1, −0.5, 2)".
 std::string place_text(dvec3 p);

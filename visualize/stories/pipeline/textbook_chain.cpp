@@ -427,7 +427,7 @@ class Tour {
   std::size_t number_;
   ivec2 pixel_;
   Views views_;
-  View shown_{.plane = false};
+  View shown_ = bare_grid();
   int stage_ = 0;
 };
 
@@ -494,6 +494,15 @@ Parameter whole(std::string name, std::string value, std::string example, std::s
           most};
 }
 
+Parameter place(std::string name, std::string example, std::string help) {
+  return {.name = std::move(name),
+          .type = ParameterType::numbers,
+          .default_value = "",
+          .example = std::move(example),
+          .help = std::move(help),
+          .parts = {"x", "y", "z"}};
+}
+
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -526,10 +535,8 @@ const TopicEntry& entry() {
                 "the pixel that is followed: column,row from the top left; one of the face's if not given",
             .least = 0,
             .most = 63},
-           {"eye", ParameterType::place, "", "1,1,3",
-            "where the viewer stands: x,y,z; placed for the model if not given"},
-           {"target", ParameterType::place, "", "0,0.5,0",
-            "what the viewer looks at: x,y,z; the model's middle if not given"},
+           place("eye", "1,1,3", "where the viewer stands: x,y,z; placed for the model if not given"),
+           place("target", "0,0.5,0", "what the viewer looks at: x,y,z; the model's middle if not given"),
            {"fov", ParameterType::number, "40", "60", "the vertical angle of view in degrees", 1, 170},
            {.name = "near",
             .type = ParameterType::number,

@@ -184,7 +184,9 @@ const crossPath = (x, y, arm) =>
 const hexRgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 
 /** x and y in turn, of a mark that is a chain of strokes. */
-const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest);
+const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest.slice(0, 4));
+const LINE_WIDTHS = {measure: 7, guide: 1.4};  // all others 2.6
+const DASHED = ['candidate', 'rejected'];
 
 class Drawing {
   constructor(element, prefix) {
@@ -220,13 +222,13 @@ class Drawing {
     const {plane} = this.canvas;
     if (!plane) this.labels.texts.push(...this.stillTexts);
     const cells = this.shownCells = this.visibleCells();
-    const over = svg('g'), dots = svg('g'), texts = svg('g');
-    const pending = this.drawMarks(over, dots);
+    const areas = svg('g', {'data-layer': 'areas'}), over = svg('g'), dots = svg('g'), texts = svg('g');
+    const pending = this.drawMarks(areas, over, dots, texts);
     this.placeLabels(pending, cells, over, texts);
     this.svg.replaceChildren(
         this.patterns, this.picture, this.grounds(cells), this.colors(cells), plane ? '' : this.still,
         plane ? '' : this.centres(), this.outlines(cells),
-        this.cellTexts(cells), over, dots, texts);
+        this.cellTexts(cells), areas, over, dots, texts);
     this.svg.setAttribute('width', width);
     this.svg.setAttribute('height', height);
     this.overview.hidden = !this.at.follows;
@@ -428,26 +430,59 @@ class Drawing {
   }
 
   // Marks: drawn at once; labels come later, when it is known what is in their way
-  drawMarks(strokes, dots) {
-    const pending = {fixed: [], free: []};
-    for (const mark of this.run.trace.backdrop) this.drawMark(mark, strokes, dots, pending.fixed, false);
+  drawMarks(areas, strokes, dots, texts) {
+    const pending = {fixed: [], free: [], texts: []};
+    for (const mark of this.run.trace.backdrop) this.drawMark(mark, areas, strokes, dots, pending, 'fixed');
     this.fixedStrokes = this.labels.strokes.length;
-    for (const mark of this.canvas.sortedMarks()) this.drawMark(mark, strokes, dots, pending.free, true);
+    for (const mark of this.canvas.sortedMarks()) this.drawMark(mark, areas, strokes, dots, pending, 'free');
+    for (const text of pending.texts) this.drawText(text, texts);
     return pending;
   }
-  drawMark(mark, strokes, dots, pending, reachable) {
+  drawMark(mark, areas, strokes, dots, pending, standing) {
     const [id, role, kind, ...rest] = mark;
     const look = this.theme.roles[role];
     const attributes = {
       'data-role': this.run.trace.roles[role],
-      ...(reachable ? {'data-mark': id} : {'pointer-events': 'none'})
+      ...(standing === 'free' ? {'data-mark': id} : {'pointer-events': 'none'})
     };
-    if (kind === 'label')
-      pending.push({at: toPixels(this.at, rest[0], rest[1]), text: rest[2], look, attributes});
+    if (kind === 'area')
+      this.drawArea(rest, role, attributes, areas);
+    else if (kind === 'text')
+      pending.texts.push(
+          {at: toPixels(this.at, rest[0], rest[1]), text: rest[2], align: rest[3], look, attributes});
+    else if (kind === 'label')
+      pending[standing].push({at: toPixels(this.at, rest[0], rest[1]), text: rest[2], look, attributes});
     else if (kind === 'dot' || kind === 'ring')
       this.drawDot(rest, kind, look, attributes, dots);
     else
       this.drawChain(rest, kind, look, attributes, strokes);
+  }
+  drawArea(rings, role, attributes, group) {
+    let d = '';
+    for (const ring of rings) {
+      for (let i = 0; i + 1 < ring.length; i += 2)
+        d += `${i === 0 ? 'M' : 'L'}${toPixels(this.at, ring[i], ring[i + 1]).join(' ')}`;
+      d += 'z';
+    }
+    const look = this.theme.roles[role];
+    group.append(svg('path', {d, fill: look.fill, 'fill-rule': 'evenodd', ...attributes}));
+    if (look.hatch !== 'none')
+      group.append(svg('path', {
+        d,
+        fill: `url(#${this.patternId(role)})`,
+        'fill-rule': 'evenodd',
+        'pointer-events': 'none'
+      }));
+  }
+  /** Just where it stands; left out where it would lie on another text. */
+  drawText({at: [x, y], text, align, look, attributes}, group) {
+    const {s} = this.at, {labels} = this, size = TEXT * s, width = textWidth(text, size);
+    const left = x - {left: 0, centre: 0.5, right: 1}[align] * width;
+    const box = {x: left, y: y - 0.5 * size, width, height: size};
+    if (!inside({x, y, width: 0, height: 0}, grown(this.at.box, 1)) || !inside(box, labels.room)) return;
+    if (labels.texts.some((other) => overlap(grown(box, 2 * s), other))) return;
+    labels.texts.push(box);
+    group.append(this.text(text, left, y + 0.35 * size, look.text, this.theme.tones.paper, attributes));
   }
   drawDot([x, y], kind, look, attributes, group) {
     const {s, box} = this.at, [cx, cy] = toPixels(this.at, x, y);
@@ -480,8 +515,8 @@ class Drawing {
       last = part;
     }
     if (!d) return;
-    const role = attributes['data-role'], width = (role === 'measure' ? 7 : 2.6) * s;
-    const dashed = role === 'candidate' || role === 'rejected';
+    const role = attributes['data-role'], width = (LINE_WIDTHS[role] ?? 2.6) * s;
+    const dashed = DASHED.includes(role) || rest.at(-1) === 'dashed';
     group.append(svg('path', {
       d,
       fill: 'none',
@@ -636,22 +671,29 @@ class Drawing {
     return image;
   }
 
-  legendRoles() {
-    const {trace} = this.run, shown = new Set(trace.backdrop.map((mark) => mark[1]));
-    for (const mark of this.canvas.marks.values()) shown.add(mark[1]);
-    for (const cell of this.shownCells) shown.add(cell[2]);
-    return trace.legend.filter(([role]) => shown.has(role));
+  /** How a role can be seen now: as a cell, as an area, as a mark; null: not at all. */
+  seenAs(role) {
+    if (this.shownCells.some((cell) => cell[2] === role)) return 'cell';
+    let as = null;
+    for (const [, of, kind] of [...this.run.trace.backdrop, ...this.canvas.marks.values()]) {
+      if (of !== role || kind === 'text') continue;
+      if (kind === 'area') return 'area';
+      as = 'mark';
+    }
+    return as;
   }
+  legendRoles() { return this.run.trace.legend.filter(([role]) => this.seenAs(role)); }
   /** A role as it looks in the drawing, for the legend. */
   swatch(role, s) {
     const look = this.theme.roles[role], name = this.run.trace.roles[role], width = 24 * s, height = 18 * s;
     const image = svg('svg', {width, height, 'aria-hidden': 'true'});
-    if (['measure', 'boundary', 'input'].includes(name) &&
-        !this.shownCells.some((cell) => cell[2] === role)) {
+    const as = this.seenAs(role);
+    if (as === 'mark') {
       image.append(svg('path', {
         d: `M0 ${height / 2}h${width}`,
         stroke: look.mark,
-        'stroke-width': (name === 'measure' ? 6 : 3) * s
+        'stroke-width': (name === 'measure' ? 6 : 3) * s,
+        'stroke-dasharray': DASHED.includes(name) && `${7 * s} ${4 * s}`
       }));
       return image;
     }
@@ -659,6 +701,7 @@ class Drawing {
     const d = `M${line / 2} ${line / 2}h${width - line}v${height - line}h${line - width}z`;
     image.append(svg('path', {d, fill: look.fill}));
     if (look.hatch !== 'none') image.append(svg('path', {d, fill: `url(#${this.patternId(role)})`}));
+    if (as === 'area') return image;
     if (line)
       image.append(svg('path', {
         d,

@@ -1,0 +1,114 @@
+#pragma once
+// Drawings in a plane without cells: geometry in coordinates of its own, shown in one panel of the paper or
+// in several. A story says what each step looks like as a whole; the step's delta is the difference of two
+// such views.
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "figure/drawing.hpp"
+
+namespace gradus {
+
+/// A whole drawing.
+struct View {
+  std::map<std::string, Mark> marks{};
+  std::map<std::pair<int, int>, CellLook> cells{};  ///< by (row, column)
+  bool plane = true;
+
+  void add(Mark mark) { marks.insert_or_assign(mark.id, mark); }
+};
+
+/// What turns one drawing into the other.
+Delta difference(const View& before, const View& after);
+
+/// What a drawing starts from: a grid's bare cells.
+inline View bare_grid() { return {.plane = false}; }
+
+/// A paper of so many units, y up, the origin in its lower left corner; all of it is always shown. Texts are
+/// about 1.3 units high where it is 36 x 27 and fills a slide's drawing. Domain: width, height >= 1.
+Grid paper_grid(int width, int height);
+
+/// A rectangle of some plane.
+struct Extent {
+  dvec2 lower{1e300}, upper{-1e300};
+
+  void add(dvec2 p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  dvec2 size() const { return upper - lower; }
+  dvec2 centre() const { return (lower + upper) * 0.5; }
+};
+
+/// The rectangle with a margin all round, in parts of its larger side.
+Extent widened(Extent extent, double part);
+
+/// A part of the paper that shows a rectangle of some plane, y up there.
+class Panel {
+ public:
+  /// How a plane is fitted into its place: with one scale for both axes, or stretched along each.
+  enum class Fit { same_scale, stretched };
+
+  /// place: in paper units, of a paper whose y points up or, as pictures' do, down. world: what is shown. One
+  /// of no size across an axis (a point, a line) is shown in the middle there.
+  Panel(Extent place, Extent world, Fit fit = Fit::same_scale, bool paper_y_up = true);
+
+  dvec2 at(dvec2 world) const {
+    return middle_ + (world - world_.centre()) * dvec2{scale_.x, paper_y_up_ ? scale_.y : -scale_.y};
+  }
+  /// Paper units a unit of the plane.
+  dvec2 scale() const { return scale_; }
+  const Extent& place() const { return place_; }
+  /// What the whole place shows: at least the world that was asked for.
+  Extent shown() const;
+
+  std::vector<dvec2> at(std::span<const dvec2> world) const;
+
+ private:
+  Extent place_, world_;
+  dvec2 middle_, scale_;
+  bool paper_y_up_;
+};
+
+/// The distance between ticks: 1, 2 or 5 times a power of ten, so that `length` has at most `most` of them.
+/// Domain: length > 0, most >= 1.
+double tick_distance(double length, int most);
+
+/// Names of a panel's axes; an empty one leaves the axis away.
+struct AxisNames {
+  std::string_view x = "x", y = "y";
+};
+
+/// Axes with round numbers along the panel's lower and left border. `name` begins the ids of their marks.
+void add_axes(View& view, const Panel& panel, std::string_view name, const AxisNames& names = {},
+              int most = 6);
+
+/// A straight scale from `from` to `to` of the paper with round numbers below it, that shows the values from
+/// `least` to `most`.
+class NumberLine {
+ public:
+  NumberLine(dvec2 from, dvec2 to, double least, double most)
+      : from_(from), to_(to), least_(least), most_(most) {}
+  dvec2 at(double value) const { return from_ + (value - least_) / (most_ - least_) * (to_ - from_); }
+  void add_to(View& view, std::string_view name, std::string_view symbol, int ticks = 6) const;
+
+ private:
+  dvec2 from_, to_;
+  double least_, most_;
+};
+
+/// Space to paper, oblique: x to the right, y up, z towards the reader down to the left, shortened.
+constexpr dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
+
+/// A number as figures show it: four significant digits or so, the typographic minus.
+std::string figure_real(double value);
+/// "(1, −0.5)" and "(1, −0.5, 2)", with no-break spaces.
+std::string figure_place(dvec2 p);
+std::string figure_place(dvec3 p);
+
+}  // namespace gradus
