@@ -243,8 +243,13 @@ inline PlacedChord chord_on(const Segment<double>& s, const Circle<double>& circ
 inline dvec2 crossing(const Segment<double>& s, const Circle<double>& circle, const PlacedChord& placed,
                       bool leaves) {
   const bool second = leaves != placed.turned;
-  const double x = sum_of_pairs({circle.centre.x, 0}, placed.chord.x(second)).value;
-  const double y = sum_of_pairs({circle.centre.y, 0}, placed.chord.y(second)).value;
+  // What 106 bits can't tell from 0 is 0
+  const auto placed_at = [&](double centre, Rounded offset) {
+    const double at = sum_of_pairs({centre, 0}, offset).value;
+    return std::abs(at) <= 0x1p-96 * circle.radius ? 0 : at;
+  };
+  const double x = placed_at(circle.centre.x, placed.chord.x(second));
+  const double y = placed_at(circle.centre.y, placed.chord.y(second));
   return {std::clamp(x, std::min(s.from.x, s.to.x), std::max(s.from.x, s.to.x)),
           std::clamp(y, std::min(s.from.y, s.to.y), std::max(s.from.y, s.to.y))};
 }

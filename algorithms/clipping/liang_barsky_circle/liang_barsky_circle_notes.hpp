@@ -8,8 +8,6 @@ namespace gradus::liang_barsky_circle {
 /// The notes' quadratic A t^2 + B t + C = 0 is set up. Note the B: twice that of `Quadratic`.
 template <class T>
 struct Discriminant {
-  Segment<T> segment;
-  Circle<T> circle;
   T A, B, C, D;  ///< D = B^2 - 4 A C
 };
 
@@ -26,14 +24,16 @@ struct Solved {
 /// segment, circle: any; nothing is refused.
 ///
 /// Domain: right where the segment itself meets the circle and A > 0.
-/// Steps: Discriminant (Solved Limited)? Finished
+/// Steps: Started Discriminant (Solved Limited)? Finished
 /// Accuracy: as discriminant_equals_zero.
 /// Cost: a square root and two divisions.
 /// Errors: none.
-template <std::floating_point T, Observer<Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
+template <std::floating_point T,
+          Observer<Started<T>, Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
 std::optional<Segment<T>> without_empty_test(const Segment<T>& segment, const Circle<T>& circle,
                                              O&& observer = {}) {
   std::optional<Segment<T>> kept;
+  if constexpr (observed<O>) observer(Started<T>{segment, circle});
   const T r = circle.radius;
   auto d = segment.to - segment.from;
   auto f = segment.from - circle.centre;
@@ -41,7 +41,7 @@ std::optional<Segment<T>> without_empty_test(const Segment<T>& segment, const Ci
   T B = 2 * (f.x * d.x + f.y * d.y);
   T C = f.x * f.x + f.y * f.y - r * r;
   T D = B * B - 4 * A * C;
-  if constexpr (observed<O>) observer(Discriminant<T>{segment, circle, A, B, C, D});
+  if constexpr (observed<O>) observer(Discriminant<T>{A, B, C, D});
   if (D > 0) {
     // "The segment meets the circle twice"
     T t1 = (-B - std::sqrt(D)) / (2 * A);
@@ -62,15 +62,17 @@ std::optional<Segment<T>> without_empty_test(const Segment<T>& segment, const Ci
 /// segment, circle: any; nothing is refused.
 ///
 /// Domain: right for segments of moderate length that neither touch the circle nor are points.
-/// Steps: Discriminant (Solved Limited)? Finished
+/// Steps: Started Discriminant (Solved Limited)? Finished
 /// Accuracy: none. (-1e8,0.5)-(1e8,0.5) gives the single point (0,0.5) of the chord from x = -0.866 to 0.866;
 ///   (-1e8,1.0000001)-(1e8,1.0000001) is accepted and misses; a point inside gives NaN for t and is lost.
 /// Cost: a square root and two divisions.
 /// Errors: none.
-template <std::floating_point T, Observer<Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
+template <std::floating_point T,
+          Observer<Started<T>, Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
 std::optional<Segment<T>> discriminant_equals_zero(const Segment<T>& segment, const Circle<T>& circle,
                                                    O&& observer = {}) {
   std::optional<Segment<T>> kept;
+  if constexpr (observed<O>) observer(Started<T>{segment, circle});
   const T r = circle.radius;
   auto d = segment.to - segment.from;
   auto f = segment.from - circle.centre;
@@ -78,12 +80,14 @@ std::optional<Segment<T>> discriminant_equals_zero(const Segment<T>& segment, co
   T B = 2 * (f.x * d.x + f.y * d.y);
   T C = f.x * f.x + f.y * f.y - r * r;
   T D = B * B - 4 * A * C;
-  if constexpr (observed<O>) observer(Discriminant<T>{segment, circle, A, B, C, D});
+  if constexpr (observed<O>) observer(Discriminant<T>{A, B, C, D});
   if (D == 0) {
     // "The line touches the circle"
     T t = -B / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t, t});
-    if (0 <= t && t <= 1) kept = part(segment, t, t);
+    if (0 <= t && t <= 1) {
+      kept = part(segment, t, t);
+    }
   } else if (D > 0) {
     T t1 = (-B - std::sqrt(D)) / (2 * A);
     T t2 = (-B + std::sqrt(D)) / (2 * A);

@@ -117,14 +117,14 @@ void append(Ring<T>& ring, dvec2 at) {
   if (ring.empty() || ring.back() != corner) ring.push_back(corner);
 }
 
-/// The boundary goes straight to an exit, and from there by an arc to the next entry. Where exit and entry
-/// are one point with nothing between them, there is no arc.
+/// The boundary goes straight to passage number `exit`, and from there by an arc to the next one. Where the
+/// two are one point with nothing between them, there is no arc.
 template <class T>
-void append_arc(Ring<T>& ring, const Crossing& exit, const Crossing& entry, const CircleOrder& order) {
-  const glm::vec<2, T> from(exit.at), to(entry.at);
-  const bool more_than_half = order.more_than_half(exit, entry);
-  if (from == to && !more_than_half) return;
-  append(ring, exit.at);
+void add_arc(Ring<T>& ring, std::span<const Crossing> passes, std::size_t exit, const CircleOrder& order) {
+  const Crossing &from = passes[exit], &to = passes[(exit + 1) % passes.size()];
+  const bool more_than_half = order.more_than_half(from, to);
+  if (glm::vec<2, T>(from.at) == glm::vec<2, T>(to.at) && !more_than_half) return;
+  append(ring, from.at);
   ring.back().arc = true;
   ring.back().more_than_half = more_than_half;
 }
@@ -136,6 +136,19 @@ inline std::vector<std::optional<std::size_t>> exits_of(std::span<const Crossing
     if (passes[i].leaves) exits[passes[i].edge] = i;
   }
   return exits;
+}
+
+/// The numbers of the passages at which a ring may begin.
+inline std::vector<std::size_t> entries_of(std::span<const Crossing> passes) {
+  std::vector<std::size_t> entries;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    if (!passes[i].leaves) entries.push_back(i);
+  }
+  return entries;
+}
+
+inline void sort_round(std::vector<Crossing>& passes, const CircleOrder& order) {
+  std::sort(passes.begin(), passes.end(), order);
 }
 
 /// What the step says of edge number `edge`, whose passages stand last.
@@ -215,13 +228,13 @@ Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
   }
   // Sort them round the circle
   const CircleOrder order(corners, c);
-  std::sort(passes.begin(), passes.end(), order);
+  sort_round(passes, order);
   expect_alternating(passes);
   if constexpr (observed<O>) observer(Sorted{passes});
   const auto exits = exits_of(passes, n);
   std::vector<bool> done(passes.size());
-  for (std::size_t start = 0; start < passes.size(); ++start) {
-    if (passes[start].leaves || done[start]) continue;
+  for (auto start : entries_of(passes)) {
+    if (done[start]) continue;
     // A ring begins at each entry left
     Ring<T> ring;
     auto entry = start;
@@ -238,9 +251,9 @@ Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
       }
       // Along the circle to the next entry
       auto exit = *exits[i];
-      entry = (exit + 1) % passes.size();
-      append_arc(ring, passes[exit], passes[entry], order);
+      add_arc<T>(ring, passes, exit, order);
       if constexpr (observed<O>) observer(bent(region.rings.size(), passes, exit, order));
+      entry = (exit + 1) % passes.size();
     } while (entry != start);
     region.rings.push_back(closed(ring));
     if constexpr (observed<O>) observer(Closed{region.rings.size() - 1, region.rings.back().size()});

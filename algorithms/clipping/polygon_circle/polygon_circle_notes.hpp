@@ -26,7 +26,7 @@ struct Joined {
 
 /// The first point of what the circle leaves of an edge, which has an end inside: its start, when that is
 /// inside, else the entry.
-inline dvec2 first_point(const Segment<double>& edge, bool from_inside, const Circle<double>& circle) {
+inline dvec2 first_of(const Segment<double>& edge, bool from_inside, const Circle<double>& circle) {
   if (from_inside) return edge.from;
   return entry(edge, circle, chord_on(edge, circle), side(edge.to, circle));
 }
@@ -38,30 +38,32 @@ inline dvec2 first_point(const Segment<double>& edge, bool from_inside, const Ci
 /// polygon, circle: as for arcs.
 ///
 /// Domain: right for polygons inside the circle.
-/// Steps: (Looked Kept*)* Joined, Looked once an edge.
+/// Steps: Oriented (Looked Kept*)* Joined, Looked once an edge.
 /// Accuracy: none: the square round the unit circle gives area 0 for pi, the square [0,2]^2 0 for pi/4.
 /// Cost: O(n).
 /// Errors: as arcs.
-template <std::floating_point T, Observer<Looked, Kept, Joined<T>> O = Unobserved>
+template <std::floating_point T, Observer<Oriented, Looked, Kept, Joined<T>> O = Unobserved>
 std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
                                            O&& observer = {}) {
   expect_circle(circle);
   std::vector<glm::vec<2, T>> kept;
   const auto c = in_double(circle);
   auto corners = counter_clockwise(polygon);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+  if constexpr (observed<O>) observer(Oriented{corners, c});
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
     const auto edge = edge_of(corners, i);
-    bool from_inside = side(edge.from, c) <= 0;
-    bool to_inside = side(edge.to, c) <= 0;
-    if constexpr (observed<O>) observer(Looked{i, edge.from, edge.to, from_inside, to_inside});
+    bool from_in = side(edge.from, c) <= 0;
+    bool to_in = side(edge.to, c) <= 0;
+    if constexpr (observed<O>) observer(Looked{i, edge.from, edge.to, from_in, to_in});
     // One end inside: "the crossing"
-    if (from_inside != to_inside) {
-      auto cut = first_point(edge, from_inside, c);
+    if (from_in != to_in) {
+      auto cut = first_of(edge, from_in, c);
       kept.push_back(glm::vec<2, T>(cut));
       if constexpr (observed<O>) observer(Kept{cut, true});
     }
     // The second end, if it is inside
-    if (to_inside) {
+    if (to_in) {
       kept.push_back(glm::vec<2, T>(edge.to));
       if constexpr (observed<O>) observer(Kept{edge.to, false});
     }

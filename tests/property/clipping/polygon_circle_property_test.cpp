@@ -273,7 +273,7 @@ void expect_right(const typename Polygons<T>::Case& given, Counts& counts) {
 }
 
 template <class T>
-void run_cases(std::uint64_t offset, int count) {
+Counts run_cases(std::uint64_t offset, int count) {
   Polygons<T> polygons(offset);
   Counts counts;
   for (int i = 0; i < count; ++i) {
@@ -284,7 +284,7 @@ void run_cases(std::uint64_t offset, int count) {
                                     << given.circle.centre.x << "," << given.circle.centre.y << ","
                                     << given.circle.radius);
     expect_right<T>(given, counts);
-    if (testing::Test::HasFatalFailure()) return;
+    if (testing::Test::HasFatalFailure()) return counts;
   }
   std::printf(
       "%d cases: %d pieces (%d with several), %d arcs, %d passages at corners, %d neighbours in doubt, "
@@ -295,16 +295,17 @@ void run_cases(std::uint64_t offset, int count) {
   EXPECT_GE(counts.several, count / 20);
   EXPECT_GE(counts.arcs, count);
   EXPECT_GE(counts.on_circle, count / 10);
-  EXPECT_GE(counts.doubtful, count / 20);
   EXPECT_GE(counts.whole, count / 100);
+  return counts;
 }
 
 TEST(PolygonCircleProperty, AreaAndOrderInDouble) {
-  run_cases<double>(1, static_cast<int>(test::cases(1'500, 60'000)));
+  const Counts counts = run_cases<double>(1, static_cast<int>(test::cases(1'000, 60'000)));
+  EXPECT_GE(counts.doubtful, counts.cases / 5) << "passages that doubles can't tell";
 }
 
 TEST(PolygonCircleProperty, AreaAndOrderInFloat) {
-  run_cases<float>(2, static_cast<int>(test::cases(1'500, 60'000)));
+  run_cases<float>(2, static_cast<int>(test::cases(600, 60'000)));
 }
 
 /// The edges' pieces in the disc are the clipped segments, and every arc's middle lies in the polygon.

@@ -101,6 +101,12 @@ TEST(LiangBarskyCircle, EndsOnTheCircle) {
   EXPECT_EQ(exact_decision(segment(3, 4, 3, -8), five), segment(3, 4, 3, -4));
 }
 
+TEST(LiangBarskyCircle, PointsWithRoundCoordinatesComeOutRound) {
+  EXPECT_EQ(exact_decision(segment(-9, -3, 7, 9), C{{0, 0}, 5}), segment(-5, 0, 1.4, 4.8));
+  EXPECT_EQ(exact_decision(segment(-6, -3, 10, 9), C{{3, 0}, 5}), segment(-2, 0, 4.4, 4.8));
+  EXPECT_EQ(exact_decision(segment(-9, 2, 7, 14), C{{0, 5}, 5}), segment(-5, 5, 1.4, 9.8));
+}
+
 TEST(LiangBarskyCircle, RadiusZeroIsItsCentre) {
   const C point{{2, 1}, 0};
   EXPECT_EQ(exact_decision(segment(0, 0, 4, 2), point), segment(2, 1, 2, 1));
@@ -146,12 +152,13 @@ TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
 }
 
 TEST(LiangBarskyCircle, StepsFollowTheGrammar) {
-  using Seen = Recorder<Measured<double>, Crossed<double>, Limited<double>, Finished<double>>;
+  using Seen =
+      Recorder<Started<double>, Measured<double>, Crossed<double>, Limited<double>, Finished<double>>;
   Seen hit;
   const C five{{0, 0}, 5};
   const S given = segment(-6, 3, 2, 3);
   EXPECT_EQ(half_chord(given, five, hit), half_chord(given, five));
-  ASSERT_EQ(hit.events().size(), 4u);
+  ASSERT_EQ(hit.events().size(), 5u);
   EXPECT_EQ(all<Measured<double>>(hit)[0].A, 64);
   EXPECT_EQ(all<Measured<double>>(hit)[0].k, 24);
   EXPECT_EQ(all<Measured<double>>(hit)[0].D, 25 * 64 - 24 * 24);
@@ -162,21 +169,21 @@ TEST(LiangBarskyCircle, StepsFollowTheGrammar) {
   EXPECT_EQ(all<Finished<double>>(hit)[0].kept, segment(-4, 3, 2, 3));
   Seen miss;
   EXPECT_FALSE(half_chord(segment(-6, 6, 6, 6), five, miss));
-  EXPECT_EQ(miss.events().size(), 2u);
+  EXPECT_EQ(miss.events().size(), 3u);
 
-  using Decided = Recorder<Placed<double>, Reached, Cut<double>, Finished<double>>;
+  using Decided = Recorder<Started<double>, Placed, Reached, Cut<double>, Finished<double>>;
   const auto steps = [&](const S& s) {
     Decided seen;
     EXPECT_EQ(exact_decision(s, five, seen), exact_decision(s, five));
     std::string text;
-    for (const auto& event : seen.events()) text += "PRCF"[event.step.index()];
+    for (const auto& event : seen.events()) text += "SPRCF"[event.step.index()];
     return text;
   };
-  EXPECT_EQ(steps(segment(-1, 0, 1, 0)), "PF");
-  EXPECT_EQ(steps(segment(-9, 0, 1, 0)), "PCF");
-  EXPECT_EQ(steps(segment(-9, 0, 9, 0)), "PRCCF");
-  EXPECT_EQ(steps(segment(-9, 0, -7, 0)), "PRF");
-  EXPECT_EQ(steps(segment(-9, 6, 9, 6)), "PRF");
+  EXPECT_EQ(steps(segment(-1, 0, 1, 0)), "SPF");
+  EXPECT_EQ(steps(segment(-9, 0, 1, 0)), "SPCF");
+  EXPECT_EQ(steps(segment(-9, 0, 9, 0)), "SPRCCF");
+  EXPECT_EQ(steps(segment(-9, 0, -7, 0)), "SPRF");
+  EXPECT_EQ(steps(segment(-9, 6, 9, 6)), "SPRF");
 }
 
 /// A, B, C, k and D are rational: only the root is not.
@@ -214,14 +221,14 @@ TEST(LiangBarskyCircleNotes, TheSegmentIsNotTheLine) {
 }
 
 TEST(LiangBarskyCircleNotes, APointInsideIsLost) {
-  Recorder<Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
+  Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
   EXPECT_FALSE(discriminant_equals_zero(segment(0.5, 0, 0.5, 0), unit, seen));
   EXPECT_EQ(all<Discriminant<double>>(seen)[0].A, 0);
   EXPECT_TRUE(std::isnan(all<Solved<double>>(seen)[0].enters));
 }
 
 TEST(LiangBarskyCircleNotes, TheDiscriminantCancels) {
-  Recorder<Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
+  Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
   EXPECT_EQ(discriminant_equals_zero(segment(-1e8, 0.5, 1e8, 0.5), unit, seen), segment(0, 0.5, 0, 0.5));
   EXPECT_EQ(all<Discriminant<double>>(seen)[0].D, 0);
   EXPECT_TRUE(discriminant_equals_zero(segment(-1e8, 1.0000001, 1e8, 1.0000001), unit));
@@ -232,7 +239,7 @@ TEST(LiangBarskyCircleNotes, TheDiscriminantCancels) {
 
 TEST(LiangBarskyCircleNotes, StepsAreWatchedOnly) {
   for (const S& s : {segment(-3, 0, 3, 0), segment(2, 0, 3, 0), segment(-2, 1, 2, 1), segment(-2, 2, 2, 2)}) {
-    Recorder<Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> a, b;
+    Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> a, b;
     EXPECT_EQ(without_empty_test(s, unit, a), without_empty_test(s, unit));
     EXPECT_EQ(discriminant_equals_zero(s, unit, b), discriminant_equals_zero(s, unit));
     EXPECT_EQ(all<Finished<double>>(a).size(), 1u);
