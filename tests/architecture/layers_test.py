@@ -143,7 +143,7 @@ def mirror_violations(root):
                           ("examples/*/*.cpp", r"examples/(.+)\.cpp"), ("docs/topics/*/*.md", r"docs/topics/(.+)\.md")):
         for file in sorted(root.glob(pattern)):
             path = file.relative_to(root).as_posix()
-            story = pattern.startswith("visualize/") and re.fullmatch(name, path).group(1).split("/")[0] in chapters
+            story = pattern.startswith(("visualize/", "docs/")) and re.fullmatch(name, path).group(1).split("/")[0] in chapters
             if re.fullmatch(name, path).group(1) not in known and not story:
                 found.append(f"{path}: no gradus_add_topic line in CMakeLists.txt names its topic")
     return found

@@ -138,6 +138,7 @@ struct Grid {
   bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
   std::string x_name = "x", y_name = "y";
   bool whole = false;            ///< all cells are always shown, however small: no view that follows the step
+  bool axes = true;              ///< false: a paper, whose drawings bring scales of their own
   std::optional<Image> picture;  ///< the input picture, one texel a cell, from cells.lower; row 0 first
 };
 

@@ -677,8 +677,12 @@ Stage stage_of(const Trace& trace, const Look& look) {
                                             view.lower.y, view.upper.x, view.upper.y));
   }
   const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
-  stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
-  stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
+  if (grid.axes) {
+    stage.left = std::max({number_width(stage.cells.lower.y), number_width(stage.cells.upper.y), 24.0}) + 12;
+    stage.right = std::max(24.0, text_width(grid.x_name, Face::italic, text_size) + 12);
+    stage.above = axis_above;
+    stage.below = axis_below;
+  }
   const bool slide = look.layout == Layout::slide;
   stage.least_cell = grid.whole ? 6 : slide ? least_cell : 16;
   // On paper it is the cell's real size that counts: 3 mm
@@ -688,7 +692,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
 }
 
 std::optional<Fit> fit(const Stage& stage, double width, double height) {
-  const double across = width - stage.left - stage.right, up = height - axis_below - axis_above;
+  const double across = width - stage.left - stage.right, up = height - stage.below - stage.above;
   const double cell = std::min({across / static_cast<double>(stage.cells.width()),
                                 up / static_cast<double>(stage.cells.height()), stage.largest_cell});
   if (cell >= stage.least_cell) return Fit{cell, stage.cells.width(), stage.cells.height(), false};
@@ -709,7 +713,7 @@ Fit capacity(const Stage& stage, double width, double height) {
   const auto count = [&stage](double room) {
     return static_cast<std::int64_t>(std::max(0.0, std::floor(room / stage.least_cell)));
   };
-  return {stage.least_cell, count(width - stage.left - stage.right), count(height - axis_below - axis_above)};
+  return {stage.least_cell, count(width - stage.left - stage.right), count(height - stage.below - stage.above)};
 }
 
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
@@ -721,8 +725,8 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   Box box = slot;
   if (scene.beside) {
     box.width -= (inset_width + inset_column_gap) * s;
-    scene.inset = {slot.right() - inset_width * s, slot.y + axis_above * s, inset_width * s,
-                   slot.height - (axis_above + axis_below) * s};
+    scene.inset = {slot.right() - inset_width * s, slot.y + stage.above * s, inset_width * s,
+                   slot.height - (stage.above + stage.below) * s};
   } else if (scene.follows) {
     scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
     box = {box.x, box.y + (inset_height + inset_gap) * s, box.width,
@@ -731,12 +735,12 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   // The cells with their axes, in the middle of what is left
   const double cell = shown->cell * s;
   const double width = cell * static_cast<double>(shown->columns) + (stage.left + stage.right) * s;
-  const double height = cell * static_cast<double>(shown->rows) + (axis_above + axis_below) * s;
+  const double height = cell * static_cast<double>(shown->rows) + (stage.above + stage.below) * s;
   scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
   scene.left = scene.settled.x;
   scene.frame = {scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells,
-                 {scene.settled.x + stage.left * s, scene.settled.y + axis_above * s,
-                  width - (stage.left + stage.right) * s, height - (axis_above + axis_below) * s},
+                 {scene.settled.x + stage.left * s, scene.settled.y + stage.above * s,
+                  width - (stage.left + stage.right) * s, height - (stage.above + stage.below) * s},
                  cell,
                  stage.y_up};
   scene.labels = look.crop ? with_room_for_labels(scene.settled, box, s) : box;

@@ -36,6 +36,7 @@ Grid paper_grid(int width, int height) {
   Grid grid;
   grid.cells = {{0, 0}, {width - 1, height - 1}};
   grid.whole = true;
+  grid.axes = false;
   return grid;
 }
 

@@ -44,10 +44,13 @@ function followed(lower, upper, count, focus) {
 function arrange(grid, width, height, s, focus) {
   const [x0, y0] = grid.lower, [x1, y1] = grid.upper;
   const ticks = Math.max(24 * s, ...[y0, y1].map((y) => textWidth(written(y), TEXT * s)));
-  const left = ticks + 12 * s, right = Math.max(24 * s, textWidth(grid.x_name, TEXT * s) + 12 * s);
-  const room = {x: Math.max(width - left - right, 1), y: Math.max(height - (AXIS_BELOW + AXIS_ABOVE) * s, 1)};
+  const axes = grid.axes !== false;  // a paper has none
+  const left = axes ? ticks + 12 * s : 0;
+  const right = axes ? Math.max(24 * s, textWidth(grid.x_name, TEXT * s) + 12 * s) : 0;
+  const above = axes ? AXIS_ABOVE * s : 0, below = axes ? AXIS_BELOW * s : 0;
+  const room = {x: Math.max(width - left - right, 1), y: Math.max(height - above - below, 1)};
   let cell = Math.min(room.x / (x1 - x0 + 1), room.y / (y1 - y0 + 1), LARGEST_CELL * s);
-  let view = {x0, y0, x1, y1}, top = AXIS_ABOVE * s;
+  let view = {x0, y0, x1, y1}, top = above;
   const follows = cell < LEAST_CELL * s && !grid.whole;
   if (follows) {
     cell = FOLLOWED_CELL * s;
@@ -66,7 +69,7 @@ function arrange(grid, width, height, s, focus) {
     width: across * cell,
     height: up * cell,
   };
-  return {view, cell, box, follows, s, yUp: grid.y_up, width, height};
+  return {view, cell, box, follows, s, yUp: grid.y_up, width, height, margin: above + below};
 }
 
 /** From the grid's coordinates to pixels. */

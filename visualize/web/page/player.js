@@ -515,8 +515,8 @@ class GradusPlayer {
   heightOfDrawing() {
     const {grid} = this.run.trace, width = this.parts.drawing.clientWidth, s = this.unit / TEXT;
     const rows = grid.upper[1] - grid.lower[1] + 1, most = 0.6 * window.innerHeight;
-    const {cell, follows} = arrange(grid, width, 1e6, s, grid.lower);
-    return follows ? most : Math.min(rows * cell + (AXIS_BELOW + AXIS_ABOVE) * s, most);
+    const {cell, follows, margin} = arrange(grid, width, 1e6, s, grid.lower);
+    return follows ? most : Math.min(rows * cell + margin, most);
   }
 
   // -- What is done to it
