@@ -49,7 +49,6 @@ inline const glm::dmat4& placement_of(const Scene& scene, int object) {
 template <Observer<Placed, Turned> O = Unobserved>
 Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& observer = {}) {
   Model<WorldPoint> world;
-  world.vertices.reserve(model.vertices.size());
   for (const auto& vertex : model.vertices) {
     const auto& [id, from] = vertex;
     const glm::dmat4& m =  // of its object

@@ -48,10 +48,10 @@ Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O
     const bool front = side == Facing::front;
     const bool back = side == Facing::back;
     const bool both = two_sided(scene, piece);
-    const bool stays = front || (back && both);
+    const bool keep = front || (back && both);
     piece.seen_from_behind = back;
-    if (stays) kept.push_back(piece);
-    if constexpr (observed<O>) observer(Faced{piece.id, side, both, !stays});
+    if (keep) kept.push_back(piece);
+    if constexpr (observed<O>) observer(Faced{piece.id, side, both, !keep});
   }
   model.pieces = std::move(kept);
   return model;

@@ -52,7 +52,7 @@ inline triangle_coverage::Triangle on_grid(const std::array<SnappedPoint, 3>& co
 }
 
 /// Whether the snapped triangle still shows the side that stage 4 saw, and has an area.
-inline bool shows_its_side(const Triangle& triangle, std::int64_t doubled_area) {
+inline bool keeps_side(const Triangle& triangle, std::int64_t doubled_area) {
   return triangle.seen_from_behind ? doubled_area > 0 : doubled_area < 0;
 }
 
@@ -101,7 +101,7 @@ void rasterize(const std::vector<Triangle>& triangles, int width, int height, Em
     const auto grid = on_grid(corners);
     const auto area =  // its sign is the side
         triangle_coverage::doubled_area(grid);
-    const bool drawn = shows_its_side(t, area);
+    const bool drawn = keeps_side(t, area);
     if constexpr (observed<O>) observer(Snapped{t.id, i, exact, corners, area, drawn});
     if (!drawn) continue;
     // Depth is linear in the picture,

@@ -57,7 +57,7 @@ template <Observer<DepthTested> O = Unobserved>
 void keep_nearest(const Fragment& f, Visible& visible, O&& observer = {}) {
   const PixelCell before = visible[f.pixel];
   const bool nearer = z_buffer::keep_nearest(  // ties by number
-      visible, f.pixel, f.depth, Candidate{f});
+      visible, f.pixel, f.depth, {f});
   if constexpr (observed<O>) observer(DepthTested{f, held(before), nearer});
 }
 
