@@ -13,7 +13,7 @@ namespace {
 
 using fmt::arg;
 
-constexpr double character = 0.92, row_height = 1.8, column_gap = 0.8;
+constexpr double character = 0.92, row_height = 2.1, column_gap = 0.8;
 
 double width_of(std::string_view text) {
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };

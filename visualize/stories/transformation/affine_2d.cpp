@@ -235,7 +235,7 @@ class Teller {
       for (const dvec2 p : points) world.add(p);
     }
     if (world.size() == dvec2{0}) world = {world.lower - 1.0, world.upper + 1.0};
-    panel_.emplace(Extent{{3.6, 4.6}, {25, 18.4}}, widened(world, 0.08));
+    panel_.emplace(Extent{{3.6, 4.6}, {25, 17.4}}, widened(world, 0.08));
   }
 
   std::string ending() const {
@@ -327,7 +327,7 @@ class Teller {
     const std::string name =
         whole || none ? m + (none ? "" : inverse) : factor_name(words_, factor) + inverse;
     const Role role = whole ? Role::result : none ? Role::guide : Role::current;
-    add_matrix(view, "m", {25, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
+    add_matrix(view, "m", {25, 22}, name, rows_of(whole || none ? matrix_ : shown_), role);
   }
 
   Row row() const {

@@ -232,7 +232,7 @@ class ProductTeller : Paper {
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, shape);
     }
-    const double top = 18;
+    const double top = 15.8;
     panels_.emplace_back(Extent{{0.6, 2.2}, {others_.empty() ? 25.4 : 12.6, top}}, widened(world, 0.03));
     if (!others_.empty()) panels_.emplace_back(Extent{{13.4, 2.2}, {25.4, top}}, widened(world, 0.03));
   }
@@ -319,7 +319,7 @@ class ProductTeller : Paper {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    add_matrix(view, "m", {25, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
+    add_matrix(view, "m", {25, 21.1}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 a = stages_[done_][corner_a];
     const Row row = role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), a);
     step(std::move(view), std::move(type), line, phase, std::move(sentence), row, fields_of(a));
@@ -353,7 +353,7 @@ class PartsTeller : Paper {
       add_to(world, axis(d.product));
       parts_.push_back(part_name(d.part));
     }
-    panel_.emplace(Extent{{0.6, 2.2}, {25.4, 18}}, widened(world, 0.03));
+    panel_.emplace(Extent{{0.6, 2.2}, {25.4, 15.8}}, widened(world, 0.03));
     tell("Input", 0, "words.set_up",
          say("affine_3d.input", arg("angle", figure_real(task.angle)), arg("axis", figure_place(task.axis)),
              arg("through", figure_place(task.through)), arg("count", parts_.size())),
@@ -423,7 +423,7 @@ class PartsTeller : Paper {
     view.add({"j corner", done_ ? role : Role::input, Dot{a}});
     view.add({"k corner", done_ ? role : Role::input, Label{a, "A"}});
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
-    add_matrix(view, "m", {25, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
+    add_matrix(view, "m", {25, 21.1}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 at = box[corner_a];
     const Row row =
         role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), at);
