@@ -109,6 +109,20 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   }
   tell("perspective", {{"method", "keep_z"}, {"from", "-1,0,5"}, {"to", "2,0,5"}});
   tell("perspective", {{"method", "depth_precision"}, {"range", "0.1,250"}});
+  const auto clip = [&](std::string polygon, std::map<std::string, std::string> more = {}) {
+    more["polygon"] = polygon;
+    tell("sutherland_hodgman", more);
+  };
+  clip("5,-5 15,5 5,15 -5,5");
+  clip("11,1 19,1 15,9");
+  clip("-10,-10 30,-10 10,40", {{"method", "containing_left_whole"}});
+  clip("-5,2 5,2 5,8", {{"method", "previous_left_behind"}});
+  clip("2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4", {{"order", "bottom,top,right,left"}});
+  clip("2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4",
+       {{"method", "separate_pieces"}, {"hole", "7,1 7.5,1 7.5,3 7,3"}});
+  clip("-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
+       {{"method", "separate_pieces"}, {"window_polygon", "5,-3 12,3 8,10 -2,7"}});
+  clip("-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7", {{"window_polygon", "5,-3 12,3 8,10 -2,7"}});
   return traces;
 }
 

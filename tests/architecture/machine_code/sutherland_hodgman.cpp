@@ -14,16 +14,18 @@ extern "C" {
                                         std::size_t count) {
   polygon = clip(polygon, std::span<const Plane<double>>(planes, count));
 }
-void machine_code_clip_to_window(std::span<const glm::dvec2> points, const Rectangle<double>& window,
-                                 Ways order, Corners& result) {
-  result = clip_to_window(points, window, order);
+void machine_code_cut_at_border(std::span<const Vertex<double>> polygon, int border,
+                                const Scene<double, Rectangle<double>>& scene, Corners& result) {
+  result = cut_at_border(polygon, border, scene);
 }
-void machine_code_clip_to_convex_window(std::span<const glm::dvec2> points,
-                                        const ConvexWindow<double>& window, Ways order, Corners& result) {
-  result = clip_to_window(points, window, order);
+[[gnu::flatten]] void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
+                                            const Scene<double, ConvexWindow<double>>& scene) {
+  split_at(border, rings, scene);
 }
-void machine_code_bridges(std::span<const Vertex<double>> polygon, std::span<const glm::dvec2> points,
-                          const Rectangle<double>& window, std::vector<BridgeFound<double>>& result) {
+[[gnu::flatten]] void machine_code_bridges(std::span<const Vertex<double>> polygon,
+                                           std::span<const glm::dvec2> points,
+                                           const Rectangle<double>& window,
+                                           std::vector<BridgeFound<double>>& result) {
   result = bridges(polygon, points, window);
 }
 void machine_code_separate_pieces(const Rings<double>& polygon, const Rectangle<double>& window, Ways order,
