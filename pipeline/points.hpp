@@ -86,6 +86,18 @@ struct Model {
   }
 };
 
+/// How many there are, as the numbers of vertices, faces and triangles count.
+template <class T>
+int size_of(const std::vector<T>& list) {
+  return static_cast<int>(list.size());
+}
+
+/// Adds all of `more` at the end.
+template <class T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 /// A corner of a triangle that was clipped and divided.
 struct TriangleCorner {
   NdcPoint ndc;
@@ -111,5 +123,10 @@ struct Fragment {
   double depth = 0;  ///< z after division, in [0, 1]
   dvec3 weights{0};  ///< perspective-correct, of the triangle's three corners; they add up to 1
 };
+
+/// The triangle that covers a fragment.
+inline const Triangle& triangle_of(const Fragment& f, const std::vector<Triangle>& triangles) {
+  return triangles[static_cast<std::size_t>(f.triangle)];
+}
 
 }  // namespace gradus::pipeline

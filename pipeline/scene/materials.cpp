@@ -27,7 +27,7 @@ struct Draft {
 
 double share(Statement& s, std::string_view what) {
   const double value = s.number(what);
-  if (value < 0) s.fail(fmt::format("{} is negative: {}", what, value));
+  if (value < 0) s.fail(fmt::format("expected {} of 0 or more, found {}", what, value));
   return value;
 }
 
@@ -36,7 +36,7 @@ LinearRgb colour(Statement& s, std::string_view what) {
   Statement ahead = s;
   const std::string_view first = ahead.word();
   if (first == "spectral" || first == "xyz")
-    s.fail(fmt::format("{} as {} is not read, only as r g b", what, first));
+    s.fail(fmt::format("expected {} as r g b, found {}", what, first));
   const auto r = static_cast<float>(share(s, what));
   if (!s.more()) return LinearRgb{r};
   const auto g = static_cast<float>(share(s, what));
@@ -70,7 +70,7 @@ std::string map_file(Statement& s) {
         s.word();
       }
     } else {
-      s.fail(fmt::format("{} is no option of a map", in_quotes(option)));
+      s.fail(fmt::format("expected an option of a map, found {}", in_quotes(option)));
     }
   }
 }
@@ -93,7 +93,7 @@ class Reader {
   void read(Statement& s) {
     const std::string_view key = s.word();
     if (key == "newmtl") return begin(s);
-    if (drafts_.empty()) s.fail(fmt::format("{} before any newmtl", in_quotes(key)));
+    if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", in_quotes(key)));
     Draft& draft = drafts_.back();
     Material& m = draft.material;
     if (key == "Ka") {
@@ -137,7 +137,8 @@ class Reader {
     const std::string name(s.rest());
     if (name.empty()) notes_.push_back(s.place("a material without a name, which nothing can use"));
     const auto same = [&name](const Draft& draft) { return draft.material.name == name; };
-    if (std::ranges::any_of(drafts_, same)) s.fail(fmt::format("a second material {}", in_quotes(name)));
+    if (std::ranges::any_of(drafts_, same))
+      s.fail(fmt::format("expected another name for each material, found {} again", in_quotes(name)));
     drafts_.emplace_back();
     drafts_.back().material.name = name;
   }
@@ -148,7 +149,7 @@ class Reader {
     if (key == "d" && ahead.word() == "-halo") s.word();
     const double value = s.number(key);
     s.end(key);
-    if (value < 0 || value > 1) s.fail(fmt::format("{} lies between 0 and 1, not at {}", key, value));
+    if (value < 0 || value > 1) s.fail(fmt::format("expected {} from 0 to 1, found {}", key, value));
     m.opacity = static_cast<float>(key == "d" ? value : 1 - value);
   }
 

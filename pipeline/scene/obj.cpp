@@ -64,7 +64,7 @@ class Reader {
     Mesh& mesh = model_.mesh;
     if (mesh.faces.empty()) {
       throw InputError(
-          fmt::format("{}: no face in it ({} vertices, {} points, {} lines), there is nothing to draw", file_,
+          fmt::format("{}: expected at least one face, found none ({} vertices, {} points, {} lines)", file_,
                       mesh.positions.size(), model_.points, model_.lines));
     }
     check_indices();
@@ -90,7 +90,7 @@ class Reader {
     int more = 0;
     for (; s.more(); ++more) s.number("the vertex");
     if (more != 0 && more != 1 && more != 3 && more != 4) {
-      s.fail(fmt::format("a vertex has 3, 4, 6 or 7 numbers, not {}", 3 + more));
+      s.fail(fmt::format("expected a vertex of 3, 4, 6 or 7 numbers, found {}", 3 + more));
     }
     model_.mesh.positions.push_back(at);
     check_count(s, model_.mesh.positions.size());
@@ -107,7 +107,7 @@ class Reader {
 
   static void check_count(Statement& s, std::size_t count) {
     if (count > static_cast<std::size_t>(most))
-      s.fail(fmt::format("more than {} of them can't be numbered", most));
+      s.fail(fmt::format("expected at most {} of them, found one more", most));
   }
 
   std::size_t size_of(Array array) const {
@@ -117,6 +117,19 @@ class Reader {
                               : mesh.normals.size();
   }
 
+  /// "3 vertices"
+  static std::string counted(Array array, std::int64_t count) {
+    const std::string_view one = array_name[array];
+    return count == 1          ? fmt::format("1 {}", one)
+           : array == position ? fmt::format("{} vertices", count)
+                               : fmt::format("{} {}s", count, one);
+  }
+
+  [[noreturn]] static void no_corner(Statement& s, std::string_view word) {
+    s.fail(fmt::format("expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found {}",
+                       in_quotes(word)));
+  }
+
   /// One number of a corner as a place in its array, from 0; it is moved past. A positive one is checked at
   /// the end.
   int index(Statement& s, const char*& at, const char* end, Array array, std::string_view word) const {
@@ -124,21 +137,21 @@ class Reader {
     int number = 0;
     const auto [stopped, error] = std::from_chars(at, end, number);
     if (error == std::errc::result_out_of_range || number > most || number < -most) {
-      s.fail(fmt::format("the {} index in {} is out of range", array_name[array], in_quotes(word)));
+      s.fail(fmt::format("expected a {} index from {} to {}, found {}", array_name[array], -most, most,
+                         in_quotes(word)));
     }
     if (error != std::errc{} || (stopped != end && *stopped != '/')) {
-      s.fail(fmt::format("{} is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers",
-                         in_quotes(word)));
+      no_corner(s, word);
     }
     at = stopped;
     if (number > 0) return number - 1;
     if (number == 0)
-      s.fail(fmt::format("the {} index in {} is 0: they count from 1, or from -1 backwards",
+      s.fail(fmt::format("expected a {} index that counts from 1, or from -1 backwards, found 0 in {}",
                          array_name[array], in_quotes(word)));
     const auto size = static_cast<std::int64_t>(size_of(array));
     if (size + number < 0) {
-      s.fail(fmt::format("{} goes back to {} {}, but there are only {} so far", in_quotes(word),
-                         array_name[array], number, size));
+      s.fail(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
+                         statement_name[array], number, in_quotes(word)));
     }
     return static_cast<int>(size + number);
   }
@@ -155,8 +168,7 @@ class Reader {
       corner.normal = index(s, at, end, normal, word);
     }
     if (at != end || word.back() == '/') {
-      s.fail(fmt::format("{} is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers",
-                         in_quotes(word)));
+      no_corner(s, word);
     }
     return corner;
   }
@@ -168,11 +180,12 @@ class Reader {
       corners_.push_back(corner(s, word));
       const Corner &first = corners_.front(), &last = corners_.back();
       if ((first.texture < 0) != (last.texture < 0) || (first.normal < 0) != (last.normal < 0)) {
-        s.fail(fmt::format("corner {} of the face has another form than the first: {}", corners_.size(),
-                           in_quotes(word)));
+        s.fail(fmt::format("expected corner {} of the face in the form of the first, found {}",
+                           corners_.size(), in_quotes(word)));
       }
     }
-    if (corners_.size() < 3) s.fail(fmt::format("a face has at least 3 corners, not {}", corners_.size()));
+    if (corners_.size() < 3)
+      s.fail(fmt::format("expected a face of at least 3 corners, found {}", corners_.size()));
     add_face(model_.mesh, corners_, material_, 0, s.line());
     groups_.push_back(group_);
     check_count(s, model_.mesh.faces.size());
@@ -187,7 +200,8 @@ class Reader {
         loose_.push_back({c.position, s.line()});
       }
     }
-    if (count < least) s.fail(fmt::format("{} has at least {} vertices, not {}", what, least, count));
+    if (count < least)
+      s.fail(fmt::format("expected {} of at least {} vertices, found {}", what, least, count));
   }
 
   /// A material that is not known yet looks like the default one, and is completed when its library comes.
@@ -211,7 +225,7 @@ class Reader {
     } else {
       const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), group_);
       if (error != std::errc{} || stopped != word.data() + word.size() || group_ < 0) {
-        s.fail(fmt::format("a smoothing group is a whole number or off, not {}", in_quotes(word)));
+        s.fail(fmt::format("expected a smoothing group, a whole number or off, found {}", in_quotes(word)));
       }
     }
     s.end("a smoothing group");
@@ -221,7 +235,7 @@ class Reader {
   /// One name that may hold blanks, or several.
   void library(Statement& s) {
     const std::string all(s.rest());
-    if (all.empty()) s.fail("mtllib without a file name");
+    if (all.empty()) s.fail("expected a file's name after mtllib, found none");
     if (add_library(all)) return;
     bool several = false;
     for (std::size_t at = 0; at < all.size();) {
@@ -268,9 +282,9 @@ class Reader {
                                    "surf", "parm",   "trim", "hole", "scrv", "sp",   "end",
                                    "con",  "bzp",    "bsp",  "cdc",  "cdp",  "res"};
     if (std::ranges::find(free_form, key) != free_form.end()) {
-      s.fail(fmt::format("{} belongs to a free-form curve or surface, only faces are read", in_quotes(key)));
+      s.fail(fmt::format("expected faces alone, found {} of a free-form curve or surface", in_quotes(key)));
     }
-    s.fail(fmt::format("{} is no statement of an OBJ file", in_quotes(key)));
+    s.fail(fmt::format("expected a statement of an OBJ file, found {}", in_quotes(key)));
   }
 
   void check_indices() const {
@@ -287,8 +301,9 @@ class Reader {
 
   void check_index(int index, Array array, int line) const {
     if (index < static_cast<std::int64_t>(size_of(array))) return;
-    throw InputError(fmt::format("{}:{}: {} {} was asked for, but the file has {} ({})", file_, line,
-                                 array_name[array], index + 1, size_of(array), statement_name[array]));
+    throw InputError(fmt::format("{}:{}: expected one of the {} of the file ({}), found {}", file_, line,
+                                 counted(array, static_cast<std::int64_t>(size_of(array))),
+                                 statement_name[array], index + 1));
   }
 
   const std::string& file_;
@@ -311,7 +326,7 @@ std::optional<std::string> contents(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
   if (std::filesystem::is_directory(path, ignored))
-    throw InputError(fmt::format("{}: a folder, expected a file", path.string()));
+    throw InputError(fmt::format("{}: expected a file, found a folder", path.string()));
   std::ifstream file(path, std::ios::binary);
   std::string text;
   // In large pieces: pipes don't know their size beforehand

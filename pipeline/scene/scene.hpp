@@ -28,6 +28,11 @@ struct Scene {
   LinearRgb background{1.0f};  ///< where there is nothing
 };
 
+/// The object with this number.
+inline const Object& object_at(const Scene& scene, int number) {
+  return scene.objects[static_cast<std::size_t>(number)];
+}
+
 /// The object of a mesh: missing normals are made, and it is two-sided unless it encloses a body
 /// (closed_outward).
 Object object_of(Mesh mesh, std::string name = {});

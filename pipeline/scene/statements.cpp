@@ -55,7 +55,7 @@ std::string_view Statement::rest() {
 
 double Statement::number(std::string_view what) {
   const std::string_view text = word();
-  if (text.empty()) fail(fmt::format("{} is missing: expected a number", what));
+  if (text.empty()) fail(fmt::format("expected a number for {}, found none", what));
   return number(what, text);
 }
 
@@ -66,19 +66,20 @@ double Statement::number(std::string_view what, std::string_view text) {
   double value = 0;
   const auto [stopped, error] = std::from_chars(begin, end, value);
   if (error == std::errc::result_out_of_range)
-    fail(fmt::format("{} is out of range: {}", what, in_quotes(text)));
+    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, in_quotes(text)));
   if (error != std::errc{} || stopped != end) {
-    fail(fmt::format("{} is no number: {}", what, in_quotes(text)));
+    fail(fmt::format("expected a number for {}, found {}", what, in_quotes(text)));
   }
-  if (!std::isfinite(value)) fail(fmt::format("{} is not finite: {}", what, in_quotes(text)));
+  if (!std::isfinite(value))
+    fail(fmt::format("expected a finite number for {}, found {}", what, in_quotes(text)));
   if (std::abs(value) > largest) {
-    fail(fmt::format("{} is out of range: {}, at most {} is taken", what, in_quotes(text), largest));
+    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, in_quotes(text)));
   }
   return value;
 }
 
 void Statement::end(std::string_view after) {
-  if (more()) fail(fmt::format("unexpected {} after {}", in_quotes(word()), after));
+  if (more()) fail(fmt::format("expected nothing after {}, found {}", after, in_quotes(word())));
 }
 
 std::string Statement::place(std::string_view text) const {
@@ -90,11 +91,11 @@ void Statement::fail(std::string_view text) const { throw InputError(place(text)
 Statements::Statements(std::string_view text, const std::string& file) : text_(text), file_(file) {
   const auto begins = [text](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
   if (begins("\xFF\xFE") || begins("\xFE\xFF")) {
-    throw InputError(fmt::format("{}: UTF-16 text, expected UTF-8 or ASCII", file));
+    throw InputError(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", file));
   }
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    throw InputError(fmt::format("{}: no text: byte {} is zero", file, zero));
+    throw InputError(fmt::format("{}: expected text, found a zero at byte {}", file, zero));
   }
   if (begins("\xEF\xBB\xBF")) at_ = 3;
 }

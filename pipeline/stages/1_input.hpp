@@ -70,6 +70,28 @@ inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vecto
   return {object, id, vertices, pieces, face.material, face.file, face.line};
 }
 
+/// Brings in one object: its vertices, then the pieces of its faces.
+/// Steps: VertexRead* FaceRead*.
+template <Observer<VertexRead, FaceRead> O = Unobserved>
+void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& observer = {}) {
+  // Faces know its vertices by number
+  const int first = size_of(model.vertices);
+  int vertex = 0;
+  for (const dvec3& at : mesh.positions) {
+    const VertexId id{object, vertex++};
+    model.vertices.push_back({id, {at}});
+    if constexpr (observed<O>) observer(VertexRead{id, {at}});
+  }
+  // Larger faces lose their ears
+  const int faces = size_of(mesh.faces);
+  for (int face = 0; face < faces; ++face) {
+    const PieceId id{object, face, 0};
+    const auto pieces = cut(mesh, id, first);
+    append(model.pieces, pieces);
+    if constexpr (observed<O>) observer(face_read(mesh, object, face, pieces));
+  }
+}
+
 /// Brings in every object of the scene, in order.
 ///
 /// Domain: coordinates are finite.
@@ -80,18 +102,10 @@ inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vecto
 template <Observer<VertexRead, FaceRead> O = Unobserved>
 Model<ObjectPoint> input(const Scene& scene, O&& observer = {}) {
   Model<ObjectPoint> model;
-  for (int object = 0; object < static_cast<int>(scene.objects.size()); ++object) {
-    const Mesh& mesh = scene.objects[static_cast<std::size_t>(object)].mesh;
-    const int first = static_cast<int>(model.vertices.size());
-    for (int i = 0; i < static_cast<int>(mesh.positions.size()); ++i) {
-      model.vertices.push_back({{object, i}, {mesh.positions[static_cast<std::size_t>(i)]}});
-      if constexpr (observed<O>) observer(VertexRead{model.vertices.back().id, model.vertices.back().point});
-    }
-    for (int face = 0; face < static_cast<int>(mesh.faces.size()); ++face) {
-      const std::vector<Piece> pieces = cut(mesh, {object, face, 0}, first);
-      model.pieces.insert(model.pieces.end(), pieces.begin(), pieces.end());
-      if constexpr (observed<O>) observer(face_read(mesh, object, face, pieces));
-    }
+  int number = 0;
+  for (const Object& object : scene.objects) {
+    bring_in(object.mesh, number, model, observer);
+    ++number;
   }
   return model;
 }

@@ -24,6 +24,21 @@ struct Turned {
   bool mirrored;  ///< the placement mirrors: the order of the corners was reversed
 };
 
+/// Turns the normals of a piece along. Returns whether the placement mirrors it: then two corners change
+/// places.
+inline bool turn(const glm::dmat4& placement, Piece& piece) {
+  const glm::dmat3 normal_matrix = affine_3d::normal_matrix(placement);
+  for (PieceCorner& corner : piece.corners) corner.normal = unit_vector(normal_matrix * corner.normal);
+  const bool mirrored = affine_3d::mirrors(placement);
+  if (mirrored) std::swap(piece.corners[1], piece.corners[2]);
+  return mirrored;
+}
+
+/// Where an object stands.
+inline const glm::dmat4& placement_of(const Scene& scene, int object) {
+  return object_at(scene, object).placement;
+}
+
 /// Takes vertices and normals from the objects' spaces to the world.
 ///
 /// Domain: affine placements.
@@ -35,18 +50,21 @@ template <Observer<Placed, Turned> O = Unobserved>
 Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& observer = {}) {
   Model<WorldPoint> world;
   world.vertices.reserve(model.vertices.size());
-  for (const Vertex<ObjectPoint>& vertex : model.vertices) {
-    const glm::dmat4& placement = scene.objects[static_cast<std::size_t>(vertex.id.object)].placement;
-    world.vertices.push_back({vertex.id, {affine_3d::transform(placement, vertex.point.at)}});
-    if constexpr (observed<O>) observer(Placed{vertex.id, vertex.point, world.vertices.back().point});
+  for (const auto& vertex : model.vertices) {
+    const auto& [id, from] = vertex;
+    const glm::dmat4& m =  // of its object
+        placement_of(scene, id.object);
+    const dvec3 to =  // m * (x, y, z, 1)
+        affine_3d::transform(m, from.at);
+    world.vertices.push_back({id, {to}});
+    if constexpr (observed<O>) observer(Placed{id, from, {to}});
   }
+  // Normals turn, they do not move
   world.pieces = std::move(model.pieces);
   for (Piece& piece : world.pieces) {
-    const glm::dmat4& placement = scene.objects[static_cast<std::size_t>(piece.id.object)].placement;
-    const glm::dmat3 normal_matrix = affine_3d::normal_matrix(placement);
-    for (PieceCorner& corner : piece.corners) corner.normal = unit_vector(normal_matrix * corner.normal);
-    const bool mirrored = affine_3d::mirrors(placement);
-    if (mirrored) std::swap(piece.corners[1], piece.corners[2]);
+    const glm::dmat4& m =  // of its object
+        placement_of(scene, piece.id.object);
+    const bool mirrored = turn(m, piece);
     if constexpr (observed<O>) observer(Turned{piece.id, mirrored});
   }
   return world;

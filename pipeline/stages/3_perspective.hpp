@@ -29,13 +29,20 @@ struct Projected {
 template <Observer<Projected> O = Unobserved>
 Model<ClipPoint> to_clip(const Camera& camera, double aspect, const Model<WorldPoint>& world,
                          O&& observer = {}) {
-  const Projection<double> projection = projection_of(camera.lens, aspect);
+  const Projection<double> projection =  // a matrix
+      projection_of(camera.lens, aspect);
   Model<ClipPoint> clip;
   clip.vertices.reserve(world.vertices.size());
-  for (const Vertex<WorldPoint>& vertex : world.vertices) {
-    const dvec3 view = viewing::to_view(camera.frame, vertex.point.at);
-    clip.vertices.push_back({vertex.id, {perspective::transform(projection, view)}});
-    if constexpr (observed<O>) observer(Projected{vertex.id, vertex.point, view, clip.vertices.back().point});
+  for (const auto& vertex : world.vertices) {
+    const auto& [id, from] = vertex;
+    // To the viewer: right, up, depth
+    const dvec3 view =  // the eye is at (0, 0, 0)
+        viewing::to_view(camera.frame, from.at);
+    // Into clip space: w becomes the depth
+    const glm::dvec4 to =  // not divided by it
+        perspective::transform(projection, view);
+    clip.vertices.push_back({id, {to}});
+    if constexpr (observed<O>) observer(Projected{id, from, view, {to}});
   }
   clip.pieces = world.pieces;
   return clip;

@@ -19,6 +19,17 @@ struct Faced {
   bool removed;
 };
 
+/// The side that a piece shows.
+inline back_face_culling::Facing facing(const Model<ClipPoint>& model, const Piece& piece) {
+  const auto& [a, b, c] = piece.corners;
+  return back_face_culling::facing(model.point(a).at, model.point(b).at, model.point(c).at);
+}
+
+/// Whether its object shows its back faces, too.
+inline bool two_sided(const Scene& scene, const Piece& piece) {
+  return object_at(scene, piece.id.object).two_sided;
+}
+
 /// Removes the pieces that show their backs, and those seen edge-on. Those of two-sided objects stay and are
 /// marked.
 ///
@@ -32,13 +43,15 @@ Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O
   using back_face_culling::Facing;
   std::vector<Piece> kept;
   for (Piece& piece : model.pieces) {
-    const auto& [a, b, c] = piece.corners;
-    const Facing facing = back_face_culling::facing(model.point(a).at, model.point(b).at, model.point(c).at);
-    const bool two_sided = scene.objects[static_cast<std::size_t>(piece.id.object)].two_sided;
-    const bool stays = facing == Facing::front || (facing == Facing::back && two_sided);
-    piece.seen_from_behind = facing == Facing::back;
+    // The sign of det[x y w], for any w
+    const Facing side = facing(model, piece);
+    const bool front = side == Facing::front;
+    const bool back = side == Facing::back;
+    const bool both = two_sided(scene, piece);
+    const bool stays = front || (back && both);
+    piece.seen_from_behind = back;
     if (stays) kept.push_back(piece);
-    if constexpr (observed<O>) observer(Faced{piece.id, facing, two_sided, !stays});
+    if constexpr (observed<O>) observer(Faced{piece.id, side, both, !stays});
   }
   model.pieces = std::move(kept);
   return model;

@@ -22,6 +22,8 @@ struct ClipCorner {
   dvec2 texture{0, 0};
 };
 
+using Polygon = std::vector<ClipCorner>;
+
 /// The corner t of the way from a to b.
 inline ClipCorner mix(const ClipCorner& a, const ClipCorner& b, double t) {
   return {a.at + t * (b.at - a.at), a.world + t * (b.world - a.world), a.normal + t * (b.normal - a.normal),
@@ -50,9 +52,8 @@ inline std::array<sutherland_hodgman::Plane<double>, 6> guard_volume(int width, 
 }
 
 /// The polygon of a piece. Normals are turned to the viewer's side.
-inline std::vector<ClipCorner> polygon_of(const Piece& piece, const Model<WorldPoint>& world,
-                                          const Model<ClipPoint>& clip) {
-  std::vector<ClipCorner> polygon;
+inline Polygon polygon_of(const Piece& piece, const Model<WorldPoint>& world, const Model<ClipPoint>& clip) {
+  Polygon polygon;
   polygon.reserve(3);
   for (const PieceCorner& corner : piece.corners) {
     const dvec3 normal = piece.seen_from_behind ? -corner.normal : corner.normal;
@@ -62,8 +63,7 @@ inline std::vector<ClipCorner> polygon_of(const Piece& piece, const Model<WorldP
 }
 
 /// Whether nothing of the polygon is outside of any plane.
-inline bool inside_all(const std::vector<ClipCorner>& polygon,
-                       std::span<const sutherland_hodgman::Plane<double>> planes) {
+inline bool inside_all(const Polygon& polygon, std::span<const sutherland_hodgman::Plane<double>> planes) {
   return std::ranges::all_of(planes, [&](const auto& plane) {
     return std::ranges::all_of(polygon, [&](const ClipCorner& c) { return distance(plane, c.at) >= 0; });
   });
@@ -71,26 +71,42 @@ inline bool inside_all(const std::vector<ClipCorner>& polygon,
 
 /// What is left of a polygon. Where rounding errors of very large coordinates reach beyond the near plane,
 /// nothing is.
-inline std::vector<ClipCorner> part_inside(const std::vector<ClipCorner>& polygon,
-                                           std::span<const sutherland_hodgman::Plane<double>> planes) {
+inline Polygon part_inside(const Polygon& polygon,
+                           std::span<const sutherland_hodgman::Plane<double>> planes) {
   if (inside_all(polygon, planes)) return polygon;
-  std::vector<ClipCorner> part = sutherland_hodgman::clip(polygon, planes);
+  Polygon part = sutherland_hodgman::clip(polygon, planes);
   if (!std::ranges::all_of(part, [](const ClipCorner& c) { return c.at.w > 0; })) part.clear();
   return part;
 }
 
-/// The corner after the division.
-inline TriangleCorner divided(const ClipCorner& corner) {
-  return {{perspective::divide(corner.at)}, 1 / corner.at.w, {corner.world}, corner.normal, corner.texture};
+/// The corners after the division.
+inline std::vector<TriangleCorner> divided(const Polygon& polygon) {
+  std::vector<TriangleCorner> corners;
+  corners.reserve(polygon.size());
+  for (const ClipCorner& corner : polygon) {
+    corners.push_back(
+        {{perspective::divide(corner.at)}, 1 / corner.at.w, {corner.world}, corner.normal, corner.texture});
+  }
+  return corners;
+}
+
+/// A convex polygon as triangles round its first corner.
+inline std::vector<Triangle> fan(const Piece& piece, const std::vector<TriangleCorner>& corners) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    triangles.push_back({piece.id, {corners[0], corners[i - 1], corners[i]}, piece.seen_from_behind});
+  }
+  return triangles;
 }
 
 /// What is told of a clipped piece.
-inline Clipped clipped(PieceId id, const std::vector<ClipCorner>& before,
-                       const std::vector<ClipCorner>& after, bool changed) {
-  Clipped step{id, {}, {}, {}, changed};
+inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
+                       const std::vector<TriangleCorner>& divided,
+                       std::span<const sutherland_hodgman::Plane<double>> planes) {
+  Clipped step{id, {}, {}, {}, !inside_all(before, planes)};
   for (const ClipCorner& corner : before) step.before.push_back({corner.at});
   for (const ClipCorner& corner : after) step.after.push_back({corner.at});
-  for (const ClipCorner& corner : after) step.divided.push_back(divided(corner).ndc);
+  for (const TriangleCorner& corner : divided) step.divided.push_back(corner.ndc);
   return step;
 }
 
@@ -106,18 +122,20 @@ inline Clipped clipped(PieceId id, const std::vector<ClipCorner>& before,
 template <Observer<Clipped> O = Unobserved>
 std::vector<Triangle> clip_and_divide(const Model<WorldPoint>& world, const Model<ClipPoint>& model,
                                       int width, int height, O&& observer = {}) {
-  const auto planes = guard_volume(width, height);
+  const auto planes =  // near, far, guard planes
+      guard_volume(width, height);
   std::vector<Triangle> triangles;
   triangles.reserve(model.pieces.size());
   for (const Piece& piece : model.pieces) {
-    const std::vector<ClipCorner> before = polygon_of(piece, world, model);
-    const std::vector<ClipCorner> after = part_inside(before, planes);
-    // What is left is convex: a fan of triangles
-    for (std::size_t i = 2; i < after.size(); ++i) {
-      triangles.push_back(
-          {piece.id, {divided(after[0]), divided(after[i - 1]), divided(after[i])}, piece.seen_from_behind});
-    }
-    if constexpr (observed<O>) observer(clipped(piece.id, before, after, !inside_all(before, planes)));
+    const Polygon before =  // in clip space
+        polygon_of(piece, world, model);
+    const Polygon after =  // Sutherland-Hodgman
+        part_inside(before, planes);
+    // Now all w are positive: x, y, z by w
+    const auto corners = divided(after);
+    // What is left is convex: a fan
+    append(triangles, fan(piece, corners));
+    if constexpr (observed<O>) observer(clipped(piece.id, before, after, corners, planes));
   }
   return triangles;
 }

@@ -28,6 +28,9 @@ struct Covered {
   Fragment fragment;
 };
 
+/// All pixels.
+inline Window picture_window(int width, int height) { return {{0, 0}, {width - 1, height - 1}}; }
+
 /// The corners of a triangle in the picture.
 inline std::array<PixelPoint, 3> in_picture(const Triangle& triangle, int width, int height) {
   const auto place = [&](std::size_t i) {
@@ -41,6 +44,34 @@ inline std::array<SnappedPoint, 3> snapped(const std::array<PixelPoint, 3>& corn
   using triangle_coverage::snap;
   return {SnappedPoint{snap(corners[0].at)}, SnappedPoint{snap(corners[1].at)},
           SnappedPoint{snap(corners[2].at)}};
+}
+
+/// The same, as the coverage of pixels takes it.
+inline triangle_coverage::Triangle on_grid(const std::array<SnappedPoint, 3>& corners) {
+  return {corners[0].at, corners[1].at, corners[2].at};
+}
+
+/// Whether the snapped triangle still shows the side that stage 4 saw, and has an area.
+inline bool shows_its_side(const Triangle& triangle, std::int64_t doubled_area) {
+  return triangle.seen_from_behind ? doubled_area > 0 : doubled_area < 0;
+}
+
+/// Its depth, which is linear in the picture.
+inline triangle_coverage::Linear depth_over(const triangle_coverage::Triangle& grid,
+                                            const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  return {grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z}};
+}
+
+/// 1 / w of its corners, for what is linear on the surface.
+inline dvec3 over_w_of(const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  return {a.over_w, b.over_w, c.over_w};
+}
+
+/// What each corner contributes to a point of the surface, from its weights in the picture.
+inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& over_w) {
+  return triangle_coverage::perspective_correct(weights, over_w);
 }
 
 /// Tells of every pixel that a triangle covers. A sliver that snapping has turned round is not drawn: it
@@ -58,27 +89,35 @@ inline std::array<SnappedPoint, 3> snapped(const std::array<PixelPoint, 3>& corn
 template <std::invocable<const Fragment&> Emit, Observer<Snapped, Covered> O = Unobserved>
 void rasterize(const std::vector<Triangle>& triangles, int width, int height, Emit&& emit,
                O&& observer = {}) {
-  const Window picture{{0, 0}, {width - 1, height - 1}};
-  for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
-    const Triangle& triangle = triangles[static_cast<std::size_t>(i)];
-    const auto& [a, b, c] = triangle.corners;
+  const Window picture =  // nothing beyond it
+      picture_window(width, height);
+  int i = -1;
+  for (const Triangle& t : triangles) {
+    ++i;
     // Into the picture, and onto its grid
-    const auto exact = in_picture(triangle, width, height);
+    const auto exact =  // y down
+        in_picture(t, width, height);
     const auto corners = snapped(exact);
-    const triangle_coverage::Triangle grid{corners[0].at, corners[1].at, corners[2].at};
-    const std::int64_t area = triangle_coverage::doubled_area(grid);
-    const bool drawn = triangle.seen_from_behind ? area > 0 : area < 0;
-    if constexpr (observed<O>) observer(Snapped{triangle.id, i, exact, corners, area, drawn});
+    const auto grid = on_grid(corners);
+    const auto area =  // its sign is the side
+        triangle_coverage::doubled_area(grid);
+    const bool drawn = shows_its_side(t, area);
+    if constexpr (observed<O>) observer(Snapped{t.id, i, exact, corners, area, drawn});
     if (!drawn) continue;
-    // Depth is linear in the picture, the rest on the surface
-    const triangle_coverage::Linear depth(grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z});
-    const dvec3 over_w{a.over_w, b.over_w, c.over_w};
-    triangle_coverage::cover(grid, picture, [&](ivec2 pixel, const triangle_coverage::Weights& weights) {
-      const dvec3 shares = triangle_coverage::perspective_correct(weights, over_w);
-      const Fragment fragment{triangle.id, i, pixel, depth.at(weights), shares};
-      if constexpr (observed<O>) observer(Covered{fragment});
-      emit(fragment);
-    });
+    // Depth is linear in the picture,
+    // everything else on the surface
+    const auto depth = depth_over(grid, t);
+    const dvec3 over_w = over_w_of(t);
+    auto tell = [&](ivec2 p, const auto& w) {
+      // Perspective-correct shares
+      const auto parts = shares_of(w, over_w);
+      const double z = depth.at(w);
+      const Fragment f{t.id, i, p, z, parts};
+      if constexpr (observed<O>) observer(Covered{f});
+      emit(f);
+    };
+    triangle_coverage::cover(  // row by row
+        grid, picture, tell);
   }
 }
 

@@ -54,10 +54,11 @@ inline std::optional<Fragment> held(const PixelCell& cell) {
 /// Tests a fragment against its pixel, and keeps it when it is the nearest so far.
 /// Steps: DepthTested. Accuracy: exact, whatever the order. Cost: a comparison.
 template <Observer<DepthTested> O = Unobserved>
-void keep_nearest(const Fragment& fragment, Visible& visible, O&& observer = {}) {
-  const PixelCell before = visible[fragment.pixel];
-  const bool nearer = z_buffer::keep_nearest(visible, fragment.pixel, fragment.depth, Candidate{fragment});
-  if constexpr (observed<O>) observer(DepthTested{fragment, held(before), nearer});
+void keep_nearest(const Fragment& f, Visible& visible, O&& observer = {}) {
+  const PixelCell before = visible[f.pixel];
+  const bool nearer = z_buffer::keep_nearest(  // ties by number
+      visible, f.pixel, f.depth, Candidate{f});
+  if constexpr (observed<O>) observer(DepthTested{f, held(before), nearer});
 }
 
 /// The mean of what the three corners have, with the fragment's weights.
@@ -68,13 +69,13 @@ Value mean(const Fragment& fragment, const Triangle& triangle, Member member) {
 }
 
 /// The place, the normal and the light of one visible fragment.
-inline Shaded shade(const Scene& scene, const Fragment& fragment, const Triangle& triangle) {
+inline Shaded shaded(const Scene& scene, const Fragment& fragment, const Triangle& triangle) {
   const auto at = [](const TriangleCorner& c) { return c.world.at; };
   const dvec3 place = mean<dvec3>(fragment, triangle, at);
   dvec3 normal =
       unit_vector(mean<dvec3>(fragment, triangle, [](const TriangleCorner& c) { return c.normal; }));
   const dvec2 texture = mean<dvec2>(fragment, triangle, [](const TriangleCorner& c) { return c.texture; });
-  const Mesh& mesh = scene.objects[static_cast<std::size_t>(fragment.id.object)].mesh;
+  const Mesh& mesh = object_at(scene, fragment.id.object).mesh;
   const int material = mesh.faces[static_cast<std::size_t>(fragment.id.face)].material;
   const auto parts = illumination::phong(place, normal, scene.camera.frame.eye,
                                          mesh.materials[static_cast<std::size_t>(material)],
@@ -93,15 +94,20 @@ inline Shaded shade(const Scene& scene, const Fragment& fragment, const Triangle
 template <Observer<Shaded> O = Unobserved>
 Raster<LinearRgb> shade(const Scene& scene, const std::vector<Triangle>& triangles, const Visible& visible,
                         O&& observer = {}) {
-  Raster<LinearRgb> light(visible.width(), visible.height(), scene.background);
-  for (int y = 0; y < visible.height(); ++y) {
-    for (int x = 0; x < visible.width(); ++x) {
-      const auto& cell = visible[{x, y}];
+  const int width = visible.width();
+  const int height = visible.height();
+  Raster<LinearRgb> light(  // nothing seen yet
+      width, height, scene.background);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const PixelCell& cell = visible[{x, y}];
       if (!cell.taken) continue;
-      const Fragment& fragment = cell.key.fragment;
-      const Shaded shaded = shade(scene, fragment, triangles[static_cast<std::size_t>(fragment.triangle)]);
-      light[{x, y}] = shaded.colour;
-      if constexpr (observed<O>) observer(shaded);
+      // Phong's model, once a visible pixel
+      const Fragment& f = cell.key.fragment;
+      auto& t = triangle_of(f, triangles);
+      const Shaded lit = shaded(scene, f, t);
+      light[{x, y}] = lit.colour;
+      if constexpr (observed<O>) observer(lit);
     }
   }
   return light;

@@ -32,9 +32,10 @@ Image output(const Raster<LinearRgb>& light, O&& observer = {}) {
   Image image(light.width(), light.height());
   for (int y = 0; y < light.height(); ++y) {
     for (int x = 0; x < light.width(); ++x) {
-      const LinearRgb& colour = light[{x, y}];
-      image[{x, y}] = srgb8_from_linear(colour);
-      if constexpr (observed<O>) observer(Written{{x, y}, colour, image[{x, y}], too_bright(colour)});
+      // The standard's curve, then 8 bits
+      const LinearRgb& c = light[{x, y}];
+      image[{x, y}] = srgb8_from_linear(c);
+      if constexpr (observed<O>) observer(Written{{x, y}, c, image[{x, y}], too_bright(c)});
     }
   }
   return image;

@@ -4,6 +4,7 @@ Usage: cli_test.py [path of gradus]        (default: $GRADUS_COMMAND)
 """
 import json
 import os
+import pathlib
 import pty
 import re
 import resource
@@ -12,46 +13,15 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import zlib
 
-GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, PLAIN, check, equal, gradus
+
 MODELS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/models")
-PLAIN = {k: v for k, v in os.environ.items()
-         if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "SLURM_CPUS_PER_TASK")}
 INT32 = "-2147483648 to 2147483647"
-
-passed, failed = 0, 0
-
-
-def check(truth, what):
-    global passed, failed
-    if truth:
-        passed += 1
-    else:
-        failed += 1
-        print("FAILED:", what)
-    return truth
-
-
-def equal(found, expected, what):
-    return check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
-
-
-class Result:
-    def __init__(self, process):
-        self.code = process.returncode
-        self.bytes = process.stdout or b""
-        self.out = self.bytes.decode("utf-8", "replace")
-        self.err = (process.stderr or b"").decode("utf-8", "replace")
-
-
-def gradus(*words, stdin=b"", env=None, **options):
-    options.setdefault("stdout", subprocess.PIPE)
-    process = subprocess.run([GRADUS, *words], input=stdin, stderr=subprocess.PIPE, timeout=300,
-                             env={**PLAIN, **(env or {})}, **options)
-    return Result(process)
 
 
 def files(folder="."):
@@ -68,20 +38,6 @@ def write(path, data):
         file.write(data if isinstance(data, bytes) else data.encode())
 
 
-def in_new_folder(test):
-    """Every test has an empty folder of its own as the current one."""
-    folder = tempfile.mkdtemp(prefix="gradus_cli_")
-    os.chdir(folder)
-    try:
-        test()
-    except Exception as error:  # one broken test must not hide the others
-        check(False, f"{test.__name__}: {type(error).__name__}: {error}")
-    finally:
-        os.chdir("/")
-        subprocess.run(["chmod", "-R", "u+rwx", folder], check=False)
-        shutil.rmtree(folder, ignore_errors=True)
-
-
 def png(width, height, gray):
     def chunk(kind, data):
         return len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
@@ -91,6 +47,7 @@ def png(width, height, gray):
 
 
 # --- What is right ---------------------------------------------------------------------------------------------------
+
 
 def test_help_and_version():
     for words in ([], ["help"], ["--help"], ["-h"]):
@@ -238,6 +195,7 @@ def test_looks():
 
 # --- Metadata and again ----------------------------------------------------------------------------------------------
 
+
 def test_again_is_byte_identical():
     write("photo.png", png(24, 18, lambda x, y: 250 if (x // 6 + y // 6) % 2 else 20))
     write("m.txt", "#####\r\n#...#\r\n#####\r\n")
@@ -311,6 +269,7 @@ def test_again_with_files_gone():
 
 
 # --- What is wrong ---------------------------------------------------------------------------------------------------
+
 
 def test_wrong_input():
     write("in.txt", "#.#\n#x\n")
@@ -496,6 +455,7 @@ def test_read_only_folder():
 
 # --- The terminal ----------------------------------------------------------------------------------------------------
 
+
 def on_terminal(*words, env=None):
     """Output of a run whose stdout and stderr are a terminal, and its exit code."""
     main, terminal = pty.openpty()
@@ -561,6 +521,7 @@ def test_interrupt():
 
 # --- Long runs -------------------------------------------------------------------------------------------------------
 
+
 def test_long_runs():
     line = ["bresenham_line", "--to", "16777216,1"]
     result = gradus("run", *line)
@@ -585,20 +546,26 @@ def test_long_runs():
 
 # --- Figures ---------------------------------------------------------------------------------------------------------
 
+
 def test_figures():
     result = gradus("figures", "-o", "out/", "--jobs", "1")
     equal((result.code, result.out), (0, "out/index.html\n"), "figures")
     made = {name: read(os.path.join("out", name)) for name in files("out")}
     slugs = sorted({name.split("/")[0] for name in made if "/" in name} - {"topics"})
     check(len(slugs) >= 2 and "bresenham_line" in slugs, f"figures: {slugs}")
-    for slug in slugs:
+    rendered = [slug for slug in slugs if any(name.startswith(f"{slug}/") and name.endswith(".obj") for name in made)]
+    equal(len(rendered), 3, f"renders: {rendered}")
+    drawn = [slug for slug in slugs if slug not in rendered]
+    for slug in drawn:
         for ending in (".pdf", ".svg", ".png", "-drawing.svg", ".html", ".csv", ".json", "-steps.zip"):
             check(f"{slug}/{slug}{ending}" in made, f"{slug}{ending} is there")
+    for slug in rendered:
+        check(f"{slug}/{slug}.png" in made and f'src="./{slug}/{slug}.png"' in made["index.html"].decode(), f"{slug}.png is there and shown")
     check("topics/scan_conversion/bresenham_line.html" in made, "the pages of the topics")
     page = made["index.html"].decode()
     for link in re.findall(r'(?:href|src)="([^"#:]+)"', page):
         check(os.path.exists(os.path.join("out", link)), f"the link {link} leads somewhere")
-    check(all(f"{slug}/{slug}.pdf" in page for slug in slugs) and "//" not in re.sub(r"https?://www\.w3\.org|https?://creativecommons\.org", "", "".join(
+    check(all(f"{slug}/{slug}.pdf" in page for slug in drawn) and "//" not in re.sub(r"https?://www\.w3\.org|https?://creativecommons\.org", "", "".join(
         re.findall(r'(?:href|src)="([^"]*)"', page))), "relative links only")
     lines = result.err.splitlines()
     equal(lines[-1], f"{len(slugs)} drawn, 0 unchanged, 0 removed", "what was done")
@@ -619,8 +586,9 @@ def test_figures():
 
     # One changed, one lost
     write("out/bresenham_line/bresenham_line.svg", "edited")
-    os.remove(f"out/{slugs[-1]}/{slugs[-1]}.pdf")
-    changed = sorted({"bresenham_line", slugs[-1]})
+    os.remove(f"out/{drawn[-1]}/{drawn[-1]}.pdf")
+    os.remove(f"out/{rendered[-1]}/{rendered[-1]}.png")
+    changed = sorted({"bresenham_line", drawn[-1], rendered[-1]})
     result = gradus("figures", "-o", "out")
     equal(sorted(result.err.splitlines()[:-1]), changed, "what was changed is drawn again")
     equal({name: read(os.path.join("out", name)) for name in files("out") if not name.startswith(".")}, without, "as before")
@@ -683,7 +651,7 @@ def test_models():
             (("letter_f.obj", "--model", "letter_f.obj"), "--model: expected one model, found 'letter_f.obj' and 'letter_f.obj'"),
             (("letter_f.obj", "more"), "figure: expected only a TOPIC, found 'more'"),
             (("none.obj",), "--model: expected a readable file, found 'none.obj' (No such file or directory)"),
-            (("bad.obj",), "bad.obj:1: the vertex is no number: 'zero'"),
+            (("bad.obj",), "bad.obj:1: expected a number for the vertex, found 'zero'"),
             (("--eye", "1,2"), "--eye: expected three numbers x,y,z like 1,0.5,2, found '1,2'"),
             (("--fov", "0"), "--fov: expected a number from 1 to 170, found '0'"),
             (("--face", "12"), "--face: expected a face from 0 to 11, found 12"),
@@ -694,13 +662,5 @@ def test_models():
     equal((result.code, result.err), (2, "gradus: figure: expected only a TOPIC, found 'letter_f.obj'\n"), "no model's topic")
 
 
-def main():
-    tests = [value for name, value in globals().items() if name.startswith("test_")]
-    for test in tests:
-        in_new_folder(test)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(command.run_all(globals()))

@@ -10,37 +10,22 @@ import math
 import os
 import pathlib
 import re
-import shlex
 import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import xml.etree.ElementTree as ElementTree
 
-GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, check, equal
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = ("rsvg-convert", "pdftoppm", "pdftotext", "pdfinfo", "qpdf", "ffmpeg", "ffprobe")
 LINE = ["bresenham_line", "--from", "0,0", "--to", "7,3"]  # steps 0 to 7; p = 2·3 − 7 = −1 at first
 LONG = ["bresenham_line", "--from", "-600,0", "--to", "600,301"]
 SVG = "{http://www.w3.org/2000/svg}"
-
-passed, failed = 0, 0
-
-
-def check(truth, what):
-    global passed, failed
-    if truth:
-        passed += 1
-    else:
-        failed += 1
-        print("FAILED:", what)
-    return bool(truth)
-
-
-def equal(found, expected, what):
-    return check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
 
 
 def gradus(*words, **options):
@@ -76,6 +61,7 @@ def read(path):
 
 
 # --- What other programs see -----------------------------------------------------------------------------------------
+
 
 def pixels(path, *filters):
     """RGBA samples of a picture's first frame."""
@@ -154,6 +140,7 @@ def difference(a, b):
 
 
 # --- Any slide -------------------------------------------------------------------------------------------------------
+
 
 def test_sizes():
     cm = 96 / 2.54
@@ -403,6 +390,7 @@ def test_y_down_turns_only_the_drawing():
 
 # --- Reveal ----------------------------------------------------------------------------------------------------------
 
+
 def test_steps():
     gradus("figure", *LINE, "--steps", "auto", "-o", "auto-{step}.svg")
     equal(sorted(os.listdir()), ["auto-0.svg", "auto-1.svg", "auto-2.svg", "auto-7.svg"],
@@ -496,6 +484,7 @@ def test_tables():
 
 
 # --- Moving pictures -------------------------------------------------------------------------------------------------
+
 
 def webp_frames(path):
     """Loop count, and of each frame its delay in milliseconds; read from the file's chunks."""
@@ -606,6 +595,7 @@ def test_films_interrupted():
 
 # --- Again -----------------------------------------------------------------------------------------------------------
 
+
 def test_again():
     looks = ["--theme", "dark", "--size", "640x400", "--slots", "drawing,table,sentence", "--layout", "handout", "--y", "down",
              "--view", "0,0,7,3", "--background", "#0a0a12", *LABELS, "--language", "de", "--title", "It's \"mine\" $HOME",
@@ -637,6 +627,7 @@ def test_again():
 
 
 # --- Large inputs ----------------------------------------------------------------------------------------------------
+
 
 def cells(root):
     """Columns, rows, and a cell's width and height, from the lines of the grid."""
@@ -685,6 +676,7 @@ def test_view():
 
 # --- What is written down --------------------------------------------------------------------------------------------
 
+
 def commands_run(commands):
     for command in commands:
         result = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=120,
@@ -718,17 +710,9 @@ def test_commands_of_the_readme():
     commands_run(commands)
 
 
-def in_new_folder(test):
-    folder = tempfile.mkdtemp(prefix="gradus_flags_")
-    os.chdir(folder)
+def timed(test):
     start = time.perf_counter()
-    try:
-        test()
-    except Exception as error:  # one broken test must not hide the others
-        check(False, f"{test.__name__}: {type(error).__name__}: {error}")
-    finally:
-        os.chdir("/")
-        shutil.rmtree(folder, ignore_errors=True)
+    command.in_new_folder(test)
     print(f"{test.__name__}: {time.perf_counter() - start:.1f} s")
 
 
@@ -737,11 +721,10 @@ def main():
     if missing:
         print("missing:", ", ".join(missing))
         return 77
-    for name, test in list(globals().items()):
-        if name.startswith("test_") and (len(sys.argv) < 3 or name in sys.argv[2:]):
-            in_new_folder(test)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    for test in command.tests_of(globals()):
+        if len(sys.argv) < 3 or test.__name__ in sys.argv[2:]:
+            timed(test)
+    return command.summary()
 
 
 if __name__ == "__main__":

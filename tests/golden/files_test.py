@@ -14,7 +14,10 @@ import sys
 import tempfile
 import zlib
 
-GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ["GRADUS_COMMAND"])
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, check
+
 PICTURE = str(pathlib.Path(__file__).resolve().parents[2] / "examples/images/camera.png")
 CASES = {
     "line": ["bresenham_line", "--from", "0,0", "--to", "7,3"],
@@ -23,18 +26,6 @@ CASES = {
     "dark": ["flood_fill", "--theme", "dark"],
     "picture": ["flood_fill", "--image", PICTURE, "--at", "300,60", "--tolerance", "20"],
 }
-passed = failed = 0
-
-
-def check(condition, what):
-    global passed, failed
-    if condition:
-        passed += 1
-    else:
-        failed += 1
-        print("FAILED:", what)
-
-
 def run(*words):
     return subprocess.run(words, check=True, capture_output=True).stdout
 
@@ -107,8 +98,7 @@ def main():
     check(run("qpdf", "--show-npages", "deck.pdf").strip() == b"8", "a page a step")
     text = run("pdftotext", "-f", "5", "-l", "5", "deck.pdf", "-").decode()
     check("step NE to (4,\u00a02)" in text or "step NE to (4, 2)" in text, f"the sentence is text: {text}")
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(failed > 0)
+    sys.exit(command.summary())
 
 
 main()

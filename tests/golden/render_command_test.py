@@ -4,6 +4,7 @@
     tests/golden/render_command_test.py [GRADUS]          compares with the pictures in tests/golden/renders
     tests/golden/render_command_test.py GRADUS --write    makes those pictures anew: look at each before committing
 """
+import functools
 import math
 import os
 import pathlib
@@ -16,7 +17,11 @@ import tempfile
 import time
 import zlib
 
-GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, check, equal
+
+gradus = functools.partial(command.gradus, timeout=120)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODELS, OTHERS = ROOT / "examples/models", ROOT / "tests/support/models"
 RENDERS = ROOT / "tests/golden/renders"
@@ -40,33 +45,6 @@ REFERENCES = {
 # A pixel differs when one of its channels is off by more than LEVELS of 255; SHARE of the pixels may.
 # Rounding may move a rim by a pixel and a shade by a level; anything that is wrong moves more.
 LEVELS, SHARE = 2, 0.002
-
-passed = failed = 0
-
-
-def check(truth, what):
-    global passed, failed
-    if truth:
-        passed += 1
-    else:
-        failed += 1
-        print("FAILED:", what)
-    return truth
-
-
-def equal(found, expected, what):
-    return check(found == expected, f"{what}\n    expected: {expected!r}\n    found:    {found!r}")
-
-
-class Result:
-    def __init__(self, process):
-        self.code, self.bytes = process.returncode, process.stdout or b""
-        self.err = (process.stderr or b"").decode("utf-8", "replace")
-
-
-def gradus(*words, stdin=b"", **options):
-    options.setdefault("stdout", subprocess.PIPE)
-    return Result(subprocess.run([GRADUS, *words], input=stdin, stderr=subprocess.PIPE, timeout=120, **options))
 
 
 def read(path):
@@ -93,6 +71,7 @@ def write_torus():
 
 
 # --- PNG --------------------------------------------------------------------------------------------------------
+
 
 class Picture:
     """An 8-bit RGB or RGBA picture without filters, as gradus writes them: pixels[y][x], and its texts."""
@@ -158,6 +137,7 @@ def picture(*words):
 
 
 # --- Pictures ---------------------------------------------------------------------------------------------------
+
 
 def test_references():
     for name, words in REFERENCES.items():
@@ -297,6 +277,7 @@ def test_every_model():
 
 # --- The command ------------------------------------------------------------------------------------------------
 
+
 def test_examples_run():
     os.symlink(ROOT / "examples", "examples")
     examples = re.findall(r"^  (gradus render .*)$", gradus("render", "--help").bytes.decode(), re.M)
@@ -426,6 +407,7 @@ def test_broken_models():
 
 # --- Again ------------------------------------------------------------------------------------------------------
 
+
 def refused(message, *words):
     before = sorted(os.listdir("."))
     result = gradus("again", *words)
@@ -489,18 +471,7 @@ def main():
             words = REFERENCES[name]
             gradus("render", *words, "--size", "160x120", "-o", str(RENDERS / f"{name}.png"))
         return 0
-    for test in [value for name, value in globals().items() if name.startswith("test_")]:
-        folder = tempfile.mkdtemp(prefix="gradus_render_")
-        os.chdir(folder)
-        try:
-            test()
-        except Exception as error:  # one broken test must not hide the others
-            check(False, f"{test.__name__}: {type(error).__name__}: {error}")
-        finally:
-            os.chdir("/")
-            shutil.rmtree(folder, ignore_errors=True)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
+    return command.run_all(globals())
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ TEST_P(Render, LooksAsCommitted) {
 INSTANTIATE_TEST_SUITE_P(
     Models, Render,
     testing::Values(Case{"letter_f", "examples/models/letter_f.obj"},
-                    Case{"spot", "examples/models/spot.obj"},
+                    Case{"spot", "examples/models/spot.obj"}, Case{"room", "examples/models/room.obj"},
                     Case{"cornell_box", "tests/support/models/tinyobj/cornell_box.obj"},
                     Case{"polygons", "tests/support/models/tinyobj/issue-295-trianguation-failure.obj"}),
     [](const auto& test) { return std::string(test.param.name); });

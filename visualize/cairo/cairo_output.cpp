@@ -106,7 +106,9 @@ class Painter {
 
   void draw(const AreaShape& area) {
     use(area.fill);
+    cairo_new_path(context_);  // text leaves a current point behind
     for (const auto& ring : area.rings) {
+      cairo_new_sub_path(context_);
       for (const dvec2& p : ring) cairo_line_to(context_, p.x, p.y);
       cairo_close_path(context_);
     }

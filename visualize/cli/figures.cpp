@@ -1,4 +1,4 @@
-// `gradus figures`: all figures of a lecture, in parallel, only what has changed.
+// `gradus figures`: all figures of a lecture, several at a time, only what has changed.
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -111,11 +111,10 @@ class Album {
   }
 
   /// Forgets jobs that no longer exist, with their files. Returns how many there were.
-  std::size_t keep_only(const std::vector<LectureFigure>& figures) {
-    const auto gone = [&figures](const auto& known) {
-      return known.first != index_name &&
-             std::ranges::find(figures, known.first, &LectureFigure::name) == figures.end();
-    };
+  std::size_t keep_only(const std::vector<AnyPart>& parts) {
+    std::set<std::string> names{index_name};
+    for (const AnyPart& part : parts) names.insert(part_of(part).name);
+    const auto gone = [&names](const auto& known) { return !names.contains(known.first); };
     for (const auto& known : manifest_.jobs) {
       if (!gone(known)) continue;
       for (const ManifestFile& file : known.second.second) remove(known.first, file);
@@ -161,19 +160,30 @@ void in_parallel(std::size_t count, std::size_t threads, DoOne do_one) {
   work();
 }
 
-/// A figure, and its fingerprint: another one when the program, the input or the lecture's words differ.
+/// A figure or render, and its fingerprint: another one when the program, the input or the lecture's words
+/// differ.
 struct Job {
-  const LectureFigure* figure;
+  AnyPart part;
   std::string key;
+
+  const std::string& name() const { return part_of(part).name; }
 };
+
+/// What a pattern of --only can name beside the figure's own name.
+std::string kind_of(const LectureFigure& figure) { return figure.spec.topic->name; }
+std::string kind_of(const LectureRender&) { return "render"; }
 
 std::vector<Job> selected(const Lecture& lecture, const std::string& program, const Request& request) {
   const auto only = request.flags.find("only");
   std::vector<Job> wanted;
-  for (const LectureFigure& figure : lecture.figures) {
-    const bool matches = only == request.flags.end() || matches_glob(only->second, figure.name) ||
-                         matches_glob(only->second, figure.spec.topic->name);
-    if (matches) wanted.push_back({&figure, fingerprint(program + "\n" + figure.contents())});
+  for (const AnyPart& any : lecture.parts()) {
+    std::visit(
+        [&](const auto* part) {
+          const bool matches = only == request.flags.end() || matches_glob(only->second, part->name) ||
+                               matches_glob(only->second, kind_of(*part));
+          if (matches) wanted.push_back({part, fingerprint(program + "\n" + part->contents())});
+        },
+        any);
   }
   if (wanted.empty() && only != request.flags.end()) {
     throw WorkError(fmt::format("--only: expected a pattern that matches a figure or a topic, found {}",
@@ -211,7 +221,7 @@ struct Failures {
   bool about_input = false;  ///< at least one of them
 };
 
-/// Does `work(job)` for every job; what goes wrong becomes a problem, in the jobs' order.
+/// Does `work(i)` for the i-th of all jobs; what goes wrong becomes a problem, in the jobs' order.
 template <class Work>
 Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size_t threads, bool quiet,
                  Work work) {
@@ -219,13 +229,12 @@ Failures for_all(const std::vector<Job>& jobs, const Lecture& lecture, std::size
   std::atomic<bool> about_input = false;
   Progress progress(jobs.size(), quiet);
   in_parallel(jobs.size(), threads, [&](std::size_t i) {
-    const LectureFigure& figure = *jobs[i].figure;
     try {
-      work(jobs[i]);
-      progress.finished(i, figure.name);
+      work(i);
+      progress.finished(i, jobs[i].name());
     } catch (const std::exception& error) {
       if (is_about_input(error)) about_input = true;
-      problems[i] = problem_of(lecture, figure, error);
+      problems[i] = problem_of(lecture, part_of(jobs[i].part), error);
       progress.finished(i, "");
     }
   });
@@ -260,29 +269,40 @@ std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, 
   return written;
 }
 
+/// Makes the cards of figures and renders that are there, and what the figures' topics link to.
+struct CardMaker {
+  explicit CardMaker(const Album& in) : album(in) {}
+  void add(const LectureFigure& figure) {
+    const Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording);
+    cards.push_back(card_of(figure, album.files(figure.name), takes));
+    figures.push_back(topic_figure(figure, cards.back(), takes.opening()));
+  }
+  void add(const LectureRender& render) { cards.push_back(card_of(render)); }
+
+  const Album& album;
+  std::vector<Card> cards;
+  std::vector<TopicFigure> figures;
+};
+
 /// The page of all figures that are there, and the pages of their topics.
 void write_index(const Lecture& lecture, const fs::path& out, Album& album, const std::string& program,
                  bool force) {
   std::string contents = program + "\n" + lecture.title;
-  std::vector<const LectureFigure*> present;
-  for (const LectureFigure& figure : lecture.figures) {
-    if (!album.knows(figure.name)) continue;
-    present.push_back(&figure);
-    contents += "\n" + figure.name + " " + album.key(figure.name);
+  std::vector<AnyPart> present;
+  for (const AnyPart& part : lecture.parts()) {
+    const std::string& name = part_of(part).name;
+    if (!album.knows(name)) continue;
+    present.push_back(part);
+    contents += "\n" + name + " " + album.key(name);
   }
   const std::string key = fingerprint(contents);
   if (!force && album.has(index_name, key)) return;
-  std::vector<Card> cards;
-  std::vector<TopicFigure> figures;
-  for (const LectureFigure* figure : present) {
-    const Takes takes(*figure->spec.topic, figure->spec.arguments, figure->spec.wording);
-    cards.push_back(card_of(*figure, album.files(figure->name), takes));
-    figures.push_back(topic_figure(*figure, cards.back(), takes.opening()));
-  }
-  std::vector<ManifestFile> written = write_topics(figures, out);
+  CardMaker cards(album);
+  for (const AnyPart& part : present) std::visit([&](const auto* one) { cards.add(*one); }, part);
+  std::vector<ManifestFile> written = write_topics(cards.figures, out);
   GalleryOptions options;
   if (!lecture.title.empty()) options.title = lecture.title;
-  write_output((out / index_name).string(), gallery_page(cards, options));
+  write_output((out / index_name).string(), gallery_page(cards.cards, options));
   written.push_back(file_state(out, index_name));
   album.put(index_name, key, std::move(written));
 }
@@ -291,12 +311,25 @@ void complain(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) note("gradus: " + problem.text);
 }
 
+/// "3 figures, 1 render"
+std::string counts_of(const Lecture& lecture) {
+  std::string text;
+  const auto count = [&text](std::size_t number, std::string_view what) {
+    if (number == 0) return;
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, what, number == 1 ? "" : "s");
+  };
+  count(lecture.figures.size(), "figure");
+  count(lecture.renders.size(), "render");
+  return text;
+}
+
 /// `--check`: every problem of the lecture, one a line.
 int check(const Lecture& lecture, const Request& request, std::size_t threads) {
   std::vector<Job> jobs;
-  for (const LectureFigure& figure : lecture.figures) jobs.push_back({&figure, ""});
-  const Failures failures =
-      for_all(jobs, lecture, threads, true, [](const Job& job) { rehearse(*job.figure); });
+  for (const AnyPart& part : lecture.parts()) jobs.push_back({part, ""});
+  const Failures failures = for_all(jobs, lecture, threads, true, [&](std::size_t i) {
+    std::visit([](const auto* part) { rehearse(*part); }, jobs[i].part);
+  });
   std::vector<Problem> all = lecture.problems;
   all.insert(all.end(), failures.problems.begin(), failures.problems.end());
   std::ranges::stable_sort(all, {}, &Problem::line);
@@ -304,7 +337,7 @@ int check(const Lecture& lecture, const Request& request, std::size_t threads) {
   if (!lecture.problems.empty() || failures.about_input) return 2;
   if (!all.empty()) return 1;
   if (!request.quiet()) {
-    note(fmt::format("{}: {} figure{}, no problems", lecture.file, jobs.size(), jobs.size() == 1 ? "" : "s"));
+    note(fmt::format("{}: {}, no problems", lecture.file, counts_of(lecture)));
   }
   return 0;
 }
@@ -345,13 +378,16 @@ int figures(const Request& request) {
   const bool force = request.has("force");
   Album album(out);
   claim(album, file, out, force);
-  const std::size_t removed = album.keep_only(lecture.figures);
+  const std::size_t removed = album.keep_only(lecture.parts());
   std::vector<Job> due;
   for (const Job& job : wanted) {
-    if (force || !album.has(job.figure->name, job.key)) due.push_back(job);
+    if (force || !album.has(job.name(), job.key)) due.push_back(job);
   }
-  const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](const Job& job) {
-    album.put(job.figure->name, job.key, draw(*job.figure, out));
+  std::vector<std::vector<std::string>> remarks(due.size());
+  const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](std::size_t i) {
+    Drawn drawn = std::visit([&](const auto* part) { return draw(*part, out); }, due[i].part);
+    album.put(due[i].name(), due[i].key, std::move(drawn.files));
+    remarks[i] = std::move(drawn.remarks);
   });
   write_index(lecture, out, album, program, force);
 
@@ -361,6 +397,9 @@ int figures(const Request& request) {
   }
   complain(failures.problems);
   if (!request.quiet()) {
+    for (std::size_t i = 0; i < due.size(); ++i) {
+      for (const std::string& remark : remarks[i]) note(fmt::format("{}: {}", due[i].name(), remark));
+    }
     note(fmt::format("{} drawn, {} unchanged, {} removed", due.size() - failures.count,
                      wanted.size() - due.size(), removed));
   }

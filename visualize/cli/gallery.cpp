@@ -109,12 +109,24 @@ StepNumber thumbnail_step(const FigureSpec& spec, const Takes& takes) {
 
 // --- Files -------------------------------------------------------------------------------------------------
 
-/// Collects the files of one figure under their names.
+std::string base_of(const std::string& path) { return fs::path(path).filename().string(); }
+
+/// The names of the copies of its inputs.
+std::vector<std::string> copied_names(const LecturePart& part) {
+  std::vector<std::string> names;
+  for (const std::string& path : part.copies) {
+    const std::string name = base_of(path);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// Collects the files of one figure or render under their names.
 class Folder {
  public:
-  Folder(const LectureFigure& figure, const fs::path& out) : figure_(figure), out_(out) {
+  Folder(const LecturePart& part, const fs::path& out) : part_(part), out_(out) {
     std::error_code error;
-    const fs::path folder = out / figure.name;
+    const fs::path folder = out / part.name;
     fs::create_directories(folder, error);
     if (error) {
       throw WorkError(fmt::format("can't make the folder {}: {}", shown(folder.string()), error.message()));
@@ -123,20 +135,29 @@ class Folder {
   /// A folder that stayed empty, because something failed, goes again.
   ~Folder() {
     std::error_code error;
-    fs::remove(out_ / figure_.name, error);
+    fs::remove(out_ / part_.name, error);
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
   void add(const std::string& name, std::string_view bytes) {
-    const std::string path = figure_.name + "/" + name, full = (out_ / path).string();
-    for (const std::string& input : figure_.files) {
+    const std::string path = part_.name + "/" + name, full = (out_ / path).string();
+    for (const std::string& input : part_.files) {
       if (!same_file(full, input)) continue;
       throw UsageError(fmt::format(
           "expected an output folder apart from the inputs, found the input file {} in it", shown(full)));
     }
     files_.add(full, bytes);
     paths_.push_back(path);
+  }
+
+  /// The inputs beside the figures, where `gradus again` looks for them. Of two with one name it finds the
+  /// first, and says that it misses the other.
+  void add_inputs() {
+    for (const std::string& name : copied_names(part_)) {
+      const auto path = std::ranges::find(part_.copies, name, base_of);
+      add(name, read_input(*path, name));
+    }
   }
 
   std::vector<ManifestFile> finish() {
@@ -147,21 +168,11 @@ class Folder {
   }
 
  private:
-  const LectureFigure& figure_;
+  const LecturePart& part_;
   const fs::path& out_;
   NewFiles files_;
   std::vector<std::string> paths_;
 };
-
-void add_inputs(Folder& folder, const LectureFigure& figure) {
-  // Beside the figures, where `gradus again` looks for them
-  for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
-    if (entry.hash.empty()) continue;
-    const auto path = std::ranges::find_if(
-        figure.files, [&entry](const std::string& file) { return fs::path(file).filename() == entry.text; });
-    if (path != figure.files.end()) folder.add(entry.text, read_input(*path, entry.name));
-  }
-}
 
 // --- Cards -------------------------------------------------------------------------------------------------
 
@@ -173,6 +184,10 @@ std::string title_of(const LectureFigure& figure) {
   const std::string title = figure.spec.look.title.empty() ? fmt::format("{}: {}", topic.title, method->title)
                                                            : figure.spec.look.title;
   return method->standing == Standing::faulty ? fmt::format("{} (faulty: {})", title, method->note) : title;
+}
+
+std::string title_of(const LectureRender& render) {
+  return render.title.empty() ? render.brief.colophon.title : render.title;
 }
 
 /// The file that the card's command makes: a PDF, for it holds everything, else the first kind there is.
@@ -297,6 +312,13 @@ std::string_view label_of(Format format) {
   }
 }
 
+/// Links to the copies of its inputs.
+void add_inputs(Card& card, const LecturePart& part) {
+  for (const std::string& name : copied_names(part)) {
+    card.downloads.emplace_back("input " + name, part.name + "/" + name);
+  }
+}
+
 /// Links to the figure's files of one format.
 void add_downloads(Card& card, const LectureFigure& figure, std::span<const ManifestFile> files,
                    Format format) {
@@ -320,6 +342,43 @@ void add_downloads(Card& card, const LectureFigure& figure, std::span<const Mani
     const std::string step = path.substr(start, path.size() - ending.size() - start);
     card.downloads.emplace_back(fmt::format("{}, step {}", label_of(format), step), path);
   }
+}
+
+// --- Renders -----------------------------------------------------------------------------------------------
+
+/// Larger pictures have a smaller one for their card.
+constexpr int largest_thumbnail = 1280;
+
+bool has_thumbnail(const LectureRender& render) {
+  return std::max(render.brief.width, render.brief.height) > largest_thumbnail;
+}
+
+std::string thumbnail_name(const LectureRender& render) {
+  return render.name + (has_thumbnail(render) ? "-small.png" : ".png");
+}
+
+/// The files have been found already.
+Rendered rendered_again(const Request& request, const LectureRender& render) {
+  return rendered(request, [&](const std::string&, const std::string&) { return render.files.front(); });
+}
+
+/// The same picture, smaller.
+Request thumbnail_of(const LectureRender& render) {
+  const double factor = largest_thumbnail / 2.0 / std::max(render.brief.width, render.brief.height);
+  const auto side = [factor](int pixels) { return std::max(1, static_cast<int>(pixels * factor)); };
+  Request request = render.request;
+  request.flags["size"] = fmt::format("{}x{}", side(render.brief.width), side(render.brief.height));
+  return request;
+}
+
+/// Lines for slides that show the picture.
+std::vector<std::pair<std::string, std::string>> snippets_of(const LectureRender& render) {
+  const std::string& alt = render.caption.empty() ? render.brief.colophon.description : render.caption;
+  const SnippetFigure shown{
+      "png", title_of(render), false, {{fmt::format("{0}/{0}.png", render.name), 0, alt}}};
+  return {{"Beamer", snippet_of(SnippetKind::beamer, shown)},
+          {"reveal.js", snippet_of(SnippetKind::reveal, shown)},
+          {"Markdown", snippet_of(SnippetKind::markdown, shown)}};
 }
 
 }  // namespace
@@ -367,7 +426,7 @@ void rehearse(const LectureFigure& figure) {
   sheet_of(takes.figure(thumbnail_step(spec, takes)), spec);
 }
 
-std::vector<ManifestFile> draw(const LectureFigure& figure, const fs::path& out) {
+Drawn draw(const LectureFigure& figure, const fs::path& out) {
   const FigureSpec& spec = figure.spec;
   Takes takes(*spec.topic, spec.arguments, spec.wording);
   Folder folder(figure, out);
@@ -380,8 +439,8 @@ std::vector<ManifestFile> draw(const LectureFigure& figure, const fs::path& out)
   const FigureSpec thumbnail = fitting(with_flag(at_step(spec, telling), "slots", "drawing"), Format::svg);
   folder.add(figure.name + "-drawing.svg", picture_bytes(thumbnail, takes, telling, Format::svg));
   if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes));
-  add_inputs(folder, figure);
-  return folder.finish();
+  folder.add_inputs();
+  return {folder.finish(), {}};
 }
 
 Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes) {
@@ -406,15 +465,42 @@ Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, c
                               Format::csv, Format::md, Format::tex, Format::json, Format::txt}) {
     if (makes(format)) add_downloads(card, figure, files, format);
   }
-  for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
-    if (!entry.hash.empty())
-      card.downloads.emplace_back("input " + entry.text, figure.name + "/" + entry.text);
-  }
+  add_inputs(card, figure);
   if (has_zip(figure)) card.zip = stem + "-steps.zip";
   card.topic_page = topic_page_path(*figure.spec.topic);
   card.snippets = snippets_of(figure, takes);
   card.words = figure.spec.topic->aliases;
   card.words.insert(card.words.end(), {figure.spec.topic->name, figure.spec.arguments.text("method")});
+  return card;
+}
+
+void rehearse(const LectureRender&) {}
+
+Drawn draw(const LectureRender& render, const fs::path& out) {
+  Rendered picture = rendered_again(render.request, render);
+  Folder folder(render, out);
+  folder.add(render.name + ".png", picture.png);
+  if (has_thumbnail(render)) {
+    folder.add(thumbnail_name(render), rendered_again(thumbnail_of(render), render).png);
+  }
+  folder.add_inputs();
+  return {folder.finish(), std::move(picture.remarks)};
+}
+
+Card card_of(const LectureRender& render) {
+  const std::string folder = render.name + "/", picture = folder + render.name + ".png";
+  Card card;
+  card.slug = render.name;
+  card.title = title_of(render);
+  card.chapter = "pipeline";
+  card.caption = render.caption;
+  card.command = fmt::format("{} -o {}.png", render.brief.colophon.command, render.name);
+  card.thumbnail = folder + thumbnail_name(render);
+  card.opened = picture;
+  card.downloads.emplace_back("PNG", picture);
+  add_inputs(card, render);
+  card.snippets = snippets_of(render);
+  card.words = {"render", base_of(render.files.front())};
   return card;
 }
 

@@ -24,14 +24,24 @@ struct OutputFile {
 std::vector<OutputFile> output_files(const FigureSpec& spec, Takes& takes, Format format,
                                      const std::string& stem);
 
-/// Does all that draw() does short of drawing. Throws what draw() would, as far as it can be known.
+/// Does all that draw() does short of drawing. Throws what draw() would, as far as it can be known. What
+/// there is to know of a render is known when its lecture is read.
 void rehearse(const LectureFigure& figure);
+void rehearse(const LectureRender& render);
 
-/// Draws the figure's files into out/<name>/ and tells what they are. Everything appears or nothing.
-std::vector<ManifestFile> draw(const LectureFigure& figure, const std::filesystem::path& out);
+/// What came of drawing.
+struct Drawn {
+  std::vector<ManifestFile> files;
+  std::vector<std::string> remarks;  ///< a line each
+};
+
+/// Draws the files into out/<name>/ and tells what they are. Everything appears or nothing.
+Drawn draw(const LectureFigure& figure, const std::filesystem::path& out);
+Drawn draw(const LectureRender& render, const std::filesystem::path& out);
 
 /// Its card. `files`: those that draw() made.
 Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes);
+Card card_of(const LectureRender& render);
 
 /// The fingerprint of this program's own bytes.
 std::string program_fingerprint();

@@ -75,6 +75,12 @@ std::string range_of(const Parameter& parameter) {
       return fmt::format("points {} with spaces between them", fmt::join(parameter.parts, ","));
     case ParameterType::order:
       return fmt::format("{}, each once in any order", fmt::join(parameter.choices, ","));
+    case ParameterType::factors:
+      return parameter.parts.size() == 3
+                 ? "translate X,Y,Z, scale S or X,Y,Z [about X,Y,Z], rotate DEGREES about x, y, z or X,Y,Z "
+                   "[through X,Y,Z], with ; between them"
+                 : "translate X,Y, scale S or X,Y, rotate DEGREES, shear X,Y, each but the first with [about "
+                   "X,Y], reflect x, y, origin, y=x or X,Y X,Y, with ; between them";
     case ParameterType::model:
       return "an OBJ file, or - for standard input; the flag may be left out";
   }

@@ -14,6 +14,8 @@
 namespace gradus::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// A maze up to this long is written out in a figure's command, so that the figure needs no file to be made
 /// again.
 constexpr std::size_t longest_inline_maze = 1024;
@@ -107,26 +109,18 @@ class Reader {
     const std::string name = canonical(parameter, text);
     std::string bytes = file_bytes(parameter, text);
     const std::string path = inputs_.files.back();
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     Arguments::Entry entry{
         .name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
     // Reading it shows which libraries it names, and whether it can be read
     pipeline::parse_obj(bytes, path == dash ? "standard input" : path, [&](const std::string& library) {
-      const auto found = path == dash ? std::nullopt : beside(folder, library, parameter);
-      if (found && entry.libraries.emplace(library, *found).second) entry.hash += " " + fingerprint(*found);
+      const auto file = path == dash ? std::nullopt : find_library(path, library);
+      if (!file) return std::optional<std::string>();
+      if (std::ranges::find(inputs_.files, *file) == inputs_.files.end()) inputs_.files.push_back(*file);
+      const auto found = std::optional(read_input(*file, flag_of(parameter)));
+      if (entry.libraries.emplace(library, *found).second) entry.hash += " " + fingerprint(*found);
       return found;
     });
     return entry;
-  }
-
-  /// A file that a model names, if it lies beside it.
-  std::optional<std::string> beside(const std::filesystem::path& folder, std::string library,
-                                    const Parameter& parameter) {
-    std::ranges::replace(library, '\\', '/');  // written on Windows
-    const std::string path = (folder / library).string();
-    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
-    inputs_.files.push_back(path);
-    return read_input(path, flag_of(parameter));
   }
 
   /// A maze with uneven rows keeps its file's name, for the message that the topic will have to give.
@@ -171,6 +165,16 @@ class Reader {
 }  // namespace
 
 std::string as_named(const std::string& name, const std::string&) { return name; }
+
+std::optional<std::string> find_library(const std::string& model, std::string name) {
+  std::ranges::replace(name, '\\', '/');  // written on Windows
+  const fs::path folder = fs::path(model).parent_path();
+  for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
+    std::error_code error;
+    if (fs::exists(candidate, error)) return candidate.string();
+  }
+  return std::nullopt;
+}
 
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
                    const FindFile& find) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ using FindFile = std::function<std::string(const std::string& name, const std::s
 
 /// The name as it stands.
 std::string as_named(const std::string& name, const std::string& flag);
+
+/// The material library that a model names: beside the model, where the name says; else, for a path on
+/// another disk, under its last part. Nothing when there is none.
+std::optional<std::string> find_library(const std::string& model, std::string name);
 
 /// Throws UsageError, ArgumentError or InputError: wrong spelling, unreadable file, no PNG.
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,

@@ -158,9 +158,13 @@ class Reader {
     if (const JsonMember* schema = root.member("$schema")) text_of(schema->value, {schema->line, "$schema"});
     Settings defaults;
     read_settings(root, "", &LectureKey::of_lecture, defaults);
+    if (!root.member("figures") && !root.member("renders")) {
+      complain({root.line, ""}, "expected the key \"figures\" or \"renders\", found none");
+    }
     read_figures(root, defaults);
+    read_renders(root);
     check_labels(defaults);
-    name_figures();
+    name_parts();
     std::ranges::stable_sort(lecture_.problems, {}, &Problem::line);
     return std::move(lecture_);
   }
@@ -244,6 +248,8 @@ class Reader {
         return number_or_text(node, place, "a number");
       case KeyKind::list:
         return joined(node, place, ",", "a list of numbers and texts, or one text");
+      case KeyKind::place:
+        return joined(node, place, ",", "three numbers like [3, 2, 4], or one text");
       default:
         return text_of(node, place);
     }
@@ -270,6 +276,9 @@ class Reader {
       return elsewhere->of_figure ? " (it belongs into a figure, beside \"topic\")"
                                   : " (it belongs to the lecture, beside \"figures\")";
     }
+    if (std::ranges::find(render_keys(), key, &LectureKey::name) != render_keys().end()) {
+      return " (it belongs into a render, beside \"model\")";
+    }
     return suggestion(key, allowed);
   }
 
@@ -288,6 +297,10 @@ class Reader {
     for (const LectureKey& key : lecture_keys()) {
       if (key.*where) allowed.push_back(key.name);
     }
+    check_keys(node, path, allowed, topic);
+  }
+  void check_keys(const JsonNode& node, const std::string& path, const Texts& allowed,
+                  const TopicEntry* topic = nullptr) {
     for (const JsonMember& member : node.members) {
       if (std::ranges::find(allowed, member.key) != allowed.end()) continue;
       refuse_key(member, path, allowed, hint_for(member.key, allowed, topic));
@@ -349,7 +362,7 @@ class Reader {
 
   void read_figures(const JsonNode& root, const Settings& defaults) {
     const JsonMember* figures = root.member("figures");
-    if (!figures) return complain({root.line, ""}, "expected the key \"figures\", found none");
+    if (!figures) return;
     if (figures->value.kind != Kind::list || figures->value.elements.empty()) {
       return complain({figures->line, "figures"}, "a list of at least one figure", figures->value);
     }
@@ -391,6 +404,17 @@ class Reader {
     return which ? catalogue()[*which] : nullptr;
   }
 
+  using ReadText = std::optional<std::string> (Reader::*)(const JsonNode&, const Place&);
+
+  /// The value of a key of this part, its place noted; nothing where there is none, or a wrong one.
+  std::optional<std::string> own(const JsonNode& node, LecturePart& part, const char* key, ReadText reader) {
+    const JsonMember* member = node.member(key);
+    if (!member) return std::nullopt;
+    const Place place{member->line, way(part.place.path, key)};
+    part.places[key] = place;
+    return (this->*reader)(member->value, place);
+  }
+
   /// What a figure has for itself: inputs, method, name, caption.
   void read_own(const JsonNode& node, const std::string& path, LectureFigure& figure) {
     if (const JsonMember* input = node.member("input")) {
@@ -398,20 +422,13 @@ class Reader {
     } else {
       complain({node.line, path}, "expected the key \"input\" ({} for the topic's defaults), found none");
     }
-    const auto take = [&](const char* key, auto reader, auto keep) {
-      const JsonMember* member = node.member(key);
-      if (!member) return;
-      const Place place{member->line, way(path, key)};
-      figure.places[key] = place;
-      if (const auto text = (this->*reader)(member->value, place)) keep(*text);
-    };
-    take("method", &Reader::text_of, [&](const std::string& text) {
-      if (!figure.request.topic) return;
+    const auto method = own(node, figure, "method", &Reader::text_of);
+    if (method && figure.request.topic) {
       Texts names;
-      for (const Method& method : figure.request.topic->methods) names.push_back(method.name);
-      if (whole_name(text, names, figure.places["method"])) figure.request.arguments["method"] = text;
-    });
-    take("name", &Reader::safe_name, [&](const std::string& text) { figure.name = text; });
+      for (const Method& known : figure.request.topic->methods) names.push_back(known.name);
+      if (whole_name(*method, names, figure.places["method"])) figure.request.arguments["method"] = *method;
+    }
+    figure.name = own(node, figure, "name", &Reader::safe_name).value_or("");
   }
 
   std::optional<std::string> safe_name(const JsonNode& node, const Place& place) {
@@ -526,11 +543,84 @@ class Reader {
     if (!fine) return;
     figure.spec = std::move(spec);
     figure.files = std::move(inputs.files);
+    figure.copies = needed_of(figure.files, figure.spec.arguments);
   }
+
+  /// The files whose contents do not stand in the command.
+  static Texts needed_of(const Texts& files, const Arguments& arguments) {
+    Texts needed;
+    for (const std::string& file : files) {
+      const std::string name = base_of(file);
+      const bool is_needed = std::ranges::any_of(arguments.entries(), [&](const Arguments::Entry& entry) {
+        const auto names_it = [&](const auto& library) { return library_base(library.first) == name; };
+        return !entry.hash.empty() && (entry.text == name || std::ranges::any_of(entry.libraries, names_it));
+      });
+      if (is_needed) needed.push_back(file);
+    }
+    return needed;
+  }
+
+  static std::string base_of(const std::string& path) { return fs::path(path).filename().string(); }
+  static std::string library_base(std::string name) {
+    std::ranges::replace(name, '\\', '/');  // written on Windows
+    return base_of(name);
+  }
+
+  // --- Renders
+
+  void read_renders(const JsonNode& root) {
+    const JsonMember* renders = root.member("renders");
+    if (!renders) return;
+    if (renders->value.kind != Kind::list || renders->value.elements.empty()) {
+      return complain({renders->line, "renders"}, "a list of at least one render", renders->value);
+    }
+    for (std::size_t i = 0; i < renders->value.elements.size(); ++i) {
+      read_render(renders->value.elements[i], fmt::format("renders[{}]", i));
+    }
+  }
+
+  void read_render(const JsonNode& node, const std::string& path) {
+    LectureRender render;
+    render.place = {node.line, path};
+    if (!is_object(node, render.place, "an object with the key \"model\"")) return;
+    const std::size_t problems = lecture_.problems.size();
+    Texts allowed;
+    for (const LectureKey& key : render_keys()) allowed.push_back(key.name);
+    check_keys(node, path, allowed);
+    render.request.command = &*std::ranges::find(commands(), "render", &Command::name);
+    if (!node.member("model")) complain(render.place, "expected the key \"model\", found none");
+    const auto model = own(node, render, "model", &Reader::file_name);
+    render.name = own(node, render, "name", &Reader::safe_name).value_or("");
+    render.title = own(node, render, "title", &Reader::line_of_text).value_or("");
+    render.caption = own(node, render, "caption", &Reader::line_of_text).value_or("");
+    for (const Flag& flag : render.request.command->flags) read_render_flag(node, flag, render);
+    if (!model) return;
+    render.request.operands = {*model};
+    read_all(render, render.request.flags, [&] { render.brief = render_brief(render.request, file_.find); });
+    render.files = render.copies = render.brief.files;
+    if (lecture_.problems.size() == problems) lecture_.renders.push_back(std::move(render));
+  }
+
+  void read_render_flag(const JsonNode& node, const Flag& flag, LectureRender& render) {
+    const auto key = std::ranges::find(render_keys(), folded(flag.name), &LectureKey::name);
+    const JsonMember* member = key == render_keys().end() ? nullptr : node.member(key->name);
+    if (!member) return;
+    const Place place{member->line, way(render.place.path, key->name)};
+    render.places[key->name] = place;
+    if (const auto text = flag_value(*key, member->value, place)) render.request.flags[flag.name] = *text;
+  }
+
+  std::optional<std::string> file_name(const JsonNode& node, const Place& place) {
+    if (node.kind == Kind::text && node.text != dash && !trimmed(node.text).empty()) return node.text;
+    complain(place, "a file's name", node);
+    return std::nullopt;
+  }
+
+  // --- Values
 
   /// Calls `read` until it is content, each time without the value that it complained of. Whether the first
   /// time was the last.
-  bool read_all(const LectureFigure& figure, std::map<std::string, std::string>& values,
+  bool read_all(const LecturePart& part, std::map<std::string, std::string>& values,
                 const std::function<void()>& read) {
     for (bool fine = true;; fine = false) {
       try {
@@ -538,7 +628,7 @@ class Reader {
         return fine;
       } catch (const std::exception& error) {
         if (!is_about_input(error)) throw;
-        note(problem_of(lecture_, figure, error));
+        note(problem_of(lecture_, part, error));
         const std::string flag = flag_in(message_of(error));
         if (values.erase(flag) + values.erase(folded(flag)) == 0) return false;
       }
@@ -547,45 +637,57 @@ class Reader {
 
   // --- Names
 
-  /// Input files lie beside the figure's own, which begin with its name.
-  static std::string input_called(const std::string& name, const LectureFigure& figure) {
-    for (const Arguments::Entry& entry : figure.spec.arguments.entries()) {
-      const std::string stem = lowered(fs::path(entry.text).stem().string());
-      if (!entry.hash.empty() && (stem == lowered(name) || stem.starts_with(lowered(name) + "-")))
-        return entry.text;
+  /// Copies of input files lie beside the part's own files, which begin with its name.
+  static std::string input_called(const std::string& name, const LecturePart& part) {
+    for (const std::string& path : part.copies) {
+      const std::string file = base_of(path), stem = lowered(fs::path(path).stem().string());
+      if (format_by_ending(file) && (stem == lowered(name) || stem.starts_with(lowered(name) + "-"))) {
+        return file;
+      }
     }
     return "";
   }
 
-  void name_figures() {
-    std::map<std::string, const LectureFigure*> owners;
-    for (const LectureFigure& figure : lecture_.figures) {
-      if (figure.name.empty()) continue;
-      const auto [owner, is_new] = owners.emplace(lowered(figure.name), &figure);
-      const Place& place = figure.places.at("name");
-      if (!is_new) {
-        complain(place, fmt::format("expected another name than that of {} (line {}), found {}",
-                                    owner->second->place.path, owner->second->places.at("name").line,
-                                    shown(figure.name)));
-      }
-      if (const std::string input = input_called(figure.name, figure); !input.empty()) {
-        complain(place, fmt::format("expected another name than that of the input file {}, found {}",
-                                    shown(input), shown(figure.name)));
-      }
+  using Owners = std::map<std::string, const LecturePart*>;  ///< by name, in lower case
+
+  /// A name that the lecture gives must be nobody else's.
+  void check_name(const LecturePart& part, Owners& owners) {
+    if (part.name.empty()) return;
+    const auto [owner, is_new] = owners.emplace(lowered(part.name), &part);
+    const Place& place = part.places.at("name");
+    if (!is_new) {
+      complain(place, fmt::format("expected another name than that of {} (line {}), found {}",
+                                  owner->second->place.path, owner->second->places.at("name").line,
+                                  shown(part.name)));
     }
-    for (LectureFigure& figure : lecture_.figures) {
-      if (figure.name.empty()) figure.name = free_name(figure, owners);
-      owners.emplace(lowered(figure.name), &figure);
+    if (const std::string input = input_called(part.name, part); !input.empty()) {
+      complain(place, fmt::format("expected another name than that of the input file {}, found {}",
+                                  shown(input), shown(part.name)));
     }
   }
 
-  /// The topic's name, then with "_2", "_3", …
-  static std::string free_name(const LectureFigure& figure,
-                               const std::map<std::string, const LectureFigure*>& owners) {
-    const std::string& topic = figure.spec.topic->name;
+  void name_parts() {
+    Owners owners;
+    for (const AnyPart& any : lecture_.parts()) check_name(part_of(any), owners);
+    const auto give = [&owners](LecturePart& part, const std::string& base) {
+      if (part.name.empty()) part.name = free_name(part, base, owners);
+      owners.emplace(lowered(part.name), &part);
+    };
+    for (LectureFigure& figure : lecture_.figures) give(figure, figure.spec.topic->name);
+    for (LectureRender& render : lecture_.renders) give(render, base_name(render));
+  }
+
+  /// A render's name where the lecture gives none: its model's, when that is one.
+  static std::string base_name(const LectureRender& render) {
+    const std::string stem = fs::path(render.files.front()).stem().string();
+    return is_name(stem) && lowered(stem) != pages_folder && stem.size() <= 70 ? stem : "render";
+  }
+
+  /// `base`, then with "_2", "_3", …
+  static std::string free_name(const LecturePart& part, const std::string& base, const Owners& owners) {
     for (int number = 1;; ++number) {
-      std::string name = number == 1 ? topic : fmt::format("{}_{}", topic, number);
-      if (!owners.contains(name) && input_called(name, figure).empty()) return name;
+      std::string name = number == 1 ? base : fmt::format("{}_{}", base, number);
+      if (!owners.contains(lowered(name)) && input_called(name, part).empty()) return name;
     }
   }
 
@@ -641,13 +743,36 @@ bool is_about_input(const std::exception& error) {
          dynamic_cast<const InputError*>(&error);
 }
 
-Problem problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error) {
-  if (!is_about_input(error)) return {figure.place.line, fmt::format("{}: {}", figure.name, error.what())};
+std::string LectureRender::contents() const {
+  return fmt::format("{}\n{}\n{}\n{}\n{}", name, title, caption, brief.colophon.command,
+                     brief.colophon.input_hash);
+}
+
+const LecturePart& part_of(const AnyPart& any) {
+  return std::visit([](const auto* part) -> const LecturePart& { return *part; }, any);
+}
+
+std::vector<AnyPart> Lecture::parts() const {
+  std::vector<AnyPart> all;
+  for (const LectureFigure& figure : figures) all.emplace_back(&figure);
+  for (const LectureRender& render : renders) all.emplace_back(&render);
+  return all;
+}
+
+Problem problem_of(const Lecture& lecture, const LecturePart& part, const std::exception& error) {
+  if (!is_about_input(error)) return {part.place.line, fmt::format("{}: {}", part.name, error.what())};
   const std::string message = message_of(error), flag = flag_in(message);
-  if (flag.empty()) return problem_at(lecture, figure.place, ": " + message);
-  const auto known = figure.places.find(folded(flag));
-  const Place nearby{figure.place.line, way(figure.place.path, folded(flag))};
-  return problem_at(lecture, known == figure.places.end() ? nearby : known->second,
+  if (flag.empty()) {
+    const bool about_model = part.request.command->name == "render" && part.places.contains("model");
+    if (!about_model) return problem_at(lecture, part.place, ": " + message);
+    // The command line calls it MODEL, the model's reader by its name
+    const std::string operand = "MODEL: ";
+    const std::size_t start = message.starts_with(operand) ? operand.size() : 0;
+    return problem_at(lecture, part.places.at("model"), ": " + message.substr(start));
+  }
+  const auto known = part.places.find(folded(flag));
+  const Place nearby{part.place.line, way(part.place.path, folded(flag))};
+  return problem_at(lecture, known == part.places.end() ? nearby : known->second,
                     in_words_of_lectures(message.substr(2 + flag.size())));
 }
 

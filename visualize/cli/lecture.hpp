@@ -1,17 +1,21 @@
 #pragma once
 // A lecture: one JSON file that says which figures to make, with which inputs and in which look.
 //
-//   {"theme": "dark", "figures": [{"topic": "…", "input": {"from": "0,0", "to": "9,4"}}]}
+//   {"theme": "dark", "figures": [{"topic": "…", "input": {"from": "0,0", "to": "9,4"}}],
+//    "renders": [{"model": "spot.obj", "eye": [-1.5, 1.2, -2.7]}]}
 //
-// Its keys are the flags of `gradus figure`, with underscores, and a few of its own: see lecture_keys.
+// Its keys are the flags of `gradus figure`, with underscores, and a few of its own: see lecture_keys. Those
+// of a render are the flags of `gradus render`: see render_keys.
 
 #include <map>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cli/figure_file.hpp"
 #include "cli/inputs.hpp"
+#include "cli/render.hpp"
 
 namespace gradus::cli {
 
@@ -23,12 +27,14 @@ enum class KeyKind {
   number,   ///< or the same as a text
   toggle,   ///< true or false
   list,     ///< texts and numbers, or the same as one text with commas
+  place,    ///< three numbers, or the same as one text with commas
   labels,   ///< an object: symbol -> the reader's name for it
   topic,    ///< the name of a topic
   method,   ///< one of the topic's methods
   input,    ///< an object of the topic's parameters
   outputs,  ///< a list of formats
   figures,  ///< the list of figures
+  renders,  ///< the list of renders
 };
 
 struct LectureKey {
@@ -40,6 +46,9 @@ struct LectureKey {
 
 /// All keys: those of a lecture's own, then one for each flag of `gradus figure` that says how figures look.
 std::span<const LectureKey> lecture_keys();
+
+/// The keys of a render: a few of its own, then one for each flag of `gradus render` but the output.
+std::span<const LectureKey> render_keys();
 
 /// The JSON Schema (draft 2020-12) of a lecture, made from the keys, the topics and the formats.
 std::string lecture_schema();
@@ -74,28 +83,50 @@ struct Problem {
   friend auto operator<=>(const Problem&, const Problem&) = default;
 };
 
-/// A figure of a lecture, with its inputs read.
-struct LectureFigure {
+/// What figures and renders of a lecture have in common.
+struct LecturePart {
   std::string name;  ///< of its folder and files, unique in the lecture
   std::string caption;
-  std::vector<Format> outputs;
-  Request request;  ///< the same figure as a command line
-  FigureSpec spec;
-  std::vector<std::string> files;  ///< input files, as paths
+  Request request;                  ///< the same as a command line
+  std::vector<std::string> files;   ///< input files, as paths
+  std::vector<std::string> copies;  ///< those of them that `gradus again` needs beside the figure
 
   /// Where it stands, and each of its flags and parameters, by name: "svg-text", "from".
   Place place;
   std::map<std::string, Place> places;
+};
+
+/// A figure of a lecture, with its inputs read.
+struct LectureFigure : LecturePart {
+  std::vector<Format> outputs;
+  FigureSpec spec;
 
   /// All that the lecture says of it, as one text.
   std::string contents() const;
 };
 
+/// A rendered model of a lecture, read but for its pixels.
+struct LectureRender : LecturePart {
+  std::string title;  ///< of its card; empty: none of its own
+  RenderBrief brief;
+
+  /// All that the lecture says of it, as one text.
+  std::string contents() const;
+};
+
+/// A figure or a render.
+using AnyPart = std::variant<const LectureFigure*, const LectureRender*>;
+const LecturePart& part_of(const AnyPart& any);
+
 struct Lecture {
   std::string file;   ///< as errors call it
   std::string title;  ///< empty: none of its own
   std::vector<LectureFigure> figures;
+  std::vector<LectureRender> renders;
   std::vector<Problem> problems;  ///< by line
+
+  /// The figures, then the renders.
+  std::vector<AnyPart> parts() const;
 };
 
 /// Reads it all, noting every problem. Throws InputError for what is no JSON, WorkError when a file of the
@@ -103,9 +134,9 @@ struct Lecture {
 /// the lecture says.
 Lecture read_lecture(const LectureFile& file, const std::map<std::string, std::string>& instead = {});
 
-/// What went wrong with a figure, with its place; for errors that are not about the user's input its name
-/// will do.
-Problem problem_of(const Lecture& lecture, const LectureFigure& figure, const std::exception& error);
+/// What went wrong with a figure or a render, with its place; for errors that are not about the user's input
+/// its name will do.
+Problem problem_of(const Lecture& lecture, const LecturePart& part, const std::exception& error);
 
 /// Whether it is the user's input that is wrong.
 bool is_about_input(const std::exception& error);

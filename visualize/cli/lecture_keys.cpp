@@ -21,7 +21,8 @@ bool is_about_output(const Flag& flag) {
 KeyKind kind_of(const Flag& flag) {
   if (flag.value.empty()) return KeyKind::toggle;
   if (flag.name == "label") return KeyKind::labels;
-  if (flag.value == "N") return KeyKind::number;
+  if (flag.value == "N" || flag.value == "DEGREES") return KeyKind::number;
+  if (flag.value == "X,Y,Z") return KeyKind::place;
   return flag.value == "LIST" || flag.value.find(',') != std::string::npos ? KeyKind::list : KeyKind::text;
 }
 
@@ -58,6 +59,22 @@ std::vector<LectureKey> all_keys() {
     title->help = "of the lecture: heads the page of all figures; of a figure: " + title->help;
   }
   keys.push_back({"figures", KeyKind::figures, true, false, "the figures, in the order of the page"});
+  keys.push_back({"renders", KeyKind::renders, true, false, "rendered models, after the figures"});
+  return keys;
+}
+
+std::vector<LectureKey> all_render_keys() {
+  std::vector<LectureKey> keys{
+      {"model", KeyKind::text, false, false, "the model: an OBJ file, with the materials that lie beside it"},
+      {"name", KeyKind::text, false, false,
+       "name of the render's folder and files: letters a-z, digits, _ and -; default: the model's, numbered"},
+      {"title", KeyKind::text, false, false, "heads its card"},
+      {"caption", KeyKind::text, false, false, "a sentence under the picture, on its card"},
+  };
+  const Command& render = *std::ranges::find(commands(), "render", &Command::name);
+  for (const Flag& flag : render.flags) {
+    if (!is_about_output(flag)) keys.push_back({folded(flag.name), kind_of(flag), false, false, flag.help});
+  }
   return keys;
 }
 
@@ -70,11 +87,11 @@ JsonNode list_of(JsonNode items) {
       {{"type", 0, json_text("array")}, {"items", 0, std::move(items)}, {"minItems", 0, json_number("1")}});
 }
 
-/// So many of this type.
-JsonNode tuple_of(std::size_t count, const char* type) {
+/// So many of these types.
+JsonNode tuple_of(std::size_t count, const Texts& types) {
   const JsonNode size = json_number(std::to_string(count));
   return json_object({{"type", 0, json_text("array")},
-                      {"items", 0, json_object({{"type", 0, json_text(type)}})},
+                      {"items", 0, json_object({{"type", 0, type(types)}})},
                       {"minItems", 0, size},
                       {"maxItems", 0, size}});
 }
@@ -130,6 +147,8 @@ JsonNode schema_of(const LectureKey& key) {
       return of_type({"boolean"});
     case KeyKind::list:
       return either({of_type({"string", "number"}), list_of(of_type({"string", "number"}))});
+    case KeyKind::place:
+      return either({of_type({"string"}), tuple_of(3, {"string", "number"})});
     case KeyKind::labels:
       return json_object(
           {{"type", 0, json_text("object")}, {"additionalProperties", 0, of_type({"string"})}});
@@ -143,6 +162,8 @@ JsonNode schema_of(const LectureKey& key) {
       return either({one_of(output_names()), list_of(one_of(output_names()))});
     case KeyKind::figures:
       return list_of(json_object({{"$ref", 0, json_text("#/$defs/figure")}}));
+    case KeyKind::renders:
+      return list_of(json_object({{"$ref", 0, json_text("#/$defs/render")}}));
   }
   return of_type({"string"});
 }
@@ -155,9 +176,9 @@ JsonNode with_description(JsonNode schema, const std::string& text) {
 JsonNode schema_of(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::cell:
-      return either({of_type({"string"}), tuple_of(2, "integer")});
+      return either({of_type({"string"}), tuple_of(2, {"integer"})});
     case ParameterType::window:
-      return either({of_type({"string"}), tuple_of(4, "integer")});
+      return either({of_type({"string"}), tuple_of(4, {"integer"})});
     case ParameterType::integer:
       return either(
           {of_type({"string"}), json_object({{"type", 0, json_text("integer")},
@@ -167,9 +188,9 @@ JsonNode schema_of(const Parameter& parameter) {
       return of_type({"string", "number"});
     case ParameterType::numbers:
     case ParameterType::bounds:
-      return either({of_type({"string"}), tuple_of(parameter.parts.size(), "number")});
+      return either({of_type({"string"}), tuple_of(parameter.parts.size(), {"number"})});
     case ParameterType::points:
-      return either({of_type({"string"}), list_of(tuple_of(parameter.parts.size(), "number"))});
+      return either({of_type({"string"}), list_of(tuple_of(parameter.parts.size(), {"number"}))});
     case ParameterType::order:
       return either({of_type({"string"}), list_of(one_of(parameter.choices))});
     case ParameterType::choice: {
@@ -205,19 +226,37 @@ JsonNode rule_of(const TopicEntry& topic) {
                                      json_object({{"input", 0, input}, {"method", 0, one_of(methods)}})}})}});
 }
 
+JsonMember property(const LectureKey& key) {
+  return {key.name, 0, with_description(schema_of(key), key.help)};
+}
+
 /// The keys of a lecture, or of a figure.
 JsonNode properties(bool LectureKey::* where) {
   std::vector<JsonMember> members;
   for (const LectureKey& key : lecture_keys()) {
-    if (key.*where) members.push_back({key.name, 0, with_description(schema_of(key), key.help)});
+    if (key.*where) members.push_back(property(key));
   }
   return json_object(std::move(members));
+}
+
+JsonNode render_schema() {
+  std::vector<JsonMember> members;
+  for (const LectureKey& key : render_keys()) members.push_back(property(key));
+  return json_object({{"type", 0, json_text("object")},
+                      {"properties", 0, json_object(std::move(members))},
+                      {"required", 0, json_texts({"model"})},
+                      {"additionalProperties", 0, json_truth(false)}});
 }
 
 }  // namespace
 
 std::span<const LectureKey> lecture_keys() {
   static const std::vector<LectureKey> keys = all_keys();
+  return keys;
+}
+
+std::span<const LectureKey> render_keys() {
+  static const std::vector<LectureKey> keys = all_render_keys();
   return keys;
 }
 
@@ -233,13 +272,15 @@ std::string lecture_schema() {
       {{"$schema", 0, json_text("https://json-schema.org/draft/2020-12/schema")},
        {"title", 0, json_text("A lecture for `gradus figures`")},
        {"description", 0,
-        json_text("Which figures to make, with which inputs and in which look. Keys beside \"figures\" are "
-                  "defaults that each figure can override.")},
+        json_text("Which figures to make, with which inputs and in which look, and which models to render. "
+                  "Keys beside \"figures\" are defaults that each figure can override.")},
        {"type", 0, json_text("object")},
        {"properties", 0, properties(&LectureKey::of_lecture)},
-       {"required", 0, json_texts({"figures"})},
+       {"anyOf", 0,
+        json_list({json_object({{"required", 0, json_texts({"figures"})}}),
+                   json_object({{"required", 0, json_texts({"renders"})}})})},
        {"additionalProperties", 0, json_truth(false)},
-       {"$defs", 0, json_object({{"figure", 0, figure}})}}));
+       {"$defs", 0, json_object({{"figure", 0, figure}, {"render", 0, render_schema()}})}}));
 }
 
 }  // namespace gradus::cli

@@ -175,17 +175,13 @@ Input read_model(const std::string& operand, const FindFile& find) {
   };
   const bool from_stdin = operand == dash;
   const std::string path = from_stdin ? operand : find(operand, "MODEL");
-  const fs::path folder = from_stdin ? fs::path() : fs::path(path).parent_path();
   const std::string text = take(path, "MODEL");
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
-  input.model = pipeline::parse_obj(
-      text, from_stdin ? "standard input" : path, [&](const std::string& name) -> std::optional<std::string> {
-        std::string library = name;
-        std::ranges::replace(library, '\\', '/');  // written on Windows
-        const std::string beside = (folder / library).string();
-        std::error_code error;
-        return fs::exists(beside, error) ? std::optional(take(beside, "mtllib")) : std::nullopt;
-      });
+  input.model = pipeline::parse_obj(text, from_stdin ? "standard input" : path,
+                                    [&](const std::string& name) -> std::optional<std::string> {
+                                      const auto library = find_library(from_stdin ? "" : path, name);
+                                      return library ? std::optional(take(*library, "mtllib")) : std::nullopt;
+                                    });
   return input;
 }
 
@@ -292,16 +288,34 @@ std::string empty_remark(const pipeline::Scene& scene) {
                 : "render: no pixel shows the model: the picture shows the background alone";
 }
 
+/// All that a request asks for, read and ready to be rendered.
+struct Shot {
+  Wish wish;
+  pipeline::Scene scene;
+  RenderBrief brief;
+};
+
+Shot shot_of(const Request& request, const FindFile& find) {
+  Shot shot;
+  shot.wish = WishReader(request.flags).read();
+  Input input = read_model(request.operands.at(0), find);
+  shot.brief = {{}, input.files, remarks_on(input), shot.wish.size.width, shot.wish.size.height};
+  shot.scene = scene_for(std::move(input.model.mesh), input.name, shot.wish);
+  shot.brief.colophon = colophon_of(input, shot.scene, shot.wish);
+  return shot;
+}
+
 }  // namespace
 
+RenderBrief render_brief(const Request& request, const FindFile& find) {
+  return shot_of(request, find).brief;
+}
+
 Rendered rendered(const Request& request, const FindFile& find) {
-  const Wish wish = WishReader(request.flags).read();
-  Input input = read_model(request.operands.at(0), find);
-  Rendered result{"", {}, input.files, remarks_on(input)};
-  const pipeline::Scene scene = scene_for(std::move(input.model.mesh), input.name, wish);
-  result.colophon = colophon_of(input, scene, wish);
-  const Picture picture = picture_of(scene, wish);
-  if (picture.covered == 0) result.remarks.push_back(empty_remark(scene));
+  Shot shot = shot_of(request, find);
+  Rendered result{std::move(shot.brief), ""};
+  const Picture picture = picture_of(shot.scene, shot.wish);
+  if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
   result.png = png_of(picture.image, result.colophon);
   return result;
 }

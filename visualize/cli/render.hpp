@@ -10,17 +10,25 @@
 
 namespace gradus::cli {
 
-/// A picture of a model, as the bytes of a PNG.
-struct Rendered {
-  std::string png;
-  Colophon colophon;                 ///< what the PNG says of itself
+/// What a picture of a model says of itself, and what went into it.
+struct RenderBrief {
+  Colophon colophon;
   std::vector<std::string> files;    ///< paths that were read: the model, then its material libraries
   std::vector<std::string> remarks;  ///< what the user should know and what is no mistake, a line each
+  int width = 0, height = 0;         ///< of the picture, in pixels
+};
+
+/// A picture of a model, as the bytes of a PNG.
+struct Rendered : RenderBrief {
+  std::string png;
 };
 
 /// Renders what a request of `gradus render` asks for. find: where the model lies; its material libraries lie
 /// beside it. Throws UsageError and InputError.
 Rendered rendered(const Request& request, const FindFile& find = as_named);
+
+/// The same short of rendering: reads flags and model, and aims the camera. Throws what rendered() would.
+RenderBrief render_brief(const Request& request, const FindFile& find = as_named);
 
 /// Writes the picture, and the remarks to stderr unless `quiet`. Throws UsageError, WorkError.
 void write_rendered(const Rendered& picture, const std::string& output, bool quiet);

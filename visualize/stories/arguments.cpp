@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "stories/factor_text.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 
@@ -237,6 +238,12 @@ std::string canonical_order(const Parameter& parameter, std::string_view text) {
   return fmt::format("{}", fmt::join(words, ","));
 }
 
+std::string canonical_factors(const Parameter& parameter, std::string_view text) {
+  const Read<std::vector<FactorText>> read = read_factors(text, parameter.parts);
+  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  return text_of(std::get<std::vector<FactorText>>(read));
+}
+
 std::string canonical_model(const Parameter& parameter, std::string_view text) {
   const std::string name = base_name(text);
   if (name.empty()) refuse(parameter, "an OBJ file", text);
@@ -401,6 +408,8 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_points(parameter, text);
     case ParameterType::order:
       return canonical_order(parameter, text);
+    case ParameterType::factors:
+      return canonical_factors(parameter, text);
     case ParameterType::model:
       return canonical_model(parameter, text);
   }

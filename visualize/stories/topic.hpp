@@ -33,6 +33,7 @@ enum class ParameterType {
   bounds,   ///< the same, all lower ones first: "0,0,10,8" for xmin,ymin,xmax,ymax; none above its upper one
   points,   ///< points of as many numbers as `parts` has names: "0,0 6,0 6,3"; from `least` to `most` of them
   order,    ///< all of `choices`, each once: "left,right,bottom,top"
+  factors,  ///< transformations in the order of acting: "rotate 30 about 1,1; scale 2"; `parts`: x,y or x,y,z
   model,    ///< an OBJ file; commands take it as an operand too
 };
 

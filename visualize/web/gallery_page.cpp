@@ -79,7 +79,8 @@ std::string links_html(const Card& card) {
 }
 
 std::string card_html(const Card& card) {
-  const std::string& opened = card.player.empty() ? card.thumbnail : card.player;
+  const std::string& picture = card.opened.empty() ? card.thumbnail : card.opened;
+  const std::string& opened = card.player.empty() ? picture : card.player;
   const std::string player =
       card.player.empty() ? ""
                           : fmt::format(

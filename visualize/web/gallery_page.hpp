@@ -12,12 +12,14 @@ namespace gradus {
 struct Card {
   std::string slug, title, chapter, caption;
   std::string command;    ///< to make it again
-  std::string thumbnail;  ///< relative path of an SVG: the drawing of the most telling step
-  std::string player;     ///< relative path
+  std::string thumbnail;  ///< relative path of a picture: the drawing of the most telling step
+  std::string player;     ///< relative path; empty: none
   std::vector<std::pair<std::string, std::string>> downloads{};  ///< (name shown, relative path)
   std::vector<std::string> words{};  ///< more to find it by: topic, aliases, method
-  std::string topic_page{};          ///< relative path; empty: none
-  std::string zip{};                 ///< relative path: its steps as pictures; empty: none
+  std::string opened{};  ///< relative path: what a click on the thumbnail opens where there is no player;
+                         ///< empty: the thumbnail
+  std::string topic_page{};  ///< relative path; empty: none
+  std::string zip{};         ///< relative path: its steps as pictures; empty: none
   std::vector<std::pair<std::string, std::string>> snippets{};  ///< (for what: "Beamer", lines to paste)
 };
 

@@ -154,55 +154,58 @@ TEST(Obj, MaterialsWithBlanksFromSeveralLibraries) {
 TEST(Obj, WhatIsBrokenIsToldWithItsPlace) {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {v + "f 1 2\n", "m.obj:4: a face has at least 3 corners, not 2"},
-      {v + "f\n", "m.obj:4: a face has at least 3 corners, not 0"},
-      {v + "f 0 1 2\n", "m.obj:4: the vertex index in '0' is 0: they count from 1, or from -1 backwards"},
-      {v + "f 1 2 4\n", "m.obj:4: vertex 4 was asked for, but the file has 3 (v)"},
-      {v + "f 1 2 -4\n", "m.obj:4: '-4' goes back to vertex -4, but there are only 3 so far"},
-      {v + "f 1/1 2/1 3/1\n", "m.obj:4: texture coordinate 1 was asked for, but the file has 0 (vt)"},
-      {v + "f 1//1 2//1 3//2\nvn 0 0 1\n", "m.obj:4: normal 2 was asked for, but the file has 1 (vn)"},
-      {v + "f 1 2 2147483648\n", "m.obj:4: the vertex index in '2147483648' is out of range"},
+      {v + "f 1 2\n", "m.obj:4: expected a face of at least 3 corners, found 2"},
+      {v + "f\n", "m.obj:4: expected a face of at least 3 corners, found 0"},
+      {v + "f 0 1 2\n",
+       "m.obj:4: expected a vertex index that counts from 1, or from -1 backwards, found 0 in '0'"},
+      {v + "f 1 2 4\n", "m.obj:4: expected one of the 3 vertices of the file (v), found 4"},
+      {v + "f 1 2 -4\n", "m.obj:4: expected one of the 3 vertices so far (v), found -4 in '-4'"},
+      {v + "f 1/1 2/1 3/1\n", "m.obj:4: expected one of the 0 texture coordinates of the file (vt), found 1"},
+      {v + "f 1//1 2//1 3//2\nvn 0 0 1\n", "m.obj:4: expected one of the 1 normal of the file (vn), found 2"},
+      {v + "f 1 2 2147483648\n",
+       "m.obj:4: expected a vertex index from -1073741823 to 1073741823, found '2147483648'"},
       {v + "f 1 2 99999999999999999999\n",
-       "m.obj:4: the vertex index in '99999999999999999999' is out of range"},
+       "m.obj:4: expected a vertex index from -1073741823 to 1073741823, found '99999999999999999999'"},
       {v + "f 1 2 -99999999999999999999\n",
-       "m.obj:4: the vertex index in '-99999999999999999999' is out of range"},
+       "m.obj:4: expected a vertex index from -1073741823 to 1073741823, found '-99999999999999999999'"},
       {v + "f 1 2 3.5\n",
-       "m.obj:4: '3.5' is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers"},
-      {v + "f 1 2 x\n", "m.obj:4: 'x' is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers"},
+       "m.obj:4: expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found '3.5'"},
+      {v + "f 1 2 x\n", "m.obj:4: expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found 'x'"},
       {v + "f 1/ 2/ 3/\n",
-       "m.obj:4: '1/' is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers"},
+       "m.obj:4: expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found '1/'"},
       {v + "f 1// 2// 3//\n",
-       "m.obj:4: '1//' is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers"},
+       "m.obj:4: expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found '1//'"},
       {v + "f 1/1/1/1 2 3\n",
-       "m.obj:4: '1/1/1/1' is no corner: expected v, v/vt, v//vn or v/vt/vn with whole numbers"},
-      {v + "vn 0 0 1\nf 1//1 2 3\n", "m.obj:5: corner 2 of the face has another form than the first: '2'"},
-      {"v 0 0\n", "m.obj:1: the vertex is missing: expected a number"},
-      {"v 0 0 nan\n", "m.obj:1: the vertex is not finite: 'nan'"},
-      {"v 0 0 -inf\n", "m.obj:1: the vertex is not finite: '-inf'"},
-      {"v 0 0 1e400\n", "m.obj:1: the vertex is out of range: '1e400'"},
-      {"v 0 0 1e31\n", "m.obj:1: the vertex is out of range: '1e31', at most 1e+30 is taken"},
-      {"v 0 0 1,5\n", "m.obj:1: the vertex is no number: '1,5'"},
-      {"v 0 0 0x10\n", "m.obj:1: the vertex is no number: '0x10'"},
-      {"v 0 0 +-1\n", "m.obj:1: the vertex is no number: '+-1'"},
-      {"v 0 0 0 1 1\n", "m.obj:1: a vertex has 3, 4, 6 or 7 numbers, not 5"},
-      {"vn 0 0 1 0\n", "m.obj:1: unexpected '0' after a normal"},
-      {"vt 0 0 0 0\n", "m.obj:1: unexpected '0' after a texture coordinate"},
-      {"vt inf\n", "m.obj:1: the texture coordinate is not finite: 'inf'"},
-      {"\n\ncurv 0 1\n", "m.obj:3: 'curv' belongs to a free-form curve or surface, only faces are read"},
-      {"hello\n", "m.obj:1: 'hello' is no statement of an OBJ file"},
-      {"s one\n", "m.obj:1: a smoothing group is a whole number or off, not 'one'"},
-      {"s -1\n", "m.obj:1: a smoothing group is a whole number or off, not '-1'"},
-      {"mtllib\n", "m.obj:1: mtllib without a file name"},
-      {"p\n", "m.obj:1: a point has at least 1 vertices, not 0"},
-      {v + "l 1\n", "m.obj:4: a line has at least 2 vertices, not 1"},
-      {v + "f 1 2 3\nl 1 9\n", "m.obj:5: vertex 9 was asked for, but the file has 3 (v)"},
-      {"", "m.obj: no face in it (0 vertices, 0 points, 0 lines), there is nothing to draw"},
-      {v + "p 1\n", "m.obj: no face in it (3 vertices, 1 points, 0 lines), there is nothing to draw"},
-      {std::string("v 0 0 0\0", 8), "m.obj: no text: byte 7 is zero"},
-      {"\xFF\xFEv", "m.obj: UTF-16 text, expected UTF-8 or ASCII"},
-      {"\x1B[31mboo\n", "m.obj:1: '?[31mboo' is no statement of an OBJ file"},
+       "m.obj:4: expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found '1/1/1/1'"},
+      {v + "vn 0 0 1\nf 1//1 2 3\n",
+       "m.obj:5: expected corner 2 of the face in the form of the first, found '2'"},
+      {"v 0 0\n", "m.obj:1: expected a number for the vertex, found none"},
+      {"v 0 0 nan\n", "m.obj:1: expected a finite number for the vertex, found 'nan'"},
+      {"v 0 0 -inf\n", "m.obj:1: expected a finite number for the vertex, found '-inf'"},
+      {"v 0 0 1e400\n", "m.obj:1: expected a number of at most 1e+30 for the vertex, found '1e400'"},
+      {"v 0 0 1e31\n", "m.obj:1: expected a number of at most 1e+30 for the vertex, found '1e31'"},
+      {"v 0 0 1,5\n", "m.obj:1: expected a number for the vertex, found '1,5'"},
+      {"v 0 0 0x10\n", "m.obj:1: expected a number for the vertex, found '0x10'"},
+      {"v 0 0 +-1\n", "m.obj:1: expected a number for the vertex, found '+-1'"},
+      {"v 0 0 0 1 1\n", "m.obj:1: expected a vertex of 3, 4, 6 or 7 numbers, found 5"},
+      {"vn 0 0 1 0\n", "m.obj:1: expected nothing after a normal, found '0'"},
+      {"vt 0 0 0 0\n", "m.obj:1: expected nothing after a texture coordinate, found '0'"},
+      {"vt inf\n", "m.obj:1: expected a finite number for the texture coordinate, found 'inf'"},
+      {"\n\ncurv 0 1\n", "m.obj:3: expected faces alone, found 'curv' of a free-form curve or surface"},
+      {"hello\n", "m.obj:1: expected a statement of an OBJ file, found 'hello'"},
+      {"s one\n", "m.obj:1: expected a smoothing group, a whole number or off, found 'one'"},
+      {"s -1\n", "m.obj:1: expected a smoothing group, a whole number or off, found '-1'"},
+      {"mtllib\n", "m.obj:1: expected a file's name after mtllib, found none"},
+      {"p\n", "m.obj:1: expected a point of at least 1 vertices, found 0"},
+      {v + "l 1\n", "m.obj:4: expected a line of at least 2 vertices, found 1"},
+      {v + "f 1 2 3\nl 1 9\n", "m.obj:5: expected one of the 3 vertices of the file (v), found 9"},
+      {"", "m.obj: expected at least one face, found none (0 vertices, 0 points, 0 lines)"},
+      {v + "p 1\n", "m.obj: expected at least one face, found none (3 vertices, 1 points, 0 lines)"},
+      {std::string("v 0 0 0\0", 8), "m.obj: expected text, found a zero at byte 7"},
+      {"\xFF\xFEv", "m.obj: expected text in UTF-8 or ASCII, found UTF-16"},
+      {"\x1B[31mboo\n", "m.obj:1: expected a statement of an OBJ file, found '?[31mboo'"},
       {std::string(100, 'x') + "\n",
-       "m.obj:1: '" + std::string(40, 'x') + "...' is no statement of an OBJ file"},
+       "m.obj:1: expected a statement of an OBJ file, found '" + std::string(40, 'x') + "...'"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(refusal(text), expected);
 }
@@ -211,15 +214,16 @@ TEST(Obj, BrokenLibrariesAreToldWithTheirPlace) {
   const auto said = [](const std::string& library) {
     return refusal(square + "mtllib l.mtl\nf 1 2 3\n", {{"l.mtl", library}});
   };
-  EXPECT_EQ(said("Kd 1 1 1\n"), "l.mtl:1: 'Kd' before any newmtl");
-  EXPECT_EQ(said("newmtl a\nKd 1 nan 1\n"), "l.mtl:2: Kd is not finite: 'nan'");
-  EXPECT_EQ(said("newmtl a\nKd 1 -1 1\n"), "l.mtl:2: Kd is negative: -1");
-  EXPECT_EQ(said("newmtl a\nKd 1 1\n"), "l.mtl:2: Kd is missing: expected a number");
-  EXPECT_EQ(said("newmtl a\nKd spectral f.rfl\n"), "l.mtl:2: Kd as spectral is not read, only as r g b");
-  EXPECT_EQ(said("newmtl a\nNs\n"), "l.mtl:2: Ns is missing: expected a number");
-  EXPECT_EQ(said("newmtl a\nd 1.5\n"), "l.mtl:2: d lies between 0 and 1, not at 1.5");
-  EXPECT_EQ(said("newmtl a\nnewmtl a\n"), "l.mtl:2: a second material 'a'");
-  EXPECT_EQ(said("newmtl a\nmap_Kd -frob x.png\n"), "l.mtl:2: '-frob' is no option of a map");
+  EXPECT_EQ(said("Kd 1 1 1\n"), "l.mtl:1: expected newmtl first, found 'Kd'");
+  EXPECT_EQ(said("newmtl a\nKd 1 nan 1\n"), "l.mtl:2: expected a finite number for Kd, found 'nan'");
+  EXPECT_EQ(said("newmtl a\nKd 1 -1 1\n"), "l.mtl:2: expected Kd of 0 or more, found -1");
+  EXPECT_EQ(said("newmtl a\nKd 1 1\n"), "l.mtl:2: expected a number for Kd, found none");
+  EXPECT_EQ(said("newmtl a\nKd spectral f.rfl\n"), "l.mtl:2: expected Kd as r g b, found spectral");
+  EXPECT_EQ(said("newmtl a\nNs\n"), "l.mtl:2: expected a number for Ns, found none");
+  EXPECT_EQ(said("newmtl a\nd 1.5\n"), "l.mtl:2: expected d from 0 to 1, found 1.5");
+  EXPECT_EQ(said("newmtl a\nnewmtl a\n"),
+            "l.mtl:2: expected another name for each material, found 'a' again");
+  EXPECT_EQ(said("newmtl a\nmap_Kd -frob x.png\n"), "l.mtl:2: expected an option of a map, found '-frob'");
   EXPECT_EQ(said("newmtl a\nillum 2\nNi 1.5\nTf 1 1 1\nbump -bm 2 b.png\nsharpness 60\nd -halo 0.5\n"), "");
   EXPECT_EQ(load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/models/letter_f.obj").notes,
             std::vector<std::string>{});
@@ -233,25 +237,29 @@ TEST(Obj, BrokenLibrariesAreToldWithTheirPlace) {
 /// The models that are refused, and a part of the reason. All others are read.
 const std::map<std::string, std::string>& refused() {
   static const std::map<std::string, std::string> reasons{
-      {"tinyobj/catmark_torus_creases0.obj", ":94: 't' is no statement"},
-      {"tinyobj/invalid-face-definition.obj", ":15: a face has at least 3 corners"},
-      {"tinyobj/invalid-relative-texture-index.obj", ":2: '1/-2' goes back to texture coordinate -2"},
-      {"tinyobj/invalid-relative-vertex-index.obj", ":1: '-4' goes back to vertex -4"},
-      {"tinyobj/issue-140-zero-face-idx.obj", ":16: the vertex index in '0/0/0' is 0"},
-      {"tinyobj/issue-356-leading-spaces-newmtl.obj", "no face in it"},
-      {"tinyobj/line-prim.obj", "no face in it (8 vertices, 0 points, 2 lines)"},
-      {"tinyobj/points-prim.obj", "no face in it (8 vertices, 1 points, 0 lines)"},
-      {"tinyobj/skin-weight.obj", ":13: 'vw' is no statement"},
-      {"tinyobj/smoothing-group-two-squares.obj", ":21: normal 1 was asked for, but the file has 0"},
-      {"tinyobj/test-nan.obj", ":12: the vertex is not finite: 'nan'"},
+      {"tinyobj/catmark_torus_creases0.obj", ":94: expected a statement of an OBJ file, found 't'"},
+      {"tinyobj/invalid-face-definition.obj", ":15: expected a face of at least 3 corners"},
+      {"tinyobj/invalid-relative-texture-index.obj",
+       ":2: expected one of the 1 texture coordinate so far (vt), found -2 in '1/-2'"},
+      {"tinyobj/invalid-relative-vertex-index.obj",
+       ":1: expected one of the 0 vertices so far (v), found -4 in '-4'"},
+      {"tinyobj/issue-140-zero-face-idx.obj",
+       ":16: expected a vertex index that counts from 1, or from -1 backwards, found 0 in '0/0/0'"},
+      {"tinyobj/issue-356-leading-spaces-newmtl.obj", "expected at least one face, found none"},
+      {"tinyobj/line-prim.obj", "expected at least one face, found none (8 vertices, 0 points, 2 lines)"},
+      {"tinyobj/points-prim.obj", "expected at least one face, found none (8 vertices, 1 points, 0 lines)"},
+      {"tinyobj/skin-weight.obj", ":13: expected a statement of an OBJ file, found 'vw'"},
+      {"tinyobj/smoothing-group-two-squares.obj",
+       ":21: expected one of the 0 normals of the file (vn), found 1"},
+      {"tinyobj/test-nan.obj", ":12: expected a finite number for the vertex, found 'nan'"},
       {"assimp/box_UTF16BE.obj", "UTF-16"},
-      {"assimp/invalid_empty.obj", "no face in it (0 vertices"},
-      {"assimp/invalid_malformed.obj", ":28: the vertex index in '0' is 0"},
-      {"assimp/invalid_malformed2.obj", ":23: a face has at least 3 corners, not 0"},
-      {"assimp/number_formats.obj", ":11: the vertex is no number: '3.1+e2'"},
-      {"assimp/point_cloud.obj", "no face in it (3 vertices"},
-      {"assimp/testline.obj", "no face in it (8 vertices, 0 points, 6 lines)"},
-      {"assimp/testpoints.obj", "no face in it (8 vertices, 6 points, 0 lines)"},
+      {"assimp/invalid_empty.obj", "expected at least one face, found none (0 vertices"},
+      {"assimp/invalid_malformed.obj", ":28: expected a vertex index that counts from 1"},
+      {"assimp/invalid_malformed2.obj", ":23: expected a face of at least 3 corners, found 0"},
+      {"assimp/number_formats.obj", ":11: expected a number for the vertex, found '3.1+e2'"},
+      {"assimp/point_cloud.obj", "expected at least one face, found none (3 vertices"},
+      {"assimp/testline.obj", "expected at least one face, found none (8 vertices, 0 points, 6 lines)"},
+      {"assimp/testpoints.obj", "expected at least one face, found none (8 vertices, 6 points, 0 lines)"},
   };
   return reasons;
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "core/record.hpp"
@@ -37,6 +38,19 @@ TEST(Illumination, Goldens) {
   EXPECT_NEAR(lit({0, 3, 4}, {0, 0, 5}).y, 0.68147483648, 1e-7);
   // G001-87
   EXPECT_NEAR(lit({0, 0, 2}, {0, 0, 2}).z, 1, 1e-7);
+}
+
+TEST(Illumination, TheDirectionToTheLightBeginsAtTheSurface) {
+  // G002-11, G002-12, E002-13: from the tip of the normal the first would be lit as from straight above, the
+  // second not at all
+  const auto cosine = [](dvec3 place, dvec3 light) {
+    const std::vector<Light> lights{lamp(light)};
+    const Material white = surface(1, 0, 1);
+    return phong(place, dvec3{0, 1, 0}, dvec3{0, 9, 9}, white, std::span<const Light>(lights), LinearRgb{0})
+        .diffuse.x;
+  };
+  EXPECT_NEAR(cosine({100, 0, 0}, {0, 10, 0}), 10 / std::sqrt(10100.0), 1e-7);
+  EXPECT_NEAR(cosine({0, 0, 0}, {0, 0.5, 0}), 1, 1e-7);
 }
 
 TEST(Illumination, TheHighlightIsWhite) {

@@ -63,6 +63,14 @@ TEST(BackFaceCulling, FrontIsCounterClockwiseWithYUp) {
   EXPECT_EQ(facing(V{0, 0, 0, 0}, V{1, 1, 0, 1}, V{2, 0, 0, 1}), Facing::edge_on);
 }
 
+TEST(BackFaceCulling, FarFromTheOriginNothingCancels) {
+  // E002-12: six products of coordinates near 1e8 leave 0 of a doubled area of 0.825
+  const double far = 1e8;
+  const auto at = [&](double x, double y) { return V{far + x, far + y, 0, 1}; };
+  EXPECT_EQ(facing(at(0, 0), at(1, 0.25), at(0.5, 0.875)), Facing::front);
+  EXPECT_EQ(facing(at(0, 0), at(0.5, 0.875), at(1, 0.25)), Facing::back);
+}
+
 TEST(BackFaceCulling, TheSignIsExact) {
   // Seen in plain doubles these two have no area
   const double u = 0x1p-53;

@@ -295,6 +295,30 @@ TEST(Canonical, Numbers) {
   EXPECT_EQ(complaint(circle, "1,2,nan"), "value: expected a number like 3, -5, 1/3 or 0.25, found 'nan'");
 }
 
+TEST(Canonical, Number) {
+  Parameter fov = parameter(ParameterType::number);
+  fov.least = 1;
+  fov.most = 170;
+  EXPECT_EQ(canonical(fov, " 60 "), "60");
+  EXPECT_EQ(canonical(fov, "+1"), "1");
+  EXPECT_EQ(canonical(fov, "1.70e2"), "170");
+  EXPECT_EQ(canonical(fov, "100/3"), "100/3");
+  EXPECT_EQ(canonical(fov, ".50e2"), "50");
+  for (const char* text :
+       {"", "0.999", "170.5", "-60", "1/0", "nan", "inf", "1e400", "6 0", "60 degrees", "3,4"})
+    EXPECT_EQ(complaint(fov, text), "value: expected a number from 1 to 170, found " + shown(text)) << text;
+}
+
+TEST(Canonical, ModelsGoByTheirNames) {
+  const Parameter model = parameter(ParameterType::model);
+  EXPECT_EQ(canonical(model, "some/folder/spot.obj"), "spot.obj");
+  EXPECT_EQ(canonical(model, "spot.obj"), "spot.obj");
+  EXPECT_EQ(canonical(model, "-"), "-");
+  for (const char* text : {"", "folder/"})
+    EXPECT_NE(complaint(model, text).find("value: expected an OBJ file"), std::string::npos)
+        << complaint(model, text);
+}
+
 TEST(Canonical, BoundsNameWhatIsSwapped) {
   const Parameter window = with_parts(ParameterType::bounds, {"xmin", "ymin", "xmax", "ymax"});
   EXPECT_EQ(canonical(window, "0, 0, 10, 8"), "0,0,10,8");
@@ -334,6 +358,7 @@ TEST(Arguments, ReadWhatTheirTypesSay) {
   arguments.set({"polygon", "0,0 6,0 6,3"});
   arguments.set({"corners", "0,0,1 6,0,2"});
   arguments.set({"eye", "1,2,3"});
+  arguments.set({"fov", "100/3"});
   arguments.set({"none", ""});
   arguments.set({"order", "top,left,right,bottom"});
   EXPECT_EQ(arguments.numbers("line"), (std::vector<double>{0.5, -3}));
@@ -343,6 +368,8 @@ TEST(Arguments, ReadWhatTheirTypesSay) {
   EXPECT_EQ(arguments.order(order), (std::vector<std::size_t>{3, 0, 1, 2}));
   EXPECT_TRUE(arguments.numbers("none").empty() && arguments.points("none").empty());
   EXPECT_EQ(arguments.place("none"), std::nullopt);
+  EXPECT_EQ(arguments.number("fov"), std::optional(100.0 / 3));
+  EXPECT_EQ(arguments.number("none"), std::nullopt);
 }
 
 TEST(Canonical, PaintIsAColourOrALetter) {

@@ -348,7 +348,8 @@ TEST(Lecture, ChecksTheKindOfEveryValue) {
   EXPECT_THAT(problem(", \"outputs\": [\"pgn\"]"), HasSubstr("found 'pgn', did you mean 'png'?"));
   EXPECT_EQ(problems_of("[]"),
             std::vector<std::string>{"1: expected an object with the key \"figures\", found an empty list"});
-  EXPECT_EQ(problems_of("{}"), std::vector<std::string>{"1: expected the key \"figures\", found none"});
+  EXPECT_EQ(problems_of("{}"),
+            std::vector<std::string>{"1: expected the key \"figures\" or \"renders\", found none"});
   EXPECT_THAT(problems_of("{\"figures\": [{\"topic\": \"flood_fill\", \"input\": {\"image\": \"-\"}}]}"),
               ElementsAre("1: figures[0].input.image: expected a file's name, found '-'"))
       << "nothing is read from standard input";
@@ -379,6 +380,97 @@ TEST(Lecture, KeysAreTheFlagsOfAFigureAndAFewOfItsOwn) {
     EXPECT_TRUE(names.insert(key.name).second) << key.name << " twice";
 }
 
+// --- Renders -----------------------------------------------------------------------------------------------
+
+const std::string models = std::string(GRADUS_SOURCE_DIR) + "/examples/models/";
+
+std::string render_of(const std::string& members) {
+  return "{\"renders\": [{\"model\": \"" + models + "spot.obj\"" + members + "}]}";
+}
+
+TEST(LectureRenders, BecomeWhatTheCommandLineWouldSay) {
+  const Lecture lecture = lecture_of(render_of(
+      R"json(, "eye": [-3, "1.50", 0], "light": "(-2, 2, -2)", "fov": 2e1, "size": "64X48", "background": "WHITE",
+         "title": "T", "caption": "C")json"));
+  ASSERT_THAT(lecture.problems, IsEmpty());
+  ASSERT_EQ(lecture.renders.size(), 1u);
+  EXPECT_THAT(lecture.figures, IsEmpty());
+  const LectureRender& render = lecture.renders[0];
+  EXPECT_EQ(render.brief.colophon.command,
+            "gradus render spot.obj --size 64x48 --eye -3,1.5,0 --fov 20 --light -2,2,-2");
+  EXPECT_EQ(render.name, "spot");
+  EXPECT_EQ(render.title, "T");
+  EXPECT_EQ(render.caption, "C");
+  EXPECT_THAT(render.copies, ElementsAre(models + "spot.obj"));
+  const std::vector<AnyPart> parts = lecture.parts();
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(&part_of(parts[0]), &render);
+}
+
+TEST(LectureRenders, KnowTheLibrariesOfTheirModels) {
+  const Lecture lecture = lecture_of("{\"renders\": [{\"model\": \"" + models + "letter_f.obj\"}]}");
+  ASSERT_EQ(lecture.renders.size(), 1u);
+  EXPECT_THAT(lecture.renders[0].copies, ElementsAre(models + "letter_f.obj", models + "letter_f.mtl"));
+}
+
+TEST(LectureRenders, AreOthersWhenAnythingIsOther) {
+  const auto contents = [](const std::string& members) {
+    const Lecture lecture = lecture_of(render_of(members));
+    return lecture.renders.empty() ? "(none)" : lecture.renders[0].contents();
+  };
+  const std::vector<std::string> all{"",
+                                     R"(, "name": "b")",
+                                     R"(, "title": "b")",
+                                     R"(, "caption": "b")",
+                                     R"(, "size": "8x8")",
+                                     R"(, "eye": [1, 2, 3])",
+                                     R"(, "target": [1, 2, 3])",
+                                     R"(, "up": [1, 2, 3])",
+                                     R"(, "fov": 4)",
+                                     R"(, "light": [1, 2, 3])",
+                                     R"(, "background": "none")"};
+  std::set<std::string> different;
+  for (const std::string& members : all) different.insert(contents(members));
+  EXPECT_EQ(different.size(), all.size());
+  EXPECT_EQ(contents(R"(, "size": "800x600", "fov": 40, "background": "white")"), contents(""))
+      << "defaults that are said";
+}
+
+TEST(LectureRenders, KeysAreTheFlagsOfTheCommandAndAFewOfTheirOwn) {
+  const auto command = std::ranges::find(commands(), "render", &Command::name);
+  std::set<std::string> expected{"model", "name", "title", "caption"}, found;
+  for (const Flag& flag : command->flags) expected.insert(flag.name);
+  expected.erase("output");
+  for (const LectureKey& key : render_keys()) {
+    EXPECT_TRUE(found.insert(key.name).second) << key.name << " twice";
+    EXPECT_FALSE(key.help.empty()) << key.name;
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(LectureRenders, SayAllThatIsWrongWithThem) {
+  EXPECT_THAT(problems_of(render_of(R"(, "eye": [1, 2],
+    "fov": "wide", "modle": 1,
+    "up": {}, "name": "a b")")),
+              ElementsAre("1: renders[0].eye: expected three numbers like 3,2,4, none larger than 1e30, "
+                          "found '1,2'",
+                          "2: renders[0].modle: expected a known key, found 'modle', did you mean 'model'?",
+                          "2: renders[0].fov: expected the vertical angle of view, 0.001 to 179.999 degrees, "
+                          "found 'wide'",
+                          HasSubstr("3: renders[0].name: expected a name of at most 80 letters"),
+                          "3: renders[0].up: expected three numbers like [3, 2, 4], or one text, found an "
+                          "object"));
+  EXPECT_THAT(problems_of(R"({"renders": [{"model": "no/where.obj"}, {}, {"model": "-"}]})"),
+              ElementsAre("1: renders[0].model: expected a readable file, found 'no/where.obj' (No such file "
+                          "or directory)",
+                          "1: renders[1]: expected the key \"model\", found none",
+                          "1: renders[2].model: expected a file's name, found '-'"));
+  EXPECT_THAT(problems_of(render_of(R"(, "eye": [0, 0, 9], "target": [0, 0, 9])")),
+              ElementsAre("1: renders[0].target: expected another point than the eye 0,0,9, found 0,0,9"));
+  EXPECT_THAT(problems_of(render_of(R"(, "eye": [0, 0, 9], "target": [0, 0, 0], "up": [0, 0, 1])")),
+              ElementsAre(HasSubstr("1: renders[0].up: expected a direction that is not along the view")));
+}
+
 TEST(Lecture, TheBuiltInGalleryHasNoProblems) {
   const Lecture gallery = read_lecture(gallery_lecture());
   EXPECT_THAT(gallery.problems, IsEmpty());
@@ -389,6 +481,13 @@ TEST(Lecture, TheBuiltInGalleryHasNoProblems) {
     EXPECT_FALSE(figure.caption.empty()) << figure.name;
   }
   EXPECT_EQ(shown.size(), catalogue().size()) << "every topic has a figure in the gallery";
+  std::set<std::string> rendered;
+  for (const LectureRender& render : gallery.renders) {
+    rendered.insert(render.files.front());
+    EXPECT_FALSE(render.caption.empty()) << render.name;
+    EXPECT_FALSE(render.title.empty()) << render.name;
+  }
+  EXPECT_EQ(rendered.size(), 3u) << "every shipped model is rendered in the gallery";
 }
 
 }  // namespace

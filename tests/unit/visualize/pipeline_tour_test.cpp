@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include "pipeline.hpp"
@@ -80,6 +81,8 @@ TEST(PipelineTour, HasAStepForEveryStage) {
 TEST(PipelineTour, EndsWithTheStageThatIsAskedFor) {
   const std::vector<std::string> names{"input",    "world",         "perspective", "back_faces",
                                        "clipping", "rasterization", "visibility",  "output"};
+  EXPECT_EQ(tour({{"stage", "all"}}).source_file, "pipeline/pipeline.hpp");
+  EXPECT_EQ(tour({}).source_file, "pipeline/pipeline.hpp");
   const Trace all = tour({});
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Trace trace = tour({{"stage", names[i]}});
@@ -87,6 +90,68 @@ TEST(PipelineTour, EndsWithTheStageThatIsAskedFor) {
     for (std::size_t k = 0; k < trace.steps.size(); ++k)
       ASSERT_EQ(trace.steps[k].sentence, all.steps[k].sentence);
   }
+}
+
+/// What stands in this line of a file of the project.
+std::string line_in(const std::string& file, int number) {
+  std::ifstream text(std::string(GRADUS_SOURCE_DIR) + "/" + file);
+  std::string line;
+  for (int i = 0; i < number; ++i) std::getline(text, line);
+  return line;
+}
+
+TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
+  // Stage, file, and for each event that its steps are told as what the reporting line hands over
+  struct Case {
+    std::string stage, file;
+    std::map<std::string, std::string> events;
+  };
+  const std::vector<Case> cases{
+      {"input", "1_input", {{"VertexRead", "VertexRead{"}, {"FaceRead", "face_read("}}},
+      {"world", "2_world", {{"Placed", "Placed{"}}},
+      {"perspective", "3_perspective", {{"Projected", "Projected{"}}},
+      {"back_faces", "4_back_faces", {{"Faced", "Faced{"}}},
+      {"clipping", "5_clipping", {{"Clipped", "clipped("}, {"Divided", "clipped("}}},
+      {"rasterization", "6_rasterization", {{"Snapped", "Snapped{"}, {"Covered", "Covered{"}}},
+      {"visibility",
+       "7_visibility_and_shading",
+       {{"DepthTested", "DepthTested{"}, {"Shaded", "observer(lit)"}}},
+      {"output", "8_output", {{"Written", "Written{"}}}};
+  int listed = 0, reported = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& [stage, file, events] = cases[i];
+    SCOPED_TRACE(stage);
+    const Trace trace = tour({{"stage", stage}, {"turn", "50"}, {"near", "1.8"}});
+    EXPECT_EQ(trace.source_file, "pipeline/stages/" + file + ".hpp");
+    ASSERT_GE(trace.listing.size(), 6u);
+    for (const SourceLine& line : trace.listing) {
+      const std::string code = line.text.substr(0, line.text.find("  //"));
+      EXPECT_LE(code.size(), 44u) << line.text << ": too wide for a slide";
+      EXPECT_NE(line_in(trace.source_file, line.number).find(code.substr(0, code.find('('))),
+                std::string::npos)
+          << line.text;
+      ++listed;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(trace.listing, {}, &SourceLine::number));
+    for (const TraceStep& step : trace.steps) {
+      const auto event = events.find(step.type);
+      if (event != events.end()) {
+        const std::string line = line_in(trace.source_file, step.line);
+        EXPECT_NE(line.find(event->second), std::string::npos) << step.type << ": " << line;
+        EXPECT_NE(line.find("observer("), std::string::npos) << step.type << ": " << line;
+        ++reported;
+      } else if (step.number != StepNumber{static_cast<std::int64_t>(i) + 1, 0}) {
+        EXPECT_EQ(step.line, 0) << step.type << ": nothing of this stage reported it";
+      }
+    }
+    const bool returns = trace.listing.back().text.starts_with("return ");
+    EXPECT_EQ(trace.steps.back().line,
+              returns ? trace.listing.back().number : trace.steps[trace.steps.size() - 2].line)
+        << "its end";
+    EXPECT_GT(trace.steps.back().line, 0);
+  }
+  EXPECT_GE(listed, 100);
+  EXPECT_GE(reported, 30);
 }
 
 TEST(PipelineTour, TellsTheNumbersOfAnotherWayToThem) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "projection/viewing/viewing.hpp"
 #include "scene/framing.hpp"
@@ -168,6 +169,9 @@ Run run_of(Scene scene, Size size) {
   run.tests = all<DepthTested>(record);
   run.shaded = all<Shaded>(record);
   run.written = all<Written>(record);
+  constexpr std::array types{"VertexRead", "FaceRead", "Placed",  "Turned",      "Projected", "Faced",
+                             "Clipped",    "Snapped",  "Covered", "DepthTested", "Shaded",    "Written"};
+  for (const auto& event : record.events()) run.lines.emplace(types[event.step.index()], event.line);
   return run;
 }
 

@@ -3,8 +3,10 @@
 // piece.
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/record.hpp"
@@ -30,6 +32,7 @@ struct Run {
   std::vector<pipeline::Shaded> shaded;
   std::vector<pipeline::Written> written;
   Image image;
+  std::map<std::string, int, std::less<>> lines;  ///< by step type: the stage's source line that reported it
 
   const pipeline::Clipped* clipped_of(pipeline::PieceId id) const;
   const pipeline::Shaded* shaded_at(ivec2 pixel) const;

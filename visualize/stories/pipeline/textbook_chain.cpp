@@ -17,20 +17,60 @@ namespace {
 using fmt::arg;
 using namespace pipeline;
 
-constexpr std::string_view source = "pipeline/pipeline.hpp";
+constexpr std::string_view chain_source = "pipeline/pipeline.hpp";
 
-/// The stages as the parameter `stage` calls them, and the calls that the chain makes of them.
+/// The stages as the parameter `stage` calls them, the calls that the chain makes of them, and the functions
+/// of their own that report steps.
 struct Stage {
-  std::string_view name, call;
+  std::string_view name, call, file;
+  std::vector<std::string_view> functions;
 };
-constexpr std::array<Stage, 8> stages{{{"input", "input("},
-                                       {"world", "to_world("},
-                                       {"perspective", "to_clip("},
-                                       {"back_faces", "remove_back_faces("},
-                                       {"clipping", "clip_and_divide("},
-                                       {"rasterization", "rasterize("},
-                                       {"visibility", "shade("},
-                                       {"output", "return output("}}};
+const std::vector<Stage>& stages() {
+  static const std::vector<Stage> all{
+      {"input", "input(", "1_input", {"bring_in"}},
+      {"world", "to_world(", "2_world", {"to_world"}},
+      {"perspective", "to_clip(", "3_perspective", {"to_clip"}},
+      {"back_faces", "remove_back_faces(", "4_back_faces", {"remove_back_faces"}},
+      {"clipping", "clip_and_divide(", "5_clipping", {"clip_and_divide"}},
+      {"rasterization", "rasterize(", "6_rasterization", {"rasterize"}},
+      {"visibility", "shade(", "7_visibility_and_shading", {"keep_nearest", "shade"}},
+      {"output", "return output(", "8_output", {"output"}}};
+  return all;
+}
+
+/// The choice of `stage` that stands for the whole chain.
+constexpr std::string_view whole_chain = "all";
+
+/// The stage's number from 1; 0 for the whole chain.
+int number_of(std::string_view stage) {
+  const auto found = std::ranges::find(stages(), stage, &Stage::name);
+  return found == stages().end() ? 0 : static_cast<int>(found - stages().begin()) + 1;
+}
+
+std::string file_of(int stage) {
+  return stage == 0
+             ? std::string(chain_source)
+             : fmt::format("pipeline/stages/{}.hpp", stages()[static_cast<std::size_t>(stage) - 1].file);
+}
+
+/// What is listed: a stage's own functions, or the chain's eight calls.
+std::vector<SourceLine> listing_for(int stage) {
+  const std::string_view text = source_text(file_of(stage));
+  std::vector<SourceLine> listing;
+  if (stage == 0) {
+    listing = listing_of(text, "render");
+    // Above the first stage stand the picture's size and its checks
+    const auto first =
+        std::ranges::find_if(listing, [](const SourceLine& l) { return l.text.starts_with("// 1"); });
+    listing.erase(listing.begin(), first);
+    return listing;
+  }
+  for (const std::string_view function : stages()[static_cast<std::size_t>(stage) - 1].functions) {
+    const std::vector<SourceLine> lines = listing_of(text, function);
+    listing.insert(listing.end(), lines.begin(), lines.end());
+  }
+  return listing;
+}
 
 /// The line of the chain that makes this call.
 int line_of(const std::vector<SourceLine>& listing, std::string_view call) {
@@ -42,7 +82,8 @@ int line_of(const std::vector<SourceLine>& listing, std::string_view call) {
 
 std::vector<std::string> stage_names() {
   std::vector<std::string> names;
-  for (const Stage& stage : stages) names.emplace_back(stage.name);
+  for (const Stage& stage : stages()) names.emplace_back(stage.name);
+  names.emplace_back(whole_chain);
   return names;
 }
 
@@ -58,8 +99,10 @@ std::vector<Field> fields_of(glm::dvec4 p) { return {{"x", p.x}, {"y", p.y}, {"z
 
 class Tour {
  public:
-  Tour(TraceWriter& writer, const Run& run, const Followed& followed)
+  /// listed: the stage whose own source is listed; 0: the chain is.
+  Tour(TraceWriter& writer, const Run& run, const Followed& followed, int listed)
       : writer_(writer),
+        listed_(listed),
         words_(writer.wording()),
         run_(run),
         piece_(run.pieces[followed.piece]),
@@ -67,8 +110,9 @@ class Tour {
         pixel_(followed.pixel),
         views_(run, followed, words_) {}
 
-  /// Tells the stages up to and with this one.
-  void tell(int last) {
+  /// Tells the stages up to the one that is listed, or all.
+  void tell() {
+    const int last = listed_ == 0 ? static_cast<int>(stages().size()) : listed_;
     constexpr std::array<void (Tour::*)(), 8> tellers{
         &Tour::input,    &Tour::world,         &Tour::perspective, &Tour::facing,
         &Tour::clipping, &Tour::rasterization, &Tour::visibility,  &Tour::output};
@@ -90,19 +134,38 @@ class Tour {
     step.fields = std::move(event.fields);
   }
 
-  int line(std::string_view call = {}) const {
-    const std::size_t at = static_cast<std::size_t>(std::max(stage_, 1) - 1);
-    return line_of(writer_.trace().listing, call.empty() ? stages[at].call : call);
+  /// The line of the chain that calls the stage, or `call`.
+  int chain_line(std::string_view call = {}) const {
+    if (stage_ == 0) return 0;
+    const Stage& stage = stages()[static_cast<std::size_t>(stage_) - 1];
+    return line_of(writer_.trace().listing, call.empty() ? stage.call : call);
   }
 
-  void fine(View view, Event event, std::string_view call = {}) {
-    writer_.fine(difference(shown_, view), pixel_, line(call),
+  /// The listed stage's line that reported steps of this type: none of it did in the stages before.
+  int own_line(std::string_view type) const {
+    const auto reported = run_.lines.find(type);
+    return stage_ == listed_ && reported != run_.lines.end() ? reported->second : 0;
+  }
+
+  /// reported: the step type of the pipeline that tells of it, where that is not the event's own.
+  void fine(View view, Event event, std::string_view reported = {}, std::string_view call = {}) {
+    const int line = listed_ == 0 ? chain_line(call)
+                                  : own_line(reported.empty() ? std::string_view(event.type) : reported);
+    reported_ = line;
+    writer_.fine(difference(shown_, view), pixel_, line,
                  [&](TraceStep& step) { describe(step, std::move(event)); });
     shown_ = std::move(view);
   }
 
+  /// The line with which the listed stage ends: its return, or what it reported last.
+  int end_line() const {
+    const SourceLine& last = writer_.trace().listing.back();
+    return stage_ != listed_ ? 0 : last.text.starts_with("return ") ? last.number : reported_;
+  }
+
   void milestone(View view, Event event) {
-    writer_.step(difference(shown_, view), pixel_, stage_ == 0 ? 0 : line(), [&](TraceStep& step) {
+    const int line = listed_ == 0 ? chain_line() : end_line();
+    writer_.step(difference(shown_, view), pixel_, line, [&](TraceStep& step) {
       describe(step, std::move(event));
       step.level = Level::idea;
     });
@@ -284,7 +347,8 @@ class Tour {
         views_.clipping({static_cast<int>(k), place_text(ndc)}),
         {"Divided", name,
          say("pipeline.divided", arg("name", name), arg("w", real_text(at.w)), arg("place", place_text(ndc))),
-         row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)});
+         row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)},
+        "Clipped");
   }
 
   void rasterization() {
@@ -393,7 +457,7 @@ class Tour {
               arg("kept", test.before ? real_text(test.before->depth) : "")),
           row(name, real_text(f.pixel.x + 0.5), real_text(f.pixel.y + 0.5), real_text(f.depth)),
           {{"face", std::int64_t{f.id.face}}, {"depth", f.depth}, {"nearer", test.nearer}}},
-         "keep_nearest(");
+         "DepthTested", "keep_nearest(");
   }
 
   void output() {
@@ -421,6 +485,7 @@ class Tour {
   }
 
   TraceWriter& writer_;
+  int listed_;
   const Wording& words_;
   const Run& run_;
   const Piece& piece_;
@@ -429,9 +494,10 @@ class Tour {
   Views views_;
   View shown_ = bare_grid();
   int stage_ = 0;
+  int reported_ = 0;  ///< the line of the last finer event
 };
 
-void describe(Trace& trace, const Arguments& arguments, const Run& run) {
+void describe(Trace& trace, const Arguments& arguments, const Run& run, int listed) {
   const Wording& words = trace.wording;
   trace.topic = "pipeline";
   trace.title = words.say("pipeline.title");
@@ -446,12 +512,8 @@ void describe(Trace& trace, const Arguments& arguments, const Run& run) {
     if (!entry.hash.empty()) trace.input_hash = entry.hash;
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
-  trace.source_file = std::string(source);
-  trace.listing = listing_of(source_text(source), "render");
-  // Above the first stage stand the picture's size and its checks
-  const auto first =
-      std::ranges::find_if(trace.listing, [](const SourceLine& l) { return l.text.starts_with("// 1"); });
-  trace.listing.erase(trace.listing.begin(), first);
+  trace.source_file = file_of(listed);
+  trace.listing = listing_for(listed);
   trace.grid.cells = run.image.window();
   trace.grid.y_up = false;
   trace.grid.whole = true;
@@ -470,10 +532,9 @@ Trace run_tour(const Arguments& arguments, Recording recording) {
   const Run run = run_of(scene_of(arguments), size);
   const Followed followed = followed_in(run, arguments);
   TraceWriter writer(recording);
-  describe(writer.trace(), arguments, run);
-  const auto names = stage_names();
-  const auto last = std::ranges::find(names, arguments.text("stage")) - names.begin() + 1;
-  Tour(writer, run, followed).tell(static_cast<int>(last));
+  const int listed = number_of(arguments.text("stage"));
+  describe(writer.trace(), arguments, run, listed);
+  Tour(writer, run, followed, listed).tell();
   Trace trace = std::move(writer).finish();
   const Rgba8 colour = run.image[followed.pixel];
   const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
@@ -519,9 +580,9 @@ const TopicEntry& entry() {
           {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
            {.name = "stage",
             .type = ParameterType::choice,
-            .default_value = "output",
+            .default_value = std::string(whole_chain),
             .example = "clipping",
-            .help = "the tour ends with this stage",
+            .help = "the tour ends with this stage and lists its source; all lists the chain",
             .choices = stage_names()},
            whole("columns", "20", "32", "the picture's width in pixels", 8, 64),
            whole("rows", "14", "20", "the picture's height in pixels", 8, 64),

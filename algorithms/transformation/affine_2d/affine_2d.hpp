@@ -1,0 +1,407 @@
+#pragma once
+// Moving, scaling, turning, shearing and mirroring in the plane with 3 x 3 matrices.
+//
+// Points are columns with a third coordinate 1: the matrix stands to their left, and of a product the right
+// factor acts first. A transformation about a point is the one about the origin between two translations,
+// T(pivot) M T(-pivot), so that the pivot stays where it is.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "core/elementary.hpp"
+#include "core/finite.hpp"
+#include "core/geometry.hpp"
+#include "core/observe.hpp"
+#include "core/turn.hpp"
+
+namespace gradus::affine_2d {
+
+template <class T>
+using Point = glm::vec<2, T>;
+template <class T>
+using Matrix = glm::mat<3, 3, T>;
+
+// --- Factors -----------------------------------------------------
+
+/// What a product of transformations is made of: a linear map that leaves its pivot where it is, then a
+/// shift. Kept apart, pivot and shift can be measured from any origin before they are rounded into a matrix.
+template <class T>
+struct Factor {
+  glm::mat<2, 2, T> linear{T(1)};
+  Point<T> pivot{T(0)};  ///< stays where it is
+  Point<T> shift{T(0)};  ///< comes last
+};
+
+/// (x + by.x, y + by.y). Accuracy: exact entries. Errors: ContractViolation for numbers that are not finite.
+template <class T>
+Factor<T> translation(Point<T> by) {
+  expects(all_finite(by.x, by.y), "a translation needs finite numbers");
+  return {.shift = by};
+}
+
+/// Stretches along the axes, away from `about`. One negative factor mirrors, two make a half turn, 0
+/// flattens. Only |x| = |y| > 0 keeps the shape of all figures. Accuracy: exact entries. Errors: as
+/// translation.
+template <class T>
+Factor<T> scaling(Point<T> factors, Point<T> about = Point<T>(T(0))) {
+  expects(all_finite(factors.x, factors.y, about.x, about.y), "a scaling needs finite numbers");
+  return {.linear = {factors.x, T(0), T(0), factors.y}, .pivot = about};
+}
+
+/// Turns counter-clockwise round `about`. Accuracy: that of `turn`; multiples of 90 degrees are exact.
+/// Errors: as translation; an angle that is no number was refused when the turn was made.
+template <class T>
+Factor<T> rotation(const Turn<T>& turn, Point<T> about = Point<T>(T(0))) {
+  expects(all_finite(turn.sin, turn.cos, about.x, about.y), "a rotation needs finite numbers");
+  return {.linear = {turn.cos, turn.sin, T(0) - turn.sin, turn.cos}, .pivot = about};
+}
+
+/// (x + factors.x (y - about.y), y + factors.y (x - about.x)): slants the axes. Its determinant is
+/// 1 - factors.x factors.y, so the two together may flatten the plane: (2, 1/2) does. It is not the product
+/// of the two shears along one axis each. Accuracy: exact entries. Errors: as translation.
+template <class T>
+Factor<T> shearing(Point<T> factors, Point<T> about = Point<T>(T(0))) {
+  expects(all_finite(factors.x, factors.y, about.x, about.y), "a shear needs finite numbers");
+  return {.linear = {T(1), factors.y, factors.x, T(1)}, .pivot = about};
+}
+
+/// (x, -y)
+template <class T>
+Factor<T> reflection_in_x_axis() {
+  return scaling(Point<T>(T(1), T(-1)));
+}
+/// (-x, y)
+template <class T>
+Factor<T> reflection_in_y_axis() {
+  return scaling(Point<T>(T(-1), T(1)));
+}
+/// (-x, -y): a half turn, for two mirrors make a rotation.
+template <class T>
+Factor<T> reflection_in_origin() {
+  return scaling(Point<T>(T(-1), T(-1)));
+}
+/// (y, x): the mirror is the line y = x.
+template <class T>
+Factor<T> reflection_in_diagonal() {
+  return {.linear = {T(0), T(1), T(1), T(0)}};
+}
+
+/// A power of two near 1 / |v|: times it, v's squares neither overflow nor vanish, and nothing is rounded.
+/// 1 for the zero vector, and for scalars that have no range to leave.
+template <class T>
+T fitting_scale(Point<T> v) {
+  if constexpr (std::floating_point<T>) {
+    const T largest = std::max(std::abs(v.x), std::abs(v.y));
+    constexpr int most = std::numeric_limits<T>::max_exponent - 2;
+    if (largest > 0) return std::scalbn(T(1), std::clamp(-std::ilogb(largest), -most, most));
+  }
+  return T(1);
+}
+
+/// The mirror is the line through two points. With its direction (x, y) the map is
+/// 1 / (x^2 + y^2) times (x^2 - y^2, 2xy; 2xy, y^2 - x^2); no angle is needed.
+/// Accuracy: 4 ulp of 1 an entry beside the line through `a` along the rounded b - a; exact for Exact.
+/// Errors: ContractViolation where a = b, or for numbers that are not finite.
+template <class T>
+Factor<T> reflection_in_line(Point<T> a, Point<T> b) {
+  Point<T> d = b - a;
+  expects(all_finite(a.x, a.y, d.x, d.y), "a mirror needs two points with finite numbers, not too far apart");
+  expects(a != b, "a mirror needs two different points");
+  d = d * fitting_scale(d);
+  const T square = d.x * d.x + d.y * d.y;
+  const T cos = (d.x - d.y) * (d.x + d.y) / square;
+  const T sin = T(2) * d.x * d.y / square;
+  return {.linear = {cos, sin, sin, T(0) - cos}, .pivot = a};
+}
+
+/// The factor as a matrix: T(shift) T(pivot) L T(-pivot). Its last column is pivot - L pivot + shift.
+/// Accuracy: the linear entries are copied, the last column has 4 roundings: far from the origin it loses
+/// what a far pivot costs, see local_coordinates. Exact for Exact.
+template <class T>
+Matrix<T> matrix(const Factor<T>& factor) {
+  const Point<T> x = factor.linear[0], y = factor.linear[1], c = factor.pivot;
+  const Point<T> moved = c - (c.x * x + c.y * y) + factor.shift;
+  return {x.x, x.y, T(0), y.x, y.y, T(0), moved.x, moved.y, T(1)};
+}
+
+/// A point under one factor, the pivot subtracted first.
+template <class T>
+Point<T> transform(const Factor<T>& factor, Point<T> point) {
+  const Point<T> from_pivot = point - factor.pivot;
+  return from_pivot.x * factor.linear[0] + from_pivot.y * factor.linear[1] + factor.pivot + factor.shift;
+}
+
+/// The same for many points, in place.
+template <class T>
+void apply(const Factor<T>& factor, std::span<Point<T>> points) {
+  for (Point<T>& p : points) p = transform(factor, p);
+}
+
+/// A point under an affine matrix.
+/// m: its last row is 0 0 1 (not looked at).
+/// Accuracy: 3 ulp of |xx x| + |xy y| + |x0| in x, likewise in y; exact for Exact. Cost: 4 multiplications.
+template <class T>
+Point<T> transform(const Matrix<T>& m, Point<T> point) {
+  return point.x * Point<T>(m[0]) + point.y * Point<T>(m[1]) + Point<T>(m[2]);
+}
+
+/// The product in which b acts first, a second.
+template <class T>
+Matrix<T> compose(const Matrix<T>& a, const Matrix<T>& b) {
+  return a * b;
+}
+
+/// By how much areas grow; negative where the transformation mirrors, 0 where it flattens.
+/// Accuracy: 2 ulp of the larger of its two products.
+template <class T>
+T determinant(const Matrix<T>& m) {
+  return m[0].x * m[1].y - m[1].x * m[0].y;
+}
+
+// --- The product -------------------------------------------------
+
+/// Nothing has acted yet: the product of no factors.
+template <class T>
+struct Started {
+  Matrix<T> product;
+  std::vector<Point<T>> points;  ///< as they were given
+};
+
+/// One more factor acts: it came to the product from the left.
+template <class T>
+struct Multiplied {
+  std::size_t factor;  ///< its number, in the order of acting, from 0
+  Matrix<T> matrix, product;
+};
+
+/// A point was taken through the whole product.
+template <class T>
+struct Moved {
+  std::size_t point;  ///< its number
+  Point<T> from, to;
+};
+
+/// The number of an element of a span.
+template <class T>
+std::size_t number_of(const T& element, std::span<const T> all) {
+  return static_cast<std::size_t>(&element - all.data());
+}
+
+/// Takes points through a chain of factors by way of one matrix: multiplied once, used for every point.
+/// Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition 1990, 5.3.
+///
+/// factors: in the order in which they act; factors[0] stands rightmost. points: any; replaced in place.
+///
+/// Domain: everything finite; no factor or no point is fine.
+/// Steps: Started Multiplied* Moved*; Multiplied once a factor, Moved once a point.
+/// Accuracy: each product rounds its entries by at most 4 ulp of the sum of its absolute terms; exact for
+///   Exact. A far pivot costs more: see local_coordinates.
+/// Cost: 12 multiplications a factor (27 as a full product), 4 a point.
+/// Errors: none.
+template <class T, Observer<Started<T>, Multiplied<T>, Moved<T>> O = Unobserved>
+Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
+  // Nothing acts yet
+  Matrix<T> product(T(1));
+  if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
+  for (const auto& factor : factors) {
+    // What acts later stands further left
+    const auto m = matrix(factor);
+    product = m * product;
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
+  }
+  // One matrix serves all points
+  for (Point<T>& p : points) {
+    const auto from = p;
+    p = transform(product, from);
+    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
+  }
+  return product;
+}
+
+// --- Its rivals --------------------------------------------------
+
+/// One factor has acted on every point.
+template <class T>
+struct Acted {
+  std::size_t factor;
+  std::vector<Point<T>> points;  ///< where they are now
+};
+
+/// Takes every point through every factor, the pivot subtracted each time. No product is made.
+///
+/// factors, points: as for one_matrix.
+///
+/// Domain: everything finite.
+/// Steps: Started Acted*; Acted once a factor.
+/// Accuracy: 5 roundings a coordinate and factor, none of them by the pivot where point and pivot are near
+///   each other, but for the place that comes out, which is stored rounded. Exact for Exact.
+/// Cost: 4 multiplications a point and factor.
+/// Errors: none.
+template <class T, Observer<Started<T>, Acted<T>> O = Unobserved>
+void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
+  if constexpr (observed<O>) observer(Started<T>{Matrix<T>(T(1)), {points.begin(), points.end()}});
+  for (const auto& factor : factors) {
+    const auto c = factor.pivot;
+    for (Point<T>& p : points) {
+      // From the pivot, and back to it
+      const auto d = p - c;
+      p = factor.linear * d + c + factor.shift;
+    }
+    if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
+  }
+}
+
+/// Points and pivots are measured from the origin.
+template <class T>
+struct Rebased {
+  Point<T> origin;
+  std::vector<Point<T>> points;  ///< from there
+};
+
+/// The same far away from (0, 0): subtracts an origin near the points and the pivots first, and leaves the
+/// points in those local coordinates, for the sum origin + point would round them again.
+///
+/// origin: any; a pivot, say. factors, points: as for one_matrix; the points come out relative to origin.
+///
+/// Domain: everything finite.
+/// Steps: Rebased Multiplied* Moved*.
+/// Accuracy: as one_matrix, of the local coordinates: with the pivot (1e12, 1e12) and a point beside it 1 ulp
+///   where one_matrix is 5.9e-5 off. Exact for Exact.
+/// Cost: as one_matrix, and a subtraction a point and factor.
+/// Errors: none.
+template <class T, Observer<Rebased<T>, Multiplied<T>, Moved<T>> O = Unobserved>
+Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors, std::span<Point<T>> points,
+                            O&& observer = {}) {
+  // Everything as seen from the origin
+  for (Point<T>& p : points) p = p - origin;
+  if constexpr (observed<O>) observer(Rebased<T>{origin, {points.begin(), points.end()}});
+  Matrix<T> product(T(1));
+  for (const auto& factor : factors) {
+    auto local = factor;
+    local.pivot = local.pivot - origin;
+    // What acts later stands further left
+    const auto m = matrix(local);
+    product = m * product;
+    if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
+  }
+  for (Point<T>& p : points) {
+    const auto from = p;
+    p = transform(product, from);
+    if constexpr (observed<O>) observer(Moved<T>{number_of<Point<T>>(p, points), from, p});
+  }
+  return product;
+}
+
+// --- The way back ------------------------------------------------
+
+/// Whether a matrix flattens the plane, as far as its entries can tell: changing each by half an ulp could
+/// make the determinant 0. (A shear by 3 and 1/3 does flatten, though 1/3 is rounded.) For Exact: det = 0.
+template <class T>
+bool flattens(const glm::mat<2, 2, T>& linear) {
+  // Columns scaled, so that no product underflows
+  const Point<T> x = linear[0] * fitting_scale(linear[0]), y = linear[1] * fitting_scale(linear[1]);
+  const T det = x.x * y.y - y.x * x.y;
+  if constexpr (std::floating_point<T>) {
+    const T both = std::abs(x.x * y.y) + std::abs(y.x * x.y);
+    return !(std::abs(det) > both * std::numeric_limits<T>::epsilon());
+  }
+  return det == T(0);
+}
+
+/// The matrix that undoes m: adjugate over determinant. Nothing where m flattens the plane.
+///
+/// m: its last row is 0 0 1 (not looked at).
+/// Accuracy: 4 ulp an entry, those of the last column of the sum of their absolute terms, times how far the
+///   determinant cancels: (|xx yy| + |xy yx|) / |det|. Exact for Exact.
+/// Cost: 8 multiplications, 4 divisions.
+/// Errors: ContractViolation for entries that are not finite.
+template <class T>
+std::optional<Matrix<T>> inverse(const Matrix<T>& m) {
+  expects(all_finite(m[0].x, m[0].y, m[1].x, m[1].y, m[2].x, m[2].y), "only finite numbers have an inverse");
+  if (flattens(glm::mat<2, 2, T>(m))) return std::nullopt;
+  // Columns near length 1, for what is tiny or huge
+  const T for_x = fitting_scale(Point<T>(m[0])), for_y = fitting_scale(Point<T>(m[1]));
+  const Point<T> x = Point<T>(m[0]) * for_x, y = Point<T>(m[1]) * for_y;
+  const T det = x.x * y.y - y.x * x.y;
+  // Adjugate over determinant, row by row
+  const Point<T> row_x = Point<T>(y.y, T(0) - y.x) / det * for_x;
+  const Point<T> row_y = Point<T>(T(0) - x.y, x.x) / det * for_y;
+  const T back_x = T(0) - (row_x.x * m[2].x + row_x.y * m[2].y);
+  const T back_y = T(0) - (row_y.x * m[2].x + row_y.y * m[2].y);
+  return Matrix<T>{row_x.x, row_y.x, T(0), row_x.y, row_y.y, T(0), back_x, back_y, T(1)};
+}
+
+/// The factor that undoes this one: the shift first, so its pivot moves along. Nothing where it flattens.
+/// Accuracy: as inverse. Errors: as inverse.
+template <class T>
+std::optional<Factor<T>> inverse(const Factor<T>& factor) {
+  const std::optional<Matrix<T>> linear = inverse(Matrix<T>(factor.linear));
+  if (!linear) return std::nullopt;
+  const glm::mat<2, 2, T> back(*linear);
+  // L'(p - shift - pivot) + pivot
+  return Factor<T>{back, factor.pivot, T(0) - (back * factor.shift)};
+}
+
+/// A factor has been undone.
+template <class T>
+struct Undone {
+  std::size_t factor;
+  Matrix<T> matrix;              ///< its inverse
+  std::vector<Point<T>> points;  ///< where they are now
+};
+
+/// A factor can't be undone: it flattens the plane.
+struct Stuck {
+  std::size_t factor;
+};
+
+/// Takes points back through a chain of factors: the last one is undone first. (A B)^-1 = B^-1 A^-1.
+///
+/// factors, points: as for one_matrix; the points are those that came out.
+///
+/// Domain: everything finite. Returns whether all could be undone; if not, the points stay where the factor
+///   that flattens has put them.
+/// Steps: Undone* Stuck?
+/// Accuracy: as inverse, a factor.
+/// Cost: an inverse a factor, 4 multiplications a point and factor.
+/// Errors: none.
+template <class T, Observer<Undone<T>, Stuck> O = Unobserved>
+bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
+  // The last one that acted goes first
+  for (auto k = factors.size(); k-- > 0;) {
+    const auto back = inverse(factors[k]);
+    if (!back) {
+      // Many points had become one
+      if constexpr (observed<O>) observer(Stuck{k});
+      return false;
+    }
+    apply(*back, points);
+    if constexpr (observed<O>) observer(Undone<T>{k, matrix(*back), {points.begin(), points.end()}});
+  }
+  return true;
+}
+
+/// The rotation nearest to a product of rotations that has drifted: the mean of the two turns its columns
+/// say, with length 1 again. Translation and last row are kept.
+/// Source: the polar decomposition of a 2 x 2 matrix with positive determinant, in closed form.
+/// Domain: det > 0. Accuracy: orthogonal to 2 ulp of 1. Errors: ContractViolation where det <= 0.
+template <std::floating_point T>
+Matrix<T> nearest_rotation(const Matrix<T>& m) {
+  expects(determinant(m) > T(0), "only what doesn't mirror or flatten is near a rotation");
+  const glm::vec<3, T> mean = unit_vector(glm::vec<3, T>(m[0].x + m[1].y, m[0].y - m[1].x, T(0)));
+  return {mean.x, mean.y, T(0), T(0) - mean.y, mean.x, T(0), m[2].x, m[2].y, T(1)};
+}
+
+}  // namespace gradus::affine_2d

@@ -1,0 +1,138 @@
+// The drawing as data: planes without cells, cells in colours of their own, grids that are always shown
+// whole.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "figure/layout.hpp"
+#include "stories/paper.hpp"
+#include "support/sheets.hpp"
+#include "web/json.hpp"
+
+namespace gradus {
+namespace {
+
+constexpr Rgba8 orange{255, 128, 0}, teal{0, 128, 128};
+
+Delta plane(bool is_plane, std::vector<CellChange> cells = {}, std::vector<std::string> removed = {}) {
+  return {is_plane, std::move(removed), std::move(cells), {}};
+}
+Delta cells(std::vector<CellChange> changes) { return {std::nullopt, {}, std::move(changes), {}}; }
+
+// --- The canvas --------------------------------------------------------------------------------------------
+
+TEST(Canvas, IsAPlaneUntilAStepSaysOtherwise) {
+  Canvas canvas(Window{{0, 0}, {3, 3}});
+  EXPECT_FALSE(canvas.plane());
+  const Canvas grid = canvas;
+  canvas.apply(plane(true));
+  EXPECT_TRUE(canvas.plane());
+  EXPECT_NE(canvas, grid);
+  canvas.apply({std::nullopt, {}, {}, {{"a", Role::input, Dot{{1, 1}}}}});
+  EXPECT_TRUE(canvas.plane()) << "a step that says nothing of it";
+  canvas.apply(plane(false, {}, {"a"}));
+  EXPECT_EQ(canvas, grid);
+}
+
+TEST(Canvas, CellsKeepTheirColoursUntilTheyChange) {
+  // A grid with a byte a cell, and one too large for that
+  for (const Window& window :
+       {Window{{0, 0}, {3, 3}}, Window{{INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX}}}) {
+    Canvas canvas(window);
+    const Canvas bare = canvas;
+    canvas.apply(cells({{{1, 2}, CellLook{Role::past, "", orange}}, {{2, 2}, CellLook{Role::past, "7"}}}));
+    EXPECT_EQ(canvas.at({1, 2})->color, std::optional(orange));
+    EXPECT_EQ(canvas.at({2, 2})->color, std::nullopt);
+    EXPECT_EQ(canvas.at({2, 2})->text, "7");
+    Canvas other = bare;
+    other.apply(cells({{{1, 2}, CellLook{Role::past, "", teal}}, {{2, 2}, CellLook{Role::past, "7"}}}));
+    EXPECT_NE(canvas, other) << "another colour";
+    canvas.apply(cells({{{1, 2}, CellLook{Role::past, "", teal}}}));
+    EXPECT_EQ(canvas, other);
+    canvas.apply(cells({{{1, 2}, CellLook{Role::result, ""}}}));
+    EXPECT_EQ(canvas.at({1, 2})->color, std::nullopt) << "a look without a colour has none";
+    canvas.apply(cells({{{1, 2}, std::nullopt}, {{2, 2}, std::nullopt}}));
+    EXPECT_EQ(canvas, bare);
+  }
+}
+
+// --- In a figure -------------------------------------------------------------------------------------------
+
+/// Three steps: a grid with two coloured cells, a plane, the grid again.
+Trace coloured(int columns, bool whole) {
+  TraceWriter writer({});
+  writer.trace().title = "Colours";
+  Grid& grid = writer.trace().grid;
+  grid.cells = {{0, 0}, {columns - 1, 7}};
+  grid.y_up = false;
+  grid.whole = whole;
+  const auto told = [](TraceStep& step) { step.sentence = "Done."; };
+  writer.step(cells({{{0, 1}, CellLook{Role::past, "", orange}}, {{2, 7}, CellLook{Role::past, "", teal}}}),
+              {0, 0}, 0, told);
+  writer.step(plane(true, {{{0, 1}, std::nullopt}, {{2, 7}, std::nullopt}}), {0, 0}, 0, told);
+  writer.step(plane(false, {{{3, 3}, CellLook{Role::past, "", orange}}}), {0, 0}, 0, told);
+  return std::move(writer).finish();
+}
+
+Sheet sheet_of(const Trace& trace, std::int64_t step) {
+  Playhead playhead(trace);
+  return lay_out(figure_of(trace, playhead, {step, 0}), Look{});
+}
+
+const Shape* shape_called(const Sheet& sheet, std::string_view id) {
+  const auto found = std::ranges::find(sheet.shapes, id, &Shape::id);
+  return found == sheet.shapes.end() ? nullptr : &*found;
+}
+
+TEST(Layout, CellsWithColoursAreOnePicture) {
+  const Sheet sheet = sheet_of(coloured(12, false), 0);
+  const Shape* colours = shape_called(sheet, "colours");
+  ASSERT_TRUE(colours);
+  const Image& image = std::get<ImageShape>(colours->what).image;
+  ASSERT_EQ(image.window(), (Window{{0, 0}, {11, 7}}));
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 12; ++x) {
+      const Rgba8 expected = ivec2{x, y} == ivec2{0, 1}   ? orange
+                             : ivec2{x, y} == ivec2{2, 7} ? teal
+                                                          : Rgba8{0, 0, 0, 0};
+      EXPECT_EQ((image[{x, y}]), expected) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(shape_called(sheet, "cell 0,1"), nullptr) << "no ground of a role below it";
+}
+
+TEST(Layout, APlaneHasNoGridAndNoAxes) {
+  const Trace trace = coloured(12, false);
+  EXPECT_TRUE(shape_called(sheet_of(trace, 0), "grid"));
+  EXPECT_EQ(shape_called(sheet_of(trace, 1), "grid"), nullptr);
+  EXPECT_EQ(shape_called(sheet_of(trace, 1), "colours"), nullptr);
+  EXPECT_TRUE(shape_called(sheet_of(trace, 2), "grid"));
+}
+
+TEST(Layout, AWholeGridIsShownInSmallCellsInsteadOfAPart) {
+  const auto columns_shown = [](bool whole) {
+    const Shape* colours = shape_called(sheet_of(coloured(100, whole), 0), "colours");
+    return colours ? std::get<ImageShape>(colours->what).image.width() : 0;
+  };
+  EXPECT_EQ(columns_shown(true), 100);
+  EXPECT_LT(columns_shown(false), 100);
+}
+
+// --- As JSON -----------------------------------------------------------------------------------------------
+
+TEST(Json, TellsOfPlanesColoursAndWholeGrids) {
+  using Json = nlohmann::json;
+  const Json json = Json::parse(trace_json(coloured(12, true)));
+  EXPECT_EQ(json["grid"]["whole"], true);
+  const Json& steps = json["steps"];
+  EXPECT_FALSE(steps[0].contains("plane")) << "nothing is said of what does not change";
+  EXPECT_EQ(steps[1]["plane"], true);
+  EXPECT_EQ(steps[2]["plane"], false);
+  EXPECT_NE(steps[0].dump().find("#ff8000"), std::string::npos) << steps[0];
+  EXPECT_NE(steps[0].dump().find("#008080"), std::string::npos) << steps[0];
+  EXPECT_EQ(Json::parse(trace_json(coloured(12, false)))["grid"].contains("whole"), false);
+}
+
+}  // namespace
+}  // namespace gradus

@@ -1,0 +1,170 @@
+#include "stories/matrix_drawing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+
+namespace gradus {
+namespace {
+
+using fmt::arg;
+
+constexpr double character = 0.92, row_height = 1.8, column_gap = 0.8;
+
+double width_of(std::string_view text) {
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  return character *
+         static_cast<double>(text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues)));
+}
+
+/// Four columns leave room for two decimals each.
+std::string entry_text(double value, bool two_decimals) {
+  if (!two_decimals || std::abs(value) >= 1000) return figure_real(value);
+  return figure_real(std::round(value * 100) / 100);
+}
+
+std::string negated(std::string text) {
+  return text.starts_with('-') ? text.substr(1) : text == "0" ? text : "-" + text;
+}
+
+Tuple negated(const Tuple& tuple) {
+  Tuple result = tuple;
+  for (Number& n : result) {
+    n.value = 0 - n.value;
+    n.text = negated(n.text);
+    if (n.exact) n.exact->numerator = -n.exact->numerator;
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
+                Role role) {
+  const std::size_t columns = rows.front().size();
+  const double half = 0.5 * row_height * static_cast<double>(rows.size());
+  const auto bracket = [&](std::string_view side, double x, double inwards) {
+    view.add({fmt::format("{} bracket {}", id, side), role,
+              Path{{{x + inwards, right.y + half},
+                    {x, right.y + half},
+                    {x, right.y - half},
+                    {x + inwards, right.y - half}}}});
+  };
+  bracket("right", right.x, -0.5);
+  double x = right.x - 0.6;
+  for (std::size_t c = columns; c-- > 0;) {
+    double width = character;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::string text = entry_text(rows[r][c], columns > 3);
+      width = std::max(width, width_of(text));
+      const double y = right.y + half - row_height * (static_cast<double>(r) + 0.5);
+      view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right}});
+    }
+    x -= width + (c > 0 ? column_gap : 0.6);
+  }
+  bracket("left", x, 0.5);
+  view.add({fmt::format("{} name", id), role, Text{{x - 0.6, right.y}, name + " =", Align::right}});
+}
+
+std::string figure_text(const Number& number) {
+  return number.text.starts_with('-') ? "−" + number.text.substr(1) : number.text;
+}
+
+std::string figure_text(const Tuple& point) {
+  std::vector<std::string> parts;
+  for (const Number& n : point) parts.push_back(figure_text(n));
+  return fmt::format("({})", fmt::join(parts, ",\u00a0"));
+}
+
+std::string factor_words(const Wording& words, const FactorText& factor) {
+  using Kind = FactorText::Kind;
+  const std::string by =
+      factor.amount.size() == 1 ? figure_text(factor.amount[0]) : figure_text(factor.amount);
+  std::string text;
+  if (factor.kind == Kind::translate) text = words.say("transformation.translate", arg("by", by));
+  if (factor.kind == Kind::scale) text = words.say("transformation.scale", arg("by", by));
+  if (factor.kind == Kind::rotate) text = words.say("transformation.rotate", arg("by", by));
+  if (factor.kind == Kind::shear) text = words.say("transformation.shear", arg("by", by));
+  if (factor.kind == Kind::reflect && factor.mirror != Mirror::line) {
+    constexpr std::string_view names[] = {"x", "y", "origin", "diagonal"};
+    text =
+        words.say(fmt::format("transformation.reflect.{}", names[static_cast<std::size_t>(factor.mirror)]));
+  }
+  if (factor.kind == Kind::reflect && factor.mirror == Mirror::line) {
+    text = words.say("transformation.reflect.line", arg("a", figure_text(factor.line[0])),
+                     arg("b", figure_text(factor.line[1])));
+  }
+  if (!factor.axis.empty()) {
+    const std::string axis = text_of(factor.axis);
+    const std::string name = axis == "1,0,0"   ? words.symbol("x")
+                             : axis == "0,1,0" ? words.symbol("y")
+                             : axis == "0,0,1" ? words.symbol("z")
+                                               : figure_text(factor.axis);
+    text = words.say("transformation.round", arg("factor", text), arg("axis", name));
+    if (!factor.pivot.empty())
+      return words.say("transformation.through", arg("factor", text),
+                       arg("pivot", figure_text(factor.pivot)));
+  }
+  if (factor.pivot.empty()) return text;
+  return words.say("transformation.about", arg("factor", text), arg("pivot", figure_text(factor.pivot)));
+}
+
+std::string factor_name(const Wording& words, std::size_t factor) {
+  return fmt::format("{}{}", words.symbol("M"), factor + 1);
+}
+
+std::string product_name(const Wording& words, std::size_t factors) {
+  if (factors == 0) return words.symbol("M");
+  std::vector<std::string> names;
+  for (std::size_t k = factors; k-- > 0;) names.push_back(factor_name(words, k));
+  return chained(names);
+}
+
+std::string chained(const std::vector<std::string>& names) {
+  if (names.size() <= 4) return fmt::format("{}", fmt::join(names, "·"));
+  return fmt::format("{}·{}·…·{}", names[0], names[1], names.back());
+}
+
+std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values) {
+  std::string sum;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const auto term = [](double value) {
+      const std::string text = figure_real(value);
+      return text.starts_with("−") ? "(" + text + ")" : text;
+    };
+    const std::string first = i == 0 ? figure_real(factors[i]) : term(factors[i]);
+    sum += i == 0 ? first : " + " + first;
+    if (i < values.size()) sum += "·" + term(values[i]);
+  }
+  return sum;
+}
+
+std::vector<FactorText> factors_of(const Arguments& arguments, std::string_view name,
+                                   const std::vector<std::string>& parts) {
+  Read<std::vector<FactorText>> read = read_factors(arguments.text(name), parts);
+  expects(std::holds_alternative<std::vector<FactorText>>(read),
+          "{} has factors in their canonical spelling, not '{}'", name, arguments.text(name));
+  return std::get<std::vector<FactorText>>(std::move(read));
+}
+
+std::vector<FactorText> split_at_pivots(const std::vector<FactorText>& factors) {
+  std::vector<FactorText> split;
+  for (const FactorText& factor : factors) {
+    if (factor.pivot.empty()) {
+      split.push_back(factor);
+      continue;
+    }
+    FactorText middle = factor;
+    middle.pivot.clear();
+    split.push_back({.kind = FactorText::Kind::translate, .amount = negated(factor.pivot)});
+    split.push_back(middle);
+    split.push_back({.kind = FactorText::Kind::translate, .amount = factor.pivot});
+  }
+  return split;
+}
+
+}  // namespace gradus

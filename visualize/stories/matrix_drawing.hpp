@@ -1,0 +1,48 @@
+#pragma once
+// What the stories of transformations share: matrices on the paper, factors in words.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stories/factor_text.hpp"
+#include "stories/paper.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus {
+
+/// Numbers by rows, as a matrix is printed.
+using MatrixRows = std::vector<std::vector<double>>;
+
+/// A matrix in brackets with its name to the left; `right` is the middle of its right bracket.
+void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
+                Role role);
+
+/// A number as the user wrote it, with the typographic minus.
+std::string figure_text(const Number& number);
+/// The same for a point: "(1, 1)".
+std::string figure_text(const Tuple& point);
+
+/// What a factor does, in the reader's words: "rotate by 30° about (1, 1)". Keys begin with
+/// "transformation.".
+std::string factor_words(const Wording& words, const FactorText& factor);
+
+/// "M3·M2·M1", or "M" where there is no factor.
+std::string product_name(const Wording& words, std::size_t factors);
+/// "M2"; factors count from 0.
+std::string factor_name(const Wording& words, std::size_t factor);
+
+/// "M3·M2·M1"; of many names only the first two and the last.
+std::string chained(const std::vector<std::string>& names);
+
+/// Sums as they are computed: "1.732·2 + (−1)·1 + 0.268".
+std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values);
+
+/// The factors of a parameter of that type, read again from its canonical spelling.
+std::vector<FactorText> factors_of(const Arguments& arguments, std::string_view name,
+                                   const std::vector<std::string>& parts);
+
+/// Every factor with a pivot as three: there, the factor about the origin, and back.
+std::vector<FactorText> split_at_pivots(const std::vector<FactorText>& factors);
+
+}  // namespace gradus
