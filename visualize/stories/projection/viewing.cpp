@@ -121,10 +121,10 @@ class Drawing {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
       arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
-            scene_.eye + size * axis_of(frame, i), words_.symbol(name), false);
+            scene_.eye + size * axis_of(frame, i), words_.say("viewing.name." + name), false);
     }
-    point(view, "eye", Role::input, scene_.eye, words_.symbol("eye"));
-    point(view, "target", Role::input, scene_.target, words_.symbol("target"));
+    point(view, "eye", Role::input, scene_.eye, words_.say("viewing.name.eye"));
+    point(view, "target", Role::input, scene_.target, words_.say("viewing.name.target"));
     return view;
   }
 
@@ -144,7 +144,7 @@ class Drawing {
       const dvec3 target = through(matrix, scene_.target);
       view.add({"seen target", Role::accepted, Dot{panel.at(dvec2(target) / target.z)}});
       view.add({"seen target name", Role::accepted,
-                Label{panel.at(dvec2(target) / target.z), words_.symbol("target")}});
+                Label{panel.at(dvec2(target) / target.z), words_.say("viewing.name.target")}});
     }
     if (!known.seen) return;
     const auto seen = [&](dvec3 p) -> std::optional<dvec2> {
@@ -172,7 +172,7 @@ class Drawing {
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
     const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
       view.add({id, role, Stroke{at({0, 0, 0}), at(tip), true}});
-      view.add({id + " name", role, Label{at(tip), words_.symbol(name)}});
+      view.add({id + " name", role, Label{at(tip), words_.say("viewing.name." + std::string(name))}});
     };
     line("space right", Role::guide, {size, 0, 0}, "right");
     line("space up", Role::guide, {0, size, 0}, "up");
@@ -184,12 +184,12 @@ class Drawing {
     view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
     if (length_of(eye) > 1e-9 * scene_.distance) {
       view.add({"eye there", Role::rejected, Dot{at(eye)}});
-      view.add({"eye there name", Role::rejected, Label{at(eye), words_.symbol("eye")}});
+      view.add({"eye there name", Role::rejected, Label{at(eye), words_.say("viewing.name.eye")}});
     }
     view.add({"target here", Role::accepted, Dot{at(here), true}});
     view.add({"target here name", Role::accepted, Label{at(here), words_.say("viewing.belongs")}});
     view.add({"target there", Role::rejected, Dot{at(there)}});
-    view.add({"target there name", Role::rejected, Label{at(there), words_.symbol("target")}});
+    view.add({"target there name", Role::rejected, Label{at(there), words_.say("viewing.name.target")}});
   }
 
  private:
@@ -227,7 +227,7 @@ class Drawing {
 
   void caption(View& view, std::string_view key, dvec2 at) const {
     view.add({fmt::format("caption {}", key), Role::guide,
-              Text{at, words_.say(fmt::format("viewing.caption.{}", key))}});
+              Text{at, words_.say("viewing.caption." + std::string(key))}});
   }
   void frame_of(View& view) const {
     const auto& [lower, upper] = seen_place;
@@ -339,14 +339,15 @@ class Teller {
     const std::string name(axis_names[static_cast<std::size_t>(r.row)]);
     std::string sentence;
     if (method_ == "minus_position") {
-      sentence = words_.say(
-          "viewing.position_row", arg("axis", words_.symbol(name)), arg("shift", figure_real(shift)),
-          arg("right", figure_real(neat(-glm::dot(axis, scene_.eye), length_of(scene_.eye)))));
+      sentence =
+          words_.say("viewing.position_row", arg("axis", words_.say("viewing.name." + name)),
+                     arg("shift", figure_real(shift)),
+                     arg("right", figure_real(neat(-glm::dot(axis, scene_.eye), length_of(scene_.eye)))));
     } else if (method_ == "transposed") {
       sentence = words_.say("viewing.transposed_row", arg("entries", figure_place(axis)),
                             arg("axis", figure_place(neat(axis_of(frame_, r.row), 1))));
     } else {
-      sentence = words_.say("viewing.row", arg("axis", words_.symbol(name)),
+      sentence = words_.say("viewing.row", arg("axis", words_.say("viewing.name." + name)),
                             arg("product", product_text(axis, scene_.eye)), arg("shift", figure_real(shift)));
     }
     step(
@@ -354,7 +355,7 @@ class Teller {
         {{"row", std::int64_t{r.row}}, {"x", r.axis.x}, {"y", r.axis.y}, {"z", r.axis.z}, {"shift", r.shift}},
         {kind_ == Kind::faulty && method_ == "transposed"
              ? words_.say("viewing.row_number", arg("n", r.row + 1))
-             : words_.symbol(name),
+             : words_.say("viewing.name." + name),
          figure_real(axis.x), figure_real(axis.y), figure_real(axis.z), figure_real(shift)});
   }
   void operator()(const ColumnWritten<double>& c, int line = __builtin_LINE(), const char* = nullptr) {
@@ -363,12 +364,12 @@ class Teller {
     const std::string name(c.column < 3 ? axis_names[static_cast<std::size_t>(c.column)] : "eye");
     const dvec3 entries = c.column < 3 ? neat(c.entries, 1) : c.entries;
     step(line, "ColumnWritten", name, words_.say("viewing.phase.matrix"),
-         c.column < 3 ? words_.say("viewing.column", arg("axis", words_.symbol(name)),
+         c.column < 3 ? words_.say("viewing.column", arg("axis", words_.say("viewing.name." + name)),
                                    arg("entries", figure_place(entries)))
                       : words_.say("viewing.eye_column", arg("eye", figure_place(entries))),
          {{"column", std::int64_t{c.column}}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
-         {words_.symbol(name), figure_real(entries.x), figure_real(entries.y), figure_real(entries.z),
-          c.column < 3 ? "0" : "1"});
+         {words_.say("viewing.name." + name), figure_real(entries.x), figure_real(entries.y),
+          figure_real(entries.z), c.column < 3 ? "0" : "1"});
   }
 
   /// The matrix is whole: what it makes of the target, then of the letter.
@@ -488,6 +489,8 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(36, 27);
+  trace.grid.x_name = words.symbol("x");
+  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("viewing.legend.input")},
                   {Role::current, words.say("viewing.legend.current")},
                   {Role::accepted, words.say("viewing.legend.accepted")}};

@@ -97,7 +97,7 @@ class Drawing {
 
   void caption(View& view, std::string_view key, double x) const {
     view.add({fmt::format("caption {}", key), Role::guide,
-              Text{{x, 23}, words_.say(fmt::format("viewport.caption.{}", key))}});
+              Text{{x, 23}, words_.say("viewport.caption." + std::string(key))}});
   }
 
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
@@ -440,6 +440,8 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(36, 27);
+  trace.grid.x_name = words.symbol("x");
+  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("viewport.legend.input")},
                   {Role::current, words.say("viewport.legend.current")},
                   {Role::measure, words.say(faulty ? "viewport.true_line" : "viewport.legend.measure")},
