@@ -40,7 +40,7 @@ std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
   Code code_a = region_code(a, window);
   Code code_b = region_code(b, window);
   if constexpr (observed<O>) observer(Classified<T>{line, window, code_a, code_b});
-  for (int round = 0; round < rounds; ++round) {
+  for (int i = 0; i < rounds; ++i) {
     if ((code_a | code_b) == 0) {
       if constexpr (observed<O>) observer(Accepted<T>{line});
       return line;
@@ -50,9 +50,9 @@ std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
       return std::nullopt;
     }
     // Where the line meets a border
-    const Code out = code_a ? code_a : code_b;
-    const auto border = first_of(order, out);
-    const auto at = meet(a, b, border, window);
+    Code out = code_a ? code_a : code_b;
+    auto border = first_of(order, out);
+    auto at = meet(a, b, border, window);
     // Only its code goes to an end
     const bool of_a = border == Border::left;
     Code& code = of_a ? code_a : code_b;

@@ -93,20 +93,20 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
     T p = d[axis], q = c - a[axis];
     if (!is_upper(border)) p = -p, q = -q;
     T t = T(0);
-    auto crossing = q < T(0) ? outside : inside;
+    auto comes = q < T(0) ? outside : inside;
     // The last entering, the first leaving
     if (p < T(0)) {
       t = q / p;
-      crossing = enters;
+      comes = enters;
       if (t > enter) enter = t;
     } else if (p > T(0)) {
       t = q / p;
-      crossing = leaves;
+      comes = leaves;
       if (t < leave) leave = t;
     }
-    if constexpr (observed<O>) observer(Tested<T>{border, p, q, crossing, t, enter, leave});
+    if constexpr (observed<O>) observer(Tested<T>{border, p, q, comes, t, enter, leave});
     // Nothing left: reject
-    if (crossing == outside || enter > leave) {
+    if (comes == outside || enter > leave) {
       if constexpr (observed<O>) observer(Rejected<T>{enter, leave});
       return std::nullopt;
     }
