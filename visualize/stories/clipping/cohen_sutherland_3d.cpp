@@ -118,8 +118,8 @@ std::string face_name(const Wording& words, Border face) {
 void add_bits(View& view, const Wording& words, const Run& run, Code code_a, Code code_b,
               std::optional<Border> cut) {
   constexpr double name = 0.7, test = 7.9, a = 16.8, b = 18.9, top = 16, row = 2.45;
-  view.add({"bits a", Role::guide, Text{{a, top}, std::string("a")}});
-  view.add({"bits b", Role::guide, Text{{b, top}, std::string("b")}});
+  view.add({"bits a", Role::guide, Text{{a, top}, "a"}});
+  view.add({"bits b", Role::guide, Text{{b, top}, "b"}});
   for (int i = 0; i < 6; ++i) {
     const Border face = static_cast<Border>(run.left_first ? i : 5 - i);
     const double y = top - row * (i + 1);
@@ -201,8 +201,7 @@ View view_of(const Wording& words, const Run& run, const State<3>& state) {
   if (cut) add_face(view, "face", space, box_face(run.box, *cut));
   add_segment(
       view, "line", state, [&](dvec3 p) { return space.at(p); },
-      std::string("a") + " " + code_text(state.code_a, run.left_first),
-      std::string("b") + " " + code_text(state.code_b, run.left_first));
+      "a " + code_text(state.code_a, run.left_first), "b " + code_text(state.code_b, run.left_first));
   add_bits(view, words, run, state.code_a, state.code_b, cut);
   return view;
 }
@@ -241,9 +240,7 @@ void add_plane(View& view, const Wording& words, const State<4>& state, int axis
   };
   face("upper", upper, true, fmt::format("{} = {}", name, w));
   face("lower", lower, false, depth ? name + " = 0" : fmt::format("{} = −{}", name, w));
-  add_segment(
-      view, id + "line", state, [&](const dvec4& p) { return panel.at(flat(p)); }, std::string("a"),
-      std::string("b"));
+  add_segment(view, id + "line", state, [&](const dvec4& p) { return panel.at(flat(p)); }, "a", "b");
 }
 
 View view_of(const Wording& words, const Run& run, const State<4>& state) {
@@ -276,9 +273,7 @@ View view_of(const Wording& words, const Run& run, const State<4>& state) {
     const auto [i, j] = sides[static_cast<std::size_t>(*cut)];
     add_face(view, "face", space, {dvec3(0), corners[i], corners[j]});
   }
-  add_segment(
-      view, "line", state, [&](const dvec4& p) { return space.at(in_space(p)); }, std::string("a"),
-      std::string("b"));
+  add_segment(view, "line", state, [&](const dvec4& p) { return space.at(in_space(p)); }, "a", "b");
   add_bits(view, words, run, state.code_a, state.code_b, cut);
   add_plane(view, words, state, run.plane, {{13.6, 18}, {25.6, 32.4}}, cut);
   return view;

@@ -1,0 +1,195 @@
+#pragma once
+// The part of a segment that lies in a circle: where the parameter t of from + t (to - from) enters the disc
+// and where it leaves it, as Liang and Barsky do it with a rectangle. Here t solves a quadratic equation.
+//
+// The circle itself belongs to the disc, so that a segment that only touches it leaves a point.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "clipping/liang_barsky_circle/circle_and_line.hpp"
+#include "core/observe.hpp"
+
+namespace gradus::liang_barsky_circle {
+
+// --- Steps -------------------------------------------------------
+
+/// What is asked.
+template <class T>
+struct Started {
+  Segment<T> segment;
+  Circle<T> circle;
+};
+
+/// The numbers of the quadratic are there.
+template <class T>
+struct Measured {
+  T A;  ///< squared length of the segment
+  T k;  ///< d x f: the line passes the centre at |k| / sqrt(A)
+  T D;  ///< r^2 A - k^2
+};
+
+/// The line's values of t on the circle.
+template <class T>
+struct Crossed {
+  T foot;            ///< t of the foot of the perpendicular from the centre
+  T half;            ///< half the chord, in t
+  T enters, leaves;  ///< foot - half, foot + half
+};
+
+/// What of them lies on the segment, where t runs from 0 to 1.
+template <class T>
+struct Limited {
+  T first, last;  ///< empty when last < first
+};
+
+/// The ends were told from the circle, exactly.
+struct Placed {
+  int from, to;  ///< -1 inside, 0 on the circle, +1 outside
+};
+
+/// With both ends outside: whether the line comes near enough, between them.
+struct Reached {
+  bool between;  ///< the foot of the perpendicular lies between the ends
+  int sign;      ///< of D: +1 crosses, 0 touches, -1 misses
+};
+
+/// An end that was outside moved to the circle.
+template <class T>
+struct Cut {
+  glm::vec<2, T> from, at;
+  bool leaves;  ///< the segment's second end, where it leaves the disc
+};
+
+/// All is done.
+template <class T>
+struct Finished {
+  std::optional<Segment<T>> kept;
+};
+
+// --- The taught method -------------------------------------------
+
+/// The part of a segment from t = first to t = last; ends that are not cut are copied.
+template <class T>
+constexpr Segment<T> part(const Segment<T>& segment, T first, T last) {
+  const auto d = segment.to - segment.from;
+  return {first == T(0) ? segment.from : segment.from + first * d,
+          last == T(1) ? segment.to : segment.from + last * d};
+}
+
+/// The part of a segment that lies in a circle, by the foot of the perpendicular and half the chord: on the
+/// line the circle reaches equally far to both sides of the foot.
+/// The parametric view is that of Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, ACM
+/// Transactions on Graphics 3(1), 1984, 1-22; a circle is not a rectangle, and t solves a quadratic.
+///
+/// segment, circle: in the same units. Returns the part, in the direction of the segment; nothing where the
+///   segment misses the disc.
+///
+/// Domain: squares of squares of the differences neither overflow nor underflow (double: sizes from 2^-200
+///   to 2^200). Equal ends are a point, kept when inside. Near tangents rounding decides.
+/// Steps: Started Measured (Crossed Limited)? Finished; Crossed when D >= 0 and the ends differ.
+/// Accuracy: no bound. Of 10,378 random segments in a circle of like size 24 % have a point off by more than
+/// 1
+///   ulp of max(|coordinate|, r), the worst by 29; near tangents and with far ends it grows without limit.
+/// Cost: 9 multiplications where the line misses; a square root and 2 divisions more where it hits.
+/// Errors: ContractViolation when the radius is negative, NaN or infinite, or a point not finite.
+template <std::floating_point T,
+          Observer<Started<T>, Measured<T>, Crossed<T>, Limited<T>, Finished<T>> O = Unobserved>
+std::optional<Segment<T>> half_chord(const Segment<T>& segment, const Circle<T>& circle, O&& observer = {}) {
+  expect_circle(circle);
+  expect_finite(segment.from);
+  expect_finite(segment.to);
+  std::optional<Segment<T>> kept;
+  if constexpr (observed<O>) observer(Started<T>{segment, circle});
+  const T r = circle.radius;
+  auto d = segment.to - segment.from;
+  auto f = segment.from - circle.centre;
+  T A = d.x * d.x + d.y * d.y;
+  T k = d.x * f.y - d.y * f.x;
+  // Does the line come as near as r?
+  T D = r * r * A - k * k;
+  if constexpr (observed<O>) observer(Measured<T>{A, k, D});
+  if (A == 0) {
+    // A point, inside or not
+    T C = f.x * f.x + f.y * f.y - r * r;
+    if (C <= 0) kept = segment;
+  } else if (D >= 0) {
+    // The circle reaches equally far to
+    // both sides of the foot
+    T foot = -(f.x * d.x + f.y * d.y) / A;
+    T half = std::sqrt(D) / A;
+    T enters = foot - half;
+    T leaves = foot + half;
+    if constexpr (observed<O>) observer(Crossed<T>{foot, half, enters, leaves});
+    // The segment is 0 <= t <= 1
+    T first = std::max(T(0), enters);
+    T last = std::min(T(1), leaves);
+    if constexpr (observed<O>) observer(Limited<T>{first, last});
+    if (first <= last) {
+      kept = part(segment, first, last);
+    }
+  }
+  if constexpr (observed<O>) observer(Finished<T>{kept});
+  return kept;
+}
+
+// --- The method that is never wrong ------------------------------
+
+/// The same part, every decision exact and every point rounded once. No root is needed to decide: the disc is
+/// convex, so ends inside stay; and a segment with both ends outside meets it exactly when the foot of the
+/// perpendicular lies between them and D >= 0. (That is the sign of a + b sqrt(D), squared out.)
+///
+/// segment, circle, result: as for half_chord.
+///
+/// Domain: all finite coordinates and radii, from subnormals to the largest. A radius of 0 is the centre
+///   alone.
+/// Steps: Started Placed Reached? Cut* Finished; Reached when both ends are outside, one Cut for each end
+/// outside of
+///   a segment that is kept.
+/// Accuracy: what is kept is decided exactly. Ends inside or on the circle are copied; cut ones lie within
+///   0.63 ulp of max(|coordinate|, radius) and inside the segment's box. (to, from) gives the reverse, bit
+///   for bit.
+/// Cost: about 10 ns for a segment inside or well outside, 0.15 us for one that is cut; in doubt about 2 us.
+/// Errors: as half_chord.
+template <std::floating_point T, Observer<Started<T>, Placed, Reached, Cut<T>, Finished<T>> O = Unobserved>
+std::optional<Segment<T>> exact_decision(const Segment<T>& segment, const Circle<T>& circle,
+                                         O&& observer = {}) {
+  expect_circle(circle);
+  expect_finite(segment.from);
+  expect_finite(segment.to);
+  const auto s = in_double(segment);
+  const auto c = in_double(circle);
+  if constexpr (observed<O>) observer(Started<T>{segment, circle});
+  // On which sides are the ends?
+  const int from = side(s.from, c);
+  const int to = side(s.to, c);
+  if constexpr (observed<O>) observer(Placed{from, to});
+  std::optional<Segment<T>> kept = segment;
+  // Both outside: does the line come
+  // near enough, between them?
+  if (from > 0 && to > 0) {
+    bool between = foot_between(s, c.centre);
+    int sign = between ? reach(s, c) : -1;
+    if constexpr (observed<O>) observer(Reached{between, sign});
+    if (sign < 0) kept.reset();
+  }
+  // Ends outside move to the circle
+  if (kept && (from > 0 || to > 0)) {
+    const auto chord = chord_on(s, c);
+    if (from > 0) {
+      kept->from = entry(s, c, chord, to);
+      if constexpr (observed<O>) observer(Cut<T>{segment.from, kept->from, false});
+    }
+    if (to > 0) {
+      kept->to = departure(s, c, chord, from);
+      if constexpr (observed<O>) observer(Cut<T>{segment.to, kept->to, true});
+    }
+  }
+  if constexpr (observed<O>) observer(Finished<T>{kept});
+  return kept;
+}
+
+}  // namespace gradus::liang_barsky_circle

@@ -1,0 +1,75 @@
+#pragma once
+// The notes' clipping of a polygon with a circle, kept as an exhibit (errata E001-26j and E001-26k).
+
+#include "clipping/polygon_circle/polygon_circle.hpp"
+
+namespace gradus::polygon_circle {
+
+/// The ends of an edge were told from the circle.
+struct Looked {
+  std::size_t edge;
+  dvec2 from, to;
+  bool from_inside, to_inside;
+};
+
+/// A corner was put out.
+struct Kept {
+  dvec2 at;
+  bool cut;  ///< the first point of the clipped edge; else a corner of the polygon
+};
+
+/// The polygon that comes out.
+template <class T>
+struct Joined {
+  std::vector<glm::vec<2, T>> corners;
+};
+
+/// The first point of what the circle leaves of an edge, which has an end inside: its start, when that is
+/// inside, else the entry.
+inline dvec2 first_of(const Segment<double>& edge, bool from_inside, const Circle<double>& circle) {
+  if (from_inside) return edge.from;
+  return entry(edge, circle, chord_on(edge, circle), side(edge.to, circle));
+}
+
+/// FAULTY: of the clipped edge it takes the first point also where the edge leaves, which is the edge's own
+/// start, so that the exit is lost; edges with both ends outside are skipped though they may cross twice; and
+/// chords stand where arcs belong. The notes' listing, after Sutherland and Hodgman (errata E001-26j, k).
+///
+/// polygon, circle: as for arcs.
+///
+/// Domain: right for polygons inside the circle.
+/// Steps: Oriented (Looked Kept*)* Joined, Looked once an edge.
+/// Accuracy: none: the square round the unit circle gives area 0 for pi, the square [0,2]^2 0 for pi/4.
+/// Cost: O(n).
+/// Errors: as arcs.
+template <std::floating_point T, Observer<Oriented, Looked, Kept, Joined<T>> O = Unobserved>
+std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
+                                           O&& observer = {}) {
+  expect_circle(circle);
+  std::vector<glm::vec<2, T>> kept;
+  const auto c = in_double(circle);
+  auto corners = counter_clockwise(polygon);
+  if constexpr (observed<O>) observer(Oriented{corners, c});
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto edge = edge_of(corners, i);
+    bool from_in = side(edge.from, c) <= 0;
+    bool to_in = side(edge.to, c) <= 0;
+    if constexpr (observed<O>) observer(Looked{i, edge.from, edge.to, from_in, to_in});
+    // One end inside: "the crossing"
+    if (from_in != to_in) {
+      auto cut = first_of(edge, from_in, c);
+      kept.push_back(glm::vec<2, T>(cut));
+      if constexpr (observed<O>) observer(Kept{cut, true});
+    }
+    // The second end, if it is inside
+    if (to_in) {
+      kept.push_back(glm::vec<2, T>(edge.to));
+      if constexpr (observed<O>) observer(Kept{edge.to, false});
+    }
+  }
+  if constexpr (observed<O>) observer(Joined<T>{kept});
+  return kept;
+}
+
+}  // namespace gradus::polygon_circle

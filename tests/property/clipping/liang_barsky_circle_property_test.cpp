@@ -1,0 +1,354 @@
+// Segments and circles against integers of any size and 200-bit roots; the reverse; the textbook's error.
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+
+#include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
+#include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
+#include "core/exact_scalar.hpp"
+#include "core/random.hpp"
+#include "support/seed.hpp"
+#include "support/stress.hpp"
+
+namespace gradus::liang_barsky_circle {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<200, boost::multiprecision::digit_base_2, void, std::int32_t>>;
+
+/// What is right: decided with rationals, points with one root of 200 bits.
+struct Oracle {
+  Rational ax, ay, dx, dy, fx, fy, r, A, B, C, k, D;
+
+  template <class T>
+  Oracle(const Segment<T>& s, const Circle<T>& c)
+      : ax(s.from.x),
+        ay(s.from.y),
+        dx(Rational(s.to.x) - ax),
+        dy(Rational(s.to.y) - ay),
+        fx(ax - Rational(c.centre.x)),
+        fy(ay - Rational(c.centre.y)),
+        r(c.radius),
+        A(dx * dx + dy * dy),
+        B(fx * dx + fy * dy),
+        C(fx * fx + fy * fy - r * r),
+        k(dx * fy - dy * fx),
+        D(r * r * A - k * k) {}
+
+  /// The side of the point at t = 1.
+  int to_side() const { return Rational(A + 2 * B + C).sign(); }
+  int from_side() const { return C.sign(); }
+
+  /// Whether t = (-B +- sqrt(D)) / A, of both signs, have a stretch in common with 0 <= t <= 1; by squaring.
+  bool hits() const {
+    if (A == 0) return C <= 0;
+    if (D < 0) return false;
+    // enters <= 1: -B - sqrt(D) <= A; leaves >= 0: -B + sqrt(D) >= 0
+    const Rational a = -B - A;
+    const bool enters = a <= 0 || a * a <= D;
+    const bool leaves = B <= 0 || B * B <= D;
+    return enters && leaves;
+  }
+
+  /// The point where the line enters or leaves.
+  void point(bool leaves, Wide& x, Wide& y) const {
+    const Wide root = sqrt(Wide(D)), a(A);
+    const Wide sign = leaves ? 1 : -1;
+    // Foot and half chord apart, so that 200 bits suffice
+    x = Wide(Rational(ax + -B / A * dx)) + sign * root * Wide(dx) / a;
+    y = Wide(Rational(ay + -B / A * dy)) + sign * root * Wide(dy) / a;
+  }
+};
+
+template <class T>
+T ulp_of(T size) {
+  return size < std::numeric_limits<T>::min()
+             ? std::numeric_limits<T>::denorm_min()
+             : std::nextafter(size, std::numeric_limits<T>::infinity()) - size;
+}
+
+/// In ulp of max(|coordinate|, r).
+template <class T>
+double error_of(T got, const Wide& right, T radius) {
+  const T size = std::max(static_cast<T>(abs(right)), radius);
+  return static_cast<double>(abs(Wide(got) - right) / Wide(ulp_of(size)));
+}
+
+/// Segments and circles of every kind: generic, nearly and exactly tangent, through integer points, ends on
+/// the circle, far away, mixed sizes.
+template <class T>
+class Cases {
+ public:
+  Cases(std::uint64_t offset, int reach) : random_(test::seed() + offset), reach_(reach) {}
+
+  struct Case {
+    Segment<T> segment;
+    Circle<T> circle;
+  };
+
+  Case next() {
+    switch (random_.uniform_int(0, 7)) {
+      case 0: {  // small integers: tangents, ends on the circle, points
+        Case c{{whole(6), whole(6)}, {whole(3), static_cast<T>(random_.uniform_int(0, 6))}};
+        return c;
+      }
+      case 1: {  // Pythagorean tangents, scaled: 3x + 4y = 25 and its like
+        const T e = power(-20, 20);
+        const T p = static_cast<T>(random_.uniform_int(1, 40)),
+                q = static_cast<T>(random_.uniform_int(1, 40));
+        return {{{(3 - 4 * p) * e, (4 + 3 * p) * e}, {(3 + 4 * q) * e, (4 - 3 * q) * e}}, {{0, 0}, 5 * e}};
+      }
+      case 2: {  // nearly tangent, and nudged
+        Case c = generic(power(-5, 5));
+        const auto n = normal(c.segment);
+        const T along = unit();
+        const auto on = c.segment.from + along * (c.segment.to - c.segment.from);
+        c.circle.centre = on + c.circle.radius * n;
+        c.circle.radius = nudged(c.circle.radius);
+        return c;
+      }
+      case 3: {  // an end nearly on the circle
+        Case c = generic(power(-5, 5));
+        const auto d = c.segment.from - c.circle.centre;
+        c.circle.radius = nudged(std::sqrt(d.x * d.x + d.y * d.y));
+        return c;
+      }
+      case 4: {  // far ends
+        Case c = generic(T(1));
+        const T far = power(10, std::numeric_limits<T>::digits);
+        c.segment.from = c.circle.centre + far * c.segment.from;
+        c.segment.to = c.circle.centre - far * c.segment.to;
+        if (random_.unit() < 0.5) c.segment.to.y = c.segment.from.y = c.circle.centre.y + unit();
+        return c;
+      }
+      case 5: {  // a far and large circle
+        Case c = generic(T(1));
+        const T far = power(5, std::numeric_limits<T>::digits);
+        c.circle.centre *= far;
+        const auto d = c.segment.from - c.circle.centre;
+        c.circle.radius = std::sqrt(d.x * d.x + d.y * d.y) + unit();
+        return c;
+      }
+      case 6:  // every number of a size of its own
+        return {{mixed(), mixed()}, {mixed(), std::abs(mixed().x)}};
+      default:
+        return generic(power(-reach_, reach_));
+    }
+  }
+  T unit() { return static_cast<T>(random_.uniform(-1, 1)); }
+
+ private:
+  T power(int lowest, int highest) {
+    return std::ldexp(T(1), static_cast<int>(random_.uniform_int(lowest, highest)));
+  }
+  glm::vec<2, T> whole(int most) {
+    const T x = static_cast<T>(random_.uniform_int(-most, most));
+    return {x, static_cast<T>(random_.uniform_int(-most, most))};
+  }
+  glm::vec<2, T> mixed() {
+    const T x = unit() * power(-reach_, reach_);
+    return {x, unit() * power(-reach_, reach_)};
+  }
+  glm::vec<2, T> point(T size) {
+    const T x = 2 * unit() * size;
+    return {x, 2 * unit() * size};
+  }
+  Case generic(T size) {
+    Case c;
+    c.segment.from = point(size);
+    c.segment.to = point(size);
+    c.circle.centre = point(size) * T(0.5);
+    c.circle.radius = std::abs(unit()) * size;
+    return c;
+  }
+  glm::vec<2, T> normal(const Segment<T>& s) {
+    const auto d = s.to - s.from;
+    const T length = std::sqrt(d.x * d.x + d.y * d.y);
+    return {-d.y / length, d.x / length};
+  }
+  T nudged(T x) {
+    for (std::int64_t i = random_.uniform_int(0, 3); i > 0; --i)
+      x = std::nextafter(x, random_.unit() < 0.5 ? T(0) : std::numeric_limits<T>::max());
+    return x;
+  }
+  Random random_;
+  int reach_;
+};
+
+struct Counts {
+  int inside = 0, cut = 0, missed = 0, touched = 0, doubtful = 0;
+  double worst = 0;
+};
+
+template <class T>
+void expect_right(const typename Cases<T>::Case& given, Counts& counts) {
+  const auto& [s, c] = given;
+  const Oracle right(s, c);
+  ASSERT_EQ(side(in_double(s).from, in_double(c)), right.from_side());
+  ASSERT_EQ(side(in_double(s).to, in_double(c)), right.to_side());
+  if (right.A != 0) ASSERT_EQ(reach(in_double(s), in_double(c)), right.D.sign());
+  const auto kept = exact_decision(s, c);
+  ASSERT_EQ(kept.has_value(), right.hits());
+  // The reverse, bit for bit
+  const auto back = exact_decision(Segment<T>{s.to, s.from}, c);
+  ASSERT_EQ(back.has_value(), kept.has_value());
+  if (!kept) {
+    ++counts.missed;
+    return;
+  }
+  ASSERT_EQ(back->from, kept->to);
+  ASSERT_EQ(back->to, kept->from);
+  counts.touched += kept->from == kept->to;
+  if (right.from_side() <= 0) ASSERT_EQ(kept->from, s.from);
+  if (right.to_side() <= 0) ASSERT_EQ(kept->to, s.to);
+  if (right.from_side() <= 0 && right.to_side() <= 0) {
+    ++counts.inside;
+    return;
+  }
+  ++counts.cut;
+  counts.doubtful += !line_by_pairs(in_double(s), in_double(c)).has_value();
+  for (const bool leaves : {false, true}) {
+    if ((leaves ? right.to_side() : right.from_side()) <= 0) continue;
+    const auto got = leaves ? kept->to : kept->from;
+    Wide x, y;
+    right.point(leaves, x, y);
+    const double error = std::max(error_of(got.x, x, c.radius), error_of(got.y, y, c.radius));
+    counts.worst = std::max(counts.worst, error);
+    ASSERT_LE(error, 0.63);
+    ASSERT_LE(std::min(s.from.x, s.to.x), got.x);
+    ASSERT_LE(got.x, std::max(s.from.x, s.to.x));
+    ASSERT_LE(std::min(s.from.y, s.to.y), got.y);
+    ASSERT_LE(got.y, std::max(s.from.y, s.to.y));
+  }
+}
+
+template <class T>
+Counts run_cases(std::uint64_t offset, int reach, int count) {
+  Cases<T> cases(offset, reach);
+  Counts counts;
+  for (int i = 0; i < count; ++i) {
+    const auto given = cases.next();
+    SCOPED_TRACE(testing::Message() << std::hexfloat << "case " << i << ": " << given.segment.from.x << ","
+                                    << given.segment.from.y << " " << given.segment.to.x << ","
+                                    << given.segment.to.y << " circle " << given.circle.centre.x << ","
+                                    << given.circle.centre.y << "," << given.circle.radius);
+    expect_right<T>(given, counts);
+    if (testing::Test::HasFatalFailure()) return counts;
+  }
+  EXPECT_EQ(counts.inside + counts.cut + counts.missed, count);
+  EXPECT_GE(counts.inside, count / 20);
+  EXPECT_GE(counts.cut, count / 10);
+  EXPECT_GE(counts.missed, count / 10);
+  EXPECT_GE(counts.touched, count / 100);
+  EXPECT_GE(counts.doubtful, counts.cut / 10) << "the slow path";
+  std::printf("inside %d, cut %d (%d in doubt), missed %d, points %d, worst %.3f ulp\n", counts.inside,
+              counts.cut, counts.doubtful, counts.missed, counts.touched, counts.worst);
+  return counts;
+}
+
+TEST(LiangBarskyCircleProperty, DoubleAgainstExactArithmetic) {
+  const int count = static_cast<int>(test::cases(20'000, 1'000'000));
+  run_cases<double>(1, 60, count);
+}
+
+TEST(LiangBarskyCircleProperty, FloatAgainstExactArithmetic) {
+  const int count = static_cast<int>(test::cases(20'000, 1'000'000));
+  run_cases<float>(2, 30, count);
+}
+
+TEST(LiangBarskyCircleProperty, WholeRangeOfDouble) {
+  const int count = static_cast<int>(test::cases(3'000, 100'000));
+  run_cases<double>(3, 1000, count);
+}
+
+/// D, A, B, C and the sides are rational: the same template in Exact decides as the filters do.
+TEST(LiangBarskyCircleProperty, TheQuadraticInExactDecidesTheSame) {
+  Cases<double> cases(4, 60);
+  int touching = 0;
+  constexpr int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    const ExactScope scope;
+    const auto [s, c] = cases.next();
+    const auto e = [](dvec2 p) { return ExactVec2(Exact(p.x), Exact(p.y)); };
+    const Quadratic<Exact> q =
+        quadratic(Segment<Exact>{e(s.from), e(s.to)}, Circle<Exact>{e(c.centre), Exact(c.radius)});
+    ASSERT_EQ(sign(q.D), q.A == Exact{} ? 0 : reach(s, c)) << i;
+    ASSERT_EQ(sign(q.C), side(s.from, c)) << i;
+    ASSERT_EQ(sign(q.B), past_foot(s.from, s, c.centre)) << i;
+    ASSERT_EQ(q.B * q.B - q.A * q.C, q.D) << i;
+    touching += sign(q.D) == 0;
+  }
+  EXPECT_GE(touching, count / 50);
+}
+
+/// What the taught form and the notes' make of random segments, for the topic's page.
+TEST(LiangBarskyCircleProperty, ErrorsOfTheTextbookForms) {
+  Random random(test::seed() + 5);
+  const int count = 20'000;
+  int compared = 0, wrong_taught = 0, wrong_notes = 0, above = 0;
+  double worst_taught = 0, worst_notes = 0;
+  for (int i = 0; i < count; ++i) {
+    double n[7];
+    for (double& x : n) x = random.uniform(-10, 10);
+    const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
+    const Circle<double> c{{n[4] / 2, n[5] / 2}, std::abs(n[6])};
+    const auto right = exact_decision(s, c), taught = half_chord(s, c),
+               notes = discriminant_equals_zero(s, c);
+    wrong_taught += right.has_value() != taught.has_value();
+    wrong_notes += right.has_value() != notes.has_value();
+    if (!right) continue;
+    const auto error = [&](const std::optional<Segment<double>>& got) {
+      double most = 0;
+      if (!got) return most;
+      for (const auto& [a, b] : {std::pair{got->from, right->from}, std::pair{got->to, right->to}}) {
+        for (const int axis : {0, 1}) {
+          most = std::max(most, error_of(a[axis], Wide(b[axis]), c.radius));
+        }
+      }
+      return most;
+    };
+    ++compared;
+    above += error(taught) > 1;
+    worst_taught = std::max(worst_taught, error(taught));
+    worst_notes = std::max(worst_notes, error(notes));
+  }
+  std::printf("%d kept; half_chord: %d decided wrongly, %d above 1 ulp, worst %.0f; notes: %d, worst %.0f\n",
+              compared, wrong_taught, above, worst_taught, wrong_notes, worst_notes);
+  EXPECT_GE(compared, count / 4);
+  EXPECT_EQ(wrong_taught, 0);
+  EXPECT_GE(above, compared / 10);
+  EXPECT_LE(worst_taught, 1e4);
+  EXPECT_GT(worst_notes, worst_taught);
+}
+
+/// 30,000 lines tangent by construction: rounding says anything, exact arithmetic what is.
+TEST(LiangBarskyCircleProperty, TangencyIsDecidedByRounding) {
+  Random random(test::seed() + 6);
+  int sign_of_D[3] = {0, 0, 0}, wrong = 0;
+  const int count = 30'000;
+  for (int i = 0; i < count; ++i) {
+    // The tangent at the angle of (x, y), |(x, y)| = r rounded
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+    const double r = std::sqrt(x * x + y * y), a = random.uniform(1, 3), b = random.uniform(1, 3);
+    const Segment<double> s{{x - a * y, y + a * x}, {x + b * y, y - b * x}};
+    const Circle<double> c{{0, 0}, r};
+    const auto d = s.to - s.from;
+    const double B = 2 * (s.from.x * d.x + s.from.y * d.y), A = d.x * d.x + d.y * d.y;
+    const double D = B * B - 4 * A * (s.from.x * s.from.x + s.from.y * s.from.y - r * r);
+    ++sign_of_D[(D > 0) - (D < 0) + 1];
+    wrong += ((D > 0) - (D < 0)) != Oracle(s, c).D.sign();
+    ASSERT_EQ(reach(s, c), Oracle(s, c).D.sign());
+  }
+  std::printf("D < 0 %d, = 0 %d, > 0 %d; %d other than exact\n", sign_of_D[0], sign_of_D[1], sign_of_D[2],
+              wrong);
+  for (const int n : sign_of_D) EXPECT_GE(n, count / 10);
+  EXPECT_GE(wrong, count / 4);
+}
+
+}  // namespace
+}  // namespace gradus::liang_barsky_circle

@@ -1,0 +1,251 @@
+// Segments and circles of known result, the step grammar, what the notes' listings do, exact arithmetic.
+
+#include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
+#include "core/exact_scalar.hpp"
+#include "core/record.hpp"
+
+namespace gradus::liang_barsky_circle {
+namespace {
+
+using S = Segment<double>;
+using C = Circle<double>;
+using Kept = std::optional<S>;
+
+constexpr C unit{{0, 0}, 1};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+S segment(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
+
+void expect_near(const Kept& kept, const S& right, double tolerance) {
+  ASSERT_TRUE(kept);
+  EXPECT_NEAR(kept->from.x, right.from.x, tolerance);
+  EXPECT_NEAR(kept->from.y, right.from.y, tolerance);
+  EXPECT_NEAR(kept->to.x, right.to.x, tolerance);
+  EXPECT_NEAR(kept->to.y, right.to.y, tolerance);
+}
+
+TEST(LiangBarskyCircle, GoldenSegments) {
+  // G001-59, 61, 62, 63, 65, 66
+  const std::pair<S, S> kept[] = {
+      {segment(-3, 0, 3, 0), segment(-1, 0, 1, 0)}, {segment(0, 0, 0.5, 0), segment(0, 0, 0.5, 0)},
+      {segment(-2, 1, 2, 1), segment(0, 1, 0, 1)},  {segment(0.5, 0, 0.5, 0), segment(0.5, 0, 0.5, 0)},
+      {segment(1, 0, 2, 0), segment(1, 0, 1, 0)},   {segment(0, 0, 2, 0), segment(0, 0, 1, 0)},
+  };
+  for (const auto& [given, right] : kept) {
+    EXPECT_EQ(exact_decision(given, unit), right) << given.from.x;
+    expect_near(half_chord(given, unit), right, 1e-15);
+  }
+  // G001-60, 64: nothing
+  for (const S& given : {segment(2, 0, 3, 0), segment(5, 0, 5, 0)}) {
+    EXPECT_FALSE(exact_decision(given, unit));
+    EXPECT_FALSE(half_chord(given, unit));
+  }
+}
+
+TEST(LiangBarskyCircle, FarEndsCancelNothing) {
+  // G001-67 and 68
+  const S far = segment(-1e8, 0.5, 1e8, 0.5);
+  EXPECT_EQ(exact_decision(far, unit), segment(-0.8660254037844386, 0.5, 0.8660254037844386, 0.5));
+  expect_near(half_chord(far, unit), segment(-0.8660254037844386, 0.5, 0.8660254037844386, 0.5), 1e-8);
+  const S past = segment(-1e8, 1.0000001, 1e8, 1.0000001);
+  EXPECT_FALSE(exact_decision(past, unit));
+  EXPECT_FALSE(half_chord(past, unit));
+  const S near = segment(-1e6, 0.999, 1e6, 0.999);
+  const double half = std::sqrt((1 - 0.999) * (1 + 0.999));
+  expect_near(exact_decision(near, unit), segment(-half, 0.999, half, 0.999), 1e-16);
+  expect_near(half_chord(near, unit), segment(-half, 0.999, half, 0.999), 2e-10);
+}
+
+TEST(LiangBarskyCircle, Grazing) {
+  const double above = 1 + 0x1p-52, below = 1 - 0x1p-53;
+  EXPECT_FALSE(exact_decision(segment(-2, above, 2, above), unit));
+  // 1 - (1 - 2^-53)^2 = 2^-52 - 2^-106
+  const double half = 0x1p-26;
+  expect_near(exact_decision(segment(-2, below, 2, below), unit), segment(-half, below, half, below), 1e-24);
+  // The notes' arithmetic can't see either
+  const Kept touching = discriminant_equals_zero(segment(-2, above, 2, above), unit);
+  ASSERT_TRUE(touching);
+  EXPECT_EQ(touching->from, dvec2(0, above));
+}
+
+TEST(LiangBarskyCircle, TangentsFromInsideAndOutside) {
+  EXPECT_EQ(exact_decision(segment(-2, -1, 2, -1), unit), segment(0, -1, 0, -1));
+  EXPECT_EQ(exact_decision(segment(-1, -5, -1, 7), unit), segment(-1, 0, -1, 0));
+  // The x axis touches the circle of radius 3 round (0, 3)
+  EXPECT_EQ(exact_decision(segment(-4, 0, 9, 0), C{{0, 3}, 3}), segment(0, 0, 0, 0));
+  // A tangent that is not parallel to an axis: 3x + 4y = 25 touches the circle of radius 5 at (3, 4)
+  EXPECT_EQ(exact_decision(segment(-1, 7, 7, 1), C{{0, 0}, 5}), segment(3, 4, 3, 4));
+  // It ends before it touches
+  EXPECT_FALSE(exact_decision(segment(7, 1, 5, 2.5), C{{0, 0}, 5}));
+  // It ends where it touches
+  EXPECT_EQ(exact_decision(segment(7, 1, 3, 4), C{{0, 0}, 5}), segment(3, 4, 3, 4));
+}
+
+TEST(LiangBarskyCircle, EndsOnTheCircle) {
+  const C five{{0, 0}, 5};
+  // A chord between points of the circle stays as it is
+  EXPECT_EQ(exact_decision(segment(3, 4, -4, 3), five), segment(3, 4, -4, 3));
+  // From a point of the circle away from it, and to such a point
+  EXPECT_EQ(exact_decision(segment(3, 4, 6, 8), five), segment(3, 4, 3, 4));
+  EXPECT_EQ(exact_decision(segment(6, 8, 3, 4), five), segment(3, 4, 3, 4));
+  // Through it
+  EXPECT_EQ(exact_decision(segment(3, 4, -6, -8), five), segment(3, 4, -3, -4));
+  EXPECT_EQ(exact_decision(segment(3, 4, 3, -8), five), segment(3, 4, 3, -4));
+}
+
+TEST(LiangBarskyCircle, PointsWithRoundCoordinatesComeOutRound) {
+  EXPECT_EQ(exact_decision(segment(-9, -3, 7, 9), C{{0, 0}, 5}), segment(-5, 0, 1.4, 4.8));
+  EXPECT_EQ(exact_decision(segment(-6, -3, 10, 9), C{{3, 0}, 5}), segment(-2, 0, 4.4, 4.8));
+  EXPECT_EQ(exact_decision(segment(-9, 2, 7, 14), C{{0, 5}, 5}), segment(-5, 5, 1.4, 9.8));
+}
+
+TEST(LiangBarskyCircle, RadiusZeroIsItsCentre) {
+  const C point{{2, 1}, 0};
+  EXPECT_EQ(exact_decision(segment(0, 0, 4, 2), point), segment(2, 1, 2, 1));
+  EXPECT_EQ(exact_decision(segment(2, 1, 2, 1), point), segment(2, 1, 2, 1));
+  EXPECT_EQ(exact_decision(segment(2, 1, 4, 2), point), segment(2, 1, 2, 1));
+  EXPECT_FALSE(exact_decision(segment(0, 0, 4, 2.0000000001), point));
+  EXPECT_FALSE(exact_decision(segment(2, 2, 2, 2), point));
+  EXPECT_EQ(half_chord(segment(2, 1, 2, 1), point), segment(2, 1, 2, 1));
+}
+
+TEST(LiangBarskyCircle, WholeRangeOfDouble) {
+  const double large = std::numeric_limits<double>::max(), small = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(exact_decision(segment(-large, 0, large, 0), C{{0, 0}, large}), segment(-large, 0, large, 0));
+  EXPECT_EQ(exact_decision(segment(-large, large, large, large), C{{0, 0}, large}),
+            segment(0, large, 0, large));
+  EXPECT_EQ(exact_decision(segment(-large, 0, large, 0), C{{0, 0}, small}), segment(-small, 0, small, 0));
+  EXPECT_EQ(exact_decision(segment(-8 * small, small, 8 * small, small), C{{0, 0}, small}),
+            segment(0, small, 0, small));
+  EXPECT_FALSE(exact_decision(segment(-large, small, large, 2 * small), C{{0, 0}, small}));
+  EXPECT_EQ(exact_decision(segment(-1e300, 3e299, 1e300, 3e299), C{{0, 0}, 5e299}),
+            segment(-4e299, 3e299, 4e299, 3e299));
+}
+
+TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
+  const S any = segment(0, 0, 1, 1);
+  for (const double r : {-1.0, nan, infinity, -infinity}) {
+    EXPECT_THROW(half_chord(any, C{{0, 0}, r}), ContractViolation);
+    EXPECT_THROW(exact_decision(any, C{{0, 0}, r}), ContractViolation);
+  }
+  for (const double x : {nan, infinity}) {
+    EXPECT_THROW(exact_decision(any, C{{x, 0}, 1}), ContractViolation);
+    EXPECT_THROW(exact_decision(segment(0, x, 1, 1), unit), ContractViolation);
+    EXPECT_THROW(half_chord(segment(0, 0, 1, x), unit), ContractViolation);
+  }
+  try {
+    exact_decision(any, C{{0, 0}, -1});
+    FAIL();
+  } catch (const ContractViolation& e) {
+    EXPECT_STREQ(e.what(), "the circle's radius is finite and not negative, not -1");
+  }
+  // The notes' listings square it
+  EXPECT_EQ(without_empty_test(segment(-3, 0, 3, 0), C{{0, 0}, -1}), segment(-1, 0, 1, 0));
+}
+
+TEST(LiangBarskyCircle, StepsFollowTheGrammar) {
+  using Seen =
+      Recorder<Started<double>, Measured<double>, Crossed<double>, Limited<double>, Finished<double>>;
+  Seen hit;
+  const C five{{0, 0}, 5};
+  const S given = segment(-6, 3, 2, 3);
+  EXPECT_EQ(half_chord(given, five, hit), half_chord(given, five));
+  ASSERT_EQ(hit.events().size(), 5u);
+  EXPECT_EQ(all<Measured<double>>(hit)[0].A, 64);
+  EXPECT_EQ(all<Measured<double>>(hit)[0].k, 24);
+  EXPECT_EQ(all<Measured<double>>(hit)[0].D, 25 * 64 - 24 * 24);
+  EXPECT_EQ(all<Crossed<double>>(hit)[0].foot, 0.75);
+  EXPECT_EQ(all<Crossed<double>>(hit)[0].half, 0.5);
+  EXPECT_EQ(all<Limited<double>>(hit)[0].first, 0.25);
+  EXPECT_EQ(all<Limited<double>>(hit)[0].last, 1);
+  EXPECT_EQ(all<Finished<double>>(hit)[0].kept, segment(-4, 3, 2, 3));
+  Seen miss;
+  EXPECT_FALSE(half_chord(segment(-6, 6, 6, 6), five, miss));
+  EXPECT_EQ(miss.events().size(), 3u);
+
+  using Decided = Recorder<Started<double>, Placed, Reached, Cut<double>, Finished<double>>;
+  const auto steps = [&](const S& s) {
+    Decided seen;
+    EXPECT_EQ(exact_decision(s, five, seen), exact_decision(s, five));
+    std::string text;
+    for (const auto& event : seen.events()) text += "SPRCF"[event.step.index()];
+    return text;
+  };
+  EXPECT_EQ(steps(segment(-1, 0, 1, 0)), "SPF");
+  EXPECT_EQ(steps(segment(-9, 0, 1, 0)), "SPCF");
+  EXPECT_EQ(steps(segment(-9, 0, 9, 0)), "SPRCCF");
+  EXPECT_EQ(steps(segment(-9, 0, -7, 0)), "SPRF");
+  EXPECT_EQ(steps(segment(-9, 6, 9, 6)), "SPRF");
+}
+
+/// A, B, C, k and D are rational: only the root is not.
+TEST(LiangBarskyCircle, TheQuadraticIsExactInExact) {
+  const ExactScope scope;
+  const auto e = [](double x) { return Exact(x); };
+  const Segment<Exact> s{{e(-6), e(3)}, {e(2), e(3)}};
+  const Quadratic<Exact> q = quadratic(s, Circle<Exact>{{e(0), e(0)}, e(5)});
+  EXPECT_EQ(q.A, e(64));
+  EXPECT_EQ(q.B, e(-48));
+  EXPECT_EQ(q.C, e(20));
+  EXPECT_EQ(q.D, q.B * q.B - q.A * q.C);
+  // A tangent that doubles can't tell
+  const Segment<Exact> tangent{{e(-2), e(0.1) * e(10)}, {e(2), e(0.1) * e(10)}};
+  EXPECT_EQ(sign(quadratic(tangent, Circle<Exact>{{e(0), e(0)}, e(0.1) * e(10)}).D), 0);
+  // Float and double with the same small numbers
+  const Quadratic<float> f = quadratic(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
+  const Quadratic<double> d = quadratic(segment(-6, 3, 2, 3), C{{0, 0}, 5});
+  EXPECT_EQ(double{f.D}, d.D);
+  EXPECT_EQ(e(d.D), q.D);
+  const auto kept = exact_decision(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->from, glm::vec2(-4, 3));
+  EXPECT_EQ(half_chord(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5})->from, glm::vec2(-4, 3));
+}
+
+// --- The notes' listings ----------------------------------------------------------------------------------
+
+TEST(LiangBarskyCircleNotes, TheSegmentIsNotTheLine) {
+  EXPECT_EQ(without_empty_test(segment(2, 0, 3, 0), unit), segment(2, 0, 1, 0));
+  // Right where the segment itself crosses
+  EXPECT_EQ(without_empty_test(segment(-3, 0, 3, 0), unit), segment(-1, 0, 1, 0));
+  EXPECT_FALSE(discriminant_equals_zero(segment(2, 0, 3, 0), unit));
+  EXPECT_EQ(discriminant_equals_zero(segment(0, 0, 0.5, 0), unit), segment(0, 0, 0.5, 0));
+}
+
+TEST(LiangBarskyCircleNotes, APointInsideIsLost) {
+  Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
+  EXPECT_FALSE(discriminant_equals_zero(segment(0.5, 0, 0.5, 0), unit, seen));
+  EXPECT_EQ(all<Discriminant<double>>(seen)[0].A, 0);
+  EXPECT_TRUE(std::isnan(all<Solved<double>>(seen)[0].enters));
+}
+
+TEST(LiangBarskyCircleNotes, TheDiscriminantCancels) {
+  Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> seen;
+  EXPECT_EQ(discriminant_equals_zero(segment(-1e8, 0.5, 1e8, 0.5), unit, seen), segment(0, 0.5, 0, 0.5));
+  EXPECT_EQ(all<Discriminant<double>>(seen)[0].D, 0);
+  EXPECT_TRUE(discriminant_equals_zero(segment(-1e8, 1.0000001, 1e8, 1.0000001), unit));
+  const Kept near = discriminant_equals_zero(segment(-1e6, 0.999, 1e6, 0.999), unit);
+  ASSERT_TRUE(near);
+  EXPECT_NEAR(near->to.x, 0.04335, 1e-5);  // right: 0.04471
+}
+
+TEST(LiangBarskyCircleNotes, StepsAreWatchedOnly) {
+  for (const S& s : {segment(-3, 0, 3, 0), segment(2, 0, 3, 0), segment(-2, 1, 2, 1), segment(-2, 2, 2, 2)}) {
+    Recorder<Started<double>, Discriminant<double>, Solved<double>, Limited<double>, Finished<double>> a, b;
+    EXPECT_EQ(without_empty_test(s, unit, a), without_empty_test(s, unit));
+    EXPECT_EQ(discriminant_equals_zero(s, unit, b), discriminant_equals_zero(s, unit));
+    EXPECT_EQ(all<Finished<double>>(a).size(), 1u);
+    EXPECT_EQ(all<Finished<double>>(b).size(), 1u);
+  }
+}
+
+}  // namespace
+}  // namespace gradus::liang_barsky_circle

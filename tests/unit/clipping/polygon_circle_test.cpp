@@ -1,0 +1,260 @@
+// Polygons and circles of known result, the step grammar, chords for arcs, what the notes' listing does.
+
+#include "clipping/polygon_circle/polygon_circle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "clipping/polygon_circle/polygon_circle_notes.hpp"
+#include "core/exact_scalar.hpp"
+#include "core/record.hpp"
+
+namespace gradus::polygon_circle {
+namespace {
+
+using Polygon = std::vector<dvec2>;
+using Rings = std::vector<Ring<double>>;
+constexpr Circle<double> unit{{0, 0}, 1};
+constexpr double pi = 0x1.921fb54442d18p1;
+
+Region<double> clipped(const Polygon& polygon, const Circle<double>& circle = unit) {
+  return arcs(std::span<const dvec2>(polygon), circle);
+}
+double clipped_area(const Polygon& polygon, const Circle<double>& circle = unit) {
+  return area(clipped(polygon, circle));
+}
+double shoelace(const Polygon& polygon) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    doubled += a.x * b.y - a.y * b.x;
+  }
+  return doubled / 2;
+}
+
+const Polygon quadrant{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, around{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}},
+    triangle{{0, -0.5}, {3, -0.5}, {0, 0.5}}, band{{-3, -0.5}, {3, -0.5}, {3, 0.5}, {-3, 0.5}},
+    four_out{{-0.8, -0.8}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}};
+
+TEST(PolygonCircle, GoldenAreas) {
+  // G001-69 to 73
+  EXPECT_NEAR(clipped_area(around), 3.141592653589793, 1e-15);
+  EXPECT_NEAR(clipped_area(quadrant), 0.7853981633974483, 1e-15);
+  EXPECT_NEAR(clipped_area(triangle), 0.8108296473846022, 1e-15);
+  EXPECT_NEAR(clipped_area(band), 1.9132229549810364, 1e-15);
+  EXPECT_NEAR(clipped_area(four_out), 2.487588218416656, 1e-14);
+}
+
+TEST(PolygonCircle, BoundariesOfEdgesAndArcs) {
+  // The quadrant's corner and one arc, from (1,0) counter-clockwise to (0,1)
+  EXPECT_EQ(clipped(quadrant).rings, (Rings{{{{0, 1}}, {{0, 0}}, {{1, 0}, true}}}));
+  // All four corners outside, every edge crosses twice: four chords and four arcs
+  const auto ring = clipped(four_out).rings.at(0);
+  ASSERT_EQ(ring.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(ring[i].arc, i % 2 == 1) << i;
+  EXPECT_EQ(clipped({{-3, 0}, {3, 0}, {3, -3}, {-3, -3}}).rings, (Rings{{{{1, 0}}, {{-1, 0}, true}}}));
+}
+
+TEST(PolygonCircle, WholeOrNothing) {
+  const Rings whole{{{{1, 0}, true, true}}};
+  EXPECT_EQ(clipped(around).rings, whole);
+  // All four sides touch the circle
+  EXPECT_EQ(clipped({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}).rings, whole);
+  // A reflex corner touches it
+  EXPECT_EQ(clipped({{3, 3}, {1, 0}, {3, -3}, {-3, -3}, {-3, 3}}).rings, whole);
+  const Polygon inside{{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}};
+  EXPECT_EQ(clipped(inside).rings, (Rings{{{{-0.5, -0.5}}, {{0.5, -0.5}}, {{0, 0.5}}}}));
+  EXPECT_TRUE(clipped({{2, 2}, {3, 2}, {3, 3}}).rings.empty());
+  // Round the circle but not over it
+  EXPECT_TRUE(
+      clipped({{-3, -3}, {3, -3}, {3, 3}, {2, 3}, {2, -2}, {-2, -2}, {-2, 3}, {-3, 3}}).rings.empty());
+  // Outside, and touching it with a side or a corner
+  EXPECT_TRUE(clipped({{-1, 1}, {1, 1}, {0, 3}}).rings.empty());
+  EXPECT_TRUE(clipped({{1, 0}, {3, -1}, {3, 1}}).rings.empty());
+  EXPECT_TRUE(clipped(around, Circle<double>{{0, 0}, 0}).rings.empty());
+  // No area
+  EXPECT_TRUE(clipped({{0, 0}, {0.5, 0}}).rings.empty());
+  EXPECT_TRUE(clipped({{0, 0}, {5, 5}, {2, 2}}).rings.empty());
+  EXPECT_TRUE(clipped({}).rings.empty());
+}
+
+TEST(PolygonCircle, CornersOnTheCircle) {
+  const Circle<double> five{{0, 0}, 5};
+  // Inscribed: the polygon itself
+  const auto inscribed = clipped({{5, 0}, {3, 4}, {-4, 3}, {0, -5}}, five).rings;
+  ASSERT_EQ(inscribed.size(), 1u);
+  EXPECT_EQ(inscribed[0].size(), 4u);
+  for (const auto& corner : inscribed[0]) EXPECT_FALSE(corner.arc);
+  // One corner on it, the others inside
+  EXPECT_EQ(clipped({{3, 4}, {0, 1}, {1, 0}}, five).rings.at(0).size(), 3u);
+  // A notch whose tip lies outside, opening inwards from a reflex corner on the circle: all but a triangle
+  const Region<double> notched = clipped(
+      {{9, 9}, {-9, 9}, {-9, -9}, {9, -9}, {9, -1}, {5, 0}, {-1, -2}, {-1, 2}, {5, 0.5}, {9, 0.5}}, five);
+  ASSERT_EQ(notched.rings.size(), 1u);
+  // Without the wedge from (5,0) to x = -1 and y = -2 to 2, and what lies beyond the edge to (5, 0.5)
+  EXPECT_GT(area(notched), 25 * pi - 15);
+  EXPECT_LT(area(notched), 25 * pi - 12);
+  // Two pieces that touch in a corner on the circle
+  const Region<double> two = clipped({{3, 3}, {-1, 0}, {3, -3}, {-3, -3}, {-3, 3}});
+  ASSERT_EQ(two.rings.size(), 2u);
+  EXPECT_EQ(two.rings[0].size(), 2u);
+  EXPECT_EQ(two.rings[1].size(), 2u);
+  // An edge from circle to circle along a chord, the rest outside
+  EXPECT_EQ(clipped({{3, 4}, {-3, 4}, {0, 20}}, five).rings, (Rings{{{{-3, 4}}, {{3, 4}, true}}}));
+}
+
+/// Nothing but a notch that touches the circle in one point from inside: the arc is the whole circle.
+TEST(PolygonCircle, AnArcOfTheWholeCircle) {
+  // A hole would touch at (1, 0); a simple polygon comes in from outside there
+  const Region<double> region =
+      clipped({{3, 0.5}, {0, 0.5}, {1, 0}, {0, -0.5}, {3, -0.5}, {3, -3}, {-3, -3}, {-3, 3}, {3, 3}});
+  ASSERT_EQ(region.rings.size(), 1u);
+  EXPECT_EQ(region.rings[0].size(), 5u);
+  EXPECT_EQ(region.rings[0][2], (Corner<double>{{std::sqrt(0.75), 0.5}, true, true}));
+  // The same boundary without ways in: a self-touching one whose only passage is the corner
+  const Region<double> slit =
+      clipped({{3, 0x1p-60}, {-0.5, 0}, {3, -0x1p-60}, {3, -3}, {-3, -3}, {-3, 3}, {3, 3}});
+  ASSERT_EQ(slit.rings.size(), 1u);
+  EXPECT_TRUE(slit.rings[0][slit.rings[0].size() - 1].arc);
+  EXPECT_TRUE(slit.rings[0][slit.rings[0].size() - 1].more_than_half);
+  EXPECT_NEAR(area(slit), pi, 1e-15);
+}
+
+TEST(PolygonCircle, SeveralPieces) {
+  // A comb with three teeth into the circle
+  const Polygon comb{{-3, -3}, {3, -3},   {3, 2},     {0.6, 2},   {0.6, -2}, {0.3, -2},
+                     {0.3, 2}, {-0.3, 2}, {-0.3, -2}, {-0.6, -2}, {-0.6, 2}, {-3, 2}};
+  const Region<double> region = clipped(comb);
+  ASSERT_EQ(region.rings.size(), 3u);
+  const auto right_of = [](double x) { return std::acos(x) - x * std::sqrt(1 - x * x); };
+  EXPECT_NEAR(area(region), 2 * right_of(0.6) + pi - 2 * right_of(0.3), 1e-14);
+}
+
+TEST(PolygonCircle, OrientationAndRepeatedCornersDoNotMatter) {
+  for (const Polygon& polygon : {quadrant, triangle, band, four_out, around}) {
+    Polygon back(polygon.rbegin(), polygon.rend()), twice;
+    for (const dvec2 p : polygon) twice.insert(twice.end(), {p, p});
+    twice.push_back(polygon.front());
+    EXPECT_EQ(clipped(twice).rings, clipped(polygon).rings);
+    EXPECT_EQ(clipped_area(back), clipped_area(polygon));
+  }
+}
+
+TEST(PolygonCircle, FloatAndExact) {
+  const std::vector<glm::vec2> polygon{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const Region<float> region = arcs(std::span<const glm::vec2>(polygon), Circle<float>{{0, 0}, 1});
+  EXPECT_EQ(region.rings, (std::vector<Ring<float>>{{{{0, 1}}, {{0, 0}}, {{1, 0}, true}}}));
+  EXPECT_NEAR(area(region), pi / 4, 1e-15);
+  // What is rational is the quadratic of each edge: the same in Exact
+  const ExactScope scope;
+  const Segment<Exact> edge{{Exact(2), Exact(0)}, {Exact(2), Exact(2)}};
+  const auto q = liang_barsky_circle::quadratic(edge, Circle<Exact>{{Exact(0), Exact(0)}, Exact(1)});
+  EXPECT_EQ(sign(q.D), run_of({{2, 0}, {2, 2}}, unit).inside ? 1 : -1);
+}
+
+TEST(PolygonCircle, MistakesAreRefusedByName) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double r : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(clipped(quadrant, {{0, 0}, r}), ContractViolation);
+    EXPECT_THROW(first_crossing(std::span<const dvec2>(quadrant), Circle<double>{{0, 0}, r}),
+                 ContractViolation);
+  }
+  EXPECT_THROW(clipped({{0, 0}, {1, nan}, {0, 1}}), ContractViolation);
+  const Region<double> region = clipped(quadrant);
+  for (const double tolerance : {0.0, -1.0, 1e-13, nan}) {
+    EXPECT_THROW(flatten(region, tolerance), ContractViolation);
+  }
+  // Two entries in a row
+  EXPECT_THROW(
+      clipped({{-2, 0.1}, {2, 0.1}, {2, -0.1}, {-2, 0.5}, {-2, 0.7}, {2, 0.3}, {2, -0.2}, {-2, -0.2}}),
+      ContractViolation);
+}
+
+TEST(PolygonCircle, SimpleOrNot) {
+  const auto meeting = [](const Polygon& polygon) { return meeting_edges(polygon).has_value(); };
+  for (const Polygon& polygon : {quadrant, triangle, band, four_out, around}) EXPECT_FALSE(meeting(polygon));
+  EXPECT_TRUE(meeting({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));          // a bow tie
+  EXPECT_TRUE(meeting({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));  // a corner on an edge
+  EXPECT_TRUE(meeting({{0, 0}, {2, 0}, {1, 0}}));                  // back on itself
+  EXPECT_TRUE(meeting({{0, 0}, {2, 0}, {2, 2}, {2, 1}, {0, 2}}));
+  EXPECT_FALSE(meeting({{0, 0}, {1, 0}, {2, 0}, {2, 2}}));  // straight on
+}
+
+TEST(PolygonCircle, StepsFollowTheGrammar) {
+  using Seen = Recorder<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<double>>;
+  const auto steps = [](const Polygon& polygon) {
+    Seen seen;
+    EXPECT_EQ(arcs(std::span<const dvec2>(polygon), unit, seen).rings, clipped(polygon).rings);
+    std::string text;
+    for (const auto& event : seen.events()) text += "OTSEWBCF"[event.step.index()];
+    return text;
+  };
+  EXPECT_EQ(steps(quadrant), "OTTTTSEWBCF");
+  EXPECT_EQ(steps(four_out), "OTTTTSEBEBEBEBCF");
+  EXPECT_EQ(steps(around), "OTTTTSF");
+  EXPECT_EQ(steps({{0, 0}, {1, 1}, {2, 2}}), "OSF");
+  Seen seen;
+  arcs(std::span<const dvec2>(quadrant), unit, seen);
+  EXPECT_EQ(all<Tested>(seen)[0].leaves, dvec2(1, 0));
+  EXPECT_FALSE(all<Tested>(seen)[0].enters);
+  EXPECT_EQ(all<Tested>(seen)[3].enters, dvec2(0, 1));
+  EXPECT_EQ(all<Bent>(seen)[0].from, dvec2(1, 0));
+  EXPECT_EQ(all<Bent>(seen)[0].to, dvec2(0, 1));
+  // The passages' order round the circle
+  Seen crossed;
+  arcs(std::span<const dvec2>(four_out), unit, crossed);
+  const auto sorted = all<Sorted>(crossed)[0].crossings;
+  ASSERT_EQ(sorted.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(sorted[i].leaves, i % 2 == 0);
+}
+
+TEST(PolygonCircle, ChordsForArcs) {
+  const Region<double> region = clipped(quadrant);
+  // One chord: sagitta 1 - cos(45 degrees) = 0.2929
+  EXPECT_EQ(flatten(region, 0.3), (std::vector<Polygon>{{{0, 1}, {0, 0}, {1, 0}}}));
+  const auto two = flatten(region, 0.29).at(0);
+  ASSERT_EQ(two.size(), 4u);
+  EXPECT_NEAR(two[3].x, std::sqrt(0.5), 1e-16);
+  // Finer and finer, from inside
+  double last = 0;
+  for (const double tolerance : {0.1, 0.01, 1e-4, 1e-6}) {
+    const double now = shoelace(flatten(region, tolerance).at(0));
+    EXPECT_GT(now, last);
+    EXPECT_LT(now, pi / 4);
+    EXPECT_GT(now, pi / 4 - tolerance * pi / 2);
+    last = now;
+  }
+  EXPECT_GE(flatten(clipped(around), 10).at(0).size(), 3u);
+}
+
+// --- The notes' listing -----------------------------------------------------------------------------------
+
+TEST(PolygonCircleNotes, ExitsAndDoubleCrossingsAreLost) {
+  const auto notes = [](const Polygon& polygon) {
+    return first_crossing(std::span<const dvec2>(polygon), unit);
+  };
+  // The values of G001-69 to 73 as the notes' routine gives them
+  EXPECT_EQ(shoelace(notes(around)), 0);
+  EXPECT_EQ(shoelace(notes(quadrant)), 0);
+  EXPECT_NEAR(shoelace(notes(triangle)), 0.4925823272122516, 1e-15);
+  EXPECT_TRUE(notes(band).empty());
+  EXPECT_TRUE(notes(four_out).empty());
+  // Right inside
+  const Polygon inside{{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}};
+  EXPECT_NEAR(shoelace(notes(inside)), 0.5, 1e-15);
+}
+
+TEST(PolygonCircleNotes, StepsFollowTheGrammar) {
+  Recorder<Oriented, Looked, Kept, Joined<double>> seen;
+  const auto kept = first_crossing(std::span<const dvec2>(triangle), unit, seen);
+  EXPECT_EQ(kept, first_crossing(std::span<const dvec2>(triangle), unit));
+  std::string text;
+  for (const auto& event : seen.events()) text += "OLKJ"[event.step.index()];
+  EXPECT_EQ(text, "OLKLKKLKJ");
+  EXPECT_EQ(all<Kept>(seen)[0].at, dvec2(0, -0.5));  // the start of the edge that leaves
+}
+
+}  // namespace
+}  // namespace gradus::polygon_circle
