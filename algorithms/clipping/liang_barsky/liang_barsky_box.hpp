@@ -65,6 +65,7 @@ std::optional<SpaceLine<T>> box_parametric(SpaceLine<T> line, const Box<T>& box,
   const auto [a, b] = line;
   const auto d = b - a;
   T enter = T(0), leave = T(1);
+  using enum Crossing;
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, d});
   for (const Border face : order) {
     // The face allows p t <= q
@@ -73,20 +74,20 @@ std::optional<SpaceLine<T>> box_parametric(SpaceLine<T> line, const Box<T>& box,
     T p = d[axis], q = c - a[axis];
     if (!is_upper(face)) p = -p, q = -q;
     T t = T(0);
-    auto crossing = q < T(0) ? Crossing::outside : Crossing::inside;
+    auto comes = q < T(0) ? outside : inside;
     // The last entering, the first leaving
     if (p < T(0)) {
       t = q / p;
-      crossing = Crossing::enters;
+      comes = enters;
       if (t > enter) enter = t;
     } else if (p > T(0)) {
       t = q / p;
-      crossing = Crossing::leaves;
+      comes = leaves;
       if (t < leave) leave = t;
     }
-    if constexpr (observed<O>) observer(Tested<T>{face, p, q, crossing, t, enter, leave});
+    if constexpr (observed<O>) observer(Tested<T>{face, p, q, comes, t, enter, leave});
     // Nothing left: reject
-    if (crossing == Crossing::outside || enter > leave) {
+    if (comes == outside || enter > leave) {
       if constexpr (observed<O>) observer(Rejected<T>{enter, leave});
       return std::nullopt;
     }

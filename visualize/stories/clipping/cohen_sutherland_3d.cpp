@@ -111,15 +111,15 @@ std::string test_of(const Wording& words, const Run& run, Border face) {
 }
 
 std::string face_name(const Wording& words, Border face) {
-  return words.say(fmt::format("cohen_sutherland_3d.face.{}", name_of(face)));
+  return words.say("cohen_sutherland_3d.face." + std::string(name_of(face)));
 }
 
 /// The bits of both codes with what they mean, a face a row, in the order in which codes are written.
 void add_bits(View& view, const Wording& words, const Run& run, Code code_a, Code code_b,
               std::optional<Border> cut) {
   constexpr double name = 0.7, test = 7.9, a = 16.8, b = 18.9, top = 16, row = 2.45;
-  view.add({"bits a", Role::guide, Text{{a, top}, words.symbol("a")}});
-  view.add({"bits b", Role::guide, Text{{b, top}, words.symbol("b")}});
+  view.add({"bits a", Role::guide, Text{{a, top}, "a"}});
+  view.add({"bits b", Role::guide, Text{{b, top}, "b"}});
   for (int i = 0; i < 6; ++i) {
     const Border face = static_cast<Border>(run.left_first ? i : 5 - i);
     const double y = top - row * (i + 1);
@@ -201,8 +201,7 @@ View view_of(const Wording& words, const Run& run, const State<3>& state) {
   if (cut) add_face(view, "face", space, box_face(run.box, *cut));
   add_segment(
       view, "line", state, [&](dvec3 p) { return space.at(p); },
-      words.symbol("a") + " " + code_text(state.code_a, run.left_first),
-      words.symbol("b") + " " + code_text(state.code_b, run.left_first));
+      "a " + code_text(state.code_a, run.left_first), "b " + code_text(state.code_b, run.left_first));
   add_bits(view, words, run, state.code_a, state.code_b, cut);
   return view;
 }
@@ -241,9 +240,7 @@ void add_plane(View& view, const Wording& words, const State<4>& state, int axis
   };
   face("upper", upper, true, fmt::format("{} = {}", name, w));
   face("lower", lower, false, depth ? name + " = 0" : fmt::format("{} = −{}", name, w));
-  add_segment(
-      view, id + "line", state, [&](const dvec4& p) { return panel.at(flat(p)); }, words.symbol("a"),
-      words.symbol("b"));
+  add_segment(view, id + "line", state, [&](const dvec4& p) { return panel.at(flat(p)); }, "a", "b");
 }
 
 View view_of(const Wording& words, const Run& run, const State<4>& state) {
@@ -276,9 +273,7 @@ View view_of(const Wording& words, const Run& run, const State<4>& state) {
     const auto [i, j] = sides[static_cast<std::size_t>(*cut)];
     add_face(view, "face", space, {dvec3(0), corners[i], corners[j]});
   }
-  add_segment(
-      view, "line", state, [&](const dvec4& p) { return space.at(in_space(p)); }, words.symbol("a"),
-      words.symbol("b"));
+  add_segment(view, "line", state, [&](const dvec4& p) { return space.at(in_space(p)); }, "a", "b");
   add_bits(view, words, run, state.code_a, state.code_b, cut);
   add_plane(view, words, state, run.plane, {{13.6, 18}, {25.6, 32.4}}, cut);
   return view;
@@ -314,9 +309,8 @@ class Teller {
   }
 
   void operator()(const Cut<N, double>& c, int source_line = __builtin_LINE(), const char* = nullptr) {
-    const Row read =
-        read_row(words_.say("cohen_sutherland_3d.decision.cut", arg("end", words_.symbol(c.of_a ? "a" : "b")),
-                            arg("face", name(c.face))));
+    const Row read = read_row(words_.say("cohen_sutherland_3d.decision.cut", arg("end", c.of_a ? "a" : "b"),
+                                         arg("face", name(c.face))));
     state_.moves.push_back({c.of_a, c.face, c.from, c.to()});
     state_.rest = c.line;
     state_.code_a = c.code_a;
@@ -445,6 +439,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   trace.method_title = words.say("cohen_sutherland_3d.method." + input.method);
   trace.goal = words.say("cohen_sutherland_3d.goal");
   trace.grid = paper_grid(paper_width, paper_height);
+  trace.grid.x_name = words.symbol("x");
+  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("cohen_sutherland_3d.legend.input")},
                   {Role::current, words.say("cohen_sutherland_3d.legend.current")},
                   {Role::rejected, words.say("cohen_sutherland_3d.legend.rejected")},

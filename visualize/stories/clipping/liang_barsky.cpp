@@ -281,12 +281,12 @@ class BoxTeller {
       step.fields = {{"border", face}, {"p", t.p},         {"q", t.q},
                      {"t", t.t},       {"enter", t.enter}, {"leave", t.leave}};
       step.sentence =
-          parallel
-              ? words_.say("liang_barsky." + kind, arg("border", name(t.border)), arg("q", figure_real(t.q)))
-              : words_.say("liang_barsky." + kind, arg("border", name(t.border)), arg("p", figure_real(t.p)),
-                           arg("q", window_view::factor(t.q)), arg("pq", window_view::factor(t.p)),
-                           arg("t", figure_real(t.t)),
-                           arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
+          parallel ? words_.say(fmt::format("liang_barsky.{}", kind), arg("border", name(t.border)),
+                                arg("q", figure_real(t.q)))
+                   : words_.say(fmt::format("liang_barsky.{}", kind), arg("border", name(t.border)),
+                                arg("p", figure_real(t.p)), arg("q", window_view::factor(t.q)),
+                                arg("pq", window_view::factor(t.p)), arg("t", figure_real(t.t)),
+                                arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
       step.row = {name(t.border),
                   figure_real(t.p),
                   figure_real(t.q),
@@ -336,7 +336,7 @@ class BoxTeller {
     return names[static_cast<int>(crossing)];
   }
   std::string name(Border face) const {
-    return words_.say(fmt::format("liang_barsky.border.{}", name_of(face)));
+    return words_.say("liang_barsky.border." + std::string(name_of(face)));
   }
   dvec2 point(double t) const { return space_.at(task_.line.a * (1 - t) + task_.line.b * t); }
 
@@ -344,7 +344,7 @@ class BoxTeller {
   View drawing() const {
     View view;
     add_box(view, space_, task_.box);
-    add_directions(view, {1, 24}, {words_.symbol("x"), words_.symbol("y"), words_.symbol("z")});
+    add_directions(view, {1.2, 22.4}, {"x", "y", "z"});
     const NumberLine scale({3.5, 2.3}, {32.5, 2.3}, least, most);
     scale.add_to(view, "t", words_.symbol("t"));
     const bool empty = left_over_ == Role::rejected || enter_ > leave_;
@@ -385,12 +385,9 @@ class BoxTeller {
     const dvec2 at = scale.at(std::clamp(t, least, most));
     view.add({id + " dot", role, Dot{at, !enters}});
     if (t < least || most < t) return;
-    // Two rows above the scale, entering below leaving, so that names don't meet
     view.add({id + " text", role,
-              Text{at + dvec2{0, enters ? 1.7 : 3.8},
-                   words_.say(enters ? "liang_barsky.mark.enters" : "liang_barsky.mark.leaves",
-                              arg("border", name(face)))}});
-    view.add({id + " stem", Role::guide, Stroke{at, at + dvec2{0, enters ? 1.0 : 3.1}}});
+              Label{at, words_.say(enters ? "liang_barsky.mark.enters" : "liang_barsky.mark.leaves",
+                                   arg("border", name(face)))}});
     if (t < 0 || 1 < t) return;
     view.add({id, role, Dot{point(t), !enters}});
     view.add({id + " name", role, Label{point(t), name(face)}});
