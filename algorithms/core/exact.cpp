@@ -34,8 +34,8 @@ Parts parts_of(double x) {
   return {std::signbit(x), fraction | Word{1} << 52, field - 1075};
 }
 
-// Three words hold a product of three significands of 53 bits, a fourth what shifting moves up
-using Product = std::array<Word, 4>;
+// Four words hold a product of four significands of 53 bits, a fifth what shifting moves up
+using Product = std::array<Word, 5>;
 
 void multiply(Product& product, Word factor) {
   Word carry = 0;
@@ -80,7 +80,7 @@ void double_in_place(Words words) {
   words[0] <<= 1;
 }
 
-constexpr std::size_t most_words = SumOfProducts<3>::word_count;
+constexpr std::size_t most_words = SumOfProducts<4>::word_count;
 
 // |x| as 0.1… * 2^exponent: words lowest first, the top bit of the last one set
 struct Magnitude {

@@ -199,13 +199,13 @@ double rounded_quotient_of(std::span<const std::uint64_t> a, int a_exponent, std
 }  // namespace detail
 
 /// The exact value of a sum of products of up to `Factors` doubles each; one wide fixed-point number on the
-/// stack (68 words of 64 bits for two factors, 101 for three).
+/// stack (68 words of 64 bits for two factors, 101 for three, 134 for four).
 /// Source: Kulisch, "Computer arithmetic and validity", 2008, chapter 8 (the complete register).
 /// Domain: all finite doubles, from the subnormals to the largest, mixed at will (others are refused);
 /// up to 2^60 terms. Accuracy: exact. Cost: some 30 ns a product.
 template <int Factors>
 class SumOfProducts {
-  static_assert(1 <= Factors && Factors <= 3);
+  static_assert(1 <= Factors && Factors <= 4);
 
  public:
   /// Adds the product of one to `Factors` doubles, e.g. sum.add(x, y).

@@ -28,12 +28,14 @@ PACKAGES = {
     "nlohmann/": "visualize/web/json.cpp",
     "boost/": "algorithms/core/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
+    "hwy/": "algorithms/",
     "cmark-gfm": "visualize/web/topic_page.cpp",
     "archive": "visualize/cli/zip.cpp",
     "tiny_obj_loader.h": "tests/",
 }
 ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive")  # heavy or confined: a single .cpp
-ORACLES = ("boost/", "png.h", "nlohmann/")  # tests use them too
+ORACLES = ("boost/", "png.h", "nlohmann/", "hwy/")  # tests use them too
+BATCH_ONLY = ("hwy/",)  # SIMD: nothing that a reader of the algorithm sees
 
 # Not in algorithms/: they don't exist everywhere the algorithms run
 NOT_PORTABLE = {"iostream", "fstream", "sstream", "iomanip", "thread", "mutex", "shared_mutex", "condition_variable",
@@ -94,6 +96,8 @@ def include_violations(root):
                         continue
                     if not path.startswith(home):
                         found.append(f"{place}: <{name}> belongs into {home}")
+                    elif prefix in BATCH_ONLY and not path.endswith("_batch.cpp"):
+                        found.append(f"{place}: <{name}> belongs into a _batch.cpp")
                     users.setdefault(prefix, set()).add(path)
                 if path.startswith("algorithms/") and name in NOT_PORTABLE and path not in OUTER \
                         and not path.endswith("_batch.cpp"):

@@ -94,6 +94,21 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
           {"tolerance", "20"}},
          300);
   }
+  for (const char* receding : {"45,1", "30,0.7", "150,0.5"}) tell("parallel", {{"receding", receding}});
+  for (const char* from : {"top", "side"}) tell("parallel", {{"method", "orthographic"}, {"from", from}});
+  tell("parallel", {{"method", "along"}, {"plane", "0,1,0,-2"}, {"direction", "1,-2,1"}, {"solid", "box"}});
+  tell("parallel", {{"direction", "-1,-1,2"}, {"turn", "30,20"}});
+  tell("perspective", {{"solid", "box"}, {"turn", "0,0"}});
+  tell("perspective", {{"at", "0,-1,1.2"}});
+  tell("perspective", {{"turn", "-60,30"}, {"distance", "8"}});
+  for (const char* turn : {"0,0", "35,25", "80,0"}) {
+    tell("perspective", {{"method", "vanishing_points"}, {"turn", turn}});
+  }
+  for (const char* method : {"transformation", "keep_z"}) {
+    tell("perspective", {{"method", method}, {"samples", "15"}});
+  }
+  tell("perspective", {{"method", "keep_z"}, {"from", "-1,0,5"}, {"to", "2,0,5"}});
+  tell("perspective", {{"method", "depth_precision"}, {"range", "0.1,250"}});
   return traces;
 }
 

@@ -1,4 +1,4 @@
-// `gradus figures`: all figures of a lecture, in parallel, only what has changed.
+// `gradus figures`: all figures of a lecture, several at a time, only what has changed.
 
 #include <fmt/format.h>
 #include <sched.h>

@@ -1,8 +1,14 @@
 #pragma once
-// From the world to the viewer: a frame right, up, forward at the eye, and the coordinates of points in it.
+// From the world to the viewer: a frame right, up, forward at the eye, the matrix that takes points of the
+// world to their coordinates in it, and the way back.
+//
+// right = forward x up, so the rows right, up, forward have determinant -1: seen along forward, the world is
+// not turned alone but mirrored too, which is what makes depth positive (docs/conventions.md).
 
+#include <cmath>
 #include <concepts>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -34,6 +40,21 @@ struct Framed {
   Frame<T> frame;
 };
 
+/// A row of the matrix world to view stands: an axis of the frame, and minus its product with the eye.
+template <class T>
+struct RowWritten {
+  int row;  ///< 0 right, 1 up, 2 forward
+  glm::vec<3, T> axis;
+  T shift;  ///< the entry of the last column
+};
+
+/// A column of the matrix view to world stands: where a unit of right, up or depth leads, or the eye.
+template <class T>
+struct ColumnWritten {
+  int column;  ///< 0 right, 1 up, 2 forward, 3 the eye
+  glm::vec<3, T> entries;
+};
+
 /// A point of the world has its coordinates in the frame.
 template <class T>
 struct Viewed {
@@ -55,30 +76,49 @@ glm::vec<3, T> upright_on(glm::vec<3, T> n, glm::vec<3, T> v) {
   return unit_vector(direction - glm::dot(direction, n) * n);
 }
 
+/// Whether no component is infinite or not a number.
+template <std::floating_point T>
+bool is_finite(glm::vec<3, T> v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// A vector that points from one point to another: their difference, or, where that overflows, half of it.
+template <std::floating_point T>
+glm::vec<3, T> way(glm::vec<3, T> from, glm::vec<3, T> to) {
+  const glm::vec<3, T> difference = to - from;
+  return is_finite(difference) ? difference : to / T(2) - from / T(2);
+}
+
 /// The least sine of the angle between the view direction and the hint for up that look_at accepts: below it
 /// rounding would turn the picture.
 template <std::floating_point T>
 inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 
 /// The frame of a viewer at `eye` who looks at `target` and holds the head so that `up` points up in the
-/// picture. The notes' camera transformation, with their order right, up, forward.
+/// picture. The camera transformation of lecture notes, with their order right, up, forward (Foley, van Dam,
+/// Feiner, Hughes, Computer graphics: principles and practice, 1990, section 6.2, has the same frame as
+/// u, v, n).
 ///
 /// eye, target: in world space, apart. up: a hint, of any length but 0, not along the view direction.
 ///
-/// Domain: finite coordinates, target - eye does not overflow.
+/// Domain: finite coordinates of any size.
 /// Steps: Aimed Levelled Framed.
-/// Accuracy: lengths and right angles to 8 ulp of 1; determinant of right, up, forward -1.
+/// Accuracy: against the exact frame forward is within 1 ulp of 1 a component, right and up within 2 ulp of 1
+///   divided by the sine between the view direction and the hint; lengths and right angles to 8 ulp of 1;
+///   determinant of right, up, forward -1.
 /// Cost: five square roots, two cross products.
-/// Errors: ContractViolation when eye and target are the same point, when up has length 0, and when up is
-///   parallel to the view direction (their sine is below least_sine).
+/// Errors: ContractViolation when a coordinate is not finite, when eye and target are the same point, when up
+///   has length 0, and when up is parallel to the view direction (their sine is below least_sine).
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
+  expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
   // Forward: from the eye to the target
-  const Vec ahead = unit_vector(target - eye);
+  const Vec along = way(eye, target);
+  const Vec ahead = unit_vector(along);
   expects(ahead != Vec{T(0)}, "the eye and the target are the same point ({}, {}, {})", eye.x, eye.y, eye.z);
   if constexpr (observed<O>) observer(Aimed<T>{eye, target, ahead});
-  // Right: upright on forward and on up
+  // Right: at right angles on ahead and up
   const Vec hint = unit_vector(up);
   expects(hint != Vec{T(0)}, "up is the zero vector, which points nowhere");
   const Vec across = glm::cross(ahead, hint);
@@ -86,7 +126,7 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
   expects(sine >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
   const Vec right = upright_on(ahead, across);
   if constexpr (observed<O>) observer(Levelled<T>{up, right, sine});
-  // Up: upright on both
+  // Up: at right angles on both
   const Vec above = glm::cross(right, ahead);
   const Frame<T> frame{
       eye,
@@ -98,11 +138,164 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
   return frame;
 }
 
+// --- The matrix, and the way back --------------------------------
+
+template <class T>
+using Matrix = glm::mat<4, 4, T>;
+
+/// 0 right, 1 up, 2 forward.
+template <class T>
+glm::vec<3, T> axis_of(const Frame<T>& frame, int number) {
+  return number == 0 ? frame.right : number == 1 ? frame.up : frame.forward;
+}
+
+/// Row `row` of a matrix becomes (axis, shift). (GLM's matrices are addressed column first.)
+template <class T>
+void write_row(Matrix<T>& matrix, int row, glm::vec<3, T> axis, T shift) {
+  for (int column = 0; column < 3; ++column) matrix[column][row] = axis[column];
+  matrix[3][row] = shift;
+}
+
+/// Column `column` of a matrix becomes (entries, ...), its last entry stays.
+template <class T>
+void write_column(Matrix<T>& matrix, int column, glm::vec<3, T> entries) {
+  for (int row = 0; row < 3; ++row) matrix[column][row] = entries[row];
+}
+
+/// World space to view space as one matrix: rows right, up, forward, and in the last column minus their
+/// products with the eye, so that the eye goes to the origin and a target to (0, 0, distance).
+///
+/// T: float, double or Exact. frame: any axes; upright ones give view space in world units.
+///
+/// Domain: finite; the products of axes and eye don't overflow.
+/// Steps: RowWritten RowWritten RowWritten.
+/// Accuracy: the axes are copied; an entry of the last column is within 3/2 ulp of |eye| for axes of
+/// length 1.
+///   A point that it takes to view space is within 2 ulp of |eye| + |point|, where to_view is within 2 ulp of
+///   their distance: far from the origin the matrix loses what to_view keeps.
+/// Cost: 9 multiplications, 6 additions.
+/// Errors: none.
+template <class T, Observer<RowWritten<T>> O = Unobserved>
+Matrix<T> world_to_view(const Frame<T>& frame, O&& observer = {}) {
+  Matrix<T> matrix(T(1));
+  for (int row = 0; row < 3; ++row) {
+    // An axis, and minus its product with eye
+    const auto axis = axis_of(frame, row);
+    const T shift = -dot(axis, frame.eye);
+    write_row(matrix, row, axis, shift);
+    if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
+  }
+  return matrix;
+}
+
+/// Whether the axes have length 1 and stand at right angles, but for rounding (for Exact: exactly).
+template <class T>
+bool is_upright(const Frame<T>& frame) {
+  const T slack = T(32) * std::numeric_limits<T>::epsilon();
+  const auto near = [&](T value, T wanted) { return value - wanted <= slack && wanted - value <= slack; };
+  const auto& [eye, right, up, forward] = frame;
+  const bool ones = near(glm::dot(right, right), T(1)) && near(glm::dot(up, up), T(1)) &&
+                    near(glm::dot(forward, forward), T(1));
+  return ones && near(glm::dot(right, up), T(0)) && near(glm::dot(up, forward), T(0)) &&
+         near(glm::dot(forward, right), T(0));
+}
+
+/// View space back to world space: the inverse of world_to_view. The axes of an upright frame are the columns
+/// now (transposed, so inverted), and the eye is where the origin goes.
+///
+/// T: float, double or Exact. frame: upright.
+///
+/// Domain: axes of length 1 at right angles, to 32 ulp of 1; for Exact without slack.
+/// Steps: ColumnWritten four times.
+/// Accuracy: copies only: as upright as the frame is.
+/// Cost: none but moving numbers.
+/// Errors: ContractViolation for any other frame, whose inverse is not its transpose: see
+///   inverse_of_any_frame.
+template <class T, Observer<ColumnWritten<T>> O = Unobserved>
+Matrix<T> view_to_world(const Frame<T>& frame, O&& observer = {}) {
+  expects(is_upright(frame),
+          "the axes have length 1 and stand at right angles; of others the transposed "
+          "matrix is no inverse");
+  Matrix<T> matrix(T(1));
+  for (int column = 0; column < 3; ++column) {
+    // A unit along an axis leads along it
+    const auto axis = axis_of(frame, column);
+    write_column(matrix, column, axis);
+    if constexpr (observed<O>) observer(ColumnWritten<T>{column, axis});
+  }
+  // The origin is the eye
+  write_column(matrix, 3, frame.eye);
+  if constexpr (observed<O>) observer(ColumnWritten<T>{3, frame.eye});
+  return matrix;
+}
+
+/// An axis times a power of two that makes its largest component at least 1 and less than 2, so that products
+/// neither overflow nor vanish; a vector that was divided by it can be brought back. Exact needs no scaling.
+template <class T>
+struct Rescaled {
+  glm::vec<3, T> axis;
+  int exponent = 0;
+
+  explicit Rescaled(glm::vec<3, T> v) : axis(v) {
+    if constexpr (std::floating_point<T>) {
+      axis = Scaled<T>(v).vector;
+      exponent = Scaled<T>(v).exponent;
+    }
+  }
+  glm::vec<3, T> undone(glm::vec<3, T> v) const {
+    if constexpr (std::floating_point<T>) {
+      return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+    } else {
+      return v;
+    }
+  }
+};
+
+/// The inverse of world_to_view for axes of any lengths and any angles: column i is the cross product of the
+/// two other axes, divided by the determinant.
+/// Cramer's rule; the columns are the reciprocal basis of the axes.
+///
+/// T: float, double or Exact. frame: three axes that don't lie in one plane.
+///
+/// Domain: finite axes of any length (each is scaled by a power of two first). With each axis scaled to
+///   between 1 and 2 sqrt(3), their determinant is above 1000 ulp of 1; for Exact just not 0. The result's
+///   columns don't overflow.
+/// Steps: ColumnWritten four times.
+/// Accuracy: against the exact inverse a column is off by at most 32 ulp of 1 times its largest entry,
+///   divided by that determinant.
+/// Cost: three cross products, 3 divisions of a vector.
+/// Errors: ContractViolation when the axes lie in one plane: then nothing leads back.
+template <class T, Observer<ColumnWritten<T>> O = Unobserved>
+Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
+  using Vec = glm::vec<3, T>;
+  const Rescaled<T> right(frame.right), up(frame.up), forward(frame.forward);
+  const Vec x = right.axis, y = up.axis, z = forward.axis;
+  // What the three axes span
+  const T det = glm::dot(x, glm::cross(y, z));
+  const T least = T(1000) * std::numeric_limits<T>::epsilon();
+  expects(det > least || det < -least,
+          "the axes lie in one plane, so no point can be told from those beside it");
+  // Columns at right angles on the two other axes
+  const Vec columns[]{
+      right.undone(glm::cross(y, z) / det),
+      up.undone(glm::cross(z, x) / det),
+      forward.undone(glm::cross(x, y) / det),
+      frame.eye,
+  };
+  Matrix<T> matrix(T(1));
+  for (int column = 0; column < 4; ++column) {
+    write_column(matrix, column, columns[column]);
+    if constexpr (observed<O>) observer(ColumnWritten<T>{column, columns[column]});
+  }
+  return matrix;
+}
+
 /// The coordinates of a point for the viewer: how far right, how far up, how deep.
 ///
 /// Domain: finite.
 /// Steps: Viewed.
-/// Accuracy: 4 roundings a component, relative to the distance from the eye: eye is subtracted first.
+/// Accuracy: a component is within 2 ulp of the distance from the eye, which is subtracted first (axes of
+///   length 1).
 /// Cost: 9 multiplications, 9 additions.
 /// Errors: none.
 template <class T, Observer<Viewed<T>> O = Unobserved>

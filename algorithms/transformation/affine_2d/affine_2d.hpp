@@ -143,6 +143,12 @@ Point<T> transform(const Factor<T>& factor, Point<T> point) {
   return from_pivot.x * factor.linear[0] + from_pivot.y * factor.linear[1] + factor.pivot + factor.shift;
 }
 
+/// The same for many points, in place.
+template <class T>
+void apply(const Factor<T>& factor, std::span<Point<T>> points) {
+  for (Point<T>& p : points) p = transform(factor, p);
+}
+
 /// A point under an affine matrix.
 /// m: its last row is 0 0 1 (not looked at).
 /// Accuracy: 3 ulp of |xx x| + |xy y| + |x0| in x, likewise in y; exact for Exact. Cost: 4 multiplications.
@@ -247,9 +253,11 @@ template <class T, Observer<Started<T>, Acted<T>> O = Unobserved>
 void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
   if constexpr (observed<O>) observer(Started<T>{Matrix<T>(T(1)), {points.begin(), points.end()}});
   for (const auto& factor : factors) {
-    // From the pivot, and back to it
+    const auto c = factor.pivot;
     for (Point<T>& p : points) {
-      p = transform(factor, p);
+      // From the pivot, and back to it
+      const auto d = p - c;
+      p = factor.linear * d + c + factor.shift;
     }
     if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
   }
@@ -379,9 +387,7 @@ bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& ob
       if constexpr (observed<O>) observer(Stuck{k});
       return false;
     }
-    for (Point<T>& p : points) {
-      p = transform(*back, p);
-    }
+    apply(*back, points);
     if constexpr (observed<O>) observer(Undone<T>{k, matrix(*back), {points.begin(), points.end()}});
   }
   return true;

@@ -1,13 +1,52 @@
 // Every method of sutherland_hodgman as a function of its own; see machine_code_test.py.
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 
-using gradus::sutherland_hodgman::Plane;
-using gradus::sutherland_hodgman::Point;
+using namespace gradus::sutherland_hodgman;
+
+using Ways = std::span<const int>;
+using Corners = std::vector<Vertex<double>>;
 
 extern "C" {
 // By all planes, which has the cutting at one of them within
 [[gnu::flatten]] void machine_code_clip(std::vector<Point<double>>& polygon, const Plane<double>* planes,
                                         std::size_t count) {
-  polygon = gradus::sutherland_hodgman::clip(polygon, std::span<const Plane<double>>(planes, count));
+  polygon = clip(polygon, std::span<const Plane<double>>(planes, count));
+}
+void machine_code_clip_to_window(std::span<const glm::dvec2> points, const Rectangle<double>& window,
+                                 Ways order, Corners& result) {
+  result = clip_to_window(points, window, order);
+}
+void machine_code_clip_to_convex_window(std::span<const glm::dvec2> points,
+                                        const ConvexWindow<double>& window, Ways order, Corners& result) {
+  result = clip_to_window(points, window, order);
+}
+void machine_code_bridges(std::span<const Vertex<double>> polygon, std::span<const glm::dvec2> points,
+                          const Rectangle<double>& window, std::vector<BridgeFound<double>>& result) {
+  result = bridges(polygon, points, window);
+}
+void machine_code_separate_pieces(const Rings<double>& polygon, const Rectangle<double>& window, Ways order,
+                                  std::vector<Piece<double>>& result) {
+  result = separate_pieces(polygon, window, order);
+}
+void machine_code_cut_of_a_cut(std::span<const Vertex<double>> polygon, const PlainBorder<double>& border,
+                               Corners& result) {
+  result = cut_of_a_cut(polygon, border);
+}
+void machine_code_entering_not_cut(std::span<const Vertex<double>> polygon, const PlainBorder<double>& border,
+                                   Corners& result) {
+  result = entering_not_cut(polygon, border);
+}
+void machine_code_previous_left_behind(std::span<const Vertex<double>> polygon,
+                                       const PlainBorder<double>& border, Corners& result) {
+  result = previous_left_behind(polygon, border);
+}
+void machine_code_marked_by_window(std::span<const Vertex<double>> polygon, const PlainBorder<double>& border,
+                                   Corners& result) {
+  result = marked_by_window(polygon, border);
+}
+void machine_code_containing_left_whole(const Task<double>& task, Corners& result) {
+  result = containing_left_whole(task);
 }
 }

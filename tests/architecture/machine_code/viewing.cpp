@@ -1,5 +1,6 @@
 // Every method of viewing as a function of its own; see machine_code_test.py.
 #include "projection/viewing/viewing.hpp"
+#include "projection/viewing/viewing_notes.hpp"
 
 using gradus::dvec3;
 using gradus::Frame;
@@ -11,5 +12,24 @@ extern "C" {
 }
 [[gnu::flatten]] void machine_code_to_view(const Frame<double>& frame, dvec3* points, int count) {
   for (int i = 0; i < count; ++i) points[i] = gradus::viewing::to_view(frame, points[i]);
+}
+[[gnu::flatten]] void machine_code_world_to_view(const Frame<double>* frames, int count,
+                                                 glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::world_to_view(frames[i]);
+}
+[[gnu::flatten]] void machine_code_view_to_world(const Frame<double>* frames, int count,
+                                                 glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::view_to_world(frames[i]);
+}
+[[gnu::flatten]] void machine_code_inverse_of_any_frame(const Frame<double>* frames, int count,
+                                                        glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::inverse_of_any_frame(frames[i]);
+}
+[[gnu::flatten]] void machine_code_minus_position(const Frame<double>* frames, int count,
+                                                  glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::minus_position(frames[i]);
+}
+[[gnu::flatten]] void machine_code_transposed(const Frame<double>* frames, int count, glm::dmat4* matrices) {
+  for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::transposed(frames[i]);
 }
 }

@@ -1,13 +1,20 @@
-// Cutting in doubles against cutting in rationals, and what must hold of every part.
+// Cutting in clip space in doubles against cutting in rationals; clipping in the plane against exact areas,
+// exact places of vertices, and counts of connected cells.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "core/exact_scalar.hpp"
+#include "core/geometry.hpp"
 #include "core/random.hpp"
+#include "support/polygon_areas.hpp"
 #include "support/seed.hpp"
+#include "support/stress.hpp"
 
 namespace gradus::sutherland_hodgman {
 namespace {
@@ -54,6 +61,388 @@ TEST(SutherlandHodgmanProperty, DoublesAgreeWithRationals) {
   EXPECT_GT(cut, 500);
   EXPECT_GT(gone, 100);
   EXPECT_LT(worst, 1e-14);
+}
+
+using test::ExactPoint;
+using test::Rational;
+using Points = std::vector<dvec2>;
+
+Points corners_of(const Rectangle<double>& w) {
+  return {w.lower, {w.upper.x, w.lower.y}, w.upper, {w.lower.x, w.upper.y}};
+}
+
+Rational area_in(const Points& ring, const Rectangle<double>& w) {
+  return test::area_in_rectangle(ring, w.lower, w.upper);
+}
+Rational area_in(const Points& ring, const ConvexWindow<double>& w) {
+  return test::area_in_convex(ring, w.corners);
+}
+
+/// Where a vertex is without rounding, from what it remembers.
+template <class Window>
+ExactPoint place_of(const Scene<double, Window>& scene, const Vertex<double>& v) {
+  if (!v.made()) return test::exact_point(scene.polygon[v.input]);
+  const Line<double> a = scene.line(v.edge), b = scene.line(v.border);
+  return test::exact_crossing(test::exact_point(a.p), test::exact_point(a.q), test::exact_point(b.p),
+                              test::exact_point(b.q));
+}
+
+/// Whether no other double is nearer to x. Counts those for which the first guess of plain arithmetic fails.
+bool nearest(double at, const Rational& x) {
+  const Rational miss = abs(Rational(at) - x);
+  return miss <= abs(Rational(std::nextafter(at, HUGE_VAL)) - x) &&
+         miss <= abs(Rational(std::nextafter(at, -HUGE_VAL)) - x);
+}
+
+template <class Window>
+std::vector<ExactPoint> places(const Scene<double, Window>& scene, const std::vector<Vertex<double>>& ring) {
+  std::vector<ExactPoint> all;
+  for (const auto& v : ring) {
+    all.push_back(place_of(scene, v));
+    EXPECT_TRUE(nearest(v.at.x, all.back().x)) << v.at.x;
+    EXPECT_TRUE(nearest(v.at.y, all.back().y)) << v.at.y;
+    if (!v.made()) EXPECT_EQ(v.at, scene.polygon[v.input]);
+  }
+  return all;
+}
+
+struct Ran {
+  int cases = 0, made = 0, on_border = 0, empty = 0, bridged = 0, several = 0, holes = 0;
+};
+
+/// Polygons with vertices on a small grid, so that many lie on borders and corners, or anywhere.
+Points random_points(Random& random, bool grid) {
+  Points points(static_cast<std::size_t>(random.uniform_int(3, 9)));
+  for (dvec2& p : points) {
+    p = grid ? dvec2(static_cast<double>(random.uniform_int(-3, 7)),
+                     static_cast<double>(random.uniform_int(-3, 7)))
+             : dvec2(random.uniform(-3, 7), random.uniform(-3, 7));
+  }
+  return points;
+}
+Rectangle<double> random_rectangle(Random& random, bool grid) {
+  if (grid) {
+    const double x = static_cast<double>(random.uniform_int(-1, 2)),
+                 y = static_cast<double>(random.uniform_int(-1, 2));
+    return {{x, y},
+            {x + static_cast<double>(random.uniform_int(1, 4)),
+             y + static_cast<double>(random.uniform_int(1, 4))}};
+  }
+  const dvec2 low{random.uniform(-2, 2), random.uniform(-2, 2)};
+  return {low, low + dvec2(random.uniform(0.1, 4), random.uniform(0.1, 4))};
+}
+std::optional<ConvexWindow<double>> random_window(Random& random, bool grid) {
+  Points points = random_points(random, grid);
+  points.resize(static_cast<std::size_t>(random.uniform_int(3, 4)));
+  return convex_window(std::span<const dvec2>(points));
+}
+
+template <class Window>
+void clip_and_compare(const Points& points, const Window& window, std::vector<int> order, Random& random,
+                      Ran& ran) {
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1],
+              order[static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(i) - 1))]);
+  }
+  const std::span<const dvec2> given(points);
+  const Scene<double, Window> scene{{given}, window};
+  const auto clipped = clip_to_window(given, window, std::span<const int>(order));
+  const auto exact = places(scene, clipped);
+  const Rational wanted = area_in(points, window);
+  // The wanted area, exactly: unless vertices that round to one were left out
+  if (clipped.empty()) {
+    ++ran.empty;
+    EXPECT_LE(abs(wanted), Rational(1) / 1000000000000);
+  } else {
+    EXPECT_EQ(test::exact_area(exact), wanted);
+  }
+  for (const auto& v : clipped) {
+    ran.made += v.made();
+    for (int border = 0; border < border_count(window); ++border) {
+      const int side = side_of_border(scene, border, v);
+      EXPECT_GE(side, 0);
+      ran.on_border += side == 0 && !v.made();
+      // The exact place decides, and it is the one that is remembered
+      const Line<double> line = line_of(window, border);
+      const Rational turn =
+          test::turn(test::exact_point(line.p), test::exact_point(line.q), place_of(scene, v));
+      EXPECT_EQ(side, turn.sign());
+    }
+  }
+  const std::vector<BridgeFound<double>> found =
+      bridges(std::span<const Vertex<double>>(clipped), given, window);
+  ran.bridged += !found.empty();
+  ++ran.cases;
+}
+
+TEST(SutherlandHodgmanProperty, AreasAndVerticesAreTheExactOnes) {
+  Random random(test::seed());
+  Ran rectangle, oblique;
+  const std::int64_t wanted = test::cases(900, 30000);
+  for (std::int64_t i = 0; i < wanted; ++i) {
+    const bool grid = i % 3 != 0;
+    const Points points = random_points(random, grid);
+    const auto window = random_rectangle(random, grid);
+    clip_and_compare(points, window, all_borders(window), random, rectangle);
+    if (const auto convex = random_window(random, grid)) {
+      clip_and_compare(points, *convex, all_borders(*convex), random, oblique);
+    }
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  std::printf("rectangle: %d cases, %d made, %d on borders, %d empty, %d with bridges\n", rectangle.cases,
+              rectangle.made, rectangle.on_border, rectangle.empty, rectangle.bridged);
+  std::printf("oblique: %d cases, %d made, %d on borders, %d empty, %d with bridges\n", oblique.cases,
+              oblique.made, oblique.on_border, oblique.empty, oblique.bridged);
+  EXPECT_EQ(rectangle.cases, wanted);
+  EXPECT_GT(oblique.cases, 500);
+  EXPECT_GT(rectangle.made, 2000);
+  EXPECT_GT(rectangle.on_border, 300);
+  EXPECT_GT(rectangle.bridged, 100);
+  EXPECT_GT(oblique.on_border, 100);
+}
+
+TEST(SutherlandHodgmanProperty, ClippingTwiceChangesNothing) {
+  Random random(test::seed() + 1);
+  int cases = 0, cut = 0;
+  for (; cases < 30000; ++cases) {
+    Points points = random_points(random, cases % 3 == 0);
+    // From tiny to huge, and half of them the other way round
+    const double size = std::ldexp(1.0, static_cast<int>(random.uniform_int(-300, 300)));
+    for (dvec2& p : points) p *= size;
+    auto window = random_rectangle(random, cases % 3 == 0);
+    window.lower *= size;
+    window.upper *= size;
+    const auto once = clip_to_window(std::span<const dvec2>(points), window);
+    Points result;
+    for (const auto& v : once) result.push_back(v.at);
+    const auto twice = clip_to_window(std::span<const dvec2>(result), window);
+    ASSERT_EQ(once.size(), twice.size());
+    for (std::size_t i = 0; i < once.size(); ++i) {
+      ASSERT_EQ(once[i].at, twice[i].at);
+      ASSERT_FALSE(twice[i].made());
+      const auto& next = once[(i + 1) % once.size()];
+      if (once[i].made() || next.made()) ASSERT_NE(once[i].at, next.at) << "an edge of length 0";
+      cut += once[i].made();
+    }
+  }
+  EXPECT_EQ(cases, 30000);
+  EXPECT_GT(cut, 30000);
+}
+
+/// Whether a result is a reordering of the one that came the other way round.
+std::vector<std::pair<double, double>> sorted(const std::vector<Vertex<double>>& ring) {
+  std::vector<std::pair<double, double>> all;
+  for (const auto& v : ring) all.emplace_back(v.at.x, v.at.y);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(SutherlandHodgmanProperty, TheOtherWayRoundGivesTheSameBackwards) {
+  Random random(test::seed() + 2);
+  int cases = 0;
+  for (; cases < 5000; ++cases) {
+    Points points = random_points(random, false);
+    const auto window = random_rectangle(random, false);
+    const auto there = clip_to_window(std::span<const dvec2>(points), window);
+    std::reverse(points.begin(), points.end());
+    const auto back = clip_to_window(std::span<const dvec2>(points), window);
+    ASSERT_EQ(sorted(there), sorted(back));
+  }
+  EXPECT_EQ(cases, 5000);
+}
+
+/// The pieces of one connected region of cells in a window, after an affine map with whole numbers: their
+/// number and area are those of the cells, counted.
+template <class Window>
+void compare_pieces(const std::vector<Points>& rings, const Window& window, int parts, const Rational& area,
+                    Ran& ran) {
+  const Rings<double> polygon{std::span<const Points>(rings)};
+  const auto scene = scene_of(polygon, window);
+  const std::vector<int> order = all_borders(window);
+  const auto pieces = separate_pieces(polygon, window, std::span<const int>(order));
+  EXPECT_EQ(static_cast<int>(pieces.size()), parts);
+  Rational sum = 0;
+  for (const auto& piece : pieces) {
+    const Rational own = test::exact_area(places(scene, piece.outline));
+    EXPECT_GT(own, 0);
+    sum += own;
+    for (const auto& hole : piece.holes) {
+      const Rational missing = test::exact_area(places(scene, hole));
+      EXPECT_LT(missing, 0);
+      EXPECT_GT(own, -missing);
+      sum += missing;
+      ++ran.holes;
+    }
+    for (const auto& v : piece.outline) ran.made += v.made();
+  }
+  EXPECT_EQ(sum, area);
+  ran.several += pieces.size() > 1;
+  ran.empty += pieces.empty();
+  ++ran.cases;
+}
+
+TEST(SutherlandHodgmanProperty, PiecesAreThePartsThatHangTogether) {
+  Random random(test::seed() + 3);
+  Ran rectangle, oblique;
+  constexpr int size = 7, fine = 4;  // windows lie on quarters
+  const std::int64_t rounds = test::cases(700, 30000);
+  for (std::int64_t round = 0; round < rounds; ++round) {
+    test::Cells cells{size, size, std::vector<bool>(size * size)};
+    for (int i = 0; i < size * size; ++i) cells.there[static_cast<std::size_t>(i)] = random.unit() < 0.66;
+    const auto part = test::parts_of(cells);
+    std::map<int, int> count;
+    for (const int p : part) ++count[p];
+    count.erase(-1);
+    const auto largest = std::max_element(count.begin(), count.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (std::size_t i = 0; i < part.size(); ++i) cells.there[i] = part[i] == largest->first;
+    auto rings = test::rings_of(cells);
+    const auto outline = std::find_if(rings.begin(), rings.end(),
+                                      [](const Points& ring) { return test::exact_area(ring) > 0; });
+    std::iter_swap(rings.begin(), outline);
+
+    // A window on quarters of cells, whole ones as often as not
+    const auto place = [&](std::int64_t low, std::int64_t high) {
+      const auto whole = random.uniform_int(low, high);
+      return static_cast<int>(random.uniform_int(0, 1) ? whole * fine
+                                                       : whole * fine + random.uniform_int(0, 3));
+    };
+    const glm::ivec2 low{place(-1, 3), place(-1, 3)}, high{low.x + place(1, 5), low.y + place(1, 5)};
+    test::Cells inside{size * fine, size * fine, std::vector<bool>(size * size * fine * fine)};
+    int counted = 0;
+    for (int y = std::max(low.y, 0); y < std::min(high.y, size * fine); ++y) {
+      for (int x = std::max(low.x, 0); x < std::min(high.x, size * fine); ++x) {
+        if (cells.at(x / fine, y / fine)) inside.set(x, y, true), ++counted;
+      }
+    }
+    const auto inside_parts = test::parts_of(inside);
+    const int parts = 1 + *std::max_element(inside_parts.begin(), inside_parts.end());
+    Rectangle<double> window{dvec2(low) / double{fine}, dvec2(high) / double{fine}};
+    const Rational area = Rational(counted) / (fine * fine);
+    // Either way round
+    for (Points& ring : rings) {
+      if (random.uniform_int(0, 1)) std::reverse(ring.begin(), ring.end());
+    }
+    compare_pieces(rings, window, parts, area, rectangle);
+
+    // The same, mapped: borders are oblique, and ties are kept
+    const auto whole = [&] { return static_cast<double>(random.uniform_int(-5, 5)); };
+    const dvec2 x{whole(), whole()}, y{whole(), whole()}, origin{whole(), whole()};
+    const double det = x.x * y.y - x.y * y.x;
+    if (det == 0) continue;
+    const auto mapped = [&](dvec2 p) { return origin + p.x * x + p.y * y; };
+    for (Points& ring : rings) std::transform(ring.begin(), ring.end(), ring.begin(), mapped);
+    Points corners = corners_of(window);
+    std::transform(corners.begin(), corners.end(), corners.begin(), mapped);
+    const auto convex = convex_window(std::span<const dvec2>(corners));
+    ASSERT_TRUE(convex);
+    compare_pieces(rings, *convex, parts, area * Rational(std::abs(det)), oblique);
+    if (HasFailure()) FAIL() << "round " << round;
+  }
+  for (const Ran& ran : {rectangle, oblique}) {
+    std::printf("%d cases, %d in several pieces, %d empty, %d holes, %d vertices made\n", ran.cases,
+                ran.several, ran.empty, ran.holes, ran.made);
+    EXPECT_GT(ran.cases, 600);
+    EXPECT_GT(ran.several, 100);
+    EXPECT_GT(ran.holes, 15);
+  }
+}
+
+TEST(SutherlandHodgmanProperty, PiecesOfAnyRingHaveItsArea) {
+  // Rings that cross themselves, too: areas count as often as the ring goes round them
+  Random random(test::seed() + 4);
+  Ran rectangle, oblique;
+  const auto compare = [&](const Points& points, const auto& window, Ran& ran) {
+    const std::vector<Points> rings{points};
+    const Rings<double> polygon{std::span<const Points>(rings)};
+    const auto scene = scene_of(polygon, window);
+    const std::vector<int> order = all_borders(window);
+    Rational sum = 0;
+    for (const auto& piece : separate_pieces(polygon, window, std::span<const int>(order))) {
+      sum += test::exact_area(places(scene, piece.outline));
+    }
+    const Rational whole = test::exact_area(points), wanted = area_in(points, window);
+    if (whole != 0) EXPECT_EQ(sum, whole > 0 ? wanted : -wanted);
+    ++ran.cases;
+  };
+  const std::int64_t wanted = test::cases(800, 30000);
+  for (std::int64_t i = 0; i < wanted; ++i) {
+    const bool grid = i % 3 != 0;
+    const Points points = random_points(random, grid);
+    compare(points, random_rectangle(random, grid), rectangle);
+    if (const auto convex = random_window(random, grid)) compare(points, *convex, oblique);
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_EQ(rectangle.cases, wanted);
+  EXPECT_GT(oblique.cases, 400);
+}
+
+TEST(SutherlandHodgmanProperty, TheBatchGivesTheSameBits) {
+  Random random(test::seed() + 6);
+  BatchClipper clip;
+  std::size_t cases = 0;
+  BatchCount all;
+  Polygons result;
+  for (int batch = 0; batch < 60; ++batch) {
+    const auto window = random_rectangle(random, batch % 2 == 0);
+    const double size = batch % 3 == 0 ? 1 : 0.2;
+    Polygons given;
+    for (int i = 0; i < 100; ++i) {
+      Points points = random_points(random, batch % 2 == 0);
+      for (dvec2& p : points) p = p * size + (1 - size) * dvec2(random.uniform(-1, 4), random.uniform(-1, 4));
+      given.add(points);
+    }
+    const BatchCount count = clip(given, window, result);
+    all.copied += count.copied;
+    all.dropped += count.dropped;
+    all.clipped += count.clipped;
+    ASSERT_EQ(result.size(), given.size());
+    for (std::size_t i = 0; i < given.size(); ++i, ++cases) {
+      const auto single = clip_to_window(given[i], window);
+      ASSERT_EQ(result[i].size(), single.size());
+      for (std::size_t k = 0; k < single.size(); ++k) ASSERT_EQ(result[i][k], single[k].at);
+    }
+  }
+  std::printf("%zu copied, %zu dropped, %zu clipped\n", all.copied, all.dropped, all.clipped);
+  EXPECT_EQ(cases, 6000u);
+  EXPECT_EQ(all.copied + all.dropped + all.clipped, cases);
+  EXPECT_GT(all.copied, 300u);
+  EXPECT_GT(all.dropped, 300u);
+  EXPECT_GT(all.clipped, 2000u);
+  const Polygons broken{{{0, 0}, {1, HUGE_VAL}, {2, 0}}, {3}};
+  EXPECT_THROW(clip(broken, {{0, 0}, {1, 1}}, result), ContractViolation);
+}
+
+TEST(SutherlandHodgmanProperty, CrossingsOfLinesAreExact) {
+  Random random(test::seed() + 5);
+  int cases = 0, ties = 0;
+  const std::int64_t wanted = test::cases(6000, 300000);
+  for (std::int64_t i = 0; i < wanted; ++i) {
+    const bool grid = i % 2 == 0;
+    const int shift = grid ? 0 : static_cast<int>(random.uniform_int(-400, 400));
+    const auto point = [&] {
+      const dvec2 p = grid ? dvec2(static_cast<double>(random.uniform_int(-3, 3)),
+                                   static_cast<double>(random.uniform_int(-3, 3)))
+                           : dvec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      return p * std::ldexp(1.0, shift);
+    };
+    const Line<double> a{point(), point()}, b{point(), point()}, c{point(), point()};
+    const auto exact = [](dvec2 p) { return test::exact_point(p); };
+    const Rational turned = test::turn(exact({}), exact(a.q - a.p), exact(b.q - b.p));
+    if (grid) ASSERT_EQ(heading(a, b), turned.sign());
+    if (a.p == a.q || b.p == b.q || heading(a, b) == 0) continue;
+    const ExactPoint at = test::exact_crossing(exact(a.p), exact(a.q), exact(b.p), exact(b.q));
+    const dvec2 rounded = crossing_point(a, b);
+    ASSERT_TRUE(nearest(rounded.x, at.x) && nearest(rounded.y, at.y));
+    if (c.p == c.q) continue;
+    const int side = side_of_crossing(c, a, b);
+    ASSERT_EQ(side, test::turn(exact(c.p), exact(c.q), at).sign());
+    ties += side == 0;
+    ++cases;
+  }
+  std::printf("%d cases, %d ties\n", cases, ties);
+  EXPECT_GT(cases, 5000);
+  EXPECT_GT(ties, 50);
 }
 
 }  // namespace

@@ -96,6 +96,17 @@ TEST(SumOfProducts, TakesUpToThreeFactors) {
   EXPECT_EQ(sum.sign(), 0);
 }
 
+TEST(SumOfProducts, TakesFourFactors) {
+  SumOfProducts<4> sum;
+  sum.add(largest, largest, largest, largest);
+  sum.subtract(smallest, smallest, smallest, smallest);
+  EXPECT_EQ(sum.sign(), 1);
+  sum.subtract(largest, -largest, largest, -largest);
+  EXPECT_EQ(sum.sign(), -1);
+  sum.add(-smallest, smallest, smallest, -smallest);
+  EXPECT_EQ(sum.sign(), 0);
+}
+
 TEST(SumOfProducts, RefusesInfinitiesAndNan) {
   SumOfProducts<2> sum;
   EXPECT_THROW(sum.add(infinity), ContractViolation);

@@ -9,6 +9,7 @@
 #include "core/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "projection/viewing/viewing_notes.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::viewing {
@@ -31,7 +32,8 @@ TEST(Viewing, TheEyeIsTheOriginAndAheadIsDepth) {
   const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
   EXPECT_EQ(to_view(frame, dvec3{1, 2, 3}), (dvec3{0}));
   EXPECT_EQ(to_view(frame, dvec3{6, 2, 3}), (dvec3{0, 0, 5}));
-  const glm::dmat4 m = view_matrix(frame);
+  const glm::dmat4 m = world_to_view(frame);
+  EXPECT_EQ(m, view_matrix(frame));
   EXPECT_EQ(dvec3(m[3]), (dvec3{3, -2, -1}));
   EXPECT_EQ(dvec3(m * glm::dvec4{6, 2, 3, 1}), (dvec3{0, 0, 5}));
 }
@@ -83,6 +85,100 @@ TEST(Viewing, MistakesAreNamed) {
   EXPECT_EQ(reason({1, 2, 3}, {1, 2, 3}, {0, 1, 0}), "the eye and the target are the same point (1, 2, 3)");
   EXPECT_EQ(reason({0, 0, 5}, {0, 0, 0}, {0, 0, 0}), "up is the zero vector, which points nowhere");
   EXPECT_EQ(reason({0, 5, 0}, {0, 0, 0}, {1e-6, 1, 0}), "");
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const double bad : {infinity, -infinity, nan}) {
+    EXPECT_EQ(reason({0, bad, 0}, {0, 0, 0}, {0, 1, 0}), "eye, target and up have finite coordinates");
+    EXPECT_EQ(reason({0, 5, 0}, {bad, 0, 0}, {0, 1, 0}), "eye, target and up have finite coordinates");
+    EXPECT_EQ(reason({0, 5, 0}, {0, 0, 0}, {1, 0, bad}), "eye, target and up have finite coordinates");
+  }
+}
+
+TEST(Viewing, ATurnedCameraHasItsAxesAsRows) {
+  // G000-05, G000-06: R = a quarter turn about z, c0 = (1,1,1). Read as rows of world to view it says
+  // right = (0,-1,0): the camera is turned the other way. A list of points can't be read the wrong way round.
+  const DFrame frame{{1, 1, 1}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  const dvec3 columns[]{{1, 4, 7}, {2, 5, 8}, {3, 6, 9}};
+  const dvec3 expected[]{{-3, 0, 6}, {-4, 1, 7}, {-5, 2, 8}};
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(to_view(frame, columns[i]), expected[i]);
+  const dvec3 rows[]{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  const dvec3 instead[]{{-1, 0, 2}, {-4, 3, 5}, {-7, 6, 8}};
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(to_view(frame, rows[i]), instead[i]);
+}
+
+TEST(Viewing, TheLastColumnIsNotThePosition) {
+  // E000-04, G004-01: what is called a translation is the eye; the column is minus its products
+  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  const glm::dmat4 right = world_to_view(frame);
+  const glm::dmat4 golden =
+      glm::transpose(glm::dmat4{{0, 0, -1, 3}, {0, 1, 0, -2}, {1, 0, 0, -1}, {0, 0, 0, 1}});
+  EXPECT_EQ(right, golden);
+}
+
+TEST(Viewing, TheHandOfTheRowsIsSaid) {
+  // E000-02, G000-09: with right = forward x up the rows are no rotation but mirror; -forward would make one
+  const DFrame ours = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+  EXPECT_NEAR(glm::determinant(world_to_view(ours)), -1, 1e-15);
+  EXPECT_NEAR(glm::determinant(glm::dmat3(ours.right, ours.up, -ours.forward)), 1, 1e-15);
+  // Notes that draw a left hand: right x up is forward, the determinant +1
+  const DFrame left_handed{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  EXPECT_EQ(glm::determinant(world_to_view(left_handed)), 1);
+  EXPECT_EQ(glm::cross(left_handed.right, left_handed.up), left_handed.forward);
+  EXPECT_NEAR(glm::distance(glm::cross(ours.right, ours.up), -ours.forward), 0, 1e-15);
+}
+
+TEST(Viewing, NothingChangesItsDistances) {
+  const DFrame frame = look_at(dvec3{3, 2, 5}, dvec3{0.5, 0.5, 0}, dvec3{0, 1, 0});
+  const dvec3 points[]{{0, 0, 0}, {1, 0, 0}, {0.25, 1.25, -0.15}, {-7, 3, 11}};
+  for (const dvec3 a : points) {
+    for (const dvec3 b : points) {
+      EXPECT_NEAR(glm::distance(to_view(frame, a), to_view(frame, b)), glm::distance(a, b), 1e-14);
+    }
+  }
+}
+
+TEST(Viewing, TheInverseIsThePoseOfTheCamera) {
+  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  const glm::dmat4 back = view_to_world(frame);
+  EXPECT_EQ(back * world_to_view(frame), glm::dmat4(1));
+  EXPECT_EQ(world_to_view(frame) * back, glm::dmat4(1));
+  EXPECT_EQ(dvec3(back[3]), frame.eye);
+  EXPECT_EQ(back, inverse_of_any_frame(frame));
+  EXPECT_EQ(glm::determinant(back), 1);
+}
+
+TEST(Viewing, TheTransposedMatrixInvertsOnlyUprightFrames) {
+  // Part 4: axes that are not of length 1 or not at right angles
+  DFrame stretched;
+  stretched.right = {2, 0, 0};
+  EXPECT_THROW(view_to_world(stretched), ContractViolation);
+  DFrame sheared;
+  sheared.up = {0.5, 1, 0};
+  EXPECT_THROW(view_to_world(sheared), ContractViolation);
+  DFrame tiny{{1, 2, 3}, {1e-200, 0, 0}, {1e-200, 1e-200, 0}, {0, 0, 1e200}};
+  EXPECT_THROW(view_to_world(tiny), ContractViolation);
+  const glm::dmat4 back = inverse_of_any_frame(tiny);
+  EXPECT_EQ(dvec3(back[0]), (dvec3{1 / 1e-200, -1 / 1e-200, 0}));
+  EXPECT_EQ(dvec3(back[1]), (dvec3{0, 1 / 1e-200, 0}));
+  EXPECT_EQ(dvec3(back[2]), (dvec3{0, 0, 1 / 1e200}));
+  EXPECT_EQ(dvec3(back[3]), tiny.eye);
+  const DFrame flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  EXPECT_THROW(inverse_of_any_frame(flat), ContractViolation);
+  const DFrame nothing{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  EXPECT_THROW(inverse_of_any_frame(nothing), ContractViolation);
+}
+
+TEST(Viewing, HugeAndTinyViewsHaveTheSameAxes) {
+  const DFrame plain = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+  for (const double size : {0x1p-1060, 0x1p-600, 0x1p600, 0x1p1020}) {
+    const DFrame f = look_at(size * dvec3{2, 3, 5}, dvec3{0}, dvec3{0, size, 0});
+    EXPECT_EQ(f.right, plain.right);
+    EXPECT_EQ(f.up, plain.up);
+    EXPECT_EQ(f.forward, plain.forward);
+  }
+  // target - eye overflows
+  const DFrame across = look_at(dvec3{-1e308, 0, 0}, dvec3{1e308, 0, 0}, dvec3{0, 1, 0});
+  EXPECT_EQ(across.forward, (dvec3{1, 0, 0}));
+  EXPECT_EQ(across.right, (dvec3{0, 0, 1}));
 }
 
 TEST(Viewing, StepsFollowTheGrammar) {
@@ -94,6 +190,22 @@ TEST(Viewing, StepsFollowTheGrammar) {
   EXPECT_EQ(std::get<Framed<double>>(seen.events()[2].step).frame.up, frame.up);
   EXPECT_EQ(look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 2, 0}).up, frame.up);  // observed == unobserved
 
+  Recorder<RowWritten<double>> rows;
+  EXPECT_EQ(world_to_view(frame, rows), world_to_view(frame));
+  ASSERT_EQ(rows.seen(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const RowWritten<double> row = all<RowWritten<double>>(rows)[static_cast<std::size_t>(i)];
+    EXPECT_EQ(row.row, i);
+    EXPECT_EQ(row.axis, axis_of(frame, i));
+    EXPECT_EQ(row.shift, -glm::dot(row.axis, frame.eye));
+  }
+  Recorder<ColumnWritten<double>> columns;
+  EXPECT_EQ(view_to_world(frame, columns), view_to_world(frame));
+  EXPECT_EQ(inverse_of_any_frame(frame, columns), inverse_of_any_frame(frame));
+  ASSERT_EQ(columns.seen(), 8u);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_EQ(all<ColumnWritten<double>>(columns)[static_cast<std::size_t>(i)].column, i % 4);
+  }
   Recorder<Viewed<double>> viewed;
   EXPECT_EQ(to_view(frame, dvec3{1, 1, 1}, viewed), to_view(frame, dvec3{1, 1, 1}));
   EXPECT_EQ(viewed.seen(), 1u);
@@ -109,6 +221,60 @@ TEST(Viewing, OneBodyForEveryScalar) {
                            {Exact(0), Exact(0), Exact(-1)}};
   EXPECT_EQ(to_view(exact, ExactVec3{Exact(1), Exact(2), Exact(3)}),
             (ExactVec3{Exact(2, 3), Exact(2), Exact(-3)}));
+  EXPECT_EQ(view_to_world(exact) * world_to_view(exact), Matrix<Exact>(Exact(1)));
+  const Frame<Exact> skewed{{Exact(1, 3), Exact(2), Exact(0)},
+                            {Exact(1), Exact(1), Exact(0)},
+                            {Exact(0), Exact(1), Exact(1, 7)},
+                            {Exact(5), Exact(0), Exact(-1)}};
+  EXPECT_THROW(view_to_world(skewed), ContractViolation);
+  EXPECT_EQ(inverse_of_any_frame(skewed) * world_to_view(skewed), Matrix<Exact>(Exact(1)));
+  const glm::mat4 round = view_to_world(f) * world_to_view(f);
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(round[i / 4][i % 4], i % 5 == 0, 2e-6f);
+}
+
+// --- Exhibits ----------------------------------------------------
+
+TEST(ViewingNotes, MinusPositionSeesTheEyeElsewhere) {
+  // E004-01: G004-01, G004-02, G004-03
+  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  const glm::dmat4 printed =
+      glm::transpose(glm::dmat4{{0, 0, -1, -1}, {0, 1, 0, -2}, {1, 0, 0, -3}, {0, 0, 0, 1}});
+  EXPECT_EQ(minus_position(frame), printed);
+  EXPECT_EQ(minus_position(frame) * glm::dvec4(1, 2, 3, 1), (glm::dvec4{-4, 0, -2, 1}));
+  EXPECT_EQ(minus_position(frame) * glm::dvec4(6, 2, 3, 1), (glm::dvec4{-4, 0, 3, 1}));
+  // Right where nothing is turned, or the eye is the origin
+  DFrame unturned{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_EQ(minus_position(unturned), world_to_view(unturned));
+  const DFrame home = look_at(dvec3{0}, dvec3{1, 2, 3}, dvec3{0, 1, 0});
+  EXPECT_EQ(minus_position(home), world_to_view(home));
+  Recorder<RowWritten<double>> rows;
+  EXPECT_EQ(minus_position(frame, rows), printed);
+  EXPECT_EQ(rows.seen(), 3u);
+}
+
+TEST(ViewingNotes, TransposedPutsTheTargetOffTheAxis) {
+  // E000-01: the triple that the report prints
+  const DFrame frame = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+  const dvec3 seen = dvec3(transposed(frame) * glm::dvec4(0, 0, 0, 1));
+  EXPECT_NEAR(seen.x, -2.937, 5e-4);
+  EXPECT_NEAR(seen.y, -5.054, 5e-4);
+  EXPECT_NEAR(seen.z, -1.957, 5e-4);
+  EXPECT_NEAR(seen.x, -2.93694, 5e-6);
+  EXPECT_NEAR(glm::length(seen), std::sqrt(38.0), 1e-14);  // why nobody noticed
+  EXPECT_NEAR(glm::length(dvec3(transposed(frame) * glm::dvec4(2, 3, 5, 1))), 0, 1e-14);
+  Recorder<RowWritten<double>> rows;
+  EXPECT_EQ(transposed(frame, rows), transposed(frame));
+  EXPECT_EQ(rows.seen(), 3u);
+  const ExactScope scope;
+  const Frame<Exact> exact{{Exact(1), Exact(2), Exact(3)},
+                           {Exact(0), Exact(0), Exact(-1)},
+                           {Exact(0), Exact(1), Exact(0)},
+                           {Exact(1), Exact(0), Exact(0)}};
+  EXPECT_EQ(minus_position(exact)[3][0], Exact(-1));
+  EXPECT_EQ(transposed(exact)[3][0], Exact(3));
+  const Frame<float> single{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  EXPECT_EQ(minus_position(single)[3][0], -1);
+  EXPECT_EQ(transposed(single)[3][0], 3);
 }
 
 }  // namespace

@@ -255,7 +255,9 @@ class Teller {
                  arg("error", figure_real(furthest(global))));
     }
     if (method_.standing == Standing::faulty) {
-      return say("affine_2d.went_wrong", arg("to", to), arg("right", figure_place(task_.after(count())[0])));
+      const std::string right = figure_place(task_.after(count())[0]);
+      if (right == to) return say("affine_2d.nothing_wrong", arg("to", to));
+      return say("affine_2d.went_wrong", arg("to", to), arg("right", right));
     }
     const double det = determinant(matrix_);
     bool flat = false;
@@ -325,7 +327,7 @@ class Teller {
     const std::string name =
         whole || none ? m + (none ? "" : inverse) : factor_name(words_, factor) + inverse;
     const Role role = whole ? Role::result : none ? Role::guide : Role::current;
-    add_matrix(view, "m", {25.7, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
+    add_matrix(view, "m", {25, 22.6}, name, rows_of(whole || none ? matrix_ : shown_), role);
   }
 
   Row row() const {

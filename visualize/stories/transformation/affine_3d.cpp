@@ -202,7 +202,16 @@ class Paper {
   View before_ = bare_grid();
 };
 
-Row row_of(std::string name, dvec3 p) {
+/// What rounding has left of zeros is nothing to show.
+dvec3 clean(dvec3 p) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(p[i]) < 1e-12 * glm::length(p)) p[i] = 0;
+  }
+  return p;
+}
+
+Row row_of(std::string name, dvec3 place) {
+  const dvec3 p = clean(place);
   return {std::move(name), figure_real(p.x), figure_real(p.y), figure_real(p.z)};
 }
 
@@ -300,17 +309,17 @@ class ProductTeller : Paper {
   std::string caption(std::size_t half) const {
     if (by_rows_) return say(half == 0 ? "affine_3d.as_row" : "affine_3d.as_column");
     const std::size_t n = task_.factors.size();
-    if (half == 0) return words_.symbol("M") + " = " + product_name(words_, n);
+    if (half == 0) return product_name(words_, n);
     std::vector<std::string> names;
     for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_, k));
-    return say("affine_3d.reversed", arg("product", chained(names)));
+    return chained(names);
   }
 
   void tell(std::string type, int line, std::string_view phase, std::string sentence, Role role) {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    add_matrix(view, "m", {25.7, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
+    add_matrix(view, "m", {25, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 a = stages_[done_][corner_a];
     const Row row = role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), a);
     step(std::move(view), std::move(type), line, phase, std::move(sentence), row, fields_of(a));
@@ -384,13 +393,6 @@ class PartsTeller : Paper {
   }
 
  private:
-  /// What rounding has left of zeros is no place.
-  static dvec3 clean(dvec3 p) {
-    for (int i = 0; i < 3; ++i) {
-      if (std::abs(p[i]) < 1e-12 * glm::length(p)) p[i] = 0;
-    }
-    return p;
-  }
   std::string part_name(Part part) const {
     const std::string round_x = "R" + words_.symbol("x"), round_y = "R" + words_.symbol("y");
     const std::string names[] = {
@@ -421,7 +423,7 @@ class PartsTeller : Paper {
     view.add({"j corner", done_ ? role : Role::input, Dot{a}});
     view.add({"k corner", done_ ? role : Role::input, Label{a, "A"}});
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
-    add_matrix(view, "m", {25.7, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
+    add_matrix(view, "m", {25, 22.2}, words_.symbol("M"), rows_of(product_), done_ ? role : Role::guide);
     const dvec3 at = box[corner_a];
     const Row row =
         role == Role::result ? Row{} : row_of(figure_number(static_cast<std::int64_t>(done_)), at);
@@ -471,20 +473,21 @@ class VectorTeller : Paper {
     level_ = 1;
     tell("Projected", line, "words.main_loop",
          say("affine_3d.projected", arg("dot", figure_real(glm::dot(s.p, n_))), arg("p", figure_place(s.p)),
-             arg("r", figure_place(s.r))),
+             arg("r", figure_place(clean(s.r)))),
          row_of("r", s.r));
   }
   void operator()(const Rejected<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
     s_ = s.s;
     level_ = 2;
-    tell("Rejected", line, "words.main_loop", say("affine_3d.rejected", arg("s", figure_place(s.s))),
+    tell("Rejected", line, "words.main_loop", say("affine_3d.rejected", arg("s", figure_place(clean(s.s)))),
          row_of("s", s.s));
   }
   void operator()(const Crossed<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
     v_ = s.v;
     level_ = 3;
     tell("Crossed", line, "words.main_loop",
-         say("affine_3d.crossed", arg("v", figure_place(s.v)), arg("length", figure_real(glm::length(s.v)))),
+         say("affine_3d.crossed", arg("v", figure_place(clean(s.v))),
+             arg("length", figure_real(glm::length(s.v)))),
          row_of("v", s.v));
   }
   void operator()(const Turned<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
@@ -492,7 +495,7 @@ class VectorTeller : Paper {
     level_ = 4;
     tell("Turned", line, "words.result",
          say("affine_3d.turned", arg("cos", figure_real(turn_.cos)), arg("sin", figure_real(turn_.sin)),
-             arg("to", figure_place(s.to))),
+             arg("to", figure_place(clean(s.to)))),
          row_of("P′", s.to));
   }
 

@@ -1,0 +1,234 @@
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
+#include "core/exact_scalar.hpp"
+#include "core/record.hpp"
+
+namespace gradus::cohen_sutherland_2d {
+namespace {
+
+using Found = std::optional<Line<double>>;
+template <class T>
+using Record = Recorder<Classified<T>, Cut<T>, Accepted<T>, Rejected>;
+
+const Rectangle<double> ten{{0, 0}, {10, 10}};
+
+Found taught(Line<double> line, const Rectangle<double>& window = ten) { return cut_of_a_cut(line, window); }
+Found exact(Line<double> line, const Rectangle<double>& window = ten) {
+  return correctly_rounded(line, window);
+}
+Found left_over(double ax, double ay, double bx, double by) { return Line<double>{{ax, ay}, {bx, by}}; }
+
+TEST(CohenSutherland2d, GoldenCodes) {
+  // G001-44
+  const std::vector<glm::dvec2> points{{-1, -1}, {5, -1}, {11, -1}, {-1, 5}, {5, 5},  {11, 5},
+                                       {-1, 11}, {5, 11}, {11, 11}, {0, 0},  {10, 10}};
+  const std::vector<int> codes{5, 4, 6, 1, 0, 2, 9, 8, 10, 0, 0};
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(region_code(points[i], ten), codes[i]) << i;
+}
+
+TEST(CohenSutherland2d, GoldenLines) {
+  for (const auto clip : {taught, exact}) {
+    EXPECT_EQ(clip({{-5, 5}, {15, 5}}, ten), left_over(0, 5, 10, 5));     // G001-45
+    EXPECT_EQ(clip({{5, 5}, {-5, 5}}, ten), left_over(5, 5, 0, 5));       // G001-46
+    EXPECT_EQ(clip({{-5, -5}, {15, 15}}, ten), left_over(0, 0, 10, 10));  // G001-47
+    EXPECT_EQ(clip({{-3, 12}, {5, 16}}, ten), std::nullopt);              // G001-49
+    EXPECT_EQ(clip({{-5, 8}, {3, 20}}, ten), std::nullopt);               // G001-50
+    EXPECT_EQ(clip({{5, 5}, {5, 20}}, ten), left_over(5, 5, 5, 10));      // G001-51
+    EXPECT_EQ(clip({{-1, 1}, {1, -1}}, ten), left_over(0, 0, 0, 0));      // G001-52
+  }
+  // G001-48: the second cut starts from the rounded point of the first, and ends one step beside 11/6
+  EXPECT_EQ(exact({{-4, 3}, {6, 15}}), left_over(0, 7.8, 11.0 / 6, 10));
+  EXPECT_EQ(taught({{-4, 3}, {6, 15}}), left_over(0, 7.8, std::nextafter(11.0 / 6, 2), 10));
+}
+
+TEST(CohenSutherland2d, StepsFollowTheGrammar) {
+  Record<double> seen;
+  cut_of_a_cut(Line<double>{{-5, 8}, {3, 20}}, ten, usual_order<2>(), seen);
+  // Undecided though wholly outside (E001-25): the codes 0001 and 1000 share no bit
+  ASSERT_EQ(seen.events().size(), 3u);
+  const auto start = all<Classified<double>>(seen).at(0);
+  EXPECT_EQ(start.code_a, bit(Border::left));
+  EXPECT_EQ(start.code_b, bit(Border::top));
+  const auto cut = all<Cut<double>>(seen).at(0);
+  EXPECT_TRUE(cut.of_a);
+  EXPECT_EQ(cut.border, Border::left);
+  EXPECT_EQ(cut.to(), (glm::dvec2{0, 15.5}));
+  EXPECT_EQ(cut.after(), bit(Border::top));
+  EXPECT_EQ(all<Rejected>(seen).at(0).common, bit(Border::top));
+}
+
+// Every cut moves one end onto a border of its code, whose bit goes and stays away
+TEST(CohenSutherland2d, EachCutClearsABit) {
+  const auto watch = [](auto clip) {
+    for (int i = 0; i < 4000; ++i) {
+      const auto c = [&](int k) { return static_cast<double>((i / k * 7 + i * 3) % 19 - 4); };
+      Record<double> seen;
+      const Found found = clip(Line<double>{{c(1), c(5)}, {c(11), c(23)}}, seen);
+      const auto cuts = all<Cut<double>>(seen);
+      ASSERT_LE(cuts.size(), 4u);
+      for (const Cut<double>& cut : cuts) {
+        ASSERT_TRUE(cut.before & bit(cut.border));
+        ASSERT_FALSE(cut.after() & bit(cut.border));
+        ASSERT_EQ(cut.to()[axis_of(cut.border)], coordinate(ten, cut.border));
+      }
+      ASSERT_EQ(all<Accepted<double>>(seen).size(), found ? 1u : 0u);
+      ASSERT_EQ(all<Rejected>(seen).size(), found ? 0u : 1u);
+      if (found) {
+        ASSERT_EQ(all<Accepted<double>>(seen)[0].line, *found);
+      }
+    }
+  };
+  watch([](auto line, auto& seen) { return cut_of_a_cut(line, ten, usual_order<2>(), seen); });
+  watch([](auto line, auto& seen) { return correctly_rounded(line, ten, usual_order<2>(), seen); });
+}
+
+TEST(CohenSutherland2d, TheOrderSaysWhichBorderIsCutFirst) {
+  Record<double> seen;
+  cut_of_a_cut(Line<double>{{-5, -10}, {5, 5}}, ten,
+               {Border::bottom, Border::top, Border::left, Border::right}, seen);
+  EXPECT_EQ(all<Cut<double>>(seen).at(0).border, Border::bottom);
+  Record<double> usual;
+  cut_of_a_cut(Line<double>{{-5, -10}, {5, 5}}, ten, usual_order<2>(), usual);
+  EXPECT_EQ(all<Cut<double>>(usual).at(0).border, Border::left);
+}
+
+TEST(CohenSutherland2d, ObservedEqualsUnobserved) {
+  int steps = 0;
+  auto count = [&](const auto&) { ++steps; };
+  const auto order = usual_order<2>();
+  for (const Line<double> line : {Line<double>{{-4, 3}, {6, 15}}, {{-5, 8}, {3, 20}}, {{1, 1}, {2, 2}}}) {
+    EXPECT_EQ(cut_of_a_cut(line, ten, order, count), taught(line));
+    EXPECT_EQ(correctly_rounded(line, ten, order, count), exact(line));
+    EXPECT_EQ(codes_only(line, ten, order, 8, count), codes_only(line, ten));
+  }
+  EXPECT_GT(steps, 15);
+}
+
+template <class T>
+void clip_in() {
+  const ExactScope scope;
+  const Rectangle<T> window{{T(0), T(0)}, {T(10), T(10)}};
+  const Line<T> line{{T(-4), T(3)}, {T(6), T(15)}};
+  const Line<T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
+  EXPECT_EQ(correctly_rounded(line, window), right);
+  EXPECT_FALSE(correctly_rounded(Line<T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
+  const auto found = cut_of_a_cut(line, window);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->a, right.a);
+  EXPECT_NEAR(static_cast<double>(found->b.x), 11.0 / 6, 1e-6);
+  if (std::same_as<T, Exact>) EXPECT_EQ(*found, right);
+}
+
+TEST(CohenSutherland2d, FloatDoubleAndExact) {
+  clip_in<float>();
+  clip_in<double>();
+  clip_in<Exact>();
+}
+
+TEST(CohenSutherland2d, MistakesAreNamed) {
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const Rectangle<double> swapped{{10, 0}, {0, 10}};
+  for (const auto clip : {taught, exact}) {
+    EXPECT_THROW(clip({{1, 1}, {2, 2}}, swapped), ContractViolation);
+    EXPECT_THROW(clip({{1, 1}, {2, 2}}, {{0, 0}, {10, infinity}}), ContractViolation);
+    // Naive comparisons call both inside
+    EXPECT_THROW(clip({{nan, 1}, {2, 2}}, ten), ContractViolation);
+    EXPECT_THROW(clip({{1, 1}, {2, -infinity}}, ten), ContractViolation);
+  }
+  try {
+    exact({{1, 1}, {2, 2}}, swapped);
+    FAIL();
+  } catch (const ContractViolation& e) {
+    EXPECT_STREQ(e.what(), "the window is inside out along axis 0: from 10 to 0");
+  }
+}
+
+// --- Numerical traps -----------------------------------------------------------------------------
+
+TEST(CohenSutherland2dTraps, TheDifferenceOverflows) {
+  const Line<double> line{{-1e308, 0}, {1e308, 10}};
+  EXPECT_EQ(exact(line), left_over(0, 5, 10, 5));
+  // The taught form accepts a point that is not a number
+  const Found naive = taught(line);
+  EXPECT_TRUE(!naive || std::isnan(naive->a.y) || naive->a != glm::dvec2(0, 5));
+}
+
+TEST(CohenSutherland2dTraps, TheProductOverflows) {
+  const Line<double> line{{-1e200, -1e200}, {1e200, 1e200}};
+  EXPECT_EQ(exact(line), left_over(0, 0, 10, 10));
+  EXPECT_NE(taught(line), left_over(0, 0, 10, 10));
+}
+
+TEST(CohenSutherland2dTraps, TheCornerIsTouchedOrMissedByOneStep) {
+  const double below = std::nextafter(-1.0, -2.0), above = std::nextafter(9.0, 10.0);
+  EXPECT_EQ(exact({{-1, 1}, {1, -1}}), left_over(0, 0, 0, 0));
+  EXPECT_EQ(exact({{-1, 1}, {1, below}}), std::nullopt);
+  EXPECT_EQ(exact({{9, 11}, {11, 9}}), left_over(10, 10, 10, 10));
+  EXPECT_EQ(exact({{9, 11}, {11, above}}), std::nullopt);
+  // Rounded arithmetic still sees the corner
+  EXPECT_EQ(taught({{-1, 1}, {1, below}}), left_over(0, 0, 0, 0));
+}
+
+TEST(CohenSutherland2dTraps, NearlyParallelToABorder) {
+  // One step in y moves the crossing by a million in x
+  const double under = std::nextafter(10.0, 9.0), over = std::nextafter(10.0, 11.0);
+  const Line<double> line{{-1e6, under}, {1e6, over}};
+  EXPECT_EQ(exact(line, {{-2e6, 0}, {2e6, 10}}), left_over(-1e6, under, 0, 10));
+  EXPECT_EQ(exact(line), left_over(0, 10, 0, 10));
+  // (not symmetric: one step down is half as long as one step up)
+  const Line<double> moved{{-1e6, under}, {1e6, std::nextafter(over, 11.0)}};
+  const Found found = exact(moved, {{-2e6, 0}, {2e6, 10}});
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->b.x, -1e5);
+}
+
+TEST(CohenSutherland2dTraps, WindowsWithoutExtent) {
+  EXPECT_EQ(exact({{-5, 5}, {15, 5}}, {{3, 0}, {3, 10}}), left_over(3, 5, 3, 5));
+  EXPECT_EQ(exact({{0, 0}, {10, 10}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
+  EXPECT_EQ(exact({{0, 0}, {10, 11}}, {{3, 3}, {3, 3}}), std::nullopt);
+  EXPECT_EQ(exact({{3, 3}, {3, 3}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
+}
+
+TEST(CohenSutherland2dTraps, SubnormalsAndSignedZeros) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(exact({{-tiny, -tiny}, {tiny, tiny}}), left_over(0, 0, tiny, tiny));
+  EXPECT_EQ(exact({{-tiny, tiny}, {3 * tiny, -tiny}}), left_over(0, 0, tiny, 0));  // y is half a step: even
+  const Found zero = exact({{-1, -0.0}, {1, -0.0}});
+  ASSERT_TRUE(zero);
+  EXPECT_FALSE(std::signbit(zero->a.y));  // what is computed is +0,
+  EXPECT_TRUE(std::signbit(zero->b.y));   // what is kept is kept
+}
+
+// --- The exhibit ---------------------------------------------------------------------------------
+
+TEST(CohenSutherland2dNotes, TheListingClipsNothing) {
+  const Line<double> line{{-5, 5}, {15, 5}};
+  EXPECT_EQ(codes_only(line, ten), line);  // E001-24; right is (0,5)-(10,5)
+}
+
+TEST(CohenSutherland2dNotes, TheListingMayNeverEnd) {
+  Recorder<Classified<double>, Recoded<double>, Accepted<double>, Rejected, GaveUp> seen;
+  EXPECT_EQ(codes_only(Line<double>{{5, 5}, {-5, 5}}, ten, usual_order<2>(), 50, seen), std::nullopt);
+  EXPECT_EQ(all<Recoded<double>>(seen).size(), 50u);
+  EXPECT_EQ(all<GaveUp>(seen).size(), 1u);
+  // Always the same: "left" is charged to the end that is inside
+  EXPECT_TRUE(every<Recoded<double>>(seen, [](const auto& r) { return r.of_a && r.code_b == 1; }));
+}
+
+TEST(CohenSutherland2dNotes, TheListingIsRightWhereNothingIsCut) {
+  const Line<double> inside{{1, 1}, {2, 2}};
+  EXPECT_EQ(codes_only(inside, ten), inside);
+  EXPECT_EQ(codes_only(Line<double>{{-3, 12}, {5, 16}}, ten), std::nullopt);
+}
+
+}  // namespace
+}  // namespace gradus::cohen_sutherland_2d

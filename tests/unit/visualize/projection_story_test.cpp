@@ -1,0 +1,141 @@
+// What the stories of projections tell: numbers, hidden lines, vanishing points, the bend; and what they
+// refuse.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "support/example_traces.hpp"
+
+namespace gradus {
+namespace {
+
+using Given = std::map<std::string, std::string>;
+
+double result(const Trace& trace, std::string_view name) {
+  for (const Field& field : trace.result) {
+    if (field.name != name) continue;
+    if (const double* value = std::get_if<double>(&field.value)) return *value;
+    return static_cast<double>(std::get<std::int64_t>(field.value));
+  }
+  throw std::invalid_argument("no such result");
+}
+
+const std::map<std::string, Mark>& last_marks(const Trace& trace) {
+  static std::vector<std::unique_ptr<Playhead>> kept;
+  kept.push_back(std::make_unique<Playhead>(trace));
+  return kept.back()->at(trace.steps.size() - 1).marks();
+}
+
+/// How many strokes whose ids begin so are drawn, and how many of those are dashed.
+std::pair<int, int> strokes(const std::map<std::string, Mark>& marks, std::string_view id) {
+  std::pair<int, int> count{0, 0};
+  for (const auto& [name, mark] : marks) {
+    if (!name.starts_with(id)) continue;
+    const Stroke* stroke = std::get_if<Stroke>(&mark.shape);
+    if (!stroke) continue;
+    ++count.first;
+    count.second += stroke->dashed;
+  }
+  return count;
+}
+
+TEST(ProjectionStory, AStepACornerAndTheHiddenEdgesDashed) {
+  const Trace box = test::trace_of("parallel", {{"solid", "box"}, {"receding", "45,0.5"}});
+  EXPECT_EQ(box.last, 9);
+  // Of a box seen at a slant three faces are seen: 9 edges, and 3 behind them
+  EXPECT_EQ(strokes(last_marks(box), "d picture"), (std::pair{12, 3}));
+  const Trace house = test::trace_of("perspective", {{"solid", "house"}});
+  EXPECT_EQ(house.last, 11);
+  EXPECT_EQ(result(house, "images"), 10);
+  EXPECT_EQ(strokes(last_marks(house), "d picture").first, 15);
+  // Straight from the front, all that is not the front's outline lies behind it
+  const Trace front = test::trace_of("parallel", {{"solid", "box"}, {"method", "orthographic"}});
+  EXPECT_EQ(strokes(last_marks(front), "d picture"), (std::pair{12, 8}));
+}
+
+TEST(ProjectionStory, CornersBehindTheEyeHaveNoImage) {
+  const Trace trace = test::trace_of("perspective", {{"solid", "box"}, {"at", "0,0,0"}, {"turn", "0,0"}});
+  EXPECT_EQ(result(trace, "images"), 4);
+  EXPECT_EQ(strokes(last_marks(trace), "d picture").first, 4);
+}
+
+TEST(ProjectionStory, OneTwoAndThreeVanishingPoints) {
+  const auto count = [](std::string turn) {
+    return result(test::trace_of("perspective", {{"method", "vanishing_points"}, {"turn", turn}}),
+                  "vanishing_points");
+  };
+  EXPECT_EQ(count("0,0"), 1);
+  EXPECT_EQ(count("90,0"), 1);
+  EXPECT_EQ(count("35,0"), 2);
+  EXPECT_EQ(count("0,25"), 2);
+  EXPECT_EQ(count("35,25"), 3);
+}
+
+TEST(ProjectionStory, TheBendIsMeasured) {
+  const Given line{{"distance", "1"}, {"from", "0,0,1"}, {"to", "2,0,3"},
+                   {"wall", "2.2"},   {"far", "4"},      {"samples", "1"}};
+  const auto with = [&line](std::string method) {
+    Given given = line;
+    given["method"] = std::move(method);
+    return test::trace_of("perspective", given);
+  };
+  const Trace bent = with("keep_z");
+  EXPECT_NEAR(result(bent, "largest_error"), 0.5, 1e-15);
+  EXPECT_FALSE(bent.faulty.empty());
+  EXPECT_NE(bent.steps.back().sentence.find("wrong surface"), std::string::npos);
+  const Trace straight = with("transformation");
+  EXPECT_NEAR(result(straight, "largest_error"), 0, 1e-15);
+  EXPECT_TRUE(straight.faulty.empty());
+}
+
+TEST(ProjectionStory, TheNotesMatrixIsOffByTheSlant) {
+  const Trace trace =
+      test::trace_of("parallel", {{"method", "keep_x_and_y"}, {"receding", "45,0.5"}, {"at", "2,2,4"}});
+  EXPECT_NEAR(result(trace, "largest_error"), 5.5 / 2, 1e-12);
+}
+
+TEST(ProjectionStory, StepsOfStoredDepthInTheTable) {
+  const Trace trace = test::trace_of("perspective", {{"method", "depth_precision"}});
+  EXPECT_NEAR(result(trace, "step_at_far"), 59604.58872345619, 1e-6);
+  std::vector<Row> rows;
+  for (const TraceStep& step : trace.steps) {
+    if (!step.row.empty()) rows.push_back(step.row);
+  }
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1], (Row{"1/z 24 bit", "5.96·10⁻⁴", "0.0596", "596", "59605"}));
+  EXPECT_EQ(trace.columns[1].name, "at 100");
+}
+
+TEST(ProjectionStory, WhatCannotBeProjectedIsRefused) {
+  const auto refused = [](std::string topic, Given given, std::string parameter) {
+    try {
+      test::trace_of(topic, given);
+    } catch (const ArgumentError& error) {
+      return error.parameter == parameter;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused("parallel", {{"direction", "1,2,0"}}, "direction"));
+  EXPECT_TRUE(refused("parallel", {{"direction", "1,0,1e-300"}}, "direction"));
+  EXPECT_TRUE(refused("parallel", {{"receding", "45,-1"}}, "receding"));
+  EXPECT_TRUE(refused("parallel", {{"method", "along"}, {"plane", "0,0,0,1"}}, "plane"));
+  EXPECT_TRUE(
+      refused("parallel", {{"method", "along"}, {"plane", "1,1,1,0"}, {"direction", "1,-1,0"}}, "direction"));
+  EXPECT_TRUE(refused("perspective", {{"distance", "0"}}, "distance"));
+  EXPECT_TRUE(refused("perspective", {{"distance", "-1"}}, "distance"));
+  EXPECT_TRUE(refused("perspective", {{"method", "vanishing_points"}, {"at", "0,0,0"}}, "at"));
+  EXPECT_TRUE(refused("perspective", {{"method", "keep_z"}, {"far", "3"}}, "far"));
+  EXPECT_TRUE(refused("perspective", {{"method", "keep_z"}, {"from", "0,0,1"}}, "from"));
+  EXPECT_TRUE(
+      refused("perspective", {{"method", "transformation"}, {"from", "1,0,4"}, {"to", "2,0,8"}}, "to"));
+  for (const std::string range : {"0,10", "10,1", "1,1", "-1,5"}) {
+    EXPECT_TRUE(refused("perspective", {{"method", "depth_precision"}, {"range", range}}, "range")) << range;
+  }
+}
+
+}  // namespace
+}  // namespace gradus

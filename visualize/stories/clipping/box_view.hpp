@@ -1,0 +1,99 @@
+#pragma once
+// Boxes and segments in space on the paper: what the stories of clipping in space share.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/axis_cut.hpp"
+#include "stories/paper.hpp"
+
+namespace gradus {
+
+/// A part of the paper that shows space obliquely, z away from the reader. Axes keep one scale unless one is
+/// less than a third as long as the longest: then it is stretched to a third.
+class SpaceView {
+ public:
+  /// place: in paper units. shown: the points that must be seen; at least one.
+  SpaceView(Extent place, const std::vector<dvec3>& shown) : panel_(place, {}) {
+    dvec3 lower = shown.front(), upper = lower;
+    for (const dvec3 p : shown) {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    // Halves, since differences of the largest numbers overflow
+    middle_ = 0.5 * lower + 0.5 * upper;
+    half_ = 0.5 * upper - 0.5 * lower;
+    const double longest = std::max({half_.x, half_.y, half_.z});
+    Extent extent;
+    for (int i = 0; i < 3; ++i) {
+      size_[i] = half_[i] > 0 ? std::max(half_[i] / longest, 1.0 / 3) : 0;
+    }
+    for (const dvec3 p : shown) extent.add(flat(p));
+    panel_ = Panel(place, extent);
+  }
+
+  dvec2 at(dvec3 p) const { return panel_.at(flat(p)); }
+
+ private:
+  dvec2 flat(dvec3 p) const {
+    dvec3 scaled(0);
+    for (int i = 0; i < 3; ++i) {
+      if (half_[i] > 0) scaled[i] = (p[i] - middle_[i]) / half_[i] * size_[i];
+    }
+    return oblique({scaled.x, scaled.y, -scaled.z});
+  }
+
+  dvec3 middle_{0}, half_{0}, size_{0};
+  Panel panel_;
+};
+
+/// Corner 0 … 7 of a box: bit 0 x, bit 1 y, bit 2 z, set for the upper one.
+inline dvec3 box_corner(const AxisBox<3, double>& box, int corner) {
+  return {(corner & 1) != 0 ? box.upper.x : box.lower.x, (corner & 2) != 0 ? box.upper.y : box.lower.y,
+          (corner & 4) != 0 ? box.upper.z : box.lower.z};
+}
+
+/// The corners of a face, in the order of its outline.
+inline std::vector<dvec3> box_face(const AxisBox<3, double>& box, Border face) {
+  const int axis = axis_of(face), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const int base = is_upper(face) ? 1 << axis : 0;
+  std::vector<dvec3> outline;
+  for (const int corner : {base, base | 1 << u, base | 1 << u | 1 << v, base | 1 << v}) {
+    outline.push_back(box_corner(box, corner));
+  }
+  return outline;
+}
+
+/// The twelve edges; those behind the box are dashed.
+inline void add_box(View& view, const SpaceView& space, const AxisBox<3, double>& box) {
+  constexpr int hidden = 4;  // the left, bottom, far corner
+  for (int corner = 0; corner < 8; ++corner) {
+    for (const int axis : {1, 2, 4}) {
+      if ((corner & axis) != 0) continue;
+      const int other = corner | axis;
+      const bool behind = corner == hidden || other == hidden;
+      view.add({fmt::format("edge {} {}", corner, other), Role::boundary,
+                Stroke{space.at(box_corner(box, corner)), space.at(box_corner(box, other)), false, behind}});
+    }
+  }
+}
+
+/// Three short arrows that say which way the axes go: right, up, and away from the reader or towards him.
+/// at: their foot on the paper.
+inline void add_directions(View& view, dvec2 at, const std::array<std::string, 3>& names,
+                           bool towards = false) {
+  const std::array<dvec3, 3> ways{dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, towards ? 1 : -1}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec2 to = at + 2.2 * oblique(ways[i]);
+    const dvec2 name = at + (i == 2 ? 4.0 : 3.1) * oblique(ways[i]);
+    view.add({"direction " + std::to_string(i), Role::guide, Stroke{at, to, true}});
+    view.add({"direction name " + std::to_string(i), Role::guide, Text{name, names[i]}});
+  }
+}
+
+}  // namespace gradus

@@ -1,0 +1,160 @@
+#pragma once
+// What stories of segments in a window draw alike: the plane round the window, the segment, its parts.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+#include "stories/paper.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus::window_view {
+
+using Line = Segment<2, double>;
+using Rectangle = AxisBox<2, double>;
+
+inline constexpr int paper_width = 36, paper_height = 27;
+
+inline Line line_in(const Arguments& arguments) {
+  const auto n = arguments.numbers("line");
+  for (const double x : n) {
+    // Then differences can be shown; the method itself takes any
+    if (std::abs(x) > 8e307) throw ArgumentError("line", "expected coordinates up to 8e307 in size");
+  }
+  return {{n[0], n[1]}, {n[2], n[3]}};
+}
+
+/// The window, which must not be too large to be drawn.
+inline Rectangle window_in(const Arguments& arguments) {
+  const auto n = arguments.numbers("window");
+  for (const double x : n) {
+    if (std::abs(x) > 1e150) throw ArgumentError("window", "expected borders up to 1e150 in size");
+  }
+  return {{n[0], n[1]}, {n[2], n[3]}};
+}
+
+/// What of the plane is shown: the window with room round it, and ends of the segment that are not far away.
+inline Extent world_of(const Line& line, const Rectangle& window) {
+  Extent world{window.lower, window.upper};
+  const dvec2 size = world.size();
+  double room = std::max(size.x, size.y);
+  if (room == 0) room = std::max(1e-300, 1e-3 * std::max(std::abs(window.lower.x), std::abs(window.lower.y)));
+  if (room < 1e-250) room = 1;
+  const Rectangle near{window.lower - 1.6 * room, window.upper + 1.6 * room};
+  world = {window.lower - 0.32 * room, window.upper + 0.32 * room};
+  for (const dvec2 end : {line.a, line.b}) {
+    if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
+  }
+  return widened(world, 0.1);
+}
+
+/// The plane in a part of the paper.
+class Scene {
+ public:
+  Scene(const Line& line, const Rectangle& window, Extent place)
+      : panel_(place, world_of(line, window)), window_(window) {
+    const Extent shown = panel_.shown();
+    shown_ = {shown.lower, shown.upper};
+  }
+  const Panel& panel() const { return panel_; }
+  const Rectangle& shown() const { return shown_; }
+
+  /// Axes, the window, and its borders on and on.
+  void add_window(View& view) const {
+    add_axes(view, panel_, "plane");
+    const auto [lower, upper] = window_;
+    const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
+                                     panel_.at({lower.x, upper.y})};
+    view.add({"window", Role::boundary, Path{corners, true}});
+    for (const Border border : usual_order<2>()) {
+      dvec2 from = shown_.lower, to = shown_.upper;
+      from[axis_of(border)] = to[axis_of(border)] = coordinate(window_, border);
+      view.add({fmt::format("border {}", static_cast<int>(border)), Role::guide,
+                Stroke{panel_.at(from), panel_.at(to), false, true}});
+    }
+  }
+
+  /// The part of a segment that the panel shows.
+  void add_line(View& view, std::string id, Role role, const Line& line, bool dashed = false) const {
+    if (line.a == line.b) return;
+    const auto seen = cohen_sutherland_2d::correctly_rounded(line, shown_);
+    if (seen && seen->a != seen->b) {
+      view.add({std::move(id), role, Stroke{panel_.at(seen->a), panel_.at(seen->b), false, dashed}});
+    }
+  }
+
+  /// A point with a name; one beyond the panel has its name where the line leaves it.
+  void add_point(View& view, const std::string& id, Role role, dvec2 at, dvec2 along, const std::string& name,
+                 bool ring = false) const {
+    if (cohen_sutherland_2d::region_code(at, shown_) != 0) {
+      const auto seen = cohen_sutherland_2d::correctly_rounded(Line{at, along}, shown_);
+      if (seen && !name.empty()) view.add({id + " name", role, Label{panel_.at(seen->a), name}});
+      return;
+    }
+    view.add({id, role, Dot{panel_.at(at), ring}});
+    if (!name.empty()) view.add({id + " name", role, Label{panel_.at(at), name}});
+  }
+
+ private:
+  Panel panel_;
+  Rectangle window_, shown_;
+};
+
+/// How many doubles lie between two ends and the right ones, at most.
+inline double doubles_between(double x, double y) {
+  double steps = 0;
+  for (double low = std::min(x, y), high = std::max(x, y); low < high && steps < 1e6; ++steps) {
+    low = std::nextafter(low, high);
+  }
+  return steps;
+}
+
+inline double off_by(const Line& found, const Line& right) {
+  double most = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    most = std::max(
+        {most, doubles_between(found.a[axis], right.a[axis]), doubles_between(found.b[axis], right.b[axis])});
+  }
+  return most;
+}
+
+/// "(−4)" for a negative number, as a later term.
+inline std::string factor(double value) {
+  return value < 0 ? "(" + figure_real(value) + ")" : figure_real(value);
+}
+
+/// The parameters that both topics have.
+inline Parameter line_parameter(std::string line) {
+  return {.name = "line",
+          .type = ParameterType::numbers,
+          .default_value = line,
+          .example = "-5,8,3,20",
+          .help = "the segment, from (x0, y0) to (x1, y1); y points up",
+          .parts = {"x0", "y0", "x1", "y1"}};
+}
+inline Parameter window_parameter() {
+  return {.name = "window",
+          .type = ParameterType::bounds,
+          .default_value = "0,0,10,10",
+          .example = "0,0,10,8",
+          .help = "the window, its borders included",
+          .parts = {"xmin", "ymin", "xmax", "ymax"}};
+}
+inline Parameter order_parameter() {
+  return {.name = "order",
+          .type = ParameterType::order,
+          .default_value = "left,right,bottom,top",
+          .example = "top,bottom,right,left",
+          .help = "in which order the borders are taken",
+          .choices = {"left", "right", "bottom", "top"}};
+}
+inline BorderOrder<2> order_in(const Arguments& arguments) {
+  const auto places = arguments.order(order_parameter());
+  BorderOrder<2> order{};
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Border>(places[i]);
+  return order;
+}
+
+}  // namespace gradus::window_view

@@ -1,0 +1,291 @@
+#pragma once
+// The convex solids that the stories of projections show, and how they are drawn: in space with the picture
+// plane, seen from the viewer's right, and beside it in the picture.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/elementary.hpp"
+#include "core/geometry.hpp"
+#include "figure/wording.hpp"
+#include "stories/paper.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::solids {
+
+/// An edge between two corners, and the faces on its two sides.
+struct Edge {
+  std::size_t a, b;
+  std::size_t left, right;
+};
+
+/// A convex body in view space.
+struct Solid {
+  std::vector<dvec3> corners;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<Edge> edges;
+};
+
+inline dvec3 centre_of(const std::vector<dvec3>& points) {
+  dvec3 sum{0};
+  for (const dvec3 p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// The normal of a face, outwards: away from the solid's middle, whichever way its corners run.
+inline dvec3 outward(const Solid& solid, std::size_t face) {
+  const std::vector<std::size_t>& corners = solid.faces[face];
+  const dvec3 a = solid.corners[corners[0]];
+  const dvec3 normal = glm::cross(solid.corners[corners[1]] - a, solid.corners[corners[2]] - a);
+  return glm::dot(normal, a - centre_of(solid.corners)) < 0 ? -normal : normal;
+}
+
+inline Solid with_edges(Solid solid) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> sides;
+  for (std::size_t face = 0; face < solid.faces.size(); ++face) {
+    const std::vector<std::size_t>& corners = solid.faces[face];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto [a, b] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+      sides[{a, b}].push_back(face);
+    }
+  }
+  for (const auto& [ends, faces] : sides)
+    solid.edges.push_back({ends.first, ends.second, faces[0], faces[1]});
+  return solid;
+}
+
+/// 2 wide, 2 high, 3 deep, its middle at the origin. Corners 0 to 3 are the front's, 4 to 7 the back's.
+inline Solid box() {
+  Solid solid;
+  for (const double z : {-1.5, 1.5}) {
+    for (const dvec2 p : {dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) solid.corners.push_back({p.x, p.y, z});
+  }
+  solid.faces = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  return with_edges(std::move(solid));
+}
+
+/// The same with a roof: corners 0 to 4 are the front's, counter-clockwise from the lower left, 5 to 9 the
+/// back's.
+inline Solid house() {
+  Solid solid;
+  for (const double z : {-1.5, 1.5}) {
+    for (const dvec2 p : {dvec2{-1, -1}, {1, -1}, {1, 0.2}, {0, 1}, {-1, 0.2}}) {
+      solid.corners.push_back({p.x, p.y, z});
+    }
+  }
+  solid.faces = {{0, 1, 2, 3, 4}, {5, 6, 7, 8, 9}, {0, 1, 6, 5}, {1, 2, 7, 6},
+                 {2, 3, 8, 7},    {3, 4, 9, 8},    {4, 0, 5, 9}};
+  return with_edges(std::move(solid));
+}
+
+/// The directions of a solid's own x, y and z after a turn round the upright, then one round x, in degrees.
+/// Accuracy: multiples of 90 degrees are exact, and the turn round the upright leaves y exactly alone.
+inline std::array<dvec3, 3> turned_axes(double yaw, double pitch) {
+  const auto [sy, cy] = sin_cos_degrees(yaw);
+  const auto [sp, cp] = sin_cos_degrees(pitch);
+  const auto turned = [&](dvec3 p) {
+    const dvec3 q{cy * p.x + sy * p.z, p.y, cy * p.z - sy * p.x};
+    return dvec3{q.x, cp * q.y - sp * q.z, sp * q.y + cp * q.z};
+  };
+  return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
+}
+
+/// Turned, then its middle moved to `at`.
+inline Solid placed(Solid solid, const std::array<dvec3, 3>& axes, dvec3 at) {
+  for (dvec3& p : solid.corners) p = at + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];
+  return solid;
+}
+
+/// Which edges lie behind the solid for whoever sees the faces that `seen` says; it is convex, so those
+/// between two faces that are not.
+template <class Seen>
+std::vector<bool> hidden_edges(const Solid& solid, Seen seen) {
+  std::vector<bool> faces(solid.faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[i] = seen(outward(solid, i), solid.corners[solid.faces[i][0]]);
+  }
+  std::vector<bool> hidden;
+  for (const Edge& edge : solid.edges) hidden.push_back(!faces[edge.left] && !faces[edge.right]);
+  return hidden;
+}
+/// For parallel projectors that run on from the viewer in this direction.
+inline std::vector<bool> hidden_along(const Solid& solid, dvec3 direction) {
+  return hidden_edges(solid, [&](dvec3 normal, dvec3) { return glm::dot(normal, direction) < -1e-12; });
+}
+/// For an eye at the origin.
+inline std::vector<bool> hidden_from_origin(const Solid& solid) {
+  return hidden_edges(solid, [](dvec3 normal, dvec3 at) { return glm::dot(normal, at) < -1e-12; });
+}
+
+/// View space as one sees it from the viewer's right: depth to the right, x towards the reader.
+inline dvec2 from_right(dvec3 p) { return oblique(dvec3{p.z, p.y, p.x}); }
+/// Where that looks, in view space.
+inline constexpr dvec3 looking_from_right{-1, -0.3, -0.42};
+
+/// The picture plane in space, with the directions that are right and up in the picture.
+struct Sheet {
+  dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
+  dvec2 picture(dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
+  dvec3 place(dvec2 p) const { return origin + p.x * right + p.y * up; }
+};
+
+/// The numbers of an argument, none of them so large that a figure could not show it.
+inline std::vector<double> modest_numbers(const Arguments& arguments, std::string_view name) {
+  const std::vector<double> numbers = arguments.numbers(name);
+  for (const double number : numbers) {
+    if (std::abs(number) <= 1e6) continue;
+    throw ArgumentError(std::string(name),
+                        fmt::format("expected numbers from -1000000 to 1000000, not {}", number));
+  }
+  return numbers;
+}
+/// The same for three numbers.
+inline dvec3 vector_of(const Arguments& arguments, std::string_view name) {
+  const std::vector<double> v = modest_numbers(arguments, name);
+  return {v[0], v[1], v[2]};
+}
+
+/// A number as these stories show it: what is but a rounding error of the figure is 0.
+inline std::string real(double value) { return figure_real(std::abs(value) < 1e-9 ? 0 : value); }
+/// The same with two decimals, for tables.
+inline std::string short_real(double value) {
+  return real(static_cast<double>(std::llround(std::clamp(value, -1e12, 1e12) * 100)) / 100);
+}
+inline std::string place_text(dvec2 p) {
+  return fmt::format("({},\u00a0{})", short_real(p.x), short_real(p.y));
+}
+inline std::string place_text(dvec3 p) {
+  return fmt::format("({},\u00a0{},\u00a0{})", short_real(p.x), short_real(p.y), short_real(p.z));
+}
+
+constexpr int paper_width = 36, paper_height = 23;
+
+/// The drawing of a solid, its projectors and its picture.
+class Scenery {
+ public:
+  using Images = std::vector<std::optional<dvec3>>;
+
+  /// eye: the point that all projectors run to, or nothing where they are parallel. images: of all corners,
+  /// as they will be; other: what else the picture has to have room for.
+  Scenery(const Wording& words, Solid solid, Sheet sheet, std::vector<bool> hidden, std::optional<dvec3> eye,
+          const Images& images, const std::vector<dvec3>& other = {})
+      : words_(words),
+        solid_(std::move(solid)),
+        sheet_(sheet),
+        hidden_(std::move(hidden)),
+        eye_(eye),
+        hidden_in_space_(hidden_along(solid_, looking_from_right)) {
+    Extent picture;
+    for (const std::optional<dvec3>& p : images) {
+      if (p) picture.add(sheet_.picture(*p));
+    }
+    for (const dvec3 p : other) picture.add(sheet_.picture(p));
+    if (picture.lower.x > picture.upper.x) picture = {{-1, -1}, {1, 1}};
+    patch_ = widened(picture, 0.15);
+    Extent space;
+    for (const dvec3 p : solid_.corners) space.add(from_right(p));
+    for (const dvec3 p : outline()) space.add(from_right(p));
+    if (eye_) space.add(from_right(*eye_));
+    space_ = Panel({{0.8, 1}, {21, 20.4}}, space);
+    picture_ = Panel({{22.6, 1}, {35.2, 20.4}}, patch_);
+  }
+
+  const Sheet& sheet() const { return sheet_; }
+  dvec2 in_space(dvec3 p) const { return space_.at(from_right(p)); }
+  dvec2 in_picture(dvec3 p) const { return picture_.at(sheet_.picture(p)); }
+
+  /// Space, plane and solid alone.
+  View empty() const {
+    View view;
+    view.add({"caption space", Role::guide, Text{{11, 22}, words_.say("projection.space")}});
+    view.add({"caption picture", Role::guide, Text{{29, 22}, words_.say("projection.picture")}});
+    std::vector<dvec2> corners;
+    for (const dvec3 p : outline()) corners.push_back(in_space(p));
+    view.add({"a plane", Role::boundary, Path{corners, true}});
+    std::vector<dvec2> frame;
+    for (const dvec3 p : outline()) frame.push_back(in_picture(p));
+    view.add({"a picture frame", Role::boundary, Path{frame, true}});
+    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
+      const auto [a, b, left, right] = solid_.edges[i];
+      view.add(
+          {fmt::format("c solid {:02}", i), Role::input,
+           Stroke{in_space(solid_.corners[a]), in_space(solid_.corners[b]), false, hidden_in_space_[i]}});
+    }
+    if (eye_) {
+      view.add({"e eye", Role::input, Dot{in_space(*eye_)}});
+      view.add({"f eye name", Role::input, Label{in_space(*eye_), words_.say("projection.eye")}});
+    }
+    return view;
+  }
+
+  /// The image of every corner that has one, and the edges between them.
+  void add_images(View& view, const Images& images, Role role) const {
+    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
+      const auto [a, b, left, right] = solid_.edges[i];
+      if (!images[a] || !images[b]) continue;
+      view.add({fmt::format("d image {:02}", i), role,
+                Stroke{in_space(*images[a]), in_space(*images[b]), false, hidden_[i]}});
+      view.add({fmt::format("d picture {:02}", i), role,
+                Stroke{in_picture(*images[a]), in_picture(*images[b]), false, hidden_[i]}});
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (!images[i]) continue;
+      view.add({fmt::format("e image dot {:02}", i), role, Dot{in_picture(*images[i])}});
+      projector(view, fmt::format("b projector {:02}", i), Role::guide, solid_.corners[i], *images[i]);
+    }
+  }
+
+  /// The corner at hand, its projector and, once known, its image.
+  void point_at(View& view, std::size_t corner, std::optional<dvec3> image) const {
+    const dvec3 p = solid_.corners[corner];
+    const std::string name = fmt::format("{}", corner + 1);
+    view.add({"g corner", Role::current, Dot{in_space(p)}});
+    view.add({"h corner name", Role::current, Label{in_space(p), name}});
+    if (!image) return;
+    projector(view, "g projector", Role::current, p, *image);
+    view.add({"g image", Role::current, Dot{in_space(*image)}});
+    view.add({"g picture", Role::current, Dot{in_picture(*image)}});
+    view.add({"h picture name", Role::current, Label{in_picture(*image), name + "′"}});
+  }
+
+  /// A point's projector: to its image, or from the eye, through whichever is farther.
+  void projector(View& view, std::string id, Role role, dvec3 point, dvec3 image) const {
+    dvec3 from = point, to = image;
+    if (eye_) {
+      from = *eye_;
+      to = point.z > image.z ? point : image;
+    }
+    view.add({std::move(id), role, Stroke{in_space(from), in_space(to), false, true}});
+  }
+
+  const Solid& solid() const { return solid_; }
+
+ private:
+  std::vector<dvec3> outline() const {
+    const auto [lower, upper] = patch_;
+    std::vector<dvec3> corners;
+    for (const dvec2 p : {lower, dvec2{upper.x, lower.y}, upper, dvec2{lower.x, upper.y}}) {
+      corners.push_back(sheet_.place(p));
+    }
+    return corners;
+  }
+
+  const Wording& words_;
+  Solid solid_;
+  Sheet sheet_;
+  std::vector<bool> hidden_;
+  std::optional<dvec3> eye_;
+  std::vector<bool> hidden_in_space_;
+  Extent patch_{};
+  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
+};
+
+}  // namespace gradus::solids
