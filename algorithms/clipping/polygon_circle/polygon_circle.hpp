@@ -229,8 +229,8 @@ Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
   // Sort them round the circle
   const CircleOrder order(corners, c);
   sort_round(passes, order);
-  expect_alternating(passes);
   if constexpr (observed<O>) observer(Sorted{passes});
+  expect_alternating(passes);
   const auto exits = exits_of(passes, n);
   std::vector<bool> done(passes.size());
   for (auto start : entries_of(passes)) {

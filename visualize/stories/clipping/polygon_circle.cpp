@@ -303,7 +303,7 @@ class Teller {
     dvec2 best = (from + to) * 0.5;
     double most = -1;
     for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9}) {
-      const dvec2 at = from + t * (to - from) + 0.8 * dvec2{along.y, -along.x};
+      const dvec2 at = from + t * (to - from) + 1.1 * dvec2{along.y, -along.x};
       const double off = std::min(1.5, std::abs(glm::length(at - centre) - radius));
       if (off > most) {
         most = off;
