@@ -385,11 +385,12 @@ TEST(SutherlandHodgmanProperty, TheBatchGivesTheSameBits) {
   Polygons result;
   for (int batch = 0; batch < 60; ++batch) {
     const auto window = random_rectangle(random, batch % 2 == 0);
-    const double size = batch % 3 == 0 ? 1 : 0.2;
+    const double size = batch % 3 == 0 ? 1 : 0.05;
     Polygons given;
     for (int i = 0; i < 100; ++i) {
       Points points = random_points(random, batch % 2 == 0);
-      for (dvec2& p : points) p = p * size + (1 - size) * dvec2(random.uniform(-1, 4), random.uniform(-1, 4));
+      const dvec2 place = (1 - size) * dvec2(random.uniform(-1, 4), random.uniform(-1, 4));
+      for (dvec2& p : points) p = p * size + place;
       given.add(points);
     }
     const BatchCount count = clip(given, window, result);
@@ -408,7 +409,7 @@ TEST(SutherlandHodgmanProperty, TheBatchGivesTheSameBits) {
   EXPECT_EQ(all.copied + all.dropped + all.clipped, cases);
   EXPECT_GT(all.copied, 300u);
   EXPECT_GT(all.dropped, 300u);
-  EXPECT_GT(all.clipped, 2000u);
+  EXPECT_GT(all.clipped, 1500u);
   const Polygons broken{{{0, 0}, {1, HUGE_VAL}, {2, 0}}, {3}};
   EXPECT_THROW(clip(broken, {{0, 0}, {1, 1}}, result), ContractViolation);
 }
