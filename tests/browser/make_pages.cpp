@@ -264,18 +264,18 @@ int main(int count, char** arguments) try {
        .snippets = {{"Beamer", "\\begin{frame}\n  \\includegraphics<1>[page=1]{line.pdf}\n\\end{frame}"},
                     {"reveal.js", "<section>\n  <img src=\"line-0.svg\">\n</section>"},
                     {"Markdown", "![Bresenham line](line.svg)"}}},
-      {odd,
-       odd,
-       odd,
-       odd,
-       odd,
-       "javascript:window.hacked=1",
-       "a folder/#1?.html",
-       {{odd, odd}},
-       {odd},
-       odd,
-       odd,
-       {{odd, odd}}}};
+      {.slug = odd,
+       .title = odd,
+       .chapter = odd,
+       .caption = odd,
+       .command = odd,
+       .thumbnail = "javascript:window.hacked=1",
+       .player = "a folder/#1?.html",
+       .downloads = {{odd, odd}},
+       .words = {odd},
+       .topic_page = odd,
+       .zip = odd,
+       .snippets = {{odd, odd}}}};
   std::ofstream(folder + "/gallery.html", std::ios::binary) << gallery_page(cards);
   return 0;
 } catch (const std::exception& error) {
