@@ -146,9 +146,10 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
 // --- Apart and whole -----------------------------------------------------------------------------
 
 TEST(Layout, NoTwoTextsOverlap) {
-  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
+  for_each_slide([](const Trace& trace, const Sheet& sheet, const Look&) {
     const auto texts = texts_of(sheet);
-    ASSERT_GT(texts.size(), 3u);
+    // A drawing alone has the numbers of its axes at least, and on a paper a name
+    ASSERT_GT(texts.size(), trace.grid.axes ? 3u : 0u);
     std::vector<Box> boxes;
     for (const TextShape* text : texts) boxes.push_back(text->box());
     for (std::size_t i = 0; i < texts.size(); ++i) {
