@@ -57,7 +57,7 @@ struct Stage {
   Window cells;        ///< the grid's, or the reader's view of them
   bool fixed = false;  ///< the reader chose the cells: all of them are shown, or none
   bool y_up = true;
-  double left = 0, right = 0;               ///< units beside the cells, for their axes
+  double left = 0, right = 0;  ///< units beside the cells, for their axes
   double above = 0, below = 0;
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells

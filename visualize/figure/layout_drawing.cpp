@@ -685,8 +685,8 @@ Stage stage_of(const Trace& trace, const Look& look) {
   }
   const bool slide = look.layout == Layout::slide;
   stage.least_cell = grid.whole ? 6 : slide ? least_cell : 16;
-  // On paper it is the cell's real size that counts: 3 mm
-  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 ? 11 / unit_of(look) : 0.0);
+  // In print it is the cell's real size that counts: 3 mm; the units of a paper are no cells
+  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
   stage.largest_cell = slide ? 84 : 108;
   return stage;
 }
@@ -713,7 +713,8 @@ Fit capacity(const Stage& stage, double width, double height) {
   const auto count = [&stage](double room) {
     return static_cast<std::int64_t>(std::max(0.0, std::floor(room / stage.least_cell)));
   };
-  return {stage.least_cell, count(width - stage.left - stage.right), count(height - stage.below - stage.above)};
+  return {stage.least_cell, count(width - stage.left - stage.right),
+          count(height - stage.below - stage.above)};
 }
 
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {

@@ -16,8 +16,8 @@ struct Card {
   std::string player;     ///< relative path; empty: none
   std::vector<std::pair<std::string, std::string>> downloads{};  ///< (name shown, relative path)
   std::vector<std::string> words{};  ///< more to find it by: topic, aliases, method
-  std::string opened{};  ///< relative path: what a click on the thumbnail opens where there is no player;
-                         ///< empty: the thumbnail
+  std::string opened{};      ///< relative path: what a click on the thumbnail opens where there is no player;
+                             ///< empty: the thumbnail
   std::string topic_page{};  ///< relative path; empty: none
   std::string zip{};         ///< relative path: its steps as pictures; empty: none
   std::vector<std::pair<std::string, std::string>> snippets{};  ///< (for what: "Beamer", lines to paste)

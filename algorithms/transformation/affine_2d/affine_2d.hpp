@@ -257,7 +257,8 @@ void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> po
     for (Point<T>& p : points) {
       // From the pivot, and back to it
       const auto d = p - c;
-      p = factor.linear * d + c + factor.shift;
+      p = factor.linear * d + c;
+      p = p + factor.shift;
     }
     if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
   }

@@ -392,7 +392,8 @@ class Teller {
     numbers_.clear();
     show_rings(before_border_, "c ring", Role::past);
     if (const auto stroke = across(given_.border(border), panel_.shown())) {
-      view_.add({"b window border", Role::current, Stroke{panel_.at(stroke->a), panel_.at(stroke->b), false, true}});
+      view_.add({"b window border", Role::current,
+                 Stroke{panel_.at(stroke->a), panel_.at(stroke->b), false, true}});
     }
   }
   void left_border() {
