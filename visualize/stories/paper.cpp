@@ -37,6 +37,7 @@ Grid paper_grid(int width, int height) {
   grid.cells = {{0, 0}, {width - 1, height - 1}};
   grid.whole = true;
   grid.axes = false;
+  grid.x_name = grid.y_name = "";
   return grid;
 }
 

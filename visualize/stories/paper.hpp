@@ -81,7 +81,7 @@ double tick_distance(double length, int most);
 
 /// Names of a panel's axes; an empty one leaves the axis away.
 struct AxisNames {
-  std::string_view x = "x", y = "y";
+  std::string x = "x", y = "y";
 };
 
 /// Axes with round numbers along the panel's lower and left border. `name` begins the ids of their marks.

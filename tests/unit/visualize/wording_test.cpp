@@ -156,7 +156,8 @@ TEST(Language, EveryTextIsUsed) {
     if (dot == std::string::npos) continue;  // "language"
     const std::string name = key.substr(dot + 1), section = key.substr(0, dot);
     const bool counted = name == "one" || name == "many";
-    const bool composed = section.find('.') != std::string::npos && in_program(section + ".\"");
+    const bool composed = section.find('.') != std::string::npos &&
+                          (in_program(section + ".\"") || in_program(section + ".{}\""));
     const bool column_or_method = key.find(".column.") != std::string::npos ||
                                   key.find(".method.") != std::string::npos ||
                                   key.find(".note.") != std::string::npos;
@@ -233,9 +234,10 @@ TEST(Wording, ATopicsSymbolsAreThoseOfItsSection) {
 
 /// Words of letters, digits and "_"; letters of other scripts are letters.
 std::vector<std::string> words_in(std::string_view text) {
-  // A no-break space and an exponent end a word as any sign does
+  // A no-break space, a product's dot and an exponent end a word as any sign does
   const auto letter = [](char32_t c) {
-    return c < 0x80 ? std::isalnum(static_cast<int>(c)) || c == U'_' : c != U'\u00a0' && c != U'²';
+    constexpr std::u32string_view signs = U"\u00a0·²¹⁻";
+    return c < 0x80 ? std::isalnum(static_cast<int>(c)) || c == U'_' : signs.find(c) == signs.npos;
   };
   std::vector<std::string> words(1);
   for (const char32_t c : code_points(text)) {
@@ -245,12 +247,21 @@ std::vector<std::string> words_in(std::string_view text) {
   return words;
 }
 
+/// Whether a text says something in words; a formula alone is the same in every language.
+bool has_words(std::string_view text) {
+  return std::ranges::any_of(words_in(text), [](const std::string& word) {
+    return word.size() >= 3 &&
+           std::ranges::all_of(word, [](char c) { return std::isalpha(static_cast<unsigned char>(c)); });
+  });
+}
+
 /// Every text of a trace that a person reads, but for the listing.
 std::vector<std::string> texts_of(const Trace& trace) {
   std::vector<std::string> texts{trace.title, trace.subtitle,    trace.method_title, trace.faulty,
                                  trace.goal,  trace.grid.x_name, trace.grid.y_name};
   const auto add_label = [&texts](const Mark& mark) {
     if (const Label* label = std::get_if<Label>(&mark.shape)) texts.push_back(label->text);
+    if (const Text* text = std::get_if<Text>(&mark.shape)) texts.push_back(text->text);
   };
   for (const Column& column : trace.columns) texts.push_back(column.name);
   for (const LegendEntry& entry : trace.legend) texts.push_back(entry.text);
@@ -319,13 +330,15 @@ TEST(Labels, EverySymbolOfATopicCanHaveOne) {
       for (const std::string& text : texts_of(trace)) {
         ++texts;
         for (const std::string& word : words_in(text)) {
-          EXPECT_FALSE(symbols.contains(word)) << text << ": " << word << " has no label";
+          EXPECT_FALSE(symbols.contains(word))
+              << topic->name << ", " << trace.method << ": " << text << ": " << word << " has no label";
           if (word.starts_with("_")) seen.insert(word.substr(1));
         }
       }
     }
     EXPECT_GT(texts, 100u) << topic->name;
-    EXPECT_EQ(seen, symbols) << topic->name;
+    // A label may have a suffix of its own: M1 is the first M
+    EXPECT_TRUE(std::ranges::includes(seen, symbols)) << topic->name;
   }
 }
 
@@ -358,7 +371,7 @@ TEST(Languages, TellTheSameRun) {
         EXPECT_EQ(x.number, y.number);
         EXPECT_EQ(x.type + x.key, y.type + y.key);
         EXPECT_EQ(x.line, y.line);
-        EXPECT_NE(x.sentence, y.sentence);
+        EXPECT_TRUE(x.sentence != y.sentence || !has_words(x.sentence)) << x.sentence;
         EXPECT_FALSE(y.sentence.empty());
         EXPECT_TRUE(std::ranges::equal(x.fields, y.fields, [](const Field& f, const Field& g) {
           return f.name == g.name && f.value == g.value;

@@ -107,13 +107,14 @@ class Teller {
       step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"x0", a.line.a.x}, {"y0", a.line.a.y}, {"x1", a.line.b.x}, {"y1", a.line.b.y}};
-      const std::string key = wrong || !task_.right ? "unclipped" : off > 0 ? "accepted_off" : "accepted";
-      if (key == "accepted_off") {
+      const bool unclipped = wrong || !task_.right;
+      if (!unclipped && off > 0) {
         step.sentence = words_.count("cohen_sutherland_2d.accepted_off", static_cast<std::int64_t>(off),
                                      arg("from", figure_place(a.line.a)), arg("to", figure_place(a.line.b)));
       } else {
-        step.sentence = words_.say("cohen_sutherland_2d." + key, arg("from", figure_place(a.line.a)),
-                                   arg("to", figure_place(a.line.b)));
+        const char* key = unclipped ? "cohen_sutherland_2d.unclipped" : "cohen_sutherland_2d.accepted";
+        step.sentence =
+            words_.say(key, arg("from", figure_place(a.line.a)), arg("to", figure_place(a.line.b)));
       }
     });
     writer_.trace().result = {{"accepted", true},
@@ -178,7 +179,7 @@ class Teller {
   std::string beyond(Border border) const {
     return words_.say(fmt::format("cohen_sutherland_2d.beyond.{}", name_of(border)));
   }
-  std::string end(bool of_a) const { return words_.symbol(of_a ? "a" : "b"); }
+  static std::string end(bool of_a) { return of_a ? "a" : "b"; }
   std::string axis(Border border) const { return words_.symbol(axis_of(border) == 0 ? "x" : "y"); }
   std::string other_axis(Border border) const { return words_.symbol(axis_of(border) == 0 ? "y" : "x"); }
   std::string code(std::size_t which) const { return digits(task_, codes_[which]); }
@@ -201,7 +202,7 @@ class Teller {
   /// The whole drawing: regions with their codes, what was cut off, what is left.
   View drawing(Role left_over) const {
     View view;
-    scene_.add_window(view);
+    scene_.add_window(view, words_);
     const auto [lower, upper] = scene_.shown();
     const auto [from, to] = task_.window;
     // In the upper left corner of each region
@@ -237,7 +238,7 @@ class Teller {
   }
   /// An end's name, with its code while it has not moved.
   std::string named(std::string_view symbol, dvec2 was, dvec2 is, std::size_t which) const {
-    const std::string name = words_.symbol(symbol);
+    const std::string name(symbol);
     return was == is ? name + " " + code(which) : name;
   }
 

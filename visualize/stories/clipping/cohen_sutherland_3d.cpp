@@ -439,8 +439,6 @@ Trace run(const Arguments& arguments, Recording recording) {
   trace.method_title = words.say("cohen_sutherland_3d.method." + input.method);
   trace.goal = words.say("cohen_sutherland_3d.goal");
   trace.grid = paper_grid(paper_width, paper_height);
-  trace.grid.x_name = words.symbol("x");
-  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("cohen_sutherland_3d.legend.input")},
                   {Role::current, words.say("cohen_sutherland_3d.legend.current")},
                   {Role::rejected, words.say("cohen_sutherland_3d.legend.rejected")},

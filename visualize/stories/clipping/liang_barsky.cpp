@@ -63,13 +63,13 @@ class Teller {
                      {"leave", t.leave}};
       const bool parallel = t.crossing == Crossing::inside || t.crossing == Crossing::outside;
       step.sentence =
-          parallel
-              ? words_.say(fmt::format("liang_barsky.{}", name_of(t.crossing)), arg("border", name(t.border)),
-                           arg("q", figure_real(t.q)))
-              : words_.say(fmt::format("liang_barsky.{}", name_of(t.crossing)), arg("border", name(t.border)),
-                           arg("p", figure_real(t.p)), arg("q", window_view::factor(t.q)),
-                           arg("pq", window_view::factor(t.p)), arg("t", figure_real(t.t)),
-                           arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
+          parallel ? words_.say(fmt::format("liang_barsky.crossing.{}", name_of(t.crossing)),
+                                arg("border", name(t.border)), arg("q", figure_real(t.q)))
+                   : words_.say(fmt::format("liang_barsky.crossing.{}", name_of(t.crossing)),
+                                arg("border", name(t.border)), arg("p", figure_real(t.p)),
+                                arg("q", window_view::factor(t.q)), arg("pq", window_view::factor(t.p)),
+                                arg("t", figure_real(t.t)),
+                                arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
       step.row = row(name(t.border), figure_real(t.p), figure_real(t.q), parallel ? "" : figure_real(t.t),
                      words_.say(fmt::format("liang_barsky.kind.{}", name_of(t.crossing))));
     });
@@ -80,7 +80,7 @@ class Teller {
     enter_ = o.span.enter ? value_of(*o.span.enter, Crossing::enters) : 0;
     leave_ = o.span.leave ? value_of(*o.span.leave, Crossing::leaves) : 1;
     const auto named = [&](const std::optional<Border>& border, std::string_view end) {
-      return border ? name(*border) : words_.symbol(end);
+      return border ? name(*border) : std::string(end);
     };
     show(drawing(), source_line, [&](TraceStep& step) {
       step.type = "Ordered";
@@ -156,7 +156,7 @@ class Teller {
   /// The whole drawing: the window and the line above, its values of t below.
   View drawing(Role left_over = Role::current) const {
     View view;
-    scene_.add_window(view);
+    scene_.add_window(view, words_);
     scale_.add_to(view, "t", words_.symbol("t"));
     const bool empty = left_over == Role::rejected || enter_ > leave_ ||
                        (!values_.empty() && values_.back().crossing == Crossing::outside);
@@ -168,8 +168,8 @@ class Teller {
       scene_.add_line(view, "left over", left_over, {point(enter_), point(leave_)});
       scene_.add_line(view, "line after", Role::input, {point(leave_), task_.line.b}, true);
     }
-    scene_.add_point(view, "end a", Role::input, task_.line.a, task_.line.b, words_.symbol("a"));
-    scene_.add_point(view, "end b", Role::input, task_.line.b, task_.line.a, words_.symbol("b"));
+    scene_.add_point(view, "end a", Role::input, task_.line.a, task_.line.b, "a");
+    scene_.add_point(view, "end b", Role::input, task_.line.b, task_.line.a, "b");
 
     // Below: what is allowed by now, entering values above the scale, leaving ones too
     const double low = least(task_), high = most(task_);
@@ -281,9 +281,9 @@ class BoxTeller {
       step.fields = {{"border", face}, {"p", t.p},         {"q", t.q},
                      {"t", t.t},       {"enter", t.enter}, {"leave", t.leave}};
       step.sentence =
-          parallel ? words_.say(fmt::format("liang_barsky.{}", kind), arg("border", name(t.border)),
+          parallel ? words_.say(fmt::format("liang_barsky.crossing.{}", kind), arg("border", name(t.border)),
                                 arg("q", figure_real(t.q)))
-                   : words_.say(fmt::format("liang_barsky.{}", kind), arg("border", name(t.border)),
+                   : words_.say(fmt::format("liang_barsky.crossing.{}", kind), arg("border", name(t.border)),
                                 arg("p", figure_real(t.p)), arg("q", window_view::factor(t.q)),
                                 arg("pq", window_view::factor(t.p)), arg("t", figure_real(t.t)),
                                 arg("value", figure_real(t.crossing == Crossing::enters ? enter_ : leave_)));
@@ -344,7 +344,7 @@ class BoxTeller {
   View drawing() const {
     View view;
     add_box(view, space_, task_.box);
-    add_directions(view, {1.2, 22.4}, {"x", "y", "z"});
+    add_directions(view, {1.2, 22.4}, {words_.symbol("x"), words_.symbol("y"), words_.symbol("z")});
     const NumberLine scale({3.5, 2.3}, {32.5, 2.3}, least, most);
     scale.add_to(view, "t", words_.symbol("t"));
     const bool empty = left_over_ == Role::rejected || enter_ > leave_;
@@ -360,8 +360,8 @@ class BoxTeller {
     }
     view.add({"end a", Role::input, Dot{point(0)}});
     view.add({"end b", Role::input, Dot{point(1)}});
-    view.add({"end a name", Role::input, Label{point(0), words_.symbol("a")}});
-    view.add({"end b name", Role::input, Label{point(1), words_.symbol("b")}});
+    view.add({"end a name", Role::input, Label{point(0), "a"}});
+    view.add({"end b name", Role::input, Label{point(1), "b"}});
     for (std::size_t i = 0; i < values_.size(); ++i)
       add_value(view, scale, values_[i], i + 1 == values_.size());
     if (!values_.empty() && left_over_ == Role::current) {

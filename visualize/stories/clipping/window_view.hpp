@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+#include "figure/wording.hpp"
 #include "stories/paper.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
@@ -62,8 +63,8 @@ class Scene {
   const Rectangle& shown() const { return shown_; }
 
   /// Axes, the window, and its borders on and on.
-  void add_window(View& view) const {
-    add_axes(view, panel_, "plane");
+  void add_window(View& view, const Wording& words) const {
+    add_axes(view, panel_, "plane", {words.symbol("x"), words.symbol("y")});
     const auto [lower, upper] = window_;
     const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
                                      panel_.at({lower.x, upper.y})};

@@ -346,8 +346,6 @@ Trace run(const Arguments& arguments, Recording recording) {
   trace.source_file = std::string(folder) + (faulty ? "parallel_notes.hpp" : "parallel.hpp");
   trace.listing = listing_of(source_text(trace.source_file), task.method);
   trace.grid = paper_grid(solids::paper_width, solids::paper_height);
-  trace.grid.x_name = words.symbol("x");
-  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("parallel.legend.input")},
                   {Role::boundary, words.say("parallel.legend.boundary")},
                   {Role::current, words.say("parallel.legend.current")},

@@ -901,8 +901,6 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(solids::paper_width, method == "projection" ? solids::paper_height : 27);
-  trace.grid.x_name = words.symbol("x");
-  trace.grid.y_name = words.symbol("y");
   trace.legend = legend_of(words, method);
   if (method == "projection") {
     list_source(trace, "perspective.hpp", {"project"});

@@ -489,8 +489,6 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(36, 27);
-  trace.grid.x_name = words.symbol("x");
-  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("viewing.legend.input")},
                   {Role::current, words.say("viewing.legend.current")},
                   {Role::accepted, words.say("viewing.legend.accepted")}};

@@ -440,8 +440,6 @@ Trace run(const Arguments& arguments, Recording recording) {
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
   trace.grid = paper_grid(36, 27);
-  trace.grid.x_name = words.symbol("x");
-  trace.grid.y_name = words.symbol("y");
   trace.legend = {{Role::input, words.say("viewport.legend.input")},
                   {Role::current, words.say("viewport.legend.current")},
                   {Role::measure, words.say(faulty ? "viewport.true_line" : "viewport.legend.measure")},

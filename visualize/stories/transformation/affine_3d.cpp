@@ -512,7 +512,7 @@ class VectorTeller : Paper {
     view.add({"b circle", Role::guide, Path{ring, false, true}});
     dot(view, "through", Role::boundary, task_.through, "Q");
     dot(view, "point", Role::input, task_.point, "P");
-    add_arrow(view, panel, "p", Role::input, task_.through, task_.point, "p");
+    add_arrow(view, panel, "p", Role::input, task_.through, task_.point, words_.symbol("p"));
     if (level_ >= 1) add_arrow(view, panel, "r", role(1), task_.through, foot, "r");
     if (level_ >= 2) add_arrow(view, panel, "s", role(2), foot, task_.point, "s");
     if (level_ >= 3) add_arrow(view, panel, "v", role(3), foot, foot + v_, "v");
