@@ -73,7 +73,7 @@ std::vector<Case> slides() {
 
 /// Calls f(trace, sheet, look) for some steps of every telling trace on every slide; cropped ones too.
 template <class F>
-std::size_t for_each_slide(F f, std::size_t most = 4) {
+std::size_t for_each_slide(F f, std::size_t most = 3) {
   std::size_t count = 0;
   for (const Case& slide : slides()) {
     SCOPED_TRACE(slide.name);
