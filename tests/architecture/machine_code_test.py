@@ -52,7 +52,7 @@ def instructions(text, function, seen=()):
                      re.MULTILINE | re.DOTALL)
     code = re.findall(r"^\t[a-z].*$", body.group(1), re.MULTILINE) if body else []
     seen = (*seen, function)
-    for callee in dict.fromkeys(re.findall(r"\b(?:callq?|jmp)\s+(_ZN6gradus\w+)", "\n".join(code))):
+    for callee in dict.fromkeys(re.findall(r"\b(?:callq?|jmp)\s+(_ZN6gradus[\w.]+)", "\n".join(code))):
         if callee not in seen:
             code += instructions(text, callee, seen)
     return code

@@ -18,14 +18,12 @@ void machine_code_cut_at_border(std::span<const Vertex<double>> polygon, int bor
                                 const Scene<double, Rectangle<double>>& scene, Corners& result) {
   result = cut_at_border(polygon, border, scene);
 }
-[[gnu::flatten]] void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
-                                            const Scene<double, ConvexWindow<double>>& scene) {
+void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
+                           const Scene<double, ConvexWindow<double>>& scene) {
   split_at(border, rings, scene);
 }
-[[gnu::flatten]] void machine_code_bridges(std::span<const Vertex<double>> polygon,
-                                           std::span<const glm::dvec2> points,
-                                           const Rectangle<double>& window,
-                                           std::vector<BridgeFound<double>>& result) {
+void machine_code_bridges(std::span<const Vertex<double>> polygon, std::span<const glm::dvec2> points,
+                          const Rectangle<double>& window, std::vector<BridgeFound<double>>& result) {
   result = bridges(polygon, points, window);
 }
 void machine_code_separate_pieces(const Rings<double>& polygon, const Rectangle<double>& window, Ways order,
