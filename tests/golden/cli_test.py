@@ -652,7 +652,7 @@ def test_models():
             (("letter_f.obj", "more"), "figure: expected only a TOPIC, found 'more'"),
             (("none.obj",), "--model: expected a readable file, found 'none.obj' (No such file or directory)"),
             (("bad.obj",), "bad.obj:1: expected a number for the vertex, found 'zero'"),
-            (("--eye", "1,2"), "--eye: expected three numbers x,y,z like 1,0.5,2, found '1,2'"),
+            (("--eye", "1,2"), "--eye: expected 3 numbers x,y,z, found '1,2'"),
             (("--fov", "0"), "--fov: expected a number from 1 to 170, found '0'"),
             (("--face", "12"), "--face: expected a face from 0 to 11, found 12"),
             (("--pixel", "20,0"), "--pixel: expected a pixel inside the 20 × 14 picture, found 20,0")):
