@@ -486,6 +486,7 @@ class GradusPlayer {
     root.style.setProperty('--line', `${this.line}px`);
     if (!this.run) return;
     this.reserveSentence(width - (narrow ? 3.8 : 5.8) * this.unit);
+    this.reserveFooter();
     this.shareSide(narrow);
     const drawn = narrow && !this.parts.drawing.hidden;
     this.parts.drawing.style.height = drawn ? `${this.heightOfDrawing()}px` : '';
@@ -498,6 +499,17 @@ class GradusPlayer {
         this.run.steps.map((step) => this.said(step)).sort((a, b) => b.length - a.length).slice(0, 8);
     const lines = this.longest.map((text) => Math.ceil((1.04 * textWidth(text, 1.3 * this.unit)) / room));
     this.root.style.setProperty('--sentence-lines', clamp(Math.max(...lines), 1, 4));
+  }
+  /** Room for the longest position and the whole legend, so that nothing moves when a role appears. */
+  reserveFooter() {
+    const {parts, run} = this, s = this.unit / TEXT, footer = parts.legend.parentElement;
+    const positions = run.steps.map((step) => this.positionOf(step));
+    parts.position.textContent = positions.reduce((a, b) => (b.length > a.length ? b : a), '');
+    parts.legend.hidden = run.trace.legend.length === 0 || parts.drawing.hidden;
+    parts.legend.replaceChildren(...run.trace.legend.map(
+        ([, text]) => html('li', {}, svg('svg', {width: 24 * s, height: 18 * s}), text)));
+    footer.style.minHeight = '';
+    footer.style.minHeight = `${footer.offsetHeight}px`;
   }
   /** Whole lines and whole rows only. */
   shareSide(narrow) {
