@@ -45,8 +45,8 @@ TEST(Form, WholeRangeAtOnce) {
   for (int i = 0; i < 1000; ++i) many = many + big;
   for (int i = 0; i < 1001; ++i) many = many - big;
   EXPECT_EQ(many.sign(), 0);
-  EXPECT_THROW(Form<1>(std::numeric_limits<double>::infinity()), ContractViolation);
-  EXPECT_THROW(Form<1>(std::numeric_limits<double>::quiet_NaN()), ContractViolation);
+  EXPECT_THROW(Form<1>{std::numeric_limits<double>::infinity()}, ContractViolation);
+  EXPECT_THROW(Form<1>{std::numeric_limits<double>::quiet_NaN()}, ContractViolation);
 }
 
 TEST(Form, SelfAssignmentAndAliases) {
