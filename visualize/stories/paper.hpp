@@ -29,6 +29,20 @@ Delta difference(const View& before, const View& after);
 /// What a drawing starts from: a grid's bare cells.
 inline View bare_grid() { return {.plane = false}; }
 
+/// The drawing that is shown, from step to step.
+class Shown {
+ public:
+  /// Shows another drawing; what that changes.
+  Delta change_to(View view) {
+    Delta delta = difference(view_, view);
+    view_ = std::move(view);
+    return delta;
+  }
+
+ private:
+  View view_ = bare_grid();
+};
+
 /// A paper of so many units, y up, the origin in its lower left corner; all of it is always shown. Texts are
 /// about 1.3 units high where it is 36 x 27 and fills a slide's drawing. Domain: width, height >= 1.
 Grid paper_grid(int width, int height);

@@ -40,6 +40,22 @@ inline std::string_view compass(ivec2 move) {
 /// What the reader calls that move.
 inline std::string move_name(const Wording& wording, ivec2 move) { return wording.symbol(compass(move)); }
 
+/// What a trace says of itself before its first step: topic, title, goal, method, what is wrong with it where
+/// it is faulty, and its arguments. The texts are the topic's "title", "goal", "method.<name>" and
+/// "note.<name>".
+inline void introduce(Trace& trace, const std::string& topic, const Arguments& arguments, bool faulty) {
+  trace.topic = topic;
+  trace.method = arguments.text("method");
+  trace.title = trace.wording.say(topic + ".title");
+  trace.goal = trace.wording.say(topic + ".goal");
+  trace.method_title = trace.wording.say(topic + ".method." + trace.method);
+  if (faulty) trace.faulty = trace.wording.say(topic + ".note." + trace.method);
+  for (const Arguments::Entry& entry : arguments.entries()) {
+    if (!entry.hash.empty()) trace.input_hash = entry.hash;
+    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
+  }
+}
+
 /// A method with its texts from the English catalogue: "<topic>.method.<name>" and "<topic>.note.<name>".
 inline Method method_in_english(std::string_view topic, std::string name, Standing standing) {
   const Wording english;

@@ -244,8 +244,7 @@ class Teller {
 
   template <class Describe>
   void show(View view, int line, Describe describe) {
-    writer_.step(difference(shown_, view), {}, line, describe);
-    shown_ = std::move(view);
+    writer_.step(shown_.change_to(std::move(view)), {}, line, describe);
   }
 
   TraceWriter& writer_;
@@ -256,7 +255,7 @@ class Teller {
   std::array<Code, 2> codes_{};
   std::vector<Line<double>> cuts_;
   std::int64_t rounds_ = 0;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 const std::vector<Method>& all_methods() {
@@ -277,17 +276,9 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
-  trace.topic = "cohen_sutherland_2d";
-  trace.title = words.say("cohen_sutherland_2d.title");
+  introduce(trace, "cohen_sutherland_2d", arguments, task.faulty);
   trace.subtitle = words.say("cohen_sutherland_2d.subtitle", arg("from", figure_place(task.line.a)),
                              arg("to", figure_place(task.line.b)));
-  trace.goal = words.say("cohen_sutherland_2d.goal");
-  trace.method = method;
-  trace.method_title = words.say("cohen_sutherland_2d.method." + method);
-  if (task.faulty) trace.faulty = words.say("cohen_sutherland_2d.note.codes_only");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
   trace.source_file =
       std::string(folder) + (task.faulty ? "cohen_sutherland_2d_notes.hpp" : "cohen_sutherland_2d.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method);

@@ -360,12 +360,7 @@ class Teller {
 
  private:
   /// What the step changes: the difference of two whole drawings.
-  Delta drawn() {
-    View view = view_of(words_, run_, state_);
-    Delta delta = difference(shown_, view);
-    shown_ = std::move(view);
-    return delta;
-  }
+  Delta drawn() { return shown_.change_to(view_of(words_, run_, state_)); }
   std::string name(Border face) const { return face_name(words_, face); }
   std::string ending(const Line<N, double>& part) const {
     const std::string from = place_text(part.a), to = place_text(part.b);
@@ -415,7 +410,7 @@ class Teller {
   const Wording& words_;
   const Run& run_;
   State<N> state_;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 const std::vector<Method>& all_methods() {
@@ -433,23 +428,17 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
-  trace.topic = "cohen_sutherland_3d";
-  trace.title = words.say("cohen_sutherland_3d.title");
-  trace.method = input.method;
-  trace.method_title = words.say("cohen_sutherland_3d.method." + input.method);
-  trace.goal = words.say("cohen_sutherland_3d.goal");
+  introduce(trace, "cohen_sutherland_3d", arguments, false);
   trace.grid = paper_grid(paper_width, paper_height);
   trace.legend = {{Role::input, words.say("cohen_sutherland_3d.legend.input")},
                   {Role::current, words.say("cohen_sutherland_3d.legend.current")},
                   {Role::rejected, words.say("cohen_sutherland_3d.legend.rejected")},
                   {Role::result, words.say("cohen_sutherland_3d.legend.result")}};
-  for (const Arguments::Entry& given : arguments.entries()) {
-    // Only what this method reads: the command that makes the trace again needs no more
-    const bool other = given.name == "homogeneous"
-                           ? !input.homogeneous()
-                           : input.homogeneous() && (given.name == "line" || given.name == "box");
-    if (!given.text.empty() && !other) trace.arguments.push_back({given.name, given.text});
-  }
+  // Only what this method reads: the command that makes the trace again needs no more
+  std::erase_if(trace.arguments, [&](const Argument& a) {
+    return a.name == "homogeneous" ? !input.homogeneous()
+                                   : input.homogeneous() && (a.name == "line" || a.name == "box");
+  });
   const std::string listed = input.method == "cut_of_a_cut" ? "cut_of_a_cut" : "correctly_rounded";
   trace.source_file = std::string(folder) + "cohen_sutherland_3d.hpp";
   trace.listing = listing_of(source_text(trace.source_file), listed);

@@ -230,8 +230,7 @@ class Teller {
 
   template <class Describe>
   void show(View view, int line, Describe describe) {
-    writer_.step(difference(shown_, view), {}, line, describe);
-    shown_ = std::move(view);
+    writer_.step(shown_.change_to(std::move(view)), {}, line, describe);
   }
 
   TraceWriter& writer_;
@@ -241,7 +240,7 @@ class Teller {
   NumberLine scale_;
   double enter_ = 0, leave_ = 1;
   std::vector<Value> values_;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 /// A segment in space and a box.
@@ -396,8 +395,7 @@ class BoxTeller {
   template <class Describe>
   void show(int line, Describe describe) {
     View view = drawing();
-    writer_.step(difference(shown_, view), {}, line, describe);
-    shown_ = std::move(view);
+    writer_.step(shown_.change_to(std::move(view)), {}, line, describe);
   }
 
   static constexpr double least = -0.5, most = 1.5;
@@ -409,7 +407,7 @@ class BoxTeller {
   double enter_ = 0, leave_ = 1;
   Role left_over_ = Role::current;
   std::vector<Value> values_;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 const std::vector<Method>& all_methods() {
@@ -440,20 +438,15 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
-  trace.topic = "liang_barsky";
-  trace.title = words.say("liang_barsky.title");
+  introduce(trace, "liang_barsky", arguments, false);
   trace.subtitle = words.say("liang_barsky.subtitle",
                              arg("from", in_space ? figure_place(space.line.a) : figure_place(task.line.a)),
                              arg("to", in_space ? figure_place(space.line.b) : figure_place(task.line.b)));
-  trace.goal = words.say("liang_barsky.goal");
-  trace.method = method;
-  trace.method_title = words.say("liang_barsky.method." + method);
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    // Only what the method reads
-    const bool of_space = entry.name == "space_line" || entry.name == "box";
-    const bool unread = entry.name != "method" && of_space != in_space;
-    if (!entry.text.empty() && !unread) trace.arguments.push_back({entry.name, entry.text});
-  }
+  // Only what the method reads
+  std::erase_if(trace.arguments, [&](const Argument& a) {
+    const bool of_space = a.name == "space_line" || a.name == "box";
+    return a.name != "method" && of_space != in_space;
+  });
   trace.source_file = std::string(folder) + (in_space ? "liang_barsky_box.hpp" : "liang_barsky.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method);
   trace.grid = paper_grid(window_view::paper_width, window_view::paper_height);

@@ -335,7 +335,7 @@ class Teller {
 
   void milestone(std::string_view type, std::string phase, int source_line, std::string sentence,
                  std::vector<Field> fields, Row row) {
-    writer_.step(difference(before_, view_), {0, 0}, source_line, [&](TraceStep& step) {
+    writer_.step(before_.change_to(view_), {0, 0}, source_line, [&](TraceStep& step) {
       step.type = type;
       step.phase = std::move(phase);
       step.key = type;
@@ -344,7 +344,6 @@ class Teller {
       step.row = std::move(row);
       if (type == "Started" || type == "Finished") step.level = Level::idea;
     });
-    before_ = view_;
   }
 
   static constexpr dvec2 name_up_{0, 1.5};
@@ -352,7 +351,8 @@ class Teller {
   const Wording& words_;
   const Scene& scene_;
   const bool faulty_;
-  View view_, before_ = bare_grid();
+  View view_;
+  Shown before_;
   double foot_ = 0;
 };
 
@@ -381,18 +381,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& about = writer.trace();
   const Wording& words = about.wording;
-  about.topic = "liang_barsky_circle";
-  about.title = words.say("liang_barsky_circle.title");
+  introduce(about, "liang_barsky_circle", arguments, faulty);
   about.subtitle = words.say("liang_barsky_circle.subtitle", arg("from", figure_place(segment.from)),
                              arg("to", figure_place(segment.to)), arg("centre", figure_place(circle.centre)),
                              arg("radius", figure_real(circle.radius)));
-  about.method = name;
-  about.method_title = words.say("liang_barsky_circle.method." + name);
-  if (faulty) about.faulty = words.say("liang_barsky_circle.note." + name);
-  about.goal = words.say("liang_barsky_circle.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) about.arguments.push_back({entry.name, entry.text});
-  }
   about.grid = paper_grid(width, height);
   about.legend = {{Role::input, words.say("liang_barsky_circle.legend.input")},
                   {Role::boundary, words.say("liang_barsky_circle.legend.boundary")},

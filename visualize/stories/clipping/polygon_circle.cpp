@@ -360,7 +360,7 @@ class Teller {
 
   void milestone(std::string_view type, std::string phase, int source_line, std::string sentence,
                  std::vector<Field> fields, Row row) {
-    writer_.step(difference(before_, view_), {0, 0}, source_line, [&](TraceStep& step) {
+    writer_.step(before_.change_to(view_), {0, 0}, source_line, [&](TraceStep& step) {
       step.type = type;
       step.phase = std::move(phase);
       step.key = type;
@@ -369,13 +369,13 @@ class Teller {
       step.row = std::move(row);
       if (type == "Oriented" || type == "Finished" || type == "Joined") step.level = Level::idea;
     });
-    before_ = view_;
   }
 
   TraceWriter& writer_;
   const Wording& words_;
   const Scene& scene_;
-  View view_, before_ = bare_grid();
+  View view_;
+  Shown before_;
   std::vector<dvec2> corners_, chain_;
   std::size_t crossings_ = 0;
   bool leaves_ = false;
@@ -411,18 +411,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& about = writer.trace();
   const Wording& words = about.wording;
-  about.topic = "polygon_circle";
-  about.title = words.say("polygon_circle.title");
+  introduce(about, "polygon_circle", arguments, faulty);
   about.subtitle =
       words.say("polygon_circle.subtitle", arg("corners", polygon.size()),
                 arg("centre", figure_place(circle.centre)), arg("radius", figure_real(circle.radius)));
-  about.method = name;
-  about.method_title = words.say("polygon_circle.method." + name);
-  if (faulty) about.faulty = words.say("polygon_circle.note." + name);
-  about.goal = words.say("polygon_circle.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) about.arguments.push_back({entry.name, entry.text});
-  }
   about.grid = paper_grid(width, height);
   about.legend = {{Role::input, words.say("polygon_circle.legend.input")},
                   {Role::boundary, words.say("polygon_circle.legend.boundary")},

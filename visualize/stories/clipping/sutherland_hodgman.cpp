@@ -448,7 +448,7 @@ class Teller {
   void tell(std::string_view type, std::string_view phase, int line, std::string sentence,
             std::vector<Field> fields, Row row, Level level = Level::step, Row read = {}) {
     const std::string said = phase.empty() ? phase_ : words_.say(phase);
-    writer_.step(difference(before_, view_), {0, 0}, line, [&](TraceStep& step) {
+    writer_.step(before_.change_to(view_), {0, 0}, line, [&](TraceStep& step) {
       step.type = type;
       step.phase = said;
       step.key = type;
@@ -458,7 +458,6 @@ class Teller {
       step.read = std::move(read);
       step.row = std::move(row);
     });
-    before_ = view_;
   }
 
   TraceWriter& writer_;
@@ -467,7 +466,8 @@ class Teller {
   Panel panel_;
   bool pieces_;
   std::optional<double> right_;  ///< for faulty methods: the right area
-  View view_, before_ = bare_grid();
+  View view_;
+  Shown before_;
   Names names_;
   std::string phase_;
   std::optional<int> border_;
@@ -564,17 +564,9 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& about = writer.trace();
   const Wording& words = about.wording;
-  about.topic = "sutherland_hodgman";
-  about.title = words.say("sutherland_hodgman.title");
+  introduce(about, "sutherland_hodgman", arguments, faulty);
   about.subtitle = words.say("sutherland_hodgman.subtitle", arg("corners", given.outline().size()),
                              arg("borders", given.order.size()));
-  about.method = method.name;
-  about.method_title = words.say("sutherland_hodgman.method." + method.name);
-  if (faulty) about.faulty = words.say("sutherland_hodgman.note." + method.name);
-  about.goal = words.say("sutherland_hodgman.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) about.arguments.push_back({entry.name, entry.text});
-  }
   about.grid = paper_grid(width, height);
   about.legend = {{Role::input, words.say("sutherland_hodgman.legend.input")},
                   {Role::boundary, words.say("sutherland_hodgman.legend.boundary")},

@@ -152,9 +152,8 @@ class Tour {
     const int line = listed_ == 0 ? chain_line(call)
                                   : own_line(reported.empty() ? std::string_view(event.type) : reported);
     reported_ = line;
-    writer_.fine(difference(shown_, view), pixel_, line,
+    writer_.fine(shown_.change_to(std::move(view)), pixel_, line,
                  [&](TraceStep& step) { describe(step, std::move(event)); });
-    shown_ = std::move(view);
   }
 
   /// The line with which the listed stage ends: its return, or what it reported last.
@@ -165,11 +164,10 @@ class Tour {
 
   void milestone(View view, Event event) {
     const int line = listed_ == 0 ? chain_line() : end_line();
-    writer_.step(difference(shown_, view), pixel_, line, [&](TraceStep& step) {
+    writer_.step(shown_.change_to(std::move(view)), pixel_, line, [&](TraceStep& step) {
       describe(step, std::move(event));
       step.level = Level::idea;
     });
-    shown_ = std::move(view);
   }
 
   Row row(std::string point, std::string x = {}, std::string y = {}, std::string z = {},
@@ -492,26 +490,18 @@ class Tour {
   std::size_t number_;
   ivec2 pixel_;
   Views views_;
-  View shown_ = bare_grid();
+  Shown shown_;
   int stage_ = 0;
   int reported_ = 0;  ///< the line of the last finer event
 };
 
 void describe(Trace& trace, const Arguments& arguments, const Run& run, int listed) {
   const Wording& words = trace.wording;
-  trace.topic = "pipeline";
-  trace.title = words.say("pipeline.title");
+  introduce(trace, "pipeline", arguments, false);
   const bool given = arguments.has("model") && !arguments.text("model").empty();
   trace.subtitle =
       words.say("pipeline.subtitle", arg("model", given ? arguments.text("model") : "letter_f.obj"),
                 arg("width", run.size.width), arg("height", run.size.height));
-  trace.method = arguments.text("method");
-  trace.method_title = words.say("pipeline.method.z_buffer");
-  trace.goal = words.say("pipeline.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.hash.empty()) trace.input_hash = entry.hash;
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
   trace.source_file = file_of(listed);
   trace.listing = listing_for(listed);
   trace.grid.cells = run.image.window();

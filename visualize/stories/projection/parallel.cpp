@@ -297,13 +297,11 @@ class Teller {
 
   template <class Describe>
   void show(View seen, int line, Describe describe) {
-    writer_.step(difference(shown_, seen), {}, line, describe);
-    shown_ = std::move(seen);
+    writer_.step(shown_.change_to(std::move(seen)), {}, line, describe);
   }
   template <class Describe>
   void fine(View seen, int line, Describe describe) {
-    writer_.fine(difference(shown_, seen), {}, line, describe);
-    shown_ = std::move(seen);
+    writer_.fine(shown_.change_to(std::move(seen)), {}, line, describe);
   }
 
   TraceWriter& writer_;
@@ -312,7 +310,7 @@ class Teller {
   std::vector<dvec3> right_;
   solids::Scenery scenery_;
   Images images_;
-  View shown_ = bare_grid();
+  Shown shown_;
   std::size_t corner_ = 0;
   double t_ = 0;
 };
@@ -332,17 +330,9 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
-  trace.topic = "parallel";
-  trace.title = words.say("parallel.title");
   trace.subtitle = words.say("parallel.subtitle." + arguments.text("solid"));
-  trace.goal = words.say("parallel.goal");
-  trace.method = task.method;
-  trace.method_title = words.say("parallel.method." + task.method);
   const bool faulty = task.method == "keep_x_and_y";
-  if (faulty) trace.faulty = words.say("parallel.note." + task.method);
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
+  introduce(trace, "parallel", arguments, faulty);
   trace.source_file = std::string(folder) + (faulty ? "parallel_notes.hpp" : "parallel.hpp");
   trace.listing = listing_of(source_text(trace.source_file), task.method);
   trace.grid = paper_grid(solids::paper_width, solids::paper_height);

@@ -28,20 +28,18 @@ class ViewTeller {
  protected:
   template <class Describe>
   void show(View seen, int line, Describe describe) {
-    writer_.step(difference(shown_, seen), {}, line, describe);
-    shown_ = std::move(seen);
+    writer_.step(shown_.change_to(std::move(seen)), {}, line, describe);
   }
   template <class Describe>
   void fine(View seen, int line, Describe describe) {
-    writer_.fine(difference(shown_, seen), {}, line, describe);
-    shown_ = std::move(seen);
+    writer_.fine(shown_.change_to(std::move(seen)), {}, line, describe);
   }
 
   TraceWriter& writer_;
   const Wording& words_;
 
  private:
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 double distance_of(const Arguments& arguments) {
@@ -890,16 +888,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
-  trace.topic = "perspective";
-  trace.title = words.say("perspective.title");
+  introduce(trace, "perspective", arguments, method == "keep_z");
   trace.subtitle = subtitle_of(words, arguments, method);
-  trace.goal = words.say("perspective.goal");
-  trace.method = method;
-  trace.method_title = words.say("perspective.method." + method);
-  if (method == "keep_z") trace.faulty = words.say("perspective.note." + method);
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
   trace.grid = paper_grid(solids::paper_width, method == "projection" ? solids::paper_height : 27);
   trace.legend = legend_of(words, method);
   if (method == "projection") {

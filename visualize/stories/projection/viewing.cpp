@@ -414,8 +414,7 @@ class Teller {
     } else {
       drawing_.add_picture(view, known_, right_);
     }
-    Delta delta = difference(shown_, view);
-    shown_ = std::move(view);
+    Delta delta = shown_.change_to(std::move(view));
     writer_.step(std::move(delta), {0, 0}, line, [&](TraceStep& told) {
       told.type = std::move(type);
       told.key = std::move(key);
@@ -440,7 +439,7 @@ class Teller {
   DFrame frame_;
   glm::dmat4 right_{1}, wrong_{1}, matrix_{1};
   std::string method_;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 const std::vector<Method>& all_methods() {
@@ -476,18 +475,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
-  trace.topic = "viewing";
-  trace.title = words.say("viewing.title");
   trace.subtitle = words.say("viewing.subtitle", arg("eye", figure_place(scene.eye)),
                              arg("target", figure_place(scene.target)));
-  trace.method = method.name;
-  trace.method_title = words.say("viewing.method." + method.name);
   const bool faulty = method.standing == Standing::faulty;
-  if (faulty) trace.faulty = words.say("viewing.note." + method.name);
-  trace.goal = words.say("viewing.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
+  introduce(trace, "viewing", arguments, faulty);
   trace.grid = paper_grid(36, 27);
   trace.legend = {{Role::input, words.say("viewing.legend.input")},
                   {Role::current, words.say("viewing.legend.current")},

@@ -371,8 +371,7 @@ class Teller {
   void tell(bool fine, int line, std::string type, std::string_view phase, std::string text,
             std::vector<Field> fields, Row row) {
     View view = drawing_.view(fates_, current_, done_, faulty_);
-    Delta delta = difference(shown_, view);
-    shown_ = std::move(view);
+    Delta delta = shown_.change_to(std::move(view));
     const auto describe = [&](TraceStep& step) {
       step.type = std::move(type);
       step.phase = words_.say(phase);
@@ -398,7 +397,7 @@ class Teller {
   std::size_t current_;
   int line_ = 0;
   bool done_ = false;
-  View shown_ = bare_grid();
+  Shown shown_;
 };
 
 const std::vector<Method>& all_methods() {
@@ -428,17 +427,9 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
-  trace.topic = "viewport";
-  trace.title = words.say("viewport.title");
+  introduce(trace, "viewport", arguments, faulty);
   trace.subtitle = words.count("viewport.subtitle", static_cast<long long>(input.points.size()),
                                arg("width", input.map.picture.x), arg("height", input.map.picture.y));
-  trace.method = method.name;
-  trace.method_title = words.say("viewport.method." + method.name);
-  if (faulty) trace.faulty = words.say("viewport.note." + method.name);
-  trace.goal = words.say("viewport.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
   trace.grid = paper_grid(36, 27);
   trace.legend = {{Role::input, words.say("viewport.legend.input")},
                   {Role::current, words.say("viewport.legend.current")},

@@ -654,21 +654,13 @@ void list_source(Trace& trace, std::string_view file, std::string_view function)
 
 void describe(Trace& trace, const Circle& circle, const Method& method, const Arguments& arguments) {
   const Wording& words = trace.wording;
-  trace.topic = "bresenham_circle";
-  trace.title = words.say("bresenham_circle.title");
+  introduce(trace, "bresenham_circle", arguments, method.standing == Standing::faulty);
   trace.subtitle = words.say("bresenham_circle.subtitle", arg("center", figure_point(circle.center)),
                              arg("radius", figure_number(circle.radius)));
-  trace.method = method.name;
-  trace.method_title = words.say("bresenham_circle.method." + method.name);
   if (circle.window) {
     trace.method_title = words.say("bresenham_circle.in_window", arg("method", trace.method_title));
   } else if (circle.radius > longest_watched) {
     trace.method_title = words.say("bresenham_circle.jumped_to_part", arg("method", trace.method_title));
-  }
-  if (method.standing == Standing::faulty) trace.faulty = words.say("bresenham_circle.note." + method.name);
-  trace.goal = words.say("bresenham_circle.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
 }
 

@@ -570,18 +570,10 @@ void tell_decision(TraceWriter& writer, const Line& line, const Recording& recor
 }
 
 void describe(Trace& trace, const Line& line, const Method& method, const Arguments& arguments) {
-  trace.topic = "bresenham_line";
+  introduce(trace, "bresenham_line", arguments, method.standing == Standing::faulty);
   const Wording& words = trace.wording;
-  trace.title = words.say("bresenham_line.title");
   trace.subtitle = words.say("bresenham_line.subtitle", arg("from", figure_point(line.from)),
                              arg("to", figure_point(line.to)));
-  trace.method = method.name;
-  trace.method_title = words.say("bresenham_line.method." + method.name);
-  if (method.standing == Standing::faulty) trace.faulty = words.say("bresenham_line.note." + method.name);
-  trace.goal = words.say("bresenham_line.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
 }
 
 void list_source(Trace& trace, std::string_view file, std::string_view function) {

@@ -359,21 +359,14 @@ const std::vector<gradus::Method>& all_methods() {
 void describe(Trace& trace, const Subject& subject, const Arguments& arguments) {
   const std::string& method = arguments.text("method");
   const ivec2 seed = arguments.cell("at");
-  trace.topic = "flood_fill";
+  introduce(trace, "flood_fill", arguments, false);
   const Wording& words = trace.wording;
-  trace.title = words.say("flood_fill.title");
   trace.subtitle = words.say(subject.is_maze ? "flood_fill.subtitle.maze" : "flood_fill.subtitle.image",
                              arg("width", subject.image.width()), arg("height", subject.image.height()),
                              arg("seed", figure_point(seed)));
-  trace.method = method;
   trace.method_title =
       words.say("flood_fill.connected", arg("method", words.say("flood_fill.method." + method)),
                 arg("connectivity", arguments.text("connectivity")));
-  trace.goal = words.say("flood_fill.goal");
-  for (const Arguments::Entry& entry : arguments.entries()) {
-    if (!entry.hash.empty()) trace.input_hash = entry.hash;
-    if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
-  }
   trace.source_file = std::string(source);
   trace.listing = listing_of(source_text(source), method);
   trace.grid.cells = subject.image.window();

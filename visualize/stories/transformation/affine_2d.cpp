@@ -349,21 +349,19 @@ class Teller {
     step.fields = std::move(fields);
   }
   void step(View view, std::string type, int line, std::string sentence, Row row) {
-    writer_.step(difference(before_, view), {}, line, [&](TraceStep& step) {
+    writer_.step(before_.change_to(std::move(view)), {}, line, [&](TraceStep& step) {
       describe(step, std::move(type), "", std::move(sentence), fields_of(matrix_));
       step.row = std::move(row);
     });
-    before_ = std::move(view);
   }
   void milestone(std::string type, int line, std::string sentence, Role role, bool whole = false) {
     step(drawing(role, count(), whole), std::move(type), line, std::move(sentence), whole ? Row{} : row());
   }
   void fine(View view, std::string type, std::string key, int line, std::string sentence,
             std::vector<Field> fields) {
-    writer_.fine(difference(before_, view), {}, line, [&](TraceStep& step) {
+    writer_.fine(before_.change_to(std::move(view)), {}, line, [&](TraceStep& step) {
       describe(step, std::move(type), std::move(key), std::move(sentence), std::move(fields));
     });
-    before_ = std::move(view);
   }
 
   TraceWriter& writer_;
@@ -374,7 +372,7 @@ class Teller {
   std::vector<Shape> stages_;  ///< the shape, and where it stood after each step
   std::size_t done_ = 0;       ///< steps
   Matrix<double> matrix_{1.0}, shown_{1.0};
-  View before_ = bare_grid();
+  Shown before_;
 };
 
 std::vector<Method> all_methods() {
@@ -404,16 +402,10 @@ void list_source(Trace& trace, std::string_view file, std::string_view function)
 
 void describe(Trace& trace, const Arguments& arguments, const Task& task, const Method& method) {
   const Wording& words = trace.wording;
-  trace.topic = "affine_2d";
-  trace.title = words.say("affine_2d.title");
+  introduce(trace, "affine_2d", arguments, method.standing == Standing::faulty);
   std::vector<std::string> factors;
   for (const FactorText& text : task.texts) factors.push_back(factor_words(words, text));
   trace.subtitle = fmt::format("{}", fmt::join(factors, "; "));
-  trace.method = method.name;
-  trace.method_title = words.say("affine_2d.method." + method.name);
-  trace.goal = words.say("affine_2d.goal");
-  if (method.standing == Standing::faulty) trace.faulty = words.say("affine_2d.note." + method.name);
-  for (const auto& entry : arguments.entries()) trace.arguments.push_back({entry.name, entry.text});
   trace.grid = paper_grid(26, 26);
   trace.legend = {{Role::input, words.say("affine_2d.legend.input")},
                   {Role::past, words.say("affine_2d.legend.past")},

@@ -186,20 +186,19 @@ class Paper {
 
   void step(View view, std::string type, int line, std::string_view phase, std::string sentence, Row row,
             std::vector<Field> fields) {
-    writer_.step(difference(before_, view), {}, line, [&](TraceStep& step) {
+    writer_.step(before_.change_to(std::move(view)), {}, line, [&](TraceStep& step) {
       step.type = std::move(type);
       step.phase = say(phase);
       step.sentence = std::move(sentence);
       step.row = std::move(row);
       step.fields = std::move(fields);
     });
-    before_ = std::move(view);
   }
 
   TraceWriter& writer_;
   const Wording& words_;
   const Task& task_;
-  View before_ = bare_grid();
+  Shown before_;
 };
 
 /// What rounding has left of zeros is nothing to show.
@@ -553,11 +552,7 @@ std::vector<Method> all_methods() {
 
 void describe(Trace& trace, const Arguments& arguments, const Task& task, const Method& method) {
   const Wording& words = trace.wording;
-  trace.topic = "affine_3d";
-  trace.title = words.say("affine_3d.title");
-  trace.method = method.name;
-  trace.method_title = words.say("affine_3d.method." + method.name);
-  trace.goal = words.say("affine_3d.goal");
+  introduce(trace, "affine_3d", arguments, method.standing == Standing::faulty);
   const bool chain = method.name == "one_matrix" || method.name == "row_vectors";
   std::vector<std::string> factors;
   for (const FactorText& text : task.texts) factors.push_back(factor_words(words, text));
@@ -565,8 +560,6 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
       chain ? fmt::format("{}", fmt::join(factors, "; "))
             : words.say("affine_3d.subtitle", arg("angle", figure_real(task.angle)),
                         arg("axis", figure_place(task.axis)), arg("through", figure_place(task.through)));
-  if (method.standing == Standing::faulty) trace.faulty = words.say("affine_3d.note." + method.name);
-  for (const auto& entry : arguments.entries()) trace.arguments.push_back({entry.name, entry.text});
   trace.source_file =
       std::string(folder) + (method.standing == Standing::faulty ? "affine_3d_notes.hpp" : "affine_3d.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method.name);
