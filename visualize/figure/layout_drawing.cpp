@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -39,6 +40,11 @@ Box grown(const Box& b, double by) { return {b.x - by, b.y - by, b.width + 2 * b
 
 /// The part of a stroke inside a box; nothing when it misses it. (Liang and Barsky's parameters.)
 std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box) {
+  // Most are far from it
+  if (std::max(a.x, b.x) < box.x || std::min(a.x, b.x) > box.right() || std::max(a.y, b.y) < box.y ||
+      std::min(a.y, b.y) > box.bottom()) {
+    return std::nullopt;
+  }
   double enter = 0, leave = 1;
   const dvec2 d = b - a;
   const auto side = [&](double p, double q) {
@@ -399,8 +405,8 @@ class DrawingLayout {
   }
 
   /// How bad a place for a label is: covering what matters, lying on lines, being far away. Nothing:
-  /// impossible. `clear`: how far it should keep from lines.
-  std::optional<double> badness(const Box& at, double distance, double clear) const {
+  /// impossible, or no better than `least`. `clear`: how far it should keep from lines.
+  std::optional<double> badness(const Box& at, double distance, double clear, double least) const {
     if (!inside(at, at_.labels)) return std::nullopt;
     const auto hits = [&at, this](const Box& text) { return overlap(grown(at, 3 * s_), text); };
     if (std::ranges::any_of(texts_, hits)) return std::nullopt;
@@ -410,10 +416,13 @@ class DrawingLayout {
     const double area = at.width * at.height;
     for (const Box& box : taken_) cost += 900 * s_ * overlap_area(at, box) / area;
     for (const auto& [box, weight] : crowded_) cost += weight * s_ * overlap_area(at, box) / area;
+    // Each cost adds, so that a place that lost already need not be counted to its end
+    const Box clearing = grown(at, clear);
     for (const auto& [a, b] : strokes_) {
-      if (clipped(a, b, grown(at, clear))) cost += 160 * s_;
+      if (cost >= least) return std::nullopt;
+      if (clipped(a, b, clearing)) cost += 160 * s_;
     }
-    return cost;
+    return cost < least ? std::optional(cost) : std::nullopt;
   }
 
   static dvec2 leader_end(dvec2 anchor, const Box& label) {
@@ -451,7 +460,7 @@ class DrawingLayout {
     if (!inside({anchor.x, anchor.y, 0, 0}, grown(frame_.box, 1))) return;
     const double size = text_size * s_, width = text_width(label.text, Face::sans, size);
     std::optional<Box> best;
-    double least = 0, best_distance = 0;
+    double least = std::numeric_limits<double>::infinity(), best_distance = 0;
     for (const double distance :
          {gap, gap + 26 * s_, gap + 60 * s_, gap + 100 * s_, gap + 150 * s_, gap + 210 * s_}) {
       for (const auto& [dx, dy] : {std::pair{-1.0, 0.0},
@@ -473,10 +482,10 @@ class DrawingLayout {
         const double x = anchor.x + dx * distance - (dx < 0 ? width : dx > 0 ? 0 : width / 2);
         const double y = anchor.y + dy * distance - size / 2;
         const Box at{x, y, width, size};
-        auto cost = badness(at, distance, clear);
-        if (!cost || (best && *cost >= least)) continue;
+        auto cost = badness(at, distance, clear, least);
+        if (!cost) continue;
         *cost += ambiguity(anchor, at) + (distance > gap ? badness_of_leader(anchor, at) : 0);
-        if (best && *cost >= least) continue;
+        if (*cost >= least) continue;
         best = at;
         least = *cost;
         best_distance = distance;

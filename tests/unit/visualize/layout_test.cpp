@@ -71,54 +71,118 @@ std::vector<Case> slides() {
   return cases;
 }
 
-/// Calls f(trace, sheet, look) for some steps of every telling trace on every slide; cropped ones too.
-template <class F>
-std::size_t for_each_slide(F f, std::size_t most = 3) {
-  std::size_t count = 0;
+double shorter_side(const Look& look) { return std::min(look.width, look.height); }
+
+// --- The laws of every slide -----------------------------------------------------------------------
+
+void no_text_is_smaller_than_legible(const Trace&, const Sheet& sheet, const Look& look) {
+  const double full = shorter_side(look) * (look.layout == Layout::slide ? 1 : 0.7) * (1 - 1e-12);
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text) continue;
+    EXPECT_GE(text->size, full / 36) << text->text;
+    if (shape.slot == Slot::sentence) EXPECT_GE(text->size, full / 28);
+  }
+}
+
+std::size_t cells_seen = 0;
+
+void cells_of_a_slide_are_never_smaller_than_24_of_720(const Trace& trace, const Sheet& sheet,
+                                                       const Look& look) {
+  if (look.layout == Layout::handout) return;
+  // A grid that is shown whole pays with smaller cells
+  const int least = trace.grid.whole ? 6 : 24;
+  for (const Shape& shape : sheet.shapes) {
+    const RectShape* rect = std::get_if<RectShape>(&shape.what);
+    if (!rect || !shape.id.starts_with("cell ")) continue;
+    ++cells_seen;
+    EXPECT_GE(rect->box.width, least * shorter_side(look) / 720 * (1 - 1e-12));
+  }
+}
+
+void no_two_texts_overlap(const Trace& trace, const Sheet& sheet, const Look&) {
+  const auto texts = texts_of(sheet);
+  // A drawing alone has the numbers of its axes at least, and on a paper a name
+  ASSERT_GT(texts.size(), trace.grid.axes ? 3u : 0u);
+  std::vector<Box> boxes;
+  for (const TextShape* text : texts) boxes.push_back(text->box());
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t k = i + 1; k < texts.size(); ++k) {
+      EXPECT_FALSE(overlap(boxes[i], boxes[k])) << texts[i]->text << " | " << texts[k]->text;
+    }
+  }
+}
+
+void nothing_is_clipped(const Trace&, const Sheet& sheet, const Look&) {
+  for (const Shape& shape : sheet.shapes) {
+    const Box box = extent_of(shape);
+    EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height)
+        << name_of(shape.slot) << " " << shape.id << " " << box.x << "," << box.y << " to " << box.right()
+        << "," << box.bottom() << " of " << sheet.width << " x " << sheet.height;
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (text) EXPECT_TRUE(missing_characters(text->text, text->face).empty()) << text->text;
+  }
+}
+
+void slots_keep_apart(const Trace&, const Sheet& sheet, const Look&) {
+  std::map<Slot, Box> extents;
+  for (const Shape& shape : sheet.shapes) {
+    const auto [at, added] = extents.emplace(shape.slot, extent_of(shape));
+    if (!added) at->second = test::united(at->second, extent_of(shape));
+  }
+  for (const auto& [a, box_a] : extents) {
+    for (const auto& [b, box_b] : extents) {
+      if (a < b) EXPECT_FALSE(overlap(box_a, box_b)) << name_of(a) << " and " << name_of(b);
+    }
+  }
+}
+
+void every_slot_that_was_asked_for_is_there(const Trace&, const Sheet& sheet, const Look& look) {
+  std::set<Slot> seen;
+  for (const Shape& shape : sheet.shapes) seen.insert(shape.slot);
+  EXPECT_EQ(seen, look.slots);
+}
+
+/// Three lines of source and two rows, or all there are, however small the slide.
+void listing_and_table_have_their_least(const Trace& trace, const Sheet& sheet, const Look& look) {
+  std::size_t lines = 0;
+  for (const Shape& shape : sheet.shapes) lines += shape.id.starts_with("number ") ? 1u : 0u;
+  if (look.slots.contains(Slot::listing)) EXPECT_GE(lines, std::min<std::size_t>(3, trace.listing.size()));
+  if (!look.slots.contains(Slot::table)) return;
+  const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
+  EXPECT_GE(at.rows, std::min<std::int64_t>(2, trace.last + 1));
+}
+
+TEST(Layout, EverySlideIsLegibleApartAndWhole) {
+  // One walk for all laws, since laying out is what takes the time: some steps of every telling trace
+  const std::vector<std::pair<const char*, void (*)(const Trace&, const Sheet&, const Look&)>> laws{
+      {"no text is smaller than legible", no_text_is_smaller_than_legible},
+      {"cells of a slide are never smaller than 24 of 720",
+       cells_of_a_slide_are_never_smaller_than_24_of_720},
+      {"no two texts overlap", no_two_texts_overlap},
+      {"nothing is clipped", nothing_is_clipped},
+      {"slots keep apart", slots_keep_apart},
+      {"every slot that was asked for is there", every_slot_that_was_asked_for_is_there},
+      {"listing and table have their least", listing_and_table_have_their_least}};
+  std::size_t sheets = 0;
   for (const Case& slide : slides()) {
     SCOPED_TRACE(slide.name);
     for (const bool crop : {false, true}) {
       SCOPED_TRACE(crop ? "cropped" : "whole");
       Look look = slide.look;
       look.crop = crop;
-      count += for_each_sheet(
-          [&](const Trace& trace, const Sheet& sheet, std::size_t) { f(trace, sheet, look); }, look, most);
+      sheets += for_each_sheet(
+          [&](const Trace& trace, const Sheet& sheet, std::size_t) {
+            for (const auto& [name, law] : laws) {
+              SCOPED_TRACE(name);
+              law(trace, sheet, look);
+            }
+          },
+          look, 4);
     }
   }
-  return count;
-}
-
-double shorter_side(const Look& look) { return std::min(look.width, look.height); }
-
-// --- Legible -------------------------------------------------------------------------------------
-
-TEST(Layout, NoTextIsSmallerThanLegible) {
-  const std::size_t sheets = for_each_slide([](const Trace&, const Sheet& sheet, const Look& look) {
-    const double full = shorter_side(look) * (look.layout == Layout::slide ? 1 : 0.7) * (1 - 1e-12);
-    for (const Shape& shape : sheet.shapes) {
-      const TextShape* text = std::get_if<TextShape>(&shape.what);
-      if (!text) continue;
-      EXPECT_GE(text->size, full / 36) << text->text;
-      if (shape.slot == Slot::sentence) EXPECT_GE(text->size, full / 28);
-    }
-  });
   EXPECT_GT(sheets, 20000u);
-}
-
-TEST(Layout, CellsOfASlideAreNeverSmallerThan24Of720) {
-  std::size_t cells = 0;
-  for_each_slide([&](const Trace& trace, const Sheet& sheet, const Look& look) {
-    if (look.layout == Layout::handout) return;
-    // A grid that is shown whole pays with smaller cells
-    const int least = trace.grid.whole ? 6 : 24;
-    for (const Shape& shape : sheet.shapes) {
-      const RectShape* rect = std::get_if<RectShape>(&shape.what);
-      if (!rect || !shape.id.starts_with("cell ")) continue;
-      ++cells;
-      EXPECT_GE(rect->box.width, least * shorter_side(look) / 720 * (1 - 1e-12));
-    }
-  });
-  EXPECT_GT(cells, 10000u);
+  EXPECT_GT(cells_seen, 10000u);
 }
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
@@ -141,71 +205,6 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
     }
   }
   EXPECT_GT(sentences, 2000u);
-}
-
-// --- Apart and whole -----------------------------------------------------------------------------
-
-TEST(Layout, NoTwoTextsOverlap) {
-  for_each_slide([](const Trace& trace, const Sheet& sheet, const Look&) {
-    const auto texts = texts_of(sheet);
-    // A drawing alone has the numbers of its axes at least, and on a paper a name
-    ASSERT_GT(texts.size(), trace.grid.axes ? 3u : 0u);
-    std::vector<Box> boxes;
-    for (const TextShape* text : texts) boxes.push_back(text->box());
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      for (std::size_t k = i + 1; k < texts.size(); ++k) {
-        EXPECT_FALSE(overlap(boxes[i], boxes[k])) << texts[i]->text << " | " << texts[k]->text;
-      }
-    }
-  });
-}
-
-TEST(Layout, NothingIsClipped) {
-  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
-    for (const Shape& shape : sheet.shapes) {
-      const Box box = extent_of(shape);
-      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height)
-          << name_of(shape.slot) << " " << shape.id << " " << box.x << "," << box.y << " to " << box.right()
-          << "," << box.bottom() << " of " << sheet.width << " x " << sheet.height;
-      const TextShape* text = std::get_if<TextShape>(&shape.what);
-      if (text) EXPECT_TRUE(missing_characters(text->text, text->face).empty()) << text->text;
-    }
-  });
-}
-
-TEST(Layout, SlotsKeepApart) {
-  for_each_slide([](const Trace&, const Sheet& sheet, const Look&) {
-    std::map<Slot, Box> extents;
-    for (const Shape& shape : sheet.shapes) {
-      const auto [at, added] = extents.emplace(shape.slot, extent_of(shape));
-      if (!added) at->second = test::united(at->second, extent_of(shape));
-    }
-    for (const auto& [a, box_a] : extents) {
-      for (const auto& [b, box_b] : extents) {
-        if (a < b) EXPECT_FALSE(overlap(box_a, box_b)) << name_of(a) << " and " << name_of(b);
-      }
-    }
-  });
-}
-
-TEST(Layout, EverySlotThatWasAskedForIsThere) {
-  for_each_slide([](const Trace&, const Sheet& sheet, const Look& look) {
-    std::set<Slot> seen;
-    for (const Shape& shape : sheet.shapes) seen.insert(shape.slot);
-    EXPECT_EQ(seen, look.slots);
-  });
-}
-
-TEST(Layout, ListingAndTableHaveTheirLeast) {
-  // Three lines of source and two rows, or all there are, however small the slide
-  for_each_slide([](const Trace& trace, const Sheet& sheet, const Look& look) {
-    std::size_t lines = 0;
-    for (const Shape& shape : sheet.shapes) lines += shape.id.starts_with("number ") ? 1u : 0u;
-    if (look.slots.contains(Slot::listing)) EXPECT_GE(lines, std::min<std::size_t>(3, trace.listing.size()));
-    if (!look.slots.contains(Slot::table)) return;
-    const layout::Places at = layout::places_of(trace, look, layout::stage_of(trace, look));
-    EXPECT_GE(at.rows, std::min<std::int64_t>(2, trace.last + 1));
-  });
 }
 
 TEST(Layout, TheCurrentLineIsListed) {
