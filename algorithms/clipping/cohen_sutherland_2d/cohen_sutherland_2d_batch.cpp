@@ -34,10 +34,6 @@ struct PairMask {
 HWY_INLINE Pair add(Pair x, Pair y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
 HWY_INLINE Pair subtract(Pair x, Pair y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
 HWY_INLINE Pair multiply(Pair x, Pair y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
-HWY_INLINE Pair multiply(Pair x, double y) {
-  const V factor = hn::Set(D(), y);
-  return {hn::Mul(x.a, factor), hn::Mul(x.b, factor)};
-}
 HWY_INLINE Pair inverse_of(Pair x) {
   const V one = hn::Set(D(), 1.0);
   return {hn::Div(one, x.a), hn::Div(one, x.b)};
@@ -48,43 +44,54 @@ HWY_INLINE Pair choose(PairMask m, Pair yes, Pair no) {
 }
 HWY_INLINE Pair both(V x) { return {x, x}; }
 HWY_INLINE PairMask operator&(PairMask x, PairMask y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
-HWY_INLINE PairMask operator|(PairMask x, PairMask y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
 HWY_INLINE PairMask but_not(PairMask x, PairMask y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
 HWY_INLINE PairMask greater(Pair x, Pair y) { return {hn::Gt(x.a, y.a), hn::Gt(x.b, y.b)}; }
 HWY_INLINE PairMask equal(Pair x, Pair y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)}; }
 
+// x * y - z; exact where z is the rounded product x * y, or a number as close to it
+#if HWY_NATIVE_FMA
+HWY_INLINE V product_less(V x, V y, V z) { return hn::MulSub(x, y, z); }
+#else
 // The first 26 bits, so that products of such parts are exact
 HWY_INLINE V high_part(V x) {
   const hn::RebindToUnsigned<D> bits;
   return hn::And(x, hn::BitCast(D(), hn::Set(bits, ~((std::uint64_t{1} << 27) - 1))));
 }
-HWY_INLINE Pair high_part(Pair x) { return {high_part(x.a), high_part(x.b)}; }
+HWY_INLINE V product_less(V x, V y, V z) {
+  const V x_high = high_part(x), x_low = hn::Sub(x, x_high);
+  const V y_high = high_part(y), y_low = hn::Sub(y, y_high);
+  const V middle = hn::Add(hn::Mul(x_high, y_low), hn::Mul(x_low, y_high));
+  return hn::Add(hn::Add(hn::Sub(hn::Mul(x_high, y_high), z), middle), hn::Mul(x_low, y_low));
+}
+#endif
+HWY_INLINE Pair product_less(Pair x, Pair y, Pair z) {
+  return {product_less(x.a, y.a, z.a), product_less(x.b, y.b, z.b)};
+}
+// x * y + z where the last digits don't matter
+HWY_INLINE Pair multiply_add(Pair x, Pair y, Pair z) {
+  return {hn::MulAdd(x.a, y.a, z.a), hn::MulAdd(x.b, y.b, z.b)};
+}
 
-// A difference: its rounded value, what the rounding took away, and the value in two parts of 26 and 27 bits
+// A difference: its rounded value, and what the rounding took away
 struct Difference {
-  V value, error, high, low;
+  V value, error;
 };
 struct Differences {
-  Pair value, error, high, low;
+  Pair value, error;
 };
 
 HWY_INLINE Difference difference(V x, V y) {
   const V value = hn::Sub(x, y);
   const V y_kept = hn::Sub(x, value);
   const V x_kept = hn::Add(value, y_kept);
-  const V high = high_part(value);
-  return {value, hn::Add(hn::Sub(x, x_kept), hn::Sub(y_kept, y)), high, hn::Sub(value, high)};
+  return {value, hn::Add(hn::Sub(x, x_kept), hn::Sub(y_kept, y))};
 }
 HWY_INLINE Differences difference(Pair x, Pair y) {
-  const Pair value = subtract(x, y);
-  const Pair y_kept = subtract(x, value);
-  const Pair x_kept = add(value, y_kept);
-  const Pair high = high_part(value);
-  return {value, add(subtract(x, x_kept), subtract(y_kept, y)), high, subtract(value, high)};
+  const Difference a = difference(x.a, y.a), b = difference(x.b, y.b);
+  return {{a.value, b.value}, {a.error, b.error}};
 }
 HWY_INLINE Differences choose(PairMask m, const Difference& yes, const Difference& no) {
-  return {choose(m, both(yes.value), both(no.value)), choose(m, both(yes.error), both(no.error)),
-          choose(m, both(yes.high), both(no.high)), choose(m, both(yes.low), both(no.low))};
+  return {choose(m, both(yes.value), both(no.value)), choose(m, both(yes.error), both(no.error))};
 }
 
 struct Sums {
@@ -93,35 +100,30 @@ struct Sums {
 };
 
 // base + way * rise / length: the nearest double where that is certain. The same thought as
-// cut_coordinate_filtered, with shorter products: the quotient is wrong by less than 2^-75 of it
+// cut_coordinate_filtered, with fewer digits: the quotient is wrong by less than 2^-75 of it.
+// size: no less than base and the quotient together, nor than length
 HWY_INLINE Sums nearest_sum(Pair base, const Differences& way, const Differences& rise,
-                            const Differences& length) {
+                            const Differences& length, V size) {
   const Pair product = multiply(way.value, rise.value);
   const Pair inverse = inverse_of(length.value);
   const Pair quotient = multiply(product, inverse);
-  const Pair high = high_part(quotient), low = subtract(quotient, high);
 
-  // way * rise - quotient * length: the large parts cancel exactly, then the middle ones, then the rest
-  const Pair first = subtract(multiply(way.high, rise.high), multiply(high, length.high));
-  const Pair second = subtract(multiply(way.high, rise.low), multiply(high, length.low));
-  const Pair third = subtract(multiply(way.low, rise.high), multiply(low, length.high));
-  const Pair fourth = subtract(multiply(way.low, rise.low), multiply(low, length.low));
-  const Pair errors = subtract(add(multiply(way.value, rise.error), multiply(way.error, rise.value)),
-                               multiply(quotient, length.error));
-  const Pair left_over = add(add(first, add(second, third)), add(fourth, errors));
+  // way * rise - quotient * length: the large parts cancel exactly, then the rest
+  const Pair large = product_less(quotient, length.value, product);
+  const Pair small = product_less(way.value, rise.value, product);
+  const Pair errors = multiply_add(way.error, rise.value, multiply(way.value, rise.error));
+  const Pair left_over = subtract(add(small, errors), multiply_add(quotient, length.error, large));
 
-  // Add it up without loss, and ask whether the bound could reach another double
+  // Add it up without loss, and ask whether the bound could reach another double. Its second part is for
+  // digits that products near 0 have lost; where length is large enough to hide it, size is, too
   const Pair sum = add(base, quotient);
   const Pair quotient_kept = subtract(sum, base);
   const Pair lost = add(subtract(base, subtract(sum, quotient_kept)), subtract(quotient, quotient_kept));
-  const Pair rest = add(lost, multiply(left_over, inverse));
-  const Pair bound =
-      add(multiply(add(size_of(quotient), size_of(base)), 0x1p-72), both(hn::Set(D(), 0x1p-1060)));
+  const Pair rest = multiply_add(left_over, inverse, lost);
+  const V of_size = hn::Mul(size, hn::Set(D(), 0x1p-72));
+  const Pair bound = multiply_add(size_of(inverse), both(hn::Set(D(), 0x1p-1060)), both(of_size));
   const Pair highest = add(sum, add(rest, bound)), lowest = add(sum, subtract(rest, bound));
-  // Products that are nearly 0 have lost digits
-  const PairMask full =
-      greater(size_of(product), both(hn::Set(D(), 0x1p-700))) | equal(rise.value, both(hn::Zero(D())));
-  return {highest, equal(highest, lowest) & full};
+  return {highest, equal(highest, lowest)};
 }
 
 // Both ends of some lines
@@ -141,7 +143,7 @@ struct Cuts {
 };
 
 HWY_INLINE Cuts cut_ends(const Lanes& p, PairMask beyond_x, PairMask beyond_y, PairMask below_x,
-                         PairMask below_y, const Borders& w) {
+                         PairMask below_y, const Borders& w, V size) {
   const Difference dx = difference(p.bx, p.ax), dy = difference(p.by, p.ay);
   const Pair x{p.ax, p.bx}, y{p.ay, p.by};
   const Pair cx = choose(below_x, both(w.left), both(w.right)),
@@ -149,13 +151,15 @@ HWY_INLINE Cuts cut_ends(const Lanes& p, PairMask beyond_x, PairMask beyond_y, P
   // Beyond two borders: the later one is where the way in, divided by the length, is longer
   const Pair by_x = size_of(multiply(subtract(cx, x), both(dy.value)));
   const Pair by_y = size_of(multiply(subtract(cy, y), both(dx.value)));
-  const Pair bound = add(multiply(add(by_x, by_y), 0x1p-51), both(hn::Set(D(), 0x1p-1000)));
+  const Pair bound =
+      multiply_add(add(by_x, by_y), both(hn::Set(D(), 0x1p-51)), both(hn::Set(D(), 0x1p-1000)));
   const PairMask ordered = greater(size_of(subtract(by_x, by_y)), bound);
   const PairMask at_x = but_not(beyond_x, but_not(beyond_y, greater(by_x, by_y)));
 
   const Pair c = choose(at_x, cx, cy);
   const Pair along = choose(at_x, x, y), base = choose(at_x, y, x);
-  const Sums other = nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy));
+  const Sums other =
+      nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy), size);
   return {choose(at_x, c, other.value),
           choose(at_x, other.value, c),
           other.value.a,
@@ -177,11 +181,12 @@ HWY_INLINE Codes codes_of(V x, V y, const Borders& w) {
 }
 
 // What is left of the lines p, in place, and of which something is left; returns where that is certain
-HWY_INLINE M cut_lanes(Lanes& p, const Codes& ca, const Codes& cb, M rejected, const Borders& w,
+HWY_INLINE M cut_lanes(Lanes& p, const Codes& ca, const Codes& cb, M rejected, const Borders& w, V size,
                        M& accepted) {
   const M undecided = hn::AndNot(rejected, hn::Or(ca.any, cb.any));
   // Each end that is outside is cut once
-  const Cuts cut = cut_ends(p, {ca.x, cb.x}, {ca.y, cb.y}, {ca.left, cb.left}, {ca.bottom, cb.bottom}, w);
+  const Cuts cut =
+      cut_ends(p, {ca.x, cb.x}, {ca.y, cb.y}, {ca.left, cb.left}, {ca.bottom, cb.bottom}, w, size);
 
   // With both ends outside the line may pass a corner: it is in the window where the point of a lies there.
   // A point that was rounded onto a border may lie beyond it
@@ -237,11 +242,11 @@ HWY_INLINE std::uint64_t clip_some(const Line<double>* lines, const Rectangle<do
   const M rejected = hn::Or(hn::Or(hn::And(a.left, b.left), hn::And(a.right, b.right)),
                             hn::Or(hn::And(a.bottom, b.bottom), hn::And(a.top, b.top)));
   // A coordinate that is not a number makes the sum none either
-  M sure = hn::Le(hn::Add(hn::Add(hn::Abs(p.ax), hn::Abs(p.ay)), hn::Add(hn::Abs(p.bx), hn::Abs(p.by))),
-                  hn::Set(d, largest));
+  const V size = hn::Add(hn::Add(hn::Abs(p.ax), hn::Abs(p.ay)), hn::Add(hn::Abs(p.bx), hn::Abs(p.by)));
+  M sure = hn::Le(size, hn::Set(d, largest));
   M accepted = hn::Not(rejected);
   if (!hn::AllFalse(d, hn::AndNot(rejected, hn::Or(a.any, b.any)))) {
-    sure = hn::And(sure, cut_lanes(p, a, b, rejected, w, accepted));
+    sure = hn::And(sure, cut_lanes(p, a, b, rejected, w, size, accepted));
   }
   if (!hn::AllTrue(d, sure)) return clip_unsure(lines, window, bits_of(sure), bits_of(accepted), p, clipped);
   hn::StoreInterleaved4(p.ax, p.ay, p.bx, p.by, d, &clipped->a.x);

@@ -20,8 +20,8 @@ namespace gradus::cohen_sutherland_2d {
 /// Returns how many are accepted.
 ///
 /// Domain: that of correctly_rounded. Lines with a coordinate beyond 2^300 always go one by one.
-/// Accuracy: that of correctly_rounded, bit for bit, on every machine: no fused multiply-add, and what is
-///   certified is the nearest number, however it was found.
+/// Accuracy: that of correctly_rounded, bit for bit, on every machine: what is certified is the nearest
+///   number, whether fused multiply-adds found it or products in parts.
 /// Cost: see the topic's page; some 60 additions and products a line, one division an end.
 /// Errors: ContractViolation for spans of different lengths, and as correctly_rounded; the outputs are
 /// without
