@@ -1,151 +1,151 @@
-// Line methods side by side on one set of lines. Compare within one run: the ratios are the result, not the
-// times.
+// Lines drawn into a picture by every method, beside OpenCV's line.
 
-#include <benchmark/benchmark.h>
-
-#include <cstdint>
+#include <cstdlib>
+#include <map>
 #include <random>
-#include <stdexcept>
-#include <vector>
 
-#include "core/raster.hpp"
+#include "benchmark/scan_conversion/drawings.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
+#include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
 
-namespace gradus::bresenham_line {
+#ifdef GRADUS_HAS_OPENCV
+#include <opencv2/imgproc.hpp>
+#endif
+
+namespace gradus::bench {
 namespace {
 
+using namespace drawings;
+using bresenham_line::Segment;
+
 constexpr int side = 1024;
-using Canvas = Raster<std::uint32_t>;
 
-/// 1000 lines inside the canvas: 0 of all directions, 1 nearly level (runs of 20 pixels and more), 2 short
-/// (20 px).
-const std::vector<Segment>& lines(int kind) {
-  static const auto made = [] {
-    std::vector<std::vector<Segment>> sets(3);
-    std::mt19937_64 random(1);
-    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
-    for (int i = 0; i < 1000; ++i) {
-      const int x = below(side), y = below(side);
-      sets[0].push_back({{x, y}, {below(side), below(side)}});
-      const int level = 20 + below(side - 40);
-      sets[1].push_back({{below(100), level}, {side - 1 - below(100), level + below(41) - 20}});
-      const int a = 20 + below(side - 40), b = 20 + below(side - 40);
-      sets[2].push_back({{a, b}, {a + below(41) - 20, b + below(41) - 20}});
+/// Random numbers that are the same on every machine.
+class Random {
+ public:
+  int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+
+ private:
+  std::mt19937_64 engine_{1};
+};
+
+/// 200 lines inside the picture, of all directions, nearly level, or short.
+std::vector<Segment> mix(const std::string& name) {
+  Random random;
+  std::vector<Segment> lines;
+  for (int i = 0; i < 200; ++i) {
+    const int x = random.below(side), y = random.below(side);
+    const int level = 20 + random.below(side - 40);
+    const int a = 20 + random.below(side - 40), b = 20 + random.below(side - 40);
+    if (name == "all directions") {
+      lines.push_back({{x, y}, {random.below(side), random.below(side)}});
+    } else if (name == "nearly level") {
+      lines.push_back(
+          {{random.below(100), level}, {side - 1 - random.below(100), level + random.below(41) - 20}});
+    } else {
+      lines.push_back({{a, b}, {a + random.below(41) - 20, b + random.below(41) - 20}});
     }
-    return sets;
-  }();
-  return made[static_cast<std::size_t>(kind)];
+  }
+  return lines;
 }
 
-const char* name(int kind) {
-  const char* const names[] = {"all directions", "nearly level", "20 pixels"};
-  return names[kind];
+/// 100 lines of so many pixels.
+std::vector<Segment> of_length(int pixels) {
+  Random random;
+  std::vector<Segment> lines;
+  for (int i = 0; i < 100; ++i) {
+    const int minor = random.below(pixels), x = random.below(side - pixels + 1);
+    const int y = random.below(side - minor);
+    const ivec2 from{x, y}, to{x + pixels - 1, y + minor};
+    // Every other one steep
+    if (i % 2 == 0) {
+      lines.push_back({from, to});
+    } else {
+      lines.push_back({{from.y, from.x}, {to.y, to.x}});
+    }
+  }
+  return lines;
 }
 
-std::int64_t pixels_of(const std::vector<Segment>& set) {
+std::int64_t pixels_of(const std::vector<Segment>& lines) {
   std::int64_t pixels = 0;
-  for (const Segment& line : set) pixels += pixel_count(line.from, line.to);
+  for (const Segment& line : lines) pixels += bresenham_line::pixel_count(line.from, line.to);
   return pixels;
 }
 
-/// Times `one(canvas, line)` over a set of lines, and checks once that it gives the pixels of
-/// decision_parameter.
-template <class One>
-void time_lines(benchmark::State& state, One one, bool exact = true) {
-  const auto& set = lines(static_cast<int>(state.range(0)));
-  Canvas canvas(side, side), reference(side, side);
-  for (const Segment& line : set) {
-    one(canvas, line);
-    decision_parameter(line.from, line.to, [&](ivec2 p) { reference[p] = 1; });
-  }
-  if (exact && !(canvas == reference)) throw std::logic_error("other pixels");
-  for (auto _ : state) {
-    for (const Segment& line : set) one(canvas, line);
-    benchmark::DoNotOptimize(canvas.cells().data());
-    benchmark::ClobberMemory();
-  }
-  state.SetLabel(name(static_cast<int>(state.range(0))));
-  state.SetItemsProcessed(state.iterations() * pixels_of(set));
+/// How far a pixel is from the line along the axis that the line crosses slowly.
+double off(const Segment& line, ivec2 p) {
+  const dvec2 way = dvec2(line.to - line.from), at = dvec2(p - line.from);
+  const double longer = std::max(std::abs(way.x), std::abs(way.y));
+  return longer > 0 ? std::abs(way.x * at.y - way.y * at.x) / longer
+                    : std::max(std::abs(at.x), std::abs(at.y));
 }
 
-void BM_DecisionParameter(benchmark::State& state) {
-  time_lines(state, [](Canvas& canvas, const Segment& line) {
-    decision_parameter(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
+void reference(Canvas& canvas, const Segment& line) {
+  bresenham_line::decision_parameter(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
+}
+
+Window round(const Segment& line) {
+  return {glm::min(line.from, line.to) - 2, glm::max(line.from, line.to) + 2};
+}
+
+/// Every method on the lines.
+void add_cases(std::vector<Case>& cases, const std::vector<Segment>& lines, const Workload& workload) {
+  const Figures<Segment> figures{reference, round, off};
+  const std::int64_t pixels = pixels_of(lines);
+  const auto add = [&](const char* name, Standing standing, auto draw) {
+    cases.push_back(case_of(name, standing, draw, lines, side, pixels, figures, workload));
+  };
+  add("decision_parameter", Standing::taught, reference);
+  add("dda<float>", Standing::taught, [](Canvas& canvas, const Segment& line) {
+    bresenham_line::dda<float>(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
   });
-}
-
-void BM_DdaFloat(benchmark::State& state) {
-  time_lines(
-      state,
-      [](Canvas& canvas, const Segment& line) {
-        dda<float>(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
-      },
-      false);
-}
-
-void BM_RunLength(benchmark::State& state) {
-  time_lines(state, [](Canvas& canvas, const Segment& line) {
-    const ivec2 step = moves(line.from, line.to).straight;
-    run_length(line.from, line.to, [&](ivec2 start, std::int64_t count) {
+  add("run_length", Standing::robust, [](Canvas& canvas, const Segment& line) {
+    const ivec2 step = bresenham_line::moves(line.from, line.to).straight;
+    bresenham_line::run_length(line.from, line.to, [&](ivec2 start, std::int64_t count) {
       for (; count > 0; --count, start += step) canvas[start] = 1;
     });
   });
+  add("draw", Standing::batch, [](Canvas& canvas, const Segment& line) {
+    bresenham_line::draw(canvas, line.from, line.to, std::uint8_t{1});
+  });
+  add("first_octant", Standing::faulty, [](Canvas& canvas, const Segment& line) {
+    bresenham_line::first_octant(line.from, line.to, [&](ivec2 p) {
+      if (canvas.contains(p)) canvas[p] = 1;
+    });
+  });
+#ifdef GRADUS_HAS_OPENCV
+  add("OpenCV line", Standing::peer, [](Canvas& canvas, const Segment& line) {
+    cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
+    cv::line(picture, {line.from.x, line.from.y}, {line.to.x, line.to.y}, 1);
+  });
+#endif
 }
 
-void BM_Draw(benchmark::State& state) {
-  time_lines(state,
-             [](Canvas& canvas, const Segment& line) { draw(canvas, line.from, line.to, std::uint32_t{1}); });
-}
-
-/// The part in a 1024 x 1024 window of lines that go on for up to 2^32 pixels.
-void BM_InWindow(benchmark::State& state) {
-  std::mt19937_64 random(1);
-  std::vector<Segment> set;
-  Canvas canvas(side, side);
-  std::int64_t pixels = 0;
-  const auto any = [&] { return static_cast<int>(static_cast<std::uint32_t>(random())); };
-  for (int i = 0; i < 1000; ++i) {
-    const int x = static_cast<int>(random() % side), y = static_cast<int>(random() % side);
-    const int a = any(), b = any();
-    set.push_back({{x, y}, {a, b}});
-    const Stretch shown = visible({x, y}, {a, b}, canvas.window());
-    pixels += shown.last - shown.first + 1;
+std::vector<Case> cases() {
+  static std::map<std::string, std::vector<Segment>> sets;
+  std::vector<Case> all;
+  for (const char* name : {"all directions", "nearly level", "20 pixels"}) {
+    add_cases(all, sets[name] = mix(name), {name});
   }
-  if (pixels < 200000) throw std::logic_error("the lines miss the window");
-  const bool fast = state.range(0) == 1;
-  for (auto _ : state) {
-    for (const Segment& line : set) {
-      if (fast) {
-        draw(canvas, line.from, line.to, std::uint32_t{1});
-      } else {
-        in_window(line.from, line.to, canvas.window(), [&](ivec2 p) { canvas[p] = 1; });
-      }
-    }
-    benchmark::ClobberMemory();
+  for (const int length : {8, 32, 128, 512}) {
+    const std::string name = fmt::format("{} pixels each", length);
+    add_cases(all, sets[name] = of_length(length), {name, static_cast<double>(length)});
   }
-  state.SetLabel(fast ? "draw" : "in_window");
-  state.SetItemsProcessed(state.iterations() * pixels);
+  return all;
 }
-
-/// One jump: the k-th pixel of a line by 128-bit division.
-void BM_PixelAt(benchmark::State& state) {
-  std::int64_t k = 0;
-  ivec2 from{262, 23}, to{91618510, -54756195};
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(from);
-    benchmark::DoNotOptimize(to);
-    benchmark::DoNotOptimize(pixel_at(from, to, k));
-    k = (k + 7919) % 91618249;
-  }
-}
-
-BENCHMARK(BM_DecisionParameter)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_DdaFloat)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_RunLength)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Draw)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_InWindow)->DenseRange(0, 1)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_PixelAt);
 
 }  // namespace
-}  // namespace gradus::bresenham_line
+
+Subject bresenham_line() {
+  return {.topic = "bresenham_line",
+          .title = "Lines into a picture",
+          .item = "pixel",
+          .unit = "pixels",
+          .measure = "pixels of a line; 100 lines a run",
+          .telling = "all directions",
+          .cases = cases};
+}
+
+}  // namespace gradus::bench

@@ -1,0 +1,101 @@
+// gradus-bench: what `gradus bench` runs. Measures the registered methods, prints tables, draws charts.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "benchmark/report.hpp"
+#include "cairo/cairo_output.hpp"
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/guarded.hpp"
+#include "cli/names.hpp"
+#include "cli/progress.hpp"
+#include "stories/point_text.hpp"
+
+namespace gradus::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using cli::UsageError;
+
+/// The subjects whose topics were named; all when none was.
+std::vector<const Subject*> chosen(const cli::Request& request) {
+  std::vector<const Subject*> wanted;
+  for (const std::string& word : request.operands) {
+    const std::string& topic = cli::find_topic(word).name;
+    const auto found = std::ranges::find(subjects(), topic, &Subject::topic);
+    if (found == subjects().end()) throw UsageError(fmt::format("TOPIC: {} has no benchmark", topic));
+    wanted.push_back(&*found);
+  }
+  if (wanted.empty()) {
+    for (const Subject& subject : subjects()) wanted.push_back(&subject);
+  }
+  return wanted;
+}
+
+double positive(const cli::Request& request, const std::string& flag, double usual, double most) {
+  const auto given = request.flags.find(flag);
+  if (given == request.flags.end()) return usual;
+  const Read<Number> read = read_number(given->second);
+  const Number* number = std::get_if<Number>(&read);
+  if (!number || !(number->value > 0) || number->value > most) {
+    throw UsageError(
+        fmt::format("--{}: expected a number above 0, up to {}, found {}", flag, most, shown(given->second)));
+  }
+  return number->value;
+}
+
+/// The charts of some findings, as files' names and bytes.
+void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files) {
+  const auto draw_one = [&](const std::optional<plot::Chart>& chart, const char* kind) {
+    if (!chart) return;
+    const Sheet sheet = plot::sheet_of(*chart);
+    const Colophon colophon{chart->title, chart->subtitle, "", ""};
+    const std::string name = fmt::format("{}-{}", found.subject->topic, kind);
+    files.add((folder / (name + ".svg")).string(), svg_of(sheet, themes().front(), colophon));
+    files.add((folder / (name + ".png")).string(), png_of(sheet, themes().front(), colophon));
+  };
+  draw_one(error_chart(found), "error");
+  draw_one(size_chart(found), "size");
+}
+
+int bench(const cli::Request& request) {
+  const std::vector<const Subject*> wanted = chosen(request);
+  Effort effort;
+  effort.seconds = positive(request, "seconds", effort.seconds, 60);
+  effort.repetitions = static_cast<int>(positive(request, "repetitions", effort.repetitions, 1000));
+  std::vector<Findings> all;
+  for (const Subject* subject : wanted) {
+    std::vector<Case> cases = subject->cases();
+    cli::Progress progress(cases.size() * static_cast<std::size_t>(effort.repetitions), request.quiet());
+    std::size_t done = 0;
+    all.push_back({subject, measure(std::move(cases), effort, [&] { progress.finished(done++, ""); })});
+    if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
+  }
+  if (request.has("json")) cli::write_stream(cli::Stream::out, json_of(all));
+  if (!request.has("output")) return 0;
+  const fs::path folder = request.flags.at("output");
+  fs::create_directories(folder);
+  cli::NewFiles files;
+  for (const Findings& found : all) draw(found, folder, files);
+  files.add((folder / "bench.json").string(), json_of(all));
+  files.commit();
+  return 0;
+}
+
+}  // namespace
+}  // namespace gradus::bench
+
+int main(int argc, char** argv) {
+  gradus::cli::prepare_process();
+  std::vector<std::string> words{"bench"};
+  words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
+  return gradus::cli::guarded("gradus bench", [&] {
+    const gradus::cli::Request request = gradus::cli::read_request(words);
+    if (request.has("help")) return gradus::cli::help(request);
+    return gradus::bench::bench(request);
+  });
+}

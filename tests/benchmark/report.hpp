@@ -1,0 +1,39 @@
+#pragma once
+// What was measured, for reading, for other programs, and for slides.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/measure.hpp"
+#include "plot/chart.hpp"
+
+namespace gradus::bench {
+
+/// A subject and all that was measured of it.
+struct Findings {
+  const Subject* subject = nullptr;
+  std::vector<Result> results;
+};
+
+/// Which results no other method beats on the same workload: none is as fast, as accurate and as often right,
+/// and better in one of them.
+std::vector<bool> pareto_optimal(std::span<const Result> results);
+
+/// The table: a block a workload, its methods by time, the Pareto-optimal ones marked.
+std::string table_of(const Findings& findings);
+
+/// In Google Benchmark's layout: benchmarks[].name is topic/workload/method, times are those of an item;
+/// beside them error_max, error_rms and error_wrong where there is an oracle.
+std::string json_of(std::span<const Findings> findings);
+
+/// Time against error of the methods on the subject's telling workload, with the front.
+/// Nothing when no method there was compared with an oracle.
+std::optional<plot::Chart> error_chart(const Findings& findings);
+/// Time against size of the methods on the series, with the slopes. Nothing when there is no series.
+std::optional<plot::Chart> size_chart(const Findings& findings);
+
+/// The machine and the compiler, in a few words.
+std::string machine();
+
+}  // namespace gradus::bench

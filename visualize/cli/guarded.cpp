@@ -1,0 +1,42 @@
+#include "cli/guarded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "cli/errors.hpp"
+#include "cli/files.hpp"
+#include "cli/names.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract.hpp"
+#include "core/image.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::cli {
+
+int guarded(const std::string& program, const std::function<int()>& work) {
+  // One line, whatever the text holds
+  const auto complain = [&](std::string text, int code) {
+    std::ranges::replace(text, '\n', ' ');
+    note(alarming(program + ":", use_color(Color::automatic, Stream::err)) + " " + text);
+    return code;
+  };
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    return complain(error.what(), 2);
+  } catch (const ArgumentError& error) {
+    return complain(fmt::format("--{}: {}", hyphened(error.parameter), error.what()), 2);
+  } catch (const InputError& error) {
+    return complain(error.what(), 2);
+  } catch (const OutputClosed&) {
+    return 1;
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", 1);
+  } catch (const std::exception& error) {
+    return complain(error.what(), 1);
+  }
+}
+
+}  // namespace gradus::cli
