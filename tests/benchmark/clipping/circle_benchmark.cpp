@@ -12,12 +12,17 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
+#include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "clipping/polygon_circle/polygon_circle.hpp"
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
@@ -89,27 +94,35 @@ double ulps(double got, double right) {
   return std::abs(got - right) / (std::nextafter(size, 1e300) - size);
 }
 
-/// Times `clip(segment, circle)` over a mix. Counters: `wrong` decisions of 1000, and the `worst` point in
-/// ulp of max(|coordinate|, r).
-template <class Clip>
-void time_segments(benchmark::State& state, Clip clip) {
+/// Counters of a mix: `wrong` decisions of 1000, and the `worst` point in ulp of max(|coordinate|, r).
+/// got: number i is what a method made of segment i.
+void count_errors(benchmark::State& state, const std::vector<Kept>& got) {
   const auto& set = segments(static_cast<int>(state.range(0)));
   double wrong = 0, worst = 0;
-  for (const Ends& s : set) {
-    const Kept got = clip(s, circle), right = reference(s);
-    wrong += got.has_value() != right.has_value();
-    if (!got || !right) continue;
-    for (const auto& [a, b] : {std::pair{got->from, right->from}, std::pair{got->to, right->to}}) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const Kept right = reference(set[i]);
+    wrong += got[i].has_value() != right.has_value();
+    if (!got[i] || !right) continue;
+    for (const auto& [a, b] : {std::pair{got[i]->from, right->from}, std::pair{got[i]->to, right->to}}) {
       worst = std::max({worst, ulps(a.x, b.x), ulps(a.y, b.y)});
     }
-  }
-  for (auto _ : state) {
-    for (const Ends& s : set) benchmark::DoNotOptimize(clip(s, circle));
   }
   state.SetLabel(mixes[state.range(0)]);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(set.size()));
   state.counters["wrong"] = wrong;
   state.counters["worst_ulp"] = worst;
+}
+
+/// Times `clip(segment, circle)` over a mix.
+template <class Clip>
+void time_segments(benchmark::State& state, Clip clip) {
+  const auto& set = segments(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    for (const Ends& s : set) benchmark::DoNotOptimize(clip(s, circle));
+  }
+  std::vector<Kept> got;
+  for (const Ends& s : set) got.push_back(clip(s, circle));
+  count_errors(state, got);
 }
 
 void BM_HalfChord(benchmark::State& state) {
@@ -118,6 +131,22 @@ void BM_HalfChord(benchmark::State& state) {
 void BM_ExactDecision(benchmark::State& state) {
   time_segments(state,
                 [](const Ends& s, const auto& c) { return liang_barsky_circle::exact_decision(s, c); });
+}
+/// All segments of the mix at once. Counter besides: how many of the 1000 had no certificate.
+void BM_Batch(benchmark::State& state) {
+  const auto& set = segments(static_cast<int>(state.range(0)));
+  std::vector<Ends> clipped(set.size());
+  std::vector<std::uint8_t> accepted(set.size());
+  liang_barsky_circle::BatchCount count;
+  for (auto _ : state) {
+    count = liang_barsky_circle::clip_batch(set, circle, clipped, accepted);
+    benchmark::DoNotOptimize(clipped.data());
+    benchmark::ClobberMemory();
+  }
+  std::vector<Kept> got;
+  for (std::size_t i = 0; i < set.size(); ++i) got.push_back(accepted[i] ? Kept(clipped[i]) : std::nullopt);
+  count_errors(state, got);
+  state.counters["one_by_one"] = static_cast<double>(count.one_by_one);
 }
 void BM_WithoutEmptyTest(benchmark::State& state) {
   time_segments(state,
@@ -252,6 +281,7 @@ void BM_BoostGeometry360(benchmark::State& state) {
 
 BENCHMARK(BM_HalfChord)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ExactDecision)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Batch)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_WithoutEmptyTest)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_DiscriminantEqualsZero)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Arcs)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
