@@ -29,7 +29,7 @@ struct BatchCount {
 ///   to be cut that are shorter than 2^-150, or at circles smaller than that.
 /// Accuracy: that of exact_decision, bit for bit, on every machine: an interval that holds its point and the
 ///   true one rounds to one double, whether fused multiply-adds found it or products in parts.
-/// Cost: see the topic's page; some 50 additions and products to decide, 230, 2 divisions and a root to cut.
+/// Cost: see the topic's page; some 45 additions and products to decide; to cut 210, 2 divisions, a root.
 /// Errors: ContractViolation for spans of different lengths, and as exact_decision; the outputs are without
 ///   meaning then.
 BatchCount clip_batch(std::span<const Segment<double>> segments, const Circle<double>& circle,
