@@ -2,12 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
+#include <algorithm>
+#include <bit>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
+#include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "core/exact_scalar.hpp"
 #include "core/random.hpp"
@@ -348,6 +356,208 @@ TEST(LiangBarskyCircleProperty, TangencyIsDecidedByRounding) {
               wrong);
   for (const int n : sign_of_D) EXPECT_GE(n, count / 10);
   EXPECT_GE(wrong, count / 4);
+}
+
+// --- Many at once ---------------------------------------------------------------------------------------
+
+// Runs `test` once for every kind of machine that this one can be
+template <class Test>
+int on_every_target(Test test) {
+  int targets = 0;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    test();
+    ++targets;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  return targets;
+}
+
+bool same_bits(const Segment<double>& a, const Segment<double>& b) {
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  return same(a.from.x, b.from.x) && same(a.from.y, b.from.y) && same(a.to.x, b.to.x) && same(a.to.y, b.to.y);
+}
+
+/// Segments for one circle: round it, tangent to it or 1 ulp beside, with ends on it, inside, points, through
+/// its centre, with far ends, on a grid, of any size.
+class Round {
+ public:
+  explicit Round(std::uint64_t offset) : random_(test::seed() + offset) {}
+
+  static constexpr int kinds = 9;
+  Segment<double> next(int kind, const Circle<double>& c) {
+    const double r = c.radius;
+    const dvec2 n = direction(), along(-n.y, n.x);
+    switch (kind) {
+      case 0:
+        return {c.centre + 3 * r * unit(), c.centre + 3 * r * unit()};
+      case 1: {  // tangents, by rounding
+        const dvec2 foot = c.centre + r * n;
+        return nudged(
+            {foot - r * random_.uniform(-0.1, 3) * along, foot + r * random_.uniform(0, 3) * along});
+      }
+      case 2:  // along a coordinate, where tangents are exact
+        return nudged({{c.centre.x - 2 * r, c.centre.y + r}, {c.centre.x + 2 * r, c.centre.y + r}});
+      case 3: {  // an end on the circle
+        const dvec2 on = random_.unit() < 0.3 ? c.centre + dvec2(0, r) : c.centre + r * n;
+        return nudged({on, c.centre + 2 * r * unit()});
+      }
+      case 4:
+        return {c.centre + 0.7 * r * unit(), c.centre + 0.7 * r * unit()};
+      case 5: {
+        const dvec2 p = nudged({c.centre + random_.uniform(0, 2) * r * n, {}}).from;
+        return {p, p};
+      }
+      case 6:
+        return {c.centre - 4 * r * n, c.centre + random_.uniform(0, 4) * r * n};
+      case 7: {  // far ends
+        const double far = std::ldexp(r, static_cast<int>(random_.uniform_int(5, 60)));
+        return {c.centre + r * unit() - far * along, c.centre + r * unit() + far * along};
+      }
+      default: {  // a grid as fine as a fifth of the circle's size
+        const double e = std::ldexp(1.0, r > 0 ? std::ilogb(r) - 2 : 0);
+        const auto whole = [&] { return static_cast<double>(random_.uniform_int(-10, 10)) * e; };
+        const double x = whole(), y = whole(), z = whole();
+        return {{x, y}, {z, whole()}};
+      }
+    }
+  }
+
+ private:
+  dvec2 unit() {
+    const double x = random_.uniform(-1, 1);
+    return {x, random_.uniform(-1, 1)};
+  }
+  dvec2 direction() {
+    const dvec2 p = unit();
+    return p / std::sqrt(p.x * p.x + p.y * p.y);
+  }
+  Segment<double> nudged(Segment<double> s) {
+    for (double* x : {&s.from.x, &s.from.y, &s.to.x, &s.to.y}) {
+      const double to = random_.unit() < 0.5 ? -HUGE_VAL : HUGE_VAL;
+      if (random_.unit() < 0.2 && std::abs(*x) < 1e308) *x = std::nextafter(*x, to);
+    }
+    return random_.unit() < 0.5 ? s : Segment<double>{s.to, s.from};
+  }
+  Random random_;
+};
+
+bool finite(const Segment<double>& s) {
+  return std::isfinite(s.from.x) && std::isfinite(s.from.y) && std::isfinite(s.to.x) && std::isfinite(s.to.y);
+}
+
+struct BatchCases {
+  std::int64_t ran = 0, accepted = 0, cut = 0, one_by_one = 0;
+};
+
+// Compares a batch with exact_decision, and clips in place too
+void expect_same(std::vector<Segment<double>> segments, const Circle<double>& c, BatchCases& counts) {
+  const std::size_t size = segments.size();
+  std::vector<Segment<double>> clipped(size);
+  std::vector<std::uint8_t> accepted(size), again(size);
+  const BatchCount count = clip_batch(segments, c, clipped, accepted);
+  ASSERT_EQ(count.accepted, static_cast<std::size_t>(std::count(accepted.begin(), accepted.end(), 1)));
+  ASSERT_LE(count.one_by_one, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto right = exact_decision(segments[i], c);
+    ASSERT_EQ(accepted[i], right.has_value()) << "segment " << i;
+    ASSERT_TRUE(same_bits(clipped[i], right ? *right : segments[i])) << "segment " << i;
+    counts.cut += right && !same_bits(*right, segments[i]);
+  }
+  counts.ran += static_cast<std::int64_t>(size);
+  counts.accepted += static_cast<std::int64_t>(count.accepted);
+  counts.one_by_one += static_cast<std::int64_t>(count.one_by_one);
+  clip_batch(segments, c, segments, again);
+  ASSERT_EQ(again, accepted);
+  for (std::size_t i = 0; i < size; ++i) ASSERT_TRUE(same_bits(segments[i], clipped[i]));
+}
+
+TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarget) {
+  BatchCases counts;
+  const int rounds = static_cast<int>(test::cases(1500, 50'000));
+  const int targets = on_every_target([&] {
+    Cases<double> near(7, 60), any(8, 1000);
+    Round round_it(9);
+    for (int round = 0; round < rounds; ++round) {
+      SCOPED_TRACE(testing::Message() << "GRADUS_SEED=" << test::seed() << " round " << round);
+      auto first = (round % 4 == 3 ? any : near).next();
+      if (round % 16 == 5) first.circle.radius = 0;
+      if (round % 16 == 9) first.circle.centre = {0, 0};
+      // Numbers of segments that leave a rest, or none
+      std::vector<Segment<double>> segments;
+      const auto add = [&](const Segment<double>& s) {
+        if (finite(s)) segments.push_back(s);
+      };
+      add(first.segment);
+      for (int i = 1; i < round % 23; ++i) add(round_it.next((round + i) % Round::kinds, first.circle));
+      if (round % 23 == 0) segments.clear();
+      expect_same(segments, first.circle, counts);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  });
+  std::printf("%d targets, %lld segments: %lld accepted, %lld cut, %lld one by one\n", targets,
+              static_cast<long long>(counts.ran), static_cast<long long>(counts.accepted),
+              static_cast<long long>(counts.cut), static_cast<long long>(counts.one_by_one));
+  EXPECT_GE(targets, 2);
+  EXPECT_GE(counts.ran, 10LL * rounds * targets);
+  EXPECT_GE(counts.accepted, counts.ran / 4);
+  EXPECT_GE(counts.cut, counts.ran / 8);
+  EXPECT_GE(counts.one_by_one, counts.ran / 10);
+}
+
+/// As a program would use it: what has no certificate is rare, but for ends 2^30 radii away and more.
+TEST(LiangBarskyCircleProperty, NearlyEverySegmentOfABatchIsCertified) {
+  Round round_it(10);
+  const auto of_kind = [&](int kind, const Circle<double>& c) {
+    std::vector<Segment<double>> segments(16'384);
+    for (auto& s : segments) s = round_it.next(kind, c);
+    return segments;
+  };
+  const Circle<double> near{{0.3, -0.2}, 5}, far{{1e6, -3e7}, 0.01};
+  const std::vector<std::vector<Segment<double>>> sets{of_kind(0, near), of_kind(4, near), of_kind(7, near),
+                                                       of_kind(0, far)};
+  const Circle<double> circles[] = {near, near, near, far};
+  const char* const names[] = {"random", "inside", "far ends", "random, far circle"};
+  const int targets = on_every_target([&] {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      BatchCases counts;
+      expect_same(sets[i], circles[i], counts);
+      std::printf("%s: %lld of %lld cut, %lld one by one\n", names[i], static_cast<long long>(counts.cut),
+                  static_cast<long long>(counts.ran), static_cast<long long>(counts.one_by_one));
+      EXPECT_LE(counts.one_by_one, i == 2 ? counts.ran * 6 / 10 : counts.ran / 1000) << names[i];
+      EXPECT_GE(counts.cut, i == 1 ? 0 : counts.ran / 4) << names[i];
+    }
+  });
+  EXPECT_GE(targets, 2);
+}
+
+TEST(LiangBarskyCircleProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
+  on_every_target([&] {
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Segment<double>> segments(9, Segment<double>{{1, 1}, {2, 2}}), clipped(9);
+    std::vector<std::uint8_t> accepted(9);
+    const Circle<double> five{{0, 0}, 5};
+    EXPECT_EQ(clip_batch(segments, five, clipped, accepted).accepted, 9u);
+    for (const std::size_t bad : {0u, 5u, 8u}) {
+      for (int axis = 0; axis < 4; ++axis) {
+        std::vector<Segment<double>> some = segments;
+        (&some[bad].from.x)[axis] = axis % 2 ? std::nan("") : -infinity;
+        EXPECT_THROW(clip_batch(some, five, clipped, accepted), ContractViolation);
+      }
+    }
+    const Circle<double> no_circles[] = {
+        {{0, 0}, -1}, {{0, 0}, std::nan("")}, {{0, 0}, infinity}, {{infinity, 0}, 1}, {{0, std::nan("")}, 1}};
+    for (const auto& c : no_circles) {
+      EXPECT_THROW(clip_batch(segments, c, clipped, accepted), ContractViolation);
+      EXPECT_THROW(clip_batch({}, c, {}, {}), ContractViolation);
+    }
+    EXPECT_THROW(clip_batch(segments, five, std::span(clipped).first(8), accepted), ContractViolation);
+    EXPECT_THROW(clip_batch(segments, five, clipped, std::span(accepted).first(8)), ContractViolation);
+    EXPECT_EQ(clip_batch({}, five, {}, {}).accepted, 0u);
+  });
 }
 
 }  // namespace
