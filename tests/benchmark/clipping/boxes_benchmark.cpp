@@ -1,6 +1,7 @@
 // Every way to clip a segment to a box, and to the view volume, on the same segments. Compare within one run:
 // the ratios are the result, not the times. Next to each time stand the answer's errors against exact
 // rationals: the worst in units in the last place, and how many segments are accepted or rejected wrongly.
+// OpenCV and Boost.Geometry clip segments in the plane alone, so there is no rival here.
 
 #include <benchmark/benchmark.h>
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
+#include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "core/random.hpp"
@@ -91,13 +93,12 @@ void time_each(benchmark::State& state, const std::vector<Line>& lines, One one)
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-template <class One>
-void time_box(benchmark::State& state, One one) {
-  const std::vector<Space>& lines = lines_of(static_cast<int>(state.range(0))).space;
+/// How far the answers of a method lie from exact ones.
+struct Errors {
   double worst = 0;
   int wrong = 0;
-  for (const Space& line : lines) {
-    const auto part = one(line);
+
+  void add(const std::optional<Space>& part, const Space& line) {
     const auto exact = test::exact_clip(line, box);
     wrong += part.has_value() != exact.has_value();
     for (std::size_t i = 0; part && exact && i < 3; ++i) {
@@ -105,9 +106,19 @@ void time_box(benchmark::State& state, One one) {
                         test::error_in_ulp(part->b[static_cast<int>(i)], exact->b[i])});
     }
   }
+  void report(benchmark::State& state) const {
+    state.counters["max_ulp"] = worst;
+    state.counters["wrong"] = wrong;
+  }
+};
+
+template <class One>
+void time_box(benchmark::State& state, One one) {
+  const std::vector<Space>& lines = lines_of(static_cast<int>(state.range(0))).space;
+  Errors errors;
+  for (const Space& line : lines) errors.add(one(line), line);
   time_each(state, lines, one);
-  state.counters["max_ulp"] = worst;
-  state.counters["wrong"] = wrong;
+  errors.report(state);
 }
 
 void BM_CohenSutherlandCutOfACut(benchmark::State& state) {
@@ -122,6 +133,25 @@ void BM_LiangBarskyParametric(benchmark::State& state) {
 void BM_LiangBarskyCorrectlyRounded(benchmark::State& state) {
   time_box(state, [](const Space& line) { return liang_barsky::box_correctly_rounded(line, box); });
 }
+void BM_Batch(benchmark::State& state) {
+  const int mix = static_cast<int>(state.range(0));
+  const std::vector<Space>& lines = lines_of(mix).space;
+  std::vector<Space> clipped(count);
+  std::vector<std::uint8_t> accepted(count);
+  codes::clip_batch(lines, box, clipped, accepted);
+  Errors errors;
+  for (std::size_t i = 0; i < count; ++i) {
+    errors.add(accepted[i] ? std::optional(clipped[i]) : std::nullopt, lines[i]);
+  }
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(codes::clip_batch(lines, box, clipped, accepted));
+    benchmark::DoNotOptimize(clipped.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetLabel(name(mix));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+  errors.report(state);
+}
 void BM_ViewVolumeCutOfACut(benchmark::State& state) {
   time_each(state, lines_of(static_cast<int>(state.range(0))).homogeneous,
             [](const Homogeneous& line) { return codes::cut_of_a_cut(line, codes::ViewVolume{}); });
@@ -135,6 +165,7 @@ BENCHMARK(BM_CohenSutherlandCutOfACut)->DenseRange(inside, outside)->Unit(benchm
 BENCHMARK(BM_CohenSutherlandCorrectlyRounded)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_LiangBarskyParametric)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_LiangBarskyCorrectlyRounded)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Batch)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ViewVolumeCutOfACut)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_ViewVolumeCorrectlyRounded)->DenseRange(inside, outside)->Unit(benchmark::kMicrosecond);
 
