@@ -102,9 +102,9 @@ struct Sums {
 
 // base + way * rise / length: the nearest double where that is certain. The same thought as
 // cut_coordinate_filtered, with fewer digits: the quotient is wrong by less than 2^-75 of it.
-// size: no less than base and the quotient together, nor than length
+// size: no less than base and the quotient together, and than length or 2^-900
 HWY_INLINE Sums nearest_sum(Pair base, const Differences& way, const Differences& rise,
-                            const Differences& length, V size) {
+                            const Differences& length, Pair size) {
   const Pair product = multiply(way.value, rise.value);
   const Pair inverse = inverse_of(length.value);
   const Pair quotient = multiply(product, inverse);
@@ -121,8 +121,8 @@ HWY_INLINE Sums nearest_sum(Pair base, const Differences& way, const Differences
   const Pair quotient_kept = subtract(sum, base);
   const Pair lost = add(subtract(base, subtract(sum, quotient_kept)), subtract(quotient, quotient_kept));
   const Pair rest = multiply_add(left_over, inverse, lost);
-  const V of_size = hn::Mul(size, hn::Set(D(), 0x1p-72));
-  const Pair bound = multiply_add(size_of(inverse), both(hn::Set(D(), 0x1p-1060)), both(of_size));
+  const Pair of_size = multiply(size, both(hn::Set(D(), 0x1p-72)));
+  const Pair bound = multiply_add(size_of(inverse), both(hn::Set(D(), 0x1p-1060)), of_size);
   const Pair highest = add(sum, add(rest, bound)), lowest = add(sum, subtract(rest, bound));
   return {highest, equal(highest, lowest)};
 }

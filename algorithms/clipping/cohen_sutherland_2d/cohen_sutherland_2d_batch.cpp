@@ -56,7 +56,7 @@ HWY_INLINE Cuts cut_ends(const Lanes& p, PairMask beyond_x, PairMask beyond_y, P
   const Pair c = choose(at_x, cx, cy);
   const Pair along = choose(at_x, x, y), base = choose(at_x, y, x);
   const Sums other =
-      nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy), size);
+      nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy), both(size));
   return {choose(at_x, c, other.value),
           choose(at_x, other.value, c),
           other.value.a,

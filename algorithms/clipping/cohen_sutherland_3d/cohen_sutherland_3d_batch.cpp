@@ -81,17 +81,24 @@ HWY_INLINE void copy(const Space* from, Space* to) {
 // --- Cuts
 // ----------------------------------------------------------------------------------------------------
 
-// One coordinate of both ends, the faces across it, and beyond which of them the ends lie
+// One coordinate of both ends, how large both are together, the faces across it, and beyond which of them the
+// ends lie
 struct Axis {
   Pair at;
-  V lower, upper;
+  V size, lower, upper;
   PairMask below, above, beyond;
 };
 
 HWY_INLINE Axis axis(Pair at, double lower, double upper) {
   const V low = hn::Set(D(), lower), high = hn::Set(D(), upper);
   const PairMask below = greater(both(low), at), above = greater(at, both(high));
-  return {at, low, high, below, above, {hn::Or(below.a, above.a), hn::Or(below.b, above.b)}};
+  return {at,
+          hn::Add(hn::Abs(at.a), hn::Abs(at.b)),
+          low,
+          high,
+          below,
+          above,
+          {hn::Or(below.a, above.a), hn::Or(below.b, above.b)}};
 }
 
 // Whether both ends lie beyond the same face
@@ -135,21 +142,26 @@ HWY_INLINE Differences choose(PairMask m, const Differences& yes, const Differen
   return {choose(m, yes.value, no.value), choose(m, yes.error, no.error)};
 }
 
-// A coordinate that a cut computes, and where a lies there: surely between the faces, or surely beyond one
+// A coordinate that a cut computes, x or y, and where a lies there: surely between the faces, or surely
+// beyond one
 struct Other {
   Pair value;
   PairMask sure;
   M inside, beside;
 };
 
-HWY_INLINE Other other(const Differences& way, const Differences& length, Pair base, const Differences& rise,
-                       V lower, V upper, V size) {
-  const Sums sum = nearest_sum(base, way, rise, length, size);
+HWY_INLINE Other other(const Differences& way, const Differences& length, const Axis& x, const Difference& dx,
+                       const Axis& y, const Difference& dy, PairMask of_x) {
+  const Pair base = choose(of_x, x.at, y.at);
+  const Differences rise = choose(of_x, dx, dy);
+  const Pair size = choose(of_x, both(x.size), both(y.size));
+  const Sums sum = nearest_sum(base, way, rise, length, add(size, both(hn::Set(D(), 0x1p-900))));
   // Along the face every point is as good as the ends, and -0 becomes 0
   const Pair zero = both(hn::Zero(D()));
   const PairMask level = equal(rise.value, zero);
   const Pair value = choose(level, add(base, zero), sum.value);
   // A point that was rounded onto a face may lie beyond it
+  const V lower = hn::IfThenElse(of_x.a, x.lower, y.lower), upper = hn::IfThenElse(of_x.a, x.upper, y.upper);
   const M between = hn::And(hn::Gt(value.a, lower), hn::Lt(value.a, upper));
   return {value,
           {hn::Or(sum.sure.a, level.a), hn::Or(sum.sure.b, level.b)},
@@ -164,7 +176,7 @@ struct Cuts {
   M inside, beside;  // of a
 };
 
-HWY_INLINE Cuts cut_ends(const Axis& x, const Axis& y, const Axis& z, V size) {
+HWY_INLINE Cuts cut_ends(const Axis& x, const Axis& y, const Axis& z) {
   const Difference dx = difference(x.at.b, x.at.a), dy = difference(y.at.b, y.at.a),
                    dz = difference(z.at.b, z.at.a);
   const Candidate of_x = candidate(x, dx), of_y = candidate(y, dy), of_z = candidate(z, dz);
@@ -179,12 +191,8 @@ HWY_INLINE Cuts cut_ends(const Axis& x, const Axis& y, const Axis& z, V size) {
   const Pair along = choose(at_z, z.at, choose(at_y, y.at, x.at));
   const Differences length = choose(at_z, {both(dz.value), both(dz.error)}, choose(at_y, dy, dx));
   const Differences way = difference(c, along);
-  const Other first =
-      other(way, length, choose(not_x, x.at, y.at), choose(not_x, dx, dy),
-            hn::IfThenElse(not_x.a, x.lower, y.lower), hn::IfThenElse(not_x.a, x.upper, y.upper), size);
-  const Other second =
-      other(way, length, choose(at_z, y.at, z.at), choose(at_z, dy, dz),
-            hn::IfThenElse(at_z.a, y.lower, z.lower), hn::IfThenElse(at_z.a, y.upper, z.upper), size);
+  const Other first = other(way, length, x, dx, y, dy, not_x);
+  const Other second = other(way, length, y, dy, z, dz, at_z);
   const PairMask sure = but_not(but_not(first.sure & second.sure, y_or_x.unsure), z_or_xy.unsure);
   return {{choose(not_x, first.value, c), choose(at_z, second.value, choose(at_y, c, first.value)),
            choose(at_z, c, second.value)},
@@ -195,10 +203,10 @@ HWY_INLINE Cuts cut_ends(const Axis& x, const Axis& y, const Axis& z, V size) {
 
 // What is left of the lines p, in place, and of which something is left; returns where that is certain
 HWY_INLINE M cut_lanes(Lanes& p, const Axis& x, const Axis& y, const Axis& z, PairMask outside, M rejected,
-                       V size, M& accepted) {
+                       M& accepted) {
   const M undecided = hn::AndNot(rejected, hn::Or(outside.a, outside.b));
   // Each end that is outside is cut once
-  const Cuts cut = cut_ends(x, y, z, size);
+  const Cuts cut = cut_ends(x, y, z);
 
   // With both ends outside the line may pass an edge: it is in the box where the point of a lies there
   const M two = hn::And(outside.a, outside.b);
@@ -246,8 +254,7 @@ HWY_INLINE std::uint64_t clip_some(const Space* lines, const Box<double>& box, S
   const PairMask outside{hn::Or(hn::Or(x.beyond.a, y.beyond.a), z.beyond.a),
                          hn::Or(hn::Or(x.beyond.b, y.beyond.b), z.beyond.b)};
   // A coordinate that is not a number makes the sum none either
-  const Pair sizes = add(add(size_of(p.x), size_of(p.y)), size_of(p.z));
-  const V size = hn::Add(sizes.a, sizes.b);
+  const V size = hn::Add(hn::Add(x.size, y.size), z.size);
   M sure = hn::Le(size, hn::Set(d, largest));
   M accepted = hn::Not(rejected);
   if (hn::AllFalse(d, hn::AndNot(rejected, hn::Or(outside.a, outside.b)))) {
@@ -256,7 +263,7 @@ HWY_INLINE std::uint64_t clip_some(const Space* lines, const Box<double>& box, S
       return bits_of(accepted);
     }
   } else {
-    sure = hn::And(sure, cut_lanes(p, x, y, z, outside, rejected, size, accepted));
+    sure = hn::And(sure, cut_lanes(p, x, y, z, outside, rejected, accepted));
   }
   if (!hn::AllTrue(d, sure)) return clip_unsure(lines, box, bits_of(sure), bits_of(accepted), p, clipped);
   store(p, clipped);
