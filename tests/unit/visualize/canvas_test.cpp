@@ -112,7 +112,8 @@ TEST(Layout, APlaneHasNoGridAndNoAxes) {
 
 TEST(Layout, AWholeGridIsShownInSmallCellsInsteadOfAPart) {
   const auto columns_shown = [](bool whole) {
-    const Shape* colours = shape_called(sheet_of(coloured(100, whole), 0), "colours");
+    const Sheet sheet = sheet_of(coloured(100, whole), 0);
+    const Shape* colours = shape_called(sheet, "colours");
     return colours ? std::get<ImageShape>(colours->what).image.width() : 0;
   };
   EXPECT_EQ(columns_shown(true), 100);

@@ -95,6 +95,21 @@ TEST(Figure, MarksTheLineAndTheRowOfAStep) {
   EXPECT_EQ(figure.rows[2].emphasis, Emphasis::none);
 }
 
+TEST(Figure, ARowHasACellForEveryColumn) {
+  std::size_t rows = 0;
+  for (const Trace& trace : test::shared_traces()) {
+    SCOPED_TRACE(trace.topic + " " + trace.method);
+    for (const TraceStep& step : trace.steps) {
+      for (const Row& row : {step.read, step.row}) {
+        if (row.empty()) continue;
+        ++rows;
+        EXPECT_EQ(row.size(), trace.columns.size()) << "step " << text_of(step.number);
+      }
+    }
+  }
+  EXPECT_GT(rows, 500u);
+}
+
 TEST(Figure, AFinerStepMarksTheTestThatWasRead) {
   const Trace trace = test::trace_of("bresenham_line");
   Playhead playhead(trace);

@@ -43,7 +43,7 @@ class Teller {
       step.fields = {{"dx", s.d.x}, {"dy", s.d.y}};
       step.sentence =
           words_.say("liang_barsky.started", arg("a", figure_place(s.line.a)), arg("d", figure_place(s.d)));
-      step.row = row("", "", "", "", "");
+      step.row = writer_.trace().method == "parametric" ? row("", "", "", "", "") : Row{"", "", "", "a", "b"};
     });
   }
 
