@@ -24,7 +24,7 @@ constexpr int width = 36, height = 27;
 
 /// What a run was given.
 struct Given {
-  std::vector<Points> rings;                      ///< the outline, and perhaps a hole
+  std::vector<Points> rings;                      ///< the outline, and perhaps holes
   std::optional<ConvexWindow<double>> oblique{};  ///< instead of the rectangle
   Rectangle<double> rectangle{};
   std::vector<int> order{};
@@ -369,15 +369,23 @@ class Teller {
     const Points window = given_.window();
     view_.add({"b window", Role::boundary, Path{panel_.at(window), true}});
     add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
+    if (given_.oblique) {
+      for (const int border : given_.order) {
+        const Line<double> line = given_.border(border);
+        view_.add({fmt::format("b border {:03}", border), Role::boundary,
+                   Label{panel_.at(0.5 * line.p + 0.5 * line.q), name_of_border(border)}});
+      }
+    }
+    std::size_t before = 0;  // corners of earlier rings
     for (std::size_t r = 0; r < given_.rings.size(); ++r) {
       const Points& ring = given_.rings[r];
       view_.add({fmt::format("b given {}", r), Role::input, Path{panel_.at(ring), true, true}});
-      if (ring.size() > 24) continue;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const std::size_t n = r == 0 ? i : i + given_.outline().size();
+      for (std::size_t i = 0; i < ring.size() && ring.size() <= 24; ++i) {
+        const std::size_t n = before + i;
         view_.add({fmt::format("b number {:03}", n), Role::input,
                    Label{panel_.at(ring[i]), fmt::format("{}", n + 1)}});
       }
+      before += ring.size();
     }
   }
 
@@ -501,11 +509,27 @@ const Method& method_named(std::string_view name) {
 
 const Parameter& order_parameter();
 
+/// The order of an oblique window's borders: as they come, unless their numbers say otherwise.
+std::vector<int> order_of(const Arguments& arguments, const ConvexWindow<double>& window) {
+  std::vector<int> order = all_borders(window);
+  const std::string& text = arguments.text("order");
+  if (text == order_parameter().default_value) return order;
+  const auto numbers = arguments.numbered_order("order");
+  if (!numbers || numbers->size() != order.size()) {
+    throw ArgumentError("order",
+                        fmt::format("expected the numbers 1 to {} of the window's borders, each once in any "
+                                    "order, found '{}'",
+                                    order.size(), text));
+  }
+  std::ranges::transform(*numbers, order.begin(), [](std::size_t n) { return static_cast<int>(n); });
+  return order;
+}
+
 Given given_of(const Arguments& arguments, bool pieces, bool exact) {
   Given given{.rings = {arguments.points("polygon")}};
-  if (const Points hole = arguments.points("hole"); !hole.empty()) {
+  for (Points& hole : arguments.rings("hole")) {
     if (!pieces) throw ArgumentError("hole", "holes are cut by --method separate_pieces alone");
-    given.rings.push_back(hole);
+    given.rings.push_back(std::move(hole));
   }
   if (const Points points = arguments.points("window_polygon"); !points.empty()) {
     if (!exact) throw ArgumentError("window_polygon", "this method clips at rectangles alone");
@@ -513,11 +537,17 @@ Given given_of(const Arguments& arguments, bool pieces, bool exact) {
     if (!given.oblique) {
       throw ArgumentError("window_polygon", "corners of a convex window with an area expected, in order");
     }
-    given.order = all_borders(*given.oblique);
+    given.order = order_of(arguments, *given.oblique);
     return given;
   }
   const std::vector<double> bounds = arguments.numbers("window");
   given.rectangle = {{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
+  if (arguments.numbered_order("order")) {
+    throw ArgumentError("order",
+                        fmt::format("expected left,right,bottom,top, each once in any order, found '{}': "
+                                    "numbers are for the borders of --window-polygon",
+                                    arguments.text("order")));
+  }
   for (const std::size_t border : arguments.order(order_parameter()))
     given.order.push_back(static_cast<int>(border));
   return given;
@@ -613,10 +643,10 @@ const std::vector<Parameter>& parameters() {
        .most = 200,
        .parts = {"x", "y"}},
       {.name = "hole",
-       .type = ParameterType::points,
+       .type = ParameterType::rings,
        .default_value = "",
-       .example = "7,1 9,1 9,3 7,3",
-       .help = "a hole in it (separate_pieces alone)",
+       .example = "7,1 9,1 9,3 7,3; 4,1 5,1 5,2",
+       .help = "holes in it, apart from one another (separate_pieces alone)",
        .least = 3,
        .most = 200,
        .parts = {"x", "y"}},
@@ -639,8 +669,9 @@ const std::vector<Parameter>& parameters() {
        .type = ParameterType::order,
        .default_value = "left,right,bottom,top",
        .example = "bottom,left,top,right",
-       .help = "in which order a rectangle's borders are cut at",
-       .choices = {"left", "right", "bottom", "top"}}};
+       .help = "in which order the borders are cut at; those of window_polygon by their numbers, as 3,1,2",
+       .choices = {"left", "right", "bottom", "top"},
+       .numbered = true}};
   return all;
 }
 const Parameter& order_parameter() { return parameters().back(); }
