@@ -8,7 +8,9 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
+#include "stories/clipping/clip_space.hpp"
 #include "stories/paper.hpp"
+#include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -21,6 +23,7 @@ using Points = std::vector<dvec2>;
 
 constexpr std::string_view folder = "algorithms/clipping/sutherland_hodgman/";
 constexpr int width = 36, height = 27;
+constexpr const char* homogeneous_name = "homogeneous";
 
 /// What a run was given.
 struct Given {
@@ -495,6 +498,7 @@ const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods{
       method_in_english(topic, "border_by_border", Standing::taught),
       method_in_english(topic, "separate_pieces", Standing::plain),
+      method_in_english(topic, homogeneous_name, Standing::plain),
       method_in_english(topic, "cut_of_a_cut", Standing::plain),
       method_in_english(topic, "entering_not_cut", Standing::faulty),
       method_in_english(topic, "previous_left_behind", Standing::faulty),
@@ -584,8 +588,69 @@ void run_plain(const Given& given, std::string_view method, Teller& teller) {
   teller.show_result(polygon);
 }
 
+/// Corners in clip space, as they were given.
+std::vector<Point<double>> homogeneous_of(const Arguments& arguments) {
+  const std::vector<std::string> parts{"x", "y", "z", "w"};
+  const auto read = read_tuples(arguments.text("homogeneous"), parts);
+  expects(!std::holds_alternative<Misread>(read), "points in their canonical spelling");
+  std::vector<Point<double>> corners;
+  for (const Tuple& p : std::get<std::vector<Tuple>>(read)) {
+    corners.push_back({{p[0].value, p[1].value, p[2].value, p[3].value}});
+    const auto& at = corners.back().at;
+    if (at == dvec4(0)) {
+      throw ArgumentError("homogeneous", fmt::format("point {}: 0,0,0,0 is no point", corners.size()));
+    }
+    for (int i = 0; i < 4; ++i) {
+      const double size = std::abs(at[i]);
+      if (size == 0 || (1e-6 <= size && size <= 1e6)) continue;
+      throw ArgumentError("homogeneous",
+                          fmt::format("point {}: expected numbers that are 0 or from 0.000001 to 1000000 in "
+                                      "size, found '{}'",
+                                      corners.size(), text_of(p)));
+    }
+  }
+  return corners;
+}
+
+/// The method before the division.
+Trace run_homogeneous(const Arguments& arguments, Recording recording) {
+  if (!arguments.rings("hole").empty())
+    throw ArgumentError("hole", "holes are cut by --method separate_pieces alone");
+  if (!arguments.points("window_polygon").empty())
+    throw ArgumentError("window_polygon", "method homogeneous clips at the planes of clip space alone");
+  const std::vector<Point<double>> corners = homogeneous_of(arguments);
+  const auto planes = view_volume(1.0, 1.0);
+  TraceWriter writer(recording);
+  Trace& about = writer.trace();
+  const Wording& words = about.wording;
+  introduce(about, "sutherland_hodgman", arguments, false);
+  // Only what this method reads
+  std::erase_if(about.arguments,
+                [](const Argument& a) { return a.name != "method" && a.name != "homogeneous"; });
+  about.subtitle = words.say("sutherland_hodgman.subtitle_space", arg("corners", corners.size()),
+                             arg("planes", planes.size()));
+  about.goal = words.say("sutherland_hodgman.goal_space");
+  about.grid = paper_grid(ClipSpaceTeller::paper_width, ClipSpaceTeller::paper_height);
+  about.legend = {{Role::input, words.say("sutherland_hodgman.legend.input")},
+                  {Role::past, words.say("sutherland_hodgman.legend.past_plane")},
+                  {Role::current, words.say("sutherland_hodgman.legend.current")},
+                  {Role::accepted, words.say("sutherland_hodgman.legend.accepted")},
+                  {Role::rejected, words.say("sutherland_hodgman.legend.rejected_space")},
+                  {Role::result, words.say("sutherland_hodgman.legend.result")}};
+  about.source_file = std::string(folder) + "sutherland_hodgman.hpp";
+  about.listing = listing_of(source_text(about.source_file), "clip");
+  ClipSpaceTeller teller(writer, corners);
+  const auto polygon = clip(corners, std::span<const Plane<double>>(planes), teller);
+  teller.finish();
+  Trace trace = std::move(writer).finish();
+  trace.telling = {trace.last, 0};
+  trace.result = {{"corners", static_cast<std::int64_t>(polygon.size())}};
+  return trace;
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
+  if (method.name == homogeneous_name) return run_homogeneous(arguments, recording);
   const bool pieces = method.name == "separate_pieces";
   const bool exact = pieces || method.name == "border_by_border";
   const bool faulty = method.standing == Standing::faulty;
@@ -595,6 +660,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   Trace& about = writer.trace();
   const Wording& words = about.wording;
   introduce(about, "sutherland_hodgman", arguments, faulty);
+  std::erase_if(about.arguments, [&](const Argument& a) {
+    return a.name == "homogeneous" ||
+           (a.name == "order" && given.oblique && a.value == order_parameter().default_value);
+  });
   about.subtitle = words.say("sutherland_hodgman.subtitle", arg("corners", given.outline().size()),
                              arg("borders", given.order.size()));
   about.grid = paper_grid(width, height);
@@ -665,6 +734,14 @@ const std::vector<Parameter>& parameters() {
        .most = 50,
        .parts = {"x", "y"},
        .instead_of = "window"},
+      {.name = "homogeneous",
+       .type = ParameterType::points,
+       .default_value = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .example = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .help = "method homogeneous: the corners in clip space, not divided by w yet",
+       .least = 3,
+       .most = 50,
+       .parts = {"x", "y", "z", "w"}},
       {.name = "order",
        .type = ParameterType::order,
        .default_value = "left,right,bottom,top",
@@ -691,7 +768,8 @@ const TopicEntry& entry() {
       .parameters = parameters(),
       .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                    "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",
-                   "--window-polygon '5,-3 12,3 8,10 -2,7'"},
+                   "--window-polygon '5,-3 12,3 8,10 -2,7'",
+                   "--method homogeneous --homogeneous '-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1'"},
       .run = run};
   return topic;
 }
