@@ -483,6 +483,68 @@ TEST(CohenSutherland3dProperty, ViewVolumesAgreeWithRationals) {
   EXPECT_GT(slow, ran / 10);
 }
 
+TEST(CohenSutherland3dProperty, FloatVolumesAreTheNearestFloats) {
+  test::VolumeCases cases(test::seed() + 7);
+  const ViewVolume volume;
+  const auto wanted = test::cases(5'000, 200'000);
+  std::int64_t ran = 0, kept = 0, past = 0;
+  for (; ran < wanted; ++ran) {
+    constexpr std::array<int, 5> kinds{0, 1, 2, 4, 6};  // the others leave the range of float
+    const Segment<4, double> drawn = cases(kinds[static_cast<std::size_t>(ran % 5)]);
+    const Segment<4, float> line{glm::vec4(drawn.a), glm::vec4(drawn.b)};
+    const Segment<4, double> same{dvec4(line.a), dvec4(line.b)};
+    if (!clippable(same)) continue;
+    int cuts = 0;
+    const auto count = [&]<class Step>(const Step&) { cuts += std::same_as<Step, Cut<4, float>>; };
+    const auto part = correctly_rounded(line, volume, usual_order<3>(), count);
+    const auto exact = exact_part(same);
+    ASSERT_LE(cuts, 6) << "case " << ran;
+    ASSERT_EQ(part.has_value(), exact.has_value()) << "case " << ran;
+    ASSERT_EQ(correctly_rounded(line, volume, random_order(cases.random)), part) << "case " << ran;
+    const auto back = correctly_rounded(Segment<4, float>{line.b, line.a}, volume);
+    ASSERT_EQ(back.has_value(), part.has_value()) << "case " << ran;
+    if (!part) continue;
+    ++kept;
+    past += (line.a.w <= 0) != (line.b.w <= 0);
+    ASSERT_EQ(*back, (Segment<4, float>{part->b, part->a})) << "case " << ran;
+    for (std::size_t i = 0; i < 4; ++i) {
+      ASSERT_TRUE(test::is_nearest(part->a[static_cast<int>(i)], exact->a[i])) << "case " << ran;
+      ASSERT_TRUE(test::is_nearest(part->b[static_cast<int>(i)], exact->b[i])) << "case " << ran;
+    }
+    ASSERT_EQ(region_code(part->a, volume) | region_code(part->b, volume), 0) << "case " << ran;
+    if (part->a.w > 0 && part->b.w > 0) ASSERT_EQ(correctly_rounded(*part, volume), part) << "case " << ran;
+  }
+  std::printf("%lld volumes of floats, %lld parts, %lld of them past the eye\n", static_cast<long long>(ran),
+              static_cast<long long>(kept), static_cast<long long>(past));
+  EXPECT_EQ(ran, wanted);
+  EXPECT_GT(kept, ran / 5);
+  EXPECT_GT(past, ran / 50);
+}
+
+// Coordinates that lie midway between two floats, but for less than a double shows
+TEST(CohenSutherland3dProperty, FloatsMidwayGoByTheExactPoint) {
+  Random random(test::seed() + 8);
+  int above = 0, below = 0, ties = 0;
+  for (int i = 0; i < 3'000; ++i) {
+    // Depths -2 and 2 - e at the left side: y comes to 1 + (k + 1/2) steps, and e/16 of a step more
+    const float e = std::ldexp(static_cast<float>(random.uniform_int(-3, 3)), -40);
+    const float k = static_cast<float>(random.uniform_int(0, 1000));
+    const float y = 1 + std::ldexp(k, -23), step = std::ldexp(1.0F, -23);
+    const Segment<4, float> line{{-4, y, 0.5F, 2}, {-e, y + step, 0.5F, 2}};
+    const auto part = correctly_rounded(line, ViewVolume{});
+    const auto exact = exact_part({dvec4(line.a), dvec4(line.b)});
+    ASSERT_TRUE(part && exact) << "case " << i;
+    ASSERT_TRUE(test::is_nearest(part->a.y, exact->a[1])) << "case " << i;
+    const Rational midway = Rational(double{y}) + Rational(double{step}) / 2;
+    above += exact->a[1] > midway;
+    below += exact->a[1] < midway;
+    ties += exact->a[1] == midway;
+  }
+  EXPECT_GT(above, 500);
+  EXPECT_GT(below, 500);
+  EXPECT_GT(ties, 100);
+}
+
 // x/w of a part against the exact projection of the segment, clipped to the box -1 <= x, y <= 1, 0 <= z <= 1
 TEST(CohenSutherland3dProperty, DividingTheLastAgreesWithClippingExactProjections) {
   test::VolumeCases cases(test::seed() + 5);
