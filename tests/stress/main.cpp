@@ -112,6 +112,7 @@ int stress(const cli::Request& request) {
   for (const Domain* domain : wanted) properties += domain->properties.size();
   const std::chrono::duration<double> share(static_cast<double>(seconds) / static_cast<double>(properties));
 
+  if (request.has("output")) fs::create_directories(request.flags.at("output"));
   std::uint64_t cases = 0, broken = 0;
   cli::NewFiles files;
   for (const Domain* domain : wanted) {
@@ -132,7 +133,6 @@ int stress(const cli::Request& request) {
       if (!words.empty()) draw(words, folder / fmt::format("{}-{}.svg", domain->topic, property.name), files);
     }
   }
-  if (request.has("output")) fs::create_directories(request.flags.at("output"));
   files.commit();
   cli::write_stream(cli::Stream::out, fmt::format("{} cases, {} of {} promises broken (--random-seed {})\n",
                                                   cases, broken, properties, seed));

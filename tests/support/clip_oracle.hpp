@@ -38,8 +38,9 @@ bool is_nearest(T rounded, const Rational& exact) {
 inline double error_in_ulp(double x, const Rational& exact) {
   const double near = static_cast<double>(exact);
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
-  const double unit =
-      std::nextafter(std::abs(near), std::numeric_limits<double>::infinity()) - std::abs(near);
+  // The distance to the next double; the largest has none, but the same distance below it
+  const double size = std::min(std::abs(near), std::nextafter(std::numeric_limits<double>::max(), 0.0));
+  const double unit = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
   return static_cast<double>(abs(Rational(Rational(x) - exact)) / Rational(unit));
 }
 

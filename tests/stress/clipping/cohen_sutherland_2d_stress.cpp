@@ -65,10 +65,12 @@ Domain cohen_sutherland_2d() {
             .generate = axis_boxes::generate<2>,
             .error =
                 [](const Input& input) {
-                  const double error =
-                      axis_boxes::error<2>(input, [](const Line& line, const Window& window) {
+                  const double error = axis_boxes::error<2>(
+                      input,
+                      [](const Line& line, const Window& window) {
                         return cohen_sutherland_2d::cut_of_a_cut(line, window);
-                      });
+                      },
+                      true);
                   return std::isinf(error) ? 0 : error;
                 },
             .arguments = figure_with("cut_of_a_cut")}}};

@@ -1,0 +1,80 @@
+// The attacker itself: it finds a planted fault, makes its input small, and repeats itself.
+
+#include "stress/attack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gradus::stress {
+namespace {
+
+/// A sum of two numbers that is wrong by 1 when the first is above 1000.
+Property planted() {
+  return {.name = "sum",
+          .states = "is exact",
+          .unit = "units",
+          .bound = 0,
+          .kinds = {Kind::random, Kind::huge},
+          .generate =
+              [](Kind kind, Random& random) {
+                const double most = kind == Kind::huge ? 1e6 : 100;
+                return Input{random.uniform(-most, most), random.uniform(-most, most)};
+              },
+          .error = [](const Input& i) { return i[0] > 1000 ? 1.0 : 0.0; },
+          .traps = {{"a trap", {3, 4}}}};
+}
+
+const auto some = [](std::uint64_t i) { return i < 1000; };
+
+TEST(Attack, FindsWhatIsPlanted) {
+  const Property property = planted();
+  const Finding finding = attack(property, 1, some);
+  EXPECT_TRUE(finding.broken());
+  EXPECT_EQ(finding.cases, 1001u);
+  EXPECT_EQ(finding.by_kind.at(Kind::random), 500u);
+  EXPECT_EQ(finding.by_kind.at(Kind::huge), 500u);
+  EXPECT_TRUE(finding.origin.starts_with("huge, case ")) << finding.origin;
+  EXPECT_EQ(property.error(finding.input), 1);
+}
+
+TEST(Attack, MakesTheInputSmall) {
+  const Property property = planted();
+  const Finding finding = attack(property, 1, some);
+  const Input small = shrunk(property, finding.input, 1);
+  EXPECT_EQ(property.error(small), 1);
+  EXPECT_EQ(small[1], 0);
+  // Nothing simpler is left: a power of two
+  int exponent = 0;
+  EXPECT_EQ(std::frexp(small[0], &exponent), 0.5);
+  EXPECT_LE(small[0], finding.input[0]);
+}
+
+TEST(Attack, RepeatsItselfAndTellsOfOtherSeeds) {
+  const Property property = planted();
+  EXPECT_EQ(attack(property, 7, some).input, attack(property, 7, some).input);
+  EXPECT_NE(attack(property, 7, some).input, attack(property, 8, some).input);
+}
+
+TEST(Attack, TriesTrapsFirstAndTakesNoNumberForTheWorst) {
+  Property property = planted();
+  property.error = [](const Input& i) { return i[0] == 3 ? std::nan("") : 0.0; };
+  const Finding finding = attack(property, 1, some);
+  EXPECT_EQ(finding.origin, "a trap");
+  EXPECT_EQ(finding.worst, wrong);
+  EXPECT_TRUE(finding.broken());
+}
+
+TEST(Attack, InputsReadBackBitForBit) {
+  const Input input{0.1, -0.0, 5e-324, 1.7976931348623157e308, -1};
+  const auto read = input_in(text_of(input));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, input);
+  EXPECT_TRUE(std::signbit((*read)[1]));
+  EXPECT_TRUE(std::isnan(input_in("nan,1").value()[0]));
+  EXPECT_TRUE(std::isinf(input_in("-inf").value()[0]));
+  for (const char* text : {"", "x", "1,", "1;2", "1, two"}) EXPECT_FALSE(input_in(text)) << text;
+}
+
+}  // namespace
+}  // namespace gradus::stress
