@@ -25,8 +25,14 @@ using cli::UsageError;
 std::vector<const Subject*> chosen(const cli::Request& request) {
   std::vector<const Subject*> wanted;
   for (const std::string& word : request.operands) {
+    // Subjects that are no topics ("figures") by their whole name
+    auto found = std::ranges::find(subjects(), cli::folded(word), &Subject::topic);
+    if (found != subjects().end()) {
+      wanted.push_back(&*found);
+      continue;
+    }
     const std::string& topic = cli::find_topic(word).name;
-    const auto found = std::ranges::find(subjects(), topic, &Subject::topic);
+    found = std::ranges::find(subjects(), topic, &Subject::topic);
     if (found == subjects().end()) throw UsageError(fmt::format("TOPIC: {} has no benchmark", topic));
     wanted.push_back(&*found);
   }
