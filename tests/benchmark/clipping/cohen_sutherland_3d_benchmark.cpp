@@ -115,9 +115,9 @@ void add_cases(std::vector<Case>& cases, const Lines& set, const Workload& workl
   add("cut_of_a_cut", Standing::taught, each([](const Line& line) { return cs::cut_of_a_cut(line, box); }));
   add("correctly_rounded", Standing::robust,
       each([](const Line& line) { return cs::correctly_rounded(line, box); }));
-  add("Liang-Barsky: box_parametric", Standing::taught,
+  add("box_parametric", Standing::taught,
       each([](const Line& line) { return liang_barsky::box_parametric(line, box); }));
-  add("Liang-Barsky: box_correctly_rounded", Standing::robust,
+  add("box_correctly_rounded", Standing::robust,
       each([](const Line& line) { return liang_barsky::box_correctly_rounded(line, box); }));
 #ifdef GRADUS_HAS_BOX_BATCH
   add("clip_batch", Standing::batch, [](const std::vector<Line>& from, Clipped& out) {
