@@ -96,7 +96,7 @@ void add_cases(std::vector<Case>& cases, const Points& set, const Workload& work
 std::vector<Case> cases() {
   std::vector<Case> all;
   add_cases(all, points(1, 4096), {"inside"});
-  add_cases(all, points(1.5, 4096), {"also beside it"});
+  add_cases(all, points(1.5, 4096), {"inside and beside"});
   for (const std::size_t count : {16u, 256u, 4096u, 65536u}) {
     add_cases(all, points(1, count), {fmt::format("{} points", count), static_cast<double>(count)});
   }
@@ -111,7 +111,7 @@ Subject viewport() {
           .item = "point",
           .unit = "pixels",
           .measure = "points",
-          .telling = "also beside it",
+          .telling = "inside and beside",
           .cases = cases};
 }
 

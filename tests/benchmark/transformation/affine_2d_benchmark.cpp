@@ -25,11 +25,12 @@ std::vector<affine_2d::Factor<double>> chain(dvec2 centre) {
           affine_2d::translation(shift)};
 }
 
+/// As seen from the centre.
 std::array<Wide, 2> reference(dvec2 p, dvec2 centre) {
   const Wide x = (Wide(p.x) - centre.x) * factors_of_scaling.x;
   const Wide y = (Wide(p.y) - centre.y) * factors_of_scaling.y;
   const Wide s = Wide(1) / 2, c = sqrt(Wide(3)) / 2;
-  return {c * x - s * y + centre.x + shift.x, s * x + c * y + centre.y + shift.y};
+  return {c * x - s * y + shift.x, s * x + c * y + shift.y};
 }
 
 /// So many points round a centre that lies `away` from the origin.
@@ -47,22 +48,31 @@ const Points& points(double away, std::size_t count) {
   return set;
 }
 
+/// Errors are those of the way from the centre, to which subtracting it adds none.
 void add_cases(std::vector<Case>& cases, double away, const Points& set, const Workload& workload) {
-  const auto add = [&](const char* name, Standing standing, auto transform) {
-    cases.push_back(case_of<dvec2>(
-        name, standing, set,
-        [transform, factors = chain(dvec2(away))](const std::vector<dvec2>& from, std::vector<dvec2>& to) {
-          to = from;
-          transform(factors, to);
-        },
-        workload));
+  const auto add = [&](const char* name, Standing standing, auto transform, bool from_centre = false) {
+    const auto found = std::make_shared<std::vector<dvec2>>(set.inputs.size());
+    const auto run = [transform, found, &set, factors = chain(dvec2(away))] {
+      *found = set.inputs;
+      transform(factors, *found);
+    };
+    run();
+    std::vector<dvec2> seen = *found;
+    for (dvec2& p : seen) p -= from_centre ? dvec2(0) : dvec2(away);
+    cases.push_back({.method = name,
+                     .standing = standing,
+                     .workload = workload,
+                     .items = static_cast<std::int64_t>(set.inputs.size()),
+                     .run = run,
+                     .error = error_of(seen, set.right)});
   };
   using Factors = std::span<const affine_2d::Factor<double>>;
   using Span = std::span<dvec2>;
   add("one_matrix", Standing::taught, [](Factors f, Span p) { affine_2d::one_matrix(f, p); });
   add("factor_by_factor", Standing::taught, [](Factors f, Span p) { affine_2d::factor_by_factor(f, p); });
-  add("local_coordinates", Standing::robust,
-      [away](Factors f, Span p) { affine_2d::local_coordinates(dvec2(away), f, p); });
+  add(
+      "local_coordinates", Standing::robust,
+      [away](Factors f, Span p) { affine_2d::local_coordinates(dvec2(away), f, p); }, true);
   add("GLM's matrices", Standing::peer, [away](Factors, Span p) {
     const dvec2 centre(away);
     glm::dmat3 m = glm::translate(glm::dmat3(1), shift + centre);
