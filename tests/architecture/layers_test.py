@@ -96,8 +96,8 @@ def include_violations(root):
                         continue
                     if not path.startswith(home):
                         found.append(f"{place}: <{name}> belongs into {home}")
-                    elif prefix in BATCH_ONLY and not path.endswith("_batch.cpp"):
-                        found.append(f"{place}: <{name}> belongs into a _batch.cpp")
+                    elif prefix in BATCH_ONLY and not path.endswith(("_batch.cpp", "-inl.hpp")):
+                        found.append(f"{place}: <{name}> belongs into a _batch.cpp or what they share, an -inl.hpp")
                     users.setdefault(prefix, set()).add(path)
                 if path.startswith("algorithms/") and name in NOT_PORTABLE and path not in OUTER \
                         and not path.endswith("_batch.cpp"):

@@ -137,6 +137,23 @@ def test_spellings_that_mean_the_same():
     equal(gradus("run", "flood_fill", "--method", "depth").out, depth, "a method's name")
 
 
+def test_rings_and_numbered_orders():
+    square = ["figure", "sutherland_hodgman", "--method", "separate_pieces", "--polygon", "-5,1 15,1 15,9 -5,9", "-o"]
+    gradus(*square, "holes.svg", "--hole", "2,2 3,2 3,3;(4, 4) 5,4 5,5 ;")
+    gradus(*square, "same.svg", "--hole=2,2 3,2 3,3; 4,4 5,4 5,5")
+    equal(read("holes.svg"), read("same.svg"), "two spellings of two holes")
+    check(b"Done: 1 piece, area 79." in read("holes.svg"), "both holes are cut out of 80")
+    gradus(*square, "one.svg", "--hole", "2,2 3,2 3,3")
+    check(read("one.svg") != read("holes.svg"), "one hole is not two")
+    equal((gradus("again", "holes.svg", "-o", "again.svg").code, read("again.svg")), (0, read("holes.svg")), "again, with holes")
+    oblique = ["run", "sutherland_hodgman", "--window-polygon", "5,-3 12,3 8,10 -2,7"]
+    plain, turned = gradus(*oblique), gradus(*oblique, "--order", " 3, 1,2 ,4")
+    equal((plain.code, turned.code), (0, 0), "orders by number")
+    borders = [list(dict.fromkeys(re.findall(r"^no\. (\d)", done.out, re.MULTILINE))) for done in (plain, turned)]
+    equal(borders, [list("1234"), list("3124")], "the borders as they are cut at")
+    equal(plain.out, gradus(*oblique, "--order", "1,2,3,4").out, "the order that they have")
+
+
 def test_formats():
     line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
     starts = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "html": b"<!DOCTYPE html", "csv": b"number,type,line",
@@ -285,6 +302,10 @@ def test_wrong_input():
     write("x.svg", "old")
     line, fill = ["figure", "bresenham_line"], ["figure", "flood_fill"]
     out = ["-o", "x.svg"]
+    poly = ["run", "sutherland_hodgman"]
+    pieces, oblique = [*poly, "--method", "separate_pieces"], [*poly, "--window-polygon", "5,-3 12,3 8,10 -2,7"]
+    space, axes = [*poly, "--method", "homogeneous", "--homogeneous"], ["run", "viewing", "--method", "inverse_of_any_frame", "--axes"]
+    numbers = "--order: expected the numbers 1 to 4 of the window's borders, each once in any order, found "
     topics = "TOPIC: expected the name of a topic (`gradus list` shows all), found "
     cell = f"expected two whole numbers from {INT32} like 3,4, found "
     size = "--size: expected a width and a height like 1280x720 or 12cmx8cm (160 to 8192 pixels, 96 an inch), or a ratio like 4:3, found "
@@ -328,6 +349,29 @@ def test_wrong_input():
         ([*fill, *out, "--connectivity", "6"], "--connectivity: expected one of 4, 8, found '6'"),
         ([*fill, *out, "--color", "pink"], re.compile(r"--color: expected a colour #rrggbb or one of black, .*, found 'pink'")),
         ([*fill, *out, "--at", "99,0"], re.compile(r"--at: expected .*, found '?99,0'?")),
+        # lists of rings, orders by number, points in clip space
+        ([*poly, "--hole", "4,4 6,4 6,6"], "--hole: holes are cut by --method separate_pieces alone"),
+        ([*pieces, "--hole", "4,4 6,4 6,6; 7,1 8,1"], "--hole: ring 2: expected at least 3 points, with ; between rings alone, found 2"),
+        ([*pieces, "--hole", "4,4; 6,4; 6,6"], "--hole: ring 1: expected at least 3 points, with ; between rings alone, found 1"),
+        ([*pieces, "--hole", "4,4 6,4 6,6; 7,1 8,1 8,x"], "--hole: ring 2: point 3: expected a number like 3, -5, 1/3 or 0.25, found 'x'"),
+        ([*pieces, "--hole", ";"], "--hole: expected rings of points x,y, with ; between rings, found ';'"),
+        ([*poly, "--order", "3,1,2,4"], "--order: expected left,right,bottom,top, each once in any order, found '3,1,2,4': "
+         "numbers are for the borders of --window-polygon"),
+        ([*oblique, "--order", "3,1,2"], numbers + "'3,1,2'"),
+        ([*oblique, "--order", "5,3,1,2,4"], numbers + "'5,3,1,2,4'"),
+        ([*oblique, "--order", "top,left,right,bottom"], numbers + "'top,left,right,bottom'"),
+        ([*oblique, "--order", "1,1,2,3"], "--order: expected left,right,bottom,top or the numbers 1, 2, … to the last, "
+         "each once in any order, found '1,1,2,3'"),
+        ([*space, "0,0,1,1 1,0,1,1"], "--homogeneous: expected at least 3 points, found 2"),
+        ([*space, "0,0,1,1 1,0,1,1 1,1,1"], "--homogeneous: point 3: expected 4 numbers x,y,z,w, found '1,1,1'"),
+        ([*space, "0,0,1,1 0,0,0,0 1,1,1,1"], "--homogeneous: point 2: 0,0,0,0 is no point"),
+        ([*space, "0,0,1,1 1,0,1,1 1,1,1,1e7"], "--homogeneous: point 3: expected numbers that are 0 or from 0.000001 to "
+         "1000000 in size, found '1,1,1,10000000'"),
+        ([*space[:-1], "--window-polygon", "0,0 1,0 1,1"],
+         "--window-polygon: method homogeneous clips at the planes of clip space alone"),
+        ([*axes, "1,0,0 0,1,0"], "--axes: expected at least 3 points, found 2"),
+        ([*axes, "1,0,0 0,1,0 1,1,0"], "--axes: three axes that don't lie in one plane expected, found 1,0,0 0,1,0 1,1,0"),
+        ([*axes, "1,0,0 0,1,0 0,0,0"], "--axes: axes of lengths from 0.001 to 1000 expected, found 1,0,0 0,1,0 0,0,0"),
         # steps
         ([*line, *out, "--step", "9"], "--step 9: bresenham_line has steps 0..7 for this input"),
         ([*line, *out, "--step", "x"], "--step: expected a step like 4 or 4.1, found 'x'"),

@@ -415,6 +415,26 @@ BAD = """{
 """
 
 
+def test_rings_as_lists():
+    def read(path):
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+
+    plate = {"topic": "sutherland_hodgman", "method": "separate_pieces", "outputs": ["svg"]}
+    outline, one, two = "-5,1 15,1 15,9 -5,9", [[2, 2], [3, 2], [3, 3]], [[4, 4], [5, 4], [5, 5]]
+    write("rings.json", figures({**plate, "name": "lists", "input": {"polygon": outline, "hole": [one, two]}},
+                                {**plate, "name": "text", "input": {"polygon": outline, "hole": "2,2 3,2 3,3; 4,4 5,4 5,5"}},
+                                {**plate, "name": "single", "input": {"polygon": outline, "hole": one}},
+                                {**plate, "name": "alone", "input": {"polygon": outline, "hole": "2,2 3,2 3,3"}}))
+    equal(gradus("figures", "rings.json", "-o", "rings", "-q")[::2], (0, ""), "rings")
+    equal(read("rings/lists/lists.svg"), read("rings/text/text.svg"), "a list of rings and a text")
+    equal(read("rings/single/single.svg"), read("rings/alone/alone.svg"), "a ring by itself")
+    check(read("rings/lists/lists.svg") != read("rings/single/single.svg"), "two holes are not one")
+    write("rings.json", figures({**plate, "input": {"hole": [one, [[1, 1], [2, 2]]]}}))
+    equal(gradus("figures", "rings.json", "--check")[2], "gradus: rings.json:1: figures[0].input.hole: ring 2: expected at "
+          "least 3 points, with ; between rings alone, found 2\n", "a ring of two points")
+
+
 def test_every_problem_has_its_line():
     write("my.json", BAD)
     code, out, err = gradus("figures", "my.json", "--check", "-o", "out")

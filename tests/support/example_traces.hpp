@@ -123,6 +123,17 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   clip("-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
        {{"method", "separate_pieces"}, {"window_polygon", "5,-3 12,3 8,10 -2,7"}});
   clip("-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7", {{"window_polygon", "5,-3 12,3 8,10 -2,7"}});
+  clip("-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
+       {{"window_polygon", "5,-3 12,3 8,10 -2,7"}, {"order", "3,1,4,2"}});
+  clip("-5,1 15,1 15,9 -5,9", {{"method", "separate_pieces"}, {"hole", "2,2 4,2 3,4; 6,5 12,5 12,7 6,7"}});
+  for (const char* corners :
+       {"0.5,0.5,0.5,1 -0.5,0.5,0.5,1 0,-0.5,0.5,1", "4,0,2,3 9,1,2,3 8,5,2,3",
+        "-3,-1,0.5,2 5,-2,3,4 1,6,2.5,3 -1,1,0,0", "1,1,-2,-1 -1,2,-3,-2 0,-1,-1,-0.5"}) {
+    tell("sutherland_hodgman", {{"method", "homogeneous"}, {"homogeneous", corners}});
+  }
+  for (const char* axes : {"1,0,0 0,2,0 0.5,0,-1", "0,0,-1 0,1,0 1,0,0"}) {
+    tell("viewing", {{"method", "inverse_of_any_frame"}, {"eye", "2,1,3"}, {"axes", axes}});
+  }
   return traces;
 }
 

@@ -61,8 +61,8 @@ int figure(const Request& request);
 int figures(const Request& request);
 int render(const Request& request);
 int again(const Request& request);
-/// Replaces the process by gradus-bench.
-int bench(const Request& request);
+/// Replaces the process by the program that does the command: gradus-bench, gradus-stress.
+int hand_over(const Request& request);
 
 /// `gradus --version`.
 int version();

@@ -73,8 +73,12 @@ std::string range_of(const Parameter& parameter) {
                          fmt::join(parameter.parts, ","));
     case ParameterType::points:
       return fmt::format("points {} with spaces between them", fmt::join(parameter.parts, ","));
+    case ParameterType::rings:
+      return fmt::format("points {} with spaces between them, and ; between rings",
+                         fmt::join(parameter.parts, ","));
     case ParameterType::order:
-      return fmt::format("{}, each once in any order", fmt::join(parameter.choices, ","));
+      return fmt::format("{}{}, each once in any order", fmt::join(parameter.choices, ","),
+                         parameter.numbered ? " or the numbers 1, 2, … to the last" : "");
     case ParameterType::factors:
       return parameter.parts.size() == 3
                  ? "translate X,Y,Z, scale S or X,Y,Z [about X,Y,Z], rotate DEGREES about x, y, z or X,Y,Z "

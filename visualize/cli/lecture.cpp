@@ -238,6 +238,24 @@ class Reader {
     return fmt::format("{}", fmt::join(points, " "));
   }
 
+  /// [[[0, 0], [6, 0], [6, 3]], [[8, 1], [9, 1], [9, 2]]] is "0,0 6,0 6,3; 8,1 9,1 9,2"; a single ring may
+  /// stand alone.
+  std::optional<std::string> joined_rings(const JsonNode& node, const Place& place,
+                                          const Parameter& parameter) {
+    const auto begins_with_list = [](const JsonNode& list) {
+      return list.kind == Kind::list && !list.elements.empty() && list.elements[0].kind == Kind::list;
+    };
+    if (!begins_with_list(node) || !begins_with_list(node.elements[0]))
+      return joined_points(node, place, parameter);
+    Texts rings;
+    for (const JsonNode& element : node.elements) {
+      const auto ring = joined_points(element, {element.line, place.path}, parameter);
+      if (!ring) return std::nullopt;
+      rings.push_back(*ring);
+    }
+    return fmt::format("{}", fmt::join(rings, "; "));
+  }
+
   /// The value as its flag takes it; nothing for a switch that is off.
   std::optional<std::string> flag_value(const LectureKey& key, const JsonNode& node, const Place& place) {
     switch (key.kind) {
@@ -485,6 +503,8 @@ class Reader {
       text = joined(node, place, ",", "a list or a text like " + parameter.example);
     } else if (parameter.type == ParameterType::points) {
       text = joined_points(node, place, parameter);
+    } else if (parameter.type == ParameterType::rings) {
+      text = joined_rings(node, place, parameter);
     } else {
       text = number_or_text(node, place, is_file ? "a file's name" : "a text or a number");
     }

@@ -191,8 +191,15 @@ JsonNode schema_of(const Parameter& parameter) {
       return either({of_type({"string"}), tuple_of(parameter.parts.size(), {"number"})});
     case ParameterType::points:
       return either({of_type({"string"}), list_of(tuple_of(parameter.parts.size(), {"number"}))});
-    case ParameterType::order:
-      return either({of_type({"string"}), list_of(one_of(parameter.choices))});
+    case ParameterType::rings: {
+      const JsonNode ring = list_of(tuple_of(parameter.parts.size(), {"number"}));
+      return either({of_type({"string"}), ring, list_of(ring)});
+    }
+    case ParameterType::order: {
+      const JsonNode names = list_of(one_of(parameter.choices));
+      if (!parameter.numbered) return either({of_type({"string"}), names});
+      return either({of_type({"string"}), names, list_of(of_type({"integer"}))});
+    }
     case ParameterType::choice: {
       std::vector<JsonNode> names;
       for (const std::string& choice : parameter.choices) {

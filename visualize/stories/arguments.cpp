@@ -220,6 +220,24 @@ std::string canonical_points(const Parameter& parameter, std::string_view text) 
   return text_of(points);
 }
 
+std::string canonical_rings(const Parameter& parameter, std::string_view text) {
+  const Read<std::vector<std::vector<Tuple>>> read = read_rings(text, parameter.parts);
+  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  const auto& rings = std::get<std::vector<std::vector<Tuple>>>(read);
+  std::int64_t all = 0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const auto count = static_cast<std::int64_t>(rings[i].size());
+    all += count;
+    if (count >= parameter.least) continue;
+    refuse(parameter.name, fmt::format("ring {}: expected at least {} points, with ; between rings alone, "
+                                       "found {}",
+                                       i + 1, parameter.least, count));
+  }
+  if (all > parameter.most)
+    refuse(parameter.name, fmt::format("expected at most {} points in all, found {}", parameter.most, all));
+  return text_of(rings);
+}
+
 /// The words between commas.
 std::vector<std::string> words_in(std::string_view text) {
   std::vector<std::string> words;
@@ -233,8 +251,16 @@ std::vector<std::string> words_in(std::string_view text) {
 
 std::string canonical_order(const Parameter& parameter, std::string_view text) {
   const std::vector<std::string> words = words_in(text);
-  if (!std::ranges::is_permutation(words, parameter.choices))
-    refuse(parameter, fmt::format("{}, each once in any order", fmt::join(parameter.choices, ",")), text);
+  std::vector<std::string> numbers;
+  for (std::size_t i = 1; i <= words.size(); ++i) numbers.push_back(fmt::format("{}", i));
+  if (parameter.numbered && std::ranges::is_permutation(words, numbers))
+    return fmt::format("{}", fmt::join(words, ","));
+  if (!std::ranges::is_permutation(words, parameter.choices)) {
+    refuse(parameter,
+           fmt::format("{}{}, each once in any order", fmt::join(parameter.choices, ","),
+                       parameter.numbered ? " or the numbers 1, 2, … to the last" : ""),
+           text);
+  }
   return fmt::format("{}", fmt::join(words, ","));
 }
 
@@ -361,6 +387,31 @@ std::vector<dvec3> Arguments::places(std::string_view name) const {
   return points;
 }
 
+std::vector<std::vector<dvec2>> Arguments::rings(std::string_view name) const {
+  std::vector<std::vector<dvec2>> rings;
+  if (!has(name) || text(name).empty()) return rings;
+  const std::vector<std::string> parts{"x", "y"};
+  const Read<std::vector<std::vector<Tuple>>> read = read_rings(text(name), parts);
+  expects(!std::holds_alternative<Misread>(read), "{} has rings in their canonical spelling, not '{}'", name,
+          text(name));
+  for (const auto& ring : std::get<std::vector<std::vector<Tuple>>>(read)) {
+    rings.emplace_back();
+    for (const Tuple& p : ring) rings.back().emplace_back(p[0].value, p[1].value);
+  }
+  return rings;
+}
+
+std::optional<std::vector<std::size_t>> Arguments::numbered_order(std::string_view name) const {
+  std::vector<std::size_t> order;
+  for (const std::string& word : words_in(text(name))) {
+    const auto number = whole_number(word);
+    if (!number) return std::nullopt;
+    expects(*number >= 1, "{} counts from 1, not '{}'", name, word);
+    order.push_back(static_cast<std::size_t>(*number - 1));
+  }
+  return order;
+}
+
 std::vector<std::size_t> Arguments::order(const Parameter& parameter) const {
   std::vector<std::size_t> order;
   for (const std::string& word : words_in(text(parameter.name))) {
@@ -406,6 +457,8 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_bounds(parameter, text);
     case ParameterType::points:
       return canonical_points(parameter, text);
+    case ParameterType::rings:
+      return canonical_rings(parameter, text);
     case ParameterType::order:
       return canonical_order(parameter, text);
     case ParameterType::factors:

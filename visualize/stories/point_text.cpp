@@ -312,6 +312,28 @@ Read<std::vector<Tuple>> read_tuples(std::string_view text, std::span<const std:
   return points;
 }
 
+Read<std::vector<std::vector<Tuple>>> read_rings(std::string_view text, std::span<const std::string> names) {
+  const std::string plain = without_comments(text);
+  const std::string_view rest = plain;
+  std::vector<std::vector<Tuple>> rings;
+  for (std::size_t at = 0; at <= rest.size();) {
+    const std::size_t end = std::min(rest.find(';', at), rest.size());
+    const std::string_view word = rest.substr(at, end - at);
+    at = end + 1;
+    if (trimmed(word).empty()) continue;
+    Read<std::vector<Tuple>> ring = read_tuples(word, names);
+    if (const Misread* misread = std::get_if<Misread>(&ring)) {
+      return Misread{fmt::format("ring {}: {}", rings.size() + 1, misread->what)};
+    }
+    rings.push_back(std::get<std::vector<Tuple>>(std::move(ring)));
+  }
+  if (rings.empty()) {
+    return Misread{fmt::format("expected rings of points {}, with ; between rings, found {}",
+                               fmt::join(names, ","), shown(text))};
+  }
+  return rings;
+}
+
 std::string text_of(const Tuple& tuple) {
   std::string text;
   for (const Number& number : tuple) text += (text.empty() ? "" : ",") + number.text;
@@ -321,6 +343,12 @@ std::string text_of(const Tuple& tuple) {
 std::string text_of(const std::vector<Tuple>& tuples) {
   std::string text;
   for (const Tuple& tuple : tuples) text += (text.empty() ? "" : " ") + text_of(tuple);
+  return text;
+}
+
+std::string text_of(const std::vector<std::vector<Tuple>>& rings) {
+  std::string text;
+  for (const std::vector<Tuple>& ring : rings) text += (text.empty() ? "" : "; ") + text_of(ring);
   return text;
 }
 

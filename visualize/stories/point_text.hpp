@@ -60,8 +60,13 @@ Read<Tuple> read_tuple(std::string_view text, std::span<const std::string> names
 /// to the end of its line, so that lists in files may have some. At least one point.
 Read<std::vector<Tuple>> read_tuples(std::string_view text, std::span<const std::string> names);
 
-/// The canonical spelling: "1/3,2", and "0,0 6,0 6,3".
+/// Several lists of points with ";" between them, and nothing but white space between points: "0,0 6,0 6,3;
+/// 8,1 9,1 9,2". Errors say which ring and which point. At least one ring.
+Read<std::vector<std::vector<Tuple>>> read_rings(std::string_view text, std::span<const std::string> names);
+
+/// The canonical spelling: "1/3,2", "0,0 6,0 6,3", and "0,0 6,0 6,3; 8,1 9,1 9,2".
 std::string text_of(const Tuple& tuple);
 std::string text_of(const std::vector<Tuple>& tuples);
+std::string text_of(const std::vector<std::vector<Tuple>>& rings);
 
 }  // namespace gradus

@@ -32,7 +32,8 @@ enum class ParameterType {
   numbers,  ///< as many numbers as `parts` has names: "1,0.5,2" for x,y,z
   bounds,   ///< the same, all lower ones first: "0,0,10,8" for xmin,ymin,xmax,ymax; none above its upper one
   points,   ///< points of as many numbers as `parts` has names: "0,0 6,0 6,3"; from `least` to `most` of them
-  order,    ///< all of `choices`, each once: "left,right,bottom,top"
+  rings,    ///< several such lists: "0,0 6,0 6,3; 8,1 9,1 9,2"; `least` points a ring, `most` in all
+  order,    ///< all of `choices`, each once: "left,right,bottom,top"; where `numbered`, "2,1,3", too
   factors,  ///< transformations in the order of acting: "rotate 30 about 1,1; scale 2"; `parts`: x,y or x,y,z
   model,    ///< an OBJ file; commands take it as an operand too
 };
@@ -47,6 +48,7 @@ struct Parameter {
   std::vector<std::string> choices{};
   std::vector<std::string> parts{};  ///< names of the numbers of a point or of bounds: x, y, z
   std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
+  bool numbered = false;     ///< for an order: it may be one of the numbers from 1 on, for what has no names
 };
 
 enum class Standing { plain, taught, fast, faulty };
@@ -85,8 +87,12 @@ class Arguments {
   std::vector<dvec2> points(std::string_view name) const;
   /// Points of three numbers; empty where none was given.
   std::vector<dvec3> places(std::string_view name) const;
+  /// Lists of points of two numbers; empty where none was given.
+  std::vector<std::vector<dvec2>> rings(std::string_view name) const;
   /// For each place in the order wanted, the position among the parameter's choices.
   std::vector<std::size_t> order(const Parameter& parameter) const;
+  /// The same where the order is one of numbers, 1 at position 0; nothing where it is one of choices.
+  std::optional<std::vector<std::size_t>> numbered_order(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
   const std::vector<Entry>& entries() const { return entries_; }
 

@@ -13,118 +13,15 @@
 // After it
 #include <hwy/highway.h>
 
+#include "core/certified_lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace gradus::cohen_sutherland_2d::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<double>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
+using namespace lanes::HWY_NAMESPACE;
 
 constexpr double largest = 0x1p300;
-
-// The same for both ends of the lines, side by side: two chains of operations that don't wait for each other
-struct Pair {
-  V a, b;
-};
-struct PairMask {
-  M a, b;
-};
-
-HWY_INLINE Pair add(Pair x, Pair y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
-HWY_INLINE Pair subtract(Pair x, Pair y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
-HWY_INLINE Pair multiply(Pair x, Pair y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
-HWY_INLINE Pair inverse_of(Pair x) {
-  const V one = hn::Set(D(), 1.0);
-  return {hn::Div(one, x.a), hn::Div(one, x.b)};
-}
-HWY_INLINE Pair size_of(Pair x) { return {hn::Abs(x.a), hn::Abs(x.b)}; }
-HWY_INLINE Pair choose(PairMask m, Pair yes, Pair no) {
-  return {hn::IfThenElse(m.a, yes.a, no.a), hn::IfThenElse(m.b, yes.b, no.b)};
-}
-HWY_INLINE Pair both(V x) { return {x, x}; }
-HWY_INLINE PairMask operator&(PairMask x, PairMask y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
-HWY_INLINE PairMask but_not(PairMask x, PairMask y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
-HWY_INLINE PairMask greater(Pair x, Pair y) { return {hn::Gt(x.a, y.a), hn::Gt(x.b, y.b)}; }
-HWY_INLINE PairMask equal(Pair x, Pair y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)}; }
-
-// x * y - z; exact where z is the rounded product x * y, or a number as close to it
-#if HWY_NATIVE_FMA
-HWY_INLINE V product_less(V x, V y, V z) { return hn::MulSub(x, y, z); }
-#else
-// The first 26 bits, so that products of such parts are exact
-HWY_INLINE V high_part(V x) {
-  const hn::RebindToUnsigned<D> bits;
-  return hn::And(x, hn::BitCast(D(), hn::Set(bits, ~((std::uint64_t{1} << 27) - 1))));
-}
-HWY_INLINE V product_less(V x, V y, V z) {
-  const V x_high = high_part(x), x_low = hn::Sub(x, x_high);
-  const V y_high = high_part(y), y_low = hn::Sub(y, y_high);
-  const V middle = hn::Add(hn::Mul(x_high, y_low), hn::Mul(x_low, y_high));
-  return hn::Add(hn::Add(hn::Sub(hn::Mul(x_high, y_high), z), middle), hn::Mul(x_low, y_low));
-}
-#endif
-HWY_INLINE Pair product_less(Pair x, Pair y, Pair z) {
-  return {product_less(x.a, y.a, z.a), product_less(x.b, y.b, z.b)};
-}
-// x * y + z where the last digits don't matter
-HWY_INLINE Pair multiply_add(Pair x, Pair y, Pair z) {
-  return {hn::MulAdd(x.a, y.a, z.a), hn::MulAdd(x.b, y.b, z.b)};
-}
-
-// A difference: its rounded value, and what the rounding took away
-struct Difference {
-  V value, error;
-};
-struct Differences {
-  Pair value, error;
-};
-
-HWY_INLINE Difference difference(V x, V y) {
-  const V value = hn::Sub(x, y);
-  const V y_kept = hn::Sub(x, value);
-  const V x_kept = hn::Add(value, y_kept);
-  return {value, hn::Add(hn::Sub(x, x_kept), hn::Sub(y_kept, y))};
-}
-HWY_INLINE Differences difference(Pair x, Pair y) {
-  const Difference a = difference(x.a, y.a), b = difference(x.b, y.b);
-  return {{a.value, b.value}, {a.error, b.error}};
-}
-HWY_INLINE Differences choose(PairMask m, const Difference& yes, const Difference& no) {
-  return {choose(m, both(yes.value), both(no.value)), choose(m, both(yes.error), both(no.error))};
-}
-
-struct Sums {
-  Pair value;
-  PairMask sure;
-};
-
-// base + way * rise / length: the nearest double where that is certain. The same thought as
-// cut_coordinate_filtered, with fewer digits: the quotient is wrong by less than 2^-75 of it.
-// size: no less than base and the quotient together, nor than length
-HWY_INLINE Sums nearest_sum(Pair base, const Differences& way, const Differences& rise,
-                            const Differences& length, V size) {
-  const Pair product = multiply(way.value, rise.value);
-  const Pair inverse = inverse_of(length.value);
-  const Pair quotient = multiply(product, inverse);
-
-  // way * rise - quotient * length: the large parts cancel exactly, then the rest
-  const Pair large = product_less(quotient, length.value, product);
-  const Pair small = product_less(way.value, rise.value, product);
-  const Pair errors = multiply_add(way.error, rise.value, multiply(way.value, rise.error));
-  const Pair left_over = subtract(add(small, errors), multiply_add(quotient, length.error, large));
-
-  // Add it up without loss, and ask whether the bound could reach another double. Its second part is for
-  // digits that products near 0 have lost; where length is large enough to hide it, size is, too
-  const Pair sum = add(base, quotient);
-  const Pair quotient_kept = subtract(sum, base);
-  const Pair lost = add(subtract(base, subtract(sum, quotient_kept)), subtract(quotient, quotient_kept));
-  const Pair rest = multiply_add(left_over, inverse, lost);
-  const V of_size = hn::Mul(size, hn::Set(D(), 0x1p-72));
-  const Pair bound = multiply_add(size_of(inverse), both(hn::Set(D(), 0x1p-1060)), both(of_size));
-  const Pair highest = add(sum, add(rest, bound)), lowest = add(sum, subtract(rest, bound));
-  return {highest, equal(highest, lowest)};
-}
 
 // Both ends of some lines
 struct Lanes {
@@ -159,7 +56,7 @@ HWY_INLINE Cuts cut_ends(const Lanes& p, PairMask beyond_x, PairMask beyond_y, P
   const Pair c = choose(at_x, cx, cy);
   const Pair along = choose(at_x, x, y), base = choose(at_x, y, x);
   const Sums other =
-      nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy), size);
+      nearest_sum(base, difference(c, along), choose(at_x, dy, dx), choose(at_x, dx, dy), both(size));
   return {choose(at_x, c, other.value),
           choose(at_x, other.value, c),
           other.value.a,
@@ -204,14 +101,6 @@ HWY_INLINE M cut_lanes(Lanes& p, const Codes& ca, const Codes& cb, M rejected, c
   p.bx = hn::IfThenElse(cut_b, cut.x.b, p.bx);
   p.by = hn::IfThenElse(cut_b, cut.y.b, p.by);
   return hn::Not(hn::And(undecided, hn::Or(a_unsure, b_unsure)));
-}
-
-HWY_INLINE std::uint64_t bits_of(M mask) {
-  std::array<std::uint8_t, (HWY_MAX_BYTES / sizeof(double) + 7) / 8> bytes{};
-  hn::StoreMaskBits(D(), mask, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  return bits;
 }
 
 // Lines that are not certain, one by one, from what stands in `lines`, which `clipped` may be; returns for

@@ -201,7 +201,7 @@ End<3, T> end_at(const Line<3, T>& line, Border face, const Box<T>& box) {
 /// rounded: every cut is computed from the original end points, and codes are those of the exact points.
 ///
 /// line, region, order: as for cut_of_a_cut; the part is the same for every order. T: float, double or
-///   gradus::Exact; in the view volume double or Exact.
+///   gradus::Exact.
 ///
 /// Domain: all finite coordinates, from the subnormals to the largest; a box may be flat. Numbers that are 0
 /// or

@@ -117,6 +117,10 @@ inline double coordinate_at(const Crossing<double>& c, double a, double b) {
   return sure ? *sure + 0.0 : coordinate_at_exact(c, a, b);
 }
 
+/// The same in double, which holds every float.
+inline Depth<double> widened(const Depth<float>& d) { return {double{d.base}, double{d.offset}}; }
+inline Crossing<double> widened(const Crossing<float>& c) { return {widened(c.a), widened(c.b)}; }
+
 /// The same in a scalar without rounding.
 template <class T>
   requires(!std::floating_point<T>)
@@ -159,15 +163,35 @@ inline bool negative_at(const Crossing<double>& c, Depth<double> a, Depth<double
   return sure ? *sure : negative_at_exact(c, a, b);
 }
 
+inline bool negative_at(const Crossing<float>& c, Depth<float> a, Depth<float> b) {
+  return negative_at(widened(c), widened(a), widened(b));
+}
+
 template <class T>
   requires(!std::floating_point<T>)
 bool negative_at(const Crossing<T>& c, const Depth<T>& a, const Depth<T>& b) {
   return coordinate_at(c, a.base + a.offset, b.base + b.offset) < T(0);
 }
 
+/// coordinate_at for float: the nearest float, not the float nearest to the nearest double.
+inline float coordinate_at(const Crossing<float>& c, float a, float b) {
+  const Crossing<double> there = widened(c);
+  const double exact_to_double = coordinate_at(there, double{a}, double{b});
+  const float nearest = static_cast<float>(exact_to_double);
+  if (double{nearest} == exact_to_double) return nearest;
+  // Midway between two floats the exact point decides, which may lie a little beside the double
+  const float other = std::nextafter(nearest, exact_to_double < double{nearest} ? -INFINITY : INFINITY);
+  if (exact_to_double - double{nearest} != double{other} - exact_to_double) return nearest;
+  const bool below =
+      negative_at(there, Depth<double>{a, -exact_to_double}, Depth<double>{b, -exact_to_double});
+  const bool above =
+      negative_at(there, Depth<double>{exact_to_double, -a}, Depth<double>{exact_to_double, -b});
+  return (other > nearest ? above : below) ? other : nearest;
+}
+
 /// The end where the original line meets a face: the coordinate across the face is copied from w (near: 0),
 /// the others are the nearest numbers; the code is that of the exact point. Domain: the ends lie on different
-/// sides of the face, or one of them on it. T: double or gradus::Exact.
+/// sides of the face, or one of them on it. T: float, double or gradus::Exact.
 template <class T>
 End<4, T> end_at(const Line<4, T>& line, Border face, const ViewVolume&) {
   const Crossing<T> there{depth(line.a, face), depth(line.b, face)};

@@ -251,6 +251,12 @@ struct Rescaled {
   }
 };
 
+/// The least determinant of three rescaled axes that inverse_of_any_frame accepts; for Exact 0.
+template <class T>
+T least_span() {
+  return T(1000) * std::numeric_limits<T>::epsilon();
+}
+
 /// The inverse of world_to_view for axes of any lengths and any angles: column i is the cross product of the
 /// two other axes, divided by the determinant.
 /// Cramer's rule; the columns are the reciprocal basis of the axes.
@@ -268,14 +274,18 @@ struct Rescaled {
 template <class T, Observer<ColumnWritten<T>> O = Unobserved>
 Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
-  const Rescaled<T> right(frame.right), up(frame.up), forward(frame.forward);
-  const Vec x = right.axis, y = up.axis, z = forward.axis;
+  const Rescaled<T> right(frame.right);
+  const Rescaled<T> up(frame.up);
+  const Rescaled<T> forward(frame.forward);
+  const Vec x = right.axis;
+  const Vec y = up.axis;
+  const Vec z = forward.axis;
   // What the three axes span
   const T det = glm::dot(x, glm::cross(y, z));
-  const T least = T(1000) * std::numeric_limits<T>::epsilon();
-  expects(det > least || det < -least,
+  expects(det > least_span<T>() || det < -least_span<T>(),
           "the axes lie in one plane, so no point can be told from those beside it");
-  // Columns at right angles on the two other axes
+  // Columns at right angles on the
+  // two other axes
   const Vec columns[]{
       right.undone(glm::cross(y, z) / det),
       up.undone(glm::cross(z, x) / det),
@@ -283,9 +293,9 @@ Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
       frame.eye,
   };
   Matrix<T> matrix(T(1));
-  for (int column = 0; column < 4; ++column) {
-    write_column(matrix, column, columns[column]);
-    if constexpr (observed<O>) observer(ColumnWritten<T>{column, columns[column]});
+  for (int i = 0; i < 4; ++i) {
+    write_column(matrix, i, columns[i]);
+    if constexpr (observed<O>) observer(ColumnWritten<T>{i, columns[i]});
   }
   return matrix;
 }

@@ -3,13 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
+#include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
 #include "core/exact_scalar.hpp"
 #include "support/box_cases.hpp"
@@ -201,6 +209,192 @@ TEST(CohenSutherland3dProperty, MeasuredErrorOfACutOfACut) {
   EXPECT_GT(wrong, near / 50);
 }
 
+// --- Many at once ------------------------------------------------------------------------------------------
+
+using Space = Line<3, double>;
+
+std::string where(std::int64_t i) {
+  return "GRADUS_SEED=" + std::to_string(test::seed()) + " case " + std::to_string(i);
+}
+
+// Runs `test` once for every kind of machine that this one can be
+template <class Test>
+int on_every_target(Test test) {
+  int targets = 0;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    test();
+    ++targets;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  return targets;
+}
+
+std::vector<std::uint8_t> batched(std::span<const Space> lines, const Box<double>& box,
+                                  std::vector<Space>& clipped) {
+  clipped.resize(lines.size());
+  std::vector<std::uint8_t> accepted(lines.size());
+  const std::size_t kept = clip_batch(lines, box, clipped, accepted);
+  EXPECT_EQ(kept, static_cast<std::size_t>(std::count(accepted.begin(), accepted.end(), 1)));
+  return accepted;
+}
+
+// One axis far smaller than the others, down to where digits are lost
+test::BoxCase stretched(test::BoxCase k, Random& random) {
+  const int i = static_cast<int>(random.uniform_int(0, 2));
+  const int exponent = static_cast<int>(random.uniform_int(-1'090, 0));
+  for (double* x : {&k.line.a[i], &k.line.b[i], &k.box.lower[i], &k.box.upper[i]})
+    *x = std::ldexp(*x, exponent);
+  return k;
+}
+
+// Lines that are all as hard as this one for its box: backwards, some steps beside it, from within the box,
+// and lines of its kind
+std::vector<Space> like(const test::BoxCase& k, int kind, test::BoxCases& cases, std::size_t size) {
+  std::vector<Space> lines;
+  while (lines.size() < size) {
+    Space line = k.line;
+    const auto change = cases.random.uniform_int(0, 9);
+    if (change >= 1) {
+      // Mostly one coordinate alone, some steps to a side
+      double& x =
+          (cases.random.unit() < 0.5 ? line.a : line.b)[static_cast<int>(cases.random.uniform_int(0, 2))];
+      const double way = cases.random.unit() < 0.5 ? -1 : 1;
+      const auto steps = cases.random.uniform_int(0, 3);
+      for (std::int64_t i = 0; i < steps; ++i)
+        x = std::nextafter(x, way * std::numeric_limits<double>::max());
+    }
+    if (change == 7) line.b = k.box.lower;
+    if (change == 8) line.b = 0.5 * k.box.lower + 0.5 * k.box.upper;
+    if (change == 9) line = cases(kind).line;
+    lines.push_back(cases.random.unit() < 0.5 ? line : test::reversed(line));
+  }
+  return lines;
+}
+
+TEST(CohenSutherland3dProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarget) {
+  test::BoxCases cases(test::seed() + 7);
+  std::int64_t ran = 0, kept = 0, cut = 0, missed = 0;
+  const int targets = on_every_target([&] {
+    const auto rounds = test::cases(4'000, 200'000);
+    for (std::int64_t round = 0; round < rounds; ++round) {
+      SCOPED_TRACE(where(round));
+      // Numbers of lines that leave a rest, and none at all
+      const int kind = static_cast<int>(round % test::BoxCases::kinds);
+      const test::BoxCase k = round % 3 ? cases(kind) : stretched(cases(kind), cases.random);
+      std::vector<Space> lines = like(k, kind, cases, static_cast<std::size_t>(round % 23));
+      std::vector<Space> clipped;
+      const auto accepted = batched(lines, k.box, clipped);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto line = correctly_rounded(lines[i], k.box);
+        ASSERT_EQ(accepted[i], line.has_value()) << i;
+        ASSERT_TRUE(test::same_bits(clipped[i], line ? *line : lines[i])) << i;
+        ++ran;
+        kept += accepted[i];
+        cut += line && *line != lines[i];
+        missed += !line && !(region_code(lines[i].a, k.box) & region_code(lines[i].b, k.box));
+      }
+      // In place
+      std::vector<std::uint8_t> again(lines.size());
+      clip_batch(lines, k.box, lines, again);
+      ASSERT_EQ(again, accepted);
+      for (std::size_t i = 0; i < lines.size(); ++i) ASSERT_TRUE(test::same_bits(lines[i], clipped[i])) << i;
+    }
+  });
+  std::printf("%d targets: %lld lines, %lld kept, %lld cut, %lld past the box\n", targets,
+              static_cast<long long>(ran), static_cast<long long>(kept), static_cast<long long>(cut),
+              static_cast<long long>(missed));
+  EXPECT_GE(targets, 2);
+  EXPECT_GE(ran, 40'000 * targets);
+  EXPECT_GE(kept, ran / 4);
+  EXPECT_GE(cut, ran / 5);
+  EXPECT_GE(missed, ran / 20);
+}
+
+// The batch alone against rationals
+TEST(CohenSutherland3dProperty, TheBatchAgreesWithRationalsOnEveryTarget) {
+  test::BoxCases cases(test::seed() + 8);
+  std::int64_t ran = 0, kept = 0;
+  const int targets = on_every_target([&] {
+    for (int round = 0; round < 160; ++round) {
+      SCOPED_TRACE(where(round));
+      const int kind = round % test::BoxCases::kinds;
+      const test::BoxCase k = round % 3 ? cases(kind) : stretched(cases(kind), cases.random);
+      const std::vector<Space> lines = like(k, kind, cases, 8);
+      std::vector<Space> clipped;
+      const auto accepted = batched(lines, k.box, clipped);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        ++ran;
+        const auto exact = test::exact_clip(lines[i], k.box);
+        ASSERT_EQ(accepted[i], exact.has_value()) << i;
+        if (!exact) {
+          ASSERT_TRUE(test::same_bits(clipped[i], lines[i])) << i;
+          continue;
+        }
+        ++kept;
+        for (std::size_t j = 0; j < 3; ++j) {
+          ASSERT_TRUE(test::is_nearest(clipped[i].a[static_cast<int>(j)], exact->a[j])) << i;
+          ASSERT_TRUE(test::is_nearest(clipped[i].b[static_cast<int>(j)], exact->b[j])) << i;
+        }
+      }
+    }
+  });
+  EXPECT_EQ(ran, 1'280 * targets);
+  EXPECT_GE(kept, ran / 4);
+}
+
+// The same lines, one box: as the pipeline and the benchmark use it; some lie along the axes, through 0
+TEST(CohenSutherland3dProperty, ABatchOfManyLines) {
+  test::BoxCases cases(test::seed() + 9);
+  std::vector<Space> lines;
+  for (int i = 0; i < 20'000; ++i) {
+    Space line = cases(i % 50 == 49 ? 3 : 0).line;
+    if (i % 5 == 0) line.b[i % 3] = line.a[i % 3] = i % 2 ? -0.0 : 250;
+    if (i % 7 == 0) line.b[(i + 1) % 3] = line.a[(i + 1) % 3];
+    lines.push_back(line);
+  }
+  const Box<double> box{{-300, -200, 0}, {250, 400, 700}};
+  int targets = 0;
+  targets = on_every_target([&] {
+    std::vector<Space> clipped;
+    const auto accepted = batched(lines, box, clipped);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto line = correctly_rounded(lines[i], box);
+      ASSERT_EQ(accepted[i], line.has_value()) << i;
+      ASSERT_TRUE(test::same_bits(clipped[i], line ? *line : lines[i])) << i;
+    }
+  });
+  EXPECT_GE(targets, 2);
+}
+
+TEST(CohenSutherland3dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
+  on_every_target([&] {
+    std::vector<Space> lines(9, Space{{1, 1, 1}, {2, 2, 2}}), clipped(9);
+    std::vector<std::uint8_t> accepted(9);
+    const Box<double> ten{dvec3(0), dvec3(10)};
+    EXPECT_EQ(clip_batch(lines, ten, clipped, accepted), 9u);
+    for (const std::size_t bad : {0u, 5u, 8u}) {
+      for (int i = 0; i < 6; ++i) {
+        std::vector<Space> some = lines;
+        (&some[bad].a.x)[i] = i % 2 ? std::nan("") : -std::numeric_limits<double>::infinity();
+        EXPECT_THROW(clip_batch(some, ten, clipped, accepted), ContractViolation);
+      }
+    }
+    for (int i = 0; i < 3; ++i) {
+      Box<double> broken = ten;
+      broken.lower[i] = 11;
+      EXPECT_THROW(clip_batch(lines, broken, clipped, accepted), ContractViolation);
+      EXPECT_THROW(clip_batch({}, broken, {}, {}), ContractViolation);
+      broken.lower[i] = std::nan("");
+      EXPECT_THROW(clip_batch(lines, broken, clipped, accepted), ContractViolation);
+    }
+    EXPECT_THROW(clip_batch(lines, ten, std::span(clipped).first(8), accepted), ContractViolation);
+    EXPECT_THROW(clip_batch(lines, ten, clipped, std::span(accepted).first(8)), ContractViolation);
+    EXPECT_EQ(clip_batch({}, ten, {}, {}), 0u);
+  });
+}
+
 // --- The view volume -------------------------------------------------------------------------------------
 
 struct ExactPart {
@@ -287,6 +481,68 @@ TEST(CohenSutherland3dProperty, ViewVolumesAgreeWithRationals) {
   EXPECT_GT(past, ran / 50);
   EXPECT_GT(behind, ran / 100);
   EXPECT_GT(slow, ran / 10);
+}
+
+TEST(CohenSutherland3dProperty, FloatVolumesAreTheNearestFloats) {
+  test::VolumeCases cases(test::seed() + 7);
+  const ViewVolume volume;
+  const auto wanted = test::cases(5'000, 200'000);
+  std::int64_t ran = 0, kept = 0, past = 0;
+  for (; ran < wanted; ++ran) {
+    constexpr std::array<int, 5> kinds{0, 1, 2, 4, 6};  // the others leave the range of float
+    const Segment<4, double> drawn = cases(kinds[static_cast<std::size_t>(ran % 5)]);
+    const Segment<4, float> line{glm::vec4(drawn.a), glm::vec4(drawn.b)};
+    const Segment<4, double> same{dvec4(line.a), dvec4(line.b)};
+    if (!clippable(same)) continue;
+    int cuts = 0;
+    const auto count = [&]<class Step>(const Step&) { cuts += std::same_as<Step, Cut<4, float>>; };
+    const auto part = correctly_rounded(line, volume, usual_order<3>(), count);
+    const auto exact = exact_part(same);
+    ASSERT_LE(cuts, 6) << "case " << ran;
+    ASSERT_EQ(part.has_value(), exact.has_value()) << "case " << ran;
+    ASSERT_EQ(correctly_rounded(line, volume, random_order(cases.random)), part) << "case " << ran;
+    const auto back = correctly_rounded(Segment<4, float>{line.b, line.a}, volume);
+    ASSERT_EQ(back.has_value(), part.has_value()) << "case " << ran;
+    if (!part) continue;
+    ++kept;
+    past += (line.a.w <= 0) != (line.b.w <= 0);
+    ASSERT_EQ(*back, (Segment<4, float>{part->b, part->a})) << "case " << ran;
+    for (std::size_t i = 0; i < 4; ++i) {
+      ASSERT_TRUE(test::is_nearest(part->a[static_cast<int>(i)], exact->a[i])) << "case " << ran;
+      ASSERT_TRUE(test::is_nearest(part->b[static_cast<int>(i)], exact->b[i])) << "case " << ran;
+    }
+    ASSERT_EQ(region_code(part->a, volume) | region_code(part->b, volume), 0) << "case " << ran;
+    if (part->a.w > 0 && part->b.w > 0) ASSERT_EQ(correctly_rounded(*part, volume), part) << "case " << ran;
+  }
+  std::printf("%lld volumes of floats, %lld parts, %lld of them past the eye\n", static_cast<long long>(ran),
+              static_cast<long long>(kept), static_cast<long long>(past));
+  EXPECT_EQ(ran, wanted);
+  EXPECT_GT(kept, ran / 5);
+  EXPECT_GT(past, ran / 50);
+}
+
+// Coordinates that lie midway between two floats, but for less than a double shows
+TEST(CohenSutherland3dProperty, FloatsMidwayGoByTheExactPoint) {
+  Random random(test::seed() + 8);
+  int above = 0, below = 0, ties = 0;
+  for (int i = 0; i < 3'000; ++i) {
+    // Depths -2 and 2 - e at the left side: y comes to 1 + (k + 1/2) steps, and e/16 of a step more
+    const float e = std::ldexp(static_cast<float>(random.uniform_int(-3, 3)), -40);
+    const float k = static_cast<float>(random.uniform_int(0, 1000));
+    const float y = 1 + std::ldexp(k, -23), step = std::ldexp(1.0F, -23);
+    const Segment<4, float> line{{-4, y, 0.5F, 2}, {-e, y + step, 0.5F, 2}};
+    const auto part = correctly_rounded(line, ViewVolume{});
+    const auto exact = exact_part({dvec4(line.a), dvec4(line.b)});
+    ASSERT_TRUE(part && exact) << "case " << i;
+    ASSERT_TRUE(test::is_nearest(part->a.y, exact->a[1])) << "case " << i;
+    const Rational midway = Rational(double{y}) + Rational(double{step}) / 2;
+    above += exact->a[1] > midway;
+    below += exact->a[1] < midway;
+    ties += exact->a[1] == midway;
+  }
+  EXPECT_GT(above, 500);
+  EXPECT_GT(below, 500);
+  EXPECT_GT(ties, 100);
 }
 
 // x/w of a part against the exact projection of the segment, clipped to the box -1 <= x, y <= 1, 0 <= z <= 1

@@ -349,6 +349,51 @@ TEST(Canonical, OrderHasEveryChoiceOnce) {
               "value: expected left,right,bottom,top, each once in any order, found " + shown(text));
 }
 
+TEST(Canonical, RingsAreListsOfPoints) {
+  Parameter holes = with_parts(ParameterType::rings, xy);
+  holes.least = 3;
+  holes.most = 7;
+  EXPECT_EQ(canonical(holes, "0,0 6,0 6,3"), "0,0 6,0 6,3");
+  EXPECT_EQ(canonical(holes, "0,0 6,0\t6,3;(1, 1) 2,1 2/4,2 ;"), "0,0 6,0 6,3; 1,1 2,1 1/2,2");
+  EXPECT_EQ(canonical(holes, "0,0 6,0 6,3 # one\n; 1,1 2,1 2,2 # two; three"), "0,0 6,0 6,3; 1,1 2,1 2,2");
+  const std::string too_few = "value: ring 2: expected at least 3 points, with ; between rings alone, found ";
+  EXPECT_EQ(complaint(holes, "0,0 6,0 6,3; 1,1 2,1"), too_few + "2");
+  EXPECT_EQ(complaint(holes, "0,0 6,0 6,3; 1,1; 2,1; 2,2"), too_few + "1");
+  EXPECT_EQ(complaint(holes, "0,0 6,0 6,3; 1,1 2,1 2"),
+            "value: ring 2: point 3: expected 2 numbers x,y, found '2'");
+  EXPECT_EQ(complaint(holes, "0,0 6,0 6,3 6,4; 1,1 2,1 2,2 2,3"),
+            "value: expected at most 7 points in all, found 8");
+  for (const char* text : {"", " ; "})
+    EXPECT_EQ(complaint(holes, text),
+              "value: expected rings of points x,y, with ; between rings, found " + shown(text));
+  Arguments arguments;
+  arguments.set({"holes", "0,0 6,0 6,3; 1,1 2,1 1/2,2"});
+  arguments.set({"none", ""});
+  EXPECT_EQ(arguments.rings("holes"),
+            (std::vector<std::vector<dvec2>>{{{0, 0}, {6, 0}, {6, 3}}, {{1, 1}, {2, 1}, {0.5, 2}}}));
+  EXPECT_TRUE(arguments.rings("none").empty());
+}
+
+TEST(Canonical, AnOrderMayBeOneOfNumbers) {
+  Parameter order = parameter(ParameterType::order);
+  order.choices = {"left", "right", "bottom", "top"};
+  order.numbered = true;
+  EXPECT_EQ(canonical(order, "top,left,right,bottom"), "top,left,right,bottom");
+  EXPECT_EQ(canonical(order, " 3, 1,2"), "3,1,2");
+  EXPECT_EQ(canonical(order, "5,4,3,2,1"), "5,4,3,2,1");
+  for (const char* text : {"", "0,1,2", "1,1,2", "1,2,4", "left,2,3,4", "1.0,2", "+1,2", "1,2,"})
+    EXPECT_EQ(
+        complaint(order, text),
+        "value: expected left,right,bottom,top or the numbers 1, 2, … to the last, each once in any order, "
+        "found " +
+            shown(text));
+  Arguments arguments;
+  arguments.set({"order", "3,1,2"});
+  arguments.set({"names", "top,left,right,bottom"});
+  EXPECT_EQ(arguments.numbered_order("order"), (std::vector<std::size_t>{2, 0, 1}));
+  EXPECT_EQ(arguments.numbered_order("names"), std::nullopt);
+}
+
 TEST(Arguments, ReadWhatTheirTypesSay) {
   Parameter order = parameter(ParameterType::order);
   order.name = "order";

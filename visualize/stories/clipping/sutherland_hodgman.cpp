@@ -8,7 +8,9 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
+#include "stories/clipping/clip_space.hpp"
 #include "stories/paper.hpp"
+#include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -21,10 +23,11 @@ using Points = std::vector<dvec2>;
 
 constexpr std::string_view folder = "algorithms/clipping/sutherland_hodgman/";
 constexpr int width = 36, height = 27;
+constexpr const char* homogeneous_name = "homogeneous";
 
 /// What a run was given.
 struct Given {
-  std::vector<Points> rings;                      ///< the outline, and perhaps a hole
+  std::vector<Points> rings;                      ///< the outline, and perhaps holes
   std::optional<ConvexWindow<double>> oblique{};  ///< instead of the rectangle
   Rectangle<double> rectangle{};
   std::vector<int> order{};
@@ -369,15 +372,23 @@ class Teller {
     const Points window = given_.window();
     view_.add({"b window", Role::boundary, Path{panel_.at(window), true}});
     add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
+    if (given_.oblique) {
+      for (const int border : given_.order) {
+        const Line<double> line = given_.border(border);
+        view_.add({fmt::format("b border {:03}", border), Role::boundary,
+                   Label{panel_.at(0.5 * line.p + 0.5 * line.q), name_of_border(border)}});
+      }
+    }
+    std::size_t before = 0;  // corners of earlier rings
     for (std::size_t r = 0; r < given_.rings.size(); ++r) {
       const Points& ring = given_.rings[r];
       view_.add({fmt::format("b given {}", r), Role::input, Path{panel_.at(ring), true, true}});
-      if (ring.size() > 24) continue;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const std::size_t n = r == 0 ? i : i + given_.outline().size();
+      for (std::size_t i = 0; i < ring.size() && ring.size() <= 24; ++i) {
+        const std::size_t n = before + i;
         view_.add({fmt::format("b number {:03}", n), Role::input,
                    Label{panel_.at(ring[i]), fmt::format("{}", n + 1)}});
       }
+      before += ring.size();
     }
   }
 
@@ -487,6 +498,7 @@ const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods{
       method_in_english(topic, "border_by_border", Standing::taught),
       method_in_english(topic, "separate_pieces", Standing::plain),
+      method_in_english(topic, homogeneous_name, Standing::plain),
       method_in_english(topic, "cut_of_a_cut", Standing::plain),
       method_in_english(topic, "entering_not_cut", Standing::faulty),
       method_in_english(topic, "previous_left_behind", Standing::faulty),
@@ -501,11 +513,27 @@ const Method& method_named(std::string_view name) {
 
 const Parameter& order_parameter();
 
+/// The order of an oblique window's borders: as they come, unless their numbers say otherwise.
+std::vector<int> order_of(const Arguments& arguments, const ConvexWindow<double>& window) {
+  std::vector<int> order = all_borders(window);
+  const std::string& text = arguments.text("order");
+  if (text == order_parameter().default_value) return order;
+  const auto numbers = arguments.numbered_order("order");
+  if (!numbers || numbers->size() != order.size()) {
+    throw ArgumentError("order",
+                        fmt::format("expected the numbers 1 to {} of the window's borders, each once in any "
+                                    "order, found '{}'",
+                                    order.size(), text));
+  }
+  std::ranges::transform(*numbers, order.begin(), [](std::size_t n) { return static_cast<int>(n); });
+  return order;
+}
+
 Given given_of(const Arguments& arguments, bool pieces, bool exact) {
   Given given{.rings = {arguments.points("polygon")}};
-  if (const Points hole = arguments.points("hole"); !hole.empty()) {
+  for (Points& hole : arguments.rings("hole")) {
     if (!pieces) throw ArgumentError("hole", "holes are cut by --method separate_pieces alone");
-    given.rings.push_back(hole);
+    given.rings.push_back(std::move(hole));
   }
   if (const Points points = arguments.points("window_polygon"); !points.empty()) {
     if (!exact) throw ArgumentError("window_polygon", "this method clips at rectangles alone");
@@ -513,11 +541,17 @@ Given given_of(const Arguments& arguments, bool pieces, bool exact) {
     if (!given.oblique) {
       throw ArgumentError("window_polygon", "corners of a convex window with an area expected, in order");
     }
-    given.order = all_borders(*given.oblique);
+    given.order = order_of(arguments, *given.oblique);
     return given;
   }
   const std::vector<double> bounds = arguments.numbers("window");
   given.rectangle = {{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
+  if (arguments.numbered_order("order")) {
+    throw ArgumentError("order",
+                        fmt::format("expected left,right,bottom,top, each once in any order, found '{}': "
+                                    "numbers are for the borders of --window-polygon",
+                                    arguments.text("order")));
+  }
   for (const std::size_t border : arguments.order(order_parameter()))
     given.order.push_back(static_cast<int>(border));
   return given;
@@ -554,8 +588,69 @@ void run_plain(const Given& given, std::string_view method, Teller& teller) {
   teller.show_result(polygon);
 }
 
+/// Corners in clip space, as they were given.
+std::vector<Point<double>> homogeneous_of(const Arguments& arguments) {
+  const std::vector<std::string> parts{"x", "y", "z", "w"};
+  const auto read = read_tuples(arguments.text("homogeneous"), parts);
+  expects(!std::holds_alternative<Misread>(read), "points in their canonical spelling");
+  std::vector<Point<double>> corners;
+  for (const Tuple& p : std::get<std::vector<Tuple>>(read)) {
+    corners.push_back({{p[0].value, p[1].value, p[2].value, p[3].value}});
+    const auto& at = corners.back().at;
+    if (at == dvec4(0)) {
+      throw ArgumentError("homogeneous", fmt::format("point {}: 0,0,0,0 is no point", corners.size()));
+    }
+    for (int i = 0; i < 4; ++i) {
+      const double size = std::abs(at[i]);
+      if (size == 0 || (1e-6 <= size && size <= 1e6)) continue;
+      throw ArgumentError("homogeneous",
+                          fmt::format("point {}: expected numbers that are 0 or from 0.000001 to 1000000 in "
+                                      "size, found '{}'",
+                                      corners.size(), text_of(p)));
+    }
+  }
+  return corners;
+}
+
+/// The method before the division.
+Trace run_homogeneous(const Arguments& arguments, Recording recording) {
+  if (!arguments.rings("hole").empty())
+    throw ArgumentError("hole", "holes are cut by --method separate_pieces alone");
+  if (!arguments.points("window_polygon").empty())
+    throw ArgumentError("window_polygon", "method homogeneous clips at the planes of clip space alone");
+  const std::vector<Point<double>> corners = homogeneous_of(arguments);
+  const auto planes = view_volume(1.0, 1.0);
+  TraceWriter writer(recording);
+  Trace& about = writer.trace();
+  const Wording& words = about.wording;
+  introduce(about, "sutherland_hodgman", arguments, false);
+  // Only what this method reads
+  std::erase_if(about.arguments,
+                [](const Argument& a) { return a.name != "method" && a.name != "homogeneous"; });
+  about.subtitle = words.say("sutherland_hodgman.subtitle_space", arg("corners", corners.size()),
+                             arg("planes", planes.size()));
+  about.goal = words.say("sutherland_hodgman.goal_space");
+  about.grid = paper_grid(ClipSpaceTeller::paper_width, ClipSpaceTeller::paper_height);
+  about.legend = {{Role::input, words.say("sutherland_hodgman.legend.input")},
+                  {Role::past, words.say("sutherland_hodgman.legend.past_plane")},
+                  {Role::current, words.say("sutherland_hodgman.legend.current")},
+                  {Role::accepted, words.say("sutherland_hodgman.legend.accepted")},
+                  {Role::rejected, words.say("sutherland_hodgman.legend.rejected_space")},
+                  {Role::result, words.say("sutherland_hodgman.legend.result")}};
+  about.source_file = std::string(folder) + "sutherland_hodgman.hpp";
+  about.listing = listing_of(source_text(about.source_file), "clip");
+  ClipSpaceTeller teller(writer, corners);
+  const auto polygon = clip(corners, std::span<const Plane<double>>(planes), teller);
+  teller.finish();
+  Trace trace = std::move(writer).finish();
+  trace.telling = {trace.last, 0};
+  trace.result = {{"corners", static_cast<std::int64_t>(polygon.size())}};
+  return trace;
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
+  if (method.name == homogeneous_name) return run_homogeneous(arguments, recording);
   const bool pieces = method.name == "separate_pieces";
   const bool exact = pieces || method.name == "border_by_border";
   const bool faulty = method.standing == Standing::faulty;
@@ -565,6 +660,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   Trace& about = writer.trace();
   const Wording& words = about.wording;
   introduce(about, "sutherland_hodgman", arguments, faulty);
+  std::erase_if(about.arguments, [&](const Argument& a) {
+    return a.name == "homogeneous" ||
+           (a.name == "order" && given.oblique && a.value == order_parameter().default_value);
+  });
   about.subtitle = words.say("sutherland_hodgman.subtitle", arg("corners", given.outline().size()),
                              arg("borders", given.order.size()));
   about.grid = paper_grid(width, height);
@@ -613,10 +712,10 @@ const std::vector<Parameter>& parameters() {
        .most = 200,
        .parts = {"x", "y"}},
       {.name = "hole",
-       .type = ParameterType::points,
+       .type = ParameterType::rings,
        .default_value = "",
-       .example = "7,1 9,1 9,3 7,3",
-       .help = "a hole in it (separate_pieces alone)",
+       .example = "7,1 9,1 9,3 7,3; 4,1 5,1 5,2",
+       .help = "holes in it, apart from one another (separate_pieces alone)",
        .least = 3,
        .most = 200,
        .parts = {"x", "y"}},
@@ -635,12 +734,21 @@ const std::vector<Parameter>& parameters() {
        .most = 50,
        .parts = {"x", "y"},
        .instead_of = "window"},
+      {.name = "homogeneous",
+       .type = ParameterType::points,
+       .default_value = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .example = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .help = "method homogeneous: the corners in clip space, not divided by w yet",
+       .least = 3,
+       .most = 50,
+       .parts = {"x", "y", "z", "w"}},
       {.name = "order",
        .type = ParameterType::order,
        .default_value = "left,right,bottom,top",
        .example = "bottom,left,top,right",
-       .help = "in which order a rectangle's borders are cut at",
-       .choices = {"left", "right", "bottom", "top"}}};
+       .help = "in which order the borders are cut at; those of window_polygon by their numbers, as 3,1,2",
+       .choices = {"left", "right", "bottom", "top"},
+       .numbered = true}};
   return all;
 }
 const Parameter& order_parameter() { return parameters().back(); }
@@ -660,7 +768,8 @@ const TopicEntry& entry() {
       .parameters = parameters(),
       .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                    "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",
-                   "--window-polygon '5,-3 12,3 8,10 -2,7'"},
+                   "--window-polygon '5,-3 12,3 8,10 -2,7'",
+                   "--method homogeneous --homogeneous '-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1'"},
       .run = run};
   return topic;
 }

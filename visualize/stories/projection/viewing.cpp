@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
@@ -26,24 +27,69 @@ constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
 const Extent world_place{{0.8, 0.8}, {20.2, 24.2}};
 const Extent seen_place{{21.9, 5.8}, {35.3, 19.2}};
 
+/// For given axes, on a paper of 21 x 30: the axes, and below them the letter along them and in the world.
+const Extent axes_place{{4.4, 15.6}, {16.6, 28.4}};
+const Extent along_place{{0.8, 1}, {9.4, 11.6}};
+const Extent back_place{{11.8, 1}, {20.2, 11.6}};
+
 /// Farther away the letter is a dot, and numbers don't fit.
 constexpr double farthest = 1'000'000;
+
+/// Axes that are much shorter or longer don't fit into a drawing with the letter.
+constexpr double longest_axis = 1000;
 
 struct Scene {
   dvec3 eye, target, up;
   double distance;  ///< from the eye to the target
   Mesh letter;
+  std::optional<DFrame> axes{};  ///< given ones, of any lengths and angles, instead of target and up
+
+  /// The frame at the eye.
+  DFrame frame() const { return axes ? *axes : look_at(eye, target, up); }
 };
+
+void expect_near(const Arguments& arguments, std::string_view name, dvec3 at) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(at[i]) <= farthest) continue;
+    throw ArgumentError(std::string(name), fmt::format("coordinates from {0} to {1} expected, found {2}",
+                                                       -farthest, farthest, arguments.text(name)));
+  }
+}
+
+Mesh shipped_letter() {
+  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
+  return pipeline::parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
+}
+
+/// An eye with three axes of any lengths and angles.
+Scene scene_of_axes(const Arguments& arguments) {
+  const dvec3 eye = *arguments.place("eye");
+  expect_near(arguments, "eye", eye);
+  const auto axes = arguments.places("axes");
+  const auto expected = [&](std::string_view what) {
+    return ArgumentError("axes", fmt::format("{} expected, found {}", what, arguments.text("axes")));
+  };
+  for (const dvec3 axis : axes) {
+    const double length = length_of(axis);
+    if (length < 1 / longest_axis || length > longest_axis)
+      throw expected(fmt::format("axes of lengths from {} to {}", 1 / longest_axis, longest_axis));
+  }
+  const Rescaled<double> x(axes[0]), y(axes[1]), z(axes[2]);
+  if (std::abs(glm::dot(x.axis, glm::cross(y.axis, z.axis))) <= 1e-6)
+    throw expected("three axes that don't lie in one plane");
+  const dvec3 middle{0.4, 0.6, 0};  // of the letter
+  return {eye,
+          middle,
+          {0, 1, 0},
+          std::max(1.0, length_of(middle - eye)),
+          shipped_letter(),
+          DFrame{eye, axes[0], axes[1], axes[2]}};
+}
 
 Scene scene_of(const Arguments& arguments) {
   Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
-  for (const auto& [name, at] : {std::pair{"eye", scene.eye}, {"target", scene.target}, {"up", scene.up}}) {
-    for (int i = 0; i < 3; ++i) {
-      if (std::abs(at[i]) <= farthest) continue;
-      throw ArgumentError(name, fmt::format("coordinates from {0} to {1} expected, found {2}", -farthest,
-                                            farthest, arguments.text(name)));
-    }
-  }
+  for (const auto& [name, at] : {std::pair{"eye", scene.eye}, {"target", scene.target}, {"up", scene.up}})
+    expect_near(arguments, name, at);
   if (scene.eye == scene.target)
     throw ArgumentError("target", "a point apart from the eye expected, found the eye itself");
   if (scene.up == dvec3{0})
@@ -54,8 +100,7 @@ Scene scene_of(const Arguments& arguments) {
                                           arguments.text("up")));
   }
   scene.distance = length_of(scene.target - scene.eye);
-  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
-  scene.letter = pipeline::parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
+  scene.letter = shipped_letter();
   return scene;
 }
 
@@ -94,7 +139,10 @@ std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
 class Drawing {
  public:
   Drawing(const Scene& scene, const Wording& words)
-      : scene_(scene), words_(words), wires_(scene.letter), world_(world_place, world_extent()) {}
+      : scene_(scene),
+        words_(words),
+        wires_(scene.letter),
+        world_(scene.axes ? axes_place : world_place, world_extent()) {}
 
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
   struct Known {
@@ -192,20 +240,92 @@ class Drawing {
     view.add({"target there name", Role::rejected, Label{at(there), words_.say("viewing.name.target")}});
   }
 
+  /// Given axes at the eye, and as many columns of the inverse as are known.
+  View given_axes(const Known& known, const DFrame& frame) const {
+    View view;
+    const glm::dmat4 inverse = inverse_of_any_frame(frame);
+    const double unit = arrow_unit(frame);
+    for (int i = 0; i < 3; ++i) {
+      const std::string name(axis_names[static_cast<std::size_t>(i)]);
+      arrow(view, "axis " + name, Role::input, scene_.eye, scene_.eye + unit * axis_of(frame, i),
+            words_.say("viewing.name." + name), false);
+      if (i >= known.rows) continue;
+      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
+            scene_.eye + unit * dvec3(inverse[i]),
+            words_.say("viewing.column_name", arg("axis", words_.say("viewing.name." + name))), true);
+    }
+    point(view, "eye", Role::input, scene_.eye, words_.say("viewing.name.eye"));
+    return view;
+  }
+
+  /// The letter in coordinates along the axes, and in the world, where the inverse leads it back to.
+  void add_there_and_back(View& view, const Known& known, const DFrame& frame) const {
+    const glm::dmat4 matrix = world_to_view(frame), inverse = inverse_of_any_frame(frame);
+    const auto along = [&](dvec3 p) { return through(matrix, p); };
+    const auto back = [&](dvec3 p) { return known.seen ? through(inverse, through(matrix, p)) : p; };
+    // Depth is positive along the axes, and to the back
+    const auto to_the_back = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
+    view.add(
+        {"caption coordinates", Role::guide,
+         Text{{0.3, along_place.upper.y + 1.4}, words_.say("viewing.caption.coordinates"), Align::left}});
+    caption(view, "world", {back_place.centre().x, back_place.upper.y + 1.4});
+    add_wires(view, "along", Role::past, along_place, [&](dvec3 p) { return to_the_back(along(p)); });
+    add_wires(view, "back", known.seen ? Role::result : Role::past, back_place,
+              [&](dvec3 p) { return oblique(back(p)); });
+    if (!known.seen) return;
+    const double y = along_place.centre().y;
+    view.add({"leads back", Role::result,
+              Stroke{{along_place.upper.x + 0.2, y}, {back_place.lower.x - 0.2, y}, true}});
+  }
+
  private:
+  /// The letter, all its edges alike. flat(p): a point's place in the plane.
+  template <class Flat>
+  void add_wires(View& view, const std::string& name, Role role, const Extent& place, Flat flat) const {
+    Extent all;
+    for (const auto& [a, b] : wires_.edges()) {
+      all.add(flat(a));
+      all.add(flat(b));
+    }
+    const Panel panel(place, widened(all, 0.04));
+    int number = 0;
+    for (const auto& [a, b] : wires_.edges()) {
+      view.add({fmt::format("letter {} {:02}", name, number++), role,
+                Stroke{panel.at(flat(a)), panel.at(flat(b))}});
+    }
+  }
+  /// Paper lengths of given axes and the inverse's columns have one scale.
+  double arrow_unit(const DFrame& frame) const {
+    const glm::dmat4 inverse = inverse_of_any_frame(frame);
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) {
+      longest = std::max({longest, length_of(axis_of(frame, i)), length_of(dvec3(inverse[i]))});
+    }
+    return 0.45 * scene_.distance / longest;
+  }
+
   Extent world_extent() const {
     Extent extent;
     const double size = 0.3 * scene_.distance;
     const auto add = [&](dvec3 p) { extent.add(oblique(p)); };
+    const DFrame frame = scene_.frame();
+    if (scene_.axes) {
+      const glm::dmat4 inverse = inverse_of_any_frame(frame);
+      const double unit = arrow_unit(frame);
+      add(scene_.eye);
+      for (int i = 0; i < 3; ++i) {
+        add(scene_.eye + unit * axis_of(frame, i));
+        add(scene_.eye + unit * dvec3(inverse[i]));
+      }
+      return widened(extent, 0.06);
+    }
     for (const auto& [a, b] : wires_.edges()) {
       add(a);
       add(b);
     }
     add(scene_.target);
-    const DFrame frame = look_at(scene_.eye, scene_.target, scene_.up);
-    for (const dvec3 way : {frame.right, frame.up, frame.forward, unit_vector(scene_.up), dvec3{0}}) {
+    for (const dvec3 way : {frame.right, frame.up, frame.forward, unit_vector(scene_.up), dvec3{0}})
       add(scene_.eye + size * way);
-    }
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
     return widened(extent, 0.06);
@@ -288,7 +408,7 @@ class Drawing {
   Panel world_;
 };
 
-enum class Kind { rows, inverse, faulty };
+enum class Kind { rows, inverse, any_frame, faulty };
 
 /// Tells the steps: the frame, the matrix, and what it makes of the target.
 class Teller {
@@ -296,11 +416,18 @@ class Teller {
   Teller(TraceWriter& writer, const Scene& scene, Kind kind)
       : writer_(writer), words_(writer.wording()), scene_(scene), kind_(kind), drawing_(scene, words_) {
     writer.trace().columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}};
-    frame_ = look_at(scene.eye, scene.target, scene.up);  // where axes will be, so that nothing jumps
+    frame_ = scene.frame();  // where axes will be, so that nothing jumps
     right_ = world_to_view(frame_);
   }
 
   void input() {
+    if (kind_ == Kind::any_frame) {
+      step(0, "Input", "eye", words_.say("words.set_up"),
+           words_.say("viewing.input_axes", arg("right", figure_place(frame_.right)),
+                      arg("up", figure_place(frame_.up)), arg("forward", figure_place(frame_.forward))),
+           {}, {});
+      return;
+    }
     step(0, "Input", "eye", words_.say("words.set_up"),
          words_.say("viewing.input", arg("eye", figure_place(scene_.eye)),
                     arg("target", figure_place(scene_.target)), arg("up", figure_place(scene_.up))),
@@ -362,14 +489,51 @@ class Teller {
     known_.newest = c.column < 3 ? c.column : -1;
     known_.rows = std::min(3, c.column + 1);
     const std::string name(c.column < 3 ? axis_names[static_cast<std::size_t>(c.column)] : "eye");
-    const dvec3 entries = c.column < 3 ? neat(c.entries, 1) : c.entries;
-    step(line, "ColumnWritten", name, words_.say("viewing.phase.matrix"),
-         c.column < 3 ? words_.say("viewing.column", arg("axis", words_.say("viewing.name." + name)),
-                                   arg("entries", figure_place(entries)))
-                      : words_.say("viewing.eye_column", arg("eye", figure_place(entries))),
+    const double size = kind_ == Kind::any_frame ? length_of(c.entries) : 1;
+    const dvec3 entries = c.column < 3 ? neat(c.entries, size) : c.entries;
+    std::string sentence = words_.say("viewing.eye_column", arg("eye", figure_place(entries)));
+    if (c.column < 3) {
+      sentence = kind_ == Kind::any_frame
+                     ? reciprocal_sentence(c.column, entries)
+                     : words_.say("viewing.column", arg("axis", words_.say("viewing.name." + name)),
+                                  arg("entries", figure_place(entries)));
+    }
+    step(line, "ColumnWritten", name, words_.say("viewing.phase.matrix"), std::move(sentence),
          {{"column", std::int64_t{c.column}}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
          {words_.say("viewing.name." + name), figure_real(entries.x), figure_real(entries.y),
           figure_real(entries.z), c.column < 3 ? "0" : "1"});
+  }
+
+  /// The inverse is whole: the matrix times it, row by row.
+  void products(const glm::dmat4& inverse) {
+    const int line = writer_.trace().listing.back().number;  // the inverse is returned
+    const glm::dmat4 product = right_ * inverse;
+    known_.newest = -1;
+    for (int row = 0; row < 3; ++row) {
+      const std::string name(axis_names[static_cast<std::size_t>(row)]);
+      const dvec3 axis = axis_of(frame_, row), column(inverse[row]);
+      std::array<std::string, 4> entries;
+      for (int k = 0; k < 4; ++k) {
+        const double size = length_of(axis) * length_of(dvec3(inverse[k]));
+        entries[static_cast<std::size_t>(k)] = figure_real(neat(product[k][row], size));
+      }
+      const auto& [x, y, z, last] = entries;
+      step(line, "RowMultiplied", name, words_.say("viewing.phase.check"),
+           words_.say(
+               "viewing.product_row", arg("axis", words_.say("viewing.name." + name)),
+               arg("product", product_text(neat(axis, length_of(axis)), neat(column, length_of(column)))),
+               arg("value", entries[static_cast<std::size_t>(row)])),
+           {{"row", std::int64_t{row}},
+            {"right", product[0][row]},
+            {"up", product[1][row]},
+            {"forward", product[2][row]},
+            {"eye", product[3][row]}},
+           {words_.say("viewing.product_name", arg("axis", words_.say("viewing.name." + name))), x, y, z,
+            last});
+    }
+    known_.seen = true;
+    step(line, "Inverted", "product", words_.say("words.result"),
+         is_upright(frame_) ? words_.say("viewing.inverted_upright") : transposed_sentence(), {}, {});
   }
 
   /// The matrix is whole: what it makes of the target, then of the letter.
@@ -399,6 +563,37 @@ class Teller {
   void set_method(std::string name) { method_ = std::move(name); }
 
  private:
+  std::string axis_name(int number) const {
+    return words_.say("viewing.name." + std::string(axis_names[static_cast<std::size_t>(number % 3)]));
+  }
+  /// Where a column of the inverse comes from: a cross product, divided by the determinant.
+  std::string reciprocal_sentence(int column, dvec3 entries) const {
+    const dvec3 a = axis_of(frame_, (column + 1) % 3), b = axis_of(frame_, (column + 2) % 3);
+    const dvec3 cross = glm::cross(a, b);
+    const double det = glm::dot(axis_of(frame_, column), cross);
+    return words_.say("viewing.reciprocal", arg("axis", axis_name(column)), arg("a", axis_name(column + 1)),
+                      arg("b", axis_name(column + 2)),
+                      arg("cross", figure_place(neat(cross, length_of(cross)))), arg("det", figure_real(det)),
+                      arg("entries", figure_place(entries)));
+  }
+  /// What the transposed matrix would give in place of the identity, where it is wrong most.
+  std::string transposed_sentence() const {
+    int worst_row = 0, worst_column = 0;
+    double worst = -1;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        const double wanted = row == column ? 1 : 0;
+        const double off = std::abs(glm::dot(axis_of(frame_, row), axis_of(frame_, column)) - wanted);
+        if (off <= worst) continue;
+        worst = off;
+        worst_row = row;
+        worst_column = column;
+      }
+    }
+    const double value = glm::dot(axis_of(frame_, worst_row), axis_of(frame_, worst_column));
+    return words_.say("viewing.inverted", arg("a", axis_name(worst_row)), arg("b", axis_name(worst_column)),
+                      arg("value", figure_real(value)), arg("wanted", worst_row == worst_column ? 1 : 0));
+  }
   void learn(int axis) {
     known_.axes[static_cast<std::size_t>(axis)] = true;
     known_.newest = axis;
@@ -408,8 +603,11 @@ class Teller {
   }
   void step(int line, std::string type, std::string key, std::string phase, std::string sentence,
             std::vector<Field> fields, Row row) {
-    View view = drawing_.world(known_, frame_);
-    if (kind_ == Kind::faulty) {
+    View view =
+        kind_ == Kind::any_frame ? drawing_.given_axes(known_, frame_) : drawing_.world(known_, frame_);
+    if (kind_ == Kind::any_frame) {
+      drawing_.add_there_and_back(view, known_, frame_);
+    } else if (kind_ == Kind::faulty) {
       drawing_.add_view_space(view, known_, known_.seen ? matrix_ : wrong_, right_);
     } else {
       drawing_.add_picture(view, known_, right_);
@@ -448,7 +646,8 @@ const std::vector<Method>& all_methods() {
   };
   static const std::vector<Method> methods{
       method("world_to_view", Standing::taught), method("view_to_world", Standing::plain),
-      method("minus_position", Standing::faulty), method("transposed", Standing::faulty)};
+      method("inverse_of_any_frame", Standing::plain), method("minus_position", Standing::faulty),
+      method("transposed", Standing::faulty)};
   return methods;
 }
 
@@ -465,50 +664,62 @@ void list_source(Trace& trace, const Method& method) {
   const bool notes = method.standing == Standing::faulty;
   trace.source_file = std::string(folder) + (notes ? "viewing_notes.hpp" : "viewing.hpp");
   const std::string_view source = source_text(trace.source_file);
-  if (!notes) trace.listing = listing_of(source, "look_at");
+  const bool given_axes = method.name == "inverse_of_any_frame";
+  if (!notes && !given_axes) trace.listing = listing_of(source, "look_at");
   for (SourceLine& line : listing_of(source, method.name)) trace.listing.push_back(std::move(line));
 }
 
 Trace run(const Arguments& arguments, Recording recording) {
-  const Scene scene = scene_of(arguments);
   const Method& method = method_named(arguments.text("method"));
+  const bool any_frame = method.name == "inverse_of_any_frame";
+  const Scene scene = any_frame ? scene_of_axes(arguments) : scene_of(arguments);
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
-  trace.subtitle = words.say("viewing.subtitle", arg("eye", figure_place(scene.eye)),
-                             arg("target", figure_place(scene.target)));
+  trace.subtitle = any_frame ? words.say("viewing.subtitle_axes", arg("eye", figure_place(scene.eye)))
+                             : words.say("viewing.subtitle", arg("eye", figure_place(scene.eye)),
+                                         arg("target", figure_place(scene.target)));
   const bool faulty = method.standing == Standing::faulty;
   introduce(trace, "viewing", arguments, faulty);
-  trace.grid = paper_grid(36, 27);
+  // Only what this method reads
+  std::erase_if(trace.arguments, [&](const Argument& a) {
+    return any_frame ? a.name == "target" || a.name == "up" : a.name == "axes";
+  });
+  trace.grid = any_frame ? paper_grid(21, 30) : paper_grid(36, 27);
   trace.legend = {{Role::input, words.say("viewing.legend.input")},
                   {Role::current, words.say("viewing.legend.current")},
                   {Role::accepted, words.say("viewing.legend.accepted")}};
   trace.legend.push_back(faulty ? LegendEntry{Role::rejected, words.say("viewing.legend.rejected")}
-                                : LegendEntry{Role::result, words.say("viewing.legend.result")});
+                                : LegendEntry{Role::result, words.say(any_frame ? "viewing.legend.result_axes"
+                                                                                : "viewing.legend.result")});
   list_source(trace, method);
 
-  const Kind kind = faulty ? Kind::faulty : method.name == "view_to_world" ? Kind::inverse : Kind::rows;
+  const Kind kind = faulty                           ? Kind::faulty
+                    : any_frame                      ? Kind::any_frame
+                    : method.name == "view_to_world" ? Kind::inverse
+                                                     : Kind::rows;
   Teller teller(writer, scene, kind);
   teller.set_method(method.name);
-  const DFrame known = look_at(scene.eye, scene.target, scene.up);
+  const DFrame known = scene.frame();
   teller.foresee(method.name == "minus_position" ? minus_position(known) : transposed(known));
   teller.input();
   // The exhibits' listing has no look_at: their frame is told without its lines
   const auto told = [&]<class Step>(const Step& step, int line = __builtin_LINE(), const char* = nullptr) {
     teller(step, faulty ? 0 : line);
   };
-  const DFrame frame = look_at(scene.eye, scene.target, scene.up, told);
+  const DFrame frame = any_frame ? known : look_at(scene.eye, scene.target, scene.up, told);
   glm::dmat4 matrix;
   if (method.name == "world_to_view") matrix = world_to_view(frame, teller);
   if (method.name == "view_to_world") matrix = view_to_world(frame, teller);
   if (method.name == "minus_position") matrix = minus_position(frame, teller);
   if (method.name == "transposed") matrix = transposed(frame, teller);
-  teller.result(matrix);
+  if (any_frame) matrix = inverse_of_any_frame(frame, teller);
+  any_frame ? teller.products(matrix) : teller.result(matrix);
   Trace done = std::move(writer).finish();
   done.telling = {done.last, 0};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      done.result.push_back({fmt::format("m{}{}", row, column), matrix[column][row]});
+      done.result.push_back({fmt::format("m{}{}", row, column), matrix[column][row] + 0.0});
     }
   }
   return done;
@@ -535,7 +746,15 @@ const TopicEntry& entry() {
       .parameters = {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units"),
                      numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at"),
                      numbers("up", "0,1,0", "0,0,1",
-                             "what points up in the picture: a direction of any length")},
+                             "what points up in the picture: a direction of any length"),
+                     {.name = "axes",
+                      .type = ParameterType::points,
+                      .default_value = "2,0,0 1,1,0 0,-0.5,-1",
+                      .example = "1,0,0 0,2,0 0.5,0,-1",
+                      .help = "method inverse_of_any_frame: right, up and forward, of any lengths and angles",
+                      .least = 3,
+                      .most = 3,
+                      .parts = {"x", "y", "z"}}},
       .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                    "--eye 2,3,5 --target 0,0,0 --method transposed"},
       .run = run};

@@ -1,4 +1,5 @@
-// `gradus bench`: hands over to gradus-bench, which has the rivals linked and lies beside this program.
+// `gradus bench` and `gradus stress`: done by programs of their own beside this one, which have rivals and
+// oracles linked that the command does without.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,11 +12,13 @@
 
 namespace gradus::cli {
 
-int bench(const Request& request) {
+int hand_over(const Request& request) {
+  const std::string& command = request.command->name;
   const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "gradus-bench";
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / ("gradus-" + command);
   if (!std::filesystem::exists(program)) {
-    throw WorkError("bench: gradus-bench is not beside this program; build it with `./bootstrap bench`");
+    throw WorkError(
+        fmt::format("{0}: gradus-{0} is not beside this program; build it with `./bootstrap {0}`", command));
   }
   std::vector<std::string> words{program.string()};
   for (const auto& [flag, value] : request.flags) {
@@ -26,7 +29,7 @@ int bench(const Request& request) {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());
-  throw WorkError(fmt::format("bench: {} can't be run", program.string()));
+  throw WorkError(fmt::format("{}: {} can't be run", command, program.string()));
 }
 
 }  // namespace gradus::cli

@@ -1,0 +1,154 @@
+// gradus-stress: what `gradus stress` runs. Attacks the registered promises, reports, draws the worst inputs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/errors.hpp"
+#include "cli/figure_file.hpp"
+#include "cli/figure_spec.hpp"
+#include "cli/files.hpp"
+#include "cli/guarded.hpp"
+#include "cli/inputs.hpp"
+#include "cli/names.hpp"
+#include "stories/point_text.hpp"
+#include "stress/attack.hpp"
+
+namespace gradus::stress {
+namespace {
+
+namespace fs = std::filesystem;
+using cli::UsageError;
+
+std::vector<const Domain*> chosen(const cli::Request& request) {
+  std::vector<const Domain*> wanted;
+  for (const std::string& word : request.operands) {
+    const std::string& topic = cli::find_topic(word).name;
+    const auto found = std::ranges::find(domains(), topic, &Domain::topic);
+    if (found == domains().end()) throw UsageError(fmt::format("TOPIC: {} has no stress test", topic));
+    wanted.push_back(&*found);
+  }
+  if (wanted.empty()) {
+    for (const Domain& domain : domains()) wanted.push_back(&domain);
+  }
+  return wanted;
+}
+
+std::string number(double value) {
+  if (std::isinf(value)) return "wrong";
+  return fmt::format("{:.6g}", value);
+}
+
+/// `gradus figure` of an input, as the words of a command line.
+std::vector<std::string> figure_words(const Domain& domain, const Property& property, const Input& input) {
+  if (!property.arguments) return {};
+  std::vector<std::string> words{"figure", domain.topic};
+  for (const auto& [flag, value] : property.arguments(input))
+    words.push_back(fmt::format("--{}={}", flag, value));
+  return words;
+}
+
+void draw(const std::vector<std::string>& words, const fs::path& path, cli::NewFiles& files) {
+  try {
+    const cli::Request request = cli::read_request(words);
+    const cli::Inputs inputs = cli::read_inputs(*request.topic, request.arguments, cli::as_named);
+    const cli::FigureSpec spec = cli::read_spec(request, inputs.arguments);
+    cli::Takes takes(*spec.topic, spec.arguments);
+    files.add(path.string(), cli::picture_bytes(spec, takes, cli::shown_step(spec, takes), cli::Format::svg));
+  } catch (const std::exception& error) {
+    cli::note(fmt::format("gradus stress: {} is not drawn: {}", path.filename().string(), error.what()));
+  }
+}
+
+void tell(const Domain& domain, const Finding& finding, const Input& small) {
+  const Property& p = *finding.property;
+  std::string line = fmt::format("{} {:<22} {:>10} cases  worst {:>10} {}", finding.broken() ? 'X' : ' ',
+                                 p.name, finding.cases, number(finding.worst), p.unit);
+  line += std::isinf(p.bound) ? "  (measured)" : fmt::format("  (at most {})", number(p.bound));
+  line += fmt::format("\n    {}\n", p.states);
+  if (!finding.input.empty()) {
+    line += fmt::format("    {}: gradus stress {} --replay {}:{}\n", finding.origin, domain.topic, p.name,
+                        text_of(small));
+  }
+  cli::write_stream(cli::Stream::out, line);
+}
+
+/// One property with one input, in full.
+int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::optional<Input> input =
+      colon == std::string::npos ? std::nullopt : input_in(text.substr(colon + 1));
+  for (const Domain* domain : wanted) {
+    const auto property = std::ranges::find(domain->properties, name, &Property::name);
+    if (property == domain->properties.end() || !input) continue;
+    const double error = property->error(*input);
+    cli::write_stream(cli::Stream::out, fmt::format("{}: {} {} (at most {})\n", name, number(error),
+                                                    property->unit, number(property->bound)));
+    return error > property->bound ? 1 : 0;
+  }
+  throw UsageError(
+      fmt::format("--replay: expected PROPERTY:NUMBERS as a report prints it, found {}", shown(text)));
+}
+
+int stress(const cli::Request& request) {
+  const std::vector<const Domain*> wanted = chosen(request);
+  if (request.has("replay")) return replay(wanted, request.flags.at("replay"));
+  const auto whole = [&](const char* flag, std::int64_t usual, std::int64_t least, std::int64_t most) {
+    if (!request.has(flag)) return usual;
+    const auto value = whole_number(request.flags.at(flag));
+    if (!value || *value < least || *value > most) {
+      throw UsageError(fmt::format("--{}: expected a whole number from {} to {}, found {}", flag, least, most,
+                                   shown(request.flags.at(flag))));
+    }
+    return *value;
+  };
+  const auto seed = static_cast<std::uint64_t>(whole("random-seed", 1, 0, INT64_MAX));
+  const std::int64_t seconds = whole("seconds", 10, 1, 1'000'000);
+  std::size_t properties = 0;
+  for (const Domain* domain : wanted) properties += domain->properties.size();
+  const std::chrono::duration<double> share(static_cast<double>(seconds) / static_cast<double>(properties));
+
+  std::uint64_t cases = 0, broken = 0;
+  cli::NewFiles files;
+  for (const Domain* domain : wanted) {
+    cli::write_stream(cli::Stream::out, domain->topic + "\n");
+    for (const Property& property : domain->properties) {
+      const auto end = std::chrono::steady_clock::now() + share;
+      const Finding finding = attack(
+          property, seed, [&](std::uint64_t i) { return i % 16 || std::chrono::steady_clock::now() < end; });
+      // A broken promise must stay broken, a worst error nearly as bad
+      const double least = finding.broken() ? std::nextafter(property.bound, wrong) : 0.99 * finding.worst;
+      const Input small = finding.input.empty() ? Input{} : shrunk(property, finding.input, least);
+      tell(*domain, finding, small);
+      cases += finding.cases;
+      broken += finding.broken() ? 1u : 0u;
+      if (!request.has("output") || small.empty()) continue;
+      const std::vector<std::string> words = figure_words(*domain, property, small);
+      const fs::path folder = request.flags.at("output");
+      if (!words.empty()) draw(words, folder / fmt::format("{}-{}.svg", domain->topic, property.name), files);
+    }
+  }
+  if (request.has("output")) fs::create_directories(request.flags.at("output"));
+  files.commit();
+  cli::write_stream(cli::Stream::out, fmt::format("{} cases, {} of {} promises broken (--random-seed {})\n",
+                                                  cases, broken, properties, seed));
+  return broken ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace gradus::stress
+
+int main(int argc, char** argv) {
+  gradus::cli::prepare_process();
+  std::vector<std::string> words{"stress"};
+  words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
+  return gradus::cli::guarded("gradus stress", [&] {
+    const gradus::cli::Request request = gradus::cli::read_request(words);
+    if (request.has("help")) return gradus::cli::help(request);
+    return gradus::stress::stress(request);
+  });
+}

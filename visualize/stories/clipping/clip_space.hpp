@@ -1,0 +1,431 @@
+#pragma once
+// A polygon of homogeneous points and the planes of clip space, before the division by w: told for the story
+// of polygon clipping. Above, the plane of w and the coordinate that is cut, where the sides of the view
+// volume are lines through the eye; below it what the division makes of what is left.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "stories/paper.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus::sutherland_hodgman {
+
+using glm::dvec4;
+
+/// A point's coordinates, what rounding has left where exact arithmetic says 0 as 0.
+inline std::string place_text(const dvec4& p) {
+  const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
+  const auto number = [size](double c) { return figure_real(std::abs(c) < 0x1p-40 * size ? 0 : c); };
+  return fmt::format("({},\u00a0{},\u00a0{},\u00a0{})", number(p.x), number(p.y), number(p.z), number(p.w));
+}
+
+/// A corner with what it is called.
+struct NamedPoint {
+  std::string name;
+  dvec4 at;
+};
+
+/// Tells the steps of `clip` in clip space.
+class ClipSpaceTeller {
+ public:
+  static constexpr int paper_width = 21, paper_height = 30;
+
+  ClipSpaceTeller(TraceWriter& writer, const std::vector<Point<double>>& corners)
+      : writer_(writer),
+        words_(writer.wording()),
+        side_(side_place, side_world(corners)),
+        picture_(picture_place, picture_world(corners)) {
+    writer.trace().columns = {{"plane", false}, {"corner", false}, {"value"}, {"kept", false}};
+    for (const Point<double>& corner : corners) {
+      given_.push_back({fmt::format("{}", given_.size() + 1), corner.at});
+    }
+    rest_ = given_;
+    axis_ = telling_axis_ = most_telling_axis(corners);
+    start();
+  }
+
+  void operator()(const Tested<double>& t, int line = __builtin_LINE(), const char* = nullptr) {
+    enter(t.plane);
+    const NamedPoint& corner = rest_[t.corner];
+    tested_ = t.corner;
+    if (t.inside) kept_.push_back(corner);
+    sides_.push_back(t.inside);
+    last_row_ = {plane_text(t.plane), corner.name, figure_real(distance(t.plane, t.at)),
+                 t.inside ? corner.name : ""};
+    here_ = t.at;
+    tell("Tested", line,
+         words_.say(
+             t.inside ? "sutherland_hodgman.plane_tested.inside" : "sutherland_hodgman.plane_tested.outside",
+             fmt::arg("corner", corner.name), fmt::arg("test", test_text(t.plane)),
+             fmt::arg("numbers", numbers_text(t.plane, t.at)),
+             fmt::arg("value", figure_real(distance(t.plane, t.at))), fmt::arg("plane", plane_text(t.plane))),
+         fields(t.plane, t.at), last_row_);
+  }
+
+  void operator()(const Cut<double>& c, int line = __builtin_LINE(), const char* = nullptr) {
+    const NamedPoint made{letter(), c.at};
+    const std::size_t n = rest_.size();
+    const NamedPoint &before = rest_[(tested_ + n - 1) % n], &now = rest_[tested_];
+    const bool enters = sides_.back();
+    // The cut comes before the corner that was tested last
+    kept_.insert(kept_.end() - (enters ? 1 : 0), made);
+    Row read;
+    std::string kept = made.name;
+    if (enters) {
+      read = last_row_;
+      kept += ", " + std::exchange(read.back(), "");
+    }
+    edge_ = {c.inside, c.outside};
+    here_ = c.at;
+    const double from = distance(c.plane, c.inside), to = distance(c.plane, c.outside);
+    tell("Cut", line,
+         words_.say("sutherland_hodgman.plane_cut", fmt::arg("from", enters ? now.name : before.name),
+                    fmt::arg("to", enters ? before.name : now.name), fmt::arg("a", figure_real(from)),
+                    fmt::arg("b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)),
+                    fmt::arg("t", figure_real(c.t)), fmt::arg("name", made.name),
+                    fmt::arg("at", place_text(c.at)), fmt::arg("plane", plane_text(c.plane))),
+         fields(c.plane, c.at), {plane_text(c.plane), made.name, figure_real(distance(c.plane, c.at)), kept},
+         Level::step, read);
+    edge_.reset();
+  }
+
+  void operator()(const Passed<double>& p, int line = __builtin_LINE(), const char* = nullptr) {
+    const bool was_behind = any_behind(rest_);
+    rest_ = std::exchange(kept_, {});
+    sides_.clear();
+    here_.reset();
+    passed_ = true;
+    const auto left = static_cast<std::int64_t>(p.corners);
+    std::string sentence =
+        words_.say("sutherland_hodgman.plane_empty", fmt::arg("plane", plane_text(p.plane)));
+    if (left > 0) {
+      sentence = words_.count(was_behind && !any_behind(rest_) ? "sutherland_hodgman.plane_passed_front"
+                                                               : "sutherland_hodgman.plane_passed",
+                              left, fmt::arg("plane", plane_text(p.plane)));
+    }
+    tell("Passed", line, std::move(sentence), {{"corners", left}}, {}, Level::idea);
+  }
+
+  /// The last step: the division.
+  void finish() {
+    plane_.reset();
+    here_.reset();
+    done_ = true;
+    axis_ = telling_axis_;
+    phase_ = words_.say("words.result");
+    const auto corners = static_cast<std::int64_t>(rest_.size());
+    std::string key = "sutherland_hodgman.divided";
+    const bool all_divide = std::ranges::none_of(given_, [](const NamedPoint& p) { return p.at.w == 0; });
+    if (any_behind(given_) && all_divide) key = "sutherland_hodgman.divided_last";
+    if (any_behind(rest_)) key = "sutherland_hodgman.divided_eye";
+    tell("Finished", 0,
+         rest_.empty() ? words_.say("sutherland_hodgman.divided_nothing") : words_.count(key, corners), {},
+         {}, Level::idea);
+  }
+
+ private:
+  static constexpr Extent side_place{{3.2, 17.2}, {17.6, 27.8}}, picture_place{{5, 2.2}, {18.6, 13}};
+
+  // --- What is shown of which plane
+
+  static Extent side_world(std::span<const Point<double>> corners) {
+    Extent world;
+    double most = 0;
+    world.add({0, 0});
+    for (const auto& [at] : corners) {
+      for (int i = 0; i < 3; ++i) {
+        world.add({at.w, at[i]});
+        most = std::max(most, std::abs(at[i]));
+      }
+    }
+    // All coordinates alike, so that nothing jumps when another one is cut
+    const double reach = std::max(1.1 * most, 0.6 * world.upper.x);
+    for (const double y : {-reach, reach}) world.add({0.5 * reach, y});
+    return widened(world, 0.04);
+  }
+  /// The picture, and where dividing first puts the corners, as far as that is near it.
+  static Extent picture_world(std::span<const Point<double>> corners) {
+    Extent world;
+    for (const double c : {-1.0, 1.0}) world.add({c, c});
+    for (const auto& [at] : corners) {
+      if (at.w == 0) continue;
+      world.add(glm::clamp(dvec2(at) / at.w, dvec2(-2.5), dvec2(2.5)));
+    }
+    return widened(world, 0.08);
+  }
+  /// The coordinate of the first plane that cuts; x where none does.
+  static int most_telling_axis(const std::vector<Point<double>>& corners) {
+    std::optional<int> axis;
+    const auto watch = [&axis]<class Step>(const Step& step) {
+      if constexpr (std::same_as<Step, Cut<double>>) {
+        if (!axis) axis = step.plane.axis;
+      }
+    };
+    const auto planes = view_volume(1.0, 1.0);
+    clip(corners, std::span<const Plane<double>>(planes), watch);
+    return axis.value_or(0);
+  }
+  static bool any_behind(std::span<const NamedPoint> polygon) {
+    return std::ranges::any_of(polygon, [](const NamedPoint& p) { return p.at.w <= 0; });
+  }
+
+  // --- Words
+
+  std::string symbol(int axis) const {
+    return words_.symbol(std::array<std::string_view, 3>{"x", "y", "z"}[static_cast<std::size_t>(axis)]);
+  }
+  /// "x = −w", "z = 0".
+  std::string plane_text(const Plane<double>& plane) const {
+    const std::string limit = plane.bound == 0 ? "0" : (plane.sign > 0 ? "−" : "") + words_.symbol("w");
+    return fmt::format("{} = {}", symbol(plane.axis), limit);
+  }
+  /// "w + x", "z".
+  std::string test_text(const Plane<double>& plane) const {
+    if (plane.bound == 0) return symbol(plane.axis);
+    return fmt::format("{} {} {}", words_.symbol("w"), plane.sign > 0 ? "+" : "−", symbol(plane.axis));
+  }
+  /// " = −1 − 0.5" of "w − x = −1 − 0.5 = −1.5"; nothing where there is nothing to compute.
+  std::string numbers_text(const Plane<double>& plane, const dvec4& p) const {
+    if (plane.bound == 0) return "";
+    const double c = p[plane.axis];
+    const std::string number = c < 0 ? fmt::format("({})", figure_real(c)) : figure_real(c);
+    return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−", number);
+  }
+  std::string letter() {
+    const std::size_t n = letters_++;
+    const char letter = static_cast<char>('A' + n % 26);
+    return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
+  }
+  static std::vector<Field> fields(const Plane<double>& plane, const dvec4& p) {
+    return {{"axis", std::int64_t{plane.axis}},
+            {"value", distance(plane, p)},
+            {"x", p.x},
+            {"y", p.y},
+            {"z", p.z},
+            {"w", p.w}};
+  }
+
+  // --- Steps
+
+  void start() {
+    phase_ = words_.say("words.set_up");
+    const auto behind = std::ranges::find_if(given_, [](const NamedPoint& p) { return p.at.w <= 0; });
+    std::string sentence = words_.say("sutherland_hodgman.space_started");
+    if (behind != given_.end() && behind->at.w < 0) {
+      sentence = words_.say("sutherland_hodgman.space_started_behind", fmt::arg("corner", behind->name),
+                            fmt::arg("value", figure_real(behind->at.w)),
+                            fmt::arg("wrong", figure_place(dvec2(behind->at) / behind->at.w)));
+    } else if (behind != given_.end()) {
+      sentence = words_.say("sutherland_hodgman.space_started_eye", fmt::arg("corner", behind->name));
+    }
+    tell("Started", 0, std::move(sentence), {}, {}, Level::idea);
+  }
+  /// At a plane's first step.
+  void enter(const Plane<double>& plane) {
+    if (plane_ && !passed_) return;
+    plane_ = plane;
+    axis_ = plane.axis;
+    passed_ = false;
+    phase_ = words_.say("sutherland_hodgman.phase.plane", fmt::arg("plane", plane_text(plane)));
+  }
+  void tell(std::string_view type, int line, std::string sentence, std::vector<Field> fields, Row row,
+            Level level = Level::step, Row read = {}) {
+    writer_.step(shown_.change_to(view()), {0, 0}, line, [&](TraceStep& step) {
+      step.type = type;
+      step.phase = phase_;
+      step.key = type;
+      step.level = level;
+      step.fields = std::move(fields);
+      step.sentence = std::move(sentence);
+      step.read = std::move(read);
+      step.row = std::move(row);
+    });
+  }
+
+  // --- Drawing
+
+  View view() const {
+    View view;
+    add_side(view);
+    add_picture(view);
+    return view;
+  }
+
+  dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
+  std::vector<dvec2> in_side(std::span<const NamedPoint> polygon) const {
+    std::vector<dvec2> points;
+    for (const NamedPoint& p : polygon) points.push_back(in_side(p.at));
+    return points;
+  }
+
+  /// The plane of w and a coordinate: w to the right, the eye where the axes meet.
+  void add_side(View& view) const {
+    const Extent shown = side_.shown();
+    const dvec2 eye = side_.at({0, 0}), lower = side_place.lower, upper = side_place.upper;
+    const std::string w = words_.symbol("w"), name = symbol(axis_);
+    if (lower.x < eye.x) {
+      view.add({"a behind", Role::rejected,
+                Area{{{lower, {eye.x, lower.y}, {eye.x, upper.y}, {lower.x, upper.y}}}}});
+      view.add({"a behind name", Role::rejected,
+                Text{{0.4, lower.y - 1}, words_.say("sutherland_hodgman.behind"), Align::left}});
+    }
+    view.add({"a w", Role::guide, Stroke{{lower.x, eye.y}, {upper.x + 0.9, eye.y}, true}});
+    view.add({"a w name", Role::guide, Text{{upper.x + 1.6, eye.y}, w}});
+    view.add({"a axis", Role::guide, Stroke{{eye.x, lower.y}, {eye.x, upper.y + 0.9}, true}});
+    view.add({"a axis name", Role::guide, Text{{eye.x + 1.1, upper.y + 0.8}, name}});
+    // The view volume between two lines through the eye
+    const double far = shown.upper.x;
+    const auto at_side = [&](const Plane<double>& p) { return dvec2{1, -p.sign * p.bound}; };
+    std::vector<dvec2> wedge{eye};
+    for (const Plane<double>& plane : view_volume(1.0, 1.0)) {
+      if (plane.axis != axis_) continue;
+      const bool now = plane_ && plane_->axis == plane.axis && plane_->sign == plane.sign && !passed_;
+      const dvec2 way = at_side(plane);
+      const double reach =
+          way.y == 0 ? far : std::min(far, std::abs(way.y > 0 ? shown.upper.y : shown.lower.y));
+      const dvec2 end = side_.at(reach * way);
+      wedge.push_back(end);
+      const std::string id = fmt::format("b plane {}", plane.sign > 0 ? "lower" : "upper");
+      view.add({id, now ? Role::current : Role::boundary, Stroke{eye, end}});
+      view.add({id + " name", now ? Role::current : Role::boundary,
+                Label{0.12 * eye + 0.88 * end, plane_text(plane)}});
+      if (!now) continue;
+      // Behind the eye, too, the plane has an inside
+      const double back = way.y == 0
+                              ? -shown.lower.x
+                              : std::min(-shown.lower.x, std::abs(way.y > 0 ? shown.lower.y : shown.upper.y));
+      if (back > 0)
+        view.add({id + " behind", Role::current, Stroke{eye, side_.at(-back * way), false, true}});
+    }
+    view.add({"a wedge", Role::accepted, Area{{wedge}}});
+    add_polygon(view);
+  }
+
+  void add_polygon(View& view) const {
+    view.add({"c given", Role::input, Path{in_side(given_), true, plane_ || done_}});
+    if (!rest_.empty() && (plane_ || done_)) {
+      const bool being_cut = plane_ && !passed_;
+      view.add({"c rest",
+                done_       ? Role::result
+                : being_cut ? Role::past
+                            : Role::accepted,
+                Path{in_side(rest_), true}});
+    }
+    if (kept_.size() > 1) view.add({"d kept", Role::accepted, Path{in_side(kept_)}});
+    if (edge_)
+      view.add({"f edge", Role::current, Stroke{in_side(edge_->first), in_side(edge_->second), true}});
+    const auto corner = [&](const NamedPoint& p, Role role, bool ring) {
+      view.add({"e dot " + p.name, role, Dot{in_side(p.at), ring}});
+      if (rest_.size() > 24) return;
+      const bool now = here_ && *here_ == p.at;
+      view.add({"g name " + p.name, now ? Role::current : role, Label{in_side(p.at), p.name}});
+    };
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const bool tested = i < sides_.size();
+      const Role role = done_                           ? Role::result
+                        : !tested && plane_ && !passed_ ? Role::past
+                        : !tested                       ? Role::accepted
+                        : sides_[i]                     ? Role::accepted
+                                                        : Role::rejected;
+      corner(rest_[i], plane_ || done_ ? role : Role::input, tested && !sides_[i]);
+    }
+    for (const NamedPoint& p : kept_) corner(p, Role::accepted, false);
+    if (here_) view.add({"h here", Role::current, Dot{in_side(*here_), !edge_}});
+  }
+
+  /// What can be divided, divided.
+  std::vector<dvec2> divided(std::span<const Point<double>> polygon) const {
+    std::vector<dvec2> points;
+    for (const auto& [at] : polygon) {
+      if (at.w > 0) points.push_back(picture_.at(dvec2(at) / at.w));
+    }
+    return points;
+  }
+
+  /// The picture: what the eye really sees of what is left, and what dividing first would draw.
+  void add_picture(View& view) const {
+    view.add({"p caption", Role::guide,
+              Text{{0.5 * (picture_place.lower.x + picture_place.upper.x), picture_place.upper.y + 1.5},
+                   words_.say("sutherland_hodgman.picture")}});
+    const std::string w = words_.symbol("w");
+    add_axes(view, picture_, "p axes", {symbol(0) + "/" + w, symbol(1) + "/" + w}, 4);
+    std::vector<dvec2> window;
+    for (const dvec2 c : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
+      window.push_back(picture_.at(c));
+    view.add({"p window", Role::boundary, Path{window, true}});
+    if (plane_ && !passed_ && plane_->axis < 2) {
+      const Extent shown = picture_.shown();
+      const int axis = plane_->axis;
+      dvec2 from = shown.lower, to = shown.upper;
+      from[axis] = to[axis] = -plane_->sign;
+      view.add({"p plane", Role::current, Stroke{picture_.at(from), picture_.at(to), false, true}});
+    }
+    add_wrong_picture(view);
+    // As much of the true picture as there is room for
+    const Extent shown = picture_.shown();
+    const std::array<Plane<double>, 4> room{
+        {{0, 1, -shown.lower.x}, {0, -1, shown.upper.x}, {1, 1, -shown.lower.y}, {1, -1, shown.upper.y}}};
+    std::vector<Point<double>> polygon;
+    for (const NamedPoint& p : rest_) polygon.push_back({p.at});
+    const auto seen = divided(clip(polygon, std::span<const Plane<double>>(room)));
+    const Role role = done_ ? Role::result : Role::accepted;
+    if (seen.size() >= 3) {
+      view.add({"p seen", role, Area{{seen}}});
+      const bool all_shown = std::ranges::all_of(rest_, [&shown](const NamedPoint& p) {
+        const dvec2 at = dvec2(p.at) / p.at.w;
+        return p.at.w > 0 && at == glm::clamp(at, shown.lower, shown.upper);
+      });
+      if (all_shown) view.add({"p outline", role, Path{seen, true}});
+    }
+    for (const NamedPoint& p : rest_) {
+      if (p.at.w <= 0 || rest_.size() > 24) continue;
+      const dvec2 at = dvec2(p.at) / p.at.w;
+      if (at != glm::clamp(at, shown.lower, shown.upper)) continue;
+      view.add({"q dot " + p.name, role, Dot{picture_.at(at)}});
+      view.add({"q name " + p.name, role, Label{picture_.at(at), p.name}});
+    }
+  }
+
+  void add_wrong_picture(View& view) const {
+    if (!any_behind(given_)) return;
+    std::vector<dvec2> wrong;
+    const Extent shown = picture_.shown();
+    for (const NamedPoint& p : given_) {
+      if (p.at.w == 0) return;
+      const dvec2 at = dvec2(p.at) / p.at.w;
+      wrong.push_back(picture_.at(glm::clamp(at, shown.lower, shown.upper)));
+      if (p.at.w > 0 || at != glm::clamp(at, shown.lower, shown.upper)) continue;
+      view.add({"r wrong " + p.name, Role::rejected, Dot{wrong.back(), true}});
+      view.add(
+          {"r wrong name " + p.name, Role::rejected,
+           Label{wrong.back(), words_.say("sutherland_hodgman.divided_first", fmt::arg("corner", p.name))}});
+    }
+    view.add({"r wrong", Role::rejected, Path{wrong, true, true}});
+  }
+
+  TraceWriter& writer_;
+  const Wording& words_;
+  Panel side_, picture_;
+  Shown shown_;
+  std::vector<NamedPoint> given_, rest_, kept_;
+  std::vector<bool> sides_;  ///< of the corners tested so far at this plane
+  std::optional<Plane<double>> plane_;
+  std::optional<dvec4> here_;
+  std::optional<std::pair<dvec4, dvec4>> edge_;
+  std::size_t tested_ = 0, letters_ = 0;
+  int axis_ = 0, telling_axis_ = 0;
+  bool passed_ = false, done_ = false;
+  std::string phase_;
+  Row last_row_;
+};
+
+}  // namespace gradus::sutherland_hodgman
