@@ -15,13 +15,10 @@
 #include <vector>
 
 #include "benchmark/subject.hpp"
+#include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp"
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "core/random.hpp"
 #include "support/clip_oracle.hpp"
-#if __has_include("clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp")
-#define GRADUS_HAS_BOX_BATCH
-#include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp"
-#endif
 
 namespace gradus::bench {
 namespace {
@@ -119,11 +116,9 @@ void add_cases(std::vector<Case>& cases, const Lines& set, const Workload& workl
       each([](const Line& line) { return liang_barsky::box_parametric(line, box); }));
   add("box_correctly_rounded", Standing::robust,
       each([](const Line& line) { return liang_barsky::box_correctly_rounded(line, box); }));
-#ifdef GRADUS_HAS_BOX_BATCH
   add("clip_batch", Standing::batch, [](const std::vector<Line>& from, Clipped& out) {
     cs::clip_batch(from, box, out.lines, out.accepted);
   });
-#endif
 }
 
 std::vector<Case> cases() {
