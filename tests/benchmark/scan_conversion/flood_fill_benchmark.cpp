@@ -171,7 +171,8 @@ std::vector<Case> cases() {
     add_cases(all, scene(kind, 1024), {fmt::format("{} 1024", kind)});
   }
   for (const int side : {64, 256, 1024, 4096}) {
-    add_cases(all, scene("noise", side), {fmt::format("noise of side {}", side), static_cast<double>(side)});
+    const Scene& picture = scene("noise", side);
+    add_cases(all, picture, {fmt::format("noise of side {}", side), static_cast<double>(picture.cells)});
   }
   return all;
 }
@@ -183,7 +184,7 @@ Subject flood_fill() {
           .title = "Filling an area of a picture",
           .item = "cell",
           .unit = "cells",
-          .measure = "side of a picture, 60 % of it free",
+          .measure = "cells of the area",
           .telling = "noise 1024",
           .cases = cases};
 }
