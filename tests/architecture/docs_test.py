@@ -45,7 +45,7 @@ def broken_links(root):
 
 
 def package_lists(bootstrap):
-    """The packages that bootstrap installs: to build, to test."""
+    """The packages that bootstrap installs: to build, to test, to measure."""
     return [set(re.sub(r"#.*", "", body).split())
             for body in re.findall(r"^\w+_packages=\((.*?)\) *(?:#[^\n]*)?$", bootstrap, re.DOTALL | re.MULTILINE)]
 
@@ -75,8 +75,8 @@ class Docs(unittest.TestCase):
 
     def test_readme_gives_a_reason_for_every_package(self):
         lists = package_lists((project.ROOT / "bootstrap").read_text(encoding="utf-8"))
-        self.assertEqual(len(lists), 2)
-        self.assertGreater(min(map(len, lists)), 3)
+        self.assertEqual(len(lists), 3)
+        self.assertGreater(min(map(len, lists)), 1)
         readme = (project.ROOT / "README.md").read_text(encoding="utf-8")
         rows = re.findall(r"^\| (.+?) \| (.+?) \|$", readme, re.MULTILINE)
         reasons = {package: reason for packages, reason in rows for package in re.findall(r"`([\w+.-]+)`", packages)}

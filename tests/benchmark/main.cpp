@@ -25,8 +25,14 @@ using cli::UsageError;
 std::vector<const Subject*> chosen(const cli::Request& request) {
   std::vector<const Subject*> wanted;
   for (const std::string& word : request.operands) {
+    // Subjects that are no topics ("figures") by their whole name
+    auto found = std::ranges::find(subjects(), cli::folded(word), &Subject::topic);
+    if (found != subjects().end()) {
+      wanted.push_back(&*found);
+      continue;
+    }
     const std::string& topic = cli::find_topic(word).name;
-    const auto found = std::ranges::find(subjects(), topic, &Subject::topic);
+    found = std::ranges::find(subjects(), topic, &Subject::topic);
     if (found == subjects().end()) throw UsageError(fmt::format("TOPIC: {} has no benchmark", topic));
     wanted.push_back(&*found);
   }
@@ -62,11 +68,24 @@ void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files) {
   draw_one(size_chart(found), "size");
 }
 
+/// The folder that was asked for, made before hours of measuring could be lost.
+std::optional<fs::path> folder_of(const cli::Request& request) {
+  if (!request.has("output")) return std::nullopt;
+  const fs::path folder = request.flags.at("output");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) {
+    throw UsageError(fmt::format("--output: expected a folder, found {}", shown(folder.string())));
+  }
+  return folder;
+}
+
 int bench(const cli::Request& request) {
   const std::vector<const Subject*> wanted = chosen(request);
   Effort effort;
   effort.seconds = positive(request, "seconds", effort.seconds, 60);
   effort.repetitions = static_cast<int>(positive(request, "repetitions", effort.repetitions, 1000));
+  const std::optional<fs::path> folder = folder_of(request);
   std::vector<Findings> all;
   for (const Subject* subject : wanted) {
     std::vector<Case> cases = subject->cases();
@@ -76,12 +95,10 @@ int bench(const cli::Request& request) {
     if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
   }
   if (request.has("json")) cli::write_stream(cli::Stream::out, json_of(all));
-  if (!request.has("output")) return 0;
-  const fs::path folder = request.flags.at("output");
-  fs::create_directories(folder);
+  if (!folder) return 0;
   cli::NewFiles files;
-  for (const Findings& found : all) draw(found, folder, files);
-  files.add((folder / "bench.json").string(), json_of(all));
+  for (const Findings& found : all) draw(found, *folder, files);
+  files.add((*folder / "bench.json").string(), json_of(all));
   files.commit();
   return 0;
 }

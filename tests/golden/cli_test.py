@@ -54,7 +54,7 @@ def test_help_and_version():
         result = gradus(*words)
         equal((result.code, result.err), (0, ""), f"gradus {words} gives help")
         check(result.out.index("Examples") < result.out.index("Commands"), "examples come first")
-    for command in ("list", "run", "figure", "figures", "render", "again"):
+    for command in ("list", "run", "figure", "figures", "render", "bench", "stress", "again"):
         result = gradus(command, "--help")
         equal((result.code, result.err), (0, ""), f"gradus {command} --help")
         check(result.out.startswith(f"gradus {command}: ") and "Examples\n  gradus" in result.out, result.out)
@@ -312,8 +312,8 @@ def test_wrong_input():
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
-        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, render, again, found 'lits', did you mean 'list'?"),
-        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, render, again, found 'zzz'"),
+        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, found 'lits', did you mean 'list'?"),
+        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, found 'zzz'"),
         (["run"], "run: expected a TOPIC, found none (`gradus run --help` shows examples)"),
         (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
         (["run", "radiosity"], topics + "'radiosity'"),

@@ -60,7 +60,7 @@ void recursive_call(const Recursion<Inside, Paint, O>& all, ivec2 from, ivec2 pi
 /// Domain: areas so small that the stack holds the calls. Measured with an empty canvas filled from its
 ///   corner on a stack of 8 MiB, the smallest square that crashes with GCC 12.2: 418 x 418 at -O2 and -O3 (48
 ///   bytes a call); at -O0 the notes' own listing crashes at 362 x 362 (64 bytes), this function at 274 x 274
-///   (tests/benchmark/scan_conversion/flood_fill_benchmark.cpp).
+///   (tests/unit/scan_conversion/recursion_limit_test.cpp).
 /// Steps: Examined (Painted (Examined ...)* Retreated)?, nested as the calls are
 /// Cost: the questions of depth_first; one call a question.
 /// Errors: the program ends with a segmentation fault when the stack overflows.

@@ -1,0 +1,192 @@
+// Fills of areas of five kinds by every method, beside OpenCV's floodFill.
+
+#include "scan_conversion/flood_fill/flood_fill.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "benchmark/subject.hpp"
+#include "core/raster.hpp"
+#include "scan_conversion/flood_fill/flood_fill_batch.hpp"
+
+#ifdef GRADUS_HAS_OPENCV
+#include <opencv2/imgproc.hpp>
+#endif
+
+namespace gradus::bench {
+namespace {
+
+using flood_fill::Method;
+using Canvas =
+    Raster<std::uint8_t>;  // a byte a cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
+
+/// A picture with a seed in its largest area, and what it should be after the fill.
+struct Scene {
+  Canvas canvas, filled;
+  ivec2 seed{0, 0};
+  std::int64_t cells = 0;  ///< of the area
+};
+
+/// Finds the largest area by filling every one of them breadth first.
+Scene scene_of(Canvas canvas) {
+  Scene scene{canvas, canvas};
+  for (int y = 0; y < canvas.height(); ++y) {
+    for (int x = 0; x < canvas.width(); ++x) {
+      if (canvas[{x, y}] != 0) continue;
+      const std::int64_t cells =
+          flood_fill::fill_raster(canvas, {x, y}, std::uint8_t{2}, Method::breadth_first).painted;
+      if (cells > scene.cells) scene.seed = {x, y}, scene.cells = cells;
+    }
+  }
+  flood_fill::fill_raster(scene.filled, scene.seed, std::uint8_t{2}, Method::breadth_first);
+  return scene;
+}
+
+/// Cells walled off at random; with 60 % free just above where one area spans the picture.
+Canvas noise(int side) {
+  Canvas canvas(side, side);
+  std::mt19937_64 random(1);
+  for (auto& cell : canvas.cells()) cell = random() % 100 < 60 ? 0 : 1;
+  return canvas;
+}
+
+/// A row along the upper side, and columns one cell wide that hang from it.
+Canvas comb(int side) {
+  Canvas canvas(side, side);
+  for (int y = 1; y < side; ++y) {
+    for (int x = 1; x < side; x += 2) canvas[{x, y}] = 1;
+  }
+  return canvas;
+}
+
+/// Corridors one cell wide, without loops.
+Canvas maze(int side) {
+  Canvas canvas(side + 1, side + 1, 1);
+  std::mt19937_64 random(1);
+  std::vector<ivec2> path{{1, 1}};
+  canvas[{1, 1}] = 0;
+  while (!path.empty()) {
+    std::vector<ivec2> open;
+    for (const ivec2 way : flood_fill::ways(flood_fill::Connectivity::four)) {
+      const ivec2 next = path.back() + 2 * way;
+      if (canvas.contains(next) && canvas[next] == 1) open.push_back(way);
+    }
+    if (open.empty()) {
+      path.pop_back();
+      continue;
+    }
+    const ivec2 way = open[random() % open.size()];
+    canvas[path.back() + way] = 0;
+    canvas[path.back() + 2 * way] = 0;
+    path.push_back(path.back() + 2 * way);
+  }
+  return canvas;
+}
+
+/// One corridor that winds inwards from the corner.
+Canvas spiral(int side) {
+  Canvas canvas(side, side, 1);
+  ivec2 at{0, 0}, way{1, 0};
+  canvas[at] = 0;
+  for (int turns = 0; turns < 2;) {
+    // Straight on until the border or an older turn, one wall away, is ahead
+    const ivec2 next = at + way, beyond = next + way;
+    const bool wall = canvas.contains(next) && canvas[next] == 1;
+    if (wall && !(canvas.contains(beyond) && canvas[beyond] == 0)) {
+      canvas[at = next] = 0;
+      turns = 0;
+    } else {
+      way = {-way.y, way.x};
+      ++turns;
+    }
+  }
+  return canvas;
+}
+
+const Scene& scene(const std::string& kind, int side) {
+  static std::map<std::pair<std::string, int>, Scene> made;
+  const auto [at, added] = made.try_emplace({kind, side});
+  if (!added) return at->second;
+  at->second = scene_of(kind == "noise"    ? noise(side)
+                        : kind == "maze"   ? maze(side)
+                        : kind == "comb"   ? comb(side)
+                        : kind == "spiral" ? spiral(side)
+                                           : Canvas(side, side));
+  if (kind == "empty") at->second.seed = {side / 2, side / 2};
+  return at->second;
+}
+
+/// Cells painted that should not be, or missed.
+Error error_of(const Canvas& painted, const Canvas& right) {
+  Error::Sum sum;
+  for (int y = 0; y < right.height(); ++y) {
+    for (int x = 0; x < right.width(); ++x) {
+      const bool wrong = painted[{x, y}] != right[{x, y}];
+      sum.add(wrong ? 1 : 0);
+      if (wrong) sum.wrong_decision();
+    }
+  }
+  return sum.error();
+}
+
+/// Every method on a picture.
+void add_cases(std::vector<Case>& cases, const Scene& scene, const Workload& workload) {
+  const auto add = [&](const char* name, Standing standing, auto fill) {
+    const auto canvas = std::make_shared<Canvas>(scene.canvas);
+    fill(*canvas, scene.seed);
+    cases.push_back({.method = name,
+                     .standing = standing,
+                     .workload = workload,
+                     .items = scene.cells,
+                     .run = [fill, canvas, &scene] { fill(*canvas, scene.seed); },
+                     .prepare = [canvas, &scene] { *canvas = scene.canvas; },
+                     .error = error_of(*canvas, scene.filled)});
+  };
+  const auto by = [](Method method) {
+    return [method](Canvas& canvas, ivec2 seed) {
+      flood_fill::fill_raster(canvas, seed, std::uint8_t{2}, method);
+    };
+  };
+  add("depth_first", Standing::taught, by(Method::depth_first));
+  add("breadth_first", Standing::taught, by(Method::breadth_first));
+  add("span", Standing::robust, by(Method::span));
+  add("fill_rows", Standing::batch,
+      [](Canvas& canvas, ivec2 seed) { flood_fill::fill_rows(canvas, seed, std::uint8_t{2}); });
+#ifdef GRADUS_HAS_OPENCV
+  add("OpenCV floodFill", Standing::peer, [](Canvas& canvas, ivec2 seed) {
+    cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
+    cv::floodFill(picture, {seed.x, seed.y}, 2, nullptr, 0, 0, 4);
+  });
+#endif
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const char* kind : {"empty", "noise", "maze", "comb", "spiral"}) {
+    add_cases(all, scene(kind, 1024), {fmt::format("{} 1024", kind)});
+  }
+  for (const int side : {64, 256, 1024, 4096}) {
+    const Scene& picture = scene("noise", side);
+    add_cases(all, picture, {fmt::format("noise of side {}", side), static_cast<double>(picture.cells)});
+  }
+  return all;
+}
+
+}  // namespace
+
+Subject flood_fill() {
+  return {.topic = "flood_fill",
+          .title = "Filling an area of a picture",
+          .item = "cell",
+          .unit = "cells",
+          .measure = "cells of the area",
+          .telling = "noise 1024",
+          .cases = cases};
+}
+
+}  // namespace gradus::bench

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""`gradus bench` from end to end: its table, its files, what it refuses. Nothing to do where gradus-bench was not built.
+
+    tests/golden/bench_test.py [GRADUS]
+"""
+import functools
+import json
+import os
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import GRADUS, check, equal
+
+gradus = functools.partial(command.gradus, timeout=120)
+QUICK = ["--seconds", "0.001", "--repetitions", "3"]
+BENCH = pathlib.Path(GRADUS).parent / "gradus-bench"
+
+
+def test_table_charts_and_json():
+    result = gradus("bench", "bresenham_line", *QUICK, "-o", "made/here")
+    equal((result.code, result.err), (0, ""), "gradus bench bresenham_line")
+    check(result.out.startswith("bresenham_line: "), "the table names its topic")
+    check(re.search(r"^\* \S", result.out, re.MULTILINE), "the table marks the best")
+    for name in ("decision_parameter", "dda<float>", "run_length", "draw", "first_octant"):
+        check(f" {name} " in result.out, f"the table has {name}")
+    equal(sorted(os.listdir("made/here")),
+          ["bench.json", "bresenham_line-error.png", "bresenham_line-error.svg",
+           "bresenham_line-size.png", "bresenham_line-size.svg"], "the files")
+    check(pathlib.Path("made/here/bresenham_line-error.png").read_bytes().startswith(b"\x89PNG"), "a PNG")
+    check("</svg>" in pathlib.Path("made/here/bresenham_line-size.svg").read_text(), "an SVG")
+    runs = json.loads(pathlib.Path("made/here/bench.json").read_text())["benchmarks"]
+    check(len(runs) >= 35, "a run for every method and workload")
+    for run in runs:
+        check(run["run_name"].startswith("bresenham_line/") and run["time_unit"] == "ns", "name and unit")
+        check(run["real_time"] > 0 and run["cpu_time"] >= 0, f"times of {run['name']}")
+        check(run["error_max"] >= run["error_rms"] >= 0, f"errors of {run['name']}")
+    wrong = {run["run_name"].split("/")[-1]: run["error_wrong"] for run in runs if "/all directions/" in run["run_name"]}
+    equal(wrong["decision_parameter"], 0, "wrong pixels of decision_parameter")
+    equal(wrong["draw"], 0, "wrong pixels of draw")
+    check(wrong["first_octant"] > 0, "first_octant draws wrong pixels in other octants")
+
+
+def test_json_alone():
+    result = gradus("bench", "parallel", *QUICK, "--json")
+    equal(result.code, 0, "gradus bench parallel --json")
+    check(all(run["run_name"].startswith("parallel/") for run in json.loads(result.out)["benchmarks"]), "JSON alone")
+    equal(os.listdir("."), [], "no file without -o")
+
+
+def test_names():
+    two = gradus("bench", "viewp", "viewing", *QUICK)
+    equal(two.code, 0, "a beginning and a whole name")
+    equal(re.findall(r"^(\w+): ", two.out, re.MULTILINE), ["viewport", "viewing"], "in the order given")
+
+
+def test_bad_input_is_one_line():
+    open("file", "w").close()
+    number = "expected a number above 0, up to {}, found '{}'"
+    table = [
+        (["nosuch_topic"], "TOPIC: expected the name of a topic (`gradus list` shows all), found 'nosuch_topic'"),
+        (["parallel", "--seconds", "0"], "--seconds: " + number.format(60, "0")),
+        (["parallel", "--seconds", "-1"], "--seconds: " + number.format(60, "-1")),
+        (["parallel", "--seconds", "nan"], "--seconds: " + number.format(60, "nan")),
+        (["parallel", "--seconds", "61"], "--seconds: " + number.format(60, "61")),
+        (["parallel", "--repetitions", "many"], "--repetitions: " + number.format(1000, "many")),
+        (["parallel", "-o", "file"], "--output: expected a folder, found 'file'"),
+        (["parallel", "-o", "file/below"], "--output: expected a folder, found 'file/below'"),
+    ]
+    for words, message in table:
+        result = gradus("bench", *words)
+        equal((result.code, result.out, result.err), (2, "", f"gradus bench: {message}\n"), " ".join(words))
+    equal(os.listdir("."), ["file"], "nothing else is written")
+
+
+def main():
+    if not BENCH.exists():
+        result = gradus("bench", "parallel")
+        equal((result.code, result.out, result.err.count("\n")), (1, "", 1), "without gradus-bench: one line")
+        check("./bootstrap bench" in result.err, "it says how to build it")
+        return command.summary()
+    return command.run_all(globals())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

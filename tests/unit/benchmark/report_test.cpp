@@ -1,0 +1,166 @@
+// What `gradus bench` says of what it measured: which methods are the best, the table, the JSON, the charts.
+
+#include "benchmark/report.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/random.hpp"
+
+namespace gradus::bench {
+namespace {
+
+Result result(std::string method, Standing standing, Workload workload, double nanoseconds,
+              std::optional<Error> error) {
+  Result result;
+  result.of = {std::move(method), standing, std::move(workload), 100};
+  result.of.error = error;
+  result.nanoseconds = nanoseconds;
+  result.cpu_nanoseconds = nanoseconds / 2;
+  result.spread = 0.25;
+  result.iterations = 3;
+  result.repetitions = 5;
+  return result;
+}
+
+const Subject subject{"a_topic", "Things done", "thing", "ulp", "things", "mixed", nullptr};
+
+Findings findings() {
+  return {&subject,
+          {result("slow and right", Standing::robust, {"mixed"}, 40, Error{0, 0, 0}),
+           result("fast and wrong", Standing::faulty, {"mixed"}, 10, Error{8, 2, 3}),
+           result("slower and wrong", Standing::taught, {"mixed"}, 20, Error{8, 2, 3}),
+           result("slow and right", Standing::robust, {"10 things", 10}, 40, std::nullopt),
+           result("slow and right", Standing::robust, {"100 things", 100}, 400, std::nullopt)}};
+}
+
+TEST(Report, ParetoOptimalIsWhatNoOtherBeatsInAll) {
+  Random random(1);
+  std::size_t kept_count = 0, beaten = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Result> results;
+    for (int i = 0; i < 10; ++i) {
+      const auto some = [&] { return static_cast<double>(random.uniform_int(1, 4)); };
+      const double error = some(), time = some();
+      const auto wrong = random.uniform_int(0, 2);
+      results.push_back(result("m", Standing::taught, {random.uniform_int(0, 1) ? "a" : "b"}, time,
+                               Error{error, error, static_cast<std::int64_t>(wrong)}));
+    }
+    const std::vector<bool> kept = pareto_optimal(results);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      // By the differences' signs: somebody is nowhere worse and somewhere better
+      bool is_beaten = false;
+      for (const Result& other : results) {
+        if (other.of.workload.name != results[i].of.workload.name) continue;
+        const double less[] = {results[i].nanoseconds - other.nanoseconds,
+                               results[i].of.error->max - other.of.error->max,
+                               static_cast<double>(results[i].of.error->wrong - other.of.error->wrong)};
+        is_beaten |= *std::ranges::min_element(less) >= 0 && *std::ranges::max_element(less) > 0;
+      }
+      EXPECT_EQ(kept[i], !is_beaten);
+      (is_beaten ? beaten : kept_count)++;
+    }
+  }
+  EXPECT_GT(kept_count, 200u);
+  EXPECT_GT(beaten, 200u);
+}
+
+TEST(Report, TableMarksTheBestAndSortsByTime) {
+  const std::string table = table_of(findings());
+  const auto at = [&](const char* text) {
+    EXPECT_NE(table.find(text), std::string::npos) << text << " in\n" << table;
+    return table.find(text);
+  };
+  EXPECT_LT(at("* fast and wrong"), at("  slower and wrong"));
+  EXPECT_LT(at("  slower and wrong"), at("* slow and right"));
+  EXPECT_LT(at("* slow and right"), at("10 things"));
+  at("25%");
+  at("max ulp");
+}
+
+TEST(Report, JsonHasTheLayoutOfGoogleBenchmark) {
+  const std::vector<Findings> all{findings()};
+  const nlohmann::json json = nlohmann::json::parse(json_of(all));
+  EXPECT_TRUE(json.at("context").contains("num_cpus"));
+  const nlohmann::json& runs = json.at("benchmarks");
+  ASSERT_EQ(runs.size(), 5u);
+  const nlohmann::json& fast = runs[1];
+  EXPECT_EQ(fast.at("run_name"), "a_topic/mixed/fast and wrong");
+  EXPECT_TRUE(fast.at("name").get<std::string>().starts_with("a_topic/mixed/fast and wrong"));
+  EXPECT_EQ(fast.at("time_unit"), "ns");
+  EXPECT_NEAR(fast.at("real_time").get<double>(), 10, 1e-9);
+  EXPECT_NEAR(fast.at("cpu_time").get<double>(), 5, 1e-9);
+  EXPECT_EQ(fast.at("error_max"), 8);
+  EXPECT_EQ(fast.at("error_rms"), 2);
+  EXPECT_EQ(fast.at("error_wrong"), 3);
+  EXPECT_EQ(fast.at("label"), "faulty");
+  // Nothing is said of errors where there is no oracle
+  EXPECT_FALSE(runs[3].contains("error_max"));
+  EXPECT_EQ(runs[3].at("size"), 10);
+}
+
+TEST(Report, ErrorChartShowsTheTellingWorkload) {
+  const auto chart = error_chart(findings());
+  ASSERT_TRUE(chart);
+  ASSERT_EQ(chart->dots.size(), 3u);
+  EXPECT_EQ(chart->dots[1].name, "fast and wrong, 3 wrong");
+  EXPECT_EQ(chart->dots[1].at, dvec2(10, 8));
+  EXPECT_TRUE(chart->dots[0].on_front && chart->dots[1].on_front);
+  EXPECT_FALSE(chart->dots[2].on_front);
+  Findings without = findings();
+  without.results.erase(without.results.begin(), without.results.begin() + 3);
+  EXPECT_FALSE(error_chart(without));
+}
+
+TEST(Report, SizeChartShowsTheSeriesWithItsSlope) {
+  const auto chart = size_chart(findings());
+  ASSERT_TRUE(chart);
+  ASSERT_EQ(chart->curves.size(), 1u);
+  // 100 items a run: 4 and 40 microseconds
+  EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{{10, 4}, {100, 40}}));
+  EXPECT_EQ(chart->curves[0].name, "slow and right, slope 1.00");
+  Findings without = findings();
+  without.results.resize(3);
+  EXPECT_FALSE(size_chart(without));
+}
+
+TEST(Report, ErrorsAddUp) {
+  Error::Sum sum;
+  for (const double off : {3.0, 4.0, 0.0, 0.0}) sum.add(off);
+  sum.wrong_decision();
+  EXPECT_EQ(sum.error().max, 4);
+  EXPECT_EQ(sum.error().rms, 2.5);
+  EXPECT_EQ(sum.error().wrong, 1);
+  EXPECT_EQ(Error::Sum().error().rms, 0);
+}
+
+TEST(Measure, RunsAreTimedAndPreparationIsNot) {
+  using namespace std::chrono_literals;
+  std::size_t prepared = 0, ran = 0, told = 0;
+  Case slow{"slow", Standing::taught, {"w"}, 2};
+  slow.prepare = [&] {
+    ++prepared;
+    std::this_thread::sleep_for(20ms);
+  };
+  slow.run = [&] {
+    EXPECT_GT(prepared, ran);  // a fresh canvas for each run
+    ++ran;
+    std::this_thread::sleep_for(2ms);
+  };
+  Case quick{"quick", Standing::taught, {"w"}};
+  quick.run = [] {};
+  const std::vector<Result> results = measure({slow, quick}, {3, 0.004}, [&] { ++told; });
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(told, 6u);
+  EXPECT_EQ(prepared, ran);
+  // 2 ms a run are 1 ms an item; preparing would be 10 more
+  EXPECT_GE(results[0].nanoseconds, 0.9e6);
+  EXPECT_LT(results[0].nanoseconds, 8e6);
+  EXPECT_LT(results[1].nanoseconds, results[0].nanoseconds);
+}
+
+}  // namespace
+}  // namespace gradus::bench
