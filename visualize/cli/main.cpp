@@ -11,6 +11,7 @@
 #include "cli/names.hpp"
 #include "core/contract.hpp"
 #include "core/image.hpp"
+#include "core/shown.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -31,7 +32,7 @@ int perform(const Request& request) {
 /// One line, whatever the text holds.
 int complain(std::string text, int code) {
   std::ranges::replace(text, '\n', ' ');
-  note(alarming("gradus:", use_color(Color::automatic, Stream::err)) + " " + text);
+  note(alarming("gradus:", use_color(Color::automatic, Stream::err)) + " " + visible(text));
   return code;
 }
 

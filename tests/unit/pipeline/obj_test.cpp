@@ -203,9 +203,9 @@ TEST(Obj, WhatIsBrokenIsToldWithItsPlace) {
       {v + "p 1\n", "m.obj: expected at least one face, found none (3 vertices, 1 points, 0 lines)"},
       {std::string("v 0 0 0\0", 8), "m.obj: expected text, found a zero at byte 7"},
       {"\xFF\xFEv", "m.obj: expected text in UTF-8 or ASCII, found UTF-16"},
-      {"\x1B[31mboo\n", "m.obj:1: expected a statement of an OBJ file, found '?[31mboo'"},
+      {"\x1B[31mboo\n", "m.obj:1: expected a statement of an OBJ file, found '\\x1b[31mboo'"},
       {std::string(100, 'x') + "\n",
-       "m.obj:1: expected a statement of an OBJ file, found '" + std::string(40, 'x') + "...'"},
+       "m.obj:1: expected a statement of an OBJ file, found '" + std::string(80, 'x') + "…'"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(refusal(text), expected);
 }
