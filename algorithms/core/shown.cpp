@@ -7,15 +7,12 @@
 namespace gradus {
 namespace {
 
-/// Characters that move the cursor, or turn the text's direction, instead of showing anything.
-bool is_control(std::string_view c) {
-  if (c.size() == 1) return static_cast<unsigned char>(c[0]) < 0x20 || c[0] == 0x7f;
-  if (c[0] == '\xc2') return static_cast<unsigned char>(c[1]) < 0xa0;
-  if (c == "\xd8\x9c" || c == "\xef\xbb\xbf") return true;  // U+061C, U+FEFF
-  if (!c.starts_with("\xe2\x80") && !c.starts_with("\xe2\x81")) return false;
-  const auto last = static_cast<unsigned char>(c[2]);
-  return c[1] == '\x80' ? (0x8b <= last && last <= 0x8f) || (0xa8 <= last && last <= 0xae)
-                        : 0xa6 <= last && last <= 0xaf;
+/// Domain: one well-formed character.
+char32_t code_of(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character[0]);
+  char32_t code = character.size() == 1 ? lead : lead & (0x3fu >> (character.size() - 1));
+  for (const char c : character.substr(1)) code = (code << 6) | (static_cast<unsigned char>(c) & 0x3fu);
+  return code;
 }
 
 std::string escaped(std::string_view bytes) {
@@ -31,7 +28,7 @@ std::string take_visible(std::string_view& text) {
   const std::size_t size = character_size(text);
   const std::string_view character = text.substr(0, std::max<std::size_t>(size, 1));
   text.remove_prefix(character.size());
-  return size == 0 || is_control(character) ? escaped(character) : std::string(character);
+  return size == 0 || is_control(code_of(character)) ? escaped(character) : std::string(character);
 }
 
 }  // namespace

@@ -192,6 +192,12 @@ def test_names_of_files():
             file.write(MAZE)
         fill = ["flood_fill", "--maze", name + ".txt", "--at", "1,1"]
         in_all_formats(fill, ["flood_fill", "--maze", MAZE.strip().replace("\n", "/"), "--at", "1,1"], f"the maze {name!r}")
+        for words in (["run", *fill], ["run", *fill, "--json"], ["run", *fill, "--color", "never"]):
+            is_harmless(gradus(*words).out, f"the table of the maze {name!r}")
+        # Results under such a name
+        result = gradus("figure", *fill, "-o", name + ".svg", "--snippet", "markdown")
+        is_harmless(result.out + result.err, f"the output {name!r}")
+        check(os.path.exists(name + ".svg") == (result.code == 0), f"the output {name!r}")
         # A maze that cannot be read, an image that is none
         with open(name + ".txt", "w") as file:
             file.write("##\n#\n")

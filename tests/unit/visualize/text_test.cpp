@@ -39,6 +39,8 @@ TEST(Escape, LatexKnowsTheSignsOfFigures) {
 TEST(Escape, HtmlMarkupBecomesText) {
   EXPECT_EQ(escaped("<b a=\"1\">&'"), "&lt;b a=&quot;1&quot;&gt;&amp;&#39;");
   EXPECT_EQ(escaped(std::string("a\x01z")), "a\xef\xbf\xbdz");
+  EXPECT_EQ(escaped("a\u202e\u061c\u0085\x7f\rz\n"), "a&#x202e;&#x61c;&#x85;&#x7f;&#xd;z\n")
+      << "a file holds no mark that turns the direction of text";
 }
 
 TEST(Escape, MarkdownPutsABackslashBeforeEverythingWithAMeaning) {
