@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <map>
 #include <span>
 
 #include "cairo/cairo_output.hpp"
+#include "core/shown.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"
 

@@ -153,15 +153,19 @@ struct RoundedLine {
   Digits dx, dy, A, k, D;
 };
 
+/// The size of the largest of their numbers.
+inline double largest_of(const Segment<double>& s, const Circle<double>& circle) {
+  return std::max({std::abs(s.from.x), std::abs(s.from.y), std::abs(s.to.x), std::abs(s.to.y),
+                   std::abs(circle.centre.x), std::abs(circle.centre.y), circle.radius});
+}
+
 /// The line's numbers by arithmetic with 106 bits, or nothing where that may lose more than 2^-57 r of the
 /// crossings' places: near tangents, far ends, numbers beyond 2^150 or too small.
 /// Source of the bound: k errs by less than 2^-98 of its terms' sizes, hence D by `D_error`, and sqrt(D) by
 /// less than D_error / sqrt(D); the places feel both divided by |d|.
 inline std::optional<RoundedLine> line_by_pairs(const Segment<double>& s, const Circle<double>& circle) {
   const double r = circle.radius;
-  const double largest = std::max({std::abs(s.from.x), std::abs(s.from.y), std::abs(s.to.x), std::abs(s.to.y),
-                                   std::abs(circle.centre.x), std::abs(circle.centre.y), r});
-  if (!(largest <= 0x1p150)) return std::nullopt;
+  if (!(largest_of(s, circle) <= 0x1p150)) return std::nullopt;
   const Rounded dx = two_difference(s.to.x, s.from.x), dy = two_difference(s.to.y, s.from.y);
   const Rounded fx = two_difference(s.from.x, circle.centre.x),
                 fy = two_difference(s.from.y, circle.centre.y);
@@ -226,15 +230,30 @@ inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle) {
           scaled(product(along, line.dx)), scaled(product(along, line.dy))};
 }
 
+/// x 2^by. Domain: no digit is lost.
+inline double magnified(double x, int by) { return by == 0 ? x : std::scalbn(x, by); }
+inline dvec2 magnified(dvec2 p, int by) { return {magnified(p.x, by), magnified(p.y, by)}; }
+
+/// The whole number nearest to a pair.
+inline double nearest_whole(Rounded x) {
+  const double whole = std::nearbyint(x.value), rest = (x.value - whole) + x.error;
+  return rest > 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
+}
+
 /// The chord of the line in the order of its points' coordinates, so that it does not depend on the
-/// direction.
+/// direction. Near the smallest doubles, where sums would lose digits, it is counted in units of the smallest
+/// one.
 struct PlacedChord {
   Chord chord;
-  bool turned;  ///< its direction is that of to -> from
+  bool turned;    ///< its direction is that of to -> from
+  int magnified;  ///< the chord is 2^magnified times as large
 };
 inline PlacedChord chord_on(const Segment<double>& s, const Circle<double>& circle) {
   const bool turned = s.to.x < s.from.x || (s.to.x == s.from.x && s.to.y < s.from.y);
-  return {chord_of(turned ? Segment<double>{s.to, s.from} : s, circle), turned};
+  const int by = largest_of(s, circle) < 0x1p-950 ? 1074 : 0;
+  const dvec2 from = magnified(s.from, by), to = magnified(s.to, by);
+  const Circle<double> same{magnified(circle.centre, by), magnified(circle.radius, by)};
+  return {chord_of(turned ? Segment<double>{to, from} : Segment<double>{from, to}, same), turned, by};
 }
 
 /// The point where the segment enters or leaves the circle; inside the segment's box.
@@ -245,8 +264,9 @@ inline dvec2 crossing(const Segment<double>& s, const Circle<double>& circle, co
   const bool second = leaves != placed.turned;
   // What 106 bits can't tell from 0 is 0
   const auto placed_at = [&](double centre, Rounded offset) {
-    const double at = sum_of_pairs({centre, 0}, offset).value;
-    return std::abs(at) <= 0x1p-96 * circle.radius ? 0 : at;
+    const Rounded at = sum_of_pairs({magnified(centre, placed.magnified), 0}, offset);
+    if (std::abs(at.value) <= 0x1p-96 * magnified(circle.radius, placed.magnified)) return 0.0;
+    return placed.magnified == 0 ? at.value : std::scalbn(nearest_whole(at), -placed.magnified);
   };
   const double x = placed_at(circle.centre.x, placed.chord.x(second));
   const double y = placed_at(circle.centre.y, placed.chord.y(second));
