@@ -194,6 +194,7 @@ def test_names_of_files():
         # Results under such a name
         result = gradus("figure", *fill, "-o", name + ".svg", "--snippet", "markdown")
         is_harmless(result.out + result.err, f"the output {name!r}")
+        check("](<javascript:" not in result.out, f"the output {name!r} is an address, not a program")
         check(os.path.exists(name + ".svg") == (result.code == 0), f"the output {name!r}")
         # A maze that cannot be read, an image that is none
         with open(name + ".txt", "w") as file:

@@ -132,6 +132,16 @@ TEST(Snippets, MarkdownLinksToThePage) {
   EXPECT_THAT(snippet_of(SnippetKind::markdown, deck("pdf", true, 2)), HasSubstr("](<my line.pdf#page=2>)"));
 }
 
+TEST(Snippets, PathsStayPaths) {
+  SnippetFigure figure = deck("html", true, 1);
+  figure.steps[0].path = "javascript:alert(1)#\x1b[1m\u202e\xff.html";
+  const std::string address = "javascript%3Aalert(1)%23%1B[1m%E2%80%AE%FF.html";
+  EXPECT_THAT(snippet_of(SnippetKind::reveal, figure), HasSubstr("data-src=\"" + address + "#embed\""));
+  EXPECT_THAT(snippet_of(SnippetKind::markdown, figure), HasSubstr("](<" + address + ">)"));
+  figure.ending = "pdf";
+  EXPECT_EQ(snippet_of(SnippetKind::beamer, figure).find('\x1b'), std::string::npos);
+}
+
 TEST(Milestones, AreTheFirstEachKindOfBranchAndTheLast) {
   const Trace trace = line("0,0", "7,3");
   const std::vector<StepNumber> numbers = milestones_of(trace);
