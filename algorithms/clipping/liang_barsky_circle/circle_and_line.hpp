@@ -153,19 +153,15 @@ struct RoundedLine {
   Digits dx, dy, A, k, D;
 };
 
-/// The size of the largest of their numbers.
-inline double largest_of(const Segment<double>& s, const Circle<double>& circle) {
-  return std::max({std::abs(s.from.x), std::abs(s.from.y), std::abs(s.to.x), std::abs(s.to.y),
-                   std::abs(circle.centre.x), std::abs(circle.centre.y), circle.radius});
-}
-
 /// The line's numbers by arithmetic with 106 bits, or nothing where that may lose more than 2^-57 r of the
 /// crossings' places: near tangents, far ends, numbers beyond 2^150 or too small.
 /// Source of the bound: k errs by less than 2^-98 of its terms' sizes, hence D by `D_error`, and sqrt(D) by
 /// less than D_error / sqrt(D); the places feel both divided by |d|.
 inline std::optional<RoundedLine> line_by_pairs(const Segment<double>& s, const Circle<double>& circle) {
   const double r = circle.radius;
-  if (!(largest_of(s, circle) <= 0x1p150)) return std::nullopt;
+  const double largest = std::max({std::abs(s.from.x), std::abs(s.from.y), std::abs(s.to.x), std::abs(s.to.y),
+                                   std::abs(circle.centre.x), std::abs(circle.centre.y), r});
+  if (!(largest <= 0x1p150)) return std::nullopt;
   const Rounded dx = two_difference(s.to.x, s.from.x), dy = two_difference(s.to.y, s.from.y);
   const Rounded fx = two_difference(s.from.x, circle.centre.x),
                 fy = two_difference(s.from.y, circle.centre.y);
@@ -204,9 +200,10 @@ inline Digits root(Digits a) {
   if (a.exponent % 2 != 0) a = {{2 * a.digits.value, 2 * a.digits.error}, a.exponent - 1};
   return {root_of_pair(a.digits), a.exponent / 2};
 }
-inline Rounded scaled(const Digits& a) {
-  if (a.exponent == 0) return a.digits;
-  return {std::scalbn(a.digits.value, a.exponent), std::scalbn(a.digits.error, a.exponent)};
+inline Rounded scaled(const Digits& a, int by) {
+  const int exponent = a.exponent + by;
+  if (exponent == 0) return a.digits;
+  return {std::scalbn(a.digits.value, exponent), std::scalbn(a.digits.error, exponent)};
 }
 
 /// Where the line meets the circle, seen from the centre: the foot of the perpendicular and half the chord,
@@ -219,20 +216,20 @@ struct Chord {
   Rounded y(bool leaves) const { return sum_of_pairs(foot_y, leaves ? half_y : negated(half_y)); }
 };
 
+/// The chord, 2^by times as large.
 /// Domain: two different points, reach >= 0. Accuracy: 2^-56 of the radius. Cost: about 0.1 us, in doubt 1
 /// us.
-inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle) {
+inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle, int by) {
   const std::optional<RoundedLine> pairs = line_by_pairs(s, circle);
   const RoundedLine line = pairs ? *pairs : line_by_forms(s, circle);
   // foot = k (-dy, dx) / A, half = sqrt(D) (dx, dy) / A
   const Digits across = quotient(line.k, line.A), along = quotient(root(line.D), line.A);
-  return {negated(scaled(product(across, line.dy))), scaled(product(across, line.dx)),
-          scaled(product(along, line.dx)), scaled(product(along, line.dy))};
+  return {negated(scaled(product(across, line.dy), by)), scaled(product(across, line.dx), by),
+          scaled(product(along, line.dx), by), scaled(product(along, line.dy), by)};
 }
 
 /// x 2^by. Domain: no digit is lost.
 inline double magnified(double x, int by) { return by == 0 ? x : std::scalbn(x, by); }
-inline dvec2 magnified(dvec2 p, int by) { return {magnified(p.x, by), magnified(p.y, by)}; }
 
 /// The whole number nearest to a pair.
 inline double nearest_whole(Rounded x) {
@@ -241,8 +238,8 @@ inline double nearest_whole(Rounded x) {
 }
 
 /// The chord of the line in the order of its points' coordinates, so that it does not depend on the
-/// direction. Near the smallest doubles, where sums would lose digits, it is counted in units of the smallest
-/// one.
+/// direction. Of circles near the smallest doubles it is counted in units of the smallest one: there foot and
+/// half would lose digits.
 struct PlacedChord {
   Chord chord;
   bool turned;    ///< its direction is that of to -> from
@@ -250,10 +247,9 @@ struct PlacedChord {
 };
 inline PlacedChord chord_on(const Segment<double>& s, const Circle<double>& circle) {
   const bool turned = s.to.x < s.from.x || (s.to.x == s.from.x && s.to.y < s.from.y);
-  const int by = largest_of(s, circle) < 0x1p-950 ? 1074 : 0;
-  const dvec2 from = magnified(s.from, by), to = magnified(s.to, by);
-  const Circle<double> same{magnified(circle.centre, by), magnified(circle.radius, by)};
-  return {chord_of(turned ? Segment<double>{to, from} : Segment<double>{from, to}, same), turned, by};
+  const double size = std::max({std::abs(circle.centre.x), std::abs(circle.centre.y), circle.radius});
+  const int by = size < 0x1p-950 ? 1074 : 0;
+  return {chord_of(turned ? Segment<double>{s.to, s.from} : s, circle, by), turned, by};
 }
 
 /// The point where the segment enters or leaves the circle; inside the segment's box.

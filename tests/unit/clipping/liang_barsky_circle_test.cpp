@@ -141,6 +141,10 @@ TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
   const Kept smallest = scaled(1, -1, -1, 0, 1);
   ASSERT_TRUE(smallest);
   EXPECT_EQ(*smallest, (S{{unit_of_doubles, -unit_of_doubles}, {-unit_of_doubles, 0}}));
+  const Kept far = exact_decision(S{{-4 * unit_of_doubles, 0}, {30, -11.5}},
+                                  C{{4 * unit_of_doubles, 0}, 8 * unit_of_doubles});  // met at (9.95, -5.35)
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->to, dvec2(10 * unit_of_doubles, -5 * unit_of_doubles));
   const Kept lattice = scaled(10, -5, -11, 2, 5);
   ASSERT_TRUE(lattice);
   EXPECT_EQ(*lattice, (S{{4 * unit_of_doubles, -3 * unit_of_doubles}, {-5 * unit_of_doubles, 0}}));

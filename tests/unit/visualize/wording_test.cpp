@@ -517,7 +517,7 @@ TEST(Glyphs, MarksThatTurnTheDirectionAreNotDrawn) {
   for (const char* mark : {"\u061c", "\u200f", "\u202e", "\u2066", "\ufeff"}) {
     const auto missing = missing_glyph(mark, Face::sans);
     ASSERT_TRUE(missing);
-    EXPECT_THAT(explained(*missing), testing::EndsWith(" is a control character"));
+    EXPECT_NE(explained(*missing).find(" is a control character"), std::string::npos);
   }
 }
 
