@@ -12,6 +12,8 @@
 #include <new>
 #include <utility>
 
+#include "core/shown.hpp"
+
 // libpng reports an error by longjmp, which runs no destructors. So whatever owns memory (the file's bytes,
 // the picture, the libpng handle) stands outside, and what is called inside `guarded` has none but plain
 // locals.
@@ -71,7 +73,7 @@ class PngReader {
   PngReader(std::span<const std::uint8_t> bytes, const std::string& name) : source_{bytes}, name_(name) {
     constexpr std::size_t signature = 8;
     if (bytes.size() < signature || png_sig_cmp(bytes.data(), 0, signature) != 0) {
-      throw InputError(fmt::format("{}: expected a PNG file, found {}", name,
+      throw InputError(fmt::format("{}: expected a PNG file, found {}", shown_name(name),
                                    bytes.empty() ? "an empty one" : "something else"));
     }
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, on_error, on_warning);
@@ -99,8 +101,8 @@ class PngReader {
 
  private:
   [[noreturn]] void refuse() const {
-    throw InputError(
-        fmt::format("{}: expected a whole PNG file, found a damaged one ({})", name_, complaint_.text));
+    throw InputError(fmt::format("{}: expected a whole PNG file, found a damaged one ({})", shown_name(name_),
+                                 complaint_.text));
   }
   void read_header();
   void read_rows(Image& image);
@@ -120,14 +122,14 @@ void PngReader::read_header() {
   if (!readable) refuse();
   const std::int64_t width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
   if (width > most_pixels / height) {
-    throw InputError(
-        fmt::format("{}: expected at most {} pixels, found {} x {}", name_, most_pixels, width, height));
+    throw InputError(fmt::format("{}: expected at most {} pixels, found {} x {}", shown_name(name_),
+                                 most_pixels, width, height));
   }
   // Before memory is asked for: can these few bytes hold so many pixels at all?
   const auto row_bytes = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
   if (row_bytes * height / best_compression > static_cast<std::int64_t>(source_.bytes.size())) {
-    throw InputError(fmt::format("{}: expected a whole PNG file, found {} bytes for {} x {} pixels", name_,
-                                 source_.bytes.size(), width, height));
+    throw InputError(fmt::format("{}: expected a whole PNG file, found {} bytes for {} x {} pixels",
+                                 shown_name(name_), source_.bytes.size(), width, height));
   }
 }
 
@@ -271,7 +273,7 @@ struct CloseFile {
 std::vector<std::uint8_t> file_bytes(const std::string& path) {
   const auto refuse = [&path] {
     throw InputError(
-        fmt::format("{}: expected a readable file, found none ({})", path, std::strerror(errno)));
+        fmt::format("{}: expected a readable file, found none ({})", shown_name(path), std::strerror(errno)));
   };
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) refuse();

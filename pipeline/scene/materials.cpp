@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 
+#include "core/shown.hpp"
 #include "scene/statements.hpp"
 
 namespace gradus::pipeline {
@@ -70,7 +71,7 @@ std::string map_file(Statement& s) {
         s.word();
       }
     } else {
-      s.fail(fmt::format("expected an option of a map, found {}", in_quotes(option)));
+      s.fail(fmt::format("expected an option of a map, found {}", shown(option)));
     }
   }
 }
@@ -93,7 +94,7 @@ class Reader {
   void read(Statement& s) {
     const std::string_view key = s.word();
     if (key == "newmtl") return begin(s);
-    if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", in_quotes(key)));
+    if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", shown(key)));
     Draft& draft = drafts_.back();
     Material& m = draft.material;
     if (key == "Ka") {
@@ -122,7 +123,7 @@ class Reader {
       while (s.more());
     } else if (!other_map(key)) {
       notes_.push_back(
-          s.place(fmt::format("{} is no known statement of an MTL file and is left out", in_quotes(key))));
+          s.place(fmt::format("{} is no known statement of an MTL file and is left out", shown(key))));
     }
   }
 
@@ -138,7 +139,7 @@ class Reader {
     if (name.empty()) notes_.push_back(s.place("a material without a name, which nothing can use"));
     const auto same = [&name](const Draft& draft) { return draft.material.name == name; };
     if (std::ranges::any_of(drafts_, same))
-      s.fail(fmt::format("expected another name for each material, found {} again", in_quotes(name)));
+      s.fail(fmt::format("expected another name for each material, found {} again", shown(name)));
     drafts_.emplace_back();
     drafts_.back().material.name = name;
   }

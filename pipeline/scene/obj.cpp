@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/image.hpp"
+#include "core/shown.hpp"
 #include "scene/materials.hpp"
 #include "scene/statements.hpp"
 
@@ -64,8 +65,8 @@ class Reader {
     Mesh& mesh = model_.mesh;
     if (mesh.faces.empty()) {
       throw InputError(
-          fmt::format("{}: expected at least one face, found none ({} vertices, {} points, {} lines)", file_,
-                      mesh.positions.size(), model_.points, model_.lines));
+          fmt::format("{}: expected at least one face, found none ({} vertices, {} points, {} lines)",
+                      shown_name(file_), mesh.positions.size(), model_.points, model_.lines));
     }
     check_indices();
     for (const auto& [material, note] : missing_) model_.notes.push_back(note);
@@ -126,8 +127,8 @@ class Reader {
   }
 
   [[noreturn]] static void no_corner(Statement& s, std::string_view word) {
-    s.fail(fmt::format("expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found {}",
-                       in_quotes(word)));
+    s.fail(
+        fmt::format("expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found {}", shown(word)));
   }
 
   /// One number of a corner as a place in its array, from 0; it is moved past. A positive one is checked at
@@ -138,7 +139,7 @@ class Reader {
     const auto [stopped, error] = std::from_chars(at, end, number);
     if (error == std::errc::result_out_of_range || number > most || number < -most) {
       s.fail(fmt::format("expected a {} index from {} to {}, found {}", array_name[array], -most, most,
-                         in_quotes(word)));
+                         shown(word)));
     }
     if (error != std::errc{} || (stopped != end && *stopped != '/')) {
       no_corner(s, word);
@@ -147,11 +148,11 @@ class Reader {
     if (number > 0) return number - 1;
     if (number == 0)
       s.fail(fmt::format("expected a {} index that counts from 1, or from -1 backwards, found 0 in {}",
-                         array_name[array], in_quotes(word)));
+                         array_name[array], shown(word)));
     const auto size = static_cast<std::int64_t>(size_of(array));
     if (size + number < 0) {
       s.fail(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
-                         statement_name[array], number, in_quotes(word)));
+                         statement_name[array], number, shown(word)));
     }
     return static_cast<int>(size + number);
   }
@@ -181,7 +182,7 @@ class Reader {
       const Corner &first = corners_.front(), &last = corners_.back();
       if ((first.texture < 0) != (last.texture < 0) || (first.normal < 0) != (last.normal < 0)) {
         s.fail(fmt::format("expected corner {} of the face in the form of the first, found {}",
-                           corners_.size(), in_quotes(word)));
+                           corners_.size(), shown(word)));
       }
     }
     if (corners_.size() < 3)
@@ -212,8 +213,8 @@ class Reader {
     material_ = found->second;
     if (!is_new) return;
     model_.mesh.materials.emplace_back().name = name;
-    missing_.push_back({next, s.place(fmt::format("no material {} was read: it is drawn like the default",
-                                                  in_quotes(name)))});
+    missing_.push_back(
+        {next, s.place(fmt::format("no material {} was read: it is drawn like the default", shown(name)))});
   }
 
   void smoothing(Statement& s) {
@@ -225,7 +226,7 @@ class Reader {
     } else {
       const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), group_);
       if (error != std::errc{} || stopped != word.data() + word.size() || group_ < 0) {
-        s.fail(fmt::format("expected a smoothing group, a whole number or off, found {}", in_quotes(word)));
+        s.fail(fmt::format("expected a smoothing group, a whole number or off, found {}", shown(word)));
       }
     }
     s.end("a smoothing group");
@@ -246,7 +247,7 @@ class Reader {
       several = several || name.size() < all.size();
       if (!several || !add_library(name))
         model_.notes.push_back(
-            s.place(fmt::format("no file {}: its materials are the default", in_quotes(name))));
+            s.place(fmt::format("no file {}: its materials are the default", shown(name))));
     }
   }
 
@@ -282,9 +283,9 @@ class Reader {
                                    "surf", "parm",   "trim", "hole", "scrv", "sp",   "end",
                                    "con",  "bzp",    "bsp",  "cdc",  "cdp",  "res"};
     if (std::ranges::find(free_form, key) != free_form.end()) {
-      s.fail(fmt::format("expected faces alone, found {} of a free-form curve or surface", in_quotes(key)));
+      s.fail(fmt::format("expected faces alone, found {} of a free-form curve or surface", shown(key)));
     }
-    s.fail(fmt::format("expected a statement of an OBJ file, found {}", in_quotes(key)));
+    s.fail(fmt::format("expected a statement of an OBJ file, found {}", shown(key)));
   }
 
   void check_indices() const {
@@ -301,9 +302,9 @@ class Reader {
 
   void check_index(int index, Array array, int line) const {
     if (index < static_cast<std::int64_t>(size_of(array))) return;
-    throw InputError(fmt::format("{}:{}: expected one of the {} of the file ({}), found {}", file_, line,
-                                 counted(array, static_cast<std::int64_t>(size_of(array))),
-                                 statement_name[array], index + 1));
+    throw InputError(fmt::format(
+        "{}:{}: expected one of the {} of the file ({}), found {}", shown_name(file_), line,
+        counted(array, static_cast<std::int64_t>(size_of(array))), statement_name[array], index + 1));
   }
 
   const std::string& file_;
@@ -326,7 +327,7 @@ std::optional<std::string> contents(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
   if (std::filesystem::is_directory(path, ignored))
-    throw InputError(fmt::format("{}: expected a file, found a folder", path.string()));
+    throw InputError(fmt::format("{}: expected a file, found a folder", shown_name(path.string())));
   std::ifstream file(path, std::ios::binary);
   std::string text;
   // In large pieces: pipes don't know their size beforehand
@@ -338,7 +339,7 @@ std::optional<std::string> contents(const std::filesystem::path& path) {
     text.resize(have + static_cast<std::size_t>(file.gcount()));
     if (file.gcount() == 0) break;
   }
-  if (!file.eof()) throw InputError(fmt::format("{}: can't be read", path.string()));
+  if (!file.eof()) throw InputError(fmt::format("{}: can't be read", shown_name(path.string())));
   return text;
 }
 
@@ -353,7 +354,7 @@ ModelFile parse_obj(std::string_view text, const std::string& file, const FileRe
 
 ModelFile load_obj(const std::string& path) {
   const std::optional<std::string> text = contents(path);
-  if (!text) throw InputError(fmt::format("{}: there is no such file", path));
+  if (!text) throw InputError(fmt::format("{}: there is no such file", shown_name(path)));
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return parse_obj(*text, path, [&folder](const std::string& name) {
     std::string native = name;

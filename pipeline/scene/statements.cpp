@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/image.hpp"
+#include "core/shown.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -22,14 +23,6 @@ std::string_view trimmed(std::string_view text) {
 }
 
 }  // namespace
-
-std::string in_quotes(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text;
-  for (const char c : word.substr(0, longest))
-    text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return fmt::format("'{}{}'", text, word.size() > longest ? "..." : "");
-}
 
 void Statement::skip_blanks() {
   while (at_ != end_ && blank(*at_)) ++at_;
@@ -66,24 +59,24 @@ double Statement::number(std::string_view what, std::string_view text) {
   double value = 0;
   const auto [stopped, error] = std::from_chars(begin, end, value);
   if (error == std::errc::result_out_of_range)
-    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, in_quotes(text)));
+    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, shown(text)));
   if (error != std::errc{} || stopped != end) {
-    fail(fmt::format("expected a number for {}, found {}", what, in_quotes(text)));
+    fail(fmt::format("expected a number for {}, found {}", what, shown(text)));
   }
   if (!std::isfinite(value))
-    fail(fmt::format("expected a finite number for {}, found {}", what, in_quotes(text)));
+    fail(fmt::format("expected a finite number for {}, found {}", what, shown(text)));
   if (std::abs(value) > largest) {
-    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, in_quotes(text)));
+    fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, shown(text)));
   }
   return value;
 }
 
 void Statement::end(std::string_view after) {
-  if (more()) fail(fmt::format("expected nothing after {}, found {}", after, in_quotes(word())));
+  if (more()) fail(fmt::format("expected nothing after {}, found {}", after, shown(word())));
 }
 
 std::string Statement::place(std::string_view text) const {
-  return fmt::format("{}:{}: {}", file_, line_, text);
+  return fmt::format("{}:{}: {}", shown_name(file_), line_, text);
 }
 
 void Statement::fail(std::string_view text) const { throw InputError(place(text)); }
@@ -91,11 +84,11 @@ void Statement::fail(std::string_view text) const { throw InputError(place(text)
 Statements::Statements(std::string_view text, const std::string& file) : text_(text), file_(file) {
   const auto begins = [text](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
   if (begins("\xFF\xFE") || begins("\xFE\xFF")) {
-    throw InputError(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", file));
+    throw InputError(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", shown_name(file)));
   }
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    throw InputError(fmt::format("{}: expected text, found a zero at byte {}", file, zero));
+    throw InputError(fmt::format("{}: expected text, found a zero at byte {}", shown_name(file), zero));
   }
   if (begins("\xEF\xBB\xBF")) at_ = 3;
 }

@@ -69,7 +69,4 @@ class Statements {
   std::string joined_;  ///< a statement that goes over several lines
 };
 
-/// A word in quotes for a message: shortened, and without bytes that a terminal would act on.
-std::string in_quotes(std::string_view word);
-
 }  // namespace gradus::pipeline

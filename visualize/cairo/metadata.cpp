@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <map>
 #include <span>
 
 #include "cairo/cairo_output.hpp"
+#include "core/shown.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"
 
@@ -19,19 +21,28 @@ namespace {
 // The same keys in every format; SVG and HTML hold them as attributes and elements, PDF in one Keywords text.
 constexpr std::string_view command_key = "gradus-command", hash_key = "gradus-input-hash";
 
-std::string unescaped(std::string_view text) {
-  static const std::map<std::string_view, char> entities{
+/// The character that an entity as escaped() writes it stands for; 0 for any other.
+char32_t character_of(std::string_view entity) {
+  static const std::map<std::string_view, char32_t> named{
       {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}};
+  if (const auto found = named.find(entity); found != named.end()) return found->second;
+  std::uint32_t code = 0;
+  if (!entity.starts_with("&#x")) return 0;
+  const char* end = entity.data() + entity.size() - 1;
+  const auto [stopped, error] = std::from_chars(entity.data() + 3, end, code, 16);
+  return error == std::errc() && stopped == end && is_control(code) ? code : 0;
+}
+
+std::string unescaped(std::string_view text) {
+  constexpr std::size_t longest = 8;  // "&#x202e;"
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t end = text[i] == '&' ? text.find(';', i) : std::string_view::npos;
-    const auto found =
-        end == std::string_view::npos ? entities.end() : entities.find(text.substr(i, end - i + 1));
-    if (found == entities.end()) {
-      plain += text[i++];
+    const std::size_t size = text[i] == '&' ? text.substr(i, longest).find(';') + 1 : 0;
+    if (const char32_t character = size == 0 ? 0 : character_of(text.substr(i, size))) {
+      plain += utf8_of({&character, 1});
+      i += size;
     } else {
-      plain += found->second;
-      i = end + 1;
+      plain += text[i++];
     }
   }
   return plain;

@@ -207,7 +207,7 @@ void write_figure(FigureSpec spec, Format format, const std::string& output,
     write_series(spec, takes, format, output, inputs, quiet);
   } else {
     write_output(output, one_file(spec, takes, format, quiet));
-    if (output != dash && !quiet) note(output);
+    if (output != dash && !quiet) note(shown_name(output));
   }
   if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, takes, format, output));
 }

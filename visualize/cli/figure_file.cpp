@@ -71,7 +71,8 @@ std::optional<Format> format_by_content(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return Format::png;
   if (bytes.starts_with("%PDF")) return Format::pdf;
   if (bytes.starts_with("GIF8")) return Format::gif;
-  if (bytes.starts_with("RIFF") && bytes.substr(8).starts_with("WEBP")) return Format::webp;
+  if (bytes.starts_with("RIFF") && bytes.size() > 8 && bytes.substr(8).starts_with("WEBP"))
+    return Format::webp;
   if (bytes.size() > 8 && bytes.substr(4).starts_with("ftyp")) return Format::mp4;
   const std::string start = folded(bytes.substr(0, 512));
   if (start.find("<!doctype html") != std::string::npos || start.find("<html") != std::string::npos) {

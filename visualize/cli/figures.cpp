@@ -393,7 +393,7 @@ int figures(const Request& request) {
 
   if (request.has("zip")) {
     zip_folder(out, album.paths(), zip_beside(out));
-    if (!request.quiet()) note(zip_beside(out));
+    if (!request.quiet()) note(shown_name(zip_beside(out)));
   }
   complain(failures.problems);
   if (!request.quiet()) {

@@ -11,6 +11,7 @@
 #include "cli/terminal.hpp"
 #include "core/contract.hpp"
 #include "core/image.hpp"
+#include "core/shown.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus::cli {
@@ -19,7 +20,7 @@ int guarded(const std::string& program, const std::function<int()>& work) {
   // One line, whatever the text holds
   const auto complain = [&](std::string text, int code) {
     std::ranges::replace(text, '\n', ' ');
-    note(alarming(program + ":", use_color(Color::automatic, Stream::err)) + " " + text);
+    note(alarming(program + ":", use_color(Color::automatic, Stream::err)) + " " + visible(text));
     return code;
   };
   try {

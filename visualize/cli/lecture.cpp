@@ -44,12 +44,6 @@ std::string shipped(const std::string& name) {
   return "";
 }
 
-/// Quoted only where that is needed to see what it is.
-std::string plain(const std::string& name) {
-  const std::string quoted = shown(name);
-  return quoted == "'" + name + "'" ? name : quoted;
-}
-
 /// Beside the lecture; else one of those that come with the program, so that a copy of the built-in gallery
 /// works as it is.
 std::string find_beside(const fs::path& folder, const std::string& name) {
@@ -138,7 +132,7 @@ std::string lowered(std::string name) {
 
 /// "figures[3]" and "method" make "figures[3].method".
 std::string way(const std::string& path, const std::string& key) {
-  return (path.empty() ? "" : path + ".") + plain(key);
+  return (path.empty() ? "" : path + ".") + shown_name(key);
 }
 
 class Reader {
@@ -722,12 +716,12 @@ class Reader {
 LectureFile lecture_at(const std::string& path) {
   LectureFile file;
   file.text = read_input(path, "LECTURE");
-  file.name = path == dash ? "standard input" : plain(path);
+  file.name = path == dash ? "standard input" : shown_name(path);
   const fs::path folder = path == dash ? fs::path() : fs::path(path).parent_path();
   std::error_code error;
   const fs::path place = fs::canonical(path == dash ? fs::path(".") : fs::path(path), error);
   // The name for people; the fingerprint tells files of one name in two folders apart
-  file.owner = fmt::format("{} {}", path == dash ? file.name : plain(fs::path(path).filename().string()),
+  file.owner = fmt::format("{} {}", path == dash ? file.name : shown_name(fs::path(path).filename().string()),
                            fingerprint(place.string()));
   file.find = [folder](const std::string& name, const std::string&) { return find_beside(folder, name); };
   return file;

@@ -335,7 +335,7 @@ void write_rendered(const Rendered& picture, const std::string& output, bool qui
   write_output(output, picture.png);
   if (quiet) return;
   for (const std::string& remark : picture.remarks) note(remark);
-  if (output != dash) note(output);
+  if (output != dash) note(shown_name(output));
 }
 
 int render(const Request& request) {

@@ -1,5 +1,10 @@
 #include "figure/markup.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "core/shown.hpp"
 #include "figure/metrics.hpp"
 
 namespace gradus {
@@ -33,6 +38,11 @@ std::string escaped(std::string_view text) {
         safe += "&#39;";
         break;
       default:
+        // Written out, so that whoever looks at the file is not fooled; line ends and tabs are fine
+        if (is_control(c) && fits_xml(c) && c != '\t' && c != '\n') {
+          safe += fmt::format("&#x{:x};", static_cast<std::uint32_t>(c));
+          break;
+        }
         const char32_t shown = fits_xml(c) ? c : U'\xfffd';
         safe += shown < 0x80 ? std::string(1, static_cast<char>(shown)) : utf8_of({&shown, 1});
     }

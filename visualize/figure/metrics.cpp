@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/shown.hpp"
+
 namespace gradus {
 namespace {
 
@@ -103,7 +105,7 @@ double text_width(std::string_view text, Face face, double size) {
 std::vector<char32_t> missing_characters(std::string_view text, Face face) {
   std::vector<char32_t> missing;
   for (const char32_t character : code_points(text)) {
-    if (advance_of(character, face) == 0) missing.push_back(character);
+    if (advance_of(character, face) == 0 || is_control(character)) missing.push_back(character);
   }
   return missing;
 }
@@ -125,6 +127,9 @@ std::optional<MissingGlyph> missing_glyph(const Sheet& sheet) {
 
 std::string explained(const MissingGlyph& missing) {
   if (missing.character == U'\xfffd') return "it is not UTF-8";
+  if (is_control(missing.character)) {
+    return fmt::format("U+{:04X} is a control character", static_cast<std::uint32_t>(missing.character));
+  }
   return fmt::format("the figures' fonts have no glyph for U+{:04X}",
                      static_cast<std::uint32_t>(missing.character));
 }

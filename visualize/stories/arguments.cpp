@@ -166,9 +166,9 @@ std::string canonical_maze(const Parameter& parameter, std::string_view text) {
     std::ranges::replace(rows, '\n', '/');
     return rows;
   }
-  const std::string name = base_name(word);
-  if (name.empty()) refuse(parameter, "a text file or rows like '#.#/...'", text);
-  return name;
+  const std::string name = base_name(text);
+  if (trimmed(name).empty()) refuse(parameter, "a text file or rows like '#.#/...'", text);
+  return is_maze_rows(trimmed(name)) ? "@" + name : name;  // else the name alone would be taken for rows
 }
 
 /// The canonical spelling of a number in the parameter's range.

@@ -21,27 +21,6 @@ constexpr std::string_view number_hint = "a number like 3, -5, 1/3 or 0.25";
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-// --- shown
-// -------------------------------------------------------------------------------------------------------
-
-/// Characters that move the cursor, or turn the text's direction, instead of showing anything.
-bool is_control(std::string_view c) {
-  if (c.size() == 1) return static_cast<unsigned char>(c[0]) < 0x20 || c[0] == 0x7f;
-  if (c[0] == '\xc2') return static_cast<unsigned char>(c[1]) < 0xa0;
-  if (!c.starts_with("\xe2\x80") && !c.starts_with("\xe2\x81")) return false;
-  const auto last = static_cast<unsigned char>(c[2]);
-  return c[1] == '\x80' ? (0x8b <= last && last <= 0x8f) || (0xa8 <= last && last <= 0xae)
-                        : 0xa6 <= last && last <= 0xaf;
-}
-
-std::string escaped(std::string_view bytes) {
-  if (bytes == "\n") return "\\n";
-  if (bytes == "\t") return "\\t";
-  std::string text;
-  for (const char c : bytes) text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  return text;
-}
-
 // --- Numbers
 // -----------------------------------------------------------------------------------------------------
 
@@ -160,41 +139,6 @@ std::string text_of(const Decimal& decimal) {
 }
 
 }  // namespace
-
-std::size_t character_size(std::string_view text) {
-  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t size = lead < 0x80   ? 1
-                           : lead < 0xc2 ? 0
-                           : lead < 0xe0 ? 2
-                           : lead < 0xf0 ? 3
-                           : lead < 0xf5 ? 4
-                                         : 0;
-  if (size == 0 || size > text.size()) return 0;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates and what lies beyond U+10FFFF
-  if (size > 2) {
-    const unsigned char next = byte(1);
-    if ((lead == 0xe0 && next < 0xa0) || (lead == 0xed && next > 0x9f)) return 0;
-    if ((lead == 0xf0 && next < 0x90) || (lead == 0xf4 && next > 0x8f)) return 0;
-  }
-  return size;
-}
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t most = 80;
-  std::string safe = "'";
-  while (!text.empty()) {
-    if (safe.size() > most) return safe + "…'";
-    const std::size_t size = character_size(text);
-    const std::string_view character = text.substr(0, std::max<std::size_t>(size, 1));
-    safe += size == 0 || is_control(character) ? escaped(character) : std::string(character);
-    text.remove_prefix(character.size());
-  }
-  return safe + "'";
-}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(white);

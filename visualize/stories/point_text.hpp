@@ -9,14 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/shown.hpp"  // IWYU pragma: export
+
 namespace gradus {
-
-/// A user's text as it may stand inside a message: quoted, control characters and broken UTF-8 escaped, cut
-/// short.
-std::string shown(std::string_view text);
-
-/// Bytes of the well-formed UTF-8 character that a text, not empty, begins with; 0 when there is none.
-std::size_t character_size(std::string_view text);
 
 /// The text without white space at its ends.
 std::string_view trimmed(std::string_view text);

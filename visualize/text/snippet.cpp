@@ -4,11 +4,32 @@
 
 #include <algorithm>
 
+#include "core/shown.hpp"
 #include "figure/markup.hpp"
+#include "figure/metrics.hpp"
 #include "text/escape.hpp"
 
 namespace gradus {
 namespace {
+
+/// A path as an address: nothing in it is taken for a scheme, a query or a place, and no character of it
+/// moves a cursor or turns the direction of text.
+std::string address_of(std::string_view path) {
+  std::string out;
+  while (!path.empty()) {
+    const std::size_t size = character_size(path);
+    const std::string_view character = path.substr(0, std::max<std::size_t>(size, 1));
+    path.remove_prefix(character.size());
+    const bool plain = size != 0 && !is_control(code_points(character)[0]) &&
+                       std::string_view(":%#?").find(character) == std::string_view::npos;
+    if (plain) {
+      out += character;
+    } else {
+      for (const char c : character) out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return out;
+}
 
 /// One picture an overlay, all in one place. A figure with its own title fills the slide.
 std::string beamer(const SnippetFigure& figure) {
@@ -21,7 +42,7 @@ std::string beamer(const SnippetFigure& figure) {
     const SnippetStep& step = figure.steps[i];
     const std::string overlay = figure.steps.size() > 1 ? fmt::format("<{}>", i + 1) : "";
     const std::string page = step.page > 0 ? fmt::format("page={},", step.page) : "";
-    out += fmt::format("    \\includegraphics{}[{}{}]{{{}}}%\n", overlay, page, size, step.path);
+    out += fmt::format("    \\includegraphics{}[{}{}]{{{}}}%\n", overlay, page, size, visible(step.path));
   }
   return out + "  }\n\\end{frame}\n";
 }
@@ -36,7 +57,7 @@ std::string fragment_of(std::size_t i, std::size_t count) {
 
 std::string reveal_element(const SnippetFigure& figure, const SnippetStep& step,
                            const std::string& fragment) {
-  const std::string path = escaped(step.path), alt = escaped(step.alt);
+  const std::string path = escaped(address_of(step.path)), alt = escaped(step.alt);
   if (figure.ending == "html") {
     return fmt::format("<iframe{} data-src=\"{}#embed\" title=\"{}\" width=\"1280\" height=\"720\"></iframe>",
                        fragment, path, alt);
@@ -74,7 +95,7 @@ std::string markdown(const SnippetFigure& figure) {
   for (const SnippetStep& step : figure.steps) {
     const std::string page = step.page > 0 ? fmt::format("#page={}", step.page) : "";
     out += fmt::format("{}[{}]({})\n\n", picture ? "!" : "", markdown_escaped(step.alt),
-                       markdown_path(step.path + page));
+                       markdown_path(address_of(step.path) + page));
   }
   out.pop_back();
   return out;

@@ -1,11 +1,16 @@
 #include "web/json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "core/shown.hpp"
+#include "figure/metrics.hpp"
 
 namespace gradus {
 namespace {
@@ -15,8 +20,9 @@ using Json = nlohmann::ordered_json;
 // -- Text
 // ------------------------------------------------------------------------------------------------------
 
-/// Makes JSON safe inside a <script> element too: no "</", "<!" or "<script" is left, and no line separator
-/// of JavaScript. All of these can only stand inside string literals, where an escape means the same.
+/// Makes JSON safe inside a <script> element too: no "</", "<!" or "<script" is left, no line separator of
+/// JavaScript, and no character that turns the direction of text. All of these can only stand inside string
+/// literals, where an escape means the same.
 std::string script_safe(const std::string& json) {
   std::string out;
   out.reserve(json.size() + json.size() / 64);
@@ -28,9 +34,12 @@ std::string script_safe(const std::string& json) {
     } else if (rest.starts_with("-->")) {
       out += "--\\u003e";
       i += 2;
-    } else if (rest.starts_with("\xe2\x80\xa8") || rest.starts_with("\xe2\x80\xa9")) {
-      out += rest[2] == '\xa8' ? "\\u2028" : "\\u2029";
-      i += 2;
+    } else if (static_cast<unsigned char>(rest[0]) >= 0x7f) {
+      const std::string_view character = rest.substr(0, std::max<std::size_t>(character_size(rest), 1));
+      const char32_t code = code_points(character)[0];
+      out += is_control(code) ? fmt::format("\\u{:04x}", static_cast<std::uint32_t>(code))
+                              : std::string(character);
+      i += character.size() - 1;
     } else {
       out += rest[0];
     }

@@ -200,9 +200,10 @@ inline Digits root(Digits a) {
   if (a.exponent % 2 != 0) a = {{2 * a.digits.value, 2 * a.digits.error}, a.exponent - 1};
   return {root_of_pair(a.digits), a.exponent / 2};
 }
-inline Rounded scaled(const Digits& a) {
-  if (a.exponent == 0) return a.digits;
-  return {std::scalbn(a.digits.value, a.exponent), std::scalbn(a.digits.error, a.exponent)};
+inline Rounded scaled(const Digits& a, int by) {
+  const int exponent = a.exponent + by;
+  if (exponent == 0) return a.digits;
+  return {std::scalbn(a.digits.value, exponent), std::scalbn(a.digits.error, exponent)};
 }
 
 /// Where the line meets the circle, seen from the centre: the foot of the perpendicular and half the chord,
@@ -215,26 +216,40 @@ struct Chord {
   Rounded y(bool leaves) const { return sum_of_pairs(foot_y, leaves ? half_y : negated(half_y)); }
 };
 
+/// The chord, 2^by times as large.
 /// Domain: two different points, reach >= 0. Accuracy: 2^-56 of the radius. Cost: about 0.1 us, in doubt 1
 /// us.
-inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle) {
+inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle, int by) {
   const std::optional<RoundedLine> pairs = line_by_pairs(s, circle);
   const RoundedLine line = pairs ? *pairs : line_by_forms(s, circle);
   // foot = k (-dy, dx) / A, half = sqrt(D) (dx, dy) / A
   const Digits across = quotient(line.k, line.A), along = quotient(root(line.D), line.A);
-  return {negated(scaled(product(across, line.dy))), scaled(product(across, line.dx)),
-          scaled(product(along, line.dx)), scaled(product(along, line.dy))};
+  return {negated(scaled(product(across, line.dy), by)), scaled(product(across, line.dx), by),
+          scaled(product(along, line.dx), by), scaled(product(along, line.dy), by)};
+}
+
+/// x 2^by. Domain: no digit is lost.
+inline double magnified(double x, int by) { return by == 0 ? x : std::scalbn(x, by); }
+
+/// The whole number nearest to a pair.
+inline double nearest_whole(Rounded x) {
+  const double whole = std::nearbyint(x.value), rest = (x.value - whole) + x.error;
+  return rest > 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
 }
 
 /// The chord of the line in the order of its points' coordinates, so that it does not depend on the
-/// direction.
+/// direction. Of circles near the smallest doubles it is counted in units of the smallest one: there foot and
+/// half would lose digits.
 struct PlacedChord {
   Chord chord;
-  bool turned;  ///< its direction is that of to -> from
+  bool turned;    ///< its direction is that of to -> from
+  int magnified;  ///< the chord is 2^magnified times as large
 };
 inline PlacedChord chord_on(const Segment<double>& s, const Circle<double>& circle) {
   const bool turned = s.to.x < s.from.x || (s.to.x == s.from.x && s.to.y < s.from.y);
-  return {chord_of(turned ? Segment<double>{s.to, s.from} : s, circle), turned};
+  const double size = std::max({std::abs(circle.centre.x), std::abs(circle.centre.y), circle.radius});
+  const int by = size < 0x1p-950 ? 1074 : 0;
+  return {chord_of(turned ? Segment<double>{s.to, s.from} : s, circle, by), turned, by};
 }
 
 /// The point where the segment enters or leaves the circle; inside the segment's box.
@@ -245,8 +260,9 @@ inline dvec2 crossing(const Segment<double>& s, const Circle<double>& circle, co
   const bool second = leaves != placed.turned;
   // What 106 bits can't tell from 0 is 0
   const auto placed_at = [&](double centre, Rounded offset) {
-    const double at = sum_of_pairs({centre, 0}, offset).value;
-    return std::abs(at) <= 0x1p-96 * circle.radius ? 0 : at;
+    const Rounded at = sum_of_pairs({magnified(centre, placed.magnified), 0}, offset);
+    if (std::abs(at.value) <= 0x1p-96 * magnified(circle.radius, placed.magnified)) return 0.0;
+    return placed.magnified == 0 ? at.value : std::scalbn(nearest_whole(at), -placed.magnified);
   };
   const double x = placed_at(circle.centre.x, placed.chord.x(second));
   const double y = placed_at(circle.centre.y, placed.chord.y(second));

@@ -130,6 +130,26 @@ TEST(LiangBarskyCircle, WholeRangeOfDouble) {
             segment(-4e299, 3e299, 4e299, 3e299));
 }
 
+// The foot and half of the chord were rounded apart: 0.8 units off. Found by tests/fuzz
+TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
+  constexpr double unit_of_doubles = 0x1p-1074;
+  const auto scaled = [](double x0, double y0, double x1, double y1, double r) {
+    const double u = unit_of_doubles;
+    return exact_decision(S{{x0 * u, y0 * u}, {x1 * u, y1 * u}}, C{{0, 0}, r * u});
+  };
+  // The circle is met at (0.6, -0.8) and (-1, 0)
+  const Kept smallest = scaled(1, -1, -1, 0, 1);
+  ASSERT_TRUE(smallest);
+  EXPECT_EQ(*smallest, (S{{unit_of_doubles, -unit_of_doubles}, {-unit_of_doubles, 0}}));
+  const Kept far = exact_decision(S{{-4 * unit_of_doubles, 0}, {30, -11.5}},
+                                  C{{4 * unit_of_doubles, 0}, 8 * unit_of_doubles});  // met at (9.95, -5.35)
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->to, dvec2(10 * unit_of_doubles, -5 * unit_of_doubles));
+  const Kept lattice = scaled(10, -5, -11, 2, 5);
+  ASSERT_TRUE(lattice);
+  EXPECT_EQ(*lattice, (S{{4 * unit_of_doubles, -3 * unit_of_doubles}, {-5 * unit_of_doubles, 0}}));
+}
+
 TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
   const S any = segment(0, 0, 1, 1);
   for (const double r : {-1.0, nan, infinity, -infinity}) {

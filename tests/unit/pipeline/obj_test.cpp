@@ -203,9 +203,9 @@ TEST(Obj, WhatIsBrokenIsToldWithItsPlace) {
       {v + "p 1\n", "m.obj: expected at least one face, found none (3 vertices, 1 points, 0 lines)"},
       {std::string("v 0 0 0\0", 8), "m.obj: expected text, found a zero at byte 7"},
       {"\xFF\xFEv", "m.obj: expected text in UTF-8 or ASCII, found UTF-16"},
-      {"\x1B[31mboo\n", "m.obj:1: expected a statement of an OBJ file, found '?[31mboo'"},
+      {"\x1B[31mboo\n", "m.obj:1: expected a statement of an OBJ file, found '\\x1b[31mboo'"},
       {std::string(100, 'x') + "\n",
-       "m.obj:1: expected a statement of an OBJ file, found '" + std::string(40, 'x') + "...'"},
+       "m.obj:1: expected a statement of an OBJ file, found '" + std::string(80, 'x') + "…'"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(refusal(text), expected);
 }
@@ -229,6 +229,25 @@ TEST(Obj, BrokenLibrariesAreToldWithTheirPlace) {
             std::vector<std::string>{});
   EXPECT_THROW(load_obj("/no/such/file.obj"), InputError);
   EXPECT_THROW(load_obj("/"), InputError);
+}
+
+// Found by tests/fuzz: names of files, materials and statements that a terminal would act on
+TEST(Obj, MessagesSpellOutWhatATerminalWouldActOn) {
+  EXPECT_EQ(refusal("\u202eboo\n"),
+            "m.obj:1: expected a statement of an OBJ file, found '\\xe2\\x80\\xaeboo'");
+  EXPECT_EQ(refusal("\xff\n"), "m.obj:1: expected a statement of an OBJ file, found '\\xff'");
+  EXPECT_EQ(refusal(square + "mtllib \x1b[1m.mtl\nf 1 2 3\n", {{"\x1b[1m.mtl", "Kd 1 1 1\n"}}),
+            "'\\x1b[1m.mtl':1: expected newmtl first, found 'Kd'");
+  EXPECT_THAT(parse(square + "usemtl \u2066\"<b>\nf 1 2 3\n").notes,
+              testing::ElementsAre(testing::HasSubstr("no material '\\xe2\\x81\\xa6\"<b>' was read")));
+  EXPECT_THAT(parse(square + "mtllib \x9b.mtl\nf 1 2 3\n").notes,
+              testing::ElementsAre(testing::HasSubstr("no file '\\x9b.mtl'")));
+  try {
+    parse_obj("boo\n", "\x1b]0;x\x07.obj", [](const std::string&) { return std::optional<std::string>(); });
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "'\\x1b]0;x\\x07.obj':1: expected a statement of an OBJ file, found 'boo'");
+  }
 }
 
 // --- The conformance models

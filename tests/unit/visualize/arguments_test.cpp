@@ -110,6 +110,12 @@ TEST(Canonical, FilesGoByTheirNames) {
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "some/folder/room.txt"), "room.txt");
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "room.txt"), "room.txt");
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "mazes/room"), "room");
+  // Found by tests/fuzz: `gradus again` looked for another file, or took the name for rows
+  for (const char* name : {" room.txt", "@#.#"}) {
+    EXPECT_EQ(canonical(parameter(ParameterType::maze), name), name);
+  }
+  EXPECT_EQ(canonical(parameter(ParameterType::maze), "9/ room.txt"), " room.txt");
+  EXPECT_EQ(canonical(parameter(ParameterType::maze), "9/#.#"), "@#.#");
 }
 
 TEST(Canonical, MazeRows) {

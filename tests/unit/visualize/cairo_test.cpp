@@ -230,6 +230,25 @@ TEST(Svg, HostileTextsStayTexts) {
 
 // --- Finish -----------------------------------------------------------------------------------------------
 
+TEST(Svg, ACommandWithControlCharactersComesBack) {
+  Colophon colophon;
+  colophon.command = "gradus figure flood_fill --image '\u202e\r\x7f\u061c<&#x41;.png'";
+  const std::string element = markup_of(colophon);
+  EXPECT_EQ(element.find("\u202e"), std::string::npos);
+  EXPECT_EQ(element.find('\r'), std::string::npos);
+  const auto found = colophon_in("<svg>" + element + "</svg>");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->command, colophon.command);
+}
+
+// A search to the end of the file from every & would take hours
+TEST(Svg, ACommandOfAmpersandsIsReadInLinearTime) {
+  const std::string many(4 << 20, '&');
+  const auto found = colophon_in("<svg gradus-command=\"" + many + "\"></svg>");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->command, many);
+}
+
 TEST(Finish, TransparentHasNoGround) {
   const Trace trace = test::trace_of("bresenham_line");
   const Sheet sheet = sheet_at(trace, {4, 0});

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "cli/errors.hpp"
+#include "cli/figure_file.hpp"
 #include "cli/figure_spec.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
@@ -551,6 +552,17 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
 
 // --- Terminal
 // ----------------------------------------------------------------------------------------------------
+
+// A file of four to seven bytes that begins like a WebP ended in an exception of the library
+TEST(Formats, AreKnownByContentHoweverShortTheFileIs) {
+  for (const std::string begin :
+       {"\x89PNG", "%PDF", "GIF8", "RIFF\1\1\1\1WEBP", "\1\1\1\1ftypi", "<svg", "<html"}) {
+    for (std::size_t size = 0; size < begin.size(); ++size) {
+      EXPECT_EQ(format_by_content(begin.substr(0, size)), std::nullopt) << begin.substr(0, size);
+    }
+    EXPECT_TRUE(format_by_content(begin)) << begin;
+  }
+}
 
 TEST(Terminal, ColorFollowsFlagThenEnvironment) {
   const auto with = [](const char* name, const char* value) {

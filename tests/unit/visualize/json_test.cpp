@@ -225,6 +225,11 @@ TEST(HostileText, IsSafeInAScriptElementAndComesBackAsItWas) {
   EXPECT_EQ(Json::parse(run_json(trace))["steps"][0][harmless], harmless);
 }
 
+TEST(HostileText, MarksThatTurnTheDirectionAreEscaped) {
+  EXPECT_EQ(json_quoted("a\u202e\u061c\u2066\u0085\x7f\u2028ö"),
+            "\"a\\u202e\\u061c\\u2066\\u0085\\u007f\\u2028ö\"");
+}
+
 TEST(ListJson, TellsATopicByItsParameters) {
   TopicEntry topic{};
   topic.name = "bresenham_line";

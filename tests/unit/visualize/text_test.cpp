@@ -39,6 +39,8 @@ TEST(Escape, LatexKnowsTheSignsOfFigures) {
 TEST(Escape, HtmlMarkupBecomesText) {
   EXPECT_EQ(escaped("<b a=\"1\">&'"), "&lt;b a=&quot;1&quot;&gt;&amp;&#39;");
   EXPECT_EQ(escaped(std::string("a\x01z")), "a\xef\xbf\xbdz");
+  EXPECT_EQ(escaped("a\u202e\u061c\u0085\x7f\rz\n"), "a&#x202e;&#x61c;&#x85;&#x7f;&#xd;z\n")
+      << "a file holds no mark that turns the direction of text";
 }
 
 TEST(Escape, MarkdownPutsABackslashBeforeEverythingWithAMeaning) {
@@ -128,6 +130,16 @@ TEST(Snippets, RevealShowsOneAfterTheOtherAndEscapes) {
 TEST(Snippets, MarkdownLinksToThePage) {
   EXPECT_EQ(snippet_of(SnippetKind::markdown, deck("svg", true, 1)), "![p \\< 0 \"east\"](<my line.svg>)\n");
   EXPECT_THAT(snippet_of(SnippetKind::markdown, deck("pdf", true, 2)), HasSubstr("](<my line.pdf#page=2>)"));
+}
+
+TEST(Snippets, PathsStayPaths) {
+  SnippetFigure figure = deck("html", true, 1);
+  figure.steps[0].path = "javascript:alert(1)#\x1b[1m\u202e\xff.html";
+  const std::string address = "javascript%3Aalert(1)%23%1B[1m%E2%80%AE%FF.html";
+  EXPECT_THAT(snippet_of(SnippetKind::reveal, figure), HasSubstr("data-src=\"" + address + "#embed\""));
+  EXPECT_THAT(snippet_of(SnippetKind::markdown, figure), HasSubstr("](<" + address + ">)"));
+  figure.ending = "pdf";
+  EXPECT_EQ(snippet_of(SnippetKind::beamer, figure).find('\x1b'), std::string::npos);
 }
 
 TEST(Milestones, AreTheFirstEachKindOfBranchAndTheLast) {

@@ -514,6 +514,14 @@ TEST(Glyphs, AMissingOneIsFound) {
   EXPECT_EQ(explained(*missing), "the figures' fonts have no glyph for U+4E2D");
 }
 
+TEST(Glyphs, MarksThatTurnTheDirectionAreNotDrawn) {
+  for (const char* mark : {"\u061c", "\u200f", "\u202e", "\u2066", "\ufeff"}) {
+    const auto missing = missing_glyph(mark, Face::sans);
+    ASSERT_TRUE(missing);
+    EXPECT_NE(explained(*missing).find(" is a control character"), std::string::npos);
+  }
+}
+
 TEST(Glyphs, DependOnTheFace) {
   EXPECT_FALSE(missing_glyph("Ǆ", Face::sans));
   EXPECT_TRUE(missing_glyph("Ǆ", Face::mono));

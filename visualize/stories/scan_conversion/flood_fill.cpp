@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/shown.hpp"
 #include "scan_conversion/flood_fill/maze.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
@@ -42,7 +43,7 @@ Subject subject_of(const Arguments& arguments) {
     return subject;
   }
   const Arguments::Entry& entry = arguments.entry("maze");
-  const auto parsed = parse_maze(entry.content, entry.hash.empty() ? "--maze" : entry.text);
+  const auto parsed = parse_maze(entry.content, entry.hash.empty() ? "--maze" : shown_name(entry.text));
   if (const MazeError* error = std::get_if<MazeError>(&parsed)) throw InputError(error->what);
   subject.is_maze = true;
   subject.maze = std::get<Maze>(parsed);
