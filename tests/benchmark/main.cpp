@@ -68,24 +68,13 @@ void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files) {
   draw_one(size_chart(found), "size");
 }
 
-/// The folder that was asked for, made before hours of measuring could be lost.
-std::optional<fs::path> folder_of(const cli::Request& request) {
-  if (!request.has("output")) return std::nullopt;
-  const fs::path folder = request.flags.at("output");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder, error)) {
-    throw UsageError(fmt::format("--output: expected a folder, found {}", shown(folder.string())));
-  }
-  return folder;
-}
-
 int bench(const cli::Request& request) {
   const std::vector<const Subject*> wanted = chosen(request);
   Effort effort;
   effort.seconds = positive(request, "seconds", effort.seconds, 60);
   effort.repetitions = static_cast<int>(positive(request, "repetitions", effort.repetitions, 1000));
-  const std::optional<fs::path> folder = folder_of(request);
+  // Before hours of measuring could be lost
+  if (request.has("output")) cli::make_folder(request.flags.at("output"), "--output");
   std::vector<Findings> all;
   for (const Subject* subject : wanted) {
     std::vector<Case> cases = subject->cases();
@@ -95,10 +84,11 @@ int bench(const cli::Request& request) {
     if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
   }
   if (request.has("json")) cli::write_stream(cli::Stream::out, json_of(all));
-  if (!folder) return 0;
+  if (!request.has("output")) return 0;
+  const fs::path folder = request.flags.at("output");
   cli::NewFiles files;
-  for (const Findings& found : all) draw(found, *folder, files);
-  files.add((*folder / "bench.json").string(), json_of(all));
+  for (const Findings& found : all) draw(found, folder, files);
+  files.add((folder / "bench.json").string(), json_of(all));
   files.commit();
   return 0;
 }

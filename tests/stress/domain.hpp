@@ -50,10 +50,11 @@ struct Trap {
 
 /// One promise.
 struct Property {
-  std::string name;    ///< "correctly_rounded"
-  std::string states;  ///< "every end is the nearest double"
-  std::string unit;    ///< of errors
-  double bound = 0;    ///< the largest error that keeps the promise; infinite: measured only
+  std::string name;         ///< "correctly_rounded"
+  std::string states;       ///< "every end is the nearest double"
+  std::string unit;         ///< of errors
+  double bound = 0;         ///< the largest error that keeps the promise; infinite: measured only
+  std::size_t numbers = 0;  ///< how many an input has
   std::vector<Kind> kinds{all_kinds.begin(), all_kinds.end()};
   /// An input of a kind.
   std::function<Input(Kind, Random&)> generate;

@@ -85,6 +85,10 @@ int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
   for (const Domain* domain : wanted) {
     const auto property = std::ranges::find(domain->properties, name, &Property::name);
     if (property == domain->properties.end() || !input) continue;
+    if (input->size() != property->numbers) {
+      throw UsageError(
+          fmt::format("--replay: {} takes {} numbers, found {}", name, property->numbers, input->size()));
+    }
     const double error = property->error(*input);
     cli::write_stream(cli::Stream::out, fmt::format("{}: {} {} (at most {})\n", name, number(error),
                                                     property->unit, number(property->bound)));
@@ -112,7 +116,7 @@ int stress(const cli::Request& request) {
   for (const Domain* domain : wanted) properties += domain->properties.size();
   const std::chrono::duration<double> share(static_cast<double>(seconds) / static_cast<double>(properties));
 
-  if (request.has("output")) fs::create_directories(request.flags.at("output"));
+  if (request.has("output")) cli::make_folder(request.flags.at("output"), "--output");
   std::uint64_t cases = 0, broken = 0;
   cli::NewFiles files;
   for (const Domain* domain : wanted) {

@@ -185,6 +185,14 @@ bool same_file(const std::string& a, const std::string& b) {
   return first.st_dev == second.st_dev && first.st_ino == second.st_ino;
 }
 
+void make_folder(const std::string& path, std::string_view what) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!std::filesystem::is_directory(path, error)) {
+    throw UsageError(fmt::format("{}: expected a folder, found {}", what, shown(path)));
+  }
+}
+
 void check_output(const std::string& path, std::span<const std::string> inputs) {
   if (path == dash) return;
   std::error_code error;

@@ -35,6 +35,9 @@ bool same_file(const std::string& a, const std::string& b);
 /// or it is one of the inputs.
 void check_output(const std::string& path, std::span<const std::string> inputs);
 
+/// Makes a folder and those it lies in, unless it is there. Throws UsageError, naming the argument `what`.
+void make_folder(const std::string& path, std::string_view what);
+
 /// Files that appear together: each is written beside its final place and gets its name in commit().
 /// Destroyed before that, no trace is left. Throws WorkError.
 class NewFiles {

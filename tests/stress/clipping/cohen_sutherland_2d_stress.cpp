@@ -45,6 +45,7 @@ Domain cohen_sutherland_2d() {
             .states = "accepts and rejects exactly; every end is the nearest double",
             .unit = "ulp",
             .bound = 0.5,
+            .numbers = 8,
             .generate = axis_boxes::generate<2>,
             .error = of(correctly_rounded),
             .arguments = figure_with("correctly_rounded"),
@@ -53,6 +54,7 @@ Domain cohen_sutherland_2d() {
             .states = "the bits of correctly_rounded, in every lane",
             .unit = "ulp",
             .bound = 0.5,
+            .numbers = 8,
             .generate = axis_boxes::generate<2>,
             .error = of(by_batch),
             .arguments = figure_with("correctly_rounded"),
@@ -61,6 +63,7 @@ Domain cohen_sutherland_2d() {
             .states = "no bound: each cut starts from a rounded point; wrong decisions are left out",
             .unit = "ulp",
             .bound = wrong,
+            .numbers = 8,
             .kinds = {Kind::random, Kind::near_degenerate, Kind::ties},
             .generate = axis_boxes::generate<2>,
             .error =

@@ -13,6 +13,7 @@ Domain cohen_sutherland_3d() {
             .states = "accepts and rejects exactly; every end is the nearest double",
             .unit = "ulp",
             .bound = 0.5,
+            .numbers = 12,
             .generate = axis_boxes::generate<3>,
             .error =
                 [](const Input& input) {

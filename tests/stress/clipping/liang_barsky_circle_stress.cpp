@@ -104,6 +104,7 @@ Domain liang_barsky_circle() {
             .states = "accepts and rejects exactly; ends within 0.63 ulp of max(|coordinate|, r)",
             .unit = "ulp",
             .bound = 0.63,
+            .numbers = 7,
             .generate = generate,
             .error = error,
             .arguments = [](const Input& i) -> std::vector<std::pair<std::string, std::string>> {

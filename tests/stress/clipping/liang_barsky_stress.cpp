@@ -14,6 +14,7 @@ Domain liang_barsky() {
             .states = "accepts and rejects exactly; every end is the nearest double",
             .unit = "ulp",
             .bound = 0.5,
+            .numbers = 8,
             .generate = axis_boxes::generate<2>,
             .error =
                 [](const Input& input) {
@@ -29,6 +30,7 @@ Domain liang_barsky() {
             .states = "accepts and rejects exactly; every end is the nearest double",
             .unit = "ulp",
             .bound = 0.5,
+            .numbers = 12,
             .generate = axis_boxes::generate<3>,
             .error = [](const Input& input) {
               return axis_boxes::error<3>(input, [](const auto& line, const auto& box) {

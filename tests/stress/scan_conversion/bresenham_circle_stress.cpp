@@ -54,6 +54,7 @@ Domain bresenham_circle() {
             .states = "the pixel of each column is the nearest to the circle",
             .unit = "pixels",
             .bound = 0.5,
+            .numbers = 2,
             .kinds = {Kind::random, Kind::ties, Kind::huge, Kind::extremes},
             .generate = generate,
             .error = error,

@@ -64,6 +64,7 @@ Domain affine_3d() {
             .states = "no entry of R^T R - I is above 4 ulp of 1",
             .unit = "ulp",
             .bound = 4,
+            .numbers = 4,
             .generate = generate,
             .error = error,
             .traps = {{"squares underflow", {1e-200, 0, 0, 1}},

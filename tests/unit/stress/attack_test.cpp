@@ -15,6 +15,7 @@ Property planted() {
           .states = "is exact",
           .unit = "units",
           .bound = 0,
+          .numbers = 2,
           .kinds = {Kind::random, Kind::huge},
           .generate =
               [](Kind kind, Random& random) {

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""`gradus stress` from end to end: its report, its figures, its replays, what it refuses.
+
+    tests/golden/stress_test.py [GRADUS]
+"""
+import functools
+import os
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import check, equal
+
+gradus = functools.partial(command.gradus, timeout=240)
+
+
+def test_every_promise_holds():
+    result = gradus("stress", "--seconds", "6", "-o", "made/worst")
+    equal(result.code, 0, "gradus stress")
+    promises = re.findall(r"^([ X]) (\w+) +(\d+) cases  worst +(\S+) (\w+)  \((.+)\)$", result.out, re.MULTILINE)
+    check(len(promises) >= 11, "all promises are reported")
+    for mark, name, cases, worst, _, bound in promises:
+        check(mark == " " and worst != "wrong", f"{name} is kept")
+        check(int(cases) >= 16, f"{name}: traps and kinds were tried")
+        if bound != "measured":
+            check(float(worst) <= float(bound.removeprefix("at most ")), f"{name}: worst is within its bound")
+    check(re.search(r"^\d+ cases, 0 of \d+ promises broken \(--random-seed 1\)$", result.out, re.MULTILINE), "the sum")
+    for file in pathlib.Path("made/worst").iterdir():
+        check("</svg>" in file.read_text(), f"{file.name} is a figure")
+
+
+def test_a_report_replays():
+    result = gradus("stress", "bresenham_line", "--seconds", "1")
+    equal(result.code, 0, "gradus stress bresenham_line")
+    worst = re.search(r"worst +(\S+) pixels", result.out).group(1)
+    case = re.search(r"--replay (\S+)", result.out).group(1)
+    again = gradus("stress", "bresenham_line", "--replay", case)
+    equal((again.code, again.out), (0, f"pixel_at: {worst} pixels (at most 0.5)\n"), "the worst case again")
+
+
+def test_the_seed_decides():
+    runs = [gradus("stress", "affine_3d", "--seconds", "1", "--random-seed", seed).out for seed in ("5", "6")]
+    for run, seed in zip(runs, ("5", "6")):
+        check(f"(--random-seed {seed})" in run, "the seed is printed")
+    case = re.compile(r"(case \d+): gradus stress affine_3d --replay (\S+)")
+    check(case.search(runs[0]).groups() != case.search(runs[1]).groups(), "other seeds, other inputs")
+
+
+def test_bad_input_is_one_line():
+    open("file", "w").close()
+    whole = "expected a whole number from {} to {}, found '{}'"
+    table = [
+        (["nosuch_topic"], "TOPIC: expected the name of a topic (`gradus list` shows all), found 'nosuch_topic'"),
+        (["flood_fill"], "TOPIC: flood_fill has no stress test"),
+        (["--seconds", "0"], "--seconds: " + whole.format(1, 1000000, 0)),
+        (["--seconds", "2.5"], "--seconds: " + whole.format(1, 1000000, 2.5)),
+        (["--random-seed", "-1"], "--random-seed: " + whole.format(0, 2**63 - 1, -1)),
+        (["--replay", "x"], "--replay: expected PROPERTY:NUMBERS as a report prints it, found 'x'"),
+        (["affine_3d", "--replay", "rotation:1,x,0,0"],
+         "--replay: expected PROPERTY:NUMBERS as a report prints it, found 'rotation:1,x,0,0'"),
+        (["affine_3d", "--replay", "rotation:1,2"], "--replay: rotation takes 4 numbers, found 2"),
+        (["-o", "file"], "--output: expected a folder, found 'file'"),
+    ]
+    for words, message in table:
+        result = gradus("stress", *words)
+        equal((result.code, result.out, result.err), (2, "", f"gradus stress: {message}\n"), " ".join(words))
+    equal(os.listdir("."), ["file"], "nothing else is written")
+
+
+if __name__ == "__main__":
+    sys.exit(command.run_all(globals()))
