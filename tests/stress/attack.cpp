@@ -45,7 +45,8 @@ int complexity(double x) {
 }  // namespace
 
 Finding attack(const Property& property, std::uint64_t seed, const std::function<bool(std::uint64_t)>& more) {
-  Finding finding{.property = &property};
+  Finding finding;
+  finding.property = &property;
   const auto look_at = [&](Input input, const std::function<std::string()>& origin) {
     const double error = property.error(input);
     ++finding.cases;
