@@ -74,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (theirs.is_discarded()) {
       bool beyond = false;
       try {
-        static_cast<void>(nlohmann::json::parse(text));
+        [[maybe_unused]] const auto parsed = nlohmann::json::parse(text);
       } catch (const nlohmann::json::exception& error) {
         beyond = error.id == 406;
       }
@@ -88,7 +88,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string what = error.what();
     require(what.starts_with("j.json:"), "an error names its file");
     require(test::harmless(what), "an error is safe to show");
-    require(theirs.is_discarded() || has_own_reason(what), "JSON is read");
+    // To them a zero byte ends the text
+    const bool ends_early = text.find('\0') != std::string_view::npos;
+    require(theirs.is_discarded() || ends_early || has_own_reason(what), "JSON is read");
   }
   static_cast<void>(parse_manifest(text));
   const std::string quoted = json_quoted(text);
