@@ -49,7 +49,7 @@ HWY_INLINE PairMask but_not(PairMask x, PairMask y) { return {hn::AndNot(y.a, x.
 HWY_INLINE PairMask greater(Pair x, Pair y) { return {hn::Gt(x.a, y.a), hn::Gt(x.b, y.b)}; }
 HWY_INLINE PairMask equal(Pair x, Pair y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)}; }
 
-// x * y - z; exact where z is the rounded product x * y, or a number as close to it
+// x * y - z up to 2^-102 of z, which is the rounded product x * y or a number as close to it; with FMA exact
 #if HWY_NATIVE_FMA
 HWY_INLINE V product_less(V x, V y, V z) { return hn::MulSub(x, y, z); }
 #else
@@ -58,11 +58,12 @@ HWY_INLINE V high_part(V x) {
   const hn::RebindToUnsigned<D> bits;
   return hn::And(x, hn::BitCast(D(), hn::Set(bits, ~((std::uint64_t{1} << 27) - 1))));
 }
+// In this order only the last product and the last addition round
 HWY_INLINE V product_less(V x, V y, V z) {
   const V x_high = high_part(x), x_low = hn::Sub(x, x_high);
   const V y_high = high_part(y), y_low = hn::Sub(y, y_high);
-  const V middle = hn::Add(hn::Mul(x_high, y_low), hn::Mul(x_low, y_high));
-  return hn::Add(hn::Add(hn::Sub(hn::Mul(x_high, y_high), z), middle), hn::Mul(x_low, y_low));
+  const V rest = hn::Add(hn::Sub(hn::Mul(x_high, y_high), z), hn::Mul(x_high, y_low));
+  return hn::Add(hn::Add(rest, hn::Mul(x_low, y_high)), hn::Mul(x_low, y_low));
 }
 #endif
 HWY_INLINE Pair product_less(Pair x, Pair y, Pair z) {

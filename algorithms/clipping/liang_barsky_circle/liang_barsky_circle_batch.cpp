@@ -13,14 +13,17 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 // After it
 #include <hwy/highway.h>
+#include "core/certified_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::liang_barsky_circle::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<double>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
+using lanes::HWY_NAMESPACE::bits_of;
+using lanes::HWY_NAMESPACE::D;
+using lanes::HWY_NAMESPACE::M;
+using lanes::HWY_NAMESPACE::product_less;
+using lanes::HWY_NAMESPACE::V;
 
 constexpr double largest = 0x1p150;
 
@@ -31,24 +34,6 @@ HWY_INLINE V number(double x) { return hn::Set(D(), x); }
 struct Wide {
   V value, error;
 };
-
-// x * y - z up to 2^-102 of z, which is the rounded product x * y or a number as close to it
-#if HWY_NATIVE_FMA
-HWY_INLINE V product_less(V x, V y, V z) { return hn::MulSub(x, y, z); }
-#else
-// The first 26 bits, so that products of such parts are exact
-HWY_INLINE V high_part(V x) {
-  const hn::RebindToUnsigned<D> bits;
-  return hn::And(x, hn::BitCast(D(), hn::Set(bits, ~((std::uint64_t{1} << 27) - 1))));
-}
-// In this order only the last product and the last addition round
-HWY_INLINE V product_less(V x, V y, V z) {
-  const V x_high = high_part(x), x_low = hn::Sub(x, x_high);
-  const V y_high = high_part(y), y_low = hn::Sub(y, y_high);
-  const V rest = hn::Add(hn::Sub(hn::Mul(x_high, y_high), z), hn::Mul(x_high, y_low));
-  return hn::Add(hn::Add(rest, hn::Mul(x_low, y_high)), hn::Mul(x_low, y_low));
-}
-#endif
 
 HWY_INLINE Wide two_sum(V x, V y) {
   const V value = hn::Add(x, y);
@@ -236,14 +221,6 @@ HWY_INLINE M cut_lanes(Lanes& p, const End& from, const End& to, M accepted, con
 }
 
 // --- All together ---------------------------------------------------------------------------------------
-
-HWY_INLINE std::uint64_t bits_of(M mask) {
-  std::array<std::uint8_t, (HWY_MAX_BYTES / sizeof(double) + 7) / 8> bytes{};
-  hn::StoreMaskBits(D(), mask, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  return bits;
-}
 
 // Segments that are not certain, one by one, from what stands in `segments`, which `clipped` may be; returns
 // for which segments something is left
