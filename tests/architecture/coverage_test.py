@@ -15,10 +15,14 @@ KINDS = ("test", "figure", "benchmark")
 
 
 def existing_names():
-    """What there is, by kind. A test is known by its ctest name and, without the folder, by its GoogleTest name."""
+    """What there is, by kind. A test is known by its ctest name and, without the folder, by its GoogleTest name; unit
+    tests also by their sources, for a build may leave them to another one."""
     listed = json.loads(project.run("ctest", "--show-only=json-v1", "--test-dir", project.BUILD))
     tests = {test["name"] for test in listed["tests"]}
     tests |= {re.sub(r"^.*?/(?=[A-Z]\w*[./])", "", name) for name in tests}
+    for source in project.sources(project.ROOT, "tests/unit"):
+        text = project.without_comments(source.read_text(encoding="utf-8"))
+        tests |= {".".join(names) for names in re.findall(r"^TEST(?:_F)?\((\w+),\s*(\w+)\)", text, re.MULTILINE)}
     gallery = json.loads((project.ROOT / "examples/gallery.json").read_text(encoding="utf-8"))
     benchmarks = "\n".join(f.read_text(encoding="utf-8") for f in project.sources(project.ROOT, "tests/benchmark"))
     return {

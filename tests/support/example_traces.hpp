@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stories/topic.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus::test {
 
@@ -45,11 +46,13 @@ inline Trace trace_of(std::string_view name, const std::map<std::string, std::st
 }
 
 /// One trace of every method of every topic, and the inputs that strain a figure most.
-inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
+/// only: of this topic alone. brief: without some of the longest, as when there is a sanitizer.
+inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::string_view only = {},
+                                         bool brief = sanitized) {
   std::vector<Trace> traces;
   const auto tell = [&](std::string_view name, const std::map<std::string, std::string>& given,
                         std::int64_t most = Recording::default_most) {
-    traces.push_back(trace_of(name, given, {0, most, wording}));
+    if (only.empty() || name == only) traces.push_back(trace_of(name, given, {0, most, wording}));
   };
   for (const TopicEntry* entry : catalogue()) {
     for (const Method& method : entry->methods) tell(entry->name, {{"method", method.name}});
@@ -81,12 +84,15 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}) {
   tell("bresenham_circle", {{"radius", "6"}, {"window", "-7,-7,7,7"}});
   tell("bresenham_circle",
        {{"center", "-960383883,-1920767765"}, {"radius", "2147483647"}, {"window", "-8,-6,8,6"}});
-  traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
+  if (only.empty() || only == "bresenham_circle") {
+    traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
+  }
   tell("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}});
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
     tell("flood_fill", {{"method", method}, {"connectivity", "8"}});
     tell("flood_fill", {{"method", method}, {"maze", "aab/#.b/.##"}, {"at", "2,1"}});
     tell("flood_fill", {{"method", method}, {"at", "0,0"}});
+    if (brief && std::string_view(method) != "span") continue;
     tell("flood_fill",
          {{"method", method},
           {"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"},

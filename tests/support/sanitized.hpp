@@ -1,6 +1,9 @@
 #pragma once
-// Whether this program runs under a sanitizer, where it takes ten times as long: tests that lay out thousands
-// of sheets then look at fewer of them, since what they are for is measured in the other builds.
+// Whether this program runs under a sanitizer, where it takes up to thirty times as long: tests that lay out
+// thousands of sheets then look at fewer of them, since what they are for is measured in the other builds.
+
+#include <algorithm>
+#include <cstddef>
 
 namespace gradus::test {
 
@@ -15,5 +18,10 @@ inline constexpr bool sanitized = false;
 #else
 inline constexpr bool sanitized = false;
 #endif
+
+/// So many; under a sanitizer one in `every`, but at least one.
+constexpr std::size_t thinned(std::size_t count, std::size_t every) {
+  return sanitized ? std::max<std::size_t>(1, count / every) : count;
+}
 
 }  // namespace gradus::test

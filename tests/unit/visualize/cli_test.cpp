@@ -21,6 +21,7 @@
 #include "cli/names.hpp"
 #include "cli/takes.hpp"
 #include "cli/terminal.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -497,8 +498,8 @@ std::vector<std::string> random_flags(std::mt19937& random) {
 
 TEST(FigureSpecs, CommandsReadBackAsThemselves) {
   std::mt19937 random(7);
-  int kept = 0;
-  for (int i = 0; i < 3000; ++i) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < test::thinned(3000, 10); ++i) {
     std::vector<std::string> words = random_flags(random);
     words.insert(words.begin(), {"figure", "bresenham_line"});
     FigureSpec spec;
@@ -547,7 +548,7 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
     ASSERT_EQ(again.milestones, spec.milestones) << command;
     ASSERT_EQ(text_of(again.steps), text_of(spec.steps)) << command;
   }
-  EXPECT_GT(kept, 2000);
+  EXPECT_GT(kept, test::thinned(2000, 10));
 }
 
 // --- Terminal
