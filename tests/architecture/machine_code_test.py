@@ -5,7 +5,7 @@ The plain copy is made here by blanking the observer lines of the topic's header
 same driver, machine_code/<topic>.cpp, which makes a named function of each method, and their assembly is compared.
 With GRADUS_STRESS at every level of optimisation, else at -O2 alone: each topic takes seconds a compiler and level.
 """
-import concurrent.futures
+import functools
 import os
 import pathlib
 import re
@@ -35,6 +35,11 @@ def plain_copy(topic, folder, replacement=""):
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.write_text("\n".join(lines), encoding="utf-8")
     return count
+
+
+@functools.lru_cache(maxsize=None)
+def assembly_with_observer(compiler, level, driver):
+    return assembly(compiler, level, driver)
 
 
 def assembly(compiler, level, driver, *folders):
@@ -86,9 +91,8 @@ class MachineCode(unittest.TestCase):
             functions = re.findall(r"\b(machine_code_\w+)\(", driver.read_text(encoding="utf-8"))
             for compiler in COMPILERS:
                 for level in LEVELS:
-                    with concurrent.futures.ThreadPoolExecutor(2) as both:
-                        observed, plain = both.map(lambda folders: assembly(compiler, level, driver, *folders),
-                                                   ((), (self.folder,)))
+                    observed = assembly_with_observer(compiler, level, driver)
+                    plain = assembly(compiler, level, driver, self.folder)
                     with self.subTest(topic=topic.name, compiler=compiler, level=level):
                         self.assertEqual(observed, plain)
                         for function in functions:
@@ -102,9 +106,8 @@ class MachineCode(unittest.TestCase):
         for driver in sorted(DRIVERS.glob("*.cpp")):
             topic = next(t for t in project.topics() if t.name == driver.stem)
             plain_copy(topic, self.folder, 'asm volatile("nop");')
-            with concurrent.futures.ThreadPoolExecutor(2) as both:
-                with_cost, without = both.map(lambda folders: assembly(COMPILERS[0], "-O2", driver, *folders),
-                                              ((self.folder,), ()))
+            with_cost = assembly(COMPILERS[0], "-O2", driver, self.folder)
+            without = assembly_with_observer(COMPILERS[0], "-O2", driver)
             for function in re.findall(r"\b(machine_code_\w+)\(", driver.read_text(encoding="utf-8")):
                 with self.subTest(function):
                     self.assertNotEqual(instructions(with_cost, function), instructions(without, function))
