@@ -124,7 +124,7 @@ glm::vec<3, T> orthographic(Axis axis, T d, glm::vec<3, T> point, O&& observer =
 ///
 /// d: the plane's depth. slant: see slant_of. point: any.
 ///
-/// Domain: everything that does not overflow T. A point of the plane stays where it is, exactly.
+/// Domain: where nothing overflows T and t a doesn't underflow. A point of the plane stays there, exactly.
 /// Steps: Cast Projected.
 /// Accuracy: x and y within u (|x'| + 2 |t a|), u the rounding unit of T (2^-53 for double); z exactly d.
 /// Cost: 2 multiplications, 3 additions.
