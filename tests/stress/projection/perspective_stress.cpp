@@ -42,8 +42,9 @@ double error(const Input& i) {
     if (!(d > 0)) return wrong;  // was to be refused
     if (!(z > 0)) return image ? wrong : 0;
     const bool fits = all_finite({d / z, i[1] * (d / z), i[2] * (d / z)});
-    if (!fits || !all_finite(i)) return image ? wrong : 0;
+    if (!fits) return image ? wrong : 0;
     if (!image || image->z != d) return wrong;
+    if (!all_finite(i)) return 0;  // infinitely far away, say
     if (z == d && (image->x != i[1] || image->y != i[2])) return wrong;
     return std::max(roundings(image->x, i[1], d, z), roundings(image->y, i[2], d, z));
   } catch (const ContractViolation&) {
