@@ -26,8 +26,7 @@ class MinimalBuild(unittest.TestCase):
             packages = {p for p in packages if not p.startswith(("CMAKE_", "gradus_"))}
             self.assertEqual(packages, {"glm", "fmt"})
             project.run("cmake", "--build", folder)
-            # Every header of core and of the topics, each alone
-            project.run("cmake", "--build", folder, "--target", "headers_alone")
+            # Headers of core and of the topics have their checks here, too, which the whole build runs
             checked = {f.name for f in pathlib.Path(folder, "headers_alone").glob("*.cpp")}
             for topic in project.topics():
                 self.assertIn(f"{topic.path}/{topic.name}.hpp".replace("/", "_").replace(".", "_") + ".cpp", checked)

@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
 PLAIN = {k: v for k, v in os.environ.items()
@@ -68,5 +69,7 @@ def summary():
 
 def run_all(names):
     for test in tests_of(names):
+        start = time.monotonic()
         in_new_folder(test)
+        print(f"{time.monotonic() - start:6.1f} s  {test.__name__}", flush=True)
     return summary()
