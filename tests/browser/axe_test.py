@@ -3,11 +3,12 @@
 
     axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html or FOLDER ...]
 
-Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every dialog open in turn; a player, all of which
-are one page, in two of these ways, and at three of its steps, and of one topic only the first (GRADUS_STRESS: all). The pages of FOLDER, which make_pages wrote, are read in
-every theme. axe-core comes from npm (package.json in
-this folder): `--axe` or the environment's GRADUS_AXE says where its axe.min.js is. Prints `N passed, N failed`, exits 1
-when something was found, and without Chromium or axe-core 77, or 1 where CI is set.
+Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every dialog open in turn. Players are all one
+page: of each topic one is read, in one of these ways, at three of its steps, and their dialogs are read in the first ways
+alone. The pages of FOLDER, which make_pages wrote, are read in every theme. GRADUS_STRESS reads everything in all ways.
+axe-core comes from npm (package.json in this folder): `--axe` or the environment's GRADUS_AXE says where its axe.min.js
+is. Prints `N passed, N failed`, exits 1 when something was found, and without Chromium or axe-core 77, or 1 where CI is
+set.
 """
 
 import argparse
@@ -21,6 +22,8 @@ from webdriver import Browser, WebDriverError
 
 THEMES = ('light', 'dark', 'greyscale', 'high_contrast')
 SIZES = ((1280, 720), (360, 740))
+WAYS = ((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'), (SIZES[0], 'dark'))
+EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 
 # All of axe-core's rules, its best practices too, and the least size of a target that WCAG 2.2 asks for.
 READ = '''return axe.run(document, {rules: {'target-size': {enabled: true}}}).then(
@@ -40,6 +43,7 @@ class Reader:
     def __init__(self, browser, axe):
         self.browser, self.axe = browser, axe
         self.passed, self.failed = 0, []
+        self.players = 0  # read so far
 
     def open(self, path, size, fragment='', scheme='light'):
         self.browser.size(*size)
@@ -66,11 +70,15 @@ class Reader:
             self.browser.run(CLOSE, number)
 
     def read_page(self, path):
-        for number, (size, scheme) in enumerate(((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'),
-                                                 (SIZES[0], 'dark'))):
+        for size, scheme in WAYS:
             self.open(path, size, '', scheme)
             is_player = self.browser.run('return Boolean(window.player?.run)')
-            if is_player and number >= 2:
+            if is_player and not EVERYTHING:
+                # Each in another way
+                size, scheme = WAYS[self.players % len(WAYS)]
+                self.open(path, size, '', scheme)
+                self.read_all(True, dialogs=self.players < len(WAYS))
+                self.players += 1
                 return
             self.read_all(is_player)
 
@@ -78,14 +86,15 @@ class Reader:
         for size in SIZES:
             for theme in themes:
                 self.open(path, size, f'{fragment}{"&" if fragment else "#"}theme={theme}')
-                self.read_all(True)
+                self.read_all(True, dialogs=EVERYTHING or path.name == 'line.html')
 
-    def read_all(self, is_player):
+    def read_all(self, is_player, dialogs=True):
         self.read('first look')
         if self.browser.run('return document.querySelectorAll("details").length'):
             self.browser.run('for (const folded of document.querySelectorAll("details")) folded.open = true')
             self.read('unfolded')
-        self.read_dialogs()
+        if dialogs:
+            self.read_dialogs()
         if is_player:
             self.browser.run('player.show(Math.floor(player.run.steps.length / 2))')
             self.read('in the middle')
