@@ -143,7 +143,7 @@ def same_however_reached(check, page, name):
     page.run('player.first()')
     seen = {}
     # Long walks where the page was made to reach the player's corners, shorter ones on the gallery's
-    for _ in range(60 if EVERYTHING or page.path.stem in MADE else 20):
+    for _ in range(60 if EVERYTHING or page.path.stem in MADE else 10):
         move = rng.choice(moves)
         if move == 'jump':
             page.go(rng.choice(numbers))
