@@ -180,6 +180,18 @@ def topic_page(check, browser, path):
     no_errors(check, page, name)
 
 
+def errata(check, browser, path):
+    page = Page(browser, path)
+    check.equal('errata: every picture is shown', page.run('''return [...document.images].filter((image) =>
+        !image.naturalWidth || !image.alt).length'''), 0)
+    check.that('errata: pairs of pictures', page.run('return document.querySelectorAll(".pair").length') >= 20)
+    check.equal('errata: links within the page lead somewhere', page.run('''return [...document.querySelectorAll('a[href^="#"]')]
+        .filter((link) => !document.getElementById(link.getAttribute("href").slice(1))).length'''), 0)
+    fits(check, page, 'errata')
+    theme_switch(check, page, 'errata')
+    no_errors(check, page, 'errata')
+
+
 def main():
     folder = pathlib.Path(sys.argv[1]).resolve()
     if not shutil.which('chromium') or not shutil.which('chromedriver'):
@@ -193,6 +205,7 @@ def main():
         check.that('topic pages', len(pages) > 1, pages)
         for path in pages:
             topic_page(check, browser, path)
+        errata(check, browser, folder / 'errata.html')
     print(f'{check.passed} passed, {len(check.failed)} failed')
     sys.exit(bool(check.failed))
 

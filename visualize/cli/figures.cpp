@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/errata.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/gallery.hpp"
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 constexpr const char* manifest_name = ".gradus-manifest.json";
 constexpr const char* index_name = "index.html";
 constexpr const char* topics_folder = "topics/";
+constexpr const char* errata_name = "errata.html";
 
 /// The cores this process may use: what the scheduler grants, within what the machine allows.
 std::size_t usable_cores() {
@@ -136,8 +138,8 @@ class Album {
   void remove(const std::string& slug, const ManifestFile& file) const {
     const fs::path path(file.path);
     const bool own = path == fs::path(slug) / path.filename() && !slug.empty() && !slug.starts_with('.');
-    const bool page =
-        slug == index_name && path.lexically_normal() == path && file.path.starts_with(topics_folder);
+    const bool page = slug == index_name && path.lexically_normal() == path &&
+                      (file.path.starts_with(topics_folder) || file.path == errata_name);
     if (!(own || page) || !is_as_made(file)) return;
     std::error_code error;
     fs::remove(out_ / path, error);
@@ -284,9 +286,10 @@ struct CardMaker {
   std::vector<TopicFigure> figures;
 };
 
-/// The page of all figures that are there, and the pages of their topics.
-void write_index(const Lecture& lecture, const fs::path& out, Album& album, const std::string& program,
-                 bool force) {
+/// The page of all figures that are there, and the pages of their topics; with the built-in gallery the
+/// errata.
+void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Album& album,
+                 const std::string& program, bool force) {
   std::string contents = program + "\n" + lecture.title;
   std::vector<AnyPart> present;
   for (const AnyPart& part : lecture.parts()) {
@@ -302,6 +305,11 @@ void write_index(const Lecture& lecture, const fs::path& out, Album& album, cons
   std::vector<ManifestFile> written = write_topics(cards.figures, out);
   GalleryOptions options;
   if (!lecture.title.empty()) options.title = lecture.title;
+  if (built_in) {
+    write_output((out / errata_name).string(), errata_gallery());
+    written.push_back(file_state(out, errata_name));
+    options.errata = errata_name;
+  }
   write_output((out / index_name).string(), gallery_page(cards.cards, options));
   written.push_back(file_state(out, index_name));
   album.put(index_name, key, std::move(written));
@@ -389,7 +397,7 @@ int figures(const Request& request) {
     album.put(due[i].name(), due[i].key, std::move(drawn.files));
     remarks[i] = std::move(drawn.remarks);
   });
-  write_index(lecture, out, album, program, force);
+  write_index(lecture, file.owner.empty(), out, album, program, force);
 
   if (request.has("zip")) {
     zip_folder(out, album.paths(), zip_beside(out));

@@ -123,11 +123,17 @@ std::string gallery_page(std::span<const Card> cards, const GalleryOptions& opti
       options.zip.empty()
           ? ""
           : fmt::format(" <a href=\"{}\" download>All of it in one file (zip)</a>", link_to(options.zip));
+  const std::string errata =
+      options.errata.empty()
+          ? ""
+          : fmt::format(" <a href=\"{}\">What lecture notes print wrong, beside what is right</a>",
+                        link_to(options.errata));
   const std::string title = escaped(options.title), intro = escaped(options.intro);
   const std::string count = counted(cards.size());
   return filled(web_asset("gallery.html"), {{"title", title},
                                             {"intro", intro},
                                             {"zip", zip},
+                                            {"errata", errata},
                                             {"count", count},
                                             {"choices", choices},
                                             {"sections", sections},

@@ -30,7 +30,8 @@ struct GalleryOptions {
       "Computer graphics, step by step. Every figure here is drawn from a run of the algorithm's own code: "
       "open "
       "one and step through it, or take it for your slides.";
-  std::string zip{};  ///< relative path: everything in one file; empty: none
+  std::string zip{};     ///< relative path: everything in one file; empty: none
+  std::string errata{};  ///< relative path: the page of errata; empty: none
 };
 
 /// out/index.html.

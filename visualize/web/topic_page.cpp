@@ -100,21 +100,6 @@ std::string anchor_of(std::string_view heading) {
   return anchor;
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
-    };
-    const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (std::size_t k = 0; k < 4; ++k) {
-      out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return out;
-}
-
 /// A topic's page in the making: its Markdown tree, changed in place.
 class Page {
  public:
@@ -275,6 +260,17 @@ std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {
                                           {"topic.css", web_asset("topic.css")},
                                           {"common.js", web_asset("common.js")},
                                           {"topic.js", web_asset("topic.js")}});
+}
+
+std::string html_of_line(std::string_view markdown) {
+  const Owned<cmark_node> document(cmark_parse_document(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT));
+  const Owned<char> text(cmark_render_html(document.get(), CMARK_OPT_DEFAULT, nullptr));
+  std::string html = text.get();
+  constexpr std::string_view before = "<p>", after = "</p>\n";
+  if (html.starts_with(before) && html.ends_with(after)) {
+    html = html.substr(before.size(), html.size() - before.size() - after.size());
+  }
+  return html;
 }
 
 }  // namespace gradus

@@ -26,4 +26,8 @@ std::string topic_page_path(const TopicEntry& topic);
 /// topics' pages and into the sources at its end; what is not there is named instead of linked.
 std::string topic_page(const TopicEntry& topic, std::span<const Link> figures);
 
+/// A single line of Markdown: code, emphasis and links without a paragraph around them. What looks like HTML
+/// is text.
+std::string html_of_line(std::string_view markdown);
+
 }  // namespace gradus
