@@ -47,6 +47,9 @@ void use(const Parameter& parameter, const std::string& text) {
               "a window is the right way round");
       break;
     }
+    case ParameterType::flag:
+      require(arguments.flag(parameter.name) == (text == "yes"), "a flag is given or not");
+      break;
     case ParameterType::integer: {
       const std::int64_t value = arguments.integer(parameter.name);
       require(parameter.least <= value && value <= parameter.most, "a number is in its range");

@@ -606,6 +606,7 @@ def test_figures():
     for slug in rendered:
         check(f"{slug}/{slug}.png" in made and f'src="./{slug}/{slug}.png"' in made["index.html"].decode(), f"{slug}.png is there and shown")
     check("topics/scan_conversion/bresenham_line.html" in made, "the pages of the topics")
+    check("errata.html" in made and 'href="./errata.html"' in made["index.html"].decode(), "the page of errata")
     page = made["index.html"].decode()
     for link in re.findall(r'(?:href|src)="([^"#:]+)"', page):
         check(os.path.exists(os.path.join("out", link)), f"the link {link} leads somewhere")
@@ -652,6 +653,27 @@ def test_figures():
     gradus("figures", "-o", "out")
     equal(read("out/topics/scan_conversion/flood_fill.html"), made["topics/scan_conversion/flood_fill.html"],
           "a lost topic page is made again")
+
+
+def test_exact():
+    drift = ["bresenham_line", "--to", "12,10", "--method", "dda", "--exact"]
+    told = json.loads(gradus("run", *drift, "--json").out)
+    equal((told["result"]["float_differs_at"], told["result"]["double_differs_at"]), ("9", ""), "where float leaves the line")
+    slope = next(step for step in told["steps"] if step.get("number_") == "slope" or step["type"] == "Divided")
+    equal(slope["exactly"], "5/6", "the slope as a fraction")
+    equal(gradus("figure", *drift, "-o", "drift.svg").code, 0, "a figure")
+    check("--exact" in gradus("again", "drift.svg", "-o", "again.svg").out + read("drift.svg").decode(), "the figure remembers it")
+    equal(read("again.svg"), read("drift.svg"), "the same again")
+    for words, message in (
+            (["cohen_sutherland_2d", "--method", "correctly_rounded", "--exact"],
+             "gradus: --exact: expected one of the methods cut_of_a_cut with it, found correctly_rounded\n"),
+            (["liang_barsky", "--exact=1"], "gradus: --exact: expected no value, found '1'\n")):
+        result = gradus("run", *words)
+        equal((result.code, result.out, result.err), (2, "", message), " ".join(words))
+    check(gradus("run", "flood_fill", "--exact").err.endswith("found '--exact'\n"), "a topic of whole numbers has none")
+    write("deck.json", '{"figures": [{"topic": "liang_barsky", "input": {"exact": true}}, {"topic": "liang_barsky", "input": {"exact": 1}}]}')
+    equal(gradus("figures", "deck.json", "--check").err,
+          "gradus: deck.json:1: figures[1].input.exact: expected true or false, found 1\n", "in a lecture it is true or false")
 
 
 def test_figures_all_anew():

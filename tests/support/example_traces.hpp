@@ -69,6 +69,9 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   line("-2147483648,-2147483648", "2147483647,2147483647");
   line("2147483647,-2147483648", "-2147483648,2147483646");
   line("0,0", "4,-2", "first_octant");
+  tell("bresenham_line", {{"to", "12,10"}, {"method", "dda"}, {"exact", "yes"}});
+  tell("liang_barsky", {{"line", "-1,2,11,7"}, {"exact", "yes"}});
+  tell("affine_2d", {{"exact", "yes"}});
   tell("bresenham_line", {{"from", "262,23"}, {"to", "91618510,-54756195"}, {"window", "270,0,299,19"}});
   tell("bresenham_line", {{"window", "20,20,30,30"}});
   tell("pipeline", {{"turn", "50"}, {"near", "1.8"}});

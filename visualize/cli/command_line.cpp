@@ -58,7 +58,8 @@ class Parser {
 
   void add_parameters(const TopicEntry& topic) {
     for (const Parameter& p : topic.parameters) {
-      add("--" + hyphened(p.name), "--" + hyphened(p.name), true, request_.arguments, p.name);
+      const bool takes_value = p.type != ParameterType::flag;
+      add("--" + hyphened(p.name), "--" + hyphened(p.name), takes_value, request_.arguments, p.name);
     }
     add("--method", "--method", true, request_.arguments, "method");
   }
@@ -83,7 +84,8 @@ class Parser {
       throw UsageError(fmt::format("{}: expected one value, found {} and {}", bound.shown_name,
                                    shown(values[0]), shown(values[1])));
     }
-    (*bound.to)[bound.key] = is_switch ? "" : values.front();
+    const std::string given = bound.to == &request_.arguments ? "yes" : "";
+    (*bound.to)[bound.key] = is_switch ? given : values.front();
   }
 
   [[noreturn]] void refuse_unknown() const {

@@ -87,6 +87,8 @@ std::string range_of(const Parameter& parameter) {
                    "X,Y], reflect x, y, origin, y=x or X,Y X,Y, with ; between them";
     case ParameterType::model:
       return "an OBJ file, or - for standard input; the flag may be left out";
+    case ParameterType::flag:
+      return "takes no value";
   }
   return "";
 }
@@ -94,7 +96,8 @@ std::string range_of(const Parameter& parameter) {
 std::string inputs_of(const TopicEntry& topic) {
   std::string text;
   for (const Parameter& p : topic.parameters) {
-    const std::string first = "--" + hyphened(p.name) + " " + shell_quoted(p.example);
+    const std::string first =
+        "--" + hyphened(p.name) + (p.type == ParameterType::flag ? "" : " " + shell_quoted(p.example));
     text += fmt::format("  {}\n      {}\n      {}{}{}\n", first, p.help, range_of(p),
                         p.default_value.empty() ? "" : "; default " + shell_quoted(p.default_value),
                         p.instead_of.empty() ? "" : "; instead of --" + hyphened(p.instead_of));

@@ -20,6 +20,11 @@ namespace fs = std::filesystem;
 /// again.
 constexpr std::size_t longest_inline_maze = 1024;
 
+bool is_flag(const TopicEntry& topic, std::string_view name) {
+  const auto known = std::ranges::find(topic.parameters, name, &Parameter::name);
+  return known != topic.parameters.end() && known->type == ParameterType::flag;
+}
+
 std::string flag_of(const Parameter& parameter) { return "--" + hyphened(parameter.name); }
 
 class Reader {
@@ -193,7 +198,11 @@ std::string command_of(std::string_view command, const TopicEntry& topic, const 
   std::string line = fmt::format("gradus {} {}", command, topic.name);
   for (const Arguments::Entry& entry : arguments.entries()) {
     if (entry.name == "method" && entry.text == topic.default_method) continue;
-    line += " " + flag_with(hyphened(entry.name), entry.text);
+    if (is_flag(topic, entry.name)) {
+      if (!entry.text.empty()) line += " --" + hyphened(entry.name);
+    } else {
+      line += " " + flag_with(hyphened(entry.name), entry.text);
+    }
   }
   return line;
 }

@@ -485,6 +485,11 @@ class Reader {
       return std::ranges::find(types, parameter.type) != types.end();
     };
     std::optional<std::string> text;
+    if (parameter.type == ParameterType::flag) {
+      if (node.kind == Kind::boolean) return node.truth ? "yes" : "no";
+      complain(place, "true or false", node);
+      return std::nullopt;
+    }
     if (parameter.type == ParameterType::maze && node.kind == Kind::list) {
       text = joined(node, place, "/", "a list of rows");
       if (text && !is_maze_rows(*text)) {

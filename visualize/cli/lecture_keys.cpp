@@ -208,6 +208,8 @@ JsonNode schema_of(const Parameter& parameter) {
       }
       return json_object({{"enum", 0, json_list(std::move(names))}});
     }
+    case ParameterType::flag:
+      return of_type({"boolean"});
     case ParameterType::maze:
       return either({of_type({"string"}), list_of(of_type({"string"}))});
     default:

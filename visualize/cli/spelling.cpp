@@ -41,7 +41,7 @@ std::vector<Known> known_flags(const Command* command, const TopicEntry* topic) 
   std::vector<Known> known;
   if (topic) {
     for (const Parameter& p : topic->parameters)
-      known.push_back({p.name, hyphened(p.name), true, expected_value(p)});
+      known.push_back({p.name, hyphened(p.name), p.type != ParameterType::flag, expected_value(p)});
     known.push_back({"method", "method", true, "a method's name"});
   }
   if (command) add_flags(known, command->flags);

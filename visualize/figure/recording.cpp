@@ -36,16 +36,22 @@ Trace TraceWriter::finish() && {
   for (Column& column : trace_.columns) {
     if (column.name.empty()) column.name = heading(trace_, column);
   }
-  trace_.widest.assign(trace_.columns.size(), "");
-  for (const TraceStep& step : trace_.steps) {
-    widen(trace_.widest, step.read);
-    widen(trace_.widest, step.row);
-    if (step.sentence.size() > trace_.longest_sentence.size()) trace_.longest_sentence = step.sentence;
-    const auto place = std::ranges::lower_bound(trace_.lines, step.line);
-    if (step.line > 0 && (place == trace_.lines.end() || *place != step.line))
-      trace_.lines.insert(place, step.line);
-  }
+  measure_texts(trace_);
   return std::move(trace_);
+}
+
+void measure_texts(Trace& trace) {
+  trace.lines.clear();
+  trace.longest_sentence.clear();
+  trace.widest.assign(trace.columns.size(), "");
+  for (const TraceStep& step : trace.steps) {
+    widen(trace.widest, step.read);
+    widen(trace.widest, step.row);
+    if (step.sentence.size() > trace.longest_sentence.size()) trace.longest_sentence = step.sentence;
+    const auto place = std::ranges::lower_bound(trace.lines, step.line);
+    if (step.line > 0 && (place == trace.lines.end() || *place != step.line))
+      trace.lines.insert(place, step.line);
+  }
 }
 
 }  // namespace gradus

@@ -79,4 +79,8 @@ class TraceWriter {
   int fine_ = 0;
 };
 
+/// Sets what a trace says of its texts as a whole: `widest`, `longest_sentence`, `lines`. Stories that change
+/// steps after finish() call it again.
+void measure_texts(Trace& trace);
+
 }  // namespace gradus

@@ -150,6 +150,13 @@ std::string canonical_choice(const Parameter& parameter, std::string_view text) 
   return *chosen;
 }
 
+std::string canonical_flag(const Parameter& parameter, std::string_view text) {
+  const std::string word = lowered(trimmed(text));
+  if (word == "yes") return "yes";
+  if (word.empty() || word == "no") return "";
+  refuse(parameter, "yes or no", text);
+}
+
 /// A file goes by its name without folders, so that a figure's command is the same wherever it was made.
 std::string base_name(std::string_view path) { return std::string(path.substr(path.find_last_of('/') + 1)); }
 
@@ -465,6 +472,8 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
       return canonical_factors(parameter, text);
     case ParameterType::model:
       return canonical_model(parameter, text);
+    case ParameterType::flag:
+      return canonical_flag(parameter, text);
   }
   refuse(parameter.name, "expected a known type of value, found none");
 }

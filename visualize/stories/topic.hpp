@@ -36,6 +36,7 @@ enum class ParameterType {
   order,    ///< all of `choices`, each once: "left,right,bottom,top"; where `numbered`, "2,1,3", too
   factors,  ///< transformations in the order of acting: "rotate 30 about 1,1; scale 2"; `parts`: x,y or x,y,z
   model,    ///< an OBJ file; commands take it as an operand too
+  flag,     ///< given or not: "yes", else empty
 };
 
 struct Parameter {
@@ -94,6 +95,8 @@ class Arguments {
   /// The same where the order is one of numbers, 1 at position 0; nothing where it is one of choices.
   std::optional<std::vector<std::size_t>> numbered_order(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
+  /// Whether a flag was given; not, too, where the topic has none of this name.
+  bool flag(std::string_view name) const { return has(name) && text(name) == "yes"; }
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:

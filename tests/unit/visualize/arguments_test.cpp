@@ -288,6 +288,14 @@ TEST(ReadTuples, ErrorsNameThePoint) {
             "expected points x,y with spaces between them, found ' '");
 }
 
+TEST(Canonical, Flags) {
+  const Parameter flag = parameter(ParameterType::flag);
+  EXPECT_EQ(canonical(flag, " Yes "), "yes");
+  EXPECT_EQ(canonical(flag, "no"), "");
+  EXPECT_EQ(canonical(flag, ""), "");
+  EXPECT_EQ(complaint(flag, "maybe"), "value: expected yes or no, found 'maybe'");
+}
+
 Parameter with_parts(ParameterType type, std::vector<std::string> parts) {
   Parameter made = parameter(type);
   made.parts = std::move(parts);

@@ -4,6 +4,7 @@
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
 #include "stories/clipping/window_view.hpp"
+#include "stories/side_by_side.hpp"
 
 namespace gradus::cohen_sutherland_2d {
 namespace {
@@ -268,6 +269,33 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
+/// What the steps of the taught method hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Classified<T>& c) const {
+    to.type = "Classified";
+    to.point("a", c.line.a);
+    to.point("b", c.line.b);
+    to.decision(c.code_a);
+    to.decision(c.code_b);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Cut<T>& c) const {
+    to.type = "Cut";
+    to.point(c.of_a ? "a" : "b", c.to());
+    to.decision(c.border);
+    to.decision(c.after());
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Accepted<T>&) const {
+    to.type = "Accepted";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rejected&) const {
+    to.type = "Rejected";
+  }
+};
+
 Trace run(const Arguments& arguments, Recording recording) {
   Task task = task_of(arguments);
   const std::string& method = arguments.text("method");
@@ -299,6 +327,12 @@ Trace run(const Arguments& arguments, Recording recording) {
   if (method == "codes_only") codes_only(task.line, task.window, task.order, 8, teller);
   Trace told = std::move(writer).finish();
   told.telling = told.whole() ? StepNumber{told.last, 0} : middle_step(told);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"cut_of_a_cut"});
+    show_side_by_side<Numbers>(told, [&]<class T>(T, const auto& observer) {
+      cut_of_a_cut(in_scalar<T>(task.line), in_scalar<T>(task.window), task.order, observer);
+    });
+  }
   return told;
 }
 
@@ -323,7 +357,8 @@ const TopicEntry& entry() {
                       .example = "LRBT",
                       .help =
                           "which border each digit of a code stands for: T top, B bottom, R right, L left",
-                      .choices = {"TBRL", "LRBT"}}},
+                      .choices = {"TBRL", "LRBT"}},
+                     exact_parameter()},
       .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
                    "--line 5,5,-5,5 --method codes_only"},
       .run = run};

@@ -9,6 +9,7 @@
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
 #include "stories/clipping/box_view.hpp"
 #include "stories/paper.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -423,6 +424,33 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
+/// What the steps of the taught method hold.
+struct Numbers {
+  template <int N, class T>
+  void operator()(NumericStep<T>& to, const Classified<N, T>& c) const {
+    to.type = "Classified";
+    to.point("a", c.line.a);
+    to.point("b", c.line.b);
+    to.decision(c.code_a);
+    to.decision(c.code_b);
+  }
+  template <int N, class T>
+  void operator()(NumericStep<T>& to, const Cut<N, T>& c) const {
+    to.type = "Cut";
+    to.point(c.of_a ? "a" : "b", c.to());
+    to.decision(c.face);
+    to.decision(c.after());
+  }
+  template <int N, class T>
+  void operator()(NumericStep<T>& to, const Accepted<N, T>&) const {
+    to.type = "Accepted";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rejected&) const {
+    to.type = "Rejected";
+  }
+};
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Run input = run_of(arguments);
   TraceWriter writer(recording);
@@ -459,6 +487,12 @@ Trace run(const Arguments& arguments, Recording recording) {
   Trace done = std::move(writer).finish();
   done.telling = middle_step(done);
   done.result = {{"inside", inside != 0}};
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"cut_of_a_cut"});
+    show_side_by_side<Numbers>(done, [&]<class T>(T, const auto& observer) {
+      cut_of_a_cut(in_scalar<T>(input.line), in_scalar<T>(input.box), input.order, observer);
+    });
+  }
   return done;
 }
 
@@ -499,7 +533,8 @@ const TopicEntry& entry() {
             .default_value = "FNTBRL",
             .example = "LRBTNF",
             .help = "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)",
-            .choices = {"FNTBRL", "LRBTNF"}}},
+            .choices = {"FNTBRL", "LRBTNF"}},
+           exact_parameter()},
       .examples = {"--line -2,1,2,12,11,9", "--line -3,5,1,4,12,2 --order top,bottom,left,right,near,far",
                    "--method view_volume --homogeneous -2.2,0.5,1.5,2,2,1,-1.5,-1"},
       .run = run};

@@ -5,6 +5,7 @@
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "stories/clipping/box_view.hpp"
 #include "stories/clipping/window_view.hpp"
+#include "stories/side_by_side.hpp"
 
 namespace gradus::liang_barsky {
 namespace {
@@ -429,6 +430,54 @@ BoxTask space_of(const Arguments& arguments) {
           {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}};
 }
 
+/// What the steps of the parametric methods hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Started<T>& s) const {
+    to.type = "Started";
+    to.point("d", s.d);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const BoxStarted<T>& s) const {
+    to.type = "Started";
+    to.point("d", s.d);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Tested<T>& t) const {
+    to.type = "Tested";
+    to.number("t", t.t);
+    to.number("enter", t.enter);
+    to.number("leave", t.leave);
+    to.decision(t.crossing);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Accepted<T>& a) const {
+    to.type = "Accepted";
+    to.point("a", a.line.a);
+    to.point("b", a.line.b);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const BoxAccepted<T>& a) const {
+    to.type = "Accepted";
+    to.point("a", a.line.a);
+    to.point("b", a.line.b);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rejected<T>&) const {
+    to.type = "Rejected";
+  }
+};
+
+void put_side_by_side(Trace& trace, const Task& task, const BoxTask& space, bool in_space) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    if (in_space) {
+      box_parametric(in_scalar<T>(space.line), in_scalar<T>(space.box), usual_order<3>(), observer);
+    } else {
+      parametric(in_scalar<T>(task.line), in_scalar<T>(task.window), task.order, observer);
+    }
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Task task{window_view::line_in(arguments), window_view::window_in(arguments),
                   window_view::order_in(arguments)};
@@ -445,7 +494,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   // Only what the method reads
   std::erase_if(trace.arguments, [&](const Argument& a) {
     const bool of_space = a.name == "space_line" || a.name == "box";
-    return a.name != "method" && of_space != in_space;
+    return a.name != "method" && a.name != "exact" && of_space != in_space;
   });
   trace.source_file = std::string(folder) + (in_space ? "liang_barsky_box.hpp" : "liang_barsky.hpp");
   trace.listing = listing_of(source_text(trace.source_file), method);
@@ -475,6 +524,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   }
   Trace told = std::move(writer).finish();
   told.telling = told.whole() ? StepNumber{told.last, 0} : middle_step(told);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"parametric", "box_parametric"});
+    put_side_by_side(told, task, space, in_space);
+  }
   return told;
 }
 
@@ -505,7 +558,8 @@ const TopicEntry& entry() {
                       .example = "0,0,0,10,8,6",
                       .help =
                           "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
-                      .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}}},
+                      .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}},
+                     exact_parameter()},
       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"},
       .run = run};
   return topic;

@@ -11,6 +11,7 @@
 #include "stories/clipping/clip_space.hpp"
 #include "stories/paper.hpp"
 #include "stories/point_text.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -588,6 +589,35 @@ void run_plain(const Given& given, std::string_view method, Teller& teller) {
   teller.show_result(polygon);
 }
 
+/// What the steps of the textbook's passes hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const VertexTested<T>& v) const {
+    to.type = "VertexTested";
+    to.point("vertex", v.vertex.at);
+    to.decision(v.side);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const EdgeCut<T>& c) const {
+    to.type = "EdgeCut";
+    to.point("cut", c.vertex.at);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const BorderPassed<T>&) const {
+    to.type = "BorderPassed";
+  }
+};
+
+void put_side_by_side(Trace& trace, const Given& given) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    std::vector<glm::vec<2, T>> corners;
+    for (const dvec2 p : given.outline()) corners.push_back(in_scalar<T>(p));
+    const Rectangle<T> window = in_scalar<T>(given.rectangle);
+    by_passes(Task<T>{corners, window, given.order},
+              [&](auto rest, auto border) { return cut_of_a_cut(rest, border, observer); });
+  });
+}
+
 /// Corners in clip space, as they were given.
 std::vector<Point<double>> homogeneous_of(const Arguments& arguments) {
   const std::vector<std::string> parts{"x", "y", "z", "w"};
@@ -650,6 +680,7 @@ Trace run_homogeneous(const Arguments& arguments, Recording recording) {
 
 Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
+  if (side_by_side(arguments)) require_method(arguments, {"cut_of_a_cut"});
   if (method.name == homogeneous_name) return run_homogeneous(arguments, recording);
   const bool pieces = method.name == "separate_pieces";
   const bool exact = pieces || method.name == "border_by_border";
@@ -698,6 +729,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   teller.finish();
   Trace trace = std::move(writer).finish();
   trace.telling = {trace.last, 0};
+  if (side_by_side(arguments)) put_side_by_side(trace, given);
   return trace;
 }
 
@@ -748,10 +780,13 @@ const std::vector<Parameter>& parameters() {
        .example = "bottom,left,top,right",
        .help = "in which order the borders are cut at; those of window_polygon by their numbers, as 3,1,2",
        .choices = {"left", "right", "bottom", "top"},
-       .numbered = true}};
+       .numbered = true},
+      exact_parameter()};
   return all;
 }
-const Parameter& order_parameter() { return parameters().back(); }
+const Parameter& order_parameter() {
+  return *std::ranges::find(parameters(), ParameterType::order, &Parameter::type);
+}
 
 }  // namespace
 

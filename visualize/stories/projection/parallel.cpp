@@ -5,6 +5,7 @@
 
 #include "projection/parallel/parallel_notes.hpp"
 #include "stories/projection/solids.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -325,6 +326,34 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
+/// What a projection's steps hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Cast<T>& c) const {
+    to.type = "Cast";
+    to.number("t", c.t);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.type = "Projected";
+    to.point("image", p.image);
+  }
+};
+
+/// The slant is the doubles' in all three.
+void put_side_by_side(Trace& trace, const Task& task) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    for (const dvec3 corner : task.solid.corners) {
+      const auto point = in_scalar<T>(corner);
+      if (task.method == "orthographic") {
+        orthographic(task.axis, T(task.d), point, observer);
+      } else {
+        oblique(T(task.d), Slant<T>{T(task.slant.a), T(task.slant.b)}, point, observer);
+      }
+    }
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Task task = task_of(arguments);
   TraceWriter writer(recording);
@@ -349,6 +378,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   teller.finish();
   Trace told = std::move(writer).finish();
   told.telling = told.whole() ? StepNumber{told.last, 0} : middle_step(told);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"oblique", "orthographic"});
+    put_side_by_side(told, task);
+  }
   return told;
 }
 
@@ -417,7 +450,8 @@ const TopicEntry& entry() {
             .help = "method along: the plane nx x + ny y + nz z = offset; without a direction seen upright, "
                     "which "
                     "is isometric for 1,-1,1",
-            .parts = {"nx", "ny", "nz", "offset"}}},
+            .parts = {"nx", "ny", "nz", "offset"}},
+           exact_parameter()},
       .examples = {"--receding 45,1", "--method orthographic --from top", "--method along --plane 1,-1,1,-3"},
       .run = run};
   return topic;

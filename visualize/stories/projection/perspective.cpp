@@ -5,6 +5,7 @@
 
 #include "projection/perspective/perspective_notes.hpp"
 #include "stories/projection/solids.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -883,6 +884,32 @@ std::vector<LegendEntry> legend_of(const Wording& words, const std::string& meth
           {Role::result, words.say("perspective.legend.result")}};
 }
 
+/// What the steps of a projection hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Scaled<T>& s) const {
+    to.type = "Scaled";
+    to.number("factor", s.factor);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.type = "Projected";
+    to.point("image", p.image);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Unseen<T>&) const {
+    to.type = "Unseen";
+  }
+};
+
+void put_side_by_side(Trace& trace, const Arguments& arguments) {
+  const double d = distance_of(arguments);
+  const solids::Solid solid = solid_of(arguments);
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    for (const dvec3 corner : solid.corners) project(T(d), in_scalar<T>(corner), observer);
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const std::string& method = arguments.text("method");
   TraceWriter writer(recording);
@@ -910,6 +937,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   }
   Trace told = std::move(writer).finish();
   told.telling = told.whole() ? StepNumber{told.last, 0} : middle_step(told);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"projection"});
+    put_side_by_side(told, arguments);
+  }
   return told;
 }
 
@@ -983,7 +1014,8 @@ const TopicEntry& entry() {
                       .default_value = "1,1000000",
                       .example = "0.1,1000",
                       .help = "method depth_precision: the depths of the near and the far plane",
-                      .parts = {"near", "far"}}},
+                      .parts = {"near", "far"}},
+                     exact_parameter()},
       .examples = {"--solid box --turn 0,0", "--method vanishing_points --turn 35,25",
                    "--method keep_z --distance 1 --from 0,0,1 --to 2,0,3 --wall 2.2 --far 4"},
       .run = run};

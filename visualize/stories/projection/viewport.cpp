@@ -8,6 +8,7 @@
 
 #include "projection/viewport/viewport_notes.hpp"
 #include "stories/paper.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -417,6 +418,41 @@ const Method& method_named(std::string_view name) {
   throw ArgumentError("method", "a method of viewport expected");
 }
 
+/// What the steps of rasterize hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Measured<T>& m) const {
+    to.type = "Measured";
+    to.point("fraction", m.fraction);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Placed<T>& p) const {
+    to.type = "Placed";
+    to.point("place", p.place);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Outside<T>&) const {
+    to.type = "Outside";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rounded<T>& r) const {
+    to.type = "Rounded";
+    to.decision(r.pixel.x);
+    to.decision(r.pixel.y);
+  }
+};
+
+void put_side_by_side(Trace& trace, const Input& input) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    const auto rectangle = [](const Rectangle<double>& r) {
+      return Rectangle<T>{in_scalar<T>(r.lower), in_scalar<T>(r.upper)};
+    };
+    const auto& [window, viewport, picture, row_zero] = input.map;
+    const Mapping<T> map{rectangle(window), rectangle(viewport), picture, row_zero};
+    for (const dvec2 point : input.points) rasterize(map, in_scalar<T>(point), input.rounding, observer);
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
   const bool faulty = method.standing == Standing::faulty;
@@ -453,6 +489,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   teller.finish();
   Trace done = std::move(writer).finish();
   done.telling = faulty ? StepNumber{done.last, 0} : middle_step(done);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"floor", "half_up", "half_even"});
+    put_side_by_side(done, input);
+  }
   return done;
 }
 
@@ -485,7 +525,7 @@ const TopicEntry& entry() {
                       .summary = "from a window on the camera plane to the pixels of a picture",
                       .methods = all_methods(),
                       .default_method = "floor",
-                      .parameters = {points, window, resolution, fit, row_zero},
+                      .parameters = {points, window, resolution, fit, row_zero, exact_parameter()},
                       .examples = {"--points '0.3,0.4 1.3,0.5' --resolution 8,6",
                                    "--window -1,-1,1,1 --resolution 8,6 --fit letterbox",
                                    "--points '0,0 2,1' --method clamped"},

@@ -8,6 +8,7 @@
 
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 
@@ -446,6 +447,29 @@ class AnalyserTeller {
   std::vector<ivec2> pointed_;
 };
 
+/// What the steps of the digital differential analyser hold.
+struct DdaNumbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Divided<T>& d) const {
+    to.type = "Divided";
+    to.number("slope", d.slope);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Added<T>&) const {
+    to.type = "Added";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rounded<T>& r) const {
+    to.type = "Rounded";
+    to.number("offset", r.offset);
+    to.decision(r.row);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Finished&) const {
+    to.type = "Finished";
+  }
+};
+
 /// Tells the runs of the batch method.
 class RunTeller {
  public:
@@ -618,6 +642,14 @@ Trace run(const Arguments& arguments, Recording recording) {
   }
   Trace trace = std::move(writer).finish();
   trace.telling = middle_step(trace);
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"dda"});
+    const auto method_in = [&]<class T>(T, const auto& observer) {
+      dda<T>(line.from, line.to, drop, observer);
+    };
+    show_side_by_side<DdaNumbers>(trace, method_in, ToldIn::floats);
+    return trace;
+  }
   if (first_wrong && has_step(trace, {*first_wrong, 0})) trace.telling = {*first_wrong, 0};
   if (method.standing == Standing::faulty && trace.whole()) trace.telling = {trace.last, 0};
   trace.result = {{"count", std::max<std::int64_t>(0, line.shown.last - line.shown.first + 1)}};
@@ -639,7 +671,8 @@ const TopicEntry& entry() {
       .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
                      {"to", ParameterType::cell, "7,3", "7,3", "last pixel"},
                      {"window", ParameterType::window, "", "0,0,15,9",
-                      "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
+                      "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"},
+                     exact_parameter()},
       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
       .run = run};
   return topic;

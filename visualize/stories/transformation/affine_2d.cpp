@@ -11,6 +11,7 @@
 
 #include "stories/matrix_drawing.hpp"
 #include "stories/paper.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
@@ -413,6 +414,66 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
                   {Role::result, words.say("affine_2d.legend.result")}};
 }
 
+/// What the steps of the methods that multiply and move hold. There is nothing to decide.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Started<T>&) const {
+    to.type = "Started";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rebased<T>& r) const {
+    to.type = "Rebased";
+    corners(to, r.points);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Multiplied<T>& m) const {
+    to.type = "Multiplied";
+    constexpr std::array<std::string_view, 3> columns{"x", "y", "0"};
+    for (int column = 0; column < 3; ++column) {
+      const auto name = columns[static_cast<std::size_t>(column)];
+      to.number(fmt::format("x{}", name), m.product[column].x);
+      to.number(fmt::format("y{}", name), m.product[column].y);
+    }
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Acted<T>& a) const {
+    to.type = "Acted";
+    corners(to, a.points);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Moved<T>& m) const {
+    to.type = "Moved";
+    to.point(letter(m.point), m.to);
+  }
+
+ private:
+  template <class T>
+  static void corners(NumericStep<T>& to, const std::vector<Point<T>>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) to.point(letter(i), points[i]);
+  }
+};
+
+template <class T>
+Factor<T> factor_in(const Factor<double>& factor) {
+  const auto& [linear, pivot, shift] = factor;
+  return {{in_scalar<T>(linear[0]), in_scalar<T>(linear[1])}, in_scalar<T>(pivot), in_scalar<T>(shift)};
+}
+
+/// The factors are the doubles' in all three: what is compared is multiplying and moving.
+void put_side_by_side(Trace& trace, const Task& task, const std::string& method) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    std::vector<Factor<T>> factors;
+    for (const Factor<double>& factor : task.factors) factors.push_back(factor_in<T>(factor));
+    std::vector<Point<T>> points;
+    for (const dvec2 p : task.shape) points.push_back(in_scalar<T>(p));
+    const std::span<const Factor<T>> chain(factors);
+    if (method == "one_matrix") one_matrix(chain, std::span(points), observer);
+    if (method == "factor_by_factor") factor_by_factor(chain, std::span(points), observer);
+    if (method == "local_coordinates")
+      local_coordinates(factors[0].pivot, chain, std::span(points), observer);
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   static const std::vector<Method> methods = all_methods();
   const Method& method = *std::ranges::find(methods, arguments.text("method"), &Method::name);
@@ -440,6 +501,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     trace.result.push_back({fmt::format("{}.x", letter(i)), points[i].x});
     trace.result.push_back({fmt::format("{}.y", letter(i)), points[i].y});
+  }
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"one_matrix", "factor_by_factor", "local_coordinates"});
+    put_side_by_side(trace, task, method.name);
   }
   return trace;
 }
@@ -485,7 +550,8 @@ const TopicEntry& entry() {
                             "a factor about a point is one step, or three: there, about the origin, and back",
                             {"whole", "split"}),
                      choice("compare", "none", "reversed",
-                            "a last step shows the factors in the reverse order", {"none", "reversed"})},
+                            "a last step shows the factors in the reverse order", {"none", "reversed"}),
+                     exact_parameter()},
       .examples = {"--factors 'rotate 30 about 1,1; scale 2 about 1,1'",
                    "--factors 'translate 2,0; rotate 90' --compare reversed",
                    "--factors 'shear 2,1/2' --polygon '0,0 2,0 2,1 0,1'"},

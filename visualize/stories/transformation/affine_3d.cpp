@@ -13,6 +13,7 @@
 #include "core/record.hpp"
 #include "stories/matrix_drawing.hpp"
 #include "stories/paper.hpp"
+#include "stories/side_by_side.hpp"
 #include "stories/topic.hpp"
 #include "stories/words.hpp"
 #include "transformation/affine_3d/affine_3d_notes.hpp"
@@ -570,6 +571,74 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
                   {Role::result, words.say("affine_3d.legend.result")}};
 }
 
+/// What the steps of turn_vector hold, and of products of matrices.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Started<T>&) const {
+    to.type = "Started";
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Multiplied<T>& m) const {
+    to.type = "Multiplied";
+    constexpr std::array<std::string_view, 4> columns{"x", "y", "z", "0"};
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        to.number(fmt::format("{}{}", "xyz"[row], columns[static_cast<std::size_t>(column)]),
+                  m.product[column][row]);
+      }
+    }
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Transformed<T>& t) const {
+    to.type = "Transformed";
+    to.point("P", t.to);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.type = "Projected";
+    to.point("r", p.r);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rejected<T>& r) const {
+    to.type = "Rejected";
+    to.point("s", r.s);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Crossed<T>& c) const {
+    to.type = "Crossed";
+    to.point("v", c.v);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Turned<T>& t) const {
+    to.type = "Turned";
+    to.point("P′", t.to);
+  }
+};
+
+template <class T>
+Matrix<T> matrix_in(const Mat& m) {
+  Matrix<T> result(T(1));
+  for (int column = 0; column < 4; ++column) result[column] = in_scalar<T>(m[column]);
+  return result;
+}
+
+/// The factors, the axis of length 1 and the turn are the doubles' in all three.
+void put_side_by_side(Trace& trace, const Task& task, const Shape& box, const std::string& method) {
+  show_side_by_side<Numbers>(trace, [&]<class T>(T, const auto& observer) {
+    if (method == "turn_vector") {
+      const Turn<double> turn = turn_degrees(task.angle);
+      turn_vector(in_scalar<T>(direction_of(task.axis)), in_scalar<T>(task.through),
+                  Turn<T>{T(turn.sin), T(turn.cos), T(turn.versine)}, in_scalar<T>(task.point), observer);
+      return;
+    }
+    std::vector<Matrix<T>> factors;
+    for (const Mat& m : task.factors) factors.push_back(matrix_in<T>(m));
+    std::vector<Point<T>> corners;
+    for (const dvec3 p : box) corners.push_back(in_scalar<T>(p));
+    one_matrix(std::span<const Matrix<T>>(factors), std::span(corners), observer);
+  });
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   static const std::vector<Method> methods = all_methods();
   const Method& method = *std::ranges::find(methods, arguments.text("method"), &Method::name);
@@ -601,6 +670,10 @@ Trace run(const Arguments& arguments, Recording recording) {
   Trace trace = std::move(writer).finish();
   trace.telling = {trace.last, 0};
   trace.result = {{"x", result.x}, {"y", result.y}, {"z", result.z}};
+  if (side_by_side(arguments)) {
+    require_method(arguments, {"one_matrix", "turn_vector"});
+    put_side_by_side(trace, task, box_of(task.size), method.name);
+  }
   return trace;
 }
 
@@ -643,7 +716,8 @@ const TopicEntry& entry() {
            {"angle", ParameterType::number, "30", "60", "decomposition, turn_vector: the turn in degrees",
             -1'000'000, 1'000'000},
            triple("point", "3,1,1", "turn_vector: the point that turns"),
-           triple("box", "2,3,1", "width, height and depth of the box with the F, one corner in the origin")},
+           triple("box", "2,3,1", "width, height and depth of the box with the F, one corner in the origin"),
+           exact_parameter()},
       .examples = {"--factors 'rotate 90 about x; rotate 90 about y'",
                    "--method decomposition --axis 0,1,1 --through 1,1,0 --angle 30",
                    "--method turn_vector --axis 1,2,3 --angle 60"},
