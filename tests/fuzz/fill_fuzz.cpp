@@ -63,6 +63,9 @@ void in_maze(const Maze& maze, ivec2 from, Connectivity connectivity) {
   if (maze[from] == wall) return;
   require(fill_rows(fast, from, 'x', connectivity).painted == count && fast == expected,
           "the fast fill paints the component");
+  Maze labelled = maze;
+  require(fill_by_labels(labelled, from, 'x', connectivity).painted == count && labelled == expected,
+          "the fill by labels paints the component");
 }
 
 }  // namespace

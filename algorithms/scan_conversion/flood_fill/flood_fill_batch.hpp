@@ -1,12 +1,14 @@
 #pragma once
-// The span fill on plain memory: what fill_raster does, with a row as a pointer and the raster's edges as
-// bounds of the loops instead of a question a cell.
+// Fills on plain memory. fill_rows does what fill_raster does, with a row as a pointer and the raster's edges
+// as bounds of the loops instead of a question a cell. fill_by_labels looks at the whole raster, 64 cells at
+// a time, and pays for no branch a cell.
 
 #include <algorithm>
 #include <cstdint>
 
 #include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
+#include "scan_conversion/flood_fill/run_labels.hpp"
 
 namespace gradus::flood_fill {
 
@@ -66,6 +68,61 @@ Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
     }
   }
   return tally(waiting, painted);
+}
+
+/// The part of a word's runs that is wanted, a run for each set bit of `starts`. `run`: the number of the
+/// first, counted on; `carry`: whether a wanted run goes on from the word before, or into the next.
+template <class IsWanted>
+Word wanted_runs(Word bits, Word starts, std::size_t& run, Word& carry, IsWanted is_wanted) {
+  Word begun = 0;
+  for (; starts != 0; starts &= starts - 1) {
+    begun |= Word{is_wanted(run++)} << std::countr_zero(starts);
+  }
+  // A bit added to a run's first one is carried through to its end
+  const Word some = bits + begun, sum = some + carry;
+  carry = some < bits || sum < some;
+  return bits & ~sum;
+}
+
+/// What fill_rows does, by labelling the runs of the whole raster first and painting those of the seed's set
+/// afterwards: faster for areas that fill much of the raster or wind through it; a small area costs as much
+/// as a large one.
+///
+/// raster, seed, value: as for fill_rows.
+///
+/// Domain: as fill_rows, with fewer than 2^32 runs of the seed's value.
+/// Accuracy: exactly the cells of fill_raster.
+/// Cost: two passes over the raster, 64 cells at a time, and some 10 ns for every overlap of two runs,
+///   however they lie. Memory: a bit a cell and up to 8 bytes a run, counted as peak_bytes.
+/// Errors: as fill_rows.
+template <class Cell>
+Filled fill_by_labels(Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                      Connectivity connectivity = Connectivity::four) {
+  expects(raster.contains(seed),
+          "the seed {},{} lies outside the {} x {} cells (columns 0 to {}, rows 0 to {})", seed.x, seed.y,
+          raster.width(), raster.height(), raster.width() - 1, raster.height() - 1);
+  const Cell old = raster[seed];
+  Filled filled;
+  if (old == value) return filled;
+  const Bitmap bitmap(raster, old);
+  const RunLabels labels(bitmap, raster.height(), corners(connectivity));
+  const Label wanted = labels.set_of(labels.run_at(bitmap, seed));
+  const auto is_wanted = [&](std::size_t run) { return labels.set_of(run) == wanted; };
+  for (int y = 0; y < raster.height(); ++y) {
+    std::size_t run = labels.first_run(y);
+    Word before = 0, carry = 0;
+    std::span<Cell> rest = raster.row(y);
+    for (const Word bits : bitmap.row(y)) {
+      const Word painted = wanted_runs(bits, starts_of(bits, before), run, carry, is_wanted);
+      const auto cells = rest.first(std::min<std::size_t>(word_bits, rest.size()));
+      paint_bits(cells, painted, value);
+      filled.painted += count_bits(painted);
+      rest = rest.subspan(cells.size());
+      before = bits;
+    }
+  }
+  filled.peak_bytes = bitmap.bytes() + labels.bytes();
+  return filled;
 }
 
 }  // namespace gradus::flood_fill

@@ -157,6 +157,8 @@ void add_cases(std::vector<Case>& cases, const Scene& scene, const Workload& wor
   add("span", Standing::robust, by(Method::span));
   add("fill_rows", Standing::batch,
       [](Canvas& canvas, ivec2 seed) { flood_fill::fill_rows(canvas, seed, std::uint8_t{2}); });
+  add("fill_by_labels", Standing::batch,
+      [](Canvas& canvas, ivec2 seed) { flood_fill::fill_by_labels(canvas, seed, std::uint8_t{2}); });
 #ifdef GRADUS_HAS_OPENCV
   add("OpenCV floodFill", Standing::peer, [](Canvas& canvas, ivec2 seed) {
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());

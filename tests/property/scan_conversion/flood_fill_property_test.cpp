@@ -188,6 +188,10 @@ void check_maze(const Maze& maze, Random& random, Tally& tally, const std::strin
     const Filled done = fill_rows(fast, from, 'x', connectivity);
     ASSERT_EQ(fast, expected) << what << ", seed " << seed() << '\n' << maze_text(maze) << maze_text(fast);
     ASSERT_EQ(done.painted, count);
+    Maze labelled = maze;
+    ASSERT_EQ(fill_by_labels(labelled, from, 'x', connectivity).painted, count);
+    ASSERT_EQ(labelled, expected) << what << ", seed " << seed() << '\n'
+                                  << maze_text(maze) << maze_text(labelled);
     ++tally.cases;
   }
 }
@@ -255,6 +259,9 @@ TEST(FloodFillProperty, EveryPictureOfTwelveCells) {
         Maze fast = maze;
         fill_rows(fast, {i % 4, i / 4}, 'x', connectivity);
         ASSERT_EQ(fast, expected) << maze_text(maze) << maze_text(fast);
+        Maze labelled = maze;
+        fill_by_labels(labelled, {i % 4, i / 4}, 'x', connectivity);
+        ASSERT_EQ(labelled, expected) << maze_text(maze) << maze_text(labelled);
       }
     }
   }
@@ -425,13 +432,41 @@ TEST(FloodFillProperty, ImagesByToleranceAgainstBruteForce) {
       }
       ++cases;
     }
+    const Image before = image;
     Image fast = image;
     ASSERT_EQ(fill_rows(fast, from, ink, connectivity).painted,
               fill_image(image, from, ink, {0, connectivity}).painted);
     ASSERT_EQ(fast, image);
+    Image labelled = before;
+    fill_by_labels(labelled, from, ink, connectivity);
+    ASSERT_EQ(labelled, image);
   }
   EXPECT_EQ(cases, 4500);
   EXPECT_GT(masked, 500);
+}
+
+TEST(FloodFillProperty, LabelsOfWideRowsAreThoseOfSpans) {
+  // Widths round whole words, where runs and their overlaps cross from one into the next
+  Random random(7);
+  int cases = 0;
+  for (const int width : {1, 2, 63, 64, 65, 127, 128, 129, 200}) {
+    for (int i = 0; i < 60; ++i) {
+      const int height = 1 + random.below(6);
+      const int free = 20 + random.below(80);
+      Maze maze(width, height, wall);
+      for (char& cell : maze.cells()) cell = random.below(100) < free ? free_cell : wall;
+      const ivec2 from{random.below(width), random.below(height)};
+      for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight}) {
+        Maze expected = maze, labelled = maze;
+        const Filled right = fill_raster(expected, from, 'x', Method::span, connectivity);
+        ASSERT_EQ(fill_by_labels(labelled, from, 'x', connectivity).painted, right.painted)
+            << maze_text(maze);
+        ASSERT_EQ(labelled, expected) << width << ", seed " << seed() << '\n' << maze_text(maze);
+        ++cases;
+      }
+    }
+  }
+  EXPECT_EQ(cases, 9 * 60 * 2);
 }
 
 }  // namespace
