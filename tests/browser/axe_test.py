@@ -85,13 +85,13 @@ class Reader:
         if is_player:
             self.players += 1
             return [WAYS[(self.players - 1) % len(WAYS)]]
-        if 'topics' in path.parts:
+        if 'topics' in path.parts or path.name == 'errata.html':
             self.topics += 1
             return WAYS[:2] if self.topics % 2 else WAYS[2:]
         return WAYS
 
     def read_themes(self, path, fragment, themes):
-        for size in SIZES:
+        for size in SIZES if EVERYTHING or path.name == 'line.html' else SIZES[len(path.name) % 2:][:1]:
             for theme in themes:
                 self.open(path, size, f'{fragment}{"&" if fragment else "#"}theme={theme}')
                 self.read_all(True, dialogs=EVERYTHING or path.name == 'line.html')

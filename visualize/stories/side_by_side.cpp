@@ -75,9 +75,12 @@ class Beside {
   /// The first numeric step whose decision is another, if any.
   std::optional<std::size_t> differs_at() const { return differs_at_; }
 
+  /// Whether both runs reported this step from the same branch, and all before it.
+  bool together(std::size_t step) const { return step < together_; }
+
   /// The n-th number of a step; nothing where the two have parted before.
   std::optional<Rounded> number(std::size_t step, std::size_t n) const {
-    if (step >= together_) return std::nullopt;
+    if (!together(step)) return std::nullopt;
     const T value = run_.steps[step].numbers[n].second;
     return Rounded{double{value}, error_in_ulp(value, exact_.steps[step].numbers[n].second)};
   }
@@ -111,6 +114,7 @@ class Retelling {
         runs_(runs),
         floats_(runs.in_float, runs.exact),
         doubles_(runs.in_double, runs.exact),
+        told_in_(told_in),
         places_(told_in == ToldIn::floats ? places_by_type(runs.in_float) : places_by_type(runs.in_double)) {}
 
   void retell() {
@@ -163,7 +167,10 @@ class Retelling {
     if (in_double) double_told_ = step.number;
     const std::string who = in_float && in_double ? "both" : in_float ? "float" : "double";
     const std::string which = words_.say("side_by_side.who." + who);
-    step.sentence = words_.say("side_by_side.differs", arg("which", which)) + " " + step.sentence;
+    const bool refused = (in_float && runs_.in_float.refused) || (in_double && runs_.in_double.refused);
+    step.sentence =
+        words_.say(refused ? "side_by_side.refused" : "side_by_side.differs", arg("which", which)) + " " +
+        step.sentence;
     step.delta.set.push_back(
         {"first difference " + who, Role::rejected,
          Label{{step.focus.x, step.focus.y}, words_.say("side_by_side.mark", arg("which", which))}});
@@ -171,11 +178,11 @@ class Retelling {
   }
 
   void tell_numbers(std::size_t place) {
-    if (place >= runs_.exact.steps.size()) return;
+    // Where the told run has parted from the exact one, its steps tell of other things
+    if (!(told_in_ == ToldIn::floats ? floats_.together(place) : doubles_.together(place))) return;
     const auto& exact = runs_.exact.steps[place];
     for (std::size_t n = 0; n < exact.numbers.size(); ++n) {
       const auto in_float = floats_.number(place, n), in_double = doubles_.number(place, n);
-      if (!in_float && !in_double) return;
       if (n == 0) {
         TraceStep& step = trace_.steps.back();
         put_number(step, exact.numbers[n], in_float, in_double);
@@ -257,6 +264,7 @@ class Retelling {
   const NumericRuns& runs_;
   Beside<float> floats_;
   Beside<double> doubles_;
+  ToldIn told_in_;
   std::map<std::string, std::vector<std::size_t>> places_;
   std::map<std::string, std::size_t> seen_;
   int fine_ = 0;

@@ -48,19 +48,21 @@ std::string side_html(std::string_view verdict, const std::string& name, const s
       "<figure>{}<figcaption>{} <code>{}</code></figcaption>\n<pre tabindex=\"0\" role=\"region\" "
       "aria-label=\"{}\"><code>{}</code></pre></figure>\n",
       picture_html(picture, fmt::format("{}: {} {}", title, verdict, name)), verdict, escaped(name),
-      escaped(fmt::format("command of {}, {}", name, title)), escaped(command));
+      escaped(fmt::format("command of {}: {}", name, title)), escaped(command));
 }
 
 std::string exhibit_html(const Exhibit& exhibit) {
+  // Names a reader of screens can tell apart: of one input several wrong forms may be shown
+  const std::string about =
+      fmt::format("{}, {} for {}", exhibit.title, exhibit.wrong_name, exhibit.right_name);
   std::string facts;
   for (const std::string& fact : {exhibit.parting, exhibit.outcome, exhibit.difference}) {
     if (!fact.empty()) facts += fmt::format("<li>{}</li>\n", escaped(fact));
   }
   return fmt::format(
       "<p><b>{}</b></p>\n<div class=\"pair\">\n{}{}</div>\n<ul>\n{}</ul>\n", escaped(exhibit.title),
-      side_html("wrong:", exhibit.wrong_name, exhibit.wrong_picture, exhibit.wrong_command, exhibit.title),
-      side_html("right:", exhibit.right_name, exhibit.right_picture, exhibit.right_command, exhibit.title),
-      facts);
+      side_html("wrong:", exhibit.wrong_name, exhibit.wrong_picture, exhibit.wrong_command, about),
+      side_html("right:", exhibit.right_name, exhibit.right_picture, exhibit.right_command, about), facts);
 }
 
 std::string erratum_html(const Erratum& erratum, std::size_t number, std::span<const Exhibit> exhibits) {

@@ -182,6 +182,17 @@ TEST(SideBySide, ARunThatFloatCannotHoldIsComparedAsFarAsItWent) {
   EXPECT_EQ(row->row[1], "–");
   EXPECT_NE(row->row[3], "–");
   EXPECT_EQ(result_of(trace, "float_differs_at"), "0");
+  EXPECT_THAT(trace.steps[0].sentence, testing::StartsWith("No run in float"));
+}
+
+TEST(SideBySide, WhereTheToldRunHasPartedNothingIsCompared) {
+  const ExactScope scope;
+  Trace trace = small_trace();
+  put_side_by_side(trace, {small_run(1.5F, 1, 8), small_run(1.5, 0, 9), small_run(Exact(3, 2), 1, 8)},
+                   ToldIn::doubles);
+  EXPECT_FALSE(trace.steps[0].row.empty());
+  EXPECT_TRUE(trace.steps[1].row.empty());
+  EXPECT_EQ(result_of(trace, "double_differs_at"), "0");
 }
 
 TEST(SideBySide, OnlyMethodsInPlainArithmeticHaveIt) {
