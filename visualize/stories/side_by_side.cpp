@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "figure/recording.hpp"
 
@@ -15,15 +16,29 @@ namespace {
 
 using fmt::arg;
 
-/// So many digits that count. Eight show what is wrong with a float; what is wrong with a double takes more
-/// than a table has room for.
-constexpr int float_digits = 8, other_digits = 6;
+/// A column's room in characters, and so many digits that count. Eight show what is wrong with a float; what
+/// is wrong with a double takes more than a table has room for.
+struct Room {
+  int digits;
+  std::size_t characters;
+};
+constexpr Room float_room{8, 9}, other_room{6, 8};
 
 std::string short_number(double value, int digits) {
   if (std::isnan(value)) return "NaN";
   const std::string sign = value < 0 ? "−" : "";
   if (std::isinf(value)) return sign + "∞";
   return sign + fmt::format("{:.{}g}", std::abs(value), digits);
+}
+
+/// As many of the digits as there is room for.
+std::string fitted(double value, Room room) {
+  for (int digits = room.digits; digits > 2; --digits) {
+    std::string text = short_number(value, digits);
+    const bool negative = text.starts_with("−");
+    if (text.size() - (negative ? std::string_view("−").size() - 1 : 0) <= room.characters) return text;
+  }
+  return short_number(value, 2);
 }
 
 /// "= 1/12", or the first digits where the fraction is long: "≈ 1.7320508075688772".
@@ -129,6 +144,7 @@ class Retelling {
       trace_.steps.push_back(std::move(step));
       if (place) tell_numbers(*place);
     }
+    expect_all_told();
     sum_up();
     measure_texts(trace_);
   }
@@ -158,6 +174,18 @@ class Retelling {
     step.number.fine = fine_;
   }
 
+  /// Where a step's mark stands: on a grid at the cell that it is about, on a paper at the first place that
+  /// the step shows as its current one or its result. Nothing where it shows none.
+  std::optional<dvec2> anchor_of(const TraceStep& step) const {
+    if (trace_.grid.axes) return dvec2{step.focus.x, step.focus.y};
+    for (const Mark& mark : step.delta.set) {
+      if (mark.role != Role::current && mark.role != Role::result) continue;
+      if (const Dot* dot = std::get_if<Dot>(&mark.shape)) return dot->at;
+      if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) return stroke->a;
+    }
+    return std::nullopt;
+  }
+
   /// Says and shows at this step whose decision is another one from here on.
   void mark_difference(TraceStep& step, std::size_t place) {
     const bool in_float = !float_told_ && floats_.differs_at() && *floats_.differs_at() <= place;
@@ -171,9 +199,10 @@ class Retelling {
     step.sentence =
         words_.say(refused ? "side_by_side.refused" : "side_by_side.differs", arg("which", which)) + " " +
         step.sentence;
-    step.delta.set.push_back(
-        {"first difference " + who, Role::rejected,
-         Label{{step.focus.x, step.focus.y}, words_.say("side_by_side.mark", arg("which", which))}});
+    if (const auto at = anchor_of(step)) {
+      step.delta.set.push_back({"first difference " + who, Role::rejected,
+                                Label{*at, words_.say("side_by_side.mark", arg("which", which))}});
+    }
     if (!first_) first_ = step.number;
   }
 
@@ -216,13 +245,13 @@ class Retelling {
 
   void put_number(TraceStep& step, const std::pair<std::string, Exact>& number,
                   const std::optional<Rounded>& in_float, const std::optional<Rounded>& in_double) const {
-    const auto value = [](const std::optional<Rounded>& r, int digits) {
-      return r ? short_number(r->value, digits) : "–";
+    const auto value = [](const std::optional<Rounded>& r, Room room) {
+      return r ? fitted(r->value, room) : "–";
     };
     const auto error = [](const std::optional<Rounded>& r) { return r ? ulp_text(r->error) : "–"; };
-    step.row = {named(number.first), value(in_float, float_digits),
-                error(in_float),     value(in_double, other_digits),
-                error(in_double),    short_number(to_double(number.second), other_digits)};
+    step.row = {named(number.first), value(in_float, float_room),
+                error(in_float),     value(in_double, other_room),
+                error(in_double),    fitted(to_double(number.second), other_room)};
     step.fields.push_back({"number", number.first});
     if (in_float) {
       step.fields.push_back({"in_float", in_float->value});
@@ -247,6 +276,22 @@ class Retelling {
                       arg("exact", exact_text(number.second)),
                       arg("float", said("side_by_side.float.", in_float, 9)),
                       arg("double", said("side_by_side.double.", in_double, 17)));
+  }
+
+  /// A story and its numbers must name their steps alike, or numbers would be lost in silence.
+  template <class T>
+  void expect_told(const NumericRun<T>& run) const {
+    for (const auto& [type, places] : places_) {
+      const auto seen = seen_.find(type);
+      const std::size_t told = seen == seen_.end() ? 0 : seen->second;
+      if (told < places.size() && !run.steps[places[told]].numbers.empty()) {
+        throw std::logic_error(fmt::format("{}: no trace step tells the numbers of {}", trace_.topic, type));
+      }
+    }
+  }
+  void expect_all_told() const {
+    if (told_in_ == ToldIn::floats) return expect_told(runs_.in_float);
+    expect_told(runs_.in_double);
   }
 
   void sum_up() {

@@ -97,7 +97,7 @@ TEST(SideBySide, EveryNumberOfEveryStepIsTold) {
   // 1/12 in float: 1/12 = 1.0101…b / 16, its float 11184811 / 2^27
   const auto t =
       std::ranges::find_if(line.steps, [](const TraceStep& s) { return !s.row.empty() && s.row[0] == "t"; });
-  EXPECT_EQ(t->row, (Row{"t", "0.083333336", "0.33", "0.0833333", "0.33", "0.0833333"}));
+  EXPECT_EQ(t->row, (Row{"t", "0.0833333", "0.33", "0.083333", "0.33", "0.083333"}));
   EXPECT_EQ(std::get<std::string>(*field_of(t->fields, "exactly")), "1/12");
   EXPECT_EQ(std::next(t)->sentence,
             "enter = 1/12; float has 0.0833333358, off by 0.33 ulp, double has 0.083333333333333329, off by "
@@ -193,6 +193,49 @@ TEST(SideBySide, WhereTheToldRunHasPartedNothingIsCompared) {
   EXPECT_FALSE(trace.steps[0].row.empty());
   EXPECT_TRUE(trace.steps[1].row.empty());
   EXPECT_EQ(result_of(trace, "double_differs_at"), "0");
+}
+
+TEST(SideBySide, NumbersThatNoStepTellsAreAMistake) {
+  const ExactScope scope;
+  Trace trace = small_trace();
+  NumericRuns runs{small_run(1.5F, 1, 8), small_run(1.5, 1, 8), small_run(Exact(3, 2), 1, 8)};
+  runs.in_double.steps[1].type = "Replied";
+  EXPECT_THROW(put_side_by_side(trace, runs, ToldIn::doubles), std::logic_error);
+}
+
+TEST(SideBySide, TheEndsInSpaceAreTold) {
+  const Trace box = test::trace_of("liang_barsky", {{"method", "box_parametric"}, {"exact", "yes"}});
+  EXPECT_EQ(std::get<std::string>(*field_of(box.steps.back().fields, "number")), "b.z");
+}
+
+TEST(SideBySide, OnPaperTheMarkStandsAtAPlaceOfTheStep) {
+  const Trace corner = test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}, {"exact", "yes"}});
+  EXPECT_EQ(result_of(corner, "float_differs_at"), "5");
+  bool marked = false;
+  for (const TraceStep& step : corner.steps) {
+    for (const Mark& mark : step.delta.set) {
+      if (!mark.id.starts_with("first difference")) continue;
+      marked = true;
+      EXPECT_NE(std::get<Label>(mark.shape).at, dvec2(0, 0));
+    }
+  }
+  EXPECT_TRUE(marked);
+}
+
+TEST(SideBySide, NumbersFitTheirColumns) {
+  for (const auto& [topic, method] : numeric_methods()) {
+    const Trace trace = test::trace_of(topic, {{"method", method}, {"exact", "yes"}});
+    for (const TraceStep& step : trace.steps) {
+      if (step.row.empty()) continue;
+      // A minus takes three bytes and one place
+      const auto places = [](const std::string& text) {
+        return text.size() - (text.starts_with("−") ? 2 : 0);
+      };
+      EXPECT_LE(places(step.row[1]), 9u) << step.row[1];
+      EXPECT_LE(places(step.row[3]), 8u) << step.row[3];
+      EXPECT_LE(places(step.row[5]), 8u) << step.row[5];
+    }
+  }
 }
 
 TEST(SideBySide, OnlyMethodsInPlainArithmeticHaveIt) {

@@ -439,7 +439,7 @@ struct Numbers {
   }
   template <class T>
   void operator()(NumericStep<T>& to, const BoxStarted<T>& s) const {
-    to.type = "Started";
+    to.type = "BoxStarted";
     to.point("d", s.d);
   }
   template <class T>
@@ -458,7 +458,7 @@ struct Numbers {
   }
   template <class T>
   void operator()(NumericStep<T>& to, const BoxAccepted<T>& a) const {
-    to.type = "Accepted";
+    to.type = "BoxAccepted";
     to.point("a", a.line.a);
     to.point("b", a.line.b);
   }

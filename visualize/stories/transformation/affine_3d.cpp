@@ -589,9 +589,8 @@ struct Numbers {
     }
   }
   template <class T>
-  void operator()(NumericStep<T>& to, const Transformed<T>& t) const {
-    to.type = "Transformed";
-    to.point("P", t.to);
+  void operator()(NumericStep<T>& to, const Transformed<T>&) const {
+    to.type = "Transformed";  // the story draws the corners with each factor and tells none alone
   }
   template <class T>
   void operator()(NumericStep<T>& to, const Projected<T>& p) const {
