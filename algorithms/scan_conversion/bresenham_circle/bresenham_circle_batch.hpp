@@ -16,25 +16,30 @@ struct Circle {
   int radius;
 };
 
-/// A whole circle, eight pixels a step: two in each of the rows x and y above and below the centre. Pixels on
-/// an axis or a diagonal are written twice, which is cheaper than asking. Domain: all of it lies in the
-/// raster.
+/// A whole circle, eight pixels a step: two in each of four rows, which walk from the top, the bottom and
+/// the middle towards the diagonals. Pixels on an axis or a diagonal are written twice, which is cheaper than
+/// asking. Domain: all of it lies in the raster.
 template <class Cell>
 void draw_whole(Raster<Cell>& raster, ivec2 center, int radius, const Cell& value) {
+  const Cell ink = value;
   const std::ptrdiff_t width = raster.width();
-  Cell* const middle = &raster[center];
+  Cell* above = &raster[center];
+  Cell* below = above;
   std::ptrdiff_t x = 0, y = radius, p = 3 - 2 * y;
-  std::ptrdiff_t row_x = 0, row_y = y * width;  // from the centre's row, in cells
+  Cell* top = above - y * width;
+  Cell* bottom = above + y * width;
   while (x <= y) {
-    middle[row_y + x] = middle[row_y - x] = middle[-row_y + x] = middle[-row_y - x] = value;
-    middle[row_x + y] = middle[row_x - y] = middle[-row_x + y] = middle[-row_x - y] = value;
+    top[x] = top[-x] = bottom[x] = bottom[-x] = ink;
+    above[y] = above[-y] = below[y] = below[-y] = ink;
     // Both moves without a branch: near the diagonal nobody can guess which it is
     const bool east = p < 0;
     p += east ? 4 * x + 6 : 4 * (x - y) + 10;
     y -= east ? 0 : 1;
-    row_y -= east ? 0 : width;
+    top += east ? 0 : width;
+    bottom -= east ? 0 : width;
     ++x;
-    row_x += width;
+    above -= width;
+    below += width;
   }
 }
 

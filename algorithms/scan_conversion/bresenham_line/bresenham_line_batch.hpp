@@ -117,49 +117,64 @@ struct Segment {
   ivec2 from, to;
 };
 
+/// Where a line stands in memory.
+template <class Cell>
+struct Pen {
+  Cell* cell;
+  std::int64_t p;  ///< decision_parameter's value there, less 1 where a tie goes straight: straight when < 0
+};
+
+/// On pixel number k of the line. Domain: it lies in the raster.
+template <class Cell>
+Pen<Cell> pen_at(Raster<Cell>& raster, ivec2 from, ivec2 to, std::int64_t k) {
+  const auto [dx, dy] = extent(from, to);
+  const std::int64_t tie = moves(from, to).tie_straight ? 1 : 0;
+  if (k == 0) return {&raster[from], 2 * dy - dx - tie};  // nothing has to be divided
+  return {&raster[pixel_at(from, to, k)], decision_at(from, to, k) - tie};
+}
+
 /// Draws a line into a raster: gives `value` to the cells of decision_parameter that lie in it.
 ///
 /// Domain: any int32 end points; what lies outside the raster is not drawn.
 /// Accuracy: exactly the pixels of in_window.
 /// Cost: O(width + height) of the raster at most, however long the line; 128-bit divisions only when it is
-///   cut.
+///   cut. The pixel in the middle may be written twice.
 template <class Cell>
 void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
+  const Cell ink = value;
   const auto [dx, dy] = extent(from, to);
-  const Moves go = moves(from, to);
   Stretch shown{0, dx};
-  ivec2 start = from;
-  std::int64_t p = 2 * dy - dx;
   if (!raster.contains(from) || !raster.contains(to)) {
     shown = visible(from, to, raster.window());
     if (shown.last < shown.first) return;
-    start = pixel_at(from, to, shown.first);
-    p = decision_at(from, to, shown.first);
   }
   // Long runs within a row: whole runs at once
   constexpr std::int64_t long_run = 8;
+  const Moves go = moves(from, to);
   if (go.straight.y == 0 && dx >= long_run * dy) {
     const bool right = go.straight.x > 0;
     Unobserved nobody;
     auto fill = [&](ivec2 first, std::int64_t count) {
       Cell* cell = &raster[first];
-      std::fill_n(right ? cell : cell - (count - 1), count, value);
+      std::fill_n(right ? cell : cell - (count - 1), count, ink);
     };
     emit_runs(from, to, shown, fill, nobody);
     return;
   }
-  // Else pixel by pixel: an addition to a pointer each
+  // Else pixel by pixel, from both ends at once: two chains of decisions that don't wait for each other.
+  // (Ties go by place, so the way back has the same pixels.)
   const std::ptrdiff_t width = raster.width();
   const std::ptrdiff_t straight = go.straight.x + go.straight.y * width;
   const std::ptrdiff_t diagonal = go.diagonal.x + go.diagonal.y * width;
-  const std::int64_t tie = go.tie_straight ? 1 : 0;
-  Cell* cell = &raster[start];
-  *cell = value;
-  for (std::int64_t left = shown.last - shown.first; left > 0; --left) {
-    const bool ahead = p < tie;
-    cell += ahead ? straight : diagonal;
-    p += ahead ? 2 * dy : 2 * (dy - dx);
-    *cell = value;
+  auto [there, p] = pen_at(raster, from, to, shown.first);
+  auto [back, q] = pen_at(raster, to, from, dx - shown.last);
+  *there = *back = ink;
+  for (std::int64_t left = (shown.last - shown.first) / 2; left > 0; --left) {
+    there += p < 0 ? straight : diagonal;
+    p += p < 0 ? 2 * dy : 2 * (dy - dx);
+    back -= q < 0 ? straight : diagonal;
+    q += q < 0 ? 2 * dy : 2 * (dy - dx);
+    *there = *back = ink;
   }
 }
 

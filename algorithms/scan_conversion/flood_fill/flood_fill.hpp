@@ -405,6 +405,14 @@ Filled in_window(Method method, ivec2 seed, const Window& window, Inside&& insid
 
 // --- Rasters and images ------------------------------------------
 
+/// What every fill of a raster asks first: a seed outside is a ContractViolation.
+template <class Cell>
+void expects_inside(const Raster<Cell>& raster, ivec2 seed) {
+  expects(raster.contains(seed),
+          "the seed {},{} lies outside the {} x {} cells (columns 0 to {}, rows 0 to {})", seed.x, seed.y,
+          raster.width(), raster.height(), raster.width() - 1, raster.height() - 1);
+}
+
 /// Gives every cell that is connected to the seed through cells of the seed's value a new value.
 ///
 /// seed: column, row. value: the new one; when it is the seed's own, there is nothing to do and nothing
@@ -415,9 +423,7 @@ Filled in_window(Method method, ivec2 seed, const Window& window, Inside&& insid
 template <class Cell, FillObserver O = Unobserved>
 Filled fill_raster(Raster<Cell>& raster, ivec2 seed, const Cell& value, Method method = Method::span,
                    Connectivity connectivity = Connectivity::four, O&& observer = {}) {
-  expects(raster.contains(seed),
-          "the seed {},{} lies outside the {} x {} cells (columns 0 to {}, rows 0 to {})", seed.x, seed.y,
-          raster.width(), raster.height(), raster.width() - 1, raster.height() - 1);
+  expects_inside(raster, seed);
   const Cell old = raster[seed];
   const bool nothing_to_do = old == value;
   const auto inside = [&](ivec2 p) { return !nothing_to_do && raster.contains(p) && raster[p] == old; };

@@ -10,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "core/raster.hpp"
 
 namespace gradus::flood_fill {
@@ -30,15 +34,11 @@ constexpr int count_bits(Word bits) {
 }
 
 /// A bit a cell: whether it has this value. The first cell is the lowest bit. Domain: 1 to 64 cells.
-template <class Cell>
-Word equal_bits(std::span<const Cell> cells, const Cell& value) {
+template <class Cell, std::size_t extent>
+Word equal_bits(std::span<const Cell, extent> cells, const Cell& value) {
   const Cell wanted = value;
   std::array<std::uint8_t, word_bits> equal{};
-  if (cells.size() == word_bits) {  // a loop of known length becomes a few vector instructions
-    for (std::size_t i = 0; i < word_bits; ++i) equal[i] = cells[i] == wanted;
-  } else {
-    for (std::size_t i = 0; i < cells.size(); ++i) equal[i] = cells[i] == wanted;
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i) equal[i] = cells[i] == wanted;
   Word bits = 0;
   if constexpr (std::endian::native == std::endian::little) {
     for (std::size_t k = 0; k < 8; ++k) {  // one product moves eight bytes' lowest bits side by side
@@ -52,12 +52,25 @@ Word equal_bits(std::span<const Cell> cells, const Cell& value) {
   return bits;
 }
 
+#ifdef __SSE2__
+/// The same for 64 bytes: their differences' sign bits, 16 at a time.
+inline Word equal_bits(std::span<const std::uint8_t, word_bits> cells, std::uint8_t value) {
+  const __m128i wanted = _mm_set1_epi8(static_cast<char>(value));
+  Word bits = 0;
+  for (std::size_t first = 0; first < word_bits; first += 16) {
+    const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(cells.data() + first));
+    bits |= Word{static_cast<std::uint16_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(some, wanted)))} << first;
+  }
+  return bits;
+}
+#endif
+
 /// The other way: gives the cells whose bit is set a value. Domain: no bit beyond the cells.
 template <class Cell>
 void paint_bits(std::span<Cell> cells, Word bits, const Cell& value) {
   const Cell ink = value;
   if (bits == ~Word{0}) {
-    std::fill(cells.begin(), cells.end(), ink);
+    std::fill_n(cells.data(), word_bits, ink);
   } else if (bits != 0) {
     std::array<std::uint8_t, word_bits> set;
     for (std::size_t i = 0; i < word_bits; ++i) set[i] = bits >> i & 1;
@@ -74,14 +87,15 @@ class Bitmap {
  public:
   template <class Cell>
   Bitmap(const Raster<Cell>& raster, const Cell& value)
-      : words_((static_cast<std::size_t>(raster.width()) + word_bits - 1) / word_bits) {
-    bits_.reserve(words_ * static_cast<std::size_t>(raster.height()));
+      : words_((static_cast<std::size_t>(raster.width()) + word_bits - 1) / word_bits),
+        bits_(words_ * static_cast<std::size_t>(raster.height())) {
+    auto word = bits_.begin();
     for (int y = 0; y < raster.height(); ++y) {
-      for (auto rest = raster.row(y); !rest.empty();) {
-        const auto first = rest.first(std::min<std::size_t>(word_bits, rest.size()));
-        bits_.push_back(equal_bits(first, value));
-        rest = rest.subspan(first.size());
+      std::span<const Cell> rest = raster.row(y);
+      for (; rest.size() >= word_bits; rest = rest.subspan(word_bits)) {
+        *word++ = equal_bits(rest.template first<word_bits>(), value);
       }
+      if (!rest.empty()) *word++ = equal_bits(rest, value);
     }
   }
   std::span<const Word> row(int y) const {
@@ -134,11 +148,14 @@ class LabelSets {
 /// 17(5), 2008, 749-756; here with runs and their overlaps found by bits.
 ///
 /// reach: 0 where runs must share a column, 1 where corners connect, too.
-/// Cost: one pass; a few ns a word, and some 10 ns for each overlap of two runs.
+/// Domain: fewer than 2^32 - 1 runs.
+/// Cost: one pass; a few ns a word, and some 15 ns for each overlap of two runs.
 class RunLabels {
  public:
   RunLabels(const Bitmap& bitmap, int height, int reach) : first_run_(static_cast<std::size_t>(height) + 1) {
     for (int y = 0; y < height; ++y) count_runs(bitmap.row(y), y);
+    expects(first_run_.back() < none, "runs have numbers below {}, but there are {}", none,
+            first_run_.back());
     of_run_.assign(first_run_.back(), none);
     for (int y = 0; y < height; ++y) {
       for (int aside = -reach; y > 0 && aside <= reach; ++aside) {
@@ -176,7 +193,8 @@ class RunLabels {
     std::size_t runs = first_run(y);
     Word before = 0;
     for (const Word bits : here) {
-      runs += count(starts_of(bits, before));
+      const Word starts = starts_of(bits, before);
+      if (starts != 0) runs += count(starts);
       before = bits;
     }
     first_run_[static_cast<std::size_t>(y) + 1] = runs;
@@ -192,12 +210,14 @@ class RunLabels {
       const Word moved = moved_aside(above, w, aside);
       const Word start_here = starts_of(here[w], before_here), start_above = starts_of(moved, before_above);
       const Word both = here[w] & moved;
-      for (Word overlaps = starts_of(both, before_both); overlaps != 0; overlaps &= overlaps - 1) {
-        const Word so_far = up_to(std::countr_zero(overlaps));
-        join(run_here + count(start_here & so_far) - 1, run_above + count(start_above & so_far) - 1);
+      if ((start_here | start_above) != 0) {  // else no overlap begins, either
+        for (Word overlaps = starts_of(both, before_both); overlaps != 0; overlaps &= overlaps - 1) {
+          const Word so_far = up_to(std::countr_zero(overlaps));
+          join(run_here + count(start_here & so_far) - 1, run_above + count(start_above & so_far) - 1);
+        }
+        run_here += count(start_here);
+        run_above += count(start_above);
       }
-      run_here += count(start_here);
-      run_above += count(start_above);
       before_here = here[w], before_above = moved, before_both = both;
     }
   }

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -445,6 +446,28 @@ TEST(FloodFillProperty, ImagesByToleranceAgainstBruteForce) {
   EXPECT_GT(masked, 500);
 }
 
+TEST(FloodFillProperty, WordsOfBytesAreThoseOfOtherCells) {
+  // Bytes have a comparison of their own; every value, equal to some of the cells or to none
+  Random random(8);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<std::uint8_t> bytes(word_bits);
+    std::vector<int> others(word_bits);
+    const int values = 1 + random.below(4), first = random.below(256);
+    for (std::size_t k = 0; k < word_bits; ++k) {
+      bytes[k] = static_cast<std::uint8_t>(first + random.below(values));
+      others[k] = bytes[k];
+    }
+    const auto value = static_cast<std::uint8_t>(first + random.below(values));
+    Word right = 0;
+    for (std::size_t k = 0; k < word_bits; ++k) right |= Word{bytes[k] == value} << k;
+    const std::span<const std::uint8_t> few(bytes);
+    const std::span<const int> some(others);
+    ASSERT_EQ(equal_bits(few.first<word_bits>(), value), right) << seed() << " case " << i;
+    ASSERT_EQ(equal_bits(some.first<word_bits>(), int{value}), right) << seed() << " case " << i;
+    ASSERT_EQ(equal_bits(few.first(17), value), right & up_to(16)) << seed() << " case " << i;
+  }
+}
+
 TEST(FloodFillProperty, LabelsOfWideRowsAreThoseOfSpans) {
   // Widths round whole words, where runs and their overlaps cross from one into the next
   Random random(7);
@@ -462,6 +485,10 @@ TEST(FloodFillProperty, LabelsOfWideRowsAreThoseOfSpans) {
         ASSERT_EQ(fill_by_labels(labelled, from, 'x', connectivity).painted, right.painted)
             << maze_text(maze);
         ASSERT_EQ(labelled, expected) << width << ", seed " << seed() << '\n' << maze_text(maze);
+        Raster<std::uint8_t> bytes(width, height);
+        std::ranges::copy(maze.cells(), bytes.cells().begin());
+        fill_by_labels(bytes, from, std::uint8_t{'x'}, connectivity);
+        ASSERT_TRUE(std::ranges::equal(bytes.cells(), expected.cells())) << width << ", seed " << seed();
         ++cases;
       }
     }

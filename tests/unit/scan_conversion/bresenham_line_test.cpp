@@ -244,6 +244,23 @@ TEST(BresenhamLine, DrawStaysInTheRaster) {
   EXPECT_EQ(none.cells().size(), 0u);
 }
 
+TEST(BresenhamLine, DrawsFromBothEndsWhateverTieOrCut) {
+  // Every line between two of 12 x 9 places round a raster of 7 x 5, the value a cell that the line crosses
+  int cut = 0;
+  for (int i = 0; i < 108 * 108; ++i) {
+    const ivec2 from{i % 12 - 2, i / 12 % 9 - 2}, to{i / 108 % 12 - 2, i / 1296 - 2};
+    Raster<char> raster(7, 5, '.'), expected(7, 5, '.');
+    raster[{3, 2}] = expected[{3, 2}] = '#';
+    draw(raster, from, to, raster[{3, 2}]);
+    decision_parameter(from, to, [&](ivec2 p) {
+      if (expected.contains(p)) expected[p] = '#';
+    });
+    ASSERT_EQ(raster, expected) << from.x << ',' << from.y << " to " << to.x << ',' << to.y;
+    cut += !expected.contains(from) || !expected.contains(to);
+  }
+  EXPECT_GT(cut, 10'000);
+}
+
 TEST(BresenhamLine, DdaInThreeScalars) {
   for (int x = -9; x <= 9; ++x) {
     for (int y = -9; y <= 9; ++y) {
