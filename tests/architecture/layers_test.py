@@ -34,7 +34,7 @@ PACKAGES = {
     "tiny_obj_loader.h": "tests/",
 }
 ONE_FILE = ("CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive")  # heavy or confined: a single .cpp
-ORACLES = ("boost/", "png.h", "nlohmann/", "hwy/")  # tests use them too
+ORACLES = ("boost/", "png.h", "nlohmann/", "hwy/", "cairo")  # tests and benchmarks use them too
 BATCH_ONLY = ("hwy/",)  # SIMD: nothing that a reader of the algorithm sees
 
 # Not in algorithms/: they don't exist everywhere the algorithms run

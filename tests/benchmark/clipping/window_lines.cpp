@@ -10,6 +10,9 @@
 #ifdef GRADUS_HAS_OPENCV
 #include <opencv2/imgproc.hpp>
 #endif
+#ifdef GRADUS_HAS_AGG
+#include <agg_clip_liang_barsky.h>
+#endif
 
 namespace gradus::bench::window_lines {
 
@@ -45,6 +48,18 @@ std::optional<Line> by_boost(const Line& line) {
   if (!strategy.clip_segment(box, piece, cut_a, cut_b)) return std::nullopt;
   return Line{{a.x(), a.y()}, {b.x(), b.y()}};
 }
+
+#ifdef GRADUS_HAS_AGG
+std::optional<Line> by_agg(const Line& line) {
+  const agg::rect_base<double> box(window.lower.x, window.lower.y, window.upper.x, window.upper.y);
+  constexpr unsigned outside = 4;
+  Line piece = line;
+  if (agg::clip_line_segment(&piece.a.x, &piece.a.y, &piece.b.x, &piece.b.y, box) >= outside) {
+    return std::nullopt;
+  }
+  return piece;
+}
+#endif
 
 #ifdef GRADUS_HAS_OPENCV
 /// Whole numbers in, whole numbers out: its errors are those of cutting off what comes after the point. The
@@ -84,6 +99,9 @@ std::vector<Method> peers() {
   std::vector<Method> peers{{"Boost.Geometry clip_segment", Standing::peer, each(by_boost)}};
 #ifdef GRADUS_HAS_OPENCV
   peers.push_back({"OpenCV clipLine", Standing::peer, ByOpenCv()});
+#endif
+#ifdef GRADUS_HAS_AGG
+  peers.push_back({"AGG clip_line_segment", Standing::peer, each(by_agg)});
 #endif
   return peers;
 }

@@ -144,7 +144,7 @@ inline Case case_of(const Method& method, const Lines& set, Workload workload) {
 /// The methods on every mix, and on a growing number of crossing segments.
 std::vector<Case> cases_of(const std::vector<Method>& methods);
 
-/// OpenCV's clipLine, where it is there, and Boost.Geometry's clip_segment.
+/// Boost.Geometry's clip_segment, and where they are there, OpenCV's clipLine and AGG's clip_line_segment.
 std::vector<Method> peers();
 
 }  // namespace gradus::bench::window_lines

@@ -1,9 +1,10 @@
-// Circles drawn into a picture by every method, beside OpenCV's circle.
+// Circles drawn into a picture by every method, beside those of OpenCV, Cairo and AGG.
 
 #include <map>
 #include <random>
 
 #include "benchmark/scan_conversion/drawings.hpp"
+#include "benchmark/scan_conversion/peers.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
@@ -84,6 +85,21 @@ void add_cases(std::vector<Case>& cases, const std::vector<Circle>& set, const W
   add("OpenCV circle", Standing::peer, [](Canvas& canvas, const Circle& circle) {
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
     cv::circle(picture, {circle.center.x, circle.center.y}, circle.radius, 1);
+  });
+#endif
+  cases.push_back(case_of_all(
+      "Cairo stroke", Standing::peer,
+      [](Canvas& canvas, const std::vector<Circle>& all) {
+        peers::CairoPen pen(canvas);
+        for (const Circle& circle : all) pen.circle(circle.center, circle.radius);
+      },
+      [](Canvas& canvas, const Circle& circle) {
+        peers::CairoPen(canvas).circle(circle.center, circle.radius);
+      },
+      set, side, pixels, figures, workload));
+#ifdef GRADUS_HAS_AGG
+  add("AGG ellipse", Standing::peer, [](Canvas& canvas, const Circle& circle) {
+    peers::AggPen(canvas).circle(circle.center, circle.radius);
   });
 #endif
 }

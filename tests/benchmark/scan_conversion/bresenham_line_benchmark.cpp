@@ -1,10 +1,12 @@
-// Lines drawn into a picture by every method, beside OpenCV's line.
+// Lines drawn into a picture by every method, beside those of OpenCV, Cairo, AGG and Mesa.
 
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <random>
 
 #include "benchmark/scan_conversion/drawings.hpp"
+#include "benchmark/scan_conversion/peers.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
@@ -120,6 +122,29 @@ void add_cases(std::vector<Case>& cases, const std::vector<Segment>& lines, cons
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
     cv::line(picture, {line.from.x, line.from.y}, {line.to.x, line.to.y}, 1);
   });
+#endif
+  const auto add_all = [&](const char* name, auto all, auto one) {
+    cases.push_back(case_of_all(name, Standing::peer, all, one, lines, side, pixels, figures, workload));
+  };
+  add_all(
+      "Cairo stroke",
+      [](Canvas& canvas, const std::vector<Segment>& set) {
+        peers::CairoPen pen(canvas);
+        for (const Segment& line : set) pen.line(line.from, line.to);
+      },
+      [](Canvas& canvas, const Segment& line) { peers::CairoPen(canvas).line(line.from, line.to); });
+#ifdef GRADUS_HAS_AGG
+  add("AGG line", Standing::peer,
+      [](Canvas& canvas, const Segment& line) { peers::AggPen(canvas).line(line.from, line.to); });
+#endif
+#ifdef GRADUS_HAS_OSMESA
+  static peers::MesaPicture mesa(side);
+  add_all(
+      "Mesa GL_LINES", [](Canvas&, const std::vector<Segment>& set) { mesa.lines(set); },
+      [](Canvas& canvas, const Segment& line) {
+        mesa.lines(std::array{line});
+        mesa.give_to(canvas, round(line));
+      });
 #endif
 }
 

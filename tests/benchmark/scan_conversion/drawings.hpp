@@ -48,20 +48,28 @@ Error error_of(const Draw& draw, const std::vector<Shape>& shapes, int side, con
   return sum.error();
 }
 
-/// A method that draws one shape after the other.
-template <class Shape, class Draw>
-Case case_of(std::string name, Standing standing, Draw draw, const std::vector<Shape>& shapes, int side,
-             std::int64_t pixels, const Figures<Shape>& figures, Workload workload) {
+/// A method that draws all shapes at once: `all(canvas, shapes)` is timed, `one(canvas, shape)` is looked at.
+template <class Shape, class All, class One>
+Case case_of_all(std::string name, Standing standing, All all, One one, const std::vector<Shape>& shapes,
+                 int side, std::int64_t pixels, const Figures<Shape>& figures, Workload workload) {
   const auto canvas = std::make_shared<Canvas>(side, side);
   return {.method = std::move(name),
           .standing = standing,
           .workload = std::move(workload),
           .items = pixels,
-          .run =
-              [draw, &shapes, canvas] {
-                for (const Shape& shape : shapes) draw(*canvas, shape);
-              },
-          .error = error_of(draw, shapes, side, figures)};
+          .run = [all, &shapes, canvas] { all(*canvas, shapes); },
+          .error = error_of(one, shapes, side, figures)};
+}
+
+/// A method that draws one shape after the other.
+template <class Shape, class Draw>
+Case case_of(std::string name, Standing standing, Draw draw, const std::vector<Shape>& shapes, int side,
+             std::int64_t pixels, const Figures<Shape>& figures, Workload workload) {
+  const auto all = [draw](Canvas& canvas, const std::vector<Shape>& set) {
+    for (const Shape& shape : set) draw(canvas, shape);
+  };
+  return case_of_all(std::move(name), standing, all, draw, shapes, side, pixels, figures,
+                     std::move(workload));
 }
 
 }  // namespace gradus::bench::drawings
