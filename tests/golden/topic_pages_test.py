@@ -18,9 +18,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
 
 HEADINGS = ["Symbols", "By hand", "Derivation", "Edge cases", "Common mistakes", "Accuracy and cost", "Methods compared",
-            "Try it", "Check yourself", "Sources"]
-WITH_PICTURE = ("By hand", "Common mistakes")
-MOST_LINES = 135
+            "Charts", "Try it", "Check yourself", "Sources"]
+WITH_PICTURE = ("By hand", "Common mistakes", "Charts")
+MOST_LINES = 140
 QUESTIONS = 5
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 
@@ -254,6 +254,7 @@ PAGE = f"""# A line
     "By hand": "![Step 3](figures/a.svg)\n",
     "Edge cases": "| input | what comes out | why |\n|---|---|---|\n| a | b | c |\n",
     "Common mistakes": "![Wrong](figures/b.svg)\n",
+    "Charts": "![Time](../../benchmarks/a-bench-size.svg)\n",
     "Try it": "```\ngradus list\n```\n",
     "Check yourself": "".join(f"<details><summary>{n}. Why?</summary>\nSo.</details>\n" for n in range(1, 6)),
     "Sources": "- A book\n",
@@ -275,6 +276,7 @@ class Planted(unittest.TestCase):
         for words, old, new in (("headings", "## By hand", "## By heart"), ("headings", "## Sources", "### Sources"),
                                 ("one sentence", "Draw it.", "Draw it. Well."), ("lines", "Text.", "Text.\n" * 140),
                                 ("no picture under Common", "![Wrong](figures/b.svg)", ""),
+                                ("no picture under Charts", "![Time]", "[Time]"),
                                 ("neither in the source", "`p`", "`q`"), ("no name", "`p`", "p"),
                                 ("Edge cases", "| b |", "|  |"), ("questions", "2. Why?", "2. So."),
                                 ("questions", "3. Why?", "4. Why?"), ("no command", "gradus list", "ls"),

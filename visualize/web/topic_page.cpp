@@ -31,6 +31,7 @@ using Owned = std::unique_ptr<T, Release>;
 constexpr std::string_view topics_folder = "docs/topics/";
 
 std::string key_of(const TopicEntry& topic) { return fmt::format("{}/{}", topic.chapter, topic.name); }
+std::string file_of(const TopicEntry& topic) { return fmt::format("{}{}.md", topics_folder, key_of(topic)); }
 
 Owned<cmark_node> parsed(std::string_view markdown) {
   cmark_gfm_core_extensions_ensure_registered();
@@ -104,7 +105,7 @@ std::string anchor_of(std::string_view heading) {
 class Page {
  public:
   explicit Page(const TopicEntry& topic)
-      : topic_(topic), document_(parsed(topic_text(key_of(topic) + ".md"))) {}
+      : topic_(topic), document_(parsed(docs_text(file_of(topic)))) {}
 
   std::string body(std::span<const Link> figures) {
     put_pictures();
@@ -122,8 +123,7 @@ class Page {
   void put_pictures() {
     for (cmark_node* image : nodes_of(document_.get(), "image")) {
       const std::string file = target_of(topic_, cmark_node_get_url(image));
-      const std::string_view svg =
-          file.starts_with(topics_folder) ? topic_text(file.substr(topics_folder.size())) : "";
+      const std::string_view svg = docs_text(file);
       if (svg.empty())
         throw std::logic_error(fmt::format("{}: there is no picture {}", key_of(topic_), file));
       cmark_node_set_url(image, ("data:image/svg+xml;base64," + base64(svg)).c_str());
@@ -150,7 +150,7 @@ class Page {
 
   static const TopicEntry* topic_of(const std::string& file) {
     for (const TopicEntry* topic : catalogue()) {
-      if (file == fmt::format("{}{}.md", topics_folder, key_of(*topic))) return topic;
+      if (file == file_of(*topic)) return topic;
     }
     return nullptr;
   }
@@ -240,8 +240,7 @@ class Page {
 }  // namespace
 
 std::string topic_page_path(const TopicEntry& topic) {
-  const std::string key = key_of(topic);
-  return topic_text(key + ".md").empty() ? "" : fmt::format("topics/{}.html", key);
+  return docs_text(file_of(topic)).empty() ? "" : fmt::format("topics/{}.html", key_of(topic));
 }
 
 std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {

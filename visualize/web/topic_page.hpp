@@ -9,9 +9,9 @@
 
 namespace gradus {
 
-/// A file of docs/topics/ as the build saw it, by its path from there: "scan_conversion/flood_fill.md". Empty
-/// when there is none.
-std::string_view topic_text(std::string_view path);
+/// A file of docs/topics/ or docs/benchmarks/ as the build saw it, by its path from the project's root:
+/// "docs/topics/scan_conversion/flood_fill.md". Empty when there is none.
+std::string_view docs_text(std::string_view path);
 
 struct Link {
   std::string name;
