@@ -34,6 +34,18 @@ inline bool overlap(const Box& a, const Box& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
+/// No two texts of a sheet overlap. (Their boxes are measured once: that is what takes the time.)
+inline void expect_texts_apart(const Sheet& sheet) {
+  const auto texts = texts_of(sheet);
+  std::vector<Box> boxes;
+  for (const TextShape* text : texts) boxes.push_back(text->box());
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t k = i + 1; k < texts.size(); ++k) {
+      if (overlap(boxes[i], boxes[k])) ADD_FAILURE() << texts[i]->text << " | " << texts[k]->text;
+    }
+  }
+}
+
 /// The smallest box round some points.
 inline Box box_around(const std::vector<dvec2>& points) {
   const auto [left, right] = std::ranges::minmax(points, {}, &dvec2::x);

@@ -141,14 +141,7 @@ TEST(Handout, NothingIsSmallerThanSevenPoints) {
 
 TEST(Handout, NothingOverlapsOrLeavesItsBox) {
   for_each_page([](const Pages&, const Sheet& sheet, std::size_t) {
-    const auto texts = texts_of(sheet);
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      const Box box = texts[i]->box();
-      for (std::size_t k = i + 1; k < texts.size(); ++k) {
-        if (std::abs(box.y - texts[k]->baseline.y) > 40) continue;
-        EXPECT_FALSE(overlap(box, texts[k]->box())) << texts[i]->text << " | " << texts[k]->text;
-      }
-    }
+    test::expect_texts_apart(sheet);
     // What belongs to a step lies in its box or, the caption, beneath it
     std::map<std::string, Box> boxes;
     for (const Shape& shape : sheet.shapes) {

@@ -107,13 +107,7 @@ void no_two_texts_overlap(const Trace& trace, const Sheet& sheet, const Look&) {
   const auto texts = texts_of(sheet);
   // A drawing alone has the numbers of its axes at least, and on a paper a name
   ASSERT_GT(texts.size(), trace.grid.axes ? 3u : 0u);
-  std::vector<Box> boxes;
-  for (const TextShape* text : texts) boxes.push_back(text->box());
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    for (std::size_t k = i + 1; k < texts.size(); ++k) {
-      EXPECT_FALSE(overlap(boxes[i], boxes[k])) << texts[i]->text << " | " << texts[k]->text;
-    }
-  }
+  test::expect_texts_apart(sheet);
 }
 
 void nothing_is_clipped(const Trace&, const Sheet& sheet, const Look&) {
@@ -443,13 +437,10 @@ TEST(Layout, ALongTitleIsBrokenThenShortened) {
       for_each_sheet(
           [&](const Trace&, const Sheet& sheet, std::size_t) {
             ++sheets;
-            const auto texts = texts_of(sheet);
-            for (const TextShape* text : texts) {
+            for (const TextShape* text : texts_of(sheet)) {
               EXPECT_LE(text->box().right(), sheet.width) << text->text;
-              for (const TextShape* other : texts) {
-                if (other != text) EXPECT_FALSE(overlap(text->box(), other->box())) << text->text;
-              }
             }
+            test::expect_texts_apart(sheet);
             const TextShape* second = find_text(sheet, "title 2");
             if (words == 40 && aspect.name != "32:9") {
               ASSERT_NE(second, nullptr);

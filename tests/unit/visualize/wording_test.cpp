@@ -16,6 +16,7 @@
 #include "figure/layout.hpp"
 #include "support/example_traces.hpp"
 #include "support/seed.hpp"
+#include "support/sheets.hpp"
 #include "text/text_output.hpp"
 
 namespace gradus {
@@ -449,15 +450,10 @@ TEST(Languages, TextAndCsvAreToldToo) {
   EXPECT_NE(csv.find("d > 0"), std::string::npos);
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
 TEST(Languages, EveryFigureHoldsItsTexts) {
   for (const Language& each : languages()) {
     for_each_sheet(test::telling_traces(Wording(each)), [](const Sheet& sheet, const Figure&) {
       EXPECT_FALSE(missing_glyph(sheet).has_value());
-      std::vector<const TextShape*> texts;
       for (const Shape& shape : sheet.shapes) {
         const TextShape* text = std::get_if<TextShape>(&shape.what);
         if (!text) continue;
@@ -465,11 +461,8 @@ TEST(Languages, EveryFigureHoldsItsTexts) {
         EXPECT_TRUE(box.x >= 0 && box.right() <= sheet.width && box.bottom() <= sheet.height) << text->text;
         const bool must_be_whole = shape.id.starts_with("heading ") || shape.id == "faulty";
         if (must_be_whole) EXPECT_EQ(text->text.find("…"), std::string::npos) << text->text;
-        for (const TextShape* other : texts) {
-          EXPECT_FALSE(overlap(box, other->box())) << text->text << " | " << other->text;
-        }
-        texts.push_back(text);
       }
+      test::expect_texts_apart(sheet);
     });
   }
 }
