@@ -71,7 +71,7 @@ class Reader:
             self.browser.run(CLOSE, number)
 
     def read_page(self, path):
-        self.open(path, *WAYS[0][:1])
+        self.open(path, SIZES[0])
         is_player = self.browser.run('return Boolean(window.player?.run)')
         dialogs = EVERYTHING or not is_player or self.players < len(WAYS)
         for size, scheme in self.ways_of(path, is_player):

@@ -721,21 +721,13 @@ def test_commands_of_the_readme():
     commands_run(commands)
 
 
-def timed(test):
-    start = time.perf_counter()
-    command.in_new_folder(test)
-    print(f"{test.__name__}: {time.perf_counter() - start:.1f} s")
-
-
 def main():
     missing = [name for name in PROGRAMS if not shutil.which(name)]
     if missing:
         print("missing:", ", ".join(missing))
         return 77
-    for test in command.tests_of(globals()):
-        if len(sys.argv) < 3 or test.__name__ in sys.argv[2:]:
-            timed(test)
-    return command.summary()
+    wanted = sys.argv[2:]
+    return command.run_all({name: test for name, test in globals().items() if not wanted or name in wanted})
 
 
 if __name__ == "__main__":
