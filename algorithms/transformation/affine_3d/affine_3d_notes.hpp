@@ -1,5 +1,5 @@
 #pragma once
-// What the notes do with matrices in space, where it is wrong: an exhibit for a lecture, not for use.
+// What the notes do in space, where it is wrong: exhibits for a lecture, not for use.
 
 #include <glm/vec4.hpp>
 
@@ -48,6 +48,33 @@ Matrix<T> row_vectors(std::span<const Matrix<T>> factors, std::span<Point<T>> po
     if constexpr (observed<O>) observer(RowTransformed<T>{from, to});
   }
   return product;
+}
+
+/// A camera was put where its car is, plus an offset.
+template <class T>
+struct OffsetAdded {
+  Point<T> offset, to;
+};
+
+/// FAULTY but for offsets along the axis: a camera on a car that turns, at the car's position plus a constant
+/// offset (errata E000-14).
+///
+/// car: where the car is. camera: where the camera is before the car turns about n by an angle.
+///
+/// Domain: right for offsets parallel to n. A mount that turns with the car takes (1, 0, 2) to (0, 1, 2)
+/// after a
+///   quarter turn about z; here it stays (1, 0, 2).
+/// Steps: OffsetAdded.
+/// Accuracy: none.
+/// Cost: 3 subtractions, 3 additions.
+template <class T, Observer<OffsetAdded<T>> O = Unobserved>
+Point<T> constant_offset(Point<T> /*n*/, Point<T> car, const Turn<T>& /*turn*/, Point<T> camera,
+                         O&& observer = {}) {
+  const auto offset = camera - car;
+  // The car has turned, the offset has not
+  const auto to = car + offset;
+  if constexpr (observed<O>) observer(OffsetAdded<T>{offset, to});
+  return to;
 }
 
 }  // namespace gradus::affine_3d

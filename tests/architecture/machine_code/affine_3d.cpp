@@ -25,4 +25,9 @@ extern "C" {
 [[gnu::flatten]] void machine_code_row_vectors(Factors factors, Points points) {
   gradus::affine_3d::row_vectors(factors, points);
 }
+[[gnu::flatten]] void machine_code_constant_offset(glm::dvec3 n, glm::dvec3 car,
+                                                   const gradus::Turn<double>& turn, glm::dvec3* cameras,
+                                                   int count) {
+  for (int i = 0; i < count; ++i) cameras[i] = gradus::affine_3d::constant_offset(n, car, turn, cameras[i]);
+}
 }

@@ -220,6 +220,23 @@ TEST(Affine3dNotes, RowsTurnTheOtherWayAndLoseTranslations) {
   EXPECT_EQ(seen.events().size(), 4u);
 }
 
+TEST(Affine3dNotes, AConstantOffsetStaysBehind) {
+  // E000-14, G000-18: after a quarter turn (1,0,2) should be (0,1,2)
+  const Turn<double> quarter = turn_degrees(90.0);
+  const dvec3 n{0, 0, 1};
+  EXPECT_EQ(constant_offset(n, dvec3{0}, quarter, dvec3{1, 0, 2}), (dvec3{1, 0, 2}));
+  EXPECT_EQ(turn_vector(n, dvec3{0}, quarter, dvec3{1, 0, 2}), (dvec3{0, 1, 2}));
+  EXPECT_EQ(constant_offset(n, dvec3{3, 4, 0}, quarter, dvec3{4, 4, 2}), (dvec3{4, 4, 2}));
+  EXPECT_EQ(turn_vector(n, dvec3{3, 4, 0}, quarter, dvec3{4, 4, 2}), (dvec3{3, 5, 2}));
+  // Only an offset along the axis is safe
+  EXPECT_EQ(constant_offset(n, dvec3{3, 4, 0}, quarter, dvec3{3, 4, 7}), (dvec3{3, 4, 7}));
+  EXPECT_EQ(turn_vector(n, dvec3{3, 4, 0}, quarter, dvec3{3, 4, 7}), (dvec3{3, 4, 7}));
+  Recorder<OffsetAdded<double>> seen;
+  constant_offset(n, dvec3{3, 4, 0}, quarter, dvec3{4, 4, 2}, seen);
+  ASSERT_EQ(seen.seen(), 1u);
+  EXPECT_EQ(all<OffsetAdded<double>>(seen)[0].offset, (dvec3{1, 0, 2}));
+}
+
 TEST(Affine3d, AChainStepByStep) {
   const std::vector<Mat> factors{rotation_x(turn_degrees(90.0)), rotation_y(turn_degrees(90.0)),
                                  translation(dvec3{1, 2, 3})};

@@ -443,8 +443,11 @@ class PartsTeller : Paper {
 
 class VectorTeller : Paper {
  public:
-  VectorTeller(TraceWriter& writer, const Task& task)
-      : Paper(writer, task), n_(direction_of(task.axis)), turn_(turn_degrees(task.angle)) {
+  VectorTeller(TraceWriter& writer, const Task& task, bool constant)
+      : Paper(writer, task),
+        constant_(constant),
+        n_(direction_of(task.axis)),
+        turn_(turn_degrees(task.angle)) {
     writer.trace().columns = {{"vector", false}, {"x"}, {"y"}, {"z"}};
     for (int i = 0; i <= 72; ++i)
       circle_.push_back(turn_vector(n_, task.through, turn_degrees(5.0 * i), task.point));
@@ -498,9 +501,18 @@ class VectorTeller : Paper {
              arg("to", figure_place(clean(s.to)))),
          row_of("P′", s.to));
   }
+  void operator()(const OffsetAdded<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
+    to_ = s.to;
+    left_behind_ = true;
+    tell("OffsetAdded", line, "words.result",
+         say("affine_3d.offset_added", arg("offset", figure_place(clean(s.offset))),
+             arg("to", figure_place(clean(s.to))), arg("right", figure_place(clean(belongs())))),
+         row_of("P′", s.to));
+  }
 
  private:
   Role role(int level) const { return level == level_ ? Role::current : Role::past; }
+  dvec3 belongs() const { return turn_vector(n_, task_.through, turn_, task_.point); }
 
   void tell(std::string type, int line, std::string_view phase, std::string sentence, Row row) {
     View view;
@@ -511,20 +523,25 @@ class VectorTeller : Paper {
     for (const dvec3 p : circle_) ring.push_back(panel.at(oblique(p)));
     view.add({"b circle", Role::guide, Path{ring, false, true}});
     dot(view, "through", Role::boundary, task_.through, "Q");
-    dot(view, "point", Role::input, task_.point, "P");
+    dot(view, "point", left_behind_ ? Role::rejected : Role::input, task_.point,
+        left_behind_ ? "P = P′" : "P");
     add_arrow(view, panel, "p", Role::input, task_.through, task_.point, words_.symbol("p"));
     if (level_ >= 1) add_arrow(view, panel, "r", role(1), task_.through, foot, "r");
     if (level_ >= 2) add_arrow(view, panel, "s", role(2), foot, task_.point, "s");
     if (level_ >= 3) add_arrow(view, panel, "v", role(3), foot, foot + v_, "v");
-    if (level_ >= 4) {
+    if (level_ >= 4 || left_behind_) {
       std::vector<dvec2> arc;
       for (const dvec3 p : arc_) arc.push_back(panel.at(oblique(p)));
       view.add({"e arc", Role::measure, Path{arc}});
       view.add({"k arc", Role::measure, Label{arc[12], "θ"}});
+    }
+    if (left_behind_) dot(view, "belongs", Role::accepted, belongs(), say("affine_3d.belongs"));
+    if (level_ >= 4) {
       add_arrow(view, panel, "t", Role::result, foot, to_, "");
       dot(view, "to", Role::result, to_, "P′");
     }
-    view.add({"l formula", Role::guide, Text{{13, 0.9}, "P′ = Q + r + cos θ · s + sin θ · v"}});
+    const std::string formula = constant_ ? "P′ = Q + (P − Q)" : "P′ = Q + r + cos θ · s + sin θ · v";
+    view.add({"l formula", Role::guide, Text{{13, 0.9}, formula}});
     const dvec3 at = level_ == 4 ? to_ : task_.point;
     step(std::move(view), std::move(type), line, phase, std::move(sentence), std::move(row), fields_of(at));
   }
@@ -533,6 +550,7 @@ class VectorTeller : Paper {
     view.add({"k " + id, role, Label{panel_->at(oblique(at)), name}});
   }
 
+  bool constant_, left_behind_ = false;
   dvec3 n_;
   Turn<double> turn_;
   Shape circle_, arc_, axis_;
@@ -548,7 +566,8 @@ std::vector<Method> all_methods() {
   return {method_in_english("affine_3d", "one_matrix", Standing::taught),
           method_in_english("affine_3d", "decomposition", Standing::plain),
           method_in_english("affine_3d", "turn_vector", Standing::plain),
-          method_in_english("affine_3d", "row_vectors", Standing::faulty)};
+          method_in_english("affine_3d", "row_vectors", Standing::faulty),
+          method_in_english("affine_3d", "constant_offset", Standing::faulty)};
 }
 
 void describe(Trace& trace, const Arguments& arguments, const Task& task, const Method& method) {
@@ -569,6 +588,8 @@ void describe(Trace& trace, const Arguments& arguments, const Task& task, const 
                   {Role::past, words.say("affine_3d.legend.past")},
                   {Role::current, words.say("affine_3d.legend.current")},
                   {Role::result, words.say("affine_3d.legend.result")}};
+  if (method.name == "constant_offset")
+    trace.legend.push_back({Role::rejected, words.say("affine_3d.legend.rejected")});
 }
 
 /// What the steps of turn_vector hold, and of products of matrices.
@@ -663,8 +684,12 @@ Trace run(const Arguments& arguments, Recording recording) {
     teller.finish();
     result = transform(m, box[corner_a]);
   } else {
-    VectorTeller teller(writer, task);
-    result = turn_vector(direction_of(task.axis), task.through, turn_degrees(task.angle), task.point, teller);
+    const bool constant = method.name == "constant_offset";
+    const dvec3 n = direction_of(task.axis);
+    const Turn<double> turn = turn_degrees(task.angle);
+    VectorTeller teller(writer, task, constant);
+    result = constant ? constant_offset(n, task.through, turn, task.point, teller)
+                      : turn_vector(n, task.through, turn, task.point, teller);
   }
   Trace trace = std::move(writer).finish();
   trace.telling = {trace.last, 0};
@@ -710,11 +735,12 @@ const TopicEntry& entry() {
             .example = "none",
             .help = "one_matrix: the factors in the reverse order beside it",
             .choices = {"none", "reversed"}},
-           triple("axis", "0,1,1", "decomposition, turn_vector: the direction of the axis, not 0,0,0"),
-           triple("through", "1,1,0", "decomposition, turn_vector: a point on the axis"),
-           {"angle", ParameterType::number, "30", "60", "decomposition, turn_vector: the turn in degrees",
-            -1'000'000, 1'000'000},
-           triple("point", "3,1,1", "turn_vector: the point that turns"),
+           triple("axis", "0,1,1",
+                  "decomposition, turn_vector, constant_offset: the direction of the axis, not 0,0,0"),
+           triple("through", "1,1,0", "decomposition, turn_vector, constant_offset: a point on the axis"),
+           {"angle", ParameterType::number, "30", "60",
+            "decomposition, turn_vector, constant_offset: the turn in degrees", -1'000'000, 1'000'000},
+           triple("point", "3,1,1", "turn_vector, constant_offset: the point that turns"),
            triple("box", "2,3,1", "width, height and depth of the box with the F, one corner in the origin"),
            exact_parameter()},
       .examples = {"--factors 'rotate 90 about x; rotate 90 about y'",
