@@ -147,3 +147,6 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
 }
 
 }  // namespace gradus::test
+  for (const char* method : {"spare_up", "cross_products"}) {
+    tell("viewing", {{"method", method}, {"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}, {"up", "1e-17,1,0"}});
+  }

@@ -46,6 +46,22 @@ Extent widened(Extent extent, double part) {
   return {extent.lower - margin, extent.upper + margin};
 }
 
+std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
+  double enters = 0, leaves = 1;
+  for (const int axis : {0, 1}) {
+    const double way = b[axis] - a[axis];
+    if (way == 0) {
+      if (a[axis] < frame.lower[axis] || a[axis] > frame.upper[axis]) return std::nullopt;
+      continue;
+    }
+    const double t0 = (frame.lower[axis] - a[axis]) / way, t1 = (frame.upper[axis] - a[axis]) / way;
+    enters = std::max(enters, std::min(t0, t1));
+    leaves = std::min(leaves, std::max(t0, t1));
+  }
+  if (enters >= leaves) return std::nullopt;
+  return Stroke{a + enters * (b - a), a + leaves * (b - a)};
+}
+
 Panel::Panel(Extent place, Extent world, Fit fit, bool paper_y_up)
     : place_(place), world_(world), middle_(place.centre()), paper_y_up_(paper_y_up) {
   const dvec2 room = place.size(), size = world.size();

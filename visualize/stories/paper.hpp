@@ -4,6 +4,7 @@
 // such views.
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,6 +62,9 @@ struct Extent {
 
 /// The rectangle with a margin all round, in parts of its larger side.
 Extent widened(Extent extent, double part);
+
+/// The part of a segment that a rectangle shows, or nothing.
+std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b);
 
 /// A part of the paper that shows a rectangle of some plane, y up there.
 class Panel {

@@ -26,6 +26,12 @@ struct Aimed {
   glm::vec<3, T> forward;  ///< from the eye to the target
 };
 
+/// The hint for up lies along the view and says nothing: another one is taken.
+template <class T>
+struct HintReplaced {
+  glm::vec<3, T> up_hint, spare;
+};
+
 /// right stands at right angles on the view direction and on the hint for up.
 template <class T>
 struct Levelled {
@@ -136,6 +142,43 @@ Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O
   };
   if constexpr (observed<O>) observer(Framed<T>{frame});
   return frame;
+}
+
+/// What points up for a viewer whose own hint says nothing: -z for who looks up or down, as on a map of the
+/// ground, else y. Domain: a direction of length 1; the sine between the two is above 0.7.
+template <class T>
+glm::vec<3, T> spare_hint(glm::vec<3, T> ahead) {
+  const bool steep = ahead.y * ahead.y > ahead.z * ahead.z;
+  return steep ? glm::vec<3, T>{T(0), T(0), T(-1)} : glm::vec<3, T>{T(0), T(1), T(0)};
+}
+
+/// look_at with any hint for up: one that lies along the view is replaced by spare_hint, so that a viewer may
+/// look straight up and down.
+///
+/// eye, target: in world space, apart. up: a hint; also 0, and along the view.
+///
+/// Domain: finite coordinates of any size. There the picture turns at once, for what points up can't be
+/// chosen
+///   for all directions without a jump somewhere.
+/// Steps: HintReplaced? Aimed Levelled Framed.
+/// Accuracy: as look_at; with the spare hint the sine is above 0.7.
+/// Cost: as look_at, and two square roots and a cross product more.
+/// Errors: ContractViolation when a coordinate is not finite, and when eye and target are the same point.
+template <std::floating_point T, Observer<HintReplaced<T>, Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
+Frame<T> spare_up(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
+  using Vec = glm::vec<3, T>;
+  const Vec along = way(eye, target);
+  const Vec ahead = unit_vector(along);
+  // Does up say what is right?
+  const Vec hint = unit_vector(up);
+  const Vec across = glm::cross(ahead, hint);
+  const T sine = glm::length(across);
+  if (!(sine < least_sine<T>)) {
+    return look_at(eye, target, up, observer);
+  }
+  const Vec top = spare_hint(ahead);
+  if constexpr (observed<O>) observer(HintReplaced<T>{up, top});
+  return look_at(eye, target, top, observer);
 }
 
 // --- The matrix, and the way back --------------------------------

@@ -1,6 +1,6 @@
 #pragma once
-// Exhibits: two view matrices of lecture notes that look elsewhere, kept so that a figure can show where.
-// Never use them to look; viewing.hpp has the right one.
+// Exhibits: two view matrices of lecture notes that look elsewhere, kept so that a figure can show where, and
+// a frame made without a look at what it divides by. Never use them to look; viewing.hpp has the right ones.
 
 #include "projection/viewing/viewing.hpp"
 
@@ -58,6 +58,38 @@ Matrix<T> transposed(const Frame<T>& frame, O&& observer = {}) {
     if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
   }
   return matrix;
+}
+
+/// FAULTY where up lies along the view: the frame by two cross products, without a look at what they divide
+/// by (errata E000-03).
+///
+/// eye, target, up: as for look_at.
+///
+/// Domain: right where the sine between up and the view is far from 0. Along the view, and for target = eye,
+///   NaN. From straight above up = (1e-17, 1, 0) "works": right is (0, 0, 1), for 1e-17 is left of up.
+/// Steps: Aimed Levelled Framed.
+/// Accuracy: that of look_at divided by the sine, right angles included; vectors whose squares leave T are
+/// lost. Cost: two square roots, two cross products. Errors: none, where there should be one.
+template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
+Frame<T> cross_products(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
+  const auto along = target - eye;
+  const T distance = glm::length(along);
+  const auto ahead = along / distance;
+  if constexpr (observed<O>) observer(Aimed<T>{eye, target, ahead});
+  // However little is left of up
+  const auto across = glm::cross(ahead, up);
+  const T length = glm::length(across);
+  const auto right = across / length;
+  if constexpr (observed<O>) observer(Levelled<T>{up, right, length});
+  const auto above = glm::cross(right, ahead);
+  const Frame<T> frame{
+      eye,
+      right,
+      above,
+      ahead,
+  };
+  if constexpr (observed<O>) observer(Framed<T>{frame});
+  return frame;
 }
 
 }  // namespace gradus::viewing

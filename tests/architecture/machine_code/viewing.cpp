@@ -32,4 +32,12 @@ extern "C" {
 [[gnu::flatten]] void machine_code_transposed(const Frame<double>* frames, int count, glm::dmat4* matrices) {
   for (int i = 0; i < count; ++i) matrices[i] = gradus::viewing::transposed(frames[i]);
 }
+[[gnu::flatten]] void machine_code_spare_up(const dvec3& eye, const dvec3& target, const dvec3& up,
+                                            Frame<double>& frame) {
+  frame = gradus::viewing::spare_up(eye, target, up);
+}
+[[gnu::flatten]] void machine_code_cross_products(const dvec3* eyes, const dvec3& target, const dvec3& up,
+                                                  Frame<double>* frames, int count) {
+  for (int i = 0; i < count; ++i) frames[i] = gradus::viewing::cross_products(eyes[i], target, up);
+}
 }

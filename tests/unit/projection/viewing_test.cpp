@@ -232,7 +232,76 @@ TEST(Viewing, OneBodyForEveryScalar) {
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(round[i / 4][i % 4], i % 5 == 0, 2e-6f);
 }
 
+TEST(Viewing, ASpareUpForWhoLooksUpAndDown) {
+  // As on a map: -z is up, x is right
+  for (const dvec3 up : {dvec3{0, 1, 0}, {1e-17, 1, 0}, {0, -3, 0}, {0, 0, 0}}) {
+    const DFrame down = spare_up(dvec3{0, 5, 0}, dvec3{0}, up);
+    EXPECT_EQ(down.right, (dvec3{1, 0, 0}));
+    EXPECT_EQ(down.up, (dvec3{0, 0, -1}));
+    EXPECT_EQ(down.forward, (dvec3{0, -1, 0}));
+    EXPECT_EQ(down.eye, (dvec3{0, 5, 0}));
+  }
+  EXPECT_EQ(spare_up(dvec3{0}, dvec3{0, 0, -2}, dvec3{0, 0, 1}).up, (dvec3{0, 1, 0}));
+  // Any other hint is look_at's, and what look_at refuses comes out upright
+  Random random(test::seed());
+  int spared = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto any = [&] {
+      return dvec3{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
+    };
+    const dvec3 eye = any(), target = any();
+    const dvec3 up = i % 2 ? any() : random.uniform(-2, 2) * (target - eye);
+    const DFrame frame = spare_up(eye, target, up);
+    if (sine_between(target - eye, up) > 2 * least_sine<double>) {
+      const DFrame plain = look_at(eye, target, up);
+      ASSERT_EQ(frame.right, plain.right);
+      ASSERT_EQ(frame.up, plain.up);
+    } else {
+      ++spared;
+    }
+    ASSERT_TRUE(is_upright(frame));
+    ASSERT_NEAR(glm::dot(frame.right, glm::cross(frame.up, frame.forward)), -1, 4e-15);
+    ASSERT_NEAR(glm::dot(frame.forward, target - eye), glm::distance(eye, target), 1e-13);
+    const dvec3 spare = spare_hint(frame.forward);
+    ASSERT_GT(sine_between(frame.forward, spare), 0.7);
+  }
+  EXPECT_GT(spared, 900);
+  EXPECT_THROW(spare_up(dvec3{1, 2, 3}, dvec3{1, 2, 3}, dvec3{0, 1, 0}), ContractViolation);
+  EXPECT_THROW(spare_up(dvec3{0, 5, 0}, dvec3{0}, dvec3{std::nan(""), 1, 0}), ContractViolation);
+  Recorder<HintReplaced<double>, Aimed<double>, Levelled<double>, Framed<double>> seen;
+  spare_up(dvec3{0, 5, 0}, dvec3{0}, dvec3{0, 1, 0}, seen);
+  spare_up(dvec3{0, 5, 0}, dvec3{0}, dvec3{1, 0, 0}, seen);
+  ASSERT_EQ(seen.events().size(), 4u + 3u);
+  EXPECT_EQ(std::get<HintReplaced<double>>(seen.events()[0].step).spare, (dvec3{0, 0, -1}));
+  EXPECT_EQ(spare_up(glm::vec3{0, 5, 0}, glm::vec3{0}, glm::vec3{0, 1, 0}).right, (glm::vec3{1, 0, 0}));
+}
+
 // --- Exhibits ----------------------------------------------------
+
+TEST(ViewingNotes, CrossProductsDivideWhatRoundingLeaves) {
+  // E000-03: from above, right is decided by 1e-17, and turns round with its sign
+  const auto right = [](dvec3 target, dvec3 up) { return cross_products(dvec3{0, 5, 0}, target, up).right; };
+  EXPECT_EQ(right({0, 0, 0}, {1e-17, 1, 0}), (dvec3{0, 0, 1}));
+  EXPECT_EQ(right({0, 0, 0}, {-1e-17, 1, 0}), (dvec3{0, 0, -1}));
+  // So it does with a tilt of the view by 1e-9
+  EXPECT_EQ(right({5e-9, 0, 0}, {0, 1, 0}), (dvec3{0, 0, 1}));
+  EXPECT_EQ(right({-5e-9, 0, 0}, {0, 1, 0}), (dvec3{0, 0, -1}));
+  // No direction at all
+  EXPECT_TRUE(std::isnan(right({0, 0, 0}, {0, 1, 0}).x));
+  EXPECT_TRUE(std::isnan(right({0, 5, 0}, {0, 1, 0}).x));
+  // An up whose square is 0 says nothing here, and all to look_at
+  EXPECT_FALSE(std::isfinite(right({1, 0, 0}, {0, 0, 1e-200}).x));
+  EXPECT_EQ(look_at(dvec3{0, 5, 0}, dvec3{1, 0, 0}, dvec3{0, 0, 1e-200}).right.z, 0);
+  // Far from there it is right
+  const DFrame wrong = cross_products(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+  const DFrame frame = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+  EXPECT_NEAR(glm::distance(wrong.right, frame.right), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(wrong.up, frame.up), 0, 1e-15);
+  Recorder<Aimed<double>, Levelled<double>, Framed<double>> seen;
+  cross_products(dvec3{0, 5, 0}, dvec3{0}, dvec3{1e-17, 1, 0}, seen);
+  ASSERT_EQ(seen.events().size(), 3u);
+  EXPECT_EQ(std::get<Levelled<double>>(seen.events()[1].step).sine, 1e-17);
+}
 
 TEST(ViewingNotes, MinusPositionSeesTheEyeElsewhere) {
   // E004-01: G004-01, G004-02, G004-03

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -92,6 +93,23 @@ TEST(ProjectionStory, TheBendIsMeasured) {
   EXPECT_TRUE(straight.faulty.empty());
 }
 
+TEST(ProjectionStory, UpAlongTheViewIsReplacedRefusedOrLeftToChance) {
+  const Given down{{"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}, {"up", "1e-17,1,0"}};
+  const auto with = [&down](std::string method) {
+    Given given = down;
+    given["method"] = std::move(method);
+    return test::trace_of("viewing", given);
+  };
+  const Trace spare = with("spare_up"), chance = with("cross_products");
+  EXPECT_EQ(result(spare, "m00"), 1);
+  EXPECT_EQ(result(spare, "m12"), -1);
+  EXPECT_EQ(result(chance, "m02"), 1);
+  EXPECT_EQ(result(chance, "m10"), 1);
+  EXPECT_FALSE(chance.faulty.empty());
+  EXPECT_NE(chance.steps.back().sentence.find("1e-17"), std::string::npos);
+  EXPECT_THROW(with("world_to_view"), ArgumentError);
+}
+
 TEST(ProjectionStory, TheNotesMatrixIsOffByTheSlant) {
   const Trace trace =
       test::trace_of("parallel", {{"method", "keep_x_and_y"}, {"receding", "45,0.5"}, {"at", "2,2,4"}});
@@ -128,6 +146,8 @@ TEST(ProjectionStory, WhatCannotBeProjectedIsRefused) {
   EXPECT_TRUE(refused("perspective", {{"distance", "0"}}, "distance"));
   EXPECT_TRUE(refused("perspective", {{"distance", "-1"}}, "distance"));
   EXPECT_TRUE(refused("perspective", {{"method", "vanishing_points"}, {"at", "0,0,0"}}, "at"));
+  EXPECT_TRUE(
+      refused("viewing", {{"method", "cross_products"}, {"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}}, "up"));
   EXPECT_TRUE(refused("perspective", {{"method", "keep_z"}, {"far", "3"}}, "far"));
   EXPECT_TRUE(refused("perspective", {{"method", "keep_z"}, {"from", "0,0,1"}}, "from"));
   EXPECT_TRUE(

@@ -38,14 +38,27 @@ constexpr double farthest = 1'000'000;
 /// Axes that are much shorter or longer don't fit into a drawing with the letter.
 constexpr double longest_axis = 1000;
 
+/// What is made of a hint for up along the view.
+enum class Along { refused, replaced, divided };
+
 struct Scene {
   dvec3 eye, target, up;
   double distance;  ///< from the eye to the target
   Mesh letter;
   std::optional<DFrame> axes{};  ///< given ones, of any lengths and angles, instead of target and up
+  Along along = Along::refused;
 
   /// The frame at the eye.
-  DFrame frame() const { return axes ? *axes : look_at(eye, target, up); }
+  DFrame frame() const {
+    return axes ? *axes : aimed([](const auto&) {});
+  }
+  /// The same, watched.
+  template <class O>
+  DFrame aimed(O&& observer) const {
+    if (along == Along::replaced) return spare_up(eye, target, up, observer);
+    if (along == Along::divided) return cross_products(eye, target, up, observer);
+    return look_at(eye, target, up, observer);
+  }
 };
 
 void expect_near(const Arguments& arguments, std::string_view name, dvec3 at) {
@@ -86,15 +99,19 @@ Scene scene_of_axes(const Arguments& arguments) {
           DFrame{eye, axes[0], axes[1], axes[2]}};
 }
 
-Scene scene_of(const Arguments& arguments) {
+Scene scene_of(const Arguments& arguments, Along along) {
   Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
+  scene.along = along;
   for (const auto& [name, at] : {std::pair{"eye", scene.eye}, {"target", scene.target}, {"up", scene.up}})
     expect_near(arguments, name, at);
   if (scene.eye == scene.target)
     throw ArgumentError("target", "a point apart from the eye expected, found the eye itself");
   if (scene.up == dvec3{0})
     throw ArgumentError("up", "a direction expected, found 0,0,0, which points nowhere");
-  if (!(sine_between(scene.target - scene.eye, scene.up) >= least_sine<double>)) {
+  const double sine = sine_between(scene.target - scene.eye, scene.up);
+  if (along == Along::divided && !is_finite(scene.frame().right))
+    throw ArgumentError("up", "a hint that leaves something to divide by expected, this one gives 0 / 0");
+  if (along == Along::refused && !(sine >= least_sine<double>)) {
     throw ArgumentError("up", fmt::format("a direction apart from the view direction expected, found {}, "
                                           "which is parallel to it",
                                           arguments.text("up")));
@@ -116,23 +133,6 @@ std::string product_text(dvec3 a, dvec3 b) {
   const auto factor = [](double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); };
   return fmt::format("{}·{} + {}·{} + {}·{}", factor(a.x), factor(b.x), factor(a.y), factor(b.y), factor(a.z),
                      factor(b.z));
-}
-
-/// The part of a segment that a rectangle shows, or nothing.
-std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
-  double enters = 0, leaves = 1;
-  for (const int axis : {0, 1}) {
-    const double way = b[axis] - a[axis];
-    if (way == 0) {
-      if (a[axis] < frame.lower[axis] || a[axis] > frame.upper[axis]) return std::nullopt;
-      continue;
-    }
-    const double t0 = (frame.lower[axis] - a[axis]) / way, t1 = (frame.upper[axis] - a[axis]) / way;
-    enters = std::max(enters, std::min(t0, t1));
-    leaves = std::min(leaves, std::max(t0, t1));
-  }
-  if (enters >= leaves) return std::nullopt;
-  return Stroke{a + enters * (b - a), a + leaves * (b - a)};
 }
 
 /// The drawings of a run. What is known grows from step to step.
@@ -443,9 +443,15 @@ class Teller {
                     arg("forward", figure_place(neat(a.forward, 1)))),
          fields("forward", a.forward), {});
   }
+  void operator()(const HintReplaced<double>& h, int line = __builtin_LINE(), const char* = nullptr) {
+    step(line, "HintReplaced", "hint", words_.say("viewing.phase.frame"),
+         words_.say("viewing.hint_replaced", arg("up", figure_place(h.up_hint)),
+                    arg("spare", figure_place(h.spare))),
+         fields("hint", h.spare), {});
+  }
   void operator()(const Levelled<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
     learn(0);
-    const dvec3 across = glm::cross(frame_.forward, scene_.up);
+    const dvec3 across = glm::cross(frame_.forward, l.up_hint);
     step(line, "Levelled", "right", words_.say("viewing.phase.frame"),
          words_.say("viewing.levelled", arg("across", figure_place(neat(across, length_of(across)))),
                     arg("length", figure_real(length_of(across))),
@@ -553,9 +559,14 @@ class Teller {
     }
     matrix_ = matrix;
     const dvec3 seen = through(matrix, scene_.target);
-    const std::string key = kind_ == Kind::rows ? "viewing.viewed" : "viewing.off_the_axis";
+    const double sine = sine_between(scene_.target - scene_.eye, scene_.up);
+    const bool by_chance = scene_.along == Along::divided && sine < least_sine<double>;
+    const std::string key = by_chance             ? "viewing.by_chance"
+                            : kind_ == Kind::rows ? "viewing.viewed"
+                                                  : "viewing.off_the_axis";
     step(line, "Viewed", "target", words_.say("words.result"),
-         words_.say(key, arg("view", figure_place(neat(seen, size))),
+         words_.say(key, arg("view", figure_place(neat(seen, size))), arg("sine", figure_real(sine)),
+                    arg("right", figure_place(neat(frame_.right, 1))),
                     arg("distance", figure_real(scene_.distance))),
          fields("view", seen), {words_.say("viewing.last_row"), "0", "0", "0", "1"});
   }
@@ -645,9 +656,10 @@ const std::vector<Method>& all_methods() {
     return method_in_english("viewing", std::move(name), standing);
   };
   static const std::vector<Method> methods{
-      method("world_to_view", Standing::taught), method("view_to_world", Standing::plain),
-      method("inverse_of_any_frame", Standing::plain), method("minus_position", Standing::faulty),
-      method("transposed", Standing::faulty)};
+      method("world_to_view", Standing::taught),       method("view_to_world", Standing::plain),
+      method("inverse_of_any_frame", Standing::plain), method("spare_up", Standing::plain),
+      method("minus_position", Standing::faulty),      method("transposed", Standing::faulty),
+      method("cross_products", Standing::faulty)};
   return methods;
 }
 
@@ -658,7 +670,7 @@ const Method& method_named(std::string_view name) {
   throw ArgumentError("method", "a method of viewing expected");
 }
 
-/// look_at and, below it, the function that makes the matrix; both stand in one file, or the second in the
+/// What makes the frame and, below it, what makes the matrix; both stand in one file, or one of them in the
 /// notes', which then is listed alone.
 void list_source(Trace& trace, const Method& method) {
   const bool notes = method.standing == Standing::faulty;
@@ -666,13 +678,21 @@ void list_source(Trace& trace, const Method& method) {
   const std::string_view source = source_text(trace.source_file);
   const bool given_axes = method.name == "inverse_of_any_frame";
   if (!notes && !given_axes) trace.listing = listing_of(source, "look_at");
-  for (SourceLine& line : listing_of(source, method.name)) trace.listing.push_back(std::move(line));
+  const auto add = [&](std::string_view function) {
+    for (SourceLine& line : listing_of(source, function)) trace.listing.push_back(std::move(line));
+  };
+  add(method.name);
+  if (method.name == "spare_up") add("world_to_view");
 }
 
 Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
   const bool any_frame = method.name == "inverse_of_any_frame";
-  const Scene scene = any_frame ? scene_of_axes(arguments) : scene_of(arguments);
+  const bool untested = method.name == "cross_products";
+  const Along along = method.name == "spare_up" ? Along::replaced
+                      : untested                ? Along::divided
+                                                : Along::refused;
+  const Scene scene = any_frame ? scene_of_axes(arguments) : scene_of(arguments, along);
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
@@ -689,12 +709,14 @@ Trace run(const Arguments& arguments, Recording recording) {
   trace.legend = {{Role::input, words.say("viewing.legend.input")},
                   {Role::current, words.say("viewing.legend.current")},
                   {Role::accepted, words.say("viewing.legend.accepted")}};
-  trace.legend.push_back(faulty ? LegendEntry{Role::rejected, words.say("viewing.legend.rejected")}
-                                : LegendEntry{Role::result, words.say(any_frame ? "viewing.legend.result_axes"
-                                                                                : "viewing.legend.result")});
+  const bool other_matrix = faulty && !untested;
+  trace.legend.push_back(other_matrix
+                             ? LegendEntry{Role::rejected, words.say("viewing.legend.rejected")}
+                             : LegendEntry{Role::result, words.say(any_frame ? "viewing.legend.result_axes"
+                                                                             : "viewing.legend.result")});
   list_source(trace, method);
 
-  const Kind kind = faulty                           ? Kind::faulty
+  const Kind kind = other_matrix                     ? Kind::faulty
                     : any_frame                      ? Kind::any_frame
                     : method.name == "view_to_world" ? Kind::inverse
                                                      : Kind::rows;
@@ -703,13 +725,14 @@ Trace run(const Arguments& arguments, Recording recording) {
   const DFrame known = scene.frame();
   teller.foresee(method.name == "minus_position" ? minus_position(known) : transposed(known));
   teller.input();
-  // The exhibits' listing has no look_at: their frame is told without its lines
-  const auto told = [&]<class Step>(const Step& step, int line = __builtin_LINE(), const char* = nullptr) {
-    teller(step, faulty ? 0 : line);
+  // The exhibits' listing has one of the two: the other is told without its lines
+  const auto told_as = [&](bool listed) {
+    return [&teller, listed]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                         const char* = nullptr) { teller(step, listed ? line : 0); };
   };
-  const DFrame frame = any_frame ? known : look_at(scene.eye, scene.target, scene.up, told);
+  const DFrame frame = any_frame ? known : scene.aimed(told_as(!other_matrix));
   glm::dmat4 matrix;
-  if (method.name == "world_to_view") matrix = world_to_view(frame, teller);
+  if (kind == Kind::rows) matrix = world_to_view(frame, told_as(!untested));
   if (method.name == "view_to_world") matrix = view_to_world(frame, teller);
   if (method.name == "minus_position") matrix = minus_position(frame, teller);
   if (method.name == "transposed") matrix = transposed(frame, teller);
@@ -756,7 +779,8 @@ const TopicEntry& entry() {
                       .most = 3,
                       .parts = {"x", "y", "z"}}},
       .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
-                   "--eye 2,3,5 --target 0,0,0 --method transposed"},
+                   "--eye 2,3,5 --target 0,0,0 --method transposed",
+                   "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"},
       .run = run};
   return topic;
 }
