@@ -118,6 +118,17 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   }
   tell("perspective", {{"method", "keep_z"}, {"from", "-1,0,5"}, {"to", "2,0,5"}});
   tell("perspective", {{"method", "depth_precision"}, {"range", "0.1,250"}});
+  for (const char* method : {"divide_tested", "divide_untested"}) {
+    tell("perspective", {{"method", method}, {"points", "1,0,2 1,0,-2 0,1,0"}, {"zoom", "0"}});
+  }
+  tell("perspective", {{"method", "zoom_minus_z"},
+                       {"points", "600,300,-1000 600,300,0 600,300,999 600,300,1001 600,300,2000"},
+                       {"centre", "400,300"},
+                       {"scales", "500,500"},
+                       {"zoom", "1000"}});
+  for (const char* method : {"vanishing_points", "parallel_by_plane"}) {
+    tell("perspective", {{"method", method}, {"turn", "-45,0"}, {"direction", "1,0,1"}, {"at", "0.4,-2,6"}});
+  }
   const auto clip = [&](std::string polygon, std::map<std::string, std::string> more = {}) {
     more["polygon"] = polygon;
     tell("sutherland_hodgman", more);
@@ -143,10 +154,10 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   for (const char* axes : {"1,0,0 0,2,0 0.5,0,-1", "0,0,-1 0,1,0 1,0,0"}) {
     tell("viewing", {{"method", "inverse_of_any_frame"}, {"eye", "2,1,3"}, {"axes", axes}});
   }
+  for (const char* method : {"spare_up", "cross_products"}) {
+    tell("viewing", {{"method", method}, {"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}, {"up", "1e-17,1,0"}});
+  }
   return traces;
 }
 
 }  // namespace gradus::test
-  for (const char* method : {"spare_up", "cross_products"}) {
-    tell("viewing", {{"method", method}, {"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}, {"up", "1e-17,1,0"}});
-  }

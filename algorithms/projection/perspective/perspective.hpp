@@ -215,6 +215,33 @@ glm::vec<3, T> divide(glm::vec<4, T> clip, O&& observer = {}) {
   return ndc;
 }
 
+/// A point at or behind the eye was left as it is: there is no image of it.
+template <class T>
+struct LeftUndivided {
+  glm::vec<4, T> clip;  ///< w <= 0
+};
+
+/// The image of one point, of any: multiplied, looked at, and divided only where it lies before the eye.
+///
+/// p: see projection_of. v: any point of view space.
+///
+/// Domain: everything; nothing for w <= 0 and NaN. Of a segment with one end there, the part before the eye
+///   runs to infinity in the picture: it is clipped against the near plane before the division.
+/// Steps: Multiplied (Divided | LeftUndivided).
+/// Accuracy: as transform and divide.
+/// Cost: as transform and divide.
+/// Errors: none.
+template <class T, Observer<Multiplied<T>, Divided<T>, LeftUndivided<T>> O = Unobserved>
+std::optional<glm::vec<3, T>> divide_tested(const Projection<T>& p, glm::vec<3, T> v, O&& observer = {}) {
+  const auto clip = transform(p, v, observer);
+  // At or behind the eye there is no image
+  if (!(clip.w > T(0))) {
+    if constexpr (observed<O>) observer(LeftUndivided<T>{clip});
+    return std::nullopt;
+  }
+  return divide(clip, observer);
+}
+
 // --- How finely depth is stored ----------------------------------
 
 /// The depth at x of the straight line from a to b, points after the division: what a scan line does between

@@ -1,6 +1,7 @@
 #pragma once
-// An exhibit: the lecture notes' perspective transformation, which keeps z as it is. Never use it where depth
-// is interpolated; perspective.hpp has transform and divide.
+// Exhibits: the notes' perspective transformation, which keeps z as it is, divisions without a look at what
+// is divided by, and a rule for what stays parallel that is too wide. Never use them; perspective.hpp has
+// what is right.
 
 #include "projection/perspective/perspective.hpp"
 
@@ -39,6 +40,97 @@ std::optional<glm::vec<3, T>> keep_z(T d, glm::vec<3, T> point, O&& observer = {
   const glm::vec<3, T> image{x, y, z};
   if constexpr (observed<O>) observer(Projected<T>{point, image});
   return image;
+}
+
+/// FAULTY for w <= 0: the image of a point, divided wherever it lies (errata E000-07, E001-22, E004-04).
+///
+/// p, v: as for divide_tested.
+///
+/// Domain: right before the eye. Behind it a point is mirrored: (1,1,-1) lands on (-1,-1), and the segment
+///   (1,0,2)-(1,0,-2) on 0.5 to -0.5, which should run from 0.5 to infinity. For w = 0 infinite or NaN.
+/// Steps: Multiplied Divided.
+/// Accuracy: none behind the eye.
+/// Cost: as transform and divide.
+/// Errors: none, where there should be one.
+template <class T, Observer<Multiplied<T>, Divided<T>> O = Unobserved>
+glm::vec<3, T> divide_untested(const Projection<T>& p, glm::vec<3, T> v, O&& observer = {}) {
+  const auto clip = transform(p, v, observer);
+  // Divided whatever w is
+  const T x = clip.x / clip.w;
+  const T y = clip.y / clip.w;
+  const T z = clip.z / clip.w;
+  const glm::vec<3, T> ndc{x, y, z};
+  if constexpr (observed<O>) observer(Divided<T>{clip, ndc});
+  return ndc;
+}
+
+/// The screen of a wireframe program: the eye is meant to stand `zoom` before the plane z = 0.
+template <class T>
+struct WireScreen {
+  glm::vec<2, T> centre;  ///< of the screen, straight ahead of the eye
+  T fov;                  ///< the screen's distance from the eye
+  T zoom;
+};
+
+/// A point was left where it stands, its depth dropped.
+template <class T>
+struct LeftAlone {
+  glm::vec<3, T> node;
+};
+
+/// FAULTY: the screen coordinates of a wireframe report, which says that larger z is farther away and divides
+/// by zoom - z, but for points with z = 0 (errata E002-03, E002-04, E002-05).
+///
+/// screen: finite. node: any point.
+///
+/// Domain: right nowhere but by chance: that z is farther takes zoom + z. With centre 400, fov 500, zoom 1000
+///   x = 600 goes to 450, 600, 1400 for z = -1000, 500, 900; to 500 for z = 1e-9, but it stays at 600 for
+///   z = 0; to 100400 for z = 999, -99600 for z = 1001, and for z = 2000 to 300, mirrored.
+/// Steps: LeftAlone | Divided.
+/// Accuracy: none.
+/// Cost: 2 divisions.
+/// Errors: none, where there should be one: z = zoom divides by 0.
+template <class T, Observer<LeftAlone<T>, Divided<T>> O = Unobserved>
+glm::vec<2, T> zoom_minus_z(const WireScreen<T>& screen, glm::vec<3, T> node, O&& observer = {}) {
+  const auto [centre, fov, zoom] = screen;
+  // Nothing to do where z is 0
+  if (node.z == T(0)) {
+    if constexpr (observed<O>) observer(LeftAlone<T>{node});
+    return glm::vec<2, T>(node);
+  }
+  const T w = zoom - node.z;
+  const T x = fov * (node.x - centre.x);
+  const T y = fov * (node.y - centre.y);
+  const glm::vec<2, T> image{
+      x / w + centre.x,
+      y / w + centre.y,
+  };
+  if constexpr (observed<O>) observer(Divided<T>{{x, y, node.z, w}, {image, node.z}});
+  return image;
+}
+
+/// FAULTY: the vanishing point by the notes' rule for two-point perspective, "what is parallel to the y-plane
+/// stays parallel" (errata E001-21).
+///
+/// m, v: as matrix and direction of vanishing_point.
+///
+/// Domain: right for directions that are not parallel to the xz-plane, and for those that are parallel to the
+///   picture plane. All others of the xz-plane do vanish: seen along (1,0,1) the direction (1,0,1) at (0,0).
+///   The rule holds for the y-axis.
+/// Steps: StaysParallel | TakenToInfinity (Vanished | StaysParallel).
+/// Accuracy: as vanishing_point where it is asked.
+/// Cost: as vanishing_point.
+/// Errors: ContractViolation for the direction 0.
+template <class T, Observer<TakenToInfinity<T>, Vanished<T>, StaysParallel<T>> O = Unobserved>
+std::optional<glm::vec<2, T>> parallel_by_plane(const glm::mat<4, 4, T>& m, glm::vec<3, T> v,
+                                                O&& observer = {}) {
+  expects(v != glm::vec<3, T>(T(0)), "a line has a direction, not the zero vector");
+  // "Parallel to the y-plane"
+  if (v.y == T(0)) {
+    if constexpr (observed<O>) observer(StaysParallel<T>{v});
+    return std::nullopt;
+  }
+  return vanishing_point(m, v, observer);
 }
 
 }  // namespace gradus::perspective

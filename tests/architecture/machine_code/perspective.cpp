@@ -31,4 +31,20 @@ extern "C" {
                                           int count) {
   for (int i = 0; i < count; ++i) image[i] = perspective::keep_z(d, point[i]);
 }
+[[gnu::flatten]] void machine_code_divide_tested(const gradus::Projection<double>& projection,
+                                                 const dvec3* view, std::optional<dvec3>* image, int count) {
+  for (int i = 0; i < count; ++i) image[i] = perspective::divide_tested(projection, view[i]);
+}
+[[gnu::flatten]] void machine_code_divide_untested(const gradus::Projection<double>& projection,
+                                                   const dvec3* view, dvec3* image, int count) {
+  for (int i = 0; i < count; ++i) image[i] = perspective::divide_untested(projection, view[i]);
+}
+[[gnu::flatten]] void machine_code_zoom_minus_z(const perspective::WireScreen<double>& screen,
+                                                const dvec3* node, dvec2* image, int count) {
+  for (int i = 0; i < count; ++i) image[i] = perspective::zoom_minus_z(screen, node[i]);
+}
+[[gnu::flatten]] void machine_code_parallel_by_plane(const glm::dmat4& matrix, const dvec3* direction,
+                                                     std::optional<dvec2>* point, int count) {
+  for (int i = 0; i < count; ++i) point[i] = perspective::parallel_by_plane(matrix, direction[i]);
+}
 }

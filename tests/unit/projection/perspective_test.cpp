@@ -371,6 +371,130 @@ TEST(PerspectiveNotes, HowFarDepthIsOff) {
   EXPECT_NEAR(interpolated_depth(a, b, middle.x) - middle.z, 0.5, 1e-15);
 }
 
+// E000-07, E001-22, E004-04: what the division makes of points behind the eye
+TEST(PerspectiveNotes, WhatLiesBehindTheEyeIsMirrored) {
+  const auto straight = projection_of(1.0, 1.0, 1.0, 100.0);
+  EXPECT_EQ(dvec2(divide_untested(straight, dvec3{1, 1, -1})), (dvec2{-1, -1}));
+  EXPECT_EQ(divide_untested(straight, dvec3{1, 0, 2}).x, 0.5);
+  EXPECT_EQ(divide_untested(straight, dvec3{1, 0, -2}).x, -0.5);
+  // 90 degrees across, 60 upright
+  const dvec3 mirrored = divide_untested(golden(), dvec3{1, 1, -1});
+  EXPECT_NEAR(glm::distance(mirrored, dvec3{-1, -std::sqrt(3.0), 200.0 / 99}), 0, 1e-15);
+  EXPECT_TRUE(std::isinf(divide_untested(straight, dvec3{1, 1, 0}).x));
+  EXPECT_TRUE(std::isnan(divide_untested(straight, dvec3{0, 1, 0}).x));
+  for (const double z : {-1.0, -2.0, 0.0, -0.0, -infinity, not_a_number}) {
+    EXPECT_EQ(divide_tested(straight, dvec3{1, 1, z}), std::nullopt) << z;
+  }
+  // Of the segment (1,0,2)-(1,0,-2) the part before the eye runs from 0.5 to infinity
+  double last = 0;
+  for (double z = 2; z > 1e-300; z /= 16) {
+    const double x = divide_tested(straight, dvec3{1, 0, z})->x;
+    EXPECT_EQ(x, 1 / z);
+    EXPECT_GT(x, last);
+    last = x;
+  }
+  EXPECT_GT(last, 1e299);
+}
+
+TEST(PerspectiveNotes, BeforeTheEyeTheTestChangesNothing) {
+  const ExactScope scope;
+  const auto lens = projection_of(Exact(2), Exact(3), Exact(1, 2), Exact(7));
+  for (const int z : {1, 2, 5, 100}) {
+    const ExactVec3 point{Exact(3), Exact(-4), Exact(z)};
+    const auto image = divide_tested(lens, point);
+    ASSERT_TRUE(image);
+    EXPECT_EQ(*image, divide(transform(lens, point)));
+    EXPECT_EQ(*image, divide_untested(lens, point));
+    EXPECT_EQ(image->x, Exact(6, z));
+    EXPECT_EQ(image->y, Exact(-12, z));
+  }
+}
+
+// E004-04: the matrix alone refuses no planes and no angle
+TEST(PerspectiveNotes, AnyPlanesAndAngles) {
+  for (const double z : {0.5, 1.0, 7.0, 100.0}) {
+    EXPECT_EQ(divide_untested(projection_of(1.0, 1.0, 0.0, 100.0), dvec3{0, 0, z}).z, 1) << z;
+    EXPECT_FALSE(std::isfinite(divide_untested(projection_of(1.0, 1.0, 2.0, 2.0), dvec3{0, 0, z}).z)) << z;
+  }
+  // 180 degrees: half of it has no tangent, in doubles a huge one, and everything lands in the middle
+  const double cotangent = 1 / std::tan(radians_from_degrees(90.0));
+  EXPECT_LT(cotangent, 1e-15);
+  EXPECT_LT(divide_untested(projection_of(cotangent, cotangent, 1.0, 100.0), dvec3{1000, 0, 1}).x, 1e-12);
+}
+
+// E002-03, E002-04, E002-05: G002-04 to G002-06
+TEST(PerspectiveNotes, ZoomMinusZ) {
+  const WireScreen<double> screen{{400, 300}, 500, 1000};
+  const auto x = [&](double z) { return zoom_minus_z(screen, dvec3{600, 300, z}).x; };
+  // The larger z, the larger
+  EXPECT_EQ(x(-1000), 450);
+  EXPECT_EQ(x(500), 600);
+  EXPECT_EQ(x(900), 1400);
+  // A plane tears at z = 0
+  EXPECT_EQ(x(0), 600);
+  EXPECT_NEAR(x(1e-9), 500, 1e-9);
+  EXPECT_NEAR(x(-1e-9), 500, 1e-9);
+  // And flies apart at z = zoom
+  EXPECT_EQ(x(999), 100400);
+  EXPECT_EQ(x(1001), -99600);
+  EXPECT_TRUE(std::isinf(x(1000)));
+  EXPECT_EQ(x(2000), 300);  // mirrored
+  EXPECT_EQ(zoom_minus_z(screen, dvec3{400, 400, 500}), (dvec2{400, 400}));
+  // zoom + z: the larger z, the smaller, without a jump
+  double last = infinity;
+  for (const double z : {-999.0, -500.0, -1e-9, 0.0, 1e-9, 500.0, 900.0, 999.0, 1000.0, 1001.0, 2000.0}) {
+    const dvec3 image = *divide_tested(projection_of(500.0, 500.0, 1.0, 1e6), dvec3{200, 0, 1000 + z});
+    EXPECT_LT(image.x, last) << z;
+    EXPECT_NEAR(image.x, 100000 / (1000 + z), 1e-9) << z;
+    last = image.x;
+  }
+}
+
+// E001-21: G001-41, G001-42
+TEST(PerspectiveNotes, TheRuleOfThePlaneIsTooWide) {
+  const double r = std::sqrt(0.5);
+  const glm::dmat4 seen =
+      matrix_onto(1.0) * view_matrix(Frame<double>{{0, 0, 0}, {r, 0, -r}, {0, 1, 0}, {r, 0, r}});
+  for (const dvec3 direction : {dvec3{1, 0, 0}, {0, 0, 1}, {1, 0, 1}}) {
+    EXPECT_EQ(parallel_by_plane(seen, direction), std::nullopt);
+    EXPECT_NE(vanishing_point(seen, direction), std::nullopt);
+  }
+  EXPECT_NEAR(glm::length(*vanishing_point(seen, dvec3{1, 0, 1})), 0, 1e-12);
+  // It is right along the picture plane, for the y-axis, and for all that leaves the plane
+  for (const dvec3 direction : {dvec3{1, 0, -1}, {0, 1, 0}, {1, 1, 0}, {1, -2, 3}}) {
+    EXPECT_EQ(parallel_by_plane(seen, direction), vanishing_point(seen, direction));
+  }
+  EXPECT_THROW(parallel_by_plane(seen, dvec3{0}), ContractViolation);
+}
+
+TEST(PerspectiveNotes, Steps) {
+  const auto lens = projection_of(1.0, 1.0, 1.0, 100.0);
+  Recorder<Multiplied<double>, Divided<double>, LeftUndivided<double>> tested;
+  EXPECT_EQ(divide_tested(lens, dvec3{2, 1, 4}, tested), divide_tested(lens, dvec3{2, 1, 4}));
+  EXPECT_EQ(divide_tested(lens, dvec3{2, 1, -4}, tested), std::nullopt);
+  ASSERT_EQ(tested.events().size(), 4u);
+  EXPECT_EQ(std::get<Divided<double>>(tested.events()[1].step).ndc.x, 0.5);
+  EXPECT_EQ(std::get<LeftUndivided<double>>(tested.events()[3].step).clip.w, -4);
+  Recorder<Multiplied<double>, Divided<double>> untested;
+  EXPECT_EQ(divide_untested(lens, dvec3{2, 1, -4}, untested), divide_untested(lens, dvec3{2, 1, -4}));
+  ASSERT_EQ(untested.events().size(), 2u);
+  EXPECT_EQ(std::get<Divided<double>>(untested.events()[1].step).clip.w, -4);
+  const WireScreen<double> screen{{400, 300}, 500, 1000};
+  Recorder<LeftAlone<double>, Divided<double>> wire;
+  EXPECT_EQ(zoom_minus_z(screen, dvec3{600, 300, 500}, wire), zoom_minus_z(screen, dvec3{600, 300, 500}));
+  zoom_minus_z(screen, dvec3{600, 300, 0}, wire);
+  ASSERT_EQ(wire.events().size(), 2u);
+  EXPECT_EQ(std::get<Divided<double>>(wire.events()[0].step).clip.w, 500);
+  EXPECT_EQ(std::get<LeftAlone<double>>(wire.events()[1].step).node.x, 600);
+  Recorder<TakenToInfinity<double>, Vanished<double>, StaysParallel<double>> rule;
+  parallel_by_plane(matrix_onto(1.0), dvec3{1, 0, 1}, rule);
+  parallel_by_plane(matrix_onto(1.0), dvec3{1, 1, 1}, rule);
+  ASSERT_EQ(rule.events().size(), 3u);
+  EXPECT_EQ(std::get<StaysParallel<double>>(rule.events()[0].step).direction, (dvec3{1, 0, 1}));
+  EXPECT_EQ(std::get<Vanished<double>>(rule.events()[2].step).point, (dvec2{1, 1}));
+  EXPECT_EQ(divide_tested(projection_of(1.0f, 1.0f, 1.0f, 100.0f), glm::vec3{2, 1, 4})->x, 0.5f);
+}
+
 TEST(StoredDepth, CurvesRunBetweenNearAndFar) {
   for (const auto& [curve, at_near, at_far] : {std::tuple{DepthCurve::linear, 0.0, 1.0},
                                                {DepthCurve::inverse, 0.0, 1.0},

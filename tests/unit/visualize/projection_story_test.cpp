@@ -93,6 +93,80 @@ TEST(ProjectionStory, TheBendIsMeasured) {
   EXPECT_TRUE(straight.faulty.empty());
 }
 
+TEST(ProjectionStory, WhatLiesBehindTheEyeIsDividedOrNot) {
+  const Given segment{{"points", "1,0,2 1,0,-2"}, {"zoom", "0"}};
+  const auto with = [&segment](std::string method) {
+    Given given = segment;
+    given["method"] = std::move(method);
+    return test::trace_of("perspective", given);
+  };
+  const Trace wrong = with("divide_untested"), right = with("divide_tested");
+  EXPECT_FALSE(wrong.faulty.empty());
+  EXPECT_TRUE(right.faulty.empty());
+  EXPECT_EQ(result(wrong, "A.x"), 0.5);
+  EXPECT_EQ(result(wrong, "B.x"), -0.5);
+  EXPECT_EQ(result(right, "A.x"), 0.5);
+  EXPECT_THROW(result(right, "B.x"), std::invalid_argument);
+  // What the wrong one joins through the middle of the picture runs out of it to the right, with a head
+  const auto line = [](const Trace& trace) {
+    return std::get<Stroke>(last_marks(trace).at("d image line 0").shape);
+  };
+  const double middle = line(wrong).a.x + 0.5 * (line(wrong).b.x - line(wrong).a.x);
+  EXPECT_LT(line(wrong).b.x, middle);
+  EXPECT_FALSE(line(wrong).arrow);
+  EXPECT_EQ(line(right).a, line(wrong).a);
+  EXPECT_GT(line(right).b.x, line(right).a.x);
+  EXPECT_TRUE(line(right).arrow);
+}
+
+TEST(ProjectionStory, TheWireframeScreenBesideTheRightOne) {
+  const auto with = [](std::string method, std::string points) {
+    return test::trace_of("perspective", {{"method", method},
+                                          {"points", points},
+                                          {"centre", "400,300"},
+                                          {"scales", "500,500"},
+                                          {"zoom", "1000"}});
+  };
+  const std::string points = "600,300,500 600,300,900 600,300,0 600,300,999 600,300,1001";
+  const Trace wrong = with("zoom_minus_z", points), right = with("divide_tested", points);
+  const double wrongs[]{600, 1400, 600, 100400, -99600};
+  const double depths[]{1500, 1900, 1000, 1999, 2001};
+  for (int i = 0; i < 5; ++i) {
+    const std::string name = std::string(1, static_cast<char>('A' + i)) + ".x";
+    EXPECT_EQ(result(wrong, name), wrongs[i]) << name;
+    EXPECT_NEAR(result(right, name), 400 + 500 * 200 / depths[i], 1e-9) << name;
+  }
+  // Images that fly off have arrows at the border, the others dots
+  const auto& marks = last_marks(wrong);
+  EXPECT_TRUE(std::holds_alternative<Dot>(marks.at("e image 1").shape));
+  EXPECT_TRUE(std::holds_alternative<Stroke>(marks.at("e image 3").shape));
+  EXPECT_EQ(
+      test::trace_of("perspective", {{"method", "divide_untested"}, {"points", "0,0,0 1,0,0"}, {"zoom", "0"}})
+          .result.size(),
+      0u);  // no numbers
+}
+
+TEST(ProjectionStory, TheRuleOfThePlaneBesideTheVanishingPoints) {
+  const Given given{{"turn", "-45,0"}, {"direction", "1,0,1"}};
+  const auto with = [&given](std::string method) {
+    Given all = given;
+    all["method"] = std::move(method);
+    return test::trace_of("perspective", all);
+  };
+  const auto vanishes = [](const Trace& trace) {
+    return std::get<bool>(std::ranges::find(trace.result, "direction_vanishes", &Field::name)->value);
+  };
+  const Trace right = with("vanishing_points"), wrong = with("parallel_by_plane");
+  EXPECT_EQ(result(right, "vanishing_points"), 2);
+  EXPECT_EQ(result(wrong, "vanishing_points"), 0);
+  EXPECT_TRUE(vanishes(right));
+  EXPECT_FALSE(vanishes(wrong));
+  const TraceStep& step = *(right.steps.end() - 2);
+  EXPECT_EQ(step.row.back(), "(0,\u00a00)");
+  // The direction is drawn in the box: a line in the floor and one in the roof
+  EXPECT_EQ(strokes(last_marks(right), "d own").first, 2);
+}
+
 TEST(ProjectionStory, UpAlongTheViewIsReplacedRefusedOrLeftToChance) {
   const Given down{{"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}, {"up", "1e-17,1,0"}};
   const auto with = [&down](std::string method) {
@@ -146,6 +220,10 @@ TEST(ProjectionStory, WhatCannotBeProjectedIsRefused) {
   EXPECT_TRUE(refused("perspective", {{"distance", "0"}}, "distance"));
   EXPECT_TRUE(refused("perspective", {{"distance", "-1"}}, "distance"));
   EXPECT_TRUE(refused("perspective", {{"method", "vanishing_points"}, {"at", "0,0,0"}}, "at"));
+  EXPECT_TRUE(refused("perspective", {{"method", "divide_tested"}, {"points", "1,1,2e6"}}, "points"));
+  EXPECT_TRUE(refused("perspective", {{"method", "divide_tested"}, {"scales", "0,1"}}, "scales"));
+  EXPECT_TRUE(refused("perspective", {{"method", "divide_untested"}, {"zoom", "1e7"}}, "zoom"));
+  EXPECT_TRUE(refused("perspective", {{"method", "divide_untested"}, {"range", "1,1"}}, "range"));
   EXPECT_TRUE(
       refused("viewing", {{"method", "cross_products"}, {"eye", "0.4,5,0"}, {"target", "0.4,0.6,0"}}, "up"));
   EXPECT_TRUE(refused("perspective", {{"method", "keep_z"}, {"far", "3"}}, "far"));

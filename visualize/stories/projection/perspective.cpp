@@ -1,5 +1,6 @@
 // The story of perspective: a solid's picture and its vanishing points, the transformation that keeps depth
-// and the one that bends it, and how finely depth is stored.
+// and the one that bends it, what may be divided and what becomes of the rest, and how finely depth is
+// stored.
 
 #include "projection/perspective/perspective.hpp"
 
@@ -134,7 +135,7 @@ class ProjectionTeller : public ViewTeller {
     show(std::move(seen), line, [&](TraceStep& step) {
       describe(step, "Unseen");
       step.sentence = words_.say("perspective.unseen", arg("corner", number()), arg("z", real(u.point.z)));
-      step.row = {figure_number(number()), place_text(u.point), "", words_.say("perspective.none")};
+      step.row = {figure_number(number()), place_text(u.point), "", words_.say("perspective.no_image")};
     });
   }
 
@@ -174,12 +175,17 @@ dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
 
 class VanishingTeller : public ViewTeller {
  public:
-  VanishingTeller(TraceWriter& writer, const Arguments& arguments)
+  VanishingTeller(TraceWriter& writer, const Arguments& arguments, bool by_plane)
       : ViewTeller(writer),
+        by_plane_(by_plane),
         d_(distance_of(arguments)),
-        axes_(axes_of(arguments)),
-        solid_(solids::placed(solids::box(), axes_, vector_of(arguments, "at"))),
+        solid_(solids::placed(solids::box(), axes_of(arguments), vector_of(arguments, "at"))),
         hidden_(solids::hidden_from_origin(solid_)) {
+    const std::array<dvec3, 3> axes = axes_of(arguments);
+    directions_.assign(axes.begin(), axes.end());
+    own_ = vector_of(arguments, "direction");
+    if (own_ != dvec3{0}) directions_.push_back(own_.x * axes[0] + own_.y * axes[1] + own_.z * axes[2]);
+    points_.resize(directions_.size());
     for (const dvec3 p : solid_.corners) {
       const std::optional<dvec3> image = project(d_, p);
       if (!image) throw ArgumentError("at", "expected a place where the whole box is before the eye");
@@ -189,8 +195,8 @@ class VanishingTeller : public ViewTeller {
     for (const dvec2 p : images_) shown.add(p);
     const double reach = 6 * std::max(shown.size().x, shown.size().y);
     const dvec2 middle = shown.centre();
-    for (const dvec3 axis : axes_) {
-      const std::optional<dvec2> point = vanishing_point(matrix_onto(d_), axis);
+    for (const dvec3 direction : directions_) {
+      const std::optional<dvec2> point = vanishing_point(matrix_onto(d_), direction);
       if (point && glm::distance(*point, middle) <= reach) shown.add(*point);
     }
     panel_ = Panel({{1.5, 2}, {34.5, 25}}, widened(shown, 0.08));
@@ -202,30 +208,43 @@ class VanishingTeller : public ViewTeller {
       step.type = "Started";
       step.phase = words_.say("words.set_up");
       step.level = Level::idea;
-      step.sentence = words_.say("perspective.started.vanishing_points", arg("d", real(d_)));
+      step.sentence = words_.say(
+          by_plane_ ? "perspective.started.parallel_by_plane" : "perspective.started.vanishing_points",
+          arg("d", real(d_)));
     });
     const glm::dmat4 matrix = matrix_onto(d_);
-    for (axis_ = 0; axis_ < 3; ++axis_) vanishing_point(matrix, axes_[axis_], *this);
+    for (axis_ = 0; axis_ < directions_.size(); ++axis_) {
+      if (by_plane_) {
+        parallel_by_plane(matrix, directions_[axis_], *this);
+      } else {
+        vanishing_point(matrix, directions_[axis_], *this);
+      }
+    }
     View seen = box(Role::result);
-    for (axis_ = 0; axis_ < 3; ++axis_) add_lines(seen, Role::past);
-    std::int64_t count = 0;
-    for (const std::optional<dvec2>& point : points_) count += point.has_value();
+    for (axis_ = 0; axis_ < directions_.size(); ++axis_) {
+      add_lines(seen, Role::past);
+      if (missed()) add_edges(seen, Role::rejected);
+    }
+    const std::int64_t count = std::ranges::count_if(points_.begin(), points_.begin() + 3,
+                                                     [](const auto& point) { return point.has_value(); });
     show(std::move(seen), 0, [&](TraceStep& step) {
       constexpr std::string_view keys[] = {"perspective.done.points.none", "perspective.done.points.one",
                                            "perspective.done.points.two", "perspective.done.points.three"};
       step.type = "Finished";
       step.phase = words_.say("words.result");
       step.level = Level::idea;
-      step.sentence = words_.say(keys[count]);
+      step.sentence = by_plane_ ? missed_text() : words_.say(keys[count]);
     });
     writer_.trace().result = {{"vanishing_points", count}};
+    if (own_ == dvec3{0}) return;
+    writer_.trace().result.push_back({"direction_vanishes", points_[3].has_value()});
   }
 
   void operator()(const TakenToInfinity<double>& t, int line = __builtin_LINE(), const char* = nullptr) {
     taken_ = t;
     View seen = before();
     add_edges(seen, Role::current);
-    fine(std::move(seen), line, [&](TraceStep& step) {
+    fine(std::move(seen), listed(line), [&](TraceStep& step) {
       describe(step, "TakenToInfinity");
       step.fields.push_back({"w", t.image.w});
       step.sentence = words_.say("perspective.taken_to_infinity", arg("axis", name()),
@@ -237,7 +256,7 @@ class VanishingTeller : public ViewTeller {
     View seen = before();
     add_lines(seen, Role::current);
     add_edges(seen, Role::current);
-    show(std::move(seen), line, [&](TraceStep& step) {
+    show(std::move(seen), listed(line), [&](TraceStep& step) {
       describe(step, "Vanished");
       step.fields.insert(step.fields.end(), {{"x", v.point.x}, {"y", v.point.y}});
       step.sentence = words_.say("perspective.vanished", arg("axis", name()), arg("w", real(taken_.image.w)),
@@ -246,26 +265,45 @@ class VanishingTeller : public ViewTeller {
     });
   }
   void operator()(const StaysParallel<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
+    const bool unasked = by_plane_ && taken_.direction != s.direction;
     View seen = before();
-    add_edges(seen, Role::current);
-    show(std::move(seen), line, [&](TraceStep& step) {
+    add_edges(seen, missed() ? Role::rejected : Role::current);
+    show(std::move(seen), unasked ? line : listed(line), [&](TraceStep& step) {
       describe(step, "StaysParallel");
-      step.sentence = words_.say("perspective.stays_parallel", arg("axis", name()));
-      step.row = {name(), place_text(s.direction), real(taken_.image.w), words_.say("perspective.none")};
+      step.sentence = words_.say(missed()  ? "perspective.said_to_stay"
+                                 : unasked ? "perspective.stays_by_rule"
+                                           : "perspective.stays_parallel",
+                                 arg("axis", name()), arg("direction", place_text(s.direction)),
+                                 arg("point", missed() ? place_text(*missed()) : std::string()));
+      step.row = {name(), place_text(s.direction), unasked ? "" : real(taken_.image.w),
+                  words_.say("perspective.none")};
     });
   }
 
  private:
-  std::string name() const {
-    constexpr std::string_view names[] = {"x", "y", "z"};
-    return words_.symbol(names[axis_]);
-  }
+  static constexpr std::string_view names[] = {"x", "y", "z"};
+  /// The rule's listing ends with its call of vanishing_point, of which it lists no more.
+  int listed(int line) const { return by_plane_ ? writer_.trace().listing.back().number : line; }
+  std::string name() const { return axis_ < 3 ? words_.symbol(names[axis_]) : place_text(own_); }
   void describe(TraceStep& step, std::string type) const {
-    constexpr std::string_view names[] = {"x", "y", "z"};
+    const std::string axis(axis_ < 3 ? names[axis_] : "direction");
     step.type = std::move(type);
     step.phase = words_.say("words.main_loop");
-    step.key = names[axis_];
-    step.fields = {{"axis", std::string(names[axis_])}};
+    step.key = axis;
+    step.fields = {{"axis", axis}};
+  }
+  /// Where the lines of this direction vanish although the rule has them stay parallel.
+  std::optional<dvec2> missed() const {
+    return points_[axis_] ? std::nullopt : vanishing_point(matrix_onto(d_), directions_[axis_]);
+  }
+  std::string missed_text() const {
+    std::string list;
+    VanishingTeller every = *this;
+    for (every.axis_ = 0; every.axis_ < directions_.size(); ++every.axis_) {
+      if (every.missed()) list += (list.empty() ? "" : ", ") + every.name();
+    }
+    return list.empty() ? words_.say("perspective.done.rule_holds")
+                        : words_.say("perspective.done.parallel_by_plane", arg("axes", list));
   }
 
   /// Corners 0 1 2 3 and 4 5 6 7 go round; 1 - 0 runs along x, 3 - 0 along y, 4 - 0 along z.
@@ -307,10 +345,30 @@ class VanishingTeller : public ViewTeller {
   void add_edges(View& seen, Role role) const {
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const solids::Edge& edge = solid_.edges[i];
-      if (!runs_along(edge, axis_)) continue;
+      if (axis_ == 3 || !runs_along(edge, axis_)) continue;
       seen.add({fmt::format("c edge {:02}", i), role,
                 Stroke{panel_.at(images_[edge.a]), panel_.at(images_[edge.b]), false, hidden_[i]}});
     }
+    if (axis_ != 3) return;
+    for (const auto& [id, a, b] : lines_inside()) seen.add({id, role, Stroke{panel_.at(a), panel_.at(b)}});
+  }
+
+  /// Lines of the direction that is none of the box's: from each corner from where it leads into the box, to
+  /// where it leaves it.
+  std::vector<std::tuple<std::string, dvec2, dvec2>> lines_inside() const {
+    std::vector<std::tuple<std::string, dvec2, dvec2>> lines;
+    const std::vector<dvec3> own_corners = solids::box().corners;
+    for (std::size_t k = 0; k < own_corners.size(); ++k) {
+      const dvec3 p = own_corners[k];
+      if (!glm::all(glm::lessThanEqual(own_ * p, dvec3{0}))) continue;
+      double length = 1e300;
+      for (int i = 0; i < 3; ++i) {
+        if (own_[i] != 0) length = std::min(length, 2 * std::abs(p[i] / own_[i]));
+      }
+      const std::optional<dvec3> end = project(d_, solid_.corners[k] + length * directions_[3]);
+      if (end) lines.emplace_back(fmt::format("d own {}", k), images_[k], dvec2(*end));
+    }
+    return lines;
   }
 
   /// They go on to the vanishing point, or to the border of the drawing on the way there.
@@ -320,14 +378,22 @@ class VanishingTeller : public ViewTeller {
     const Extent shown = panel_.shown();
     const bool inside = glm::all(glm::lessThanEqual(shown.lower, *point)) &&
                         glm::all(glm::lessThanEqual(*point, shown.upper));
-    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
-      const solids::Edge& edge = solid_.edges[i];
-      if (!runs_along(edge, axis_)) continue;
-      const dvec2 a = images_[edge.a], b = images_[edge.b];
+    const auto add_line = [&](std::string id, dvec2 a, dvec2 b) {
       const dvec2 from = glm::distance(a, *point) < glm::distance(b, *point) ? a : b;
       const dvec2 to = inside ? *point : last_inside(shown, from, *point - from);
-      seen.add({fmt::format("b line {:02}", i), role == Role::current ? Role::current : Role::guide,
+      seen.add({std::move(id), role == Role::current ? Role::current : Role::guide,
                 Stroke{panel_.at(from), panel_.at(to), false, true}});
+    };
+    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
+      const solids::Edge& edge = solid_.edges[i];
+      if (axis_ == 3 || !runs_along(edge, axis_)) continue;
+      add_line(fmt::format("b line {:02}", i), images_[edge.a], images_[edge.b]);
+    }
+    if (axis_ == 3) {
+      for (const auto& [id, a, b] : lines_inside()) {
+        add_line("b " + id, a, b);
+        if (role != Role::current) seen.add({id, Role::past, Stroke{panel_.at(a), panel_.at(b)}});
+      }
     }
     if (!inside) return;
     const std::string id = fmt::format("e point {}", axis_);
@@ -336,15 +402,17 @@ class VanishingTeller : public ViewTeller {
               Label{panel_.at(*point), words_.say("perspective.vanishing_point_of", arg("axis", name()))}});
   }
 
+  bool by_plane_;
   double d_;
-  std::array<dvec3, 3> axes_;
+  std::vector<dvec3> directions_;  ///< the box's x, y, z, and the one given, in view space
+  dvec3 own_{0};                   ///< the one given, along the box's axes; 0: none
   solids::Solid solid_;
   std::vector<bool> hidden_;
   std::vector<dvec2> images_;
   Panel panel_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}};
   std::size_t axis_ = 0;
   TakenToInfinity<double> taken_{};
-  std::array<std::optional<dvec2>, 3> points_{};
+  std::vector<std::optional<dvec2>> points_;
 };
 
 // --- The transformation, right and bent --------------------------
@@ -593,6 +661,293 @@ class BendTeller : public ViewTeller {
   std::size_t worst_at_ = 0;
 };
 
+// --- What is divided, and what should not be ---------------------
+
+/// Points where the eye may be among them, from above and in the picture.
+class DivisionTeller : public ViewTeller {
+ public:
+  DivisionTeller(TraceWriter& writer, const Arguments& arguments, std::string method)
+      : ViewTeller(writer),
+        method_(std::move(method)),
+        zoom_minus_z_(method_ == "zoom_minus_z"),
+        points_(points_of(arguments)),
+        zoom_(*arguments.number("zoom")) {
+    if (!(std::abs(zoom_) <= 1e6))
+      throw ArgumentError("zoom", fmt::format("expected a number from -1000000 to 1000000, not {}", zoom_));
+    const std::vector<double> scales = modest_numbers(arguments, "scales");
+    const std::vector<double> centre = modest_numbers(arguments, "centre");
+    const std::vector<double> range = arguments.numbers("range");
+    scales_ = {scales[0], zoom_minus_z_ ? scales[0] : scales[1]};
+    centre_ = {centre[0], centre[1]};
+    if (!(std::min(scales_.x, scales_.y) >= 1e-3))
+      throw ArgumentError("scales",
+                          fmt::format("expected scales from 0.001 on, not {},{}", scales[0], scales[1]));
+    if (!(0 < range[0] && range[0] < range[1] && range[1] <= 1e12))
+      throw ArgumentError("range", fmt::format("expected 0 < near < far, not {},{}", range[0], range[1]));
+    projection_ = projection_of(scales_.x, scales_.y, range[0], range[1]);
+    lay_out();
+    writer.trace().columns = {{"point", false}, {"w"}, {"image", false}};
+    if (!zoom_minus_z_) writer.trace().columns.push_back({"z_image"});
+  }
+
+  void tell() {
+    show(view(), 0, [&](TraceStep& step) {
+      step.type = "Started";
+      step.phase = words_.say("words.set_up");
+      step.level = Level::idea;
+      step.sentence = words_.say("perspective.started." + method_, arg("zoom", real(zoom_)));
+    });
+    for (current_ = 0; current_ < points_.size(); ++current_) {
+      const dvec3 point = points_[current_];
+      if (method_ == "divide_tested") divide_tested(projection_, in_view(point), *this);
+      if (method_ == "divide_untested") divide_untested(projection_, in_view(point), *this);
+      if (zoom_minus_z_) zoom_minus_z(WireScreen<double>{centre_, scales_.x, zoom_}, point, *this);
+    }
+    finish();
+  }
+
+  void operator()(const Multiplied<double>& m, int line = __builtin_LINE(), const char* = nullptr) {
+    // The exhibit lists its call of transform, not transform itself
+    const int shown = method_ == "divide_untested" ? writer_.trace().listing.front().number : line;
+    fine(pointed(), shown, [&](TraceStep& step) {
+      describe(step, "Multiplied");
+      step.fields.insert(step.fields.end(), {{"clip_z", m.clip.z}, {"w", m.clip.w}});
+      step.sentence = words_.say("perspective.multiplied", arg("name", name()), arg("x", real(m.clip.x)),
+                                 arg("z", real(m.clip.z)), arg("w", real(m.clip.w)));
+    });
+  }
+  void operator()(const Divided<double>& d, int line = __builtin_LINE(), const char* = nullptr) {
+    const double w = d.clip.w;
+    if (zoom_minus_z_) {
+      const double depth = zoom_ + points_[current_].z;
+      arrived(
+          dvec2(d.ndc), w, {}, "Divided", line,
+          words_.say(depth > 0 ? "perspective.zoomed" : "perspective.zoomed_behind", arg("name", name()),
+                     arg("zoom", real(zoom_)), arg("w", real(w)), arg("image", image_text(dvec2(d.ndc))),
+                     arg("depth", real(depth)), arg("right", image_text(right_image(points_[current_])))));
+      return;
+    }
+    const dvec2 image = dvec2(d.ndc) + centre_;
+    const std::string_view key = w > 0    ? "perspective.divided"
+                                 : w == 0 ? "perspective.divided_by_zero"
+                                          : "perspective.divided_behind";
+    arrived(image, w, d.ndc.z, "Divided", line,
+            words_.say(key, arg("name", name()), arg("w", real(w)), arg("image", image_text(image))));
+  }
+  void operator()(const LeftUndivided<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
+    images_.push_back(std::nullopt);
+    show(pointed(), line, [&](TraceStep& step) {
+      describe(step, "LeftUndivided");
+      step.fields.push_back({"w", l.clip.w});
+      step.sentence = words_.say("perspective.left_undivided", arg("name", name()), arg("w", real(l.clip.w)));
+      step.row = {point_text(), real(l.clip.w), words_.say("perspective.no_image"), ""};
+    });
+  }
+  void operator()(const LeftAlone<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
+    const dvec2 image(l.node);
+    arrived(image, std::nullopt, {}, "LeftAlone", line,
+            words_.say("perspective.left_alone", arg("name", name()), arg("image", image_text(image)),
+                       arg("right", image_text(right_image(l.node)))));
+  }
+
+ private:
+  static std::vector<dvec3> points_of(const Arguments& arguments) {
+    std::vector<dvec3> points = arguments.places("points");
+    for (const dvec3 p : points) {
+      if (glm::all(glm::lessThanEqual(glm::abs(p), dvec3{1e6}))) continue;
+      throw ArgumentError("points", fmt::format("expected numbers from -1000000 to 1000000, found {}",
+                                                arguments.text("points")));
+    }
+    return points;
+  }
+  static bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
+  static std::string name_of(std::size_t i) { return std::string(1, static_cast<char>('A' + i)); }
+
+  std::string name() const { return name_of(current_); }
+  std::string point_text() const { return name() + " " + figure_place(points_[current_]); }
+  std::string image_text(dvec2 p) const {
+    return finite(p) ? place_text(p) : words_.say("perspective.no_number");
+  }
+  /// From a point as it is given, with the eye `zoom` before z = 0, to view space.
+  dvec3 in_view(dvec3 p) const { return p - dvec3{centre_, -zoom_}; }
+  dvec2 right_image(dvec3 p) const { return dvec2(divide_untested(projection_, in_view(p))) + centre_; }
+  dvec2 image_of(dvec3 p) const {
+    return zoom_minus_z_ ? zoom_minus_z(WireScreen<double>{centre_, scales_.x, zoom_}, p) : right_image(p);
+  }
+  bool behind(dvec3 p) const { return !(zoom_ + p.z > 0); }
+
+  /// Where the formula has the eye, from above; it looks towards the plane.
+  dvec2 eye() const { return {centre_.x, zoom_minus_z_ ? zoom_ : -zoom_}; }
+  double plane() const { return eye().y + (zoom_minus_z_ ? -scales_.x : scales_.x); }
+
+  /// The picture has room for all images but those that fly off.
+  void lay_out() {
+    const double scale = std::max(scales_.x, scales_.y);
+    double half = 0.3 * scale;
+    for (const dvec3 p : points_) {
+      const dvec2 away = glm::abs(image_of(p) - centre_);
+      const double most = std::max(away.x, away.y);
+      if (finite(away) && most <= 2.2 * scale) half = std::max(half, 1.5 * most);
+    }
+    half_ = half;
+    Extent space;
+    for (const dvec3 p : points_) space.add({p.x, p.z});
+    space.add(eye());
+    for (const double side : {-half, half}) space.add({centre_.x + side, plane()});
+    space_ = Panel({{4, 3}, {17, 22.5}}, widened(space, 0.05), Panel::Fit::stretched);
+    picture_ = Panel({{22.5, 6}, {35, 18.5}}, {centre_ - half, centre_ + half});
+  }
+
+  void describe(TraceStep& step, std::string type) const {
+    step.type = std::move(type);
+    step.phase = words_.say("words.main_loop");
+    step.key = name();
+    step.fields = {{"point", name()}};
+  }
+
+  void arrived(dvec2 image, std::optional<double> w, std::optional<double> z, std::string type, int line,
+               std::string sentence) {
+    images_.emplace_back(image);
+    show(pointed(), line, [&](TraceStep& step) {
+      describe(step, std::move(type));
+      if (w) step.fields.push_back({"w", *w});
+      if (finite(image)) step.fields.insert(step.fields.end(), {{"x", image.x}, {"y", image.y}});
+      if (z && gradus::perspective::finite(*z)) step.fields.push_back({"z", *z});
+      step.sentence = std::move(sentence);
+      step.row = {point_text(), w ? real(*w) : "", image_text(image)};
+      if (!zoom_minus_z_) step.row.push_back(z && gradus::perspective::finite(*z) ? real(*z) : "");
+    });
+  }
+
+  void finish() {
+    std::int64_t behind_eye = 0;
+    for (const dvec3 p : points_) behind_eye += behind(p);
+    show(view(), 0, [&](TraceStep& step) {
+      step.type = "Finished";
+      step.phase = words_.say("words.result");
+      step.level = Level::idea;
+      step.sentence = zoom_minus_z_ ? words_.say("perspective.done.zoom_minus_z")
+                      : behind_eye == 0
+                          ? words_.say("perspective.done.before_the_eye")
+                          : words_.count(method_ == "divide_tested" ? "perspective.done.divide_tested"
+                                                                    : "perspective.done.divide_untested",
+                                         behind_eye);
+    });
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      if (!images_[i] || !finite(*images_[i])) continue;
+      writer_.trace().result.push_back({name_of(i) + ".x", images_[i]->x});
+      writer_.trace().result.push_back({name_of(i) + ".y", images_[i]->y});
+    }
+  }
+
+  // --- The drawing
+
+  void stroke(View& view, const Panel& panel, std::string id, Role role, dvec2 a, dvec2 b,
+              bool dashed) const {
+    const std::optional<Stroke> part = shown_part(panel.shown(), a, b);
+    if (part) view.add({std::move(id), role, Stroke{panel.at(part->a), panel.at(part->b), false, dashed}});
+  }
+
+  /// The whole projector of a point: it, the eye and the image, as far as the drawing reaches.
+  void projector(View& view, std::size_t i, Role role) const {
+    const dvec2 point{points_[i].x, points_[i].z};
+    if (!images_[i] || !finite(*images_[i]) || point == eye()) return;
+    if (zoom_minus_z_ && points_[i].z == 0) return;  // left alone
+    const dvec2 image{images_[i]->x, plane()};
+    std::array<dvec2, 3> line{eye(), point, image};
+    std::ranges::sort(line, {}, [](dvec2 p) { return std::pair(p.y, p.x); });
+    stroke(view, space_, fmt::format("b projector {}", i), role, line[0], line[2], true);
+  }
+
+  /// A point's image: a dot, or where it lies outside an arrow to the border.
+  void image(View& view, std::size_t i, Role role) const {
+    if (!images_[i] || !finite(*images_[i])) return;
+    const dvec2 at = *images_[i], away = at - centre_;
+    const std::string name = name_of(i) + "′";
+    const double most = std::max(std::abs(away.x), std::abs(away.y));
+    if (most <= half_) {
+      view.add({fmt::format("e image {}", i), role, Dot{picture_.at(at)}});
+      view.add({fmt::format("f image name {}", i), role, Label{picture_.at(at), name}});
+      return;
+    }
+    const dvec2 border = centre_ + away * (half_ / most);
+    view.add({fmt::format("e image {}", i), role,
+              Stroke{picture_.at(centre_ + away * (0.85 * half_ / most)), picture_.at(border), true}});
+    view.add({fmt::format("f image name {}", i), role, Label{picture_.at(border), name}});
+  }
+
+  /// The picture of the line between two points that follow each other.
+  void line(View& view, std::size_t i, Role role) const {
+    const std::string id = fmt::format("d image line {}", i);
+    if (images_[i] && images_[i + 1]) {
+      if (finite(*images_[i]) && finite(*images_[i + 1]))
+        stroke(view, picture_, id, role, *images_[i], *images_[i + 1], false);
+      return;
+    }
+    if (!images_[i] && !images_[i + 1]) return;
+    // It runs to infinity, towards where it passes beside the eye
+    const std::size_t seen = images_[i] ? i : i + 1, other = images_[i] ? i + 1 : i;
+    const glm::dvec4 a = transform(projection_, in_view(points_[seen]));
+    const glm::dvec4 b = transform(projection_, in_view(points_[other]));
+    const dvec2 from = *images_[seen], way = dvec2(a + a.w / (a.w - b.w) * (b - a));
+    const Extent shown{centre_ - half_, centre_ + half_};
+    const bool inside = glm::all(glm::lessThanEqual(glm::abs(from - centre_), dvec2{half_}));
+    if (!inside || way == dvec2{0}) return;
+    view.add({id, role, Stroke{picture_.at(from), picture_.at(last_inside(shown, from, way)), true}});
+  }
+
+  View view() const {
+    View seen;
+    seen.add({"z caption space", Role::guide, Text{{10, 25.4}, words_.say("perspective.from_above")}});
+    seen.add({"z caption image", Role::guide, Text{{28.5, 25.4}, words_.say("projection.picture")}});
+    add_axes(seen, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
+    add_axes(seen, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
+    stroke(seen, space_, "a plane", Role::boundary, {centre_.x - half_, plane()},
+           {centre_.x + half_, plane()}, false);
+    seen.add({"e eye", Role::input, Dot{space_.at(eye())}});
+    seen.add({"f eye name", Role::input, Label{space_.at(eye()), words_.say("projection.eye")}});
+    const auto above = [&](std::size_t i) { return dvec2{points_[i].x, points_[i].z}; };
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+      stroke(seen, space_, fmt::format("c line {}", i), Role::input, above(i), above(i + 1), false);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      seen.add({fmt::format("e point {}", i), Role::input, Dot{space_.at(above(i))}});
+      seen.add({fmt::format("f point name {}", i), Role::input, Label{space_.at(above(i)), name_of(i)}});
+    }
+    const bool done = current_ == points_.size();
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      const bool wrong = method_ != "divide_tested" && (zoom_minus_z_ || behind(points_[i]));
+      const Role role = wrong ? Role::rejected : done ? Role::result : Role::past;
+      projector(seen, i, Role::guide);
+      image(seen, i, role);
+      if (i == 0) continue;
+      const bool crosses = zoom_minus_z_ || behind(points_[i]) || behind(points_[i - 1]);
+      const bool bad = method_ != "divide_tested" && crosses;
+      line(seen, i - 1, bad ? Role::rejected : done ? Role::result : Role::past);
+    }
+    return seen;
+  }
+
+  /// With the point at hand.
+  View pointed() const {
+    View seen = view();
+    const dvec2 at = space_.at({points_[current_].x, points_[current_].z});
+    seen.add({fmt::format("e point {}", current_), Role::current, Dot{at}});
+    seen.add({fmt::format("f point name {}", current_), Role::current, Label{at, name()}});
+    if (current_ < images_.size()) projector(seen, current_, Role::current);
+    return seen;
+  }
+
+  std::string method_;
+  bool zoom_minus_z_;
+  std::vector<dvec3> points_;
+  double zoom_, half_ = 1;
+  dvec2 scales_{1, 1}, centre_{0, 0};
+  Projection<double> projection_{};
+  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
+  std::size_t current_ = 0;
+  std::vector<std::optional<dvec2>> images_;
+};
+
 // --- How finely depth is stored ----------------------------------
 
 struct Kind {
@@ -835,10 +1190,31 @@ const std::vector<Method>& all_methods() {
     return method_in_english("perspective", std::move(name), standing);
   };
   static const std::vector<Method> methods{
-      method("projection", Standing::taught), method("vanishing_points", Standing::plain),
-      method("transformation", Standing::plain), method("keep_z", Standing::faulty),
-      method("depth_precision", Standing::plain)};
+      method("projection", Standing::taught),       method("vanishing_points", Standing::plain),
+      method("transformation", Standing::plain),    method("divide_tested", Standing::plain),
+      method("depth_precision", Standing::plain),   method("keep_z", Standing::faulty),
+      method("divide_untested", Standing::faulty),  method("zoom_minus_z", Standing::faulty),
+      method("parallel_by_plane", Standing::faulty)};
   return methods;
+}
+
+bool is_faulty(std::string_view name) {
+  return std::ranges::find(all_methods(), name, &Method::name)->standing == Standing::faulty;
+}
+bool divides(std::string_view method) {
+  return method == "divide_tested" || method == "divide_untested" || method == "zoom_minus_z";
+}
+bool vanishes(std::string_view method) {
+  return method == "vanishing_points" || method == "parallel_by_plane";
+}
+
+/// Only the methods of late parameters say them.
+void leave_out_unread(Trace& trace, const std::string& method) {
+  std::erase_if(trace.arguments, [&](const Argument& a) {
+    const bool of_division =
+        a.name == "points" || a.name == "scales" || a.name == "centre" || a.name == "zoom";
+    return (of_division && !divides(method)) || (a.name == "direction" && !vanishes(method));
+  });
 }
 
 void list_source(Trace& trace, std::string_view file, std::initializer_list<std::string_view> functions) {
@@ -859,6 +1235,13 @@ std::string subtitle_of(const Wording& words, const Arguments& arguments, const 
     return words.say("perspective.subtitle.line", arg("from", place_text(vector_of(arguments, "from"))),
                      arg("to", place_text(vector_of(arguments, "to"))));
   }
+  if (divides(method)) {
+    std::string list;
+    const std::vector<dvec3> points = arguments.places("points");
+    for (const dvec3 p : points) list += (list.empty() ? "" : ", ") + figure_place(p);
+    return words.count("perspective.subtitle.points", static_cast<std::int64_t>(points.size()),
+                       arg("points", list));
+  }
   const std::vector<double> turn = modest_numbers(arguments, "turn");
   const bool house = method == "projection" && arguments.text("solid") == "house";
   return words.say(house ? "perspective.subtitle.house" : "perspective.subtitle.box",
@@ -873,10 +1256,20 @@ std::vector<LegendEntry> legend_of(const Wording& words, const std::string& meth
             {Role::candidate, words.say("perspective.legend.interpolated")},
             {Role::measure, words.say("perspective.legend.error")}};
   }
-  if (method == "vanishing_points") {
-    return {{Role::input, words.say("perspective.legend.box")},
-            {Role::current, words.say("perspective.legend.direction")},
-            {Role::result, words.say("perspective.legend.result")}};
+  if (divides(method)) {
+    std::vector<LegendEntry> legend{{Role::input, words.say("perspective.legend.points")},
+                                    {Role::current, words.say("perspective.legend.point")},
+                                    {Role::result, words.say("perspective.legend.result")}};
+    if (method != "divide_tested") legend.push_back({Role::rejected, words.say("perspective.legend.wrong")});
+    return legend;
+  }
+  if (vanishes(method)) {
+    std::vector<LegendEntry> legend{{Role::input, words.say("perspective.legend.box")},
+                                    {Role::current, words.say("perspective.legend.direction")},
+                                    {Role::result, words.say("perspective.legend.result")}};
+    if (method == "parallel_by_plane")
+      legend.push_back({Role::rejected, words.say("perspective.legend.missed")});
+    return legend;
   }
   return {{Role::input, words.say("perspective.legend.solid")},
           {Role::current, words.say("perspective.legend.current")},
@@ -915,7 +1308,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = writer.wording();
-  introduce(trace, "perspective", arguments, method == "keep_z");
+  introduce(trace, "perspective", arguments, is_faulty(method));
+  leave_out_unread(trace, method);
   trace.subtitle = subtitle_of(words, arguments, method);
   trace.grid = paper_grid(solids::paper_width, method == "projection" ? solids::paper_height : 27);
   trace.legend = legend_of(words, method);
@@ -924,7 +1318,16 @@ Trace run(const Arguments& arguments, Recording recording) {
     ProjectionTeller(writer, arguments).tell();
   } else if (method == "vanishing_points") {
     list_source(trace, "perspective.hpp", {"vanishing_point"});
-    VanishingTeller(writer, arguments).tell();
+    VanishingTeller(writer, arguments, false).tell();
+  } else if (method == "parallel_by_plane") {
+    list_source(trace, "perspective_notes.hpp", {method});
+    VanishingTeller(writer, arguments, true).tell();
+  } else if (method == "divide_tested") {
+    list_source(trace, "perspective.hpp", {"transform", "divide", method});
+    DivisionTeller(writer, arguments, method).tell();
+  } else if (divides(method)) {
+    list_source(trace, "perspective_notes.hpp", {method});
+    DivisionTeller(writer, arguments, method).tell();
   } else if (method == "depth_precision") {
     list_source(trace, "perspective.hpp", {"separable_step"});
     PrecisionTeller(writer, arguments).tell();
@@ -1013,8 +1416,43 @@ const TopicEntry& entry() {
                       .type = ParameterType::numbers,
                       .default_value = "1,1000000",
                       .example = "0.1,1000",
-                      .help = "method depth_precision: the depths of the near and the far plane",
+                      .help = "methods depth_precision, divide_tested and divide_untested: the depths of the "
+                              "near and the far plane",
                       .parts = {"near", "far"}},
+                     {.name = "points",
+                      .type = ParameterType::points,
+                      .default_value = "2,1,-2 2,1,2 2,1,-6",
+                      .example = "1,0,2 1,0,-2",
+                      .help = "methods divide_tested, divide_untested and zoom_minus_z: x right, y up, z "
+                              "forward, and the lines from one to the next",
+                      .least = 1,
+                      .most = 6,
+                      .parts = {"x", "y", "z"}},
+                     {.name = "scales",
+                      .type = ParameterType::numbers,
+                      .default_value = "1,1",
+                      .example = "1,1.732",
+                      .help = "of these methods: by what x and y are multiplied, the cotangents of half the "
+                              "angles of view; zoom_minus_z takes the first for both",
+                      .parts = {"across", "up"}},
+                     {.name = "centre",
+                      .type = ParameterType::numbers,
+                      .default_value = "0,0",
+                      .example = "400,300",
+                      .help = "of these methods: x and y straight ahead of the eye",
+                      .parts = {"x", "y"}},
+                     {.name = "zoom",
+                      .type = ParameterType::number,
+                      .default_value = "4",
+                      .example = "0",
+                      .help = "of these methods: how far before z = 0 the eye stands"},
+                     {.name = "direction",
+                      .type = ParameterType::numbers,
+                      .default_value = "0,0,0",
+                      .example = "1,0,1",
+                      .help = "methods vanishing_points and parallel_by_plane: one direction more, along the "
+                              "box's axes; 0,0,0: none",
+                      .parts = {"x", "y", "z"}},
                      exact_parameter()},
       .examples = {"--solid box --turn 0,0", "--method vanishing_points --turn 35,25",
                    "--method keep_z --distance 1 --from 0,0,1 --to 2,0,3 --wall 2.2 --far 4"},
