@@ -1,6 +1,7 @@
 #pragma once
 // Exhibits: two listings of lecture notes that draw wrong lines, kept as printed so that a figure can show
-// where. Never use them to draw; bresenham_line.hpp has the right ones.
+// where, and the loop that a misprinted derivation of theirs leads to. Never use them to draw;
+// bresenham_line.hpp has the right ones.
 
 #include <cstdint>
 #include <utility>
@@ -121,6 +122,49 @@ constexpr void swapped_ends(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}
     plot(pixel);
   }
   if constexpr (observed<O>) observer(Finished{std::int64_t{to[lead]} - from[lead] + 1});
+}
+
+/// FAULTY: the loop of decision_parameter with the increments that follow from the notes' derivation as it is
+/// printed: the new p is 4 dy - 2 dx after E (errata E001-01) and 4 dy - 4 dx after NE (E001-02), so that
+/// 2 dy - dx and 2 dy - 3 dx were added to 2 dy - dx. Both are dx too small. (The notes' listings add the
+/// right ones, 2 dy and 2 (dy - dx).)
+///
+/// from, to: any int32 coordinates up to 2^31 - 1 pixels apart along the leading axis. Pixels come in order
+///   from `from`.
+///
+/// Domain: right for level lines and for two pixels only. p falls behind by dx a step, so a slope below 1/2
+///   comes out level, and one above goes aside too seldom: (0,0)-(5,2) ends at (5,0), (0,0)-(5,3) at (5,1).
+/// Steps: Started (Compared Stepped)* Finished
+/// Accuracy: none: `to` itself is not reached.
+/// Cost: as decision_parameter.
+/// Errors: ContractViolation for longer lines: |p| goes up to dx^2 + dx.
+template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
+constexpr void misprinted_derivation(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
+  const auto [dx, dy] = extent(from, to);
+  expects(dx <= INT32_MAX, "the misprinted line has at most 2^31 - 1 steps, not {}", dx);
+  const Moves go = moves(from, to);
+  const bool tie_straight = go.tie_straight;
+  std::int64_t p = 2 * dy - dx;
+  const std::int64_t c1 = 2 * dy - dx;
+  const std::int64_t c2 = 2 * dy - 3 * dx;
+  if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
+  ivec2 pixel = from;
+  plot(pixel);
+  for (std::int64_t k = 0; k < dx; ++k) {
+    if (p < 0 || (p == 0 && tie_straight)) {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
+      pixel += go.straight;  // E
+      p += c1;
+      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, p - c1, p, true});
+    } else {
+      if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
+      pixel += go.diagonal;  // NE
+      p += c2;
+      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, p - c2, p, false});
+    }
+    plot(pixel);
+  }
+  if constexpr (observed<O>) observer(Finished{dx + 1});
 }
 
 }  // namespace gradus::bresenham_line

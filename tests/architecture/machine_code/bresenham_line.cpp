@@ -26,4 +26,7 @@ extern "C" {
 [[gnu::flatten]] void machine_code_swapped_ends(ivec2 from, ivec2 to) {
   line::swapped_ends(from, to, set_pixel);
 }
+[[gnu::flatten]] void machine_code_misprinted_derivation(ivec2 from, ivec2 to) {
+  line::misprinted_derivation(from, to, set_pixel);
+}
 }

@@ -307,6 +307,44 @@ TEST(BresenhamLineNotes, FirstListingLeavesItsEndPoint) {
   EXPECT_EQ(seen.events().size(), 12u);
 }
 
+TEST(BresenhamLineNotes, MisprintedDerivationFallsBehindByDxAStep) {
+  // E001-01 and E001-02: what the notes print for p after one step, and what follows from their own tests,
+  // 2 dy < dx - 2 dy after E and 2 dy - dx < 2 dx - 2 dy after NE
+  const auto printed = [](int dx, int dy, bool straight) { return 4 * dy - (straight ? 2 : 4) * dx; };
+  const auto derived = [](int dx, int dy, bool straight) { return 4 * dy - (straight ? 1 : 3) * dx; };
+  EXPECT_EQ(printed(5, 2, true), -2);
+  EXPECT_EQ(derived(5, 2, true), 3);
+  EXPECT_EQ(printed(5, 2, false), -12);
+  EXPECT_EQ(derived(5, 2, false), -7);
+  int after_e = 0, after_ne = 0;
+  for (int dx = 1; dx <= 24; ++dx) {
+    for (int dy = 0; dy <= dx; ++dy) {
+      Recorder<Started, Compared, Stepped, Finished> wrong, right;
+      misprinted_derivation({0, 0}, {dx, dy}, [](ivec2) {}, wrong);
+      decision_parameter({0, 0}, {dx, dy}, [](ivec2) {}, right);
+      const Stepped* bad = std::get_if<Stepped>(&wrong.events()[2].step);
+      const Stepped* good = std::get_if<Stepped>(&right.events()[2].step);
+      ASSERT_TRUE(bad && good);
+      EXPECT_EQ(bad->straight, good->straight);
+      EXPECT_EQ(bad->p, printed(dx, dy, bad->straight));
+      EXPECT_EQ(good->p, derived(dx, dy, good->straight));
+      ++(bad->straight ? after_e : after_ne);
+    }
+  }
+  EXPECT_GT(after_e, 100);
+  EXPECT_GT(after_ne, 100);
+  const auto misprinted = [](ivec2 from, ivec2 to) {
+    Pixels pixels;
+    misprinted_derivation(from, to, Plotter{pixels});
+    return pixels;
+  };
+  EXPECT_EQ(misprinted({0, 0}, {5, 2}), (Pixels{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}));
+  EXPECT_EQ(misprinted({0, 0}, {5, 3}), (Pixels{{0, 0}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
+  EXPECT_EQ(misprinted({2, 3}, {0, -2}), (Pixels{{2, 3}, {2, 2}, {2, 1}, {2, 0}, {2, -1}, {2, -2}}));
+  EXPECT_EQ(misprinted({-3, 4}, {4, 4}), drawn({-3, 4}, {4, 4}));
+  EXPECT_THROW(misprinted_derivation({INT_MIN, 0}, {0, 0}, [](ivec2) {}), ContractViolation);
+}
+
 TEST(BresenhamLineNotes, SecondListingSwapsAndWraps) {
   const auto second = [](ivec2 from, ivec2 to, std::size_t most) {
     Pixels pixels;

@@ -116,7 +116,11 @@ void set_scene(Trace& trace, const Line& line) {
 class DecisionTeller {
  public:
   DecisionTeller(TraceWriter& writer, const Line& line, bool faulty)
-      : writer_(writer), words_(writer.wording()), line_(line), faulty_(faulty) {
+      : writer_(writer),
+        words_(writer.wording()),
+        line_(line),
+        faulty_(faulty),
+        misprinted_(writer.trace().method == "misprinted_derivation") {
     writer.trace().columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}};
   }
 
@@ -254,6 +258,10 @@ class DecisionTeller {
     return words_.say("bresenham_line.test." + sign(), arg("p", figure_number(compared_.p)));
   }
   std::string reason() const {
+    if (misprinted_ && compared_.pixel != line_.from) {
+      const ivec2 side = compared_.straight ? compared_.moves.straight : compared_.moves.diagonal;
+      return words_.say("bresenham_line.reason.misprinted", arg("step", named(side)));
+    }
     if (compared_.p == 0) {
       const bool tall = compared_.moves.straight.x == 0;
       return words_.say(tall ? "bresenham_line.reason.smaller_x" : "bresenham_line.reason.smaller_y");
@@ -263,6 +271,10 @@ class DecisionTeller {
   }
   std::string update(const Stepped& s) const {
     const std::string before = figure_number(s.p_before), after = figure_number(s.p);
+    if (misprinted_) {
+      return fmt::format("{} + 2·{} − {}{} = {}", before, figure_number(size_.dy), s.straight ? "" : "3·",
+                         figure_number(size_.dx), after);
+    }
     if (s.straight) return fmt::format("{} + 2·{} = {}", before, figure_factor(size_.dy), after);
     return fmt::format("{} + 2·({} − {}) = {}", before, figure_number(size_.dy), figure_number(size_.dx),
                        after);
@@ -318,7 +330,7 @@ class DecisionTeller {
   TraceWriter& writer_;
   const Wording& words_;
   Line line_;
-  bool faulty_;
+  bool faulty_, misprinted_;
   Extent size_{};
   ivec2 pixel_{}, current_{};
   std::int64_t p_ = 0, k_ = 0;
@@ -539,10 +551,12 @@ const std::vector<Method>& all_methods() {
   const auto method = [](std::string name, Standing standing) {
     return method_in_english("bresenham_line", std::move(name), standing);
   };
-  static const std::vector<Method> methods{
-      method("decision_parameter", Standing::taught), method("run_length", Standing::fast),
-      method("dda", Standing::plain), method("first_octant", Standing::faulty),
-      method("swapped_ends", Standing::faulty)};
+  static const std::vector<Method> methods{method("decision_parameter", Standing::taught),
+                                           method("run_length", Standing::fast),
+                                           method("dda", Standing::plain),
+                                           method("first_octant", Standing::faulty),
+                                           method("swapped_ends", Standing::faulty),
+                                           method("misprinted_derivation", Standing::faulty)};
   return methods;
 }
 
@@ -639,6 +653,7 @@ Trace run(const Arguments& arguments, Recording recording) {
     DecisionTeller teller(writer, line, true);
     if (method.name == "first_octant") first_octant(line.from, line.to, drop, teller);
     if (method.name == "swapped_ends") swapped_ends(line.from, line.to, drop, teller);
+    if (method.name == "misprinted_derivation") misprinted_derivation(line.from, line.to, drop, teller);
   }
   Trace trace = std::move(writer).finish();
   trace.telling = middle_step(trace);
