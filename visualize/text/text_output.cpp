@@ -32,17 +32,6 @@ std::vector<Row> completed_rows(const Trace& trace, std::vector<const TraceStep*
   return rows;
 }
 
-std::string value_text(const Value& value) {
-  struct Visitor {
-    std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
-    std::string operator()(double v) const { return fmt::format("{}", v); }
-    std::string operator()(bool v) const { return v ? "yes" : "no"; }
-    std::string operator()(const std::string& v) const { return v; }
-    std::string operator()(ivec2 v) const { return fmt::format("{},{}", v.x, v.y); }
-  };
-  return std::visit(Visitor{}, value);
-}
-
 /// Plain digits for programs: the typographic minus is for people.
 std::string plain(std::string text) {
   constexpr std::string_view minus = "−";
@@ -60,6 +49,17 @@ std::string csv_cell(const std::string& text) {
 }
 
 }  // namespace
+
+std::string value_text(const Value& value) {
+  struct Visitor {
+    std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{}", v == 0 ? 0 : v); }  // -0, too
+    std::string operator()(bool v) const { return v ? "yes" : "no"; }
+    std::string operator()(const std::string& v) const { return v; }
+    std::string operator()(ivec2 v) const { return fmt::format("({}, {})", v.x, v.y); }
+  };
+  return std::visit(Visitor{}, value);
+}
 
 std::string text_of(const Trace& trace, bool color) {
   const auto bold = [color](const std::string& text) { return color ? "\033[1m" + text + "\033[0m" : text; };

@@ -7,6 +7,10 @@
 
 namespace gradus {
 
+/// A field's value as people read it: "(3, 4)", "yes", the shortest decimal that gives a number back; -0 is
+/// 0.
+std::string value_text(const Value& value);
+
 /// Title, the step table (number, columns, sentence) and the result. `color`: ANSI emphasis.
 std::string text_of(const Trace& trace, bool color);
 

@@ -67,6 +67,18 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+TEST(Values, AreWrittenForPeople) {
+  EXPECT_EQ(value_text(std::int64_t{-7}), "-7");
+  EXPECT_EQ(value_text(0.1), "0.1");
+  EXPECT_EQ(value_text(1.0), "1");
+  EXPECT_EQ(value_text(0.0), "0");
+  EXPECT_EQ(value_text(-0.0), "0") << "the sign of nothing says nothing";
+  EXPECT_EQ(value_text(true), "yes");
+  EXPECT_EQ(value_text(false), "no");
+  EXPECT_EQ(value_text(std::string("left")), "left");
+  EXPECT_EQ(value_text(ivec2{3, -4}), "(3, -4)");
+}
+
 TEST(Tables, MarkdownHasARowAStepAndAsManyCellsAsColumns) {
   const Trace trace = line("0,0", "7,3");
   const auto lines = lines_of(markdown_of(trace));
