@@ -7,10 +7,12 @@
 #include <set>
 
 #include "cairo/cairo_output.hpp"
+#include "cli/errors.hpp"
 #include "cli/inputs.hpp"
 #include "cli/located_json.hpp"
 #include "figure/figure.hpp"
 #include "stories/topic.hpp"
+#include "text/text_output.hpp"
 #include "theme/theme.hpp"
 
 namespace gradus {
@@ -24,29 +26,18 @@ namespace {
 struct Side {
   Arguments arguments;
   Trace trace;
+  std::string refusal{};  ///< why it does not take this input, as the command says it; empty: it does
 };
 
 Side side_of(const TopicEntry& topic, std::map<std::string, std::string> given, const std::string& method) {
   given["method"] = method;
   Side side{read_inputs(topic, given).arguments, {}};
-  side.trace = topic.run(side.arguments, {});
+  try {
+    side.trace = topic.run(side.arguments, {});
+  } catch (const ArgumentError& error) {
+    side.refusal = complaint_of(error);
+  }
   return side;
-}
-
-std::string text_of(const Value& value) {
-  return std::visit(
-      [](const auto& v) {
-        if constexpr (std::same_as<std::decay_t<decltype(v)>, ivec2>) {
-          return fmt::format("({}, {})", v.x, v.y);
-        } else if constexpr (std::same_as<std::decay_t<decltype(v)>, double>) {
-          return fmt::format("{}", v == 0 ? 0 : v);  // -0, too
-        } else if constexpr (std::same_as<std::decay_t<decltype(v)>, bool>) {
-          return std::string(v ? "yes" : "no");
-        } else {
-          return fmt::format("{}", v);
-        }
-      },
-      value);
 }
 
 /// The trace's steps without the finer events.
@@ -58,13 +49,14 @@ std::vector<const TraceStep*> whole_steps(const Trace& trace) {
   return steps;
 }
 
-/// The fields of one name that differ: "p = 3 for -1".
+/// What the first list's fields say otherwise than those of the same name in the second: "p = 3 for -1".
 std::string differences(const std::vector<Field>& wrong, const std::vector<Field>& right) {
   std::vector<std::string> found;
   for (const Field& field : wrong) {
     const auto other = std::ranges::find(right, field.name, &Field::name);
     if (other == right.end() || other->value == field.value) continue;
-    found.push_back(fmt::format("{} = {} for {}", field.name, text_of(field.value), text_of(other->value)));
+    found.push_back(
+        fmt::format("{} = {} for {}", field.name, value_text(field.value), value_text(other->value)));
   }
   return fmt::format("{}", fmt::join(found, ", "));
 }
@@ -89,9 +81,21 @@ std::string parting_of(const Trace& wrong, const Trace& right) {
   return fmt::format("The same steps, but it ends after {}, not {}.", steps.size() - 1, others.size() - 1);
 }
 
+/// The fields that only the first list has: "peak_calls = 64".
+std::string surplus(const std::vector<Field>& wrong, const std::vector<Field>& right) {
+  std::vector<std::string> found;
+  for (const Field& field : wrong) {
+    if (std::ranges::find(right, field.name, &Field::name) != right.end()) continue;
+    found.push_back(fmt::format("{} = {}", field.name, value_text(field.value)));
+  }
+  return fmt::format("{}", fmt::join(found, ", "));
+}
+
 std::string outcome_of(const Trace& wrong, const Trace& right) {
   const std::string difference = differences(wrong.result, right.result);
-  return difference.empty() ? "" : fmt::format("Result: {}.", difference);
+  if (!difference.empty()) return fmt::format("Result: {}.", difference);
+  const std::string more = surplus(wrong.result, right.result);
+  return more.empty() ? "" : fmt::format("The same result, but {}.", more);
 }
 
 std::set<std::pair<int, int>> pixel_set(const Trace& trace) {
@@ -133,6 +137,11 @@ std::string in_pixels(const Trace& wrong, const Trace& right, const Finish& fini
   return fmt::format("The last drawings, of {} x {} pixels, differ in {}.", a.width(), a.height(), different);
 }
 
+/// What is drawn where nothing may be.
+std::string in_vain(const Trace& wrong) {
+  return wrong.pixels.empty() ? "" : fmt::format("Pixels: {}, all of them wrong.", pixel_set(wrong).size());
+}
+
 Exhibit exhibit_of(const JsonNode& entry) {
   const auto text = [&](std::string_view key) -> std::string {
     const JsonMember* member = entry.member(key);
@@ -143,18 +152,22 @@ Exhibit exhibit_of(const JsonNode& entry) {
   for (const JsonMember& input : entry.member("input")->value.members) given[input.key] = input.value.text;
   const std::string right_name = text("right").empty() ? topic.default_method : text("right");
   const Side wrong = side_of(topic, given, text("wrong")), right = side_of(topic, given, right_name);
+  if (!wrong.refusal.empty()) throw WorkError(fmt::format("{}: {}", text("id"), wrong.refusal));
+  const bool refused = !right.refusal.empty();
   const Finish finish(*find_theme("light"));
   return {.id = text("id"),
           .title = fmt::format("{}, {}", topic.title, wrong.trace.subtitle),
           .wrong_name = text("wrong"),
           .right_name = right_name,
           .wrong_picture = svg_of(drawing_of(wrong.trace), finish, {}),
-          .right_picture = svg_of(drawing_of(right.trace), finish, {}),
+          .right_picture = refused ? "" : svg_of(drawing_of(right.trace), finish, {}),
           .wrong_command = command_of("figure", topic, wrong.arguments) + " -o wrong.svg",
           .right_command = command_of("figure", topic, right.arguments) + " -o right.svg",
-          .parting = parting_of(wrong.trace, right.trace),
-          .outcome = outcome_of(wrong.trace, right.trace),
-          .difference = in_pixels(wrong.trace, right.trace, finish)};
+          .refusal = right.refusal,
+          .parting = refused ? "The right one refuses this input by name, before its first step."
+                             : parting_of(wrong.trace, right.trace),
+          .outcome = refused ? "" : outcome_of(wrong.trace, right.trace),
+          .difference = refused ? in_vain(wrong.trace) : in_pixels(wrong.trace, right.trace, finish)};
 }
 
 }  // namespace

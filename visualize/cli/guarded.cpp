@@ -7,12 +7,11 @@
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
-#include "cli/names.hpp"
+#include "cli/inputs.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract.hpp"
 #include "core/image.hpp"
 #include "core/shown.hpp"
-#include "stories/topic.hpp"
 
 namespace gradus::cli {
 
@@ -28,7 +27,7 @@ int guarded(const std::string& program, const std::function<int()>& work) {
   } catch (const UsageError& error) {
     return complain(error.what(), 2);
   } catch (const ArgumentError& error) {
-    return complain(fmt::format("--{}: {}", hyphened(error.parameter), error.what()), 2);
+    return complain(complaint_of(error), 2);
   } catch (const InputError& error) {
     return complain(error.what(), 2);
   } catch (const OutputClosed&) {

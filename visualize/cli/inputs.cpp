@@ -186,6 +186,10 @@ Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::str
   return Reader(topic, given, find).read();
 }
 
+std::string complaint_of(const ArgumentError& error) {
+  return fmt::format("--{}: {}", hyphened(error.parameter), error.what());
+}
+
 std::string input_hash(const Arguments& arguments) {
   std::string hashes;
   for (const Arguments::Entry& entry : arguments.entries()) {

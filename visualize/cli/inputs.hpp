@@ -30,6 +30,9 @@ std::optional<std::string> find_library(const std::string& model, std::string na
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
                    const FindFile& find = as_named);
 
+/// What a command says of an argument that it can't take: "--from: expected …".
+std::string complaint_of(const ArgumentError& error);
+
 /// The fingerprints of all files that the arguments stand for, in the order of the parameters; "" without
 /// files.
 std::string input_hash(const Arguments& arguments);

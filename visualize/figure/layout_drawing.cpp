@@ -219,7 +219,7 @@ class DrawingLayout {
       const dvec2 centre = frame_.point({p.x, p.y});
       dots.segments.emplace_back(centre, centre);
     });
-    pen_.strokes("centres", std::move(dots));
+    if (!dots.segments.empty()) pen_.strokes("centres", std::move(dots));
   }
 
   void tick(std::string id, dvec2 baseline, std::string text, Align align) {

@@ -42,13 +42,18 @@ std::string picture_html(std::string_view svg, std::string_view alt) {
   return fmt::format("<img src=\"data:image/svg+xml;base64,{}\" alt=\"{}\">", base64(svg), escaped(alt));
 }
 
-std::string side_html(std::string_view verdict, const std::string& name, const std::string& picture,
+/// shown: a picture, or what is said in its place.
+std::string side_html(std::string_view verdict, const std::string& name, const std::string& shown,
                       const std::string& command, const std::string& title) {
   return fmt::format(
       "<figure>{}<figcaption>{} <code>{}</code></figcaption>\n<pre tabindex=\"0\" role=\"region\" "
       "aria-label=\"{}\"><code>{}</code></pre></figure>\n",
-      picture_html(picture, fmt::format("{}: {} {}", title, verdict, name)), verdict, escaped(name),
-      escaped(fmt::format("command of {}: {}", name, title)), escaped(command));
+      shown, verdict, escaped(name), escaped(fmt::format("command of {}: {}", name, title)),
+      escaped(command));
+}
+
+std::string refusal_html(const std::string& refusal) {
+  return fmt::format("<p class=\"refusal\">refused: {}</p>", escaped(refusal));
 }
 
 std::string exhibit_html(const Exhibit& exhibit) {
@@ -59,10 +64,17 @@ std::string exhibit_html(const Exhibit& exhibit) {
   for (const std::string& fact : {exhibit.parting, exhibit.outcome, exhibit.difference}) {
     if (!fact.empty()) facts += fmt::format("<li>{}</li>\n", escaped(fact));
   }
-  return fmt::format(
-      "<p><b>{}</b></p>\n<div class=\"pair\">\n{}{}</div>\n<ul>\n{}</ul>\n", escaped(exhibit.title),
-      side_html("wrong:", exhibit.wrong_name, exhibit.wrong_picture, exhibit.wrong_command, about),
-      side_html("right:", exhibit.right_name, exhibit.right_picture, exhibit.right_command, about), facts);
+  const auto picture = [&](std::string_view verdict, const std::string& name, const std::string& svg) {
+    return picture_html(svg, fmt::format("{}: {} {}", about, verdict, name));
+  };
+  const std::string wrong = picture("wrong:", exhibit.wrong_name, exhibit.wrong_picture);
+  const std::string right = exhibit.refusal.empty()
+                                ? picture("right:", exhibit.right_name, exhibit.right_picture)
+                                : refusal_html(exhibit.refusal);
+  return fmt::format("<p><b>{}</b></p>\n<div class=\"pair\">\n{}{}</div>\n<ul>\n{}</ul>\n",
+                     escaped(exhibit.title),
+                     side_html("wrong:", exhibit.wrong_name, wrong, exhibit.wrong_command, about),
+                     side_html("right:", exhibit.right_name, right, exhibit.right_command, about), facts);
 }
 
 std::string erratum_html(const Erratum& erratum, std::size_t number, std::span<const Exhibit> exhibits) {

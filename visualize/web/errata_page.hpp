@@ -20,13 +20,14 @@ struct Erratum {
 /// The entries of class W (wrong) and F (fragile), in the order of the file.
 std::vector<Erratum> wrong_and_fragile();
 
-/// A wrong form run beside the right one.
+/// A wrong form run beside the right one, which may refuse the input.
 struct Exhibit {
   std::string id;                            ///< of the erratum
   std::string title;                         ///< "Bresenham circle, radius 7"
   std::string wrong_name, right_name;        ///< of the methods
-  std::string wrong_picture, right_picture;  ///< SVG
+  std::string wrong_picture, right_picture;  ///< SVG; that of a right one that refuses the input is empty
   std::string wrong_command, right_command;
+  std::string refusal;     ///< what the right one says to the input instead of taking it; empty: it takes it
   std::string parting;     ///< the first step that differs, and how; empty: none that both have
   std::string outcome;     ///< what the results differ in; empty: nothing that both tell
   std::string difference;  ///< in pixels

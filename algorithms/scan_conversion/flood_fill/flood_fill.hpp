@@ -381,6 +381,9 @@ Filled fill(Method method, ivec2 seed, Inside&& inside, Paint&& paint,
   return span(seed, inside, paint, connectivity, observer);
 }
 
+/// The pixels whose neighbours' neighbours are all in the int32 plane.
+inline constexpr Window room{{INT32_MIN + 2, INT32_MIN + 2}, {INT32_MAX - 2, INT32_MAX - 2}};
+
 /// Fills what is connected to the seed within a window: the fill of the picture cut to the window.
 /// Pixels outside are never asked for nor painted, and connect nothing: a region that leaves the window
 /// and comes back in another place is painted only where the seed is.
@@ -395,7 +398,6 @@ Filled fill(Method method, ivec2 seed, Inside&& inside, Paint&& paint,
 template <class Inside, class Paint, FillObserver O = Unobserved>
 Filled in_window(Method method, ivec2 seed, const Window& window, Inside&& inside, Paint&& paint,
                  Connectivity connectivity = Connectivity::four, O&& observer = {}) {
-  constexpr Window room{{INT32_MIN + 2, INT32_MIN + 2}, {INT32_MAX - 2, INT32_MAX - 2}};
   expects(window.empty() || (room.contains(window.lower) && room.contains(window.upper)),
           "a window to fill stays two cells away from the ends of int32, unlike {},{} to {},{}",
           window.lower.x, window.lower.y, window.upper.x, window.upper.y);

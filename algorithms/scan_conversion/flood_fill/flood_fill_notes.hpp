@@ -1,14 +1,19 @@
 #pragma once
-// Exhibit: the fill that calls itself. It paints the right pixels, and brings the program down on a canvas
-// of a few hundred pixels a side. flood_fill.hpp's depth_first is the same search with a stack of its own.
+// Exhibits: two fills of lecture notes. One calls itself: it paints the right pixels, and brings the program
+// down on a canvas of a few hundred pixels a side. The other reads the seed without a look at the borders.
+// flood_fill.hpp's depth_first and breadth_first are the same searches without these faults.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
+#include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
 namespace gradus::flood_fill {
+
+// --- A call for every pixel --------------------------------------
 
 /// How deep the calls of a recursive fill went.
 struct Depth {
@@ -25,31 +30,18 @@ struct Depth {
 };
 
 /// What all calls of one fill share.
-template <class Inside, class Paint, class O>
+template <class Inside, class Paint>
 struct Recursion {
   Inside& inside;
   Paint& paint;
   Connectivity connectivity;
-  Depth& depth;
-  O& observer;
+  Depth depth{};
 };
 
-/// One call: paints the pixel, then calls itself for every neighbour.
-template <class Inside, class Paint, class O>
-void recursive_call(const Recursion<Inside, Paint, O>& all, ivec2 from, ivec2 pixel) {
-  O& observer = all.observer;
-  const bool free = all.inside(pixel);
-  if constexpr (observed<O>) observer(Examined{from, pixel, free});
-  if (!free) return;
-  all.paint(pixel);
-  all.depth.enter();
-  if constexpr (observed<O>) observer(Painted{from, pixel, all.depth.open()});
-  for (ivec2 way : ways(all.connectivity)) {
-    recursive_call(all, pixel, pixel + way);
-  }
-  all.depth.leave();
-  if constexpr (observed<O>) observer(Retreated{pixel, all.depth.open()});
-}
+/// The seed's call has returned.
+struct Returned {
+  Depth depth;
+};
 
 /// FAULTY for large areas: every painted pixel keeps a call open until all that lies beyond it is painted,
 /// so the machine's stack must hold as many calls as the longest path has pixels: 1,000,000 on an empty
@@ -59,18 +51,121 @@ void recursive_call(const Recursion<Inside, Paint, O>& all, ivec2 from, ivec2 pi
 /// Parameters and Accuracy: as for depth_first.
 /// Domain: areas so small that the stack holds the calls. Measured with an empty canvas filled from its
 ///   corner on a stack of 8 MiB, the smallest square that crashes with GCC 12.2: 418 x 418 at -O2 and -O3 (48
-///   bytes a call); at -O0 the notes' own listing crashes at 362 x 362 (64 bytes), this function at 274 x 274
+///   bytes a call); at -O0 the notes' own listing crashes at 362 x 362 (64 bytes), this function at 256 x 256
 ///   (tests/unit/scan_conversion/recursion_limit_test.cpp).
-/// Steps: Examined (Painted (Examined ...)* Retreated)?, nested as the calls are
-/// Cost: the questions of depth_first; one call a question.
+/// Steps: Started (Examined (Painted (Examined ...)* Retreated)?)? Returned, nested as the calls are;
+///   Painted.waiting and Retreated.waiting are the calls open
+/// Cost: the questions of depth_first, and the seed's twice; one call a question.
 /// Errors: the program ends with a segmentation fault when the stack overflows.
-template <class Inside, class Paint, Observer<Examined, Painted, Retreated> O = Unobserved>
+template <class Inside, class Paint, Observer<Started, Examined, Painted, Retreated, Returned> O = Unobserved>
 Depth recursive(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
                 O&& observer = {}) {
-  Depth depth;
-  const Recursion all{inside, paint, connectivity, depth, observer};
-  recursive_call(all, seed, seed);
-  return depth;
+  Recursion all{inside, paint, connectivity};
+  const bool free = inside(seed);
+  if constexpr (observed<O>) observer(Started{seed, connectivity, free});
+  if (free) {
+    recurse(all, seed, seed, observer);
+  }
+  if constexpr (observed<O>) observer(Returned{all.depth});
+  return all.depth;
+}
+
+/// One call: paints the pixel, then calls itself for every neighbour.
+template <class Inside, class Paint, class O>
+void recurse(Recursion<Inside, Paint>& all, ivec2 from, ivec2 pixel, O& observer) {
+  const bool free = all.inside(pixel);
+  if constexpr (observed<O>) observer(Examined{from, pixel, free});
+  if (!free) return;
+  all.paint(pixel);
+  all.depth.enter();
+  if constexpr (observed<O>) observer(Painted{from, pixel, all.depth.open()});
+  // This call stays open for all of these
+  for (ivec2 way : ways(all.connectivity)) {
+    const ivec2 next = pixel + way;
+    recurse(all, pixel, next, observer);
+  }
+  all.depth.leave();
+  if constexpr (observed<O>) observer(Retreated{pixel, all.depth.open()});
+}
+
+// --- A seed that nobody looks at ---------------------------------
+
+/// The number of a cell in memory, row by row. Outside the raster it is that of another cell, or of none.
+template <class Cell>
+constexpr std::int64_t row_major(const Raster<Cell>& raster, ivec2 p) {
+  return std::int64_t{p.y} * raster.width() + p.x;
+}
+
+/// The cell of this number; nothing where the memory ends.
+template <class Cell>
+constexpr std::optional<ivec2> cell_at(const Raster<Cell>& raster, std::int64_t index) {
+  if (index < 0 || index >= std::int64_t{raster.width()} * raster.height()) return std::nullopt;
+  return ivec2{static_cast<int>(index % raster.width()), static_cast<int>(index / raster.width())};
+}
+
+template <class Cell>
+constexpr bool holds(const Raster<Cell>& raster, ivec2 p, const Cell& value) {
+  return raster.contains(p) && raster[p] == value;
+}
+
+/// The seed is about to be read, wherever in memory it is.
+struct SeedRead {
+  ivec2 seed;
+  std::int64_t index;  ///< its number in memory
+  std::optional<ivec2>
+      lands;  ///< the cell there: the seed if it is in the raster; nothing outside the memory
+};
+
+/// FAULTY for a seed outside the raster: its neighbours are looked at before they are read, the seed itself
+/// is not. In a memory of rows without gaps such a seed is a cell of another row, which is painted, and the
+/// fill goes on round the seed where that cell's value is found again.
+/// The notes' second listing (errata E001-08). In C++ what it does then is undefined; here it does what the
+/// addresses say, and nothing outside the memory.
+///
+/// raster, value: as for fill_raster. seed: column, row; any that is two cells away from the ends of int32.
+///
+/// Returns what was done; nothing where the seed's address is not in the raster's memory.
+///
+/// Domain: right for seeds in the raster.
+/// Steps: SeedRead ((Painted (Dequeued (Examined Painted?)*)*)? Finished)?
+/// Accuracy: that of breadth_first for a seed in the raster.
+/// Cost: as breadth_first.
+/// Errors: ContractViolation for a seed at the ends of int32.
+template <class Cell, Observer<SeedRead, Painted, Dequeued, Examined, Finished> O = Unobserved>
+std::optional<Filled> unchecked_seed(Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                                     Connectivity connectivity = Connectivity::four, O&& observer = {}) {
+  expects(room.contains(seed), "a seed stays two cells away from the ends of int32, unlike {},{}", seed.x,
+          seed.y);
+  // Where the seed is in memory
+  const auto index = row_major(raster, seed);
+  const auto lands = cell_at(raster, index);
+  if constexpr (observed<O>) observer(SeedRead{seed, index, lands});
+  if (!lands) return std::nullopt;
+  const Cell old = raster[*lands];
+  Queue<ivec2> waiting;
+  if (old != value) {
+    raster[*lands] = value;
+    waiting.push(seed);
+    if constexpr (observed<O>) observer(Painted{seed, seed, waiting.size()});
+  }
+  while (!waiting.empty()) {
+    const ivec2 pixel = waiting.take();
+    if constexpr (observed<O>) observer(Dequeued{pixel, waiting.size()});
+    // Only neighbours are looked at
+    for (ivec2 way : ways(connectivity)) {
+      const ivec2 next = pixel + way;
+      bool free = holds(raster, next, old);
+      if constexpr (observed<O>) observer(Examined{pixel, next, free});
+      if (!free) continue;
+      raster[next] = value;
+      waiting.push(next);
+      if constexpr (observed<O>) observer(Painted{pixel, next, waiting.size()});
+    }
+  }
+  const auto painted = waiting.pushed();
+  Filled done = tally(waiting, painted);
+  if constexpr (observed<O>) observer(Finished{done});
+  return done;
 }
 
 }  // namespace gradus::flood_fill

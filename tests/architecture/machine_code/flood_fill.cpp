@@ -19,7 +19,11 @@ extern "C" {
 [[gnu::flatten]] std::int64_t machine_code_span(ivec2 seed) {
   return fill::span(seed, is_inside, set_pixel).painted;
 }
-[[gnu::flatten]] std::int64_t machine_code_recursive_call(ivec2 seed) {
+[[gnu::flatten]] std::int64_t machine_code_recurse(ivec2 seed) {
   return fill::recursive(seed, is_inside, set_pixel).painted;
+}
+[[gnu::flatten]] std::int64_t machine_code_unchecked_seed(gradus::Raster<int>& raster, ivec2 seed) {
+  const auto done = fill::unchecked_seed(raster, seed, 1);
+  return done ? done->painted : -1;
 }
 }

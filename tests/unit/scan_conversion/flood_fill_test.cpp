@@ -375,7 +375,7 @@ TEST(FloodFillNotes, RecursionIsDepthFirst) {
   for (const Connectivity connectivity : connectivities) {
     Maze a = maze("..#.b\n.#..b\n....#\n#.##.\n"), b = a;
     const auto inside = [&](ivec2 p) { return a.contains(p) && a[p] == free_cell; };
-    Recorder<Painted, Examined, Retreated> called;
+    Recorder<Started, Painted, Examined, Retreated, Returned> called;
     const Depth depth = recursive({0, 0}, inside, [&](ivec2 p) { a[p] = 'a'; }, connectivity, called);
     AllSteps stacked;
     const Filled filled =
@@ -390,7 +390,85 @@ TEST(FloodFillNotes, RecursionIsDepthFirst) {
       EXPECT_EQ(p[i].waiting, q[i].waiting);
     }
     EXPECT_EQ(all<Retreated>(called).size(), p.size());
+    const auto returned = all<Returned>(called);
+    ASSERT_EQ(returned.size(), 1u);
+    EXPECT_EQ(returned[0].depth.peak, depth.peak);
+    EXPECT_EQ(returned[0].depth.now, 0);
   }
+}
+
+TEST(FloodFillNotes, AnEmptyCanvasOpensACallForEveryCell) {
+  // G001-16 on 64 x 64: right, then always the first free neighbour, so the path is a snake through all cells
+  for (const ivec2 size : {ivec2{1, 1}, ivec2{8, 8}, ivec2{5, 3}, ivec2{64, 64}}) {
+    Raster<char> canvas(size.x, size.y, '.');
+    const auto inside = [&](ivec2 p) { return canvas.contains(p) && canvas[p] == '.'; };
+    const Depth depth = recursive({0, 0}, inside, [&](ivec2 p) { canvas[p] = 'x'; });
+    EXPECT_EQ(depth.peak, std::int64_t{size.x} * size.y);
+    EXPECT_EQ(depth.painted, depth.peak);
+  }
+  // A seed that is not inside opens none
+  const Depth none = recursive({0, 0}, [](ivec2) { return false; }, [](ivec2) {});
+  EXPECT_EQ(none.peak, 0);
+  EXPECT_EQ(none.painted, 0);
+}
+
+TEST(FloodFillNotes, AnUncheckedSeedPaintsAnotherRow) {
+  // E001-08: the picture as plain memory, row after row, says where a click lands
+  const std::string memory = "...#....|.#.#.##.|.#.#.#..|...#....";
+  const auto picture = [&] {
+    return maze(std::string(memory).replace(8, 1, "\n").replace(17, 1, "\n").replace(26, 1, "\n"));
+  };
+  std::string cells = memory;
+  std::erase(cells, '|');
+  int outside_memory = 0, elsewhere = 0;
+  for (int y = -2; y <= 5; ++y) {
+    for (int x = -10; x <= 18; ++x) {
+      const ivec2 seed{x, y};
+      const int address = y * 8 + x;
+      Maze wrong = picture();
+      Recorder<SeedRead, Painted, Dequeued, Examined, Finished> seen;
+      const auto done = unchecked_seed(wrong, seed, 'x', Connectivity::four, seen);
+      const auto read = all<SeedRead>(seen);
+      ASSERT_EQ(read.size(), 1u);
+      EXPECT_EQ(read[0].index, address);
+      if (address < 0 || address >= 32) {
+        EXPECT_FALSE(done || read[0].lands);
+        EXPECT_EQ(seen.events().size(), 1u);
+        EXPECT_EQ(wrong, picture());
+        ++outside_memory;
+        continue;
+      }
+      ASSERT_TRUE(done && read[0].lands);
+      const ivec2 lands = *read[0].lands;
+      EXPECT_EQ(picture()[lands], cells[static_cast<std::size_t>(address)]);
+      Maze right = picture();
+      if (right.contains(seed)) {
+        // In the picture it is the right fill, walls included
+        EXPECT_EQ(lands, seed);
+        const Filled filled = fill_raster(right, seed, 'x', Method::breadth_first);
+        EXPECT_EQ(*done, filled);
+      } else {
+        // Outside: the cell of another row, and what is connected to the seed's neighbours in the picture
+        EXPECT_NE(lands.y, seed.y);
+        const char old = right[lands];
+        right[lands] = 'x';
+        for (const ivec2 way : ways(Connectivity::four)) {
+          const ivec2 next = seed + way;
+          if (right.contains(next) && right[next] == old) fill_raster(right, next, 'x');
+        }
+        ++elsewhere;
+      }
+      EXPECT_EQ(wrong, right) << x << "," << y;
+    }
+  }
+  EXPECT_GT(outside_memory, 50);
+  EXPECT_GT(elsewhere, 50);
+  // The numbers of the errata
+  Maze told = picture();
+  EXPECT_EQ(unchecked_seed(told, {-1, 2}, 'x')->painted, 11);
+  EXPECT_EQ(maze_text(told), "xxx#....\nx#x#.##x\nx#x#.#..\nxxx#....\n");
+  EXPECT_THROW(fill_raster(told, {-1, 2}, 'x'), ContractViolation);
+  EXPECT_THROW(unchecked_seed(told, {INT32_MAX, 0}, 'x'), ContractViolation);
 }
 
 }  // namespace
