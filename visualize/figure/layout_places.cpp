@@ -19,7 +19,7 @@ constexpr double large_cell = 60;        ///< larger ones are no reason to choos
 constexpr double worthwhile = 1.25;      ///< so much larger must the cells be for a less usual arrangement
 constexpr double least_drawing = 200, least_column = 420;
 constexpr int most_rows = 40;
-constexpr double rounding = 1e-6;  ///< units: so much wider than needed, that a sum may be rounded down
+constexpr double rounding = 1e-6;  ///< units: so much more than needed, that a sum may be rounded down
 
 // --- What the slots ask for ----------------------------------------------------------------------
 
@@ -82,8 +82,11 @@ struct Least {
 
 double height_of_lines(int lines) { return lines * line_height + 2 * panel_padding; }
 double height_of_rows(int rows) { return heading_height + rows * row_height; }
-int lines_in(double height) { return static_cast<int>((height - 2 * panel_padding) / line_height); }
-int rows_in(double height) { return static_cast<int>((height - heading_height) / row_height); }
+// How many fit; what was made just high enough for them is, whatever a sum was rounded to
+int lines_in(double height) {
+  return static_cast<int>((height - 2 * panel_padding + rounding) / line_height);
+}
+int rows_in(double height) { return static_cast<int>((height - heading_height + rounding) / row_height); }
 
 void put_listing(Body& body, Box box, int most) {
   body.lines = std::min(lines_in(box.height), most);
