@@ -1,6 +1,7 @@
 #pragma once
-// Exhibit: a listing of lecture notes that clips nothing and may never end, kept so that a figure can show
-// where it goes wrong. cohen_sutherland_2d.hpp has the right ones.
+// Exhibits: a listing of lecture notes that clips nothing and may never end, and one that keeps or drops
+// segments whole, kept so that a figure can show where they go wrong. cohen_sutherland_2d.hpp has the right
+// ones.
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 
@@ -61,6 +62,45 @@ std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
   }
   if constexpr (observed<O>) observer(GaveUp{rounds});
   return std::nullopt;
+}
+
+/// FAULTY: a segment is drawn whole when both ends pass the test, else it is dropped whole; and where the
+/// test should compare y with the lower border it compares x again, so what lies below the window passes. The
+/// notes' clipNode and its use, for edges and faces alike (errata E002-06 and E002-07). There the window is
+/// the screen from (0,0) to its width and height, and a node has a depth, too.
+///
+/// line, window: as for cut_of_a_cut.
+///
+/// Domain: right for segments in a window whose lower corner is (0,0), and for those that miss it and have an
+///   end to the left, to the right or above.
+/// Steps: Classified (Accepted | Rejected); Rejected.common has the bits of both ends
+/// Accuracy: none. In [0,10]^2 (10,-5)-(5,5) is kept whole, where (7.5,0)-(5,5) is right; of (15,2)-(5,8)
+///   nothing is left, where (10,5)-(5,8) is right.
+/// Cost: four comparisons an end.
+/// Errors: as cut_of_a_cut.
+template <class T, Observer<Classified<T>, Accepted<T>, Rejected> O = Unobserved>
+std::optional<Line<T>> whole_or_nothing(Line<T> line, const Rectangle<T>& window, O&& observer = {}) {
+  expect_clippable(line, window);
+  const auto code_of = [&](auto node) {
+    Code code = 0;
+    if (node.x < window.lower.x) code |= 1;
+    if (node.x > window.upper.x) code |= 2;
+    // Misprinted: node.y was meant
+    if (node.x < window.lower.y) code |= 4;
+    if (node.y > window.upper.y) code |= 8;
+    return code;
+  };
+  Code code_a = code_of(line.a);
+  Code code_b = code_of(line.b);
+  if constexpr (observed<O>) observer(Classified<T>{line, window, code_a, code_b});
+  // Both inside: all of it; else nothing
+  Code outside = code_a | code_b;
+  if (outside != 0) {
+    if constexpr (observed<O>) observer(Rejected{outside});
+    return std::nullopt;
+  }
+  if constexpr (observed<O>) observer(Accepted<T>{line});
+  return line;
 }
 
 }  // namespace gradus::cohen_sutherland_2d

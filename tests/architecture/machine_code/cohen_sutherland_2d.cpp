@@ -17,6 +17,11 @@ extern "C" {
   if (found) line = *found;
   return found.has_value();
 }
+[[gnu::flatten]] bool machine_code_whole_or_nothing(Line& line, const Rectangle& window) {
+  const auto found = clip::whole_or_nothing(line, window);
+  if (found) line = *found;
+  return found.has_value();
+}
 [[gnu::flatten]] bool machine_code_codes_only(Line& line, const Rectangle& window) {
   const auto found = clip::codes_only(line, window);
   if (found) line = *found;

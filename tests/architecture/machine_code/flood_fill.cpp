@@ -19,8 +19,14 @@ extern "C" {
 [[gnu::flatten]] std::int64_t machine_code_span(ivec2 seed) {
   return fill::span(seed, is_inside, set_pixel).painted;
 }
-[[gnu::flatten]] std::int64_t machine_code_recurse(ivec2 seed) {
+[[gnu::flatten]] std::int64_t machine_code_recursive(ivec2 seed) {
   return fill::recursive(seed, is_inside, set_pixel).painted;
+}
+[[gnu::flatten]] std::int64_t machine_code_recurse(ivec2 seed) {
+  fill::Recursion all{is_inside, set_pixel, fill::Connectivity::four};
+  gradus::Unobserved nobody;
+  recurse(all, seed, seed, nobody);
+  return all.depth.painted;
 }
 [[gnu::flatten]] std::int64_t machine_code_unchecked_seed(gradus::Raster<int>& raster, ivec2 seed) {
   const auto done = fill::unchecked_seed(raster, seed, 1);

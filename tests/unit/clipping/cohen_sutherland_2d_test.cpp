@@ -224,6 +224,41 @@ TEST(CohenSutherland2dNotes, TheListingMayNeverEnd) {
   EXPECT_TRUE(every<Recoded<double>>(seen, [](const auto& r) { return r.of_a && r.code_b == 1; }));
 }
 
+TEST(CohenSutherland2dNotes, BelowTheWindowPasses) {
+  // E002-06, G002-07: (10,-5) is kept
+  Recorder<Classified<double>, Accepted<double>, Rejected> seen;
+  const Line<double> line{{10, -5}, {5, 5}};
+  EXPECT_EQ(whole_or_nothing(line, ten, seen), line);
+  const auto codes = all<Classified<double>>(seen);
+  ASSERT_EQ(codes.size(), 1u);
+  EXPECT_EQ(codes[0].code_a, 0);
+  EXPECT_EQ(region_code(line.a, ten), bit(Border::bottom));
+  EXPECT_EQ(correctly_rounded(line, ten), (Line<double>{{7.5, 0}, {5, 5}}));
+  // The three other sides are asked for
+  for (const glm::dvec2 out : {glm::dvec2{-5, 5}, glm::dvec2{15, 5}, glm::dvec2{5, 15}}) {
+    EXPECT_EQ(whole_or_nothing(Line<double>{out, {5, 5}}, ten), std::nullopt);
+  }
+}
+
+TEST(CohenSutherland2dNotes, OneEndOutsideDropsTheWholeSegment) {
+  // E002-07
+  const Line<double> line{{15, 2}, {5, 8}};
+  EXPECT_EQ(whole_or_nothing(line, ten), std::nullopt);
+  EXPECT_EQ(correctly_rounded(line, ten), (Line<double>{{10, 5}, {5, 8}}));
+  // Of all segments between whole places one end of which lies above or beside the window, none is left;
+  // those in the window stay
+  int lost = 0;
+  for (int x = -3; x <= 13; ++x) {
+    for (int y = 0; y <= 13; ++y) {
+      const Line<double> segment{{x, y}, {4, 7}};
+      const bool inside = region_code(segment.a, ten) == 0;
+      EXPECT_EQ(whole_or_nothing(segment, ten).has_value(), inside);
+      lost += !inside && correctly_rounded(segment, ten).has_value();
+    }
+  }
+  EXPECT_EQ(lost, 17 * 14 - 11 * 11) << "each of them has its other end in the window";
+}
+
 TEST(CohenSutherland2dNotes, TheListingIsRightWhereNothingIsCut) {
   const Line<double> inside{{1, 1}, {2, 2}};
   EXPECT_EQ(codes_only(inside, ten), inside);

@@ -20,6 +20,7 @@ struct Task {
   std::string bits;  ///< which border each digit stands for, the first to the left
   std::optional<Line<double>> right;
   bool faulty = false;
+  bool whole = false;       ///< whether any bit drops the whole segment
   bool right_line = false;  ///< whether cuts are computed from the original line
 };
 
@@ -124,13 +125,15 @@ class Teller {
   }
 
   void operator()(const Rejected& r, int source_line = __builtin_LINE(), const char* = nullptr) {
-    show(drawing(Role::rejected), source_line, [&](TraceStep& step) {
+    View view = drawing(Role::rejected);
+    if (task_.whole && task_.right) add_right(view);
+    show(std::move(view), source_line, [&](TraceStep& step) {
       step.type = "Rejected";
       step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"common", std::int64_t{r.common}}};
-      step.sentence = r.common ? words_.say("cohen_sutherland_2d.rejected", arg("code_a", code(0)),
-                                            arg("code_b", code(1)),
+      const char* key = task_.whole ? "cohen_sutherland_2d.dropped" : "cohen_sutherland_2d.rejected";
+      step.sentence = r.common ? words_.say(key, arg("code_a", code(0)), arg("code_b", code(1)),
                                             arg("border", beyond(first_of(task_.order, r.common))))
                                : words_.say("cohen_sutherland_2d.unsettled");
     });
@@ -186,6 +189,7 @@ class Teller {
   std::string code(std::size_t which) const { return digits(task_, codes_[which]); }
   std::string verdict() const {
     const std::string key = (codes_[0] | codes_[1]) == 0   ? "inside"
+                            : task_.whole                  ? "dropped"
                             : (codes_[0] & codes_[1]) != 0 ? "beyond"
                                                            : "undecided";
     return words_.say("cohen_sutherland_2d.verdict." + key);
@@ -263,9 +267,9 @@ const std::vector<Method>& all_methods() {
   const auto method = [](std::string name, Standing standing) {
     return method_in_english("cohen_sutherland_2d", std::move(name), standing);
   };
-  static const std::vector<Method> methods{method("cut_of_a_cut", Standing::taught),
-                                           method("correctly_rounded", Standing::fast),
-                                           method("codes_only", Standing::faulty)};
+  static const std::vector<Method> methods{
+      method("cut_of_a_cut", Standing::taught), method("correctly_rounded", Standing::fast),
+      method("codes_only", Standing::faulty), method("whole_or_nothing", Standing::faulty)};
   return methods;
 }
 
@@ -299,7 +303,8 @@ struct Numbers {
 Trace run(const Arguments& arguments, Recording recording) {
   Task task = task_of(arguments);
   const std::string& method = arguments.text("method");
-  task.faulty = method == "codes_only";
+  task.whole = method == "whole_or_nothing";
+  task.faulty = task.whole || method == "codes_only";
   task.right_line = method == "correctly_rounded";
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
@@ -325,6 +330,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   if (method == "cut_of_a_cut") cut_of_a_cut(task.line, task.window, task.order, teller);
   if (method == "correctly_rounded") correctly_rounded(task.line, task.window, task.order, teller);
   if (method == "codes_only") codes_only(task.line, task.window, task.order, 8, teller);
+  if (method == "whole_or_nothing") whole_or_nothing(task.line, task.window, teller);
   Trace told = std::move(writer).finish();
   told.telling = told.whole() ? StepNumber{told.last, 0} : middle_step(told);
   if (side_by_side(arguments)) {
