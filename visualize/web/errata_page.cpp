@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "figure/colophon.hpp"
 #include "figure/markup.hpp"
-#include "web/assets.hpp"
+#include "web/article.hpp"
 #include "web/html.hpp"
 #include "web/topic_page.hpp"
 
@@ -131,14 +130,18 @@ std::string errata_page(std::span<const Erratum> errata, std::span<const Exhibit
     body += erratum_html(errata[i], i, exhibits);
   }
   if (!section.empty()) body += "</section>\n";
-  return filled(web_asset("errata.html"), {{"contents", contents},
-                                           {"body", body},
-                                           {"release", release_version},
-                                           {"licence", figure_licence},
-                                           {"common.css", web_asset("common.css")},
-                                           {"topic.css", web_asset("topic.css")},
-                                           {"errata.css", web_asset("errata.css")},
-                                           {"common.js", web_asset("common.js")}});
+  const std::string_view about =
+      "What the lecture notes behind this catalogue print wrong, or right in easy cases only, run beside "
+      "what is "
+      "right.";
+  return page_of({.title = "Errata: wrong beside right",
+                  .summary = "What lecture notes print wrong, run beside what is right.",
+                  .trail = "<a href=\"index.html\">all figures</a>",
+                  .contents = contents,
+                  .body = fmt::format("<h1>Errata</h1>\n<section class=\"idea\">\n<p>{}</p>\n</section>\n{}",
+                                      about, body),
+                  .styles = {"topic.css", "errata.css"},
+                  .scripts = {}});
 }
 
 }  // namespace gradus

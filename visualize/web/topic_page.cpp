@@ -11,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "figure/colophon.hpp"
 #include "figure/markup.hpp"
-#include "web/assets.hpp"
+#include "web/article.hpp"
 #include "web/html.hpp"
 
 namespace gradus {
@@ -245,20 +244,16 @@ std::string topic_page_path(const TopicEntry& topic) {
 
 std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {
   Page page(topic);
-  const std::string body = page.body(figures);
-  const std::string title = escaped(topic.title), summary = escaped(topic.summary);
-  const std::string chapter = escaped(heading_of(topic.chapter));
-  return filled(web_asset("topic.html"), {{"title", title},
-                                          {"summary", summary},
-                                          {"chapter", chapter},
-                                          {"contents", page.contents()},
-                                          {"body", body},
-                                          {"release", release_version},
-                                          {"licence", figure_licence},
-                                          {"common.css", web_asset("common.css")},
-                                          {"topic.css", web_asset("topic.css")},
-                                          {"common.js", web_asset("common.js")},
-                                          {"topic.js", web_asset("topic.js")}});
+  std::string body = page.body(figures);  // finds the contents, too
+  return page_of(
+      {.title = escaped(topic.title) + ": how it works",
+       .summary = escaped(topic.summary),
+       .trail = "<a href=\"../../index.html\">all figures</a> <span aria-hidden=\"true\">›</span> " +
+                escaped(heading_of(topic.chapter)),
+       .contents = page.contents(),
+       .body = std::move(body),
+       .styles = {"topic.css"},
+       .scripts = {"topic.js"}});
 }
 
 std::string html_of_line(std::string_view markdown) {
