@@ -11,8 +11,6 @@
 
 namespace gradus {
 
-std::string_view errata_text(std::string_view path);  // docs/errata.md, as the build saw it
-
 namespace {
 
 /// The cells of a row of a Markdown table: "| a | b |". A bar after a backslash is text.
@@ -99,7 +97,7 @@ std::string erratum_html(const Erratum& erratum, std::size_t number, std::span<c
 std::vector<Erratum> wrong_and_fragile() {
   std::vector<Erratum> found;
   std::string section;
-  std::string_view text = errata_text("errata.md");
+  std::string_view text = docs_text("docs/errata.md");
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));

@@ -9,8 +9,8 @@
 
 namespace gradus {
 
-/// A file of docs/topics/ or docs/benchmarks/ as the build saw it, by its path from the project's root:
-/// "docs/topics/scan_conversion/flood_fill.md". Empty when there is none.
+/// docs/errata.md, or a file of docs/topics/ or docs/benchmarks/, as the build saw it, by its path from the
+/// project's root: "docs/topics/scan_conversion/flood_fill.md". Empty when there is none.
 std::string_view docs_text(std::string_view path);
 
 struct Link {
