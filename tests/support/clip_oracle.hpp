@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <limits>
 #include <optional>
 
@@ -73,6 +74,32 @@ std::optional<ExactEnds<N>> exact_clip(const Segment<N, T>& s, const AxisBox<N, 
     ends.b[static_cast<std::size_t>(i)] = a + leave * d;
   }
   return ends;
+}
+
+/// The same for homogeneous points and the view volume -w <= x, y <= w, 0 <= z <= w: the values of t for
+/// which no depth is negative.
+inline std::optional<ExactEnds<4>> exact_part(const Segment<4, double>& line) {
+  Rational enter = 0, leave = 1;
+  const auto depths = [](const glm::dvec4& p) {
+    const Rational x = p.x, y = p.y, z = p.z, w = p.w;
+    return std::array<Rational, 6>{w + x, w - x, w + y, w - y, z, w - z};
+  };
+  const auto at_a = depths(line.a), at_b = depths(line.b);
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (at_a[i] < 0 && at_b[i] < 0) return std::nullopt;
+    if (at_a[i] >= 0 && at_b[i] >= 0) continue;
+    const Rational t = at_a[i] / (at_a[i] - at_b[i]);
+    if (at_a[i] < 0) enter = std::max(enter, t);
+    if (at_b[i] < 0) leave = std::min(leave, t);
+  }
+  if (leave < enter) return std::nullopt;
+  ExactEnds<4> part;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Rational a = line.a[static_cast<int>(i)], d = Rational(line.b[static_cast<int>(i)]) - a;
+    part.a[i] = a + enter * d;
+    part.b[i] = a + leave * d;
+  }
+  return part;
 }
 
 template <int N, class T>

@@ -397,35 +397,6 @@ TEST(CohenSutherland3dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
 
 // --- The view volume -------------------------------------------------------------------------------------
 
-struct ExactPart {
-  std::array<Rational, 4> a, b;
-};
-
-/// By the definition: the values of t for which all six depths are >= 0.
-std::optional<ExactPart> exact_part(const Segment<4, double>& line) {
-  Rational enter = 0, leave = 1;
-  const auto depths = [](const dvec4& p) {
-    const Rational x = p.x, y = p.y, z = p.z, w = p.w;
-    return std::array<Rational, 6>{w + x, w - x, w + y, w - y, z, w - z};
-  };
-  const auto at_a = depths(line.a), at_b = depths(line.b);
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (at_a[i] < 0 && at_b[i] < 0) return std::nullopt;
-    if (at_a[i] >= 0 && at_b[i] >= 0) continue;
-    const Rational t = at_a[i] / (at_a[i] - at_b[i]);
-    if (at_a[i] < 0) enter = std::max(enter, t);
-    if (at_b[i] < 0) leave = std::min(leave, t);
-  }
-  if (leave < enter) return std::nullopt;
-  ExactPart part;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Rational a = line.a[static_cast<int>(i)], d = Rational(line.b[static_cast<int>(i)]) - a;
-    part.a[i] = a + enter * d;
-    part.b[i] = a + leave * d;
-  }
-  return part;
-}
-
 bool clippable(const Segment<4, double>& line) {
   return line.a != dvec4(0) && line.b != dvec4(0) && !opposite(line.a, line.b);
 }
@@ -443,7 +414,7 @@ TEST(CohenSutherland3dProperty, ViewVolumesAgreeWithRationals) {
     }
     Counter<4> counter{line};
     const auto part = correctly_rounded(line, volume, usual_order<3>(), counter);
-    const auto exact = exact_part(line);
+    const auto exact = test::exact_part(line);
     ASSERT_EQ(part.has_value(), exact.has_value()) << "case " << ran;
     ASSERT_LE(counter.cuts, 6) << "case " << ran;
     most = std::max<std::int64_t>(most, counter.cuts);
@@ -497,7 +468,7 @@ TEST(CohenSutherland3dProperty, FloatVolumesAreTheNearestFloats) {
     int cuts = 0;
     const auto count = [&]<class Step>(const Step&) { cuts += std::same_as<Step, Cut<4, float>>; };
     const auto part = correctly_rounded(line, volume, usual_order<3>(), count);
-    const auto exact = exact_part(same);
+    const auto exact = test::exact_part(same);
     ASSERT_LE(cuts, 6) << "case " << ran;
     ASSERT_EQ(part.has_value(), exact.has_value()) << "case " << ran;
     ASSERT_EQ(correctly_rounded(line, volume, random_order(cases.random)), part) << "case " << ran;
@@ -532,7 +503,7 @@ TEST(CohenSutherland3dProperty, FloatsMidwayGoByTheExactPoint) {
     const float y = 1 + std::ldexp(k, -23), step = std::ldexp(1.0F, -23);
     const Segment<4, float> line{{-4, y, 0.5F, 2}, {-e, y + step, 0.5F, 2}};
     const auto part = correctly_rounded(line, ViewVolume{});
-    const auto exact = exact_part({dvec4(line.a), dvec4(line.b)});
+    const auto exact = test::exact_part({dvec4(line.a), dvec4(line.b)});
     ASSERT_TRUE(part && exact) << "case " << i;
     ASSERT_TRUE(test::is_nearest(part->a.y, exact->a[1])) << "case " << i;
     const Rational midway = Rational(double{y}) + Rational(double{step}) / 2;

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
@@ -100,6 +102,31 @@ double error(const Input& input, Method method, bool of_one = false) {
     worst = std::max({worst, off(found->a[i], exact->a[k]), off(found->b[i], exact->b[k])});
   }
   return worst;
+}
+
+/// A batch as a method for one line: the line there and back fills all lanes and leaves a rest, the results
+/// must have the scalar method's bits, and a line that misses must be left as it is.
+template <int N, class Batch, class Scalar>
+auto in_every_lane(Batch batch, Scalar scalar) {
+  using Line = Segment<N, double>;
+  return [batch, scalar](const Line& line, const AxisBox<N, double>& box) -> std::optional<Line> {
+    std::vector<Line> given(11, line);
+    for (std::size_t i = 0; i < given.size(); i += 3) given[i] = test::reversed(line);
+    std::vector<Line> clipped(given.size());
+    std::vector<std::uint8_t> accepted(given.size());
+    batch(given, box, clipped, accepted);
+    const std::array right{scalar(test::reversed(line), box), scalar(line, box)};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const std::optional<Line>& one = right[i % 3 == 0 ? 0 : 1];
+      if (accepted[i] != one.has_value() || !test::same_bits(clipped[i], one ? *one : given[i])) {
+        // No clipper leaves this
+        Line impossible{};
+        impossible.a[0] = wrong;
+        return impossible;
+      }
+    }
+    return right[1];
+  };
 }
 
 /// Numbers as a flag's value: as many digits as read back to the same.
