@@ -310,10 +310,10 @@ void paint_run(const Span& run, Paint& paint) {
 /// Steps: Started (SpanFilled SpanQueued SpanQueued (SpanTaken (Examined (SpanFilled SpanQueued+)?)*)*)?
 ///   Finished; Examined is reported for the row that is scanned, not for the pixels that a run grows
 ///   over.
-/// Cost: about one question a pixel on an empty canvas, on noise about 2.3, at most 4 (eight-connected: 4, at
-///   most 8). Every run is put on the stack once, and once more for each end that sticks out, 16 bytes each:
-///   on an empty canvas the stack never holds more than 2, whatever its size and wherever the seed, as each
-///   run covers its row and nothing sticks out.
+/// Cost: about one question a pixel on an empty canvas, on noise about 2.3 (eight-connected: 4), never more
+///   than depth_first. Every run is put on the stack once, and once more for each end that sticks out, 16
+///   bytes each: on an empty canvas the stack never holds more than 2, whatever its size and wherever the
+///   seed, as each run covers its row and nothing sticks out.
 template <class Inside, class Paint,
           Observer<Started, Examined, SpanFilled, SpanQueued, SpanTaken, Finished> O = Unobserved>
 Filled span(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
