@@ -382,11 +382,11 @@ constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
 ///
 /// polygon: the corners in order. Vertex: see crossing. plane: the border itself is inside.
 ///
-/// Domain: finite coordinates. Of a concave polygon pieces may hang together by edges that run along the
-///   plane.
+/// Domain: finite coordinates up to 2^1020 / (1 + bound), so that no difference overflows. Of a concave
+///   polygon pieces may hang together by edges that run along the plane.
 /// Steps: (Tested Cut?)* Passed, Tested once for every corner.
-/// Accuracy: corners inside are copied; a cut lies on the plane to the rounding of bound * w, and within 4
-///   ulp of the edge's extent along it. A corner on the plane gives no second one.
+/// Accuracy: corners inside are copied; a cut lies on the plane to the rounding of bound * w, and along it is
+///   within 6 ulp of the edge's largest coordinate (bound: 0 or 2^k). A corner on it gives no second one.
 /// Cost: one test a corner, one division a cut.
 /// Errors: none.
 template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
