@@ -166,7 +166,7 @@ inline void add_crossings(std::vector<Crossing>& crossings, const Run& run, std:
 class CircleOrder {
  public:
   CircleOrder(std::span<const dvec2> corners, const Circle<double>& circle)
-      : corners_(corners), circle_(circle), error_(circle.radius < 0x1p-900 ? 4 : 0x1p-50) {}
+      : corners_(corners), circle_(circle), error_(circle.radius < 0x1p-900 ? HUGE_VAL : 0x1p-50) {}
 
   /// 0: angles in [0, pi), 1: angles in [pi, 2 pi).
   int half(const Crossing& c) const {
@@ -192,17 +192,16 @@ class CircleOrder {
     return half_a == 0 ? x > 0 : x < 0;
   }
 
-  /// Whether the way from a passage counter-clockwise to another is longer than half the circle. Half a
-  /// circle within rounding counts as either.
+  /// Whether the way from a passage counter-clockwise to another is longer than half the circle.
   bool more_than_half(const Crossing& from, const Crossing& to) const {
     const double turn = from.direction.x * to.direction.y - from.direction.y * to.direction.x;
-    if (std::abs(turn) > 8 * error_) return turn < 0;
-    const double same = from.direction.x * to.direction.x + from.direction.y * to.direction.y;
-    if (error_ < 1 && same < 0) return false;
-    // Next to each other: a little, or all but a little
+    if (turn > 8 * error_) return false;
+    if (turn < -8 * error_) return true;
     const int half_from = half(from), half_to = half(to);
     if (half_from == half_to) return !(*this)(from, to);
-    return (from.direction.x > 0) == (half_from < half_to);
+    // In different halves: does the way pass the point opposite to `from`?
+    const int x = compare_x(from, to, true);
+    return half_from == 0 ? x > 0 : x < 0;
   }
 
  private:
@@ -211,12 +210,13 @@ class CircleOrder {
     const std::size_t n = corners_.size();
     return orient2d(corners_[(corner + n - 1) % n], corners_[corner], corners_[(corner + 1) % n]) > 0;
   }
-  /// The sign of the difference of x, over the common denominator A_a A_b.
-  int compare_x(const Crossing& a, const Crossing& b) const {
+  /// The sign of a's x less b's, or less that of the point opposite to b; over a common denominator.
+  int compare_x(const Crossing& a, const Crossing& b, bool opposite = false) const {
     const liang_barsky_circle::ExactLine p(edge(a), circle_), q(edge(b), circle_);
     const Form<3> p_root = q.A * p.dx, q_root = p.A * q.dx;
-    return sign_with_roots(p.A * (q.k * q.dy) - q.A * (p.k * p.dy), a.leaves ? p_root : -p_root, p.D,
-                           b.leaves ? -q_root : q_root, q.D);
+    const Form<5> p_foot = q.A * (p.k * p.dy), q_foot = p.A * (q.k * q.dy);
+    return sign_with_roots((opposite ? -q_foot : q_foot) - p_foot, a.leaves ? p_root : -p_root, p.D,
+                           b.leaves != opposite ? -q_root : q_root, q.D);
   }
 
   std::span<const dvec2> corners_;

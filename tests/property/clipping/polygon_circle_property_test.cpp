@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
@@ -12,88 +11,18 @@
 #include "clipping/polygon_circle/polygon_circle.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "support/circle_areas.hpp"
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 
 namespace gradus::polygon_circle {
 namespace {
 
-template <unsigned bits>
-using Float = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2, void, std::int32_t>>;
-using Wide = Float<200>;
-
-struct Point {
-  Wide x, y;
-};
-template <class T>
-Point wide(glm::vec<2, T> p) {
-  return {Wide(p.x), Wide(p.y)};
-}
-Wide cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-Wide dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-
-/// The area that a disc round 0 and the triangle (0, a, b) share, with the triangle's sign.
-Wide shared_area(const Point& a, const Point& b, const Wide& r) {
-  const Point d{b.x - a.x, b.y - a.y};
-  const Wide A = dot(d, d), B = dot(a, d), C = dot(a, a) - r * r, D = B * B - A * C;
-  const auto sector = [&](const Point& p, const Point& q) -> Wide {
-    return r * r * atan2(cross(p, q), dot(p, q)) / 2;
-  };
-  if (A == 0) return 0;
-  if (D <= 0) return sector(a, b);
-  const Wide root = sqrt(D), enters = (-B - root) / A, leaves = (-B + root) / A;
-  if (enters >= 1 || leaves <= 0) return sector(a, b);
-  const auto at = [&](const Wide& t) { return Point{a.x + t * d.x, a.y + t * d.y}; };
-  Wide area = 0;
-  const Point p = enters > 0 ? at(enters) : a, q = leaves < 1 ? at(leaves) : b;
-  if (enters > 0) area += sector(a, p);
-  area += cross(p, q) / 2;
-  if (leaves < 1) area += sector(q, b);
-  return area;
-}
-
-template <class T>
-Wide exact_area(const std::vector<glm::vec<2, T>>& polygon, const Circle<T>& circle) {
-  Wide area = 0;
-  const Point c = wide(circle.centre);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = wide(polygon[i]), b = wide(polygon[(i + 1) % polygon.size()]);
-    area += shared_area({a.x - c.x, a.y - c.y}, {b.x - c.x, b.y - c.y}, Wide(circle.radius));
-  }
-  return abs(area);
-}
-
-/// What the rings enclose, in 200 bits, and how long their boundary is.
-template <class T>
-Wide enclosed_area(const Region<T>& region, double& length) {
-  const Wide pi = boost::math::constants::pi<Wide>();
-  const Point c = wide(region.circle.centre);
-  const Wide r(region.circle.radius);
-  Wide area = 0;
-  for (const auto& ring : region.rings) {
-    Wide of_ring = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point p = wide(ring[i].at), q = wide(ring[(i + 1) % ring.size()].at);
-      const Point a{p.x - c.x, p.y - c.y}, b{q.x - c.x, q.y - c.y};
-      if (ring[i].arc) {
-        Wide angle = atan2(cross(a, b), dot(a, b));
-        if (angle < 0) angle += 2 * pi;
-        if (ring[i].more_than_half && angle < pi / 2) angle += 2 * pi;
-        if (!ring[i].more_than_half && angle > 3 * pi / 2) angle -= 2 * pi;
-        of_ring += r * r * angle / 2;
-        length += static_cast<double>(r * abs(angle));
-      } else {
-        of_ring += cross(a, b) / 2;
-        length += static_cast<double>(sqrt(dot({q.x - p.x, q.y - p.y}, {q.x - p.x, q.y - p.y})));
-      }
-    }
-    // Counter-clockwise, each of them, but for slivers that rounding folds over
-    EXPECT_GT(of_ring, -Wide(r) * r * Wide(std::numeric_limits<T>::epsilon()) * 100);
-    area += of_ring;
-  }
-  return area;
-}
+using test::dot;
+using test::Float;
+using test::Point;
+using test::Wide;
+using test::wide;
 
 template <class T>
 class Polygons {
@@ -246,13 +175,18 @@ void expect_right(const typename Polygons<T>::Case& given, Counts& counts) {
   const auto& [polygon, circle] = given;
   Recorder<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<T>> seen;
   const Region<T> region = arcs(std::span<const glm::vec<2, T>>(polygon), circle, seen);
-  double length = 0, largest = circle.radius;
+  double largest = circle.radius;
   for (const auto& p : polygon) largest = std::max<double>({largest, std::abs(p.x), std::abs(p.y)});
-  const Wide got = enclosed_area(region, length), right = exact_area(polygon, circle);
+  const test::Enclosed got = test::enclosed_by(region);
+  const Wide right = test::exact_area(polygon, circle);
+  const auto length = static_cast<double>(got.length);
+  // Counter-clockwise, each of them, but for slivers that rounding folds over
+  const Wide r(circle.radius);
+  EXPECT_GE(got.least, -r * r * Wide(std::numeric_limits<T>::epsilon()) * 100);
   const double size = std::min(largest, std::abs(double{circle.centre.x}) +
                                             std::abs(double{circle.centre.y}) + 2 * double{circle.radius});
   const double bound = 4 * (circle.radius + length) * size * std::numeric_limits<T>::epsilon();
-  const double error = static_cast<double>(abs(got - right));
+  const double error = static_cast<double>(abs(Wide(got.area - right)));
   ASSERT_LE(error, bound);
   counts.worst = std::max(counts.worst, error / bound);
   ++counts.cases;

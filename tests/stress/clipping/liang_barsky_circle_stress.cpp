@@ -5,20 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 
 #include "core/contract.hpp"
+#include "stress/clipping/circle_ends.hpp"
 #include "stress/numbers.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-/// Wide enough for the square root of any exact number that doubles of all sizes make here.
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<9000, boost::multiprecision::digit_base_2>>;
 using liang_barsky_circle::Circle;
 using liang_barsky_circle::Segment;
 
@@ -48,29 +43,6 @@ Input generate(Kind kind, Random& random) {
   return input;
 }
 
-/// The two ends of what is kept, exactly but for the root's 9000 bits.
-struct Ends {
-  std::array<Wide, 2> from, to;
-};
-std::optional<Ends> exact(const Input& i) {
-  const Rational dx = Rational(i[2]) - Rational(i[0]), dy = Rational(i[3]) - Rational(i[1]);
-  const Rational fx = Rational(i[0]) - Rational(i[4]), fy = Rational(i[1]) - Rational(i[5]);
-  const Rational r(i[6]), A = dx * dx + dy * dy, B = fx * dx + fy * dy, C = fx * fx + fy * fy - r * r;
-  const auto wide = [](const Rational& x) { return Wide(numerator(x)) / Wide(denominator(x)); };
-  const auto at = [&](double end_x, double end_y) { return std::array<Wide, 2>{Wide(end_x), Wide(end_y)}; };
-  if (A == 0) return C <= 0 ? std::optional(Ends{at(i[0], i[1]), at(i[2], i[3])}) : std::nullopt;
-  const Rational D = B * B - A * C, end = A + 2 * B + C;  // end: the sign of the other end
-  if (D < 0) return std::nullopt;
-  // Both outside: the foot must lie between them
-  if (C > 0 && end > 0 && (B >= 0 || -B >= A)) return std::nullopt;
-  const Wide root = sqrt(wide(D)), a = wide(A), b = wide(B);
-  const auto point = [&](const Wide& t) {
-    return std::array<Wide, 2>{Wide(i[0]) + t * wide(dx), Wide(i[1]) + t * wide(dy)};
-  };
-  return Ends{C <= 0 ? at(i[0], i[1]) : point((-b - root) / a),
-              end <= 0 ? at(i[2], i[3]) : point((-b + root) / a)};
-}
-
 double error(const Input& i) {
   const bool taken = all_finite(i) && i[6] >= 0;
   std::optional<Segment<double>> found;
@@ -81,18 +53,10 @@ double error(const Input& i) {
     return taken ? wrong : 0;
   }
   if (!taken) return wrong;
-  const std::optional<Ends> right = exact(i);
+  const std::optional<EndsInCircle> right = ends_in_circle(i);
   if (found.has_value() != right.has_value()) return wrong;
   if (!found) return 0;
-  const auto off = [&](double x, const Wide& at) {
-    const double size = std::max(std::abs(at.convert_to<double>()), i[6]);
-    const double unit = std::nextafter(size, wrong) - size;
-    // At the largest numbers there is no next one
-    const double scale = std::isfinite(unit) ? unit : size - std::nextafter(size, 0.0);
-    return std::abs(((Wide(x) - at) / Wide(scale)).convert_to<double>());
-  };
-  return std::max({off(found->from.x, right->from[0]), off(found->from.y, right->from[1]),
-                   off(found->to.x, right->to[0]), off(found->to.y, right->to[1])});
+  return std::max(right->from.error(found->from), right->to.error(found->to));
 }
 
 }  // namespace

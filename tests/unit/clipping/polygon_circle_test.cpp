@@ -122,6 +122,32 @@ TEST(PolygonCircle, AnArcOfTheWholeCircle) {
   EXPECT_NEAR(area(slit), pi, 1e-15);
 }
 
+TEST(PolygonCircle, TheSmallestCirclesAreCutLikeLargeOnes) {
+  // Directions of passages underflow; a corner on the circle once was followed by the whole of it
+  const std::vector<Polygon> polygons{
+      {{0, 0}, {-2, 0}, {0, -5}, {2, 0}},   {{-6, 0}, {6, 0}, {6, 6}, {-6, 6}},
+      {{-4, -3}, {4, -3}, {5, 9}, {-5, 9}}, {{-9, 3}, {-9, -3}, {9, -4}, {9, 4}},
+      {{5, -5}, {5, 5}, {-5, 5}, {-5, -5}}, {{3, 4}, {-4, 3}, {-3, -4}, {4, -3}}};
+  for (const Polygon& polygon : polygons) {
+    const Rings right = clipped(polygon, {{0, 0}, 5}).rings;
+    for (const int exponent : {-800, -897, -910, -987, -1022, -1030, 900, 1018}) {
+      Polygon scaled = polygon;
+      for (dvec2& p : scaled) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      const Rings found = clipped(scaled, {{0, 0}, std::ldexp(5, exponent)}).rings;
+      ASSERT_EQ(found.size(), right.size()) << exponent;
+      for (std::size_t r = 0; r < right.size(); ++r) {
+        ASSERT_EQ(found[r].size(), right[r].size()) << exponent;
+        for (std::size_t i = 0; i < right[r].size(); ++i) {
+          EXPECT_EQ(found[r][i].arc, right[r][i].arc) << exponent;
+          EXPECT_EQ(found[r][i].more_than_half, right[r][i].more_than_half) << exponent;
+          EXPECT_NEAR(std::ldexp(found[r][i].at.x, -exponent), right[r][i].at.x, 1e-9) << exponent;
+          EXPECT_NEAR(std::ldexp(found[r][i].at.y, -exponent), right[r][i].at.y, 1e-9) << exponent;
+        }
+      }
+    }
+  }
+}
+
 TEST(PolygonCircle, SeveralPieces) {
   // A comb with three teeth into the circle
   const Polygon comb{{-3, -3}, {3, -3},   {3, 2},     {0.6, 2},   {0.6, -2}, {0.3, -2},
