@@ -57,9 +57,9 @@ def test_bad_input_is_one_line():
         (["--seconds", "0"], "--seconds: " + whole.format(1, 1000000, 0)),
         (["--seconds", "2.5"], "--seconds: " + whole.format(1, 1000000, 2.5)),
         (["--random-seed", "-1"], "--random-seed: " + whole.format(0, 2**63 - 1, -1)),
-        (["--replay", "x"], "--replay: expected PROPERTY:NUMBERS as a report prints it, found 'x'"),
+        (["--replay", "x"], "--replay: expected PROPERTY:NUMBERS as a report prints it, or PROPERTY:TRAP, found 'x'"),
         (["affine_3d", "--replay", "rotation:1,x,0,0"],
-         "--replay: expected PROPERTY:NUMBERS as a report prints it, found 'rotation:1,x,0,0'"),
+         "--replay: expected PROPERTY:NUMBERS as a report prints it, or PROPERTY:TRAP, found 'rotation:1,x,0,0'"),
         (["affine_3d", "--replay", "rotation:1,2"], "--replay: rotation takes 4 numbers, found 2"),
         (["-o", "file"], "--output: expected a folder, found 'file'"),
     ]

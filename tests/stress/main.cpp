@@ -26,9 +26,13 @@ using cli::UsageError;
 std::vector<const Domain*> chosen(const cli::Request& request) {
   std::vector<const Domain*> wanted;
   for (const std::string& word : request.operands) {
-    const std::string& topic = cli::find_topic(word).name;
-    const auto found = std::ranges::find(domains(), topic, &Domain::topic);
-    if (found == domains().end()) throw UsageError(fmt::format("TOPIC: {} has no stress test", topic));
+    // Some parts of the pipeline make promises, too, and are no topics yet
+    auto found = std::ranges::find(domains(), word, &Domain::topic);
+    if (found == domains().end())
+      found = std::ranges::find(domains(), cli::find_topic(word).name, &Domain::topic);
+    if (found == domains().end()) {
+      throw UsageError(fmt::format("TOPIC: {} has no stress test", cli::find_topic(word).name));
+    }
     wanted.push_back(&*found);
   }
   if (wanted.empty()) {
@@ -76,15 +80,17 @@ void tell(const Domain& domain, const Finding& finding, const Input& small) {
   cli::write_stream(cli::Stream::out, line);
 }
 
-/// One property with one input, in full.
+/// One property with one input: its numbers, or the name of a trap.
 int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
-  const std::optional<Input> input =
-      colon == std::string::npos ? std::nullopt : input_in(text.substr(colon + 1));
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
   for (const Domain* domain : wanted) {
     const auto property = std::ranges::find(domain->properties, name, &Property::name);
-    if (property == domain->properties.end() || !input) continue;
+    if (property == domain->properties.end()) continue;
+    const auto trap = std::ranges::find(property->traps, rest, &Trap::name);
+    const auto input = trap != property->traps.end() ? std::optional(trap->input) : input_in(rest);
+    if (!input) continue;
     if (input->size() != property->numbers) {
       throw UsageError(
           fmt::format("--replay: {} takes {} numbers, found {}", name, property->numbers, input->size()));
@@ -94,8 +100,8 @@ int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
                                                     property->unit, number(property->bound)));
     return error > property->bound ? 1 : 0;
   }
-  throw UsageError(
-      fmt::format("--replay: expected PROPERTY:NUMBERS as a report prints it, found {}", shown(text)));
+  throw UsageError(fmt::format(
+      "--replay: expected PROPERTY:NUMBERS as a report prints it, or PROPERTY:TRAP, found {}", shown(text)));
 }
 
 int stress(const cli::Request& request) {

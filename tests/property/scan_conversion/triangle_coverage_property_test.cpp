@@ -11,30 +11,17 @@
 
 #include "core/random.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "support/coverage_oracle.hpp"
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 
 namespace gradus::triangle_coverage {
 namespace {
 
-__extension__ typedef __int128 int128_t;
-
 constexpr int columns = 24, rows = 16;
 constexpr Window sheet{{0, 0}, {columns - 1, rows - 1}};
 
-int sign(int128_t x) { return (x > 0) - (x < 0); }
-
-/// The side of the line from a to b on which the centre lies when it is moved to the right by something
-/// infinitely small, and down by something infinitely smaller: never 0 unless a == b. The top-left rule says
-/// the same without moving anything.
-int side(ivec2 a, ivec2 b, ivec2 centre, std::int64_t& ties) {
-  const int128_t x = centre.x, y = centre.y;
-  const int128_t on =
-      x * (int128_t{a.y} - b.y) + y * (int128_t{b.x} - a.x) + int128_t{a.x} * b.y - int128_t{a.y} * b.x;
-  if (on != 0) return sign(on);
-  ++ties;
-  return a.y != b.y ? sign(int128_t{a.y} - b.y) : sign(int128_t{b.x} - a.x);
-}
+using test::side;
 
 /// A corner, of all the kinds that make trouble.
 ivec2 any_corner(Random& random, std::int64_t kind) {
