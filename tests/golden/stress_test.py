@@ -11,16 +11,17 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
+import project
 from command import check, equal
 
 gradus = functools.partial(command.gradus, timeout=240)
 
 
 def test_every_promise_holds():
-    result = gradus("stress", "--seconds", "6", "-o", "made/worst")
+    result = gradus("stress", "--seconds", "5", "-o", "made/worst")
     equal(result.code, 0, "gradus stress")
-    promises = re.findall(r"^([ X]) (\w+) +(\d+) cases  worst +(\S+) (\w+)  \((.+)\)$", result.out, re.MULTILINE)
-    check(len(promises) >= 21, "all promises are reported")
+    promises = re.findall(r"^([ X]) (\w+) +(\d+) cases  worst +(\S+) (.+)  \((.+)\)$", result.out, re.MULTILINE)
+    check(len(promises) >= 42, "all promises are reported")
     for mark, name, cases, worst, _, bound in promises:
         check(mark == " " and worst != "wrong", f"{name} is kept")
         check(int(cases) >= 16, f"{name}: traps and kinds were tried")
@@ -40,6 +41,48 @@ def test_a_report_replays():
     equal((again.code, again.out), (0, f"pixel_at: {worst} pixels (at most 0.5)\n"), "the worst case again")
 
 
+def shown_traps():
+    """What the table of traps names: (topic, property, trap), and tests."""
+    page = (project.ROOT / "docs/stress.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (?!\*\*|trap |---)(.+?) \| (.+) \|$", page.split("## Traps")[1], re.MULTILINE)
+    traps, tests = [], []
+    for what, shown in rows:
+        names = re.findall(r"`([^`]+)`", shown)
+        equal(", ".join(f"`{name}`" for name in names), shown, f"{what}: names only")
+        for name in names:
+            trap = re.fullmatch(r"(\w+)/(\w+): (.+)", name)
+            traps.append(trap.groups()) if trap else tests.append(name)
+    return traps, tests
+
+
+def test_every_trap_of_the_table_exists_and_holds():
+    traps, tests = shown_traps()
+    check(len(traps) > 50 and len(tests) > 20, "the table is read")
+    for topic, name, trap in traps:
+        result = gradus("stress", topic, "--replay", f"{name}:{trap}")
+        equal((result.code, result.err), (0, ""), f"{topic}/{name}: {trap}")
+    sources = [f.read_text(encoding="utf-8") for f in project.sources(project.ROOT, "tests/unit")]
+    existing = {".".join(names) for text in sources
+                for names in re.findall(r"^TEST\((\w+), (\w+)\)", text, re.MULTILINE)}
+    equal(sorted(set(tests) - existing), [], "tests that do not exist")
+
+
+def test_the_page_lists_every_promise():
+    page = (project.ROOT / "docs/stress.md").read_text(encoding="utf-8")
+    attacked = page.split("## What is attacked")[1].split("\n## ")[0]
+    rows = re.findall(r"^\| `(\w+)` \| (.+) \|$", attacked, re.MULTILINE)
+    listed = {topic: re.findall(r"`(\w+)`", row) for topic, row in rows}
+    found, topic = {}, ""
+    for line in gradus("stress", "--seconds", "1").out.splitlines():
+        if re.fullmatch(r"\w+", line):
+            topic = line
+        promise = re.match(r"[ X] (\w+) +\d+ cases", line)
+        if promise:
+            found.setdefault(topic, []).append(promise.group(1))
+    check(f"{sum(map(len, found.values()))} promises of {len(found)} topics" in attacked, "the page's numbers")
+    equal({t: sorted(p) for t, p in listed.items()}, {t: sorted(p) for t, p in found.items()}, "the page's table")
+
+
 def test_the_seed_decides():
     runs = [gradus("stress", "affine_3d", "--seconds", "1", "--random-seed", seed).out for seed in ("5", "6")]
     for run, seed in zip(runs, ("5", "6")):
@@ -53,7 +96,7 @@ def test_bad_input_is_one_line():
     whole = "expected a whole number from {} to {}, found '{}'"
     table = [
         (["nosuch_topic"], "TOPIC: expected the name of a topic (`gradus list` shows all), found 'nosuch_topic'"),
-        (["flood_fill"], "TOPIC: flood_fill has no stress test"),
+        (["textbook chain"], "TOPIC: pipeline has no stress test"),
         (["--seconds", "0"], "--seconds: " + whole.format(1, 1000000, 0)),
         (["--seconds", "2.5"], "--seconds: " + whole.format(1, 1000000, 2.5)),
         (["--random-seed", "-1"], "--random-seed: " + whole.format(0, 2**63 - 1, -1)),

@@ -77,6 +77,7 @@ Domain liang_barsky_circle() {
                       {"circle", fmt::format("{},{},{}", i[4], i[5], i[6])}};
             },
             .traps = {{"starts on the rim", {1, 0, 2, 0, 0, 0, 1}},
+                      {"ends on the rim", {2, 0, 1, 0, 0, 0, 1}},
                       {"zero length inside", {0.5, 0, 0.5, 0, 0, 0, 1}},
                       {"zero length outside", {2, 0, 2, 0, 0, 0, 1}},
                       {"misses by an ulp", {-2, one_up, 2, one_up, 0, 0, 1}},

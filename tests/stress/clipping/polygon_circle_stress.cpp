@@ -303,6 +303,8 @@ std::vector<Trap> traps() {
        shape_of({0, 0, 5}, {{5, 0}, {3, 4}, {-3, 4}, {-5, 0}, {-4, -3}, {4, -3}})},
       {"edges touch the circle", shape_of({0, 0, 5}, {{5, -5}, {5, 5}, {-5, 5}, {-5, -5}})},
       {"tangent from inside", shape_of({0, 3, 3}, {{-5, 0}, {5, 0}, {5, -4}, {-5, -4}})},
+      {"a corner on the smallest circle",
+       shape_of({0, 0, 0x5p-987}, {{0, 0}, {-0x2p-987, 0}, {0, -0x5p-987}, {0x2p-987, 0}})},
       {"a radius of 0", shape_of({1, 1, 0}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}})},
       {"no area", shape_of({0, 0, 1}, {{-2, 0}, {2, 0}})},
       {"a radius that is no number", shape_of({0, 0, std::nan("")}, {{0, 0}, {2, 0}, {2, 2}})},

@@ -76,6 +76,14 @@ TEST(Illumination, WhatHasNoDirectionAddsNothing) {
   EXPECT_EQ(parts.diffuse + parts.specular, dvec3{0});  // no normal, although n = 0
 }
 
+TEST(Illumination, ExponentsOfAnySizeGiveNumbers) {
+  EXPECT_NEAR(lit({0, 0, 4}, {0, 0, 4}, surface(0, 0.5f, 1e6f)).x, 0.6, 1e-7);  // straight into the mirror
+  EXPECT_NEAR(lit({0, 0, 4}, {1, 0, 4}, surface(0, 0.5f, 1e6f)).x, 0.1, 1e-7);  // a little beside it
+  EXPECT_NEAR(lit({0, 0, 4}, {1, 0, 4}, surface(0, 0.5f, 0)).x, 0.6, 1e-7);     // a highlight everywhere
+  // A root of a negative cosine
+  EXPECT_NEAR(lit({3, 0, 4}, {10, 0, -0.5}, surface(0, 0.5f, 0.5f)).x, 0.1, 1e-7);
+}
+
 TEST(Illumination, LightsAddUpAndWeaken) {
   const Material m = surface(0.5f, 0, 1);
   Light near = lamp({0, 0, 2}), far = lamp({0, 0, 2});

@@ -63,6 +63,21 @@ TEST(BackFaceCulling, FrontIsCounterClockwiseWithYUp) {
   EXPECT_EQ(facing(V{0, 0, 0, 0}, V{1, 1, 0, 1}, V{2, 0, 0, 1}), Facing::edge_on);
 }
 
+TEST(BackFaceCulling, FromInsideAClosedBodyAllFacesAreBacks) {
+  // The face ahead of the eye, counter-clockwise from outside, turned to the six sides of a cube
+  const dvec3 corners[] = {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      V face[3];
+      for (int i = 0; i < 3; ++i) {
+        const dvec3 p{side * corners[i].x, corners[i].y, side * corners[i].z};
+        face[i] = V{p[axis], p[(axis + 1) % 3], 0, p[(axis + 2) % 3]};
+      }
+      EXPECT_EQ(facing(face[0], face[1], face[2]), Facing::back) << axis << ' ' << side;
+    }
+  }
+}
+
 TEST(BackFaceCulling, FarFromTheOriginNothingCancels) {
   // E002-12: six products of coordinates near 1e8 leave 0 of a doubled area of 0.825
   const double far = 1e8;
