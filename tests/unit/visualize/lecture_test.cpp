@@ -320,7 +320,7 @@ TEST(Lecture, FindsAllProblemsInOneGo) {
           "6: figures[0].input.to: expected two whole numbers from -2147483648 to 2147483647 like 3,4, "
           "found '9.5,4'",
           "7: figures[0].method: expected one of decision_parameter, run_length, dda, first_octant, "
-          "swapped_ends, found 'breadth_first'",
+          "swapped_ends, misprinted_derivation, found 'breadth_first'",
           HasSubstr("7: figures[0].size: expected a width and a height"),
           HasSubstr("9: figures[2].topic: expected one of "),
           "9: figures[2].input: expected an object of the topic's inputs like {\"from\": \"0,0\"}, found 4",
