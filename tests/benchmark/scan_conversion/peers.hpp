@@ -24,6 +24,12 @@ namespace gradus::bench::peers {
 
 using drawings::Canvas;
 
+/// Releases what a C library has made.
+template <auto release>
+struct With {
+  void operator()(auto* made) const { release(made); }
+};
+
 /// Cairo strokes a pixel wide, without antialiasing, on a canvas as its surface of alphas.
 class CairoPen {
  public:
@@ -47,8 +53,8 @@ class CairoPen {
   }
 
  private:
-  std::unique_ptr<cairo_surface_t, decltype([](cairo_surface_t* s) { cairo_surface_destroy(s); })> surface_;
-  std::unique_ptr<cairo_t, decltype([](cairo_t* context) { cairo_destroy(context); })> context_;
+  std::unique_ptr<cairo_surface_t, With<cairo_surface_destroy>> surface_;
+  std::unique_ptr<cairo_t, With<cairo_destroy>> context_;
 };
 
 #ifdef GRADUS_HAS_AGG
@@ -112,8 +118,7 @@ class MesaPicture {
 
  private:
   Raster<std::uint32_t> picture_;
-  std::unique_ptr<osmesa_context, decltype([](OSMesaContext context) { OSMesaDestroyContext(context); })>
-      context_;
+  std::unique_ptr<osmesa_context, With<OSMesaDestroyContext>> context_;
 };
 #endif
 
