@@ -103,8 +103,7 @@ std::string anchor_of(std::string_view heading) {
 /// A topic's page in the making: its Markdown tree, changed in place.
 class Page {
  public:
-  explicit Page(const TopicEntry& topic)
-      : topic_(topic), document_(parsed(docs_text(file_of(topic)))) {}
+  explicit Page(const TopicEntry& topic) : topic_(topic), document_(parsed(docs_text(file_of(topic)))) {}
 
   std::string body(std::span<const Link> figures) {
     put_pictures();
