@@ -157,9 +157,9 @@ glm::vec<3, T> spare_hint(glm::vec<3, T> ahead) {
 ///
 /// eye, target: in world space, apart. up: a hint; also 0, and along the view.
 ///
-/// Domain: finite coordinates of any size. There the picture turns at once, for what points up can't be
-/// chosen
-///   for all directions without a jump somewhere.
+/// Domain: finite coordinates of any size.
+///   Where the hint is replaced the picture turns at once: what points up can't be chosen for all
+///   directions without a jump somewhere.
 /// Steps: HintReplaced? Aimed Levelled Framed.
 /// Accuracy: as look_at; with the spare hint the sine is above 0.7.
 /// Cost: as look_at, and two square roots and a cross product more.

@@ -68,8 +68,8 @@ Matrix<T> transposed(const Frame<T>& frame, O&& observer = {}) {
 /// Domain: right where the sine between up and the view is far from 0. Along the view, and for target = eye,
 ///   NaN. From straight above up = (1e-17, 1, 0) "works": right is (0, 0, 1), for 1e-17 is left of up.
 /// Steps: Aimed Levelled Framed.
-/// Accuracy: that of look_at divided by the sine, right angles included; vectors whose squares leave T are
-/// lost. Cost: two square roots, two cross products. Errors: none, where there should be one.
+/// Accuracy: that of look_at divided by the sine; vectors whose squares leave T are lost.
+/// Cost: two square roots, two cross products. Errors: none, where there should be one.
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> cross_products(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
   const auto along = target - eye;

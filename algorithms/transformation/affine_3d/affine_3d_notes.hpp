@@ -61,9 +61,9 @@ struct OffsetAdded {
 ///
 /// car: where the car is. camera: where the camera is before the car turns about n by an angle.
 ///
-/// Domain: right for offsets parallel to n. A mount that turns with the car takes (1, 0, 2) to (0, 1, 2)
-/// after a
-///   quarter turn about z; here it stays (1, 0, 2).
+/// Domain: right for offsets parallel to n.
+///   A mount that turns with the car takes (1, 0, 2) to (0, 1, 2) after a quarter turn about z; here it
+///   stays (1, 0, 2).
 /// Steps: OffsetAdded.
 /// Accuracy: none.
 /// Cost: 3 subtractions, 3 additions.
