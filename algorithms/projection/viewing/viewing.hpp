@@ -167,8 +167,8 @@ glm::vec<3, T> spare_hint(glm::vec<3, T> ahead) {
 template <std::floating_point T, Observer<HintReplaced<T>, Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> spare_up(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
-  const Vec along = way(eye, target);
-  const Vec ahead = unit_vector(along);
+  expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
+  const Vec ahead = unit_vector(way(eye, target));
   // Does up say what is right?
   const Vec hint = unit_vector(up);
   const Vec across = glm::cross(ahead, hint);

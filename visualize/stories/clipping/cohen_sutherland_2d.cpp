@@ -100,7 +100,7 @@ class Teller {
   }
 
   void operator()(const Accepted<double>& a, int source_line = __builtin_LINE(), const char* = nullptr) {
-    const double off = task_.right ? window_view::off_by(a.line, *task_.right) : 0;
+    const window_view::Off off = task_.right ? window_view::off_by(a.line, *task_.right) : window_view::Off{};
     View view = drawing(Role::result);
     const bool wrong = task_.faulty && task_.right && !(a.line == *task_.right);
     if (wrong) add_right(view);
@@ -110,18 +110,17 @@ class Teller {
       step.level = Level::idea;
       step.fields = {{"x0", a.line.a.x}, {"y0", a.line.a.y}, {"x1", a.line.b.x}, {"y1", a.line.b.y}};
       const bool unclipped = wrong || !task_.right;
-      if (!unclipped && off > 0) {
-        step.sentence = words_.count("cohen_sutherland_2d.accepted_off", static_cast<std::int64_t>(off),
-                                     arg("from", figure_place(a.line.a)), arg("to", figure_place(a.line.b)));
+      if (!unclipped && off.doubles > 0) {
+        step.sentence = window_view::moved_by_rounding(words_, "cohen_sutherland_2d.accepted_off",
+                                                       "cohen_sutherland_2d.accepted_far", a.line, off);
       } else {
         const char* key = unclipped ? "cohen_sutherland_2d.unclipped" : "cohen_sutherland_2d.accepted";
         step.sentence =
             words_.say(key, arg("from", figure_place(a.line.a)), arg("to", figure_place(a.line.b)));
       }
     });
-    writer_.trace().result = {{"accepted", true},
-                              {"cuts", static_cast<std::int64_t>(cuts_.size())},
-                              {"off_by", static_cast<std::int64_t>(off)}};
+    writer_.trace().result = {
+        {"accepted", true}, {"cuts", static_cast<std::int64_t>(cuts_.size())}, {"off_by", off.doubles}};
   }
 
   void operator()(const Rejected& r, int source_line = __builtin_LINE(), const char* = nullptr) {

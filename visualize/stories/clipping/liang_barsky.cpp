@@ -203,21 +203,21 @@ class Teller {
 
   void kept(const Line<double>& line, std::string type, int source_line) {
     const auto right = correctly_rounded(task_.line, task_.window);
-    const double off = right ? window_view::off_by(line, *right) : 0;
+    const window_view::Off off = right ? window_view::off_by(line, *right) : window_view::Off{};
     show(drawing(Role::result), source_line, [&](TraceStep& step) {
       step.type = std::move(type);
       step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"x0", line.a.x}, {"y0", line.a.y}, {"x1", line.b.x}, {"y1", line.b.y}};
-      if (off > 0) {
-        step.sentence = words_.count("liang_barsky.accepted_off", static_cast<std::int64_t>(off),
-                                     arg("from", figure_place(line.a)), arg("to", figure_place(line.b)));
+      if (off.doubles > 0) {
+        step.sentence = window_view::moved_by_rounding(words_, "liang_barsky.accepted_off",
+                                                       "liang_barsky.accepted_far", line, off);
       } else {
         step.sentence = words_.say("liang_barsky.accepted", arg("from", figure_place(line.a)),
                                    arg("to", figure_place(line.b)));
       }
     });
-    writer_.trace().result = {{"accepted", true}, {"off_by", static_cast<std::int64_t>(off)}};
+    writer_.trace().result = {{"accepted", true}, {"off_by", off.doubles}};
   }
   void missed(std::string type, int source_line) {
     show(drawing(Role::rejected), source_line, [&](TraceStep& step) {

@@ -2,8 +2,12 @@
 // What stories of segments in a window draw alike: the plane round the window, the segment, its parts.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "figure/wording.hpp"
@@ -103,22 +107,45 @@ class Scene {
   Rectangle window_, shown_;
 };
 
-/// How many doubles lie between two ends and the right ones, at most.
-inline double doubles_between(double x, double y) {
-  double steps = 0;
-  for (double low = std::min(x, y), high = std::max(x, y); low < high && steps < 1e6; ++steps) {
-    low = std::nextafter(low, high);
-  }
-  return steps;
+/// How many doubles one is from the other: they have the order of their bits, those below 0 the reverse.
+inline std::int64_t doubles_between(double x, double y) {
+  const auto number_of = [](double v) {
+    const auto bits = std::bit_cast<std::int64_t>(v);
+    return bits < 0 ? INT64_MIN - bits : bits;  // 0 and -0 are one
+  };
+  const auto [low, high] = std::minmax({number_of(x), number_of(y)});
+  const auto steps = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(steps, INT64_MAX));
 }
 
-inline double off_by(const Line& found, const Line& right) {
-  double most = 0;
+/// How far the ends of a piece are from the right ones, each coordinate for itself.
+struct Off {
+  std::int64_t doubles = 0;  ///< the most that one of them is off
+  double distance = 0;
+};
+
+inline Off off_by(const Line& found, const Line& right) {
+  Off most;
   for (int axis = 0; axis < 2; ++axis) {
-    most = std::max(
-        {most, doubles_between(found.a[axis], right.a[axis]), doubles_between(found.b[axis], right.b[axis])});
+    for (const auto& [x, y] : {std::pair{found.a[axis], right.a[axis]}, {found.b[axis], right.b[axis]}}) {
+      most.doubles = std::max(most.doubles, doubles_between(x, y));
+      most.distance = std::max(most.distance, std::abs(x - y));
+    }
   }
   return most;
+}
+
+/// The sentence of an accepted piece whose ends rounding has moved: by how many doubles (`near`), and where
+/// nobody counts those any more, next to 0, how far (`far`).
+inline std::string moved_by_rounding(const Wording& words, std::string_view near, std::string_view far,
+                                     const Line& line, const Off& off) {
+  constexpr std::int64_t countable = 1'000'000;
+  const std::string from = figure_place(line.a), to = figure_place(line.b);
+  if (off.doubles < countable) {
+    return words.count(near, off.doubles, fmt::arg("from", from), fmt::arg("to", to));
+  }
+  return words.say(far, fmt::arg("from", from), fmt::arg("to", to),
+                   fmt::arg("distance", figure_real(off.distance)));
 }
 
 /// "(−4)" for a negative number, as a later term.
