@@ -418,7 +418,8 @@ def looping(check, browser, made):
     page.run('player.setLoop({first: 2, last: 4, on: true})')
     page.go('6')
     page.press('r')
-    check.equal('R plays from the start of the loop', [page.step, page.run('return player.playing')], ['2', True])
+    # On a busy machine it may have gone a step on before it is looked at
+    check.that('R plays from the start of the loop', page.step in ('2', '3') and page.run('return player.playing'), page.step)
     fine = Page(browser, made / 'fine.html', '#loop=2-2.2&speed=32')
     fine.run('window.seen = []; const show = player.show; player.show = function (index) {'
              'show.call(this, index); window.seen.push(this.run.steps[this.index].number); }; player.play()')

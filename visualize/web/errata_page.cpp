@@ -54,9 +54,9 @@ std::string refusal_html(const std::string& refusal) {
 }
 
 std::string exhibit_html(const Exhibit& exhibit) {
-  // Names a reader of screens can tell apart: of one input several wrong forms may be shown
+  // Names a reader of screens can tell apart: one input may have several wrong forms, one form several errata
   const std::string about =
-      fmt::format("{}, {} for {}", exhibit.title, exhibit.wrong_name, exhibit.right_name);
+      fmt::format("{}: {}, {} for {}", exhibit.id, exhibit.title, exhibit.wrong_name, exhibit.right_name);
   std::string facts;
   for (const std::string& fact : {exhibit.parting, exhibit.outcome, exhibit.difference}) {
     if (!fact.empty()) facts += fmt::format("<li>{}</li>\n", escaped(fact));

@@ -166,17 +166,17 @@ glm::vec<3, T> spare_hint(glm::vec<3, T> ahead) {
 /// Errors: ContractViolation when a coordinate is not finite, and when eye and target are the same point.
 template <std::floating_point T, Observer<HintReplaced<T>, Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> spare_up(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
-  using Vec = glm::vec<3, T>;
   expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
-  const Vec ahead = unit_vector(way(eye, target));
+  const auto along = way(eye, target);
+  const auto ahead = unit_vector(along);
   // Does up say what is right?
-  const Vec hint = unit_vector(up);
-  const Vec across = glm::cross(ahead, hint);
+  const auto hint = unit_vector(up);
+  const auto across = glm::cross(ahead, hint);
   const T sine = glm::length(across);
   if (!(sine < least_sine<T>)) {
     return look_at(eye, target, up, observer);
   }
-  const Vec top = spare_hint(ahead);
+  const auto top = spare_hint(ahead);
   if constexpr (observed<O>) observer(HintReplaced<T>{up, top});
   return look_at(eye, target, top, observer);
 }

@@ -428,6 +428,7 @@ TEST(Layout, ATitleOfOnesOwnReplacesTheTopics) {
 
 TEST(Layout, ALongTitleIsBrokenThenShortened) {
   for (const Case& aspect : aspects()) {
+    if (test::sanitized && aspect.name != "16:9" && aspect.name != "3:4") continue;
     SCOPED_TRACE(aspect.name);
     for (const int words : {8, 40}) {
       Look look = aspect.look;

@@ -15,6 +15,7 @@
 
 #include "figure/layout.hpp"
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/sheets.hpp"
 #include "text/text_output.hpp"
@@ -282,7 +283,7 @@ void for_each_sheet(const std::vector<Trace>& traces, See see) {
   for (const Trace& trace : traces) {
     SCOPED_TRACE(fmt::format("{} {} {}", trace.topic, trace.method, trace.subtitle));
     Playhead playhead(trace);
-    const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 12);
+    const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / test::thinned(12, 3));
     for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
       SCOPED_TRACE("step " + text_of(trace.steps[i].number));
       const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
@@ -310,7 +311,7 @@ TEST(Labels, StandForTheSymbolEverywhereButInTheListing) {
       }
       check(caption_of(figure));
     });
-    EXPECT_GT(labels, 500u);
+    EXPECT_GT(labels, test::thinned(500, 3));
     ASSERT_EQ(traces.size(), plain.size());
     for (std::size_t i = 0; i < traces.size(); ++i) {
       for (const std::string& text : texts_of(traces[i])) check(text);
