@@ -16,8 +16,7 @@ using Line = Segment<3, double>;
 using Box = AxisBox<3, double>;
 using HomogeneousLine = Segment<4, double>;
 
-// --- The box
-// -------------------------------------------------------------------------------------------------
+// --- The box ---
 
 std::optional<Line> correctly_rounded(const Line& line, const Box& box) {
   return cohen_sutherland_3d::correctly_rounded(line, box);
@@ -37,8 +36,7 @@ std::vector<Trap> box_traps() {
           {"touches a corner", {-1, 1, 0, 1, -1, 0, 0, 0, 0, 10, 10, 10}}};
 }
 
-// --- The view volume
-// -----------------------------------------------------------------------------------------
+// --- The view volume ---
 
 HomogeneousLine segment_of(const Input& i) { return {{i[0], i[1], i[2], i[3]}, {i[4], i[5], i[6], i[7]}}; }
 

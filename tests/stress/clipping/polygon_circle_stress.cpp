@@ -26,8 +26,7 @@ using test::Rational;
 using test::Wide;
 using Points = std::vector<dvec2>;
 
-// --- Inputs: centre, radius, six corners
-// ----------------------------------------------------------------------
+// --- Inputs: centre, radius, six corners ---
 
 constexpr std::size_t corners = 6, shape_numbers = 3 + 2 * corners;
 
@@ -120,8 +119,7 @@ Input shape(Kind kind, Random& random) {
   }
 }
 
-// --- Promises
-// ------------------------------------------------------------------------------------------------
+// --- Promises ---
 
 /// Whether a point lies in a polygon, not on it: an odd number of edges passes right of it.
 bool holds(const Points& points, dvec2 at) {

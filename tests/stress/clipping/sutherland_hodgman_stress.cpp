@@ -30,8 +30,7 @@ using Points = std::vector<dvec2>;
 using Vertices = std::vector<sutherland_hodgman::Vertex<double>>;
 using ExactPoints = std::vector<ExactPoint>;
 
-// --- Inputs: a window, a polygon of six corners, and in which order the borders come
-// --------------------------
+// --- Inputs: a window, a polygon of six corners, and in which order the borders come ---
 
 constexpr std::size_t corners = 6;
 
@@ -139,8 +138,7 @@ Input convex_input(Kind kind, Random& random) {
 }
 constexpr std::size_t convex_numbers = 8 + 2 * corners + 1;
 
-// --- The oracle: Sutherland and Hodgman in rationals
-// ----------------------------------------------------------
+// --- The oracle: Sutherland and Hodgman in rationals ---
 
 /// A border's line with the window on its left.
 using Border = std::array<ExactPoint, 2>;
@@ -225,8 +223,7 @@ double vertex_error(const Vertices& clipped, const Points& points, const Window&
   return best;
 }
 
-// --- Promises
-// ------------------------------------------------------------------------------------------------
+// --- Promises ---
 
 double rectangle_error(const Input& i) {
   const auto order = order_in(i.back());
@@ -327,8 +324,7 @@ double pieces_error(const Input& i) {
   return static_cast<double>(Rational(off / most));
 }
 
-// --- Clip space
-// ----------------------------------------------------------------------------------------------
+// --- Clip space ---
 
 /// Two homogeneous points, the plane's axis, sign and bound.
 Input plane_input(Kind kind, Random& random) {

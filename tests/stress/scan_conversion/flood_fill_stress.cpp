@@ -25,8 +25,7 @@ using flood_fill::Method;
 constexpr std::array methods{Method::depth_first, Method::breadth_first, Method::span};
 constexpr std::int64_t lowest = std::numeric_limits<int>::min(), highest = std::numeric_limits<int>::max();
 
-// --- Pictures
-// ------------------------------------------------------------------------------------------------
+// --- Pictures ---
 
 /// What a picture is made of where nothing is left to chance.
 enum Pattern { full, checkerboard, upright_comb, level_comb, rings, maze, patterns };
@@ -129,8 +128,7 @@ std::int64_t count(const Raster<std::uint8_t>& cells) {
   return std::count(cells.cells().begin(), cells.cells().end(), 1);
 }
 
-// --- Rasters
-// -------------------------------------------------------------------------------------------------
+// --- Rasters ---
 
 /// Width, height, seed, connectivity, picture, new value.
 constexpr std::size_t raster_numbers = 9;
@@ -259,8 +257,7 @@ std::vector<Trap> raster_traps() {
           {"corners across two words", {130, 40, 64, 20, 8, checkerboard, 1, 0, 2}}};
 }
 
-// --- Windows
-// -------------------------------------------------------------------------------------------------
+// --- Windows ---
 
 /// Lower and upper corner, seed, connectivity, picture.
 Input window_input(Kind kind, Random& random) {
@@ -333,8 +330,7 @@ double window_error(const Input& i) {
   return error;
 }
 
-// --- Images
-// --------------------------------------------------------------------------------------------------
+// --- Images ---
 
 /// Width, height, seed, connectivity, tolerance, how many shades a channel has, noise, shade of the ink.
 Input image_input(Kind kind, Random& random) {
