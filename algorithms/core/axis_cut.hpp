@@ -153,7 +153,7 @@ inline double cut_coordinate(double a_axis, double b_axis, double a_other, doubl
 inline float cut_coordinate(float a_axis, float b_axis, float a_other, float b_other, float c) {
   const double exact_to_double =
       cut_coordinate(double{a_axis}, double{b_axis}, double{a_other}, double{b_other}, double{c});
-  const float nearest = static_cast<float>(exact_to_double);
+  const float nearest = static_cast<float>(exact_to_double) + 0.0f;  // of what underflows, -0, too
   if (double{nearest} == exact_to_double) return nearest;
   // Midway between two floats the exact point decides, which may lie a little beside the double
   const float other = std::nextafter(nearest, exact_to_double < double{nearest} ? -INFINITY : INFINITY);

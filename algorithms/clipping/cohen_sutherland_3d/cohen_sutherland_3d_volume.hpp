@@ -173,11 +173,11 @@ bool negative_at(const Crossing<T>& c, const Depth<T>& a, const Depth<T>& b) {
   return coordinate_at(c, a.base + a.offset, b.base + b.offset) < T(0);
 }
 
-/// coordinate_at for float: the nearest float, not the float nearest to the nearest double.
+/// coordinate_at for float: the nearest float, not the float nearest to the nearest double; a zero is +0.
 inline float coordinate_at(const Crossing<float>& c, float a, float b) {
   const Crossing<double> there = widened(c);
   const double exact_to_double = coordinate_at(there, double{a}, double{b});
-  const float nearest = static_cast<float>(exact_to_double);
+  const float nearest = static_cast<float>(exact_to_double) + 0.0f;  // of what underflows, -0, too
   if (double{nearest} == exact_to_double) return nearest;
   // Midway between two floats the exact point decides, which may lie a little beside the double
   const float other = std::nextafter(nearest, exact_to_double < double{nearest} ? -INFINITY : INFINITY);

@@ -181,7 +181,7 @@ TEST_F(AxisCutProperty, FastArithmeticSufficesInItsDomain) {
 }
 
 TEST_F(AxisCutProperty, IsTheNearestFloat) {
-  int ran = 0, twice_rounded = 0;
+  int ran = 0, twice_rounded = 0, underflown = 0;
   for (int i = 0; i < 30000; ++i) {
     SCOPED_TRACE(where(i));
     Case<float> k{};
@@ -197,18 +197,33 @@ TEST_F(AxisCutProperty, IsTheNearestFloat) {
     k.c = any_float(double{k.a_axis}, double{k.b_axis});
     if (i % 3 == 0) {  // midway between two floats, a hair beside
       k = {-1, 1, 0x1.000002p0f, 0x1.000004p0f, static_cast<float>(number(-120, -60))};
+    } else if (i % 3 == 1) {  // down to where floats underflow
+      const auto sized = [&] { return static_cast<float>(number(-152, 126)); };
+      k = {-std::abs(sized()), std::abs(sized()), sized(), sized(), 0};
+      if (k.a_axis == k.b_axis) continue;
     }
     const float point = cut(k);
     const Rational exact = exact_cut(k);
     ASSERT_TRUE(is_nearest(point, exact)) << point;
+    ASSERT_FALSE(point == 0 && std::signbit(point));
+    underflown += point == 0 && exact != 0 ? 1 : 0;
     ASSERT_EQ(point, cut(Case<float>{k.b_axis, k.a_axis, k.b_other, k.a_other, k.c}));
     const float over_double =
         static_cast<float>(cut(Case<double>{k.a_axis, k.b_axis, k.a_other, k.b_other, k.c}));
     twice_rounded += over_double != point ? 1 : 0;
     ++ran;
   }
-  EXPECT_GE(ran, 30000);
+  EXPECT_GE(ran, 29900);
   EXPECT_GE(twice_rounded, 1000);
+  EXPECT_GE(underflown, 20);
+}
+
+// What lies between 0 and minus half the smallest float, too
+TEST(AxisCut, ZerosOfFloatsArePlusZero) {
+  const float smallest = std::numeric_limits<float>::denorm_min();
+  EXPECT_FALSE(std::signbit(cut_coordinate(0.0f, 4.0f, -smallest, 0.0f, 3.0f)));  // -1/4 of it
+  EXPECT_FALSE(std::signbit(cut_coordinate(0.0f, 2.0f, -smallest, 0.0f, 1.0f)));  // -1/2 of it, a tie
+  EXPECT_EQ(cut_coordinate(0.0f, 4.0f, -smallest, 0.0f, 1.0f), -smallest);        // -3/4 of it
 }
 
 // --- The order of cuts -----------------------------------------------------------------------------------

@@ -328,6 +328,19 @@ TEST(CohenSutherland3dVolume, CopiesTheCoordinateOfEveryFace) {
   }
 }
 
+// What lies between 0 and minus half the smallest float, too
+TEST(CohenSutherland3dVolume, ZerosOfFloatsArePlusZero) {
+  const float smallest = std::numeric_limits<float>::denorm_min();
+  const Segment<4, float> line{{0, -smallest, 0.5f, 1}, {4, 0, 0.5f, 1}};
+  const auto part = correctly_rounded(line, volume);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->b, glm::vec4(1, -smallest, 0.5f, 1));  // -3/4 of it
+  const auto half = correctly_rounded(Segment<4, float>{{0, -smallest, 0.5f, 1}, {2, 0, 0.5f, 1}}, volume);
+  ASSERT_TRUE(half);
+  EXPECT_EQ(half->b.y, 0);  // -1/2 of it, a tie
+  EXPECT_FALSE(std::signbit(half->b.y));
+}
+
 TEST(CohenSutherland3dVolume, RefusesWhatIsNoPoint) {
   const dvec4 point{0.5, 0.25, 0.5, 1};
   const auto refused = [](dvec4 a, dvec4 b) {
