@@ -181,7 +181,7 @@ class BoxCases : public HardNumbers {
 /// through edges of the volume or a few steps beside them.
 class VolumeCases : public HardNumbers {
  public:
-  static constexpr int kinds = 7;
+  static constexpr int kinds = 8;
   using HardNumbers::HardNumbers;
 
   Segment<4, double> operator()(int kind) {
@@ -198,8 +198,10 @@ class VolumeCases : public HardNumbers {
         return mixed(-20, 20);
       case 5:
         return mixed(-1070, 1020);
-      default:
+      case 6:
         return on_grid();
+      default:
+        return past_nothing(-1074);
     }
   }
 
@@ -207,6 +209,19 @@ class VolumeCases : public HardNumbers {
     const auto at = [&] { return glm::dvec4(point(-2, 2), random.uniform(-0.7, 2)); };
     const glm::dvec4 a = at();
     return {a, at()};
+  }
+  /// From a few of the smallest numbers, 2^smallest, past (0, 0, 0, 0) nearly to the opposite
+  Segment<4, double> past_nothing(int smallest) {
+    const auto at = [&] {
+      const double x = integer(-3, 3), y = integer(-3, 3), z = integer(-1, 3);
+      return glm::dvec4(x, y, z, integer(0, 3));
+    };
+    const glm::dvec4 a = at(), aside = at();
+    const double back = std::ldexp(1.0, static_cast<int>(random.uniform_int(0, std::min(-smallest, 1000))));
+    glm::dvec4 b(0);
+    for (int i = 0; i < 4; ++i) b[i] = random.unit() < 0.5 ? aside[i] - back * a[i] : -back * nudged(a[i]);
+    const double scale = std::ldexp(1.0, smallest);
+    return {scale * a, scale * b};
   }
 
  private:

@@ -102,6 +102,23 @@ inline std::optional<ExactEnds<4>> exact_part(const Segment<4, double>& line) {
   return part;
 }
 
+/// What stands for a homogeneous point in numbers of the type: the point itself, or, where it would round to
+/// (0, 0, 0, 0), the same divided by w. Domain: no coordinate is larger than w.
+template <class T>
+std::array<Rational, 4> representable(std::array<Rational, 4> p) {
+  // Half the smallest number is a tie, and 0 is even
+  const Rational w = p[3];
+  if (2 * w <= Rational(std::numeric_limits<T>::denorm_min())) {
+    for (Rational& x : p) x /= w;
+  }
+  return p;
+}
+template <class T>
+std::optional<ExactEnds<4>> representable(const std::optional<ExactEnds<4>>& part) {
+  if (!part) return std::nullopt;
+  return ExactEnds<4>{representable<T>(part->a), representable<T>(part->b)};
+}
+
 template <int N, class T>
 bool same_bits(const Segment<N, T>& p, const Segment<N, T>& q) {
   for (int i = 0; i < N; ++i) {

@@ -93,20 +93,24 @@ inline std::optional<double> coordinate_at_filtered(const Crossing<double>& c, d
   return sum_with_quotient_filtered(a, way, two_difference(b, a), length);
 }
 
-/// The same by exact arithmetic alone.
-inline double coordinate_at_exact(const Crossing<double>& c, double a, double b) {
-  // (b d(a) - a d(b)) / (d(a) - d(b)), multiplied out
+/// b d(a) - a d(b), multiplied out: a coordinate at the crossing, times d(a) - d(b).
+inline SumOfProducts<2> numerator_at(const Crossing<double>& c, double a, double b) {
   SumOfProducts<2> numerator;
   numerator.add(b, c.a.base);
   numerator.add(b, c.a.offset);
   numerator.subtract(a, c.b.base);
   numerator.subtract(a, c.b.offset);
+  return numerator;
+}
+
+/// The same as coordinate_at_filtered by exact arithmetic alone.
+inline double coordinate_at_exact(const Crossing<double>& c, double a, double b) {
   SumOfProducts<1> denominator;
   denominator.add(c.a.base);
   denominator.add(c.a.offset);
   denominator.subtract(c.b.base);
   denominator.subtract(c.b.offset);
-  return rounded_quotient(numerator, denominator) + 0.0;
+  return rounded_quotient(numerator_at(c, a, b), denominator) + 0.0;
 }
 
 /// The number nearest to a coordinate that is `a` at one end and `b` at the other, where the way between them
@@ -189,9 +193,22 @@ inline float coordinate_at(const Crossing<float>& c, float a, float b) {
   return (other > nearest ? above : below) ? other : nearest;
 }
 
+/// The crossing divided by its w: (x / w, y / w, z / w, 1), each the nearest double. Domain: w is not 0
+/// there.
+inline glm::dvec4 divided_at(const Crossing<double>& c, const glm::dvec4& a, const glm::dvec4& b) {
+  glm::dvec4 point(1);
+  const SumOfProducts<2> w = numerator_at(c, a.w, b.w);
+  for (int i = 0; i < 3; ++i) point[i] = rounded_quotient(numerator_at(c, a[i], b[i]), w) + 0.0;
+  return point;
+}
+inline glm::vec4 divided_at(const Crossing<float>& c, const glm::vec4& a, const glm::vec4& b) {
+  return glm::vec4(divided_at(widened(c), glm::dvec4(a), glm::dvec4(b)));
+}
+
 /// The end where the original line meets a face: the coordinate across the face is copied from w (near: 0),
-/// the others are the nearest numbers; the code is that of the exact point. Domain: the ends lie on different
-/// sides of the face, or one of them on it. T: float, double or gradus::Exact.
+/// the others are the nearest numbers; the code is that of the exact point. An end of the volume that would
+/// round to (0, 0, 0, 0), which is no point, is divided by its w. Domain: the ends lie on different sides of
+/// the face, or one of them on it. T: float, double or gradus::Exact.
 template <class T>
 End<4, T> end_at(const Line<4, T>& line, Border face, const ViewVolume&) {
   const Crossing<T> there{depth(line.a, face), depth(line.b, face)};
@@ -206,6 +223,10 @@ End<4, T> end_at(const Line<4, T>& line, Border face, const ViewVolume&) {
     // Where both ends agree, so does all between them
     const bool out = negative(a) == negative(b) ? negative(a) : negative_at(there, a, b);
     if (out) end.code |= bit(other);
+  }
+  if constexpr (std::floating_point<T>) {
+    // In the volume the others are no larger than w
+    if (end.code == 0 && end.at.w == 0) end.at = copied_onto(divided_at(there, line.a, line.b), face);
   }
   return end;
 }

@@ -341,6 +341,22 @@ TEST(CohenSutherland3dVolume, ZerosOfFloatsArePlusZero) {
   EXPECT_FALSE(std::signbit(half->b.y));
 }
 
+// Its right end, (2^-1075, 2^-1075 (1 - 2^-52), 2^-1075, 2^-1075) but for less, would be (0, 0, 0, 0)
+TEST(CohenSutherland3dVolume, AnEndThatRoundsToNoPointIsDivided) {
+  const Homogeneous line{{0x1p-1074, 0, 0x1p-1074, 0}, {-1, 1 - 0x1p-52, -1, 1}};
+  const auto part = correctly_rounded(line, volume);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->a, dvec4(1, 1 - 0x1p-52, 1, 1));
+  EXPECT_EQ(correctly_rounded(*part, volume), part);
+  EXPECT_EQ(correctly_rounded(Homogeneous{line.b, line.a}, volume), (Homogeneous{part->b, part->a}));
+  // In float, too
+  const Segment<4, float> small{{0x1p-149f, 0, 0x1p-149f, 0}, {-1, 1 - 0x1p-23f, -1, 1}};
+  const auto small_part = correctly_rounded(small, volume);
+  ASSERT_TRUE(small_part);
+  EXPECT_EQ(small_part->a, glm::vec4(1, 1 - 0x1p-23f, 1, 1));
+  EXPECT_EQ(correctly_rounded(*small_part, volume), small_part);
+}
+
 TEST(CohenSutherland3dVolume, RefusesWhatIsNoPoint) {
   const dvec4 point{0.5, 0.25, 0.5, 1};
   const auto refused = [](dvec4 a, dvec4 b) {
