@@ -130,6 +130,8 @@ def any_page(check, browser, path):
         page.size(width, height)
         check.that(f'{name}: no scroll bars at {width} x {height}', page.wait_for(f'({FITS_NOW}).every(Boolean)', 2))
     page.size(1280, 720)
+    # The player hears of its new size in a frame to come
+    page.run('return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))')
     no_noise(check, page, name)
     same_however_reached(check, page, name)
     narrow(check, browser, path)
