@@ -2,19 +2,26 @@
 
 import base64
 import json
+import pathlib
 import shutil
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 import urllib.error
 import urllib.request
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import programs
+
+programs.use_nothing_else()
 KEYS = {'ArrowLeft': '\ue012', 'ArrowRight': '\ue014', 'ArrowUp': '\ue013', 'ArrowDown': '\ue015', 'Home': '\ue011',
         'End': '\ue010', 'PageUp': '\ue00e', 'PageDown': '\ue00f', 'Enter': '\ue007', 'Escape': '\ue00c',
         'Tab': '\ue004', 'Space': ' ', 'Shift': '\ue008'}
 
-FLAGS = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+# Through a pipe: the driver would ask for `localhost` by name, which a machine without /etc/hosts doesn't know
+FLAGS = ['--headless=new', '--remote-debugging-pipe', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
          '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-extensions',
          '--disable-default-apps', '--disable-dev-shm-usage', '--force-prefers-reduced-motion',
          '--window-size=1280,720']

@@ -6,6 +6,9 @@ import shutil
 import subprocess
 from dataclasses import dataclass
 
+import programs
+
+programs.use_nothing_else()
 ROOT = pathlib.Path(os.environ.get("GRADUS_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
 BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", ROOT / "build/release"))
 COMMAND = pathlib.Path(os.environ.get("GRADUS_COMMAND", BUILD / "gradus"))
