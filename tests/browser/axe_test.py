@@ -7,8 +7,9 @@ Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, with every di
 one among many of its kind, in two of these ways. Players are all one page: of each topic one is read, in one way, at three
 of its steps, and their dialogs are read in the first ways alone. The first of the pages of FOLDER, which make_pages wrote,
 is read in every theme. GRADUS_STRESS reads everything in all ways.
-axe-core lies beside this file (axe-core/README.md); `--axe` tries another. Prints `N passed, N failed`, exits 1 when
-something was found, and without Chromium 77, or 1 where CI is set.
+axe-core comes from the npm registry (get_axe_core.py in this folder): `--axe` or the environment's GRADUS_AXE says where
+its axe.min.js is. Prints `N passed, N failed`, exits 1 when something was found, and without Chromium or axe-core 77, or 1
+where CI is set.
 """
 
 import argparse
@@ -23,7 +24,6 @@ from webdriver import Browser, WebDriverError
 THEMES = ('light', 'dark', 'greyscale', 'high_contrast')
 SIZES = ((1280, 720), (360, 740))
 WAYS = ((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'), (SIZES[0], 'dark'))
-AXE = pathlib.Path(__file__).resolve().parent / 'axe-core/axe.min.js'
 EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 
 # All of axe-core's rules, its best practices too, and the least size of a target that WCAG 2.2 asks for.
@@ -117,12 +117,14 @@ def missing(what):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('--axe', type=pathlib.Path, default=AXE, help='another axe.min.js')
+    parser.add_argument('--axe', type=pathlib.Path, default=os.environ.get('GRADUS_AXE'), help='axe.min.js')
     parser.add_argument('--made', type=pathlib.Path, help='folder that make_pages has filled')
     parser.add_argument('pages', nargs='*', type=pathlib.Path, help='pages, or folders with all pages below them')
     arguments = parser.parse_args()
     if not shutil.which('chromium') or not shutil.which('chromedriver'):
         return missing('chromium or chromedriver (Debian: chromium chromium-driver)')
+    if not arguments.axe or not arguments.axe.is_file():
+        return missing('axe-core (tests/browser/get_axe_core.py gets it)')
     made = [('line', '#step=0&loop=2-5&marks=1,4'), ('german', ''), ('topic', ''), ('hostile', ''), ('huge', ''),
             ('without_drawing', ''), ('without_title', ''), ('only_sentence', '')]
     with Browser() as browser:
