@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
 """Gets axe-core, the accessibility checker of axe_test.py, from the npm registry: one file, without npm.
 
-    get_axe_core.py FOLDER
+    get_axe_core.py FOLDER [REGISTRY]
 
 Does nothing where FOLDER/axe.min.js is there.
-NPM_CONFIG_REGISTRY names another registry. Exits 1, with one line, when it cannot be had.
+Exits 1, with one line, when it cannot be had.
 """
 import base64
 import hashlib
 import io
-import os
 import pathlib
 import sys
 import tarfile
@@ -29,11 +28,10 @@ def script_in(archive):
         return package.extractfile("package/axe.min.js").read()
 
 
-def main(folder):
+def main(folder, registry="https://registry.npmjs.org"):
     target = pathlib.Path(folder) / "axe.min.js"
     if target.is_file():
         return 0
-    registry = os.environ.get("NPM_CONFIG_REGISTRY", "https://registry.npmjs.org").rstrip("/")
     address = f"{registry}/{PACKAGE}/-/{PACKAGE}-{VERSION}.tgz"
     try:
         with urllib.request.urlopen(address, timeout=60) as answer:
@@ -42,13 +40,13 @@ def main(folder):
         print(f"{PACKAGE} {VERSION} cannot be had from {registry}: {error}", file=sys.stderr)
         return 1
     target.parent.mkdir(parents=True, exist_ok=True)
-    written = target.with_suffix(f".{os.getpid()}.tmp")
+    written = target.with_suffix(".tmp")
     written.write_bytes(script)
     written.replace(target)
     return 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))
