@@ -115,7 +115,9 @@ HWY_INLINE Reach reach_of(const End& from, V dx, V dy, const Disc& c) {
   const V r2A = hn::Mul(c.square.value, A), k2 = hn::Mul(k, k), discriminant = hn::Sub(r2A, k2);
   const V k_error = hn::MulAdd(hn::Add(hn::Abs(left), hn::Abs(right)), number(0x1p-50), number(0x1p-500));
   const V twice_k = hn::MulAdd(hn::Abs(k), number(2), k_error);
-  const V bound = hn::MulAdd(hn::Add(r2A, k2), number(0x1p-49), hn::Mul(k_error, twice_k));
+  const V underflow = hn::Mul(hn::Add(c.square.value, A), number(0x1p-1000));
+  const V bound =
+      hn::Add(hn::MulAdd(hn::Add(r2A, k2), number(0x1p-49), hn::Mul(k_error, twice_k)), underflow);
   return {hn::Gt(discriminant, bound), hn::Gt(hn::Neg(discriminant), bound)};
 }
 

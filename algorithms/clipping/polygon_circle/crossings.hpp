@@ -121,7 +121,7 @@ struct Crossing {
   bool leaves;                        ///< out of the disc
   std::optional<std::size_t> corner;  ///< the corner, where one lies on the circle itself
   dvec2 at;
-  dvec2 direction;  ///< from the centre, in radii; within 2^-50, or worthless for radii below 2^-900
+  dvec2 direction;  ///< from the centre, in radii; within 2^-50
 };
 
 /// How an edge runs in the open disc.
@@ -147,7 +147,7 @@ inline void add_crossings(std::vector<Crossing>& crossings, const Run& run, std:
   const auto chord = chord_on(run.edge, circle);
   const auto add = [&](bool leaves) {
     const bool second = leaves != chord.turned;
-    const dvec2 direction = dvec2(chord.chord.x(second).value, chord.chord.y(second).value) / circle.radius;
+    const dvec2 direction = dvec2(chord.chord.x(second).value, chord.chord.y(second).value) / chord.radius;
     const bool on_circle = (leaves ? run.to : run.from) == 0;
     const dvec2 end = leaves ? run.edge.to : run.edge.from;
     const std::size_t corner = leaves ? (i + 1) % n : i;
@@ -166,12 +166,12 @@ inline void add_crossings(std::vector<Crossing>& crossings, const Run& run, std:
 class CircleOrder {
  public:
   CircleOrder(std::span<const dvec2> corners, const Circle<double>& circle)
-      : corners_(corners), circle_(circle), error_(circle.radius < 0x1p-900 ? HUGE_VAL : 0x1p-50) {}
+      : corners_(corners), circle_(circle) {}
 
   /// 0: angles in [0, pi), 1: angles in [pi, 2 pi).
   int half(const Crossing& c) const {
-    if (c.direction.y > error_) return 0;
-    if (c.direction.y < -error_) return 1;
+    if (c.direction.y > error) return 0;
+    if (c.direction.y < -error) return 1;
     const liang_barsky_circle::ExactLine line(edge(c), circle_);
     const int y = sign_with_root(line.k * line.dx, c.leaves ? line.dy : -line.dy, line.D);
     if (y != 0) return y > 0 ? 0 : 1;
@@ -180,23 +180,25 @@ class CircleOrder {
   }
 
   /// Whether a comes before b. Where both lie at one corner the polygon's inside decides: at a convex corner
-  /// nothing lies between the exit and the entry, at a reflex one the whole circle does.
+  /// nothing lies between the exit and the entry, at a reflex one the whole circle does. Passages of a
+  /// polygon that meets itself at one point have an order, too, or no sorting would be safe.
   bool operator()(const Crossing& a, const Crossing& b) const {
     if (a.corner && a.corner == b.corner) return a.leaves != b.leaves && a.leaves == convex(*a.corner);
     const int half_a = half(a), half_b = half(b);
     if (half_a != half_b) return half_a < half_b;
     const double turn = a.direction.x * b.direction.y - a.direction.y * b.direction.x;
-    if (turn > 8 * error_) return true;
-    if (turn < -8 * error_) return false;
+    if (turn > 8 * error) return true;
+    if (turn < -8 * error) return false;
     const int x = compare_x(a, b);
+    if (x == 0) return place(a) < place(b);
     return half_a == 0 ? x > 0 : x < 0;
   }
 
   /// Whether the way from a passage counter-clockwise to another is longer than half the circle.
   bool more_than_half(const Crossing& from, const Crossing& to) const {
     const double turn = from.direction.x * to.direction.y - from.direction.y * to.direction.x;
-    if (turn > 8 * error_) return false;
-    if (turn < -8 * error_) return true;
+    if (turn > 8 * error) return false;
+    if (turn < -8 * error) return true;
     const int half_from = half(from), half_to = half(to);
     if (half_from == half_to) return !(*this)(from, to);
     // In different halves: does the way pass the point opposite to `from`?
@@ -206,6 +208,8 @@ class CircleOrder {
 
  private:
   Segment<double> edge(const Crossing& c) const { return edge_of(corners_, c.edge); }
+  /// The same for both passages of a corner.
+  std::size_t place(const Crossing& c) const { return c.corner ? *c.corner : corners_.size() + c.edge; }
   bool convex(std::size_t corner) const {
     const std::size_t n = corners_.size();
     return orient2d(corners_[(corner + n - 1) % n], corners_[corner], corners_[(corner + 1) % n]) > 0;
@@ -219,9 +223,9 @@ class CircleOrder {
                            b.leaves != opposite ? -q_root : q_root, q.D);
   }
 
+  static constexpr double error = 0x1p-50;  // of a direction
   std::span<const dvec2> corners_;
   Circle<double> circle_;
-  double error_;
 };
 
 }  // namespace gradus::polygon_circle

@@ -1,5 +1,6 @@
 // Segments and circles against integers of any size and 200-bit roots; the reverse; the textbook's error.
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <hwy/targets.h>
@@ -19,6 +20,8 @@
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "core/exact_scalar.hpp"
 #include "core/random.hpp"
+#include "stress/clipping/circle_ends.hpp"
+#include "stress/clipping/circle_scales.hpp"
 #include "support/seed.hpp"
 #include "support/stress.hpp"
 
@@ -274,6 +277,46 @@ TEST(LiangBarskyCircleProperty, WholeRangeOfDouble) {
   run_cases<double>(3, 1000, count);
 }
 
+/// Sizes from 2^-1074 to 2^1023 that have nothing to do with each other, in one input: every decision against
+/// rationals, every point against 2500 bits, and the reverse.
+TEST(LiangBarskyCircleProperty, MixedSizesAgainstExactArithmetic) {
+  Random random(test::seed() + 11);
+  const int count = static_cast<int>(test::cases(3'000, 200'000));
+  int kept = 0, cut = 0, touched = 0, underflows = 0;
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    const stress::Input n = stress::of_mixed_sizes(random);
+    SCOPED_TRACE(testing::Message() << "case " << i << ": " << fmt::format("{:a}", fmt::join(n, ",")));
+    const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
+    const Circle<double> c{{n[4], n[5]}, n[6]};
+    const Oracle right(s, c);
+    ASSERT_EQ(side(s.from, c), right.from_side());
+    ASSERT_EQ(side(s.to, c), right.to_side());
+    ASSERT_EQ(past_foot(s.from, s, c.centre), right.B.sign());
+    if (right.A != 0) ASSERT_EQ(reach(s, c), right.D.sign());
+    const auto ends = stress::ends_in_circle(n);
+    const auto got = exact_decision(s, c), back = exact_decision(Segment<double>{s.to, s.from}, c);
+    ASSERT_EQ(got.has_value(), ends.has_value());
+    ASSERT_EQ(back.has_value(), got.has_value());
+    underflows += n[6] * n[6] == 0 || (right.A != 0 && quadratic(s, c).A == 0);
+    if (!got) continue;
+    ++kept;
+    cut += !ends->from_is_given || !ends->to_is_given;
+    touched += got->from == got->to;
+    ASSERT_EQ(got->from, back->to);
+    ASSERT_EQ(got->to, back->from);
+    const double error = std::max(ends->from.error(got->from), ends->to.error(got->to));
+    worst = std::max(worst, error);
+    ASSERT_LE(error, 0.63);
+  }
+  std::printf("%d of %d kept, %d cut, %d points, %d with squares that underflow, worst %.3f ulp\n", kept,
+              count, cut, touched, underflows, worst);
+  EXPECT_GE(kept, count / 4);
+  EXPECT_GE(cut, count / 4);
+  EXPECT_GE(touched, count / 20);
+  EXPECT_GE(underflows, count / 10);
+}
+
 /// D, A, B, C and the sides are rational: the same template in Exact decides as the filters do.
 TEST(LiangBarskyCircleProperty, TheQuadraticInExactDecidesTheSame) {
   Cases<double> cases(4, 60);
@@ -506,6 +549,30 @@ TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarget
   EXPECT_GE(counts.accepted, counts.ran / 4);
   EXPECT_GE(counts.cut, counts.ran / 8);
   EXPECT_GE(counts.one_by_one, counts.ran / 10);
+}
+
+/// Circles beside which everything else is of another size.
+TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodForMixedSizes) {
+  BatchCases counts;
+  const int rounds = static_cast<int>(test::cases(1000, 50'000));
+  const int targets = on_every_target([&] {
+    Random random(test::seed() + 12);
+    for (int round = 0; round < rounds; ++round) {
+      // Beyond 2^150 all go one by one
+      const stress::Sizes sizes = round % 8 == 0 ? stress::Sizes{} : stress::Sizes{-700, 148};
+      const stress::Input n = stress::of_mixed_sizes(random, sizes);
+      SCOPED_TRACE(testing::Message() << "round " << round << ": " << fmt::format("{:a}", fmt::join(n, ",")));
+      const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
+      const Segment<double> up{{s.from.x, std::nextafter(s.from.y, HUGE_VAL)}, s.to};
+      std::vector<Segment<double>> segments{s, {s.to, s.from}, {s.from, s.from}, up, {{0, 0}, s.to}, s, s, s};
+      std::erase_if(segments, [](const Segment<double>& given) { return !finite(given); });
+      expect_same(segments, {{n[4], n[5]}, n[6]}, counts);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  });
+  EXPECT_GE(counts.ran, 7LL * rounds * targets);
+  EXPECT_GE(counts.cut, counts.ran / 8);
+  EXPECT_GE(counts.ran - counts.one_by_one, counts.ran / 4) << "certified ones";
 }
 
 /// As a program would use it: what has no certificate is rare, but for ends 2^30 radii away and more.

@@ -1,6 +1,7 @@
 // Polygons in circles: areas against the sum of the edges' triangles and sectors in 200 bits, the order round
 // the circle against 400 bits, chords against their sagitta.
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include "clipping/polygon_circle/polygon_circle.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "stress/clipping/circle_ends.hpp"
+#include "stress/clipping/circle_scales.hpp"
 #include "support/circle_areas.hpp"
 #include "support/seed.hpp"
 #include "support/stress.hpp"
@@ -275,6 +278,42 @@ TEST(PolygonCircleProperty, PiecesAgreeWithSegmentsAndArcsLieInThePolygon) {
   }
   EXPECT_GE(arcs_seen, 2000);
   EXPECT_GE(pieces, 4000);
+}
+
+/// Polygons with an edge of any size at a circle of any other: which edges run in the disc, where they enter
+/// and leave, and that entries and exits alternate.
+TEST(PolygonCircleProperty, MixedSizesAgainstExactArithmetic) {
+  Random random(test::seed() + 5);
+  const int count = static_cast<int>(test::cases(1'000, 60'000));
+  int simple = 0, inside = 0, cut = 0, rings = 0;
+  for (int i = 0; i < count; ++i) {
+    const stress::Input n = stress::of_mixed_sizes(random);
+    SCOPED_TRACE(testing::Message() << "case " << i << ": " << fmt::format("{:a}", fmt::join(n, ",")));
+    const Circle<double> circle{{n[4], n[5]}, n[6]};
+    const double third = stress::sized(random, -1074, 1023);
+    std::vector<dvec2> polygon{{n[0], n[1]}, {n[2], n[3]}, {third, stress::sized(random, -1074, 1023)}};
+    if (random.unit() < 0.5) polygon.push_back({stress::sized(random, -1074, 1023), third});
+    if (meeting_edges(counter_clockwise(std::span<const dvec2>(polygon)))) continue;
+    Recorder<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<double>> seen;
+    const Region<double> region = arcs(std::span<const dvec2>(polygon), circle, seen);
+    simple += !all<Tested>(seen).empty();
+    rings += static_cast<int>(region.rings.size());
+    for (const Tested& t : all<Tested>(seen)) {
+      const dvec2 a = t.run.edge.from, b = t.run.edge.to;
+      const auto right = stress::ends_in_circle({a.x, a.y, b.x, b.y, n[4], n[5], n[6]});
+      ASSERT_EQ(t.run.inside, right && right->runs);
+      if (!t.run.inside) continue;
+      ++inside;
+      cut += !right->from_is_given || !right->to_is_given;
+      ASSERT_LE(right->from.error(t.enters.value_or(a)), 0.63);
+      ASSERT_LE(right->to.error(t.leaves.value_or(b)), 0.63);
+    }
+  }
+  std::printf("%d polygons, %d edges inside, %d cut, %d rings\n", simple, inside, cut, rings);
+  EXPECT_GE(simple, count / 2);
+  EXPECT_GE(inside, count / 4);
+  EXPECT_GE(cut, count / 4);
+  EXPECT_GE(rings, count / 8);
 }
 
 TEST(PolygonCircleProperty, ChordsKeepTheTolerance) {

@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -20,8 +21,12 @@ class Place {
   template <class Wide>
   Place(const Wide& x, const Wide& y, double radius) : x_(part_of(x, radius)), y_(part_of(y, radius)) {}
 
-  /// How far a point is from it along the axes, in ulp of max(abs(coordinate), radius).
-  double error(glm::dvec2 p) const { return std::max(x_.error(p.x), y_.error(p.y)); }
+  /// How far a point is from it along the axes, in ulp of max(abs(coordinate), radius); `wrong` for what is
+  /// no number.
+  double error(glm::dvec2 p) const {
+    const double x = x_.error(p.x), y = y_.error(p.y);
+    return std::isnan(x) || std::isnan(y) ? wrong : std::max(x, y);
+  }
 
  private:
   struct Part {
@@ -49,39 +54,59 @@ struct EndsInCircle {
 
 namespace detail {
 
+using Integer = boost::multiprecision::cpp_int;
+
+/// The exponent of the lowest bit of any of these numbers: all of them are whole in units of 2^that.
+inline int unit_of(const Input& i) {
+  int lowest = 0;
+  for (const double x : i) {
+    if (x != 0) lowest = std::min(lowest, std::max(-1074, std::ilogb(x) - 52));
+  }
+  return lowest;
+}
+/// x in units of 2^exponent.
+inline Integer whole(double x, int exponent) {
+  int of_x = 0;
+  const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &of_x), 53));
+  const int shift = of_x - 53 - exponent;
+  return shift >= 0 ? Integer(digits) << shift : Integer(digits) >> -shift;
+}
+
 template <unsigned bits>
 std::optional<EndsInCircle> ends_in_circle(const Input& i) {
-  using Rational = boost::multiprecision::cpp_rational;
   using Wide = boost::multiprecision::number<
-      boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2>>;
-  const Rational dx = Rational(i[2]) - Rational(i[0]), dy = Rational(i[3]) - Rational(i[1]);
-  const Rational fx = Rational(i[0]) - Rational(i[4]), fy = Rational(i[1]) - Rational(i[5]);
-  const Rational r(i[6]), A = dx * dx + dy * dy, B = fx * dx + fy * dy, C = fx * fx + fy * fy - r * r;
-  const Rational D = B * B - A * C, end = A + 2 * B + C;  // end: the sign of the other end
+      boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2, void, std::int32_t>>;
+  const int unit = unit_of(i);
+  std::array<Integer, 7> n;
+  std::transform(i.begin(), i.end(), n.begin(), [unit](double x) { return whole(x, unit); });
+  const Integer dx = n[2] - n[0], dy = n[3] - n[1], fx = n[0] - n[4], fy = n[1] - n[5], r = n[6];
+  const Integer A = dx * dx + dy * dy, B = fx * dx + fy * dy, C = fx * fx + fy * fy - r * r;
+  const Integer D = B * B - A * C, end = A + 2 * B + C;  // end: the sign of the other end
   const bool from_is_given = C <= 0, to_is_given = end <= 0, foot_between = B < 0 && -B < A;
   if (A == 0 ? C > 0 : D < 0 || (!from_is_given && !to_is_given && !foot_between)) return std::nullopt;
-  const auto wide = [](const Rational& x) { return Wide(numerator(x)) / Wide(denominator(x)); };
   const bool all_given = from_is_given && to_is_given;
-  const Wide root = all_given ? Wide(0) : Wide(sqrt(wide(D)));
+  const Wide root = all_given ? Wide(0) : Wide(sqrt(Wide(D)));
   const auto point = [&](const Wide& way) {
-    const Wide t = way / wide(A);
-    return Place(Wide(i[0]) + t * wide(dx), Wide(i[1]) + t * wide(dy), i[6]);
+    const Wide t = way / Wide(A);
+    return Place(Wide(ldexp(Wide(Wide(n[0]) + t * Wide(dx)), unit)),
+                 Wide(ldexp(Wide(Wide(n[1]) + t * Wide(dy)), unit)), i[6]);
   };
   const auto given = [&](std::size_t k) { return Place(Wide(i[k]), Wide(i[k + 1]), i[6]); };
-  return EndsInCircle{from_is_given ? given(0) : point(-wide(B) - root),
-                      to_is_given ? given(2) : point(-wide(B) + root), from_is_given, to_is_given,
+  return EndsInCircle{from_is_given ? given(0) : point(-Wide(B) - root),
+                      to_is_given ? given(2) : point(-Wide(B) + root), from_is_given, to_is_given,
                       A != 0 && (C < 0 || end < 0 || (D > 0 && foot_between))};
 }
 
 }  // namespace detail
 
-/// Of {from, to, centre, radius}, finite. Roots have enough bits for any exact number that doubles make here.
+/// Of {from, to, centre, radius}, finite. With b bits a point is off by less than 2^(20 - b) of the largest
+/// coordinate, so these are enough to tell it to 2^-300 of a unit in the last place of whatever is asked.
 inline std::optional<EndsInCircle> ends_in_circle(const Input& i) {
   const auto is_moderate = [](double x) {
     return x == 0 || (0x1p-100 < std::abs(x) && std::abs(x) < 0x1p100);
   };
-  return std::all_of(i.begin(), i.end(), is_moderate) ? detail::ends_in_circle<2500>(i)
-                                                      : detail::ends_in_circle<9000>(i);
+  return std::all_of(i.begin(), i.end(), is_moderate) && i[6] > 0 ? detail::ends_in_circle<500>(i)
+                                                                  : detail::ends_in_circle<2500>(i);
 }
 
 }  // namespace gradus::stress

@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "stress/clipping/circle_ends.hpp"
+#include "stress/clipping/circle_scales.hpp"
 #include "stress/numbers.hpp"
 #include "support/circle_areas.hpp"
 #include "support/polygon_areas.hpp"
@@ -87,6 +90,52 @@ Input spikes(Random& random) {
   return input;
 }
 
+/// The corners in their order or turned round, from any of them on, the last one as often as it takes.
+Input with_corners(Input circle, Points points, Random& random) {
+  if (random.unit() < 0.5) std::reverse(points.begin(), points.end());
+  std::rotate(points.begin(), points.begin() + random.uniform_int(0, std::ssize(points) - 1), points.end());
+  points.resize(corners, points.back());
+  for (const dvec2 p : points) circle.insert(circle.end(), {p.x, p.y});
+  return circle;
+}
+
+/// Sizes that have nothing to do with each other: bands along an axis that touch the circle or nearly do, a
+/// triangle with a corner near the circle, and stars whose corners lie anywhere on their rays.
+Input of_mixed_sizes(Random& random) {
+  const Sizes sizes{-1074, 1020};
+  const double radius = std::abs(sizes.any(random));
+  const auto any = [&] { return sizes.power(random); };
+  if (random.unit() < 0.4) {
+    const auto height = [&] {
+      const double heights[] = {0, radius / 2, radius, nudged(radius, random), 2 * radius, any()};
+      return heights[random.uniform_int(0, 5)];
+    };
+    const double x0 = -any(), x1 = any(), y0 = random.unit() < 0.5 ? -height() : height();
+    const double y1 = std::max(y0 + std::abs(y0), height());
+    Points band{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    if (random.unit() < 0.5) {
+      for (dvec2& p : band) p = {-p.y, p.x};
+    }
+    return with_corners({0, 0, radius}, band, random);
+  }
+  const dvec2 centre(random.unit() < 0.5 ? 0 : sizes.any(random), 0);
+  if (random.unit() < 0.5) {
+    const dvec2 near = centre + radius * dvec2(random.uniform(-2, 2), random.uniform(-2, 2));
+    const auto coordinate = [&] { return random.unit() < 0.2 ? 0 : sizes.any(random); };
+    Points triangle{near, near, near};
+    for (const std::size_t i : {1u, 2u}) triangle[i] = {coordinate(), coordinate()};
+    return with_corners({centre.x, centre.y, radius}, triangle, random);
+  }
+  Points star;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = (static_cast<double>(i) + random.uniform(0.1, 0.9)) * 6.283 / corners;
+    const int like = std::ilogb(radius);
+    const double length = (random.unit() < 0.7 ? sizes.within(like - 60, like + 60) : sizes).power(random);
+    star.push_back(length * dvec2(std::cos(angle), std::sin(angle)));
+  }
+  return with_corners({0, 0, radius}, star, random);
+}
+
 Input shape(Kind kind, Random& random) {
   Input input;
   switch (kind) {
@@ -94,18 +143,18 @@ Input shape(Kind kind, Random& random) {
       return lattice(random);
     case Kind::near_degenerate:
       return spikes(random);
-    case Kind::denormal:
     case Kind::extremes:
-      for (std::size_t k = 0; k < shape_numbers; ++k) input.push_back(number(kind, random));
-      input[2] = std::abs(input[2]);
-      return input;
+      if (random.unit() < 0.6) return of_mixed_sizes(random);
+      break;
     case Kind::huge:
-    case Kind::tiny: {
-      input = random.unit() < 0.5 ? lattice(random) : star(Kind::grazing, random);
-      const bool huge = kind == Kind::huge;
-      const int exponent =
-          static_cast<int>(huge ? random.uniform_int(100, 1015) : -random.uniform_int(100, 1060));
-      for (double& x : input) x = std::ldexp(x, exponent);
+    case Kind::tiny:
+    case Kind::denormal: {
+      if (random.unit() < 0.1) break;
+      constexpr Kind shapes[] = {Kind::random, Kind::near_degenerate, Kind::grazing};
+      input = random.unit() < 0.4   ? lattice(random)
+              : random.unit() < 0.3 ? spikes(random)
+                                    : star(shapes[random.uniform_int(0, 2)], random);
+      scale(input, scale_of(kind, random));
       return input;
     }
     case Kind::refused: {
@@ -117,6 +166,9 @@ Input shape(Kind kind, Random& random) {
     default:
       return star(kind, random);
   }
+  for (std::size_t k = 0; k < shape_numbers; ++k) input.push_back(number(kind, random));
+  input[2] = std::abs(input[2]);
+  return input;
 }
 
 // --- Promises ---
@@ -232,24 +284,86 @@ double area_error(const Input& i) {
   return static_cast<double>(Wide(abs(Wide(got.area - right)) / most));
 }
 
+/// The error of `area` against what the rings it is given bound, in parts of what the header allows.
+double area_of_rings_error(const Input& i) {
+  if (!is_taken(i) || !is_simple(i)) return 0;
+  const auto region = region_of(i);
+  if (!region) return wrong;
+  const test::Enclosed right = test::enclosed_by(*region);
+  const double got = area(*region);
+  constexpr double largest = std::numeric_limits<double>::max();
+  if (std::isinf(got)) return abs(right.area) > Wide(largest) * (1 - Wide(0x1p-40)) ? 0 : wrong;
+  const Point centre = test::wide(region->circle.centre);
+  Wide farthest(i[2]), n = 0;
+  for (const auto& ring : region->rings) {
+    for (const auto& corner : ring) {
+      const Point p = test::wide(corner.at), d{p.x - centre.x, p.y - centre.y};
+      farthest = std::max(farthest, Wide(sqrt(test::dot(d, d))));
+      ++n;
+    }
+  }
+  const Wide most = n * (n + 50) * Wide(0x1p-54) * farthest * farthest + Wide(0x1p-1074);
+  return static_cast<double>(Wide(abs(Wide(got - right.area)) / most));
+}
+
+/// Rings as they are, wherever each begins and in whatever order they come.
+using Rings = std::vector<polygon_circle::Ring<double>>;
+Rings sorted(Rings rings) {
+  const auto before = [](const auto& a, const auto& b) {
+    const auto key = [](const auto& c) { return std::tuple(c.at.x, c.at.y, c.arc, c.more_than_half); };
+    return key(a) < key(b);
+  };
+  for (auto& ring : rings) {
+    auto best = ring;
+    for (std::size_t k = 1; k < ring.size(); ++k) {
+      std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+      if (std::lexicographical_compare(ring.begin(), ring.end(), best.begin(), best.end(), before))
+        best = ring;
+    }
+    ring = best;
+  }
+  std::sort(rings.begin(), rings.end(), [&](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+  });
+  return rings;
+}
+
+/// 0 where the polygon turned round, and begun elsewhere, gives the same rings.
+double turned_error(const Input& i) {
+  if (!is_taken(i) || !is_simple(i)) return 0;
+  Points turned = points_of(i);
+  std::reverse(turned.begin(), turned.end());
+  std::rotate(turned.begin(), turned.begin() + 2, turned.end());
+  const auto region = region_of(i);
+  if (!region) return wrong;
+  return sorted(region->rings) == sorted(arcs(std::span<const dvec2>(turned), circle_of(i)).rings) ? 0
+                                                                                                   : wrong;
+}
+
 /// How far the chords' ends are beside the circle, and how much more than the tolerance a chord lies away
 /// from its arc, in ulp of abs(centre) + radius.
 double chords_error(const Input& i) {
   const double exponent = i[shape_numbers];
   if (!is_taken(i) || !(1 <= exponent && exponent <= 16) || !is_simple(i)) return 0;
-  if (!(0x1p-400 <= i[2] && i[2] <= 0x1p400)) return 0;
   const auto region = region_of(i);
   if (!region) return wrong;
+  // Of the smallest radii so small a part is 0
   const double tolerance = i[2] * std::exp2(-exponent);
-  const auto flat = flatten(*region, tolerance);
+  std::vector<Points> flat;
+  try {
+    flat = flatten(*region, tolerance);
+  } catch (const ContractViolation&) {
+    return tolerance / i[2] < 0x1p-40 ? 0 : wrong;
+  }
   if (flat.size() != region->rings.size()) return wrong;
   const Point centre = test::wide(region->circle.centre);
   const auto distance = [&](const Wide& x, const Wide& y) -> Wide {
     const Wide dx = x - centre.x, dy = y - centre.y;
     return sqrt(Wide(dx * dx + dy * dy));
   };
-  const double size = std::max(std::abs(i[0]), std::abs(i[1])) + i[2];
-  const Wide r(i[2]), unit = Wide(std::nextafter(size, wrong)) - Wide(size);
+  const double size =
+      std::min(std::max(std::abs(i[0]), std::abs(i[1])) + i[2], std::numeric_limits<double>::max());
+  const Wide r(i[2]), unit = Wide(size) - Wide(std::nextafter(size, 0.0));
   Wide worst = 0;
   for (std::size_t n = 0; n < flat.size(); ++n) {
     const auto& ring = region->rings[n];
@@ -291,6 +405,7 @@ Input shape_of(Input circle, const Points& points) {
 }
 
 std::vector<Trap> traps() {
+  constexpr double largest = std::numeric_limits<double>::max();
   return {
       {"the exit is lost", shape_of({0, 0, 1}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}})},
       {"two exits are lost", shape_of({0, 0, 1}, {{0, -0.5}, {3, -0.5}, {0, 0.5}})},
@@ -303,6 +418,14 @@ std::vector<Trap> traps() {
       {"tangent from inside", shape_of({0, 3, 3}, {{-5, 0}, {5, 0}, {5, -4}, {-5, -4}})},
       {"a corner on the smallest circle",
        shape_of({0, 0, 0x5p-987}, {{0, 0}, {-0x2p-987, 0}, {0, -0x5p-987}, {0x2p-987, 0}})},
+      {"r squared underflows, the edges are long",
+       shape_of({0, 0, 0x1p-540},
+                {{-0x1p200, 0x1p-600}, {0x1p200, 0x1p-600}, {0x1p200, 0x1p200}, {-0x1p200, 0x1p200}})},
+      {"an edge's length squared underflows, r is large",
+       shape_of({0, 0, 0x1p500}, {{0x1p-540, 0x1p500}, {-0x1p-540, 0x1p500}, {0, -0x1p499}})},
+      {"a sum of the largest circle overflows",
+       shape_of({-0x3p970, 0, largest}, {{largest, 0}, {largest, 1}, {0, 1}, {0, 0}})},
+      {"the smallest circle", shape_of({0, 0, 0x1p-1074}, {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}})},
       {"a radius of 0", shape_of({1, 1, 0}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}})},
       {"no area", shape_of({0, 0, 1}, {{-2, 0}, {2, 0}})},
       {"a radius that is no number", shape_of({0, 0, std::nan("")}, {{0, 0}, {2, 0}, {2, 2}})},
@@ -316,8 +439,8 @@ std::vector<Trap> with_tolerance(std::vector<Trap> all) {
 }  // namespace
 
 Domain polygon_circle() {
-  const std::vector<Kind> kinds_of_one_size{
-      Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties};
+  const std::vector<Kind> kinds_of_one_size{Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge,
+                                            Kind::tiny,   Kind::denormal,        Kind::ties};
   return {
       "polygon_circle",
       {{.name = "pieces",
@@ -340,12 +463,29 @@ Domain polygon_circle() {
         .error = area_error,
         .arguments = arguments,
         .traps = traps()},
+       {.name = "turned",
+        .states = "the polygon turned round, and begun elsewhere, gives the same rings",
+        .unit = "wrong",
+        .bound = 0,
+        .numbers = shape_numbers,
+        .generate = shape,
+        .error = turned_error,
+        .arguments = arguments,
+        .traps = traps()},
+       {.name = "area_of_rings",
+        .states = "`area` of n corners is right to n (n + 50) 2^-54 R^2",
+        .unit = "of that",
+        .bound = 1,
+        .numbers = shape_numbers,
+        .generate = shape,
+        .error = area_of_rings_error,
+        .arguments = arguments,
+        .traps = traps()},
        {.name = "chords",
         .states = "chords keep the tolerance, their ends lie within 4 ulp of |centre| + r of the circle",
         .unit = "ulp",
         .bound = 4,
         .numbers = shape_numbers + 1,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::ties},
         .generate =
             [](Kind kind, Random& random) {
               Input input = shape(kind, random);

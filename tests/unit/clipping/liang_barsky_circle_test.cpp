@@ -150,6 +150,69 @@ TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
   EXPECT_EQ(*lattice, (S{{4 * unit_of_doubles, -3 * unit_of_doubles}, {-5 * unit_of_doubles, 0}}));
 }
 
+/// Kept of a segment, and of it turned round the same.
+Kept both_ways(const S& given, const C& circle) {
+  const Kept there = exact_decision(given, circle), back = exact_decision(S{given.to, given.from}, circle);
+  EXPECT_EQ(there.has_value(), back.has_value());
+  if (there && back) EXPECT_EQ(*there, (S{back->to, back->from}));
+  return there;
+}
+
+// r^2 was 0, and r^2 A too, while k^2 was not
+TEST(LiangBarskyCircle, ASmallCircleIsMetByALongSegment) {
+  EXPECT_EQ(both_ways(segment(-0x1p200, 0x1p-600, 0x1p200, 0x1p-600), C{{0, 0}, 0x1p-540}),
+            segment(-0x1p-540, 0x1p-600, 0x1p-540, 0x1p-600));
+  // Tangents, and lines one unit beside them
+  for (const int radius : {-1074, -1000, -600, -538, -537}) {
+    for (const int length : {1, 100, 450, 1000}) {
+      const double r = std::ldexp(1, radius), far = std::ldexp(1, length), beside = std::nextafter(r, 1);
+      EXPECT_EQ(both_ways(segment(-far, r, far, r), C{{0, 0}, r}), segment(0, r, 0, r)) << radius;
+      EXPECT_EQ(both_ways(segment(-r, -far, -r, far), C{{0, 0}, r}), segment(-r, 0, -r, 0)) << radius;
+      EXPECT_FALSE(both_ways(segment(-far, beside, far, beside), C{{0, 0}, r})) << radius;
+    }
+  }
+}
+
+// A was 0 instead
+TEST(LiangBarskyCircle, ALargeCircleIsMetByAShortSegment) {
+  for (const int length : {-1074, -700, -538, -537}) {
+    for (const int radius : {1, 150, 450, 1023}) {
+      const double r = std::ldexp(1, radius), near = std::ldexp(1, length),
+                   beside = std::nextafter(r, HUGE_VAL);
+      EXPECT_EQ(both_ways(segment(-near, r, near, r), C{{0, 0}, r}), segment(0, r, 0, r)) << radius;
+      EXPECT_FALSE(both_ways(segment(-near, beside, near, beside), C{{0, 0}, r})) << radius;
+    }
+  }
+}
+
+// 1 was added to whole numbers beyond 2^53, which made 2 of it: up to 0.75 units off
+TEST(LiangBarskyCircle, CirclesOfTheSmallestNormalNumbersAreRoundedOnce) {
+  EXPECT_EQ(both_ways(segment(0x1.0fc67f45a8d9ep-1020, 0x1.b23ad7dbd093p-1023, 0x1.bdb77a3e455cp-1024,
+                              0x1.4d0f4dbedc5dp-1020),
+                      C{{0, 0}, 0x1.f98896254d7f2p-1021}),
+            segment(0x1.d101327ccdea8p-1021, 0x1.8ca8fd566e71bp-1022, 0x1.02540a37ec751p-1021,
+                    0x1.b28be767603c2p-1021));
+}
+
+// Foot and half of the chord were rounded apart, for the centre is far away along the other axis
+TEST(LiangBarskyCircle, TheSmallestCirclesFarAwayAreRoundedOnce) {
+  EXPECT_EQ(both_ways(segment(1, 0x3bp-1074, 0, -1), C{{1, 0}, 0x3ap-1074}),
+            segment(1, 0x3ap-1074, 1, 0x1p-1074));
+  EXPECT_EQ(both_ways(segment(1, -0x1bp-1074, 3, -1), C{{1, 0}, 0x40p-1074}),
+            segment(1, -0x1bp-1074, 1, -0x30p-1074));
+}
+
+// An error-free sum overflowed on its way, and the point was no number
+TEST(LiangBarskyCircle, CirclesBeyondTheLargestNumbersAreCut) {
+  const double large = std::numeric_limits<double>::max(), below = std::nextafter(large, 0);
+  EXPECT_EQ(both_ways(segment(0, 0, large, 0), C{{-0x3p970, 0}, large}), segment(0, 0, below, 0));
+  EXPECT_EQ(both_ways(segment(large, -large, large, large), C{{large / 2, 0}, large / 2}),
+            segment(large, 0, large, 0));
+  // Half of the circle has no doubles
+  EXPECT_EQ(both_ways(segment(-large, 0, large, 0), C{{large, 0}, large / 2}),
+            segment(large / 2, 0, large, 0));
+}
+
 TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
   const S any = segment(0, 0, 1, 1);
   for (const double r : {-1.0, nan, infinity, -infinity}) {

@@ -148,6 +148,76 @@ TEST(PolygonCircle, TheSmallestCirclesAreCutLikeLargeOnes) {
   }
 }
 
+TEST(PolygonCircle, EdgesOfOtherSizesThanTheCircle) {
+  // r^2 underflows, and the edges are long: half a disc
+  const double r = 0x1p-540, far = 0x1p200, low = 0x1p-600;
+  const Rings half = clipped({{-far, low}, {far, low}, {far, far}, {-far, far}}, {{0, 0}, r}).rings;
+  ASSERT_EQ(half.size(), 1u);
+  EXPECT_EQ(half[0], (Ring<double>{{{-r, low}}, {{r, low}, true, false}}));
+  // An edge's squared length underflows, and it touches the circle: all of the circle is left
+  const double large = 0x1p500, small = 0x1p-540;
+  EXPECT_EQ(clipped({{small, large}, {-small, large}, {-8 * large, -4 * large}, {8 * large, -4 * large}},
+                    {{0, 0}, large / 4})
+                .rings,
+            (Rings{{{{large / 4, 0}, true, true}}}));
+  EXPECT_TRUE(clipped({{small, large}, {-small, large}, {0, 2 * large}}, {{0, 0}, large}).rings.empty());
+  // Beyond the largest number
+  const double most = std::numeric_limits<double>::max();
+  const Rings cut = clipped({{0, 0}, {most, 0}, {most, 1}, {0, 1}}, {{-0x3p970, 0}, most}).rings;
+  ASSERT_EQ(cut.size(), 1u);
+  for (const Corner<double>& corner : cut[0]) EXPECT_TRUE(std::isfinite(corner.at.x)) << corner.at.y;
+}
+
+TEST(PolygonCircle, AreasOfAnySize) {
+  for (const Polygon& polygon : {quadrant, triangle, band, four_out, around}) {
+    const double right = clipped_area(polygon);
+    for (const int exponent : {-530, -400, 400, 511}) {
+      Polygon scaled = polygon;
+      for (dvec2& p : scaled) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      EXPECT_EQ(clipped_area(scaled, {{0, 0}, std::ldexp(1, exponent)}), std::ldexp(right, 2 * exponent));
+    }
+    // Too large and too small for a double
+    for (const int exponent : {-1060, -700, 700, 1020}) {
+      Polygon scaled = polygon;
+      for (dvec2& p : scaled) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      const Region<double> region = clipped(scaled, {{0, 0}, std::ldexp(1, exponent)});
+      EXPECT_EQ(area(region), exponent < 0 ? 0 : std::numeric_limits<double>::infinity());
+      EXPECT_NEAR(area_in(unit_of(region.circle.radius), region), right, exponent < -1020 ? 1e-3 : 1e-14);
+    }
+  }
+  // Far from the origin the corners' products cancel
+  EXPECT_EQ(clipped_area({{0x1p600, 0}, {0x1p600 + 0x1p550, 0}, {0x1p600, 0x1p550}}, {{0x1p600, 0}, 0x1p560}),
+            HUGE_VAL);
+  EXPECT_EQ(clipped_area({{0x1p500, 0}, {0x1p500 + 0x1p450, 0}, {0x1p500, 0x1p450}}, {{0x1p500, 0}, 0x1p460}),
+            0x1p899);
+}
+
+/// Three passages at one point, where a polygon meets itself: in some order, whichever.
+TEST(PolygonCircle, PassagesAtOnePointHaveAnOrder) {
+  const Polygon meets{{-3, -3}, {-3, 3}, {0, 0}, {1, 0},   {0, 0.5},
+                      {-3, 4},  {3, 4},  {3, 0}, {0.5, 0}, {3, -3}};
+  const std::vector<dvec2> corners = counter_clockwise(std::span<const dvec2>(meets));
+  std::vector<Crossing> passes;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    add_crossings(passes, run_of(edge_of(corners, i), unit), i, corners.size(), unit);
+  }
+  const CircleOrder before(corners, unit);
+  int at_one_point = 0;
+  for (const Crossing& a : passes) {
+    EXPECT_FALSE(before(a, a));
+    for (const Crossing& b : passes) {
+      at_one_point += &a < &b && a.at == b.at;
+      EXPECT_FALSE(before(a, b) && before(b, a));
+      for (const Crossing& c : passes) {
+        if (before(a, b) && before(b, c)) EXPECT_TRUE(before(a, c));
+        // Whoever is not told from another stands where that one stands
+        if (!before(a, b) && !before(b, a)) EXPECT_EQ(before(a, c), before(b, c));
+      }
+    }
+  }
+  EXPECT_GE(at_one_point, 2);
+}
+
 TEST(PolygonCircle, SeveralPieces) {
   // A comb with three teeth into the circle
   const Polygon comb{{-3, -3}, {3, -3},   {3, 2},     {0.6, 2},   {0.6, -2}, {0.3, -2},
@@ -253,6 +323,23 @@ TEST(PolygonCircle, ChordsForArcs) {
     last = now;
   }
   EXPECT_GE(flatten(clipped(around), 10).at(0).size(), 3u);
+}
+
+// 2^-40 of the smallest radii was 0, and so was the step along the arc: without end
+TEST(PolygonCircle, ChordsOfTheSmallestAndTheLargestArcs) {
+  const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+  for (const double r : {least, 0x1p-1060, 0x1p-1000, 0x1p-500, 0x1p500, 0x1p1000, most}) {
+    const Polygon polygon{{-most, -most}, {most, -most}, {most, most}, {-most, most}};
+    const Region<double> region = clipped(polygon, {{0, 0}, r});
+    EXPECT_THROW(flatten(region, 0), ContractViolation) << r;
+    EXPECT_THROW(flatten(region, r * 0x1p-41), ContractViolation) << r;
+    const auto flat = flatten(region, std::max(r / 64, least)).at(0);
+    EXPECT_GE(flat.size(), 3u) << r;
+    for (const dvec2 p : flat) {
+      EXPECT_NEAR(std::hypot(p.x / r, p.y / r), 1, 1 / std::max(1.0, r / least / 2) + 1e-15) << r;
+    }
+  }
+  EXPECT_TRUE(flatten(clipped(quadrant, {{0, 0}, 0}), 0).empty());
 }
 
 // --- The notes' listing -----------------------------------------------------------------------------------
