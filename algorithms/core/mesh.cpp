@@ -23,10 +23,18 @@ Bounds bounds_of(const Mesh& mesh) {
   return bounds;
 }
 
-namespace {
+Bounds bounds_of(const Mesh& mesh, const MeshFace& face) {
+  Bounds bounds;
+  for (const Corner& corner : corners_of(mesh, face)) bounds.add(position_of(mesh, corner));
+  return bounds;
+}
 
-/// The area vector of the face magnified by `scale`.
-dvec3 scaled_area_vector(const Mesh& mesh, const MeshFace& face, double scale) {
+double unit_scale(const Bounds& bounds) {
+  const double size = bounds.empty() ? 0 : bounds.radius();
+  return size > 0 ? std::scalbn(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
+}
+
+dvec3 area_vector(const Mesh& mesh, const MeshFace& face, double scale) {
   const std::span<const Corner> corners = corners_of(mesh, face);
   const dvec3 origin = position_of(mesh, corners[0]);
   dvec3 sum{0};
@@ -38,10 +46,6 @@ dvec3 scaled_area_vector(const Mesh& mesh, const MeshFace& face, double scale) {
   }
   return sum;
 }
-
-}  // namespace
-
-dvec3 area_vector(const Mesh& mesh, const MeshFace& face) { return scaled_area_vector(mesh, face, 1); }
 
 std::int64_t triangle_count(const Mesh& mesh) {
   return static_cast<std::int64_t>(mesh.corners.size()) - 2 * static_cast<std::int64_t>(mesh.faces.size());
@@ -62,15 +66,16 @@ bool closed_outward(const Mesh& mesh) {
   for (const auto& [from, to] : edges) {
     if (!std::ranges::binary_search(edges, std::pair{to, from})) return false;
   }
-  // Six times the volume, as the sum of the pyramids from the centre to the faces
-  const dvec3 centre = bounds_of(mesh).centre();
+  // Six times the volume, magnified, as the sum of the pyramids from the centre to the faces
+  const Bounds bounds = bounds_of(mesh);
+  const dvec3 centre = bounds.centre();
+  const double scale = unit_scale(bounds);
+  const auto at = [&](const Corner& corner) { return (position_of(mesh, corner) - centre) * scale; };
   double volume = 0;
   for (const MeshFace& face : mesh.faces) {
     const std::span<const Corner> corners = corners_of(mesh, face);
-    const dvec3 a = position_of(mesh, corners[0]) - centre;
     for (std::size_t i = 2; i < corners.size(); ++i) {
-      const dvec3 b = position_of(mesh, corners[i - 1]) - centre, c = position_of(mesh, corners[i]) - centre;
-      volume += glm::dot(a, glm::cross(b, c));
+      volume += glm::dot(at(corners[0]), glm::cross(at(corners[i - 1]), at(corners[i])));
     }
   }
   return volume > 0;
@@ -83,10 +88,7 @@ class VertexNormals {
  public:
   VertexNormals(const Mesh& mesh, std::span<const int> smoothing) : mesh_(mesh), smoothing_(smoothing) {
     if (smoothing_.empty()) whole_.assign(mesh.positions.size(), dvec3{0});
-    // One scale for all, a power of two, so that squares neither overflow nor vanish
-    const Bounds bounds = bounds_of(mesh);
-    const double size = bounds.empty() ? 0 : bounds.radius();
-    scale_ = size > 0 ? std::scalbn(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
+    scale_ = unit_scale(bounds_of(mesh));  // one for all
     for (std::size_t id = 0; id < mesh.faces.size(); ++id) {
       const dvec3 normal = face_normal(mesh.faces[id]);
       for (const Corner& corner : corners_of(mesh, mesh.faces[id])) *sum(corner.position, id) += normal;
@@ -99,7 +101,7 @@ class VertexNormals {
   }
 
  private:
-  dvec3 face_normal(const MeshFace& face) const { return scaled_area_vector(mesh_, face, scale_); }
+  dvec3 face_normal(const MeshFace& face) const { return area_vector(mesh_, face, scale_); }
 
   dvec3* sum(int position, std::size_t face) {
     if (smoothing_.empty()) return &whole_[static_cast<std::size_t>(position)];

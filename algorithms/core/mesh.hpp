@@ -58,20 +58,28 @@ int add_face(Mesh& mesh, std::span<const Corner> corners, int material = 0, int 
 
 /// The smallest box that holds every position some face uses; empty when there is no face.
 Bounds bounds_of(const Mesh& mesh);
+/// The smallest box that holds a face.
+Bounds bounds_of(const Mesh& mesh, const MeshFace& face);
+
+/// The power of two that magnifies a box so that squares and cubes of its lengths neither overflow nor
+/// vanish; 1 for a box without extent. Magnified by it, a radius of at least 2^-1000 lies in [1, 2).
+double unit_scale(const Bounds& bounds);
 
 /// The normal of a face with the length of its doubled area, by Newell's method, which also knows what to do
 /// with concave faces, collinear corners and faces that are not quite flat.
 /// Source: Sutherland, Sproull, Schumacker, "A characterization of ten hidden-surface algorithms", 1974,
 /// after M. E. Newell.
-/// Domain: coordinates up to 1e150.
-/// Accuracy: about 1e-15 of the face's extent squared.
-dvec3 area_vector(const Mesh& mesh, const MeshFace& face);
+/// scale: magnifies the face first, as unit_scale does; a direction needs it where sizes may be extreme.
+/// Domain: coordinates up to 1e150, and from 1e-150 on, once magnified.
+/// Accuracy: about 1e-15 of the magnified face's extent squared.
+dvec3 area_vector(const Mesh& mesh, const MeshFace& face, double scale = 1);
 
 /// How many triangles the faces make: corners - 2 each.
 std::int64_t triangle_count(const Mesh& mesh);
 
 /// Whether the mesh encloses a body and shows its outside: every edge joins exactly two faces that run along
 /// it in opposite directions, and the enclosed volume is positive. Only then are its back faces never seen.
+/// Domain: coordinates up to 1e300, of any smallness.
 /// Cost: sorts the edges.
 bool closed_outward(const Mesh& mesh);
 

@@ -47,8 +47,9 @@ dvec3 viewing_side(const Object& object) {
   dvec3 sum{0};
   double area = 0;
   const glm::dmat3 turn = affine_3d::normal_matrix(object.placement);
+  const double scale = unit_scale(bounds_of(object.mesh));
   for (const MeshFace& face : object.mesh.faces) {
-    const dvec3 vector = turn * area_vector(object.mesh, face);
+    const dvec3 vector = turn * area_vector(object.mesh, face, scale);
     sum += vector;
     area += length_of(vector);
   }
@@ -90,6 +91,8 @@ Camera framed(std::span<const dvec3> points, double aspect, dvec3 side, double v
   const double radius = bounds.radius();
   double z = std::min(-(upper.x + lower.x) / (2 * slope_x), -(upper.y + lower.y) / (2 * slope_y));
   z = radius > 0 ? std::min(z, front - 0.01 * radius) : front - 1;
+  // Far from the origin a little model is hardly larger than the steps between doubles
+  z = std::min(z, front - 1e-12 * length_of(centre));
   const double x = middle(seen, 0, z, -lower.x - slope_x * z, upper.x + slope_x * z);
   const double y = middle(seen, 1, z, -lower.y - slope_y * z, upper.y + slope_y * z);
   camera.frame.eye = centre + x * camera.frame.right + y * camera.frame.up + z * camera.frame.forward;

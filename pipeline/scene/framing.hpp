@@ -29,7 +29,8 @@ inline constexpr dvec3 front_right_above{0.45, 0.32, 1};
 ///
 /// Accuracy: two opposite borders of the picture, less the margin, are touched; between the other two the
 ///   points stand in the middle.
-/// Cost: 50 times the points. Points that are all in one place are seen from a distance of 1.
+/// Cost: 50 times the points. Points that are all in one place are seen from a distance of 1. The eye keeps
+/// at least 1e-12 of the points' distance from the origin away from them, so that it is told apart from them.
 /// Errors: ContractViolation for no points and for parameters out of range.
 Camera framed(std::span<const dvec3> points, double aspect, dvec3 side = front_right_above,
               double vertical_radians = Lens{}.vertical_radians);

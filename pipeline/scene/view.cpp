@@ -46,7 +46,7 @@ Aim framing_aim(const Object& object, dvec3 up, double aspect, double radians) {
   const std::vector<dvec3> points = points_of(turned);
   const Frame<double> frame =
       framed(std::span<const dvec3>(points), aspect, viewing_side(turned), radians).frame;
-  const double distance = glm::length(bounds_of(points).centre() - frame.eye);
+  const double distance = length_of(bounds_of(points).centre() - frame.eye);
   const glm::dmat3 back = glm::transpose(turn);
   return {back * frame.eye, back * (frame.eye + distance * frame.forward), up};
 }

@@ -31,7 +31,7 @@ struct FaceRead {
 
 /// The normal, flat, of a face whose corner has none.
 inline dvec3 flat_normal(const Mesh& mesh, const MeshFace& face) {
-  return unit_vector(area_vector(mesh, face));
+  return unit_vector(area_vector(mesh, face, unit_scale(bounds_of(mesh, face))));
 }
 
 /// A corner with what its face gives it. first: where its object's vertices begin.

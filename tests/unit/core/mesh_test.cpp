@@ -69,6 +69,27 @@ TEST(Mesh, ClosedOutward) {
   EXPECT_FALSE(closed_outward(Mesh{}));
 }
 
+TEST(Mesh, SizeMakesNoDifferenceToWhatIsClosed) {
+  for (const double size : {1e-300, 1e-200, 1e-110, 1e110, 1e200}) {
+    EXPECT_TRUE(closed_outward(cube(size))) << size;
+    EXPECT_FALSE(closed_outward(cube(size, false))) << size;
+  }
+}
+
+TEST(Mesh, UnitScaleIsThePowerOfTwoThatMakesARadiusOne) {
+  for (const double size : {1e-300, 1e-20, 1.0, 1e20, 1e290}) {
+    const Bounds bounds = bounds_of(cube(size));
+    const double scale = unit_scale(bounds);
+    EXPECT_EQ(std::scalbn(1.0, std::ilogb(scale)), scale);
+    EXPECT_GE(bounds.radius() * scale, 1) << size;
+    EXPECT_LT(bounds.radius() * scale, 2) << size;
+  }
+  EXPECT_EQ(unit_scale(Bounds{}), 1);
+  EXPECT_EQ(unit_scale(bounds_of(cube(0))), 1);
+  const Mesh small = cube(1e-300);
+  EXPECT_NEAR(unit_vector(area_vector(small, small.faces[0], unit_scale(bounds_of(small)))).x, 1, 1e-15);
+}
+
 TEST(Mesh, MadeNormalsAreAreaWeighted) {
   // A corner of the cube lies on three faces of one size: its normal is the diagonal, whatever their corners
   // (G001-88)

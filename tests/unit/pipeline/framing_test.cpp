@@ -83,6 +83,9 @@ TEST(Framing, RoomsAreSeenFromTheirOpenSide) {
   const Object room = object_of(load_obj(models + "tests/support/models/tinyobj/cornell_box.obj").mesh);
   EXPECT_TRUE(room.two_sided);
   EXPECT_EQ(viewing_side(room), (dvec3{0, 0, -1}));
+  Object tiny = room;
+  for (dvec3& at : tiny.mesh.positions) at *= 0x1p-1000;
+  EXPECT_EQ(viewing_side(tiny), (dvec3{0, 0, -1})) << "whatever its size";
   const Object letter = object_of(load_obj(models + "examples/models/letter_f.obj").mesh);
   EXPECT_FALSE(letter.two_sided);
   EXPECT_EQ(viewing_side(letter), front_right_above);

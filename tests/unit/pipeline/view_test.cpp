@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "core/contract.hpp"
 #include "projection/viewing/viewing.hpp"
@@ -36,6 +38,41 @@ TEST(View, NothingToldShowsAllFromTheFront) {
     EXPECT_LT(camera.lens.near, v.z);
     EXPECT_GT(camera.lens.far, v.z);
     EXPECT_LT(std::abs(v.y / v.z), 0.7) << "in the picture";
+  }
+}
+
+/// The same body, magnified by a power of two.
+Object magnified(Object object, int exponent) {
+  for (dvec3& at : object.mesh.positions) at *= std::ldexp(1.0, exponent);
+  return object_of(object.mesh);
+}
+
+TEST(View, SizeMakesNoDifference) {
+  const Aim one = aim_of(body(), {}, 1);
+  for (const int exponent : {-1000, -900, -600, -540, -100, 90}) {
+    SCOPED_TRACE(exponent);
+    const Object object = magnified(body(), exponent);
+    EXPECT_FALSE(object.two_sided);
+    const Aim aim = aim_of(object, {}, 1);
+    const double scale = std::ldexp(1.0, exponent);
+    EXPECT_TRUE(aim.eye == scale * one.eye && aim.target == scale * one.target) << "the same, magnified";
+    EXPECT_TRUE(leads_somewhere(aim) && tells_upright(aim));
+  }
+}
+
+TEST(View, PointsThatAreHardlyApartAreSeenFromAPlaceThatIs) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double far : {0.0, 1e-300, 1.0, 1000.0, 1e20, 1e30}) {
+    for (const double step : {0.0, std::nextafter(far, inf) - far, 2 * (std::nextafter(far, inf) - far)}) {
+      for (const dvec3 way : {dvec3{1, 1, 0}, dvec3{0, 1, 1}, dvec3{1, 0, 1}}) {
+        Mesh mesh;
+        mesh.positions = {dvec3{far}, dvec3{far} + step * way,
+                          dvec3{far} + step * dvec3{way.z, way.x, way.y}};
+        add_face(mesh, std::array{Corner{0}, Corner{1}, Corner{2}});
+        const Aim aim = aim_of(object_of(mesh), {}, 1.5);
+        EXPECT_TRUE(leads_somewhere(aim) && tells_upright(aim)) << far << " and " << step;
+      }
+    }
   }
 }
 
