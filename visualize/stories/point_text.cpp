@@ -78,6 +78,16 @@ struct Decimal {
   long exponent = 0;
 };
 
+/// A whole number. Those beyond a million are brought there: the doubles end long before.
+std::optional<long> exponent_in(std::string_view text) {
+  constexpr std::int64_t most = 1'000'000;
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.empty() || !std::ranges::all_of(text, is_digit)) return std::nullopt;
+  const std::int64_t size = std::min(whole_number(text).value_or(most), most);
+  return static_cast<long>(negative ? -size : size);
+}
+
 std::optional<Decimal> decimal_in(std::string_view text) {
   Decimal decimal;
   std::size_t at = 0, digits = 0;
@@ -94,11 +104,9 @@ std::optional<Decimal> decimal_in(std::string_view text) {
   }
   if (digits == 0) return std::nullopt;
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    const std::string_view power = text.substr(at + 1);
-    if (power.empty() || power.size() > 4 || power.front() == ' ') return std::nullopt;
-    const auto exponent = whole_number(power);
+    const auto exponent = exponent_in(text.substr(at + 1));
     if (!exponent) return std::nullopt;
-    decimal.exponent += static_cast<long>(*exponent);
+    decimal.exponent += *exponent;
     at = text.size();
   }
   if (at != text.size()) return std::nullopt;
@@ -174,7 +182,9 @@ Read<Number> read_number(std::string_view text) {
   if (!decimal) return no_number(text);
   Number number{0, exactly(*decimal), text_of(*decimal)};
   number.value = std::strtod(number.text.c_str(), nullptr);  // from_chars(double) is missing in WebAssembly
-  if (!std::isfinite(number.value)) return no_number(text);
+  if (!std::isfinite(number.value)) {
+    return Misread{fmt::format("expected a number of at most 1.8e308, found {}", shown(text))};
+  }
   return number;
 }
 

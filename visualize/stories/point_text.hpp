@@ -47,7 +47,8 @@ struct Misread {
 template <class T>
 using Read = std::variant<T, Misread>;
 
-/// Domain: digits with a sign, one decimal point, an exponent up to three digits; or a fraction of two int64.
+/// Domain: digits with a sign, one decimal point, an exponent; or a fraction of two int64. What is too small
+/// for a double is a zero or the nearest subnormal one; what is too large is refused.
 Read<Number> read_number(std::string_view text);
 /// As many numbers as there are names, for x and y: "3,4", "-5,8", "(3, 4)", "1/3,2".
 Read<Tuple> read_tuple(std::string_view text, std::span<const std::string> names);

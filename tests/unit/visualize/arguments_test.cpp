@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
@@ -227,6 +228,22 @@ TEST(ReadNumber, ExactWhereItFits) {
   EXPECT_EQ(number("1e-19").exact, std::nullopt);
   EXPECT_EQ(number("0.1").value, 0.1);
   EXPECT_EQ(number("1e22").value, 1e22);
+}
+
+TEST(ReadNumber, WhatIsTooSmallForADoubleIsZeroOrTheNearestOne) {
+  for (const char* text :
+       {"1e-400", "2e-324", "1e-4000", "-1e-0400", "1e-99999999999999999999", "0.0001e-322"}) {
+    EXPECT_EQ(number(text).value, 0) << text;
+    EXPECT_EQ(number(number(text).text).text, number(text).text) << "canonical reads back as itself";
+  }
+  EXPECT_EQ(number("3e-324").value, std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(number("1e-310").value, 1e-310);
+  EXPECT_EQ(number("0e99999").text, "0");
+  EXPECT_EQ(number("1e-4000").text, "1e-4000");
+  for (const char* text : {"1e400", "1e4000", "1e99999999999999999999", "-0.1e310"}) {
+    EXPECT_EQ(std::get<Misread>(read_number(text)).what,
+              "expected a number of at most 1.8e308, found '" + std::string(text) + "'");
+  }
 }
 
 TEST(ReadNumber, FractionsAreRoundedOnce) {
