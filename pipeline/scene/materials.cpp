@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <unordered_set>
+#include <utility>
 
-#include "core/shown.hpp"
 #include "scene/statements.hpp"
 
 namespace gradus::pipeline {
@@ -28,7 +29,7 @@ struct Draft {
 
 double share(Statement& s, std::string_view what) {
   const double value = s.number(what);
-  if (value < 0) s.fail(fmt::format("expected {} of 0 or more, found {}", what, value));
+  if (value < 0) s.fail(fmt::format("expected {} of 0 or more, found {}", what, s.quoted(value)));
   return value;
 }
 
@@ -71,7 +72,7 @@ std::string map_file(Statement& s) {
         s.word();
       }
     } else {
-      s.fail(fmt::format("expected an option of a map, found {}", shown(option)));
+      s.fail(fmt::format("expected an option of a map, found {}", s.quoted(option)));
     }
   }
 }
@@ -94,7 +95,7 @@ class Reader {
   void read(Statement& s) {
     const std::string_view key = s.word();
     if (key == "newmtl") return begin(s);
-    if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", shown(key)));
+    if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", s.quoted(key)));
     Draft& draft = drafts_.back();
     Material& m = draft.material;
     if (key == "Ka") {
@@ -122,14 +123,14 @@ class Reader {
       do s.number(key);
       while (s.more());
     } else if (!other_map(key)) {
-      notes_.push_back(
-          s.place(fmt::format("{} is no known statement of an MTL file and is left out", shown(key))));
+      unknown_.add(s, key);
     }
   }
 
   std::vector<Material> finish() const {
     std::vector<Material> materials;
     for (const Draft& draft : drafts_) materials.push_back(draft.finished());
+    for (std::string& note : unknown_.notes("an MTL file")) notes_.push_back(std::move(note));
     return materials;
   }
 
@@ -137,9 +138,8 @@ class Reader {
   void begin(Statement& s) {
     const std::string name(s.rest());
     if (name.empty()) notes_.push_back(s.place("a material without a name, which nothing can use"));
-    const auto same = [&name](const Draft& draft) { return draft.material.name == name; };
-    if (std::ranges::any_of(drafts_, same))
-      s.fail(fmt::format("expected another name for each material, found {} again", shown(name)));
+    if (!names_.insert(name).second)
+      s.fail(fmt::format("expected another name for each material, found {} again", s.quoted(name)));
     drafts_.emplace_back();
     drafts_.back().material.name = name;
   }
@@ -150,17 +150,20 @@ class Reader {
     if (key == "d" && ahead.word() == "-halo") s.word();
     const double value = s.number(key);
     s.end(key);
-    if (value < 0 || value > 1) s.fail(fmt::format("expected {} from 0 to 1, found {}", key, value));
+    if (value < 0 || value > 1)
+      s.fail(fmt::format("expected {} from 0 to 1, found {}", key, s.quoted(value)));
     m.opacity = static_cast<float>(key == "d" ? value : 1 - value);
   }
 
   std::vector<Draft> drafts_;
+  std::unordered_set<std::string> names_;
+  UnknownStatements unknown_;
   std::vector<std::string>& notes_;
 };
 
 }  // namespace
 
-std::vector<Material> parse_mtl(std::string_view text, const std::string& file,
+std::vector<Material> parse_mtl(std::string_view text, const TextFile& file,
                                 std::vector<std::string>& notes) {
   Statements statements(text, file);
   Reader reader(notes);

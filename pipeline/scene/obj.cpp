@@ -1,14 +1,14 @@
 #include "scene/obj.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
+#include <map>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -27,8 +27,8 @@ constexpr std::array<const char*, 3> statement_name{"v", "vt", "vn"};
 
 class Reader {
  public:
-  Reader(const std::string& file, const FileReader& open) : file_(file), open_(open) {
-    model_.mesh.files.push_back(file);
+  Reader(const TextFile& file, const FileReader& open) : file_(file), open_(open) {
+    model_.mesh.files.push_back(file.name);
     material_of_[""] = 0;
   }
 
@@ -57,7 +57,8 @@ class Reader {
       model_.lines += 1;
       element(s, 2, "a line");
     } else if (key != "o" && key != "g" && !for_display(key)) {
-      unknown(s, key);
+      check_left_out(s, key);
+      unknown_.add(s, key);
     }
   }
 
@@ -66,10 +67,13 @@ class Reader {
     if (mesh.faces.empty()) {
       throw InputError(
           fmt::format("{}: expected at least one face, found none ({} vertices, {} points, {} lines)",
-                      shown_name(file_), mesh.positions.size(), model_.points, model_.lines));
+                      shown_name(file_.name), mesh.positions.size(), model_.points, model_.lines));
     }
+    leave_out(texture, &Corner::texture);
+    leave_out(normal, &Corner::normal);
     check_indices();
     for (const auto& [material, note] : missing_) model_.notes.push_back(note);
+    for (std::string& note : unknown_.notes("an OBJ file")) model_.notes.push_back(std::move(note));
     model_.normals_in_file = static_cast<std::int64_t>(mesh.normals.size());
     add_missing_normals(mesh, groups_told_ ? std::span<const int>(groups_) : std::span<const int>());
     return std::move(model_);
@@ -127,19 +131,19 @@ class Reader {
   }
 
   [[noreturn]] static void no_corner(Statement& s, std::string_view word) {
-    s.fail(
-        fmt::format("expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found {}", shown(word)));
+    s.fail(fmt::format("expected a corner v, v/vt, v//vn or v/vt/vn of whole numbers, found {}",
+                       s.quoted(word)));
   }
 
   /// One number of a corner as a place in its array, from 0; it is moved past. A positive one is checked at
   /// the end.
-  int index(Statement& s, const char*& at, const char* end, Array array, std::string_view word) const {
+  int index(Statement& s, const char*& at, const char* end, Array array, std::string_view word) {
     if (at != end && *at == '+') ++at;
     int number = 0;
     const auto [stopped, error] = std::from_chars(at, end, number);
     if (error == std::errc::result_out_of_range || number > most || number < -most) {
       s.fail(fmt::format("expected a {} index from {} to {}, found {}", array_name[array], -most, most,
-                         shown(word)));
+                         s.quoted(word)));
     }
     if (error != std::errc{} || (stopped != end && *stopped != '/')) {
       no_corner(s, word);
@@ -148,29 +152,33 @@ class Reader {
     if (number > 0) return number - 1;
     if (number == 0)
       s.fail(fmt::format("expected a {} index that counts from 1, or from -1 backwards, found 0 in {}",
-                         array_name[array], shown(word)));
+                         array_name[array], s.quoted(word)));
     const auto size = static_cast<std::int64_t>(size_of(array));
     if (size + number < 0) {
-      s.fail(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
-                         statement_name[array], number, shown(word)));
+      const std::string problem =
+          s.place(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
+                              statement_name[array], s.quoted(number), s.quoted(word)));
+      // Of what the whole file has none, no index can be meant
+      if (size > 0 || array == position) throw InputError(problem);
+      if (too_early_[array].empty()) too_early_[array] = problem;
+      return 0;
     }
     return static_cast<int>(size + number);
   }
 
-  Corner corner(Statement& s, std::string_view word) const {
+  /// v, v/vt, v//vn or v/vt/vn; behind the last number slashes may follow, as some programs write them.
+  Corner corner(Statement& s, std::string_view word) {
     const char* at = word.data();
     const char* end = at + word.size();
     Corner corner{index(s, at, end, position, word), -1, -1};
-    if (at == end) return corner;
-    ++at;  // the first slash
-    if (at != end && *at != '/') corner.texture = index(s, at, end, texture, word);
-    if (at != end) {
-      ++at;  // the second
-      corner.normal = index(s, at, end, normal, word);
-    }
-    if (at != end || word.back() == '/') {
-      no_corner(s, word);
-    }
+    const auto optional = [&](Array array) {
+      if (at == end) return -1;
+      ++at;  // the slash
+      return at == end || *at == '/' ? -1 : index(s, at, end, array, word);
+    };
+    corner.texture = optional(texture);
+    corner.normal = optional(normal);
+    if (at != end) no_corner(s, word);
     return corner;
   }
 
@@ -182,7 +190,7 @@ class Reader {
       const Corner &first = corners_.front(), &last = corners_.back();
       if ((first.texture < 0) != (last.texture < 0) || (first.normal < 0) != (last.normal < 0)) {
         s.fail(fmt::format("expected corner {} of the face in the form of the first, found {}",
-                           corners_.size(), shown(word)));
+                           corners_.size(), s.quoted(word)));
       }
     }
     if (corners_.size() < 3)
@@ -213,8 +221,8 @@ class Reader {
     material_ = found->second;
     if (!is_new) return;
     model_.mesh.materials.emplace_back().name = name;
-    missing_.push_back(
-        {next, s.place(fmt::format("no material {} was read: it is drawn like the default", shown(name)))});
+    missing_.emplace(next, s.place(fmt::format("no material {} was read: it is drawn like the default",
+                                               file_.quotable ? shown(name) : "of this name")));
   }
 
   void smoothing(Statement& s) {
@@ -226,7 +234,7 @@ class Reader {
     } else {
       const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), group_);
       if (error != std::errc{} || stopped != word.data() + word.size() || group_ < 0) {
-        s.fail(fmt::format("expected a smoothing group, a whole number or off, found {}", shown(word)));
+        s.fail(fmt::format("expected a smoothing group, a whole number or off, found {}", s.quoted(word)));
       }
     }
     s.end("a smoothing group");
@@ -237,26 +245,55 @@ class Reader {
   void library(Statement& s) {
     const std::string all(s.rest());
     if (all.empty()) s.fail("expected a file's name after mtllib, found none");
-    if (add_library(all)) return;
-    bool several = false;
-    for (std::size_t at = 0; at < all.size();) {
-      const std::size_t begin = all.find_first_not_of(" \t", at);
-      if (begin == std::string::npos) break;
-      at = std::min(all.find_first_of(" \t", begin), all.size());
-      const std::string name = all.substr(begin, at - begin);
-      several = several || name.size() < all.size();
-      if (!several || !add_library(name))
-        model_.notes.push_back(
-            s.place(fmt::format("no file {}: its materials are the default", shown(name))));
+    if (add_library(s, all) || (unescaped(all) != all && add_library(s, unescaped(all)))) return;
+    for (const std::string& name : names_in(all)) {
+      if (name != unescaped(all) && add_library(s, name)) continue;
+      model_.notes.push_back(s.place(fmt::format("no file {}: its materials are the default",
+                                                 file_.quotable ? shown(name) : "of this name")));
     }
   }
 
-  bool add_library(const std::string& name) {
+  /// "a\ b.mtl" is a name with a blank.
+  static std::string unescaped(std::string_view name) {
+    std::string plain;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      const bool escape = name[i] == '\\' && i + 1 < name.size() && is_blank(name[i + 1]);
+      if (!escape) plain += name[i];
+    }
+    return plain;
+  }
+
+  /// The names that stand apart, by blanks that are not escaped.
+  static std::vector<std::string> names_in(const std::string& all) {
+    std::vector<std::string> names;
+    bool inside = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (is_blank(all[i]) && (i == 0 || all[i - 1] != '\\')) {
+        inside = false;
+        continue;
+      }
+      if (!inside) names.emplace_back();
+      inside = true;
+      names.back() += all[i];
+    }
+    for (std::string& name : names) name = unescaped(name);
+    return names;
+  }
+
+  static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+  bool add_library(Statement& s, const std::string& name) {
     if (std::ranges::find(libraries_, name) != libraries_.end()) return true;
-    const std::optional<std::string> text = open_(name);
-    if (!text) return false;
+    const std::optional<LibraryText> found = open_(name);
+    if (!found) return false;
+    if (!found->problem.empty())
+      s.fail(file_.quotable ? found->problem : "expected a library that can be read");
+    if (libraries_.size() == most_libraries)
+      s.fail(fmt::format("expected at most {} material libraries, found one more", most_libraries));
     libraries_.push_back(name);
-    for (Material& material : parse_mtl(*text, name, model_.notes)) add_material(std::move(material));
+    const TextFile file{file_.quotable ? name : fmt::format("{}:{}: its library", file_.name, s.line()),
+                        found->quotable && file_.quotable};
+    for (Material& material : parse_mtl(found->text, file, model_.notes)) add_material(std::move(material));
     return true;
   }
 
@@ -267,7 +304,7 @@ class Reader {
     const auto [found, is_new] = material_of_.try_emplace(material.name, next);
     if (is_new) {
       materials.push_back(std::move(material));
-    } else if (std::erase_if(missing_, [&](const auto& m) { return m.first == found->second; }) > 0) {
+    } else if (missing_.erase(found->second) > 0) {
       materials[static_cast<std::size_t>(found->second)] = std::move(material);
     }
   }
@@ -278,14 +315,38 @@ class Reader {
     return std::ranges::find(keys, key) != keys.end();
   }
 
-  [[noreturn]] static void unknown(Statement& s, std::string_view key) {
+  /// What can't be left out, for more would be seen with it.
+  static void check_left_out(const Statement& s, std::string_view key) {
     constexpr std::array free_form{"vp",   "cstype", "deg",  "bmat", "step", "curv", "curv2",
                                    "surf", "parm",   "trim", "hole", "scrv", "sp",   "end",
                                    "con",  "bzp",    "bsp",  "cdc",  "cdp",  "res"};
     if (std::ranges::find(free_form, key) != free_form.end()) {
-      s.fail(fmt::format("expected faces alone, found {} of a free-form curve or surface", shown(key)));
+      s.fail(fmt::format("expected faces alone, found {} of a free-form curve or surface", s.quoted(key)));
     }
-    s.fail(fmt::format("expected a statement of an OBJ file, found {}", shown(key)));
+    if (key == "call" || key == "csh") {
+      s.fail(fmt::format("expected a model in one file, found {} of another file", s.quoted(key)));
+    }
+  }
+
+  /// Indices into data of which the file has none at all mean nothing.
+  void leave_out(Array array, int Corner::* member) {
+    if (size_of(array) > 0) {
+      if (!too_early_[array].empty()) throw InputError(too_early_[array]);
+      return;
+    }
+    int first_line = 0;
+    for (const MeshFace& face : model_.mesh.faces) {
+      for (std::int64_t i = face.first; i < face.first + face.count; ++i) {
+        int& index = model_.mesh.corners[static_cast<std::size_t>(i)].*member;
+        if (index >= 0 && first_line == 0) first_line = face.line;
+        index = -1;
+      }
+    }
+    if (first_line > 0) {
+      model_.notes.push_back(
+          fmt::format("{}:{}: there are no {}s ({}) in the file: their indices are left out",
+                      shown_name(file_.name), first_line, array_name[array], statement_name[array]));
+    }
   }
 
   void check_indices() const {
@@ -302,12 +363,13 @@ class Reader {
 
   void check_index(int index, Array array, int line) const {
     if (index < static_cast<std::int64_t>(size_of(array))) return;
-    throw InputError(fmt::format(
-        "{}:{}: expected one of the {} of the file ({}), found {}", shown_name(file_), line,
-        counted(array, static_cast<std::int64_t>(size_of(array))), statement_name[array], index + 1));
+    throw InputError(
+        fmt::format("{}:{}: expected one of the {} of the file ({}), found {}", shown_name(file_.name), line,
+                    counted(array, static_cast<std::int64_t>(size_of(array))), statement_name[array],
+                    file_.quotable ? fmt::format("{}", index + 1) : "another"));
   }
 
-  const std::string& file_;
+  const TextFile& file_;
   const FileReader& open_;
   ModelFile model_;
   std::vector<Corner> corners_;  ///< of the face being read
@@ -316,36 +378,17 @@ class Reader {
   bool groups_told_ = false;
   int material_ = 0;
   std::unordered_map<std::string, int> material_of_;
-  std::vector<std::pair<int, std::string>>
-      missing_;  ///< materials that were used but not read, and what to say
+  std::map<int, std::string> missing_;    ///< materials that were used but not read, and what to say
+  std::array<std::string, 3> too_early_;  ///< for each array: the first index back into it while it was empty
+  UnknownStatements unknown_;
   std::vector<std::string> libraries_;
   std::vector<std::pair<int, int>>
       loose_;  ///< indices of points and lines into what was not yet there, and their lines
 };
 
-std::optional<std::string> contents(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return std::nullopt;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(fmt::format("{}: expected a file, found a folder", shown_name(path.string())));
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  // In large pieces: pipes don't know their size beforehand
-  constexpr std::size_t piece = 1 << 20;
-  while (file) {
-    const std::size_t have = text.size();
-    text.resize(have + piece);
-    file.read(text.data() + have, piece);
-    text.resize(have + static_cast<std::size_t>(file.gcount()));
-    if (file.gcount() == 0) break;
-  }
-  if (!file.eof()) throw InputError(fmt::format("{}: can't be read", shown_name(path.string())));
-  return text;
-}
-
 }  // namespace
 
-ModelFile parse_obj(std::string_view text, const std::string& file, const FileReader& open) {
+ModelFile parse_obj(std::string_view text, const TextFile& file, const FileReader& open) {
   Statements statements(text, file);
   Reader reader(file, open);
   while (std::optional<Statement> s = statements.next()) reader.read(*s);
@@ -353,14 +396,9 @@ ModelFile parse_obj(std::string_view text, const std::string& file, const FileRe
 }
 
 ModelFile load_obj(const std::string& path) {
-  const std::optional<std::string> text = contents(path);
-  if (!text) throw InputError(fmt::format("{}: there is no such file", shown_name(path)));
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return parse_obj(*text, path, [&folder](const std::string& name) {
-    std::string native = name;
-    std::ranges::replace(native, '\\', '/');  // written on Windows
-    return contents(folder / native);
-  });
+  const FileRead file = read_regular_file(path);
+  if (!file.problem.empty()) throw InputError(file.problem);
+  return parse_obj(file.bytes, path, libraries_beside(path));
 }
 
 }  // namespace gradus::pipeline

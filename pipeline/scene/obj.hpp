@@ -1,14 +1,15 @@
 #pragma once
 // Models from OBJ files.
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/mesh.hpp"
+#include "scene/files.hpp"
+#include "scene/statements.hpp"
 
 namespace gradus::pipeline {
 
@@ -20,34 +21,39 @@ struct ModelFile {
   std::vector<std::string> notes;      ///< what was assumed or left out, "file:line: …"
 };
 
-/// Gives the contents of a file that a model names, or nothing when there is none. Throws InputError for one
-/// that can't be read.
-using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
+/// A model may name so many material libraries.
+inline constexpr std::size_t most_libraries = 100;
 
 /// Reads an OBJ file and the material libraries it names.
 ///
-/// path: of the file; libraries are looked for beside it. Domain and errors: as parse_obj; InputError also
-/// for a file that can't be read.
+/// path: of the file; libraries are looked for beside it (libraries_beside). Domain and errors: as parse_obj;
+/// InputError also for what read_regular_file refuses.
 ModelFile load_obj(const std::string& path);
 
 /// The model in the text of an OBJ file: faces of any size, in file order.
 /// Source: Wavefront, The Advanced Visualizer, Object files (.obj), version 3.0, 1995.
 ///
-/// text: the file's contents. file: how mistakes call it. open: how to get at the libraries it names; it is
-///   asked for the name as it stands in the file.
+/// text: the file's contents. file: how mistakes call it, and whether they may quote it. open: how to get at
+/// the
+///   libraries it names; it is asked for the name as it stands in the file, then with each backslash before a
+///   blank taken for the escape that it is.
 ///
 /// Read: v (with a weight or a colour behind it, which are checked and not used), vt, vn, f in all four forms
-/// (v, v/vt, v//vn, v/vt/vn) with positive and negative numbers, usemtl, mtllib, s, o, g, p and l (counted).
-/// A positive number may refer to what comes later. Missing normals, and those of length 0, are made:
-/// area-weighted means over a smoothing group; s off and s 0 are flat; a file without s is one group. A
-/// library or a material that is not there gives the default material and a note.
+/// (v, v/vt, v//vn, v/vt/vn, each also with slashes at its end) with positive and negative numbers, usemtl,
+/// mtllib, s, o, g, p and l (counted). A positive number may refer to what comes later. Missing normals, and
+/// those of length 0, are made: area-weighted means over a smoothing group; s off and s 0 are flat; a file
+/// without s is one group. With a note: a library or a material that is not there gives the default material;
+/// texture and normal indices in a file without any such data are left out, and so are statements that no
+/// reader of OBJ files knows.
 ///
 /// Domain: any bytes.
-/// Accuracy: the nearest double to each number.
+/// Accuracy: the nearest double to each number; what is too small for a double is a zero.
 /// Cost: more than a million triangles a second.
-/// Errors: InputError "file:line: what is wrong" for all that is broken: unknown and free-form statements,
-///   numbers that are none, not finite or larger than 1e30, faces of less than 3 corners or of mixed forms,
-///   index 0, indices out of range, a broken library, a model without a face. Then nothing is returned.
-ModelFile parse_obj(std::string_view text, const std::string& file, const FileReader& open);
+/// Errors: InputError "file:line: what is wrong" for all that is broken: free-form statements and those that
+/// run
+///   other files, numbers that are none, not finite or larger than 1e30, faces of less than 3 corners or of
+///   mixed forms, index 0, indices out of range, a library that is broken or can't be read, more than
+///   most_libraries of them, a model without a face. Then nothing is returned.
+ModelFile parse_obj(std::string_view text, const TextFile& file, const FileReader& open);
 
 }  // namespace gradus::pipeline

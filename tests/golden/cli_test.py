@@ -418,7 +418,7 @@ def test_wrong_input():
         ([*line, "-o", "folder", "--format", "svg"], "-o: expected a file's name, found 'folder'"),
         ([*line, "-o", "{step}.csv"], "-o: expected {step} for svg, png or pdf only, found '{step}.csv'"),
         ([*fill, *out, "--image", "gone.png"], "--image: expected a readable file, found 'gone.png' (No such file or directory)"),
-        ([*fill, *out, "--image", "folder"], "--image: expected a readable file, found 'folder' (Is a directory)"),
+        ([*fill, *out, "--image", "folder"], "--image: expected a regular file, found the folder 'folder'"),
         ([*fill, *out, "--image", "no.png"], "--image: 'no.png': expected a PNG file, found something else"),
         ([*fill, *out, "--image", "cut.png"], re.compile(r"--image: 'cut.png': expected a whole PNG file, found .*")),
         ([*fill, *out, "--image", "-"], "--image: standard input: expected a PNG file, found an empty one"),

@@ -12,6 +12,7 @@
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
 #include "cli/render.hpp"
+#include "cli/shipped.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -24,17 +25,24 @@ bool is_listed(const std::string& hash, std::string_view hashes) {
   return hashes.find(hash) != std::string_view::npos;
 }
 
-/// An input file goes by its name without folders: it lies beside the figure, or in the current folder.
-std::string find_input(const std::string& name, const std::string& flag, const fs::path& figure,
-                       const std::string& hashes) {
+/// An input file goes by its name without folders: it lies beside the figure, in the current folder, or came
+/// with the program.
+FoundFile find_input(const std::string& name, const std::string& flag, const fs::path& figure,
+                     const std::string& hashes) {
   const std::string base = fs::path(name).filename().string();
   std::string changed;
-  for (const fs::path& candidate : {figure.parent_path() / base, fs::path(base)}) {
+  const auto is_it = [&](const fs::path& candidate) {
     std::error_code error;
-    if (!fs::is_regular_file(candidate, error)) continue;
-    if (is_listed(fingerprint(read_input(candidate.string(), flag)), hashes)) return candidate.string();
+    if (!fs::is_regular_file(candidate, error)) return false;
+    if (is_listed(fingerprint(read_input(candidate.string(), flag)), hashes)) return true;
     changed = candidate.string();
+    return false;
+  };
+  for (const fs::path& candidate : {figure.parent_path() / base, fs::path(base)}) {
+    if (is_it(candidate)) return candidate.string();
   }
+  const std::string example = shipped_example(base);
+  if (changed.empty() && is_it(example)) return example;
   if (changed.empty()) {
     throw UsageError(
         fmt::format("{}: expected the file {} beside the figure or in the current folder, found none", flag,
@@ -136,6 +144,7 @@ int again(const Request& request) {
       request.has("format") || (named && output != dash) ? read_format(request, output) : *content;
   refuse_idle_flags(request, format);
   inputs.files.push_back(path);
+  if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
   write_figure(spec, format, output, inputs.files, request.quiet());
   return 0;
 }

@@ -242,6 +242,7 @@ int figure(const Request& request) {
   const auto snippet = read_snippet(request, format, output->second);
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
+  if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
   write_figure(spec, format, output->second, inputs.files, request.quiet(), snippet);
   return 0;
 }

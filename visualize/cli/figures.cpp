@@ -7,10 +7,8 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -23,6 +21,7 @@
 #include "cli/topic_pages.hpp"
 #include "cli/zip.hpp"
 #include "core/image.hpp"
+#include "scene/files.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -61,10 +60,8 @@ std::size_t read_jobs(const Request& request) {
 class Album {
  public:
   explicit Album(fs::path out) : out_(std::move(out)) {
-    std::ifstream file(out_ / manifest_name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (file) manifest_ = parse_manifest(text.str());
+    const pipeline::FileRead file = pipeline::read_regular_file((out_ / manifest_name).string());
+    if (file.problem.empty()) manifest_ = parse_manifest(file.bytes);
   }
 
   /// Whose figures these are: LectureFile::owner. Nobody's while there are none.

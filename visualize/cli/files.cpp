@@ -15,12 +15,11 @@
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "scene/files.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
 namespace {
-
-constexpr std::size_t most_input = std::size_t{256} << 20;
 
 class Descriptor {
  public:
@@ -129,20 +128,20 @@ void write_in_place(const std::string& path, std::string_view bytes) {
   if (file.number() < 0 || !write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
 }
 
-std::string read_descriptor(int descriptor, const std::string& name, std::string_view what) {
+std::string read_standard_input(std::string_view what) {
   std::string bytes;
   char block[1 << 16];
   while (true) {
-    const ssize_t count = read(descriptor, block, sizeof block);
+    const ssize_t count = read(STDIN_FILENO, block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int reason = errno;
-      throw UsageError(
-          fmt::format("{}: expected a readable file, found {} ({})", what, name, std::strerror(reason)));
+      throw UsageError(fmt::format("{}: expected a readable file, found standard input ({})", what,
+                                   std::strerror(reason)));
     }
     if (count == 0) return bytes;
-    if (bytes.size() + static_cast<std::size_t>(count) > most_input) {
-      throw UsageError(fmt::format("{}: expected a file of at most 256 MiB, found {}", what, name));
+    if (bytes.size() + static_cast<std::size_t>(count) > pipeline::most_file_bytes) {
+      throw UsageError(fmt::format("{}: expected at most 256 MiB, found more in standard input", what));
     }
     bytes.append(block, static_cast<std::size_t>(count));
   }
@@ -151,14 +150,10 @@ std::string read_descriptor(int descriptor, const std::string& name, std::string
 }  // namespace
 
 std::string read_input(const std::string& path, std::string_view what) {
-  if (path == dash) return read_descriptor(STDIN_FILENO, "standard input", what);
-  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) {
-    const int reason = errno;
-    throw UsageError(
-        fmt::format("{}: expected a readable file, found {} ({})", what, shown(path), std::strerror(reason)));
-  }
-  return read_descriptor(file.number(), shown(path), what);
+  if (path == dash) return read_standard_input(what);
+  pipeline::FileRead file = pipeline::read_regular_file(path);
+  if (!file.problem.empty()) throw UsageError(fmt::format("{}: {}", what, file.problem));
+  return std::move(file.bytes);
 }
 
 std::string fingerprint(std::string_view bytes) {

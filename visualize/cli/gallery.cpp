@@ -359,7 +359,9 @@ std::string thumbnail_name(const LectureRender& render) {
 
 /// The files have been found already.
 Rendered rendered_again(const Request& request, const LectureRender& render) {
-  return rendered(request, [&](const std::string&, const std::string&) { return render.files.front(); });
+  return rendered(request, [&](const std::string&, const std::string&) {
+    return FoundFile(render.files.front(), render.brief.quotable);
+  });
 }
 
 /// The same picture, smaller.
@@ -440,7 +442,7 @@ Drawn draw(const LectureFigure& figure, const fs::path& out) {
   folder.add(figure.name + "-drawing.svg", picture_bytes(thumbnail, takes, telling, Format::svg));
   if (has_zip(figure)) folder.add(figure.name + "-steps.zip", zip_bytes(figure, takes));
   folder.add_inputs();
-  return {folder.finish(), {}};
+  return {folder.finish(), figure.remarks};
 }
 
 Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes) {

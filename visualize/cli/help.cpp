@@ -180,7 +180,7 @@ std::string overview(bool color) {
     text += fmt::format("  gradus run {}{}\n  gradus figure {}{} -o {}.svg\n", topic.name, arguments,
                         topic.name, arguments, topic.name);
   }
-  text += "  gradus render examples/models/letter_f.obj -o f.png\n";
+  text += "  gradus render letter_f.obj -o f.png\n";
   text += section("Commands", color);
   std::vector<std::pair<std::string, std::string>> rows;
   for (const Command& command : commands()) rows.emplace_back(command.name, command.summary);

@@ -8,6 +8,8 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/shipped.hpp"
+#include "scene/files.hpp"
 #include "scene/obj.hpp"
 #include "stories/point_text.hpp"
 
@@ -83,7 +85,7 @@ class Reader {
   }
 
   Arguments::Entry picture(const Parameter& parameter, const std::string& text) {
-    const std::string name = canonical(parameter, text), bytes = file_bytes(parameter, text);
+    const std::string name = canonical(parameter, text), bytes = file_bytes(parameter, text).bytes;
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     const std::string called =
         fmt::format("{}: {}", flag_of(parameter), text == dash ? "standard input" : shown(text));
@@ -100,31 +102,37 @@ class Reader {
       std::ranges::replace(rows, '/', '\n');
       return {.name = parameter.name, .text = name, .content = rows};
     }
-    const std::string bytes = file_bytes(parameter, text);
+    const auto [bytes, quotable] = file_bytes(parameter, text);
     std::string rows = plain_lines(bytes), joined(trimmed(rows));
     std::ranges::replace(joined, '\n', '/');
     if (joined.size() <= longest_inline_maze && is_maze_rows(joined)) {
       if (even(joined)) return {.name = parameter.name, .text = joined, .content = rows};
     }
-    return {.name = parameter.name, .text = name, .content = rows, .hash = fingerprint(bytes)};
+    return {.name = parameter.name,
+            .text = name,
+            .content = rows,
+            .hash = fingerprint(bytes),
+            .quotable = quotable};
   }
 
   /// A model and the material libraries that lie beside it.
   Arguments::Entry model(const Parameter& parameter, const std::string& text) {
     const std::string name = canonical(parameter, text);
-    std::string bytes = file_bytes(parameter, text);
+    const auto [bytes, quotable] = file_bytes(parameter, text);
     const std::string path = inputs_.files.back();
     Arguments::Entry entry{
         .name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
+    const auto took = [&](const std::string& library, const std::string& file,
+                          const pipeline::LibraryText& found) {
+      if (std::ranges::find(inputs_.files, file) == inputs_.files.end()) inputs_.files.push_back(file);
+      if (entry.libraries.emplace(library, found.text).second) entry.hash += " " + fingerprint(found.text);
+    };
+    const auto none = [](const std::string&) { return std::optional<pipeline::LibraryText>(); };
     // Reading it shows which libraries it names, and whether it can be read
-    pipeline::parse_obj(bytes, path == dash ? "standard input" : path, [&](const std::string& library) {
-      const auto file = path == dash ? std::nullopt : find_library(path, library);
-      if (!file) return std::optional<std::string>();
-      if (std::ranges::find(inputs_.files, *file) == inputs_.files.end()) inputs_.files.push_back(*file);
-      const auto found = std::optional(read_input(*file, flag_of(parameter)));
-      if (entry.libraries.emplace(library, *found).second) entry.hash += " " + fingerprint(*found);
-      return found;
-    });
+    const pipeline::ModelFile model = pipeline::parse_obj(
+        bytes, {path == dash ? "standard input" : path, quotable},
+        path == dash ? pipeline::FileReader(none) : pipeline::libraries_beside(path, took));
+    for (std::string& remark : first_notes(model.notes)) inputs_.remarks.push_back(std::move(remark));
     return entry;
   }
 
@@ -145,19 +153,24 @@ class Reader {
     return lines;
   }
 
-  std::string file_bytes(const Parameter& parameter, const std::string& text) {
+  struct Taken {
+    std::string bytes;
+    bool quotable;
+  };
+
+  Taken file_bytes(const Parameter& parameter, const std::string& text) {
     if (text == dash) {
       if (stdin_taken_) {
         throw UsageError(fmt::format("{}: expected a file, found - for a second time", flag_of(parameter)));
       }
       stdin_taken_ = true;
       inputs_.files.emplace_back(dash);
-      return read_input(text, flag_of(parameter));
+      return {read_input(text, flag_of(parameter)), true};
     }
     // "@maze.txt" is another way to say that a file is meant
-    const std::string path = find_(text.starts_with('@') ? text.substr(1) : text, flag_of(parameter));
-    inputs_.files.push_back(path);
-    return read_input(path, flag_of(parameter));
+    const FoundFile found = find_(text.starts_with('@') ? text.substr(1) : text, flag_of(parameter));
+    inputs_.files.push_back(found.path);
+    return {read_input(found.path, flag_of(parameter)), found.quotable};
   }
 
   const TopicEntry& topic_;
@@ -169,16 +182,20 @@ class Reader {
 
 }  // namespace
 
-std::string as_named(const std::string& name, const std::string&) { return name; }
+FoundFile as_named(const std::string& name, const std::string&) {
+  std::error_code error;
+  if (fs::exists(name, error)) return name;
+  const std::string example = shipped_example(name);
+  return example.empty() ? name : example;
+}
 
-std::optional<std::string> find_library(const std::string& model, std::string name) {
-  std::ranges::replace(name, '\\', '/');  // written on Windows
-  const fs::path folder = fs::path(model).parent_path();
-  for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
-    std::error_code error;
-    if (fs::exists(candidate, error)) return candidate.string();
-  }
-  return std::nullopt;
+std::vector<std::string> first_notes(const std::vector<std::string>& notes) {
+  constexpr std::size_t most = 5;
+  const std::size_t count = std::min(notes.size(), most);
+  std::vector<std::string> first(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(count));
+  if (notes.size() > count)
+    first.push_back(fmt::format("and {} more remarks like these", notes.size() - count));
+  return first;
 }
 
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stories/topic.hpp"
@@ -13,18 +14,27 @@ namespace gradus::cli {
 
 struct Inputs {
   Arguments arguments;
-  std::vector<std::string> files;  ///< paths that were read
+  std::vector<std::string> files;    ///< paths that were read
+  std::vector<std::string> remarks;  ///< what models have that was left out, a line each
+};
+
+/// A file that an argument names.
+struct FoundFile {
+  std::string path;
+  bool quotable = true;  ///< whether messages may show what stands in it: not where others have named it
+
+  // NOLINTNEXTLINE(google-explicit-constructor): most files are the user's own
+  FoundFile(std::string where, bool may_be_quoted = true) : path(std::move(where)), quotable(may_be_quoted) {}
 };
 
 /// Where a file that an argument names is to be looked for. `flag` is for errors: "--image".
-using FindFile = std::function<std::string(const std::string& name, const std::string& flag)>;
+using FindFile = std::function<FoundFile(const std::string& name, const std::string& flag)>;
 
-/// The name as it stands.
-std::string as_named(const std::string& name, const std::string& flag);
+/// The name as it stands; where there is no such file, what comes with the program under that name.
+FoundFile as_named(const std::string& name, const std::string& flag);
 
-/// The material library that a model names: beside the model, where the name says; else, for a path on
-/// another disk, under its last part. Nothing when there is none.
-std::optional<std::string> find_library(const std::string& model, std::string name);
+/// The first few notes on a model, and how many more there are.
+std::vector<std::string> first_notes(const std::vector<std::string>& notes);
 
 /// Throws UsageError, ArgumentError or InputError: wrong spelling, unreadable file, no PNG.
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,

@@ -12,8 +12,10 @@
 #include "cli/files.hpp"
 #include "cli/located_json.hpp"
 #include "cli/names.hpp"
+#include "cli/shipped.hpp"
 #include "core/image.hpp"
 #include "figure/wording.hpp"
+#include "scene/files.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus {
@@ -29,29 +31,16 @@ using Texts = std::vector<std::string>;
 
 // --- Files -------------------------------------------------------------------------------------------------
 
-/// What is shipped with the program, by its name from the project's root: here, or in a folder above the
-/// program. Empty when it is nowhere.
-std::string shipped(const std::string& name) {
-  std::error_code error;
-  if (fs::is_regular_file(name, error)) return name;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
-    for (const fs::path& candidate : {folder / name, folder / "share" / "gradus" / name}) {
-      if (fs::is_regular_file(candidate, error)) return candidate.string();
-    }
-    if (folder == folder.root_path()) break;
-  }
-  return "";
-}
-
 /// Beside the lecture; else one of those that come with the program, so that a copy of the built-in gallery
-/// works as it is.
-std::string find_beside(const fs::path& folder, const std::string& name) {
+/// works as it is. The lecture may be somebody else's: of files elsewhere nothing is quoted.
+FoundFile find_beside(const fs::path& folder, const std::string& name) {
   std::error_code error;
   const fs::path beside = folder / name;
-  if (fs::is_regular_file(beside, error)) return beside.string();
-  const std::string other = shipped("examples/" + name);
-  return other.empty() ? beside.string() : other;
+  if (!fs::is_regular_file(beside, error) && name.find("..") == std::string::npos) {
+    if (std::string path = shipped("examples/" + name); !path.empty()) return path;
+    if (std::string path = shipped_example(name); !path.empty()) return path;
+  }
+  return {beside.string(), pipeline::lies_in(folder, beside)};
 }
 
 // --- Errors ------------------------------------------------------------------------------------------------
@@ -562,6 +551,7 @@ class Reader {
     if (!fine) return;
     figure.spec = std::move(spec);
     figure.files = std::move(inputs.files);
+    figure.remarks = std::move(inputs.remarks);
     figure.copies = needed_of(figure.files, figure.spec.arguments);
   }
 
@@ -735,7 +725,7 @@ LectureFile lecture_at(const std::string& path) {
 LectureFile gallery_lecture() {
   const std::string folder = "examples/";
   return {folder + "gallery.json", std::string(example_text("gallery.json")), "",
-          [folder](const std::string& name, const std::string& flag) {
+          [folder](const std::string& name, const std::string& flag) -> FoundFile {
             const std::string path = shipped(folder + name);
             if (!path.empty()) return path;
             throw WorkError(

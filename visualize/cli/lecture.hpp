@@ -100,6 +100,7 @@ struct LecturePart {
 struct LectureFigure : LecturePart {
   std::vector<Format> outputs;
   FigureSpec spec;
+  std::vector<std::string> remarks;  ///< on what was read, a line each
 
   /// All that the lecture says of it, as one text.
   std::string contents() const;

@@ -18,6 +18,7 @@
 #include "cli/names.hpp"
 #include "core/colour.hpp"
 #include "pipeline.hpp"
+#include "scene/files.hpp"
 #include "scene/framing.hpp"
 #include "scene/obj.hpp"
 #include "scene/view.hpp"
@@ -163,25 +164,28 @@ struct Input {
   std::string name;    ///< without folders
   std::string hashes;  ///< of the model and its libraries, in the order in which they were read
   std::vector<std::string> files;
+  bool quotable = true;      ///< the model's file
+  bool all_quotable = true;  ///< it and its libraries
 };
 
 Input read_model(const std::string& operand, const FindFile& find) {
   Input input;
-  const auto take = [&input](const std::string& path, std::string_view what) {
-    std::string bytes = read_input(path, what);
+  const bool from_stdin = operand == dash;
+  const FoundFile file = from_stdin ? FoundFile(operand) : find(operand, "MODEL");
+  const auto take = [&input](const std::string& path, const std::string& bytes) {
     input.hashes += (input.hashes.empty() ? "" : " ") + fingerprint(bytes);
     input.files.push_back(path);
-    return bytes;
   };
-  const bool from_stdin = operand == dash;
-  const std::string path = from_stdin ? operand : find(operand, "MODEL");
-  const std::string text = take(path, "MODEL");
+  const std::string text = read_input(file.path, "MODEL");
+  take(file.path, text);
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
-  input.model = pipeline::parse_obj(text, from_stdin ? "standard input" : path,
-                                    [&](const std::string& name) -> std::optional<std::string> {
-                                      const auto library = find_library(from_stdin ? "" : path, name);
-                                      return library ? std::optional(take(*library, "mtllib")) : std::nullopt;
-                                    });
+  input.quotable = input.all_quotable = file.quotable;
+  const auto took = [&](const std::string&, const std::string& path, const pipeline::LibraryText& library) {
+    take(path, library.text);
+    input.all_quotable = input.all_quotable && library.quotable;
+  };
+  input.model = pipeline::parse_obj(text, {from_stdin ? "standard input" : file.path, file.quotable},
+                                    pipeline::libraries_beside(from_stdin ? "" : file.path, took));
   return input;
 }
 
@@ -194,7 +198,10 @@ Camera camera_for(const pipeline::Object& object, const pipeline::View& view, do
   const pipeline::Aim aim = pipeline::aim_of(object, view, aspect);
   if (!leads_somewhere(aim)) {
     if (view.target) refuse("target", "another point than the eye " + text_of(aim.eye), text_of(aim.target));
-    refuse("eye", "another point than the target, the middle of the model", text_of(aim.eye));
+    if (view.eye) refuse("eye", "another point than the target, the middle of the model", text_of(aim.eye));
+    throw UsageError(
+        fmt::format("MODEL: expected points that are told apart from an eye beside them, found all near {}",
+                    text_of(aim.target)));
   }
   if (!tells_upright(aim)) {
     refuse("up",
@@ -262,17 +269,14 @@ Colophon colophon_of(const Input& input, const pipeline::Scene& scene, const Wis
 
 /// What the reader of the model left out; of much the beginning.
 std::vector<std::string> remarks_on(const Input& input) {
-  constexpr std::size_t most = 5;
-  const std::vector<std::string>& notes = input.model.notes;
-  std::vector<std::string> remarks(notes.begin(),
-                                   notes.begin() + static_cast<std::ptrdiff_t>(std::min(notes.size(), most)));
-  if (notes.size() > most)
-    remarks.push_back(fmt::format("and {} more remarks like these", notes.size() - most));
+  std::vector<std::string> remarks = first_notes(input.model.notes);
   const auto textured = std::ranges::find_if(input.model.mesh.materials,
                                              [](const Material& m) { return !m.diffuse_map.file.empty(); });
-  if (textured != input.model.mesh.materials.end()) {
-    remarks.push_back(fmt::format("render: textures are not drawn: {} of material {}",
-                                  shown(textured->diffuse_map.file), shown(textured->name)));
+  if (textured == input.model.mesh.materials.end()) return remarks;
+  remarks.emplace_back("render: textures are not drawn");
+  if (input.all_quotable) {
+    remarks.back() +=
+        fmt::format(": {} of material {}", shown(textured->diffuse_map.file), shown(textured->name));
   }
   return remarks;
 }
@@ -299,7 +303,8 @@ Shot shot_of(const Request& request, const FindFile& find) {
   Shot shot;
   shot.wish = WishReader(request.flags).read();
   Input input = read_model(request.operands.at(0), find);
-  shot.brief = {{}, input.files, remarks_on(input), shot.wish.size.width, shot.wish.size.height};
+  shot.brief = {
+      {}, input.files, input.quotable, remarks_on(input), shot.wish.size.width, shot.wish.size.height};
   shot.scene = scene_for(std::move(input.model.mesh), input.name, shot.wish);
   shot.brief.colophon = colophon_of(input, shot.scene, shot.wish);
   return shot;

@@ -14,6 +14,7 @@ namespace gradus::cli {
 struct RenderBrief {
   Colophon colophon;
   std::vector<std::string> files;    ///< paths that were read: the model, then its material libraries
+  bool quotable = true;              ///< FoundFile's, of the model
   std::vector<std::string> remarks;  ///< what the user should know and what is no mistake, a line each
   int width = 0, height = 0;         ///< of the picture, in pixels
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
@@ -16,6 +18,7 @@ int run(const Request& request) {
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
   const Takes takes(*request.topic, spec.arguments, spec.wording);
+  if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
   const bool json = request.has("json");
   const Trace trace = shown_part(spec, takes, json ? Format::json : Format::txt);
   const bool color = !json && use_color(request.color(), Stream::out);

@@ -69,6 +69,7 @@ class Arguments {
     std::string content{};         ///< mazes: the rows, one a line, wherever they came from; models: the file
     std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
     std::string hash{};                              ///< of the file's bytes, where the value is a file
+    bool quotable = true;                            ///< whether messages may show what stands in that file
   };
   void set(Entry entry);
   bool has(std::string_view name) const;

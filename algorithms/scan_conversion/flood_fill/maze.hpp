@@ -36,13 +36,15 @@ inline std::string shown(char cell) {
   return "the byte " + std::to_string(code);
 }
 
-/// Reads a maze: one row a line, all lines equally long. `name` is how errors call the text.
+/// Reads a maze: one row a line, all lines equally long. `name` is how errors call the text; `quotable`:
+/// whether they may show what stands in it.
 ///
 /// Domain: any bytes. Lines end with LF or CRLF; the last one may lack its end.
 /// Errors: gives a MazeError (throws nothing) for an empty text, an empty line, a line of another length
 ///   than the first, or a character that is no cell.
 /// Cost: O(length).
-inline std::variant<Maze, MazeError> parse_maze(std::string_view text, std::string_view name) {
+inline std::variant<Maze, MazeError> parse_maze(std::string_view text, std::string_view name,
+                                                bool quotable = true) {
   const auto error = [&](int line, const std::string& what) {
     return MazeError{line, std::string(name) + ":" + std::to_string(line) + ": " + what};
   };
@@ -58,7 +60,8 @@ inline std::variant<Maze, MazeError> parse_maze(std::string_view text, std::stri
     ++rows;
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (is_maze_cell(line[i])) continue;
-      return error(rows, "found " + shown(line[i]) + " in column " + std::to_string(i) +
+      const std::string found = quotable ? shown(line[i]) : "something else";
+      return error(rows, "found " + found + " in column " + std::to_string(i) +
                              ", expected # (wall), . (free) or a letter (colour)");
     }
     if (line.empty()) return error(rows, "found an empty line, expected a row of # . and letters");

@@ -26,9 +26,10 @@ std::string contents(const std::string& name) {
 
 /// Changes bytes, words and lines.
 std::string spoilt(Random& random, std::string text) {
-  const char* words[]{"nan", "inf",  "1e999",  "-1",   "0",          "//",     "1//", "99999999999",    "f",
-                      "v",   "\\\n", "\r",     "\n",   "#",          "usemtl", "s",   "mtllib l.mtl\n", "-",
-                      "+",   ".",    "1e-999", "\xFF", "newmtl a\n", "Kd"};
+  const char* words[]{
+      "nan",    "inf",  "1e999",      "-1", "0", "//",     "1//", "99999999999",    "f", "1/1/", "t",
+      "v",      "\\\n", "\r",         "\n", "#", "usemtl", "s",   "mtllib l.mtl\n", "-", "+",    ".",
+      "1e-999", "\xFF", "newmtl a\n", "Kd"};
   const auto place = [&] {
     return static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(text.size())));
   };
@@ -102,9 +103,10 @@ TEST(ObjProperty, SpoiltFilesAreReadSoundlyOrRefusedByName) {
   for (std::int64_t i = 0; i < wanted; ++i) {
     const std::string text = spoilt(random, good[random.uniform_int(0, 3)]);
     try {
-      expect_sound(parse_obj(text, "m.obj", [&](const std::string&) -> std::optional<std::string> {
+      expect_sound(parse_obj(text, "m.obj", [&](const std::string&) -> std::optional<LibraryText> {
         const auto kind = random.uniform_int(0, 3);
-        return kind == 0 ? std::nullopt : std::optional(kind == 1 ? spoilt(random, library) : library);
+        if (kind == 0) return std::nullopt;
+        return kind == 1 ? spoilt(random, library) : library;
       }));
       ++read;
     } catch (const InputError& e) {

@@ -263,9 +263,16 @@ TEST_F(Files, Reading) {
   EXPECT_EQ(complaint([this] { read_input(path("b"), "--maze"); }),
             "--maze: expected a readable file, found '" + path("b") + "' (No such file or directory)");
   EXPECT_EQ(complaint([this] { read_input(folder_.string(), "--maze"); }),
-            "--maze: expected a readable file, found '" + folder_.string() + "' (Is a directory)");
+            "--maze: expected a regular file, found the folder '" + folder_.string() + "'");
   EXPECT_EQ(complaint([] { read_input("/dev/zero", "--maze"); }),
-            "--maze: expected a file of at most 256 MiB, found '/dev/zero'");
+            "--maze: expected a regular file, found the device '/dev/zero'");
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(complaint([this] { read_input(path("pipe"), "--maze"); }),
+            "--maze: expected a regular file, found the pipe '" + path("pipe") + "'");
+  put("large", "");
+  fs::resize_file(path("large"), (256 << 20) + 1);
+  EXPECT_EQ(complaint([this] { read_input(path("large"), "--maze"); }),
+            "--maze: expected a file of at most 256 MiB, found '" + path("large") + "'");
 }
 
 TEST_F(Files, NeverOntoAnInput) {

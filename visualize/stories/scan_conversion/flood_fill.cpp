@@ -51,7 +51,8 @@ Subject subject_of(const Arguments& arguments) {
     return subject;
   }
   const Arguments::Entry& entry = arguments.entry("maze");
-  const auto parsed = parse_maze(entry.content, entry.hash.empty() ? "--maze" : shown_name(entry.text));
+  const auto parsed =
+      parse_maze(entry.content, entry.hash.empty() ? "--maze" : shown_name(entry.text), entry.quotable);
   if (const MazeError* error = std::get_if<MazeError>(&parsed)) throw InputError(error->what);
   subject.is_maze = true;
   subject.maze = std::get<Maze>(parsed);

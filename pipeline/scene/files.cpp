@@ -1,0 +1,108 @@
+#include "scene/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "core/shown.hpp"
+
+namespace gradus::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OpenFile {
+ public:
+  // Opening a pipe does not wait for who writes into it
+  explicit OpenFile(const std::string& path)
+      : number_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)) {}
+  ~OpenFile() {
+    if (number_ >= 0) close(number_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+std::string_view kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "the folder";
+  if (S_ISFIFO(mode)) return "the pipe";
+  if (S_ISSOCK(mode)) return "the socket";
+  return "the device";
+}
+
+FileRead unreadable(const std::string& path) {
+  const int reason = errno;
+  return {"", fmt::format("expected a readable file, found {} ({})", shown(path), std::strerror(reason))};
+}
+
+FileRead irregular(const std::string& path, mode_t mode) {
+  return {"", fmt::format("expected a regular file, found {} {}", kind_of(mode), shown(path))};
+}
+
+FileRead too_large(const std::string& path, std::size_t most) {
+  return {"", fmt::format("expected a file of at most {} MiB, found {}", most >> 20, shown(path))};
+}
+
+}  // namespace
+
+FileRead read_regular_file(const std::string& path, std::size_t most) {
+  struct stat known{};
+  if (stat(path.c_str(), &known) != 0) return unreadable(path);
+  if (!S_ISREG(known.st_mode)) return irregular(path, known.st_mode);
+  const OpenFile file(path);
+  if (file.number() < 0 || fstat(file.number(), &known) != 0) return unreadable(path);
+  if (!S_ISREG(known.st_mode)) return irregular(path, known.st_mode);  // another one by now
+  if (static_cast<std::uintmax_t>(known.st_size) > most) return too_large(path, most);
+  FileRead result;
+  result.bytes.reserve(static_cast<std::size_t>(known.st_size));
+  char block[1 << 16];
+  while (true) {
+    const ssize_t count = read(file.number(), block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(path);
+    if (count == 0) return result;
+    // It may grow meanwhile, and files of /proc say that they have no size
+    if (result.bytes.size() + static_cast<std::size_t>(count) > most) return too_large(path, most);
+    result.bytes.append(block, static_cast<std::size_t>(count));
+  }
+}
+
+bool lies_in(const fs::path& folder, const fs::path& file) {
+  std::error_code error;
+  const fs::path whole = fs::canonical(folder.empty() ? "." : folder, error);
+  if (error) return false;
+  const fs::path place = fs::canonical(file, error);
+  return !error && std::ranges::mismatch(whole, place).in1 == whole.end();
+}
+
+FileReader libraries_beside(const std::string& model, Took took) {
+  const fs::path folder = fs::path(model).parent_path();
+  return [folder, took = std::move(took)](const std::string& name) -> std::optional<LibraryText> {
+    std::string native = name;
+    std::ranges::replace(native, '\\', '/');
+    for (const fs::path& candidate : {folder / native, folder / fs::path(native).filename()}) {
+      std::error_code error;
+      if (!fs::exists(candidate, error) || fs::is_directory(candidate, error)) continue;
+      LibraryText library;
+      FileRead file = read_regular_file(candidate.string(), most_library_bytes);
+      library.text = std::move(file.bytes);
+      library.problem = std::move(file.problem);
+      library.quotable = lies_in(folder, candidate);
+      if (took && library.problem.empty()) took(name, candidate.string(), library);
+      return library;
+    }
+    return std::nullopt;
+  };
+}
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,51 @@
+#pragma once
+// Files that users and models name: regular files of a stated size, and nothing else.
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace gradus::pipeline {
+
+/// The most that a file may hold, and a material library.
+inline constexpr std::size_t most_file_bytes = std::size_t{256} << 20;
+inline constexpr std::size_t most_library_bytes = std::size_t{16} << 20;
+
+/// What became of reading a file.
+struct FileRead {
+  std::string bytes;
+  std::string problem;  ///< why it can't be read: "expected a regular file, found the folder 'x'"; else empty
+};
+
+/// A whole file. Folders, pipes, devices and sockets are not even opened, so that nothing waits for a writer.
+/// most: bytes, a whole number of MiB; a larger file is a problem.
+FileRead read_regular_file(const std::string& path, std::size_t most = most_file_bytes);
+
+/// Whether a file lies in a folder or deeper, wherever links lead. folder: "" is the current one.
+bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// A file that a model names, as a FileReader finds it.
+struct LibraryText {
+  std::string text;
+  bool quotable = true;  ///< whether messages may show what stands in it
+  std::string problem;   ///< why it can't be read, "expected …, found …"; empty when it was
+
+  LibraryText() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): most libraries are just their text
+  LibraryText(std::string contents) : text(std::move(contents)) {}
+};
+
+/// Gives the file that a model names, or nothing when there is none.
+using FileReader = std::function<std::optional<LibraryText>(const std::string& name)>;
+
+/// Reads what a model names from where the model lies: where the name says, with / or, as on Windows,
+/// \ between folders; else, for a path on another disk, under its last part. A folder of that name is no
+/// file. What lies outside of the model's folder is read but not quotable.
+///
+/// model: path of its file; "" for one in the current folder. took: is told of each file that was read.
+using Took = std::function<void(const std::string& name, const std::string& path, const LibraryText& file)>;
+FileReader libraries_beside(const std::string& model, Took took = {});
+
+}  // namespace gradus::pipeline

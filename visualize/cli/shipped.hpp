@@ -1,0 +1,17 @@
+#pragma once
+// What comes with the program: the gallery's lecture, its pictures and models.
+
+#include <string>
+#include <string_view>
+
+namespace gradus::cli {
+
+/// The path of a file by its name from the project's root, "examples/gallery.json": here, or in a folder
+/// above the program, in a clone or where it was installed. Empty when it is nowhere.
+std::string shipped(const std::string& name);
+
+/// The path of a model or a picture that is called by its bare name: "letter_f.obj", "letter_f", "horse.png".
+/// Empty for any other name.
+std::string shipped_example(std::string_view name);
+
+}  // namespace gradus::cli
