@@ -1,8 +1,11 @@
 #pragma once
 // What the stories of circles draw alike.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +14,7 @@
 #include "clipping/liang_barsky_circle/circle_and_line.hpp"
 #include "core/elementary.hpp"
 #include "stories/paper.hpp"
+#include "stories/topic.hpp"
 
 namespace gradus::circle_drawing {
 
@@ -32,9 +36,16 @@ inline std::vector<dvec2> whole(const liang_barsky_circle::Circle<double>& circl
   return points;
 }
 
-/// The part of the way from a to b that the panel shows; nothing where it shows none.
-inline std::optional<std::pair<dvec2, dvec2>> shown_part(const Panel& panel, dvec2 a, dvec2 b) {
-  const Extent box = panel.shown();
+/// The point of a segment nearest to another: the foot of the perpendicular, or an end. Accuracy: a few ulp
+/// of the larger of its distance and that point's coordinates, however far the ends.
+inline dvec2 nearest_on(const liang_barsky_circle::Segment<double>& s, dvec2 to) {
+  if (!foot_between(s, to)) return past_foot(s.from, s, to) >= 0 ? s.from : s.to;
+  const auto chord = chord_of(s, {to, 0}, 0);  // of a point: its foot is what is asked
+  return to + dvec2(chord.foot_x.value, chord.foot_y.value);
+}
+
+/// The part of the way from a to b that a rectangle holds, as far as doubles have it near a; or nothing.
+inline std::optional<std::pair<dvec2, dvec2>> part_in(const Extent& box, dvec2 a, dvec2 b) {
   double first = 0, last = 1;
   for (const int axis : {0, 1}) {
     const double d = b[axis] - a[axis];
@@ -49,6 +60,19 @@ inline std::optional<std::pair<dvec2, dvec2>> shown_part(const Panel& panel, dve
   if (first > last) return std::nullopt;
   const auto at = [&](double t) { return t == 0 ? a : t == 1 ? b : a + t * (b - a); };
   return std::pair{at(first), at(last)};
+}
+
+/// The part of the way from a to b that the panel shows; nothing where it shows none. From the point nearest
+/// to the panel's middle to both sides, for seen from a far end all of the panel is one number.
+inline std::optional<std::pair<dvec2, dvec2>> shown_part(const Panel& panel, dvec2 a, dvec2 b) {
+  const Extent box = panel.shown();
+  const dvec2 near = nearest_on({a, b}, box.centre()), off = glm::abs(near - box.centre());
+  const double most = box.size().x + box.size().y;
+  if (!(off.x <= most && off.y <= most)) return std::nullopt;
+  const auto to_a = part_in(box, near, a), to_b = part_in(box, near, b);
+  if (to_a && to_b) return std::pair{to_a->second, to_b->second};
+  if (to_a) return std::pair{to_a->second, to_a->first};
+  return to_b;
 }
 
 /// Whether the panel shows a point.
@@ -73,9 +97,61 @@ inline void add_point(View& view, const Panel& panel, const std::string& id, Rol
   if (!name.empty()) view.add({id + " name", role, Label{panel.at(at), name}});
 }
 
-/// A circle as the numbers cx, cy, r of a parameter.
-inline liang_barsky_circle::Circle<double> circle_of(const std::vector<double>& numbers) {
-  return {{numbers[0], numbers[1]}, numbers[2]};
+/// Coordinates that a figure can show: differences and their sums are finite.
+inline void expect_coordinates(const std::string& flag, std::initializer_list<dvec2> points) {
+  for (const dvec2 p : points) {
+    for (const double x : {p.x, p.y}) {
+      if (std::abs(x) > 1e300) {
+        throw ArgumentError(flag, fmt::format("coordinates up to 1e300 in size expected, found {}", x));
+      }
+    }
+  }
+}
+
+/// The circle of the numbers cx, cy, r, as far as a figure can show it.
+inline liang_barsky_circle::Circle<double> circle_in(const Arguments& arguments) {
+  const std::vector<double> numbers = arguments.numbers("circle");
+  const double r = numbers[2];
+  if (!(r >= 0)) throw ArgumentError("circle", "a radius of 0 or more expected, the third number");
+  if (r != 0 && !(1e-290 <= r && r <= 1e290)) {
+    throw ArgumentError("circle", fmt::format("a radius of 0 or from 1e-290 to 1e290 expected, found {}", r));
+  }
+  expect_coordinates("circle", {{numbers[0], numbers[1]}});
+  return {{numbers[0], numbers[1]}, r};
+}
+
+/// Refuses a panel so small, seen from the origin, that its places have no numbers. The circle alone makes
+/// one.
+inline void expect_scale(const Panel& panel) {
+  const Extent shown = panel.shown();
+  const dvec2 size = shown.size(), far = glm::max(glm::abs(shown.lower), glm::abs(shown.upper));
+  if (std::max(far.x, far.y) <= 0x1p40 * std::min(size.x, size.y)) return;
+  throw ArgumentError(
+      "circle",
+      fmt::format("a circle nearer to the origin expected, found one round ({:.6g}, {:.6g}) of a size "
+                  "that no scale there can show",
+                  shown.centre().x, shown.centre().y));
+}
+
+/// A number value * 2^exponent as figures show numbers, also one beyond doubles.
+inline std::string scaled_real(double value, int exponent) {
+  const double whole = std::ldexp(value, exponent);
+  if (value == 0 || (1e-290 <= std::abs(whole) && std::isfinite(whole))) return figure_real(whole);
+  double digits = std::abs(value);
+  int power = 0;
+  for (; digits >= 10; digits /= 10) ++power;
+  for (; digits < 1; digits *= 10) --power;
+  for (; exponent > 0; --exponent) {
+    digits *= 2;
+    if (digits >= 10) digits /= 10, ++power;
+  }
+  for (; exponent < 0; ++exponent) {
+    digits /= 2;
+    if (digits < 1) digits *= 10, --power;
+  }
+  // 9.996 has one digit more when it is rounded
+  if (digits >= 9.995) digits /= 10, ++power;
+  return fmt::format("{}{:.3g}e{:+03}", value < 0 ? "−" : "", digits, power);
 }
 
 }  // namespace gradus::circle_drawing

@@ -89,14 +89,17 @@ class Teller {
 
   void operator()(const Measured<double>& m, int source_line = __builtin_LINE(), const char* = nullptr) {
     const double distance = std::abs(m.k) / std::sqrt(m.A);
+    const std::string near = figure_real(distance), radius = figure_real(scene_.circle.radius);
+    // D tells apart what looks the same here
+    const std::string than = near == radius ? (m.D == 0 ? "=" : "≈") : m.D == 0 ? "≈" : m.D > 0 ? "<" : ">";
     std::string sentence =
         words_.say("liang_barsky_circle.point", arg("from", figure_place(scene_.segment.from)));
     if (m.A > 0) {
       add_perpendicular();
       sentence =
           words_.say("liang_barsky_circle.measured." + of_sign(m.D), arg("k", figure_real(std::abs(m.k))),
-                     arg("root", figure_real(std::sqrt(m.A))), arg("distance", figure_real(distance)),
-                     arg("r", figure_real(scene_.circle.radius)), arg("D", figure_real(m.D)));
+                     arg("root", figure_real(std::sqrt(m.A))), arg("distance", near), arg("than", than),
+                     arg("r", radius), arg("D", figure_real(m.D)));
     }
     milestone("Measured", words_.say("liang_barsky_circle.phase.quadratic"), source_line, sentence,
               {{"A", m.A}, {"k", m.k}, {"D", m.D}},
@@ -130,8 +133,9 @@ class Teller {
     const bool number = std::isfinite(s.enters) && std::isfinite(s.leaves);
     if (number) add_values(s.enters, s.leaves);
     milestone("Solved", words_.say("liang_barsky_circle.phase.values"), source_line,
-              words_.say(number ? "liang_barsky_circle.solved" : "liang_barsky_circle.solved_nothing",
-                         arg("enters", number_text(s.enters)), arg("leaves", number_text(s.leaves))),
+              number ? words_.say("liang_barsky_circle.solved", arg("enters", figure_real(s.enters)),
+                                  arg("leaves", figure_real(s.leaves)))
+                     : words_.say("liang_barsky_circle.solved_nothing"),
               {{"enters", number_text(s.enters)}, {"leaves", number_text(s.leaves)}},
               {words_.symbol("t"), number ? range_text(s.enters, s.leaves) : "0/0",
                words_.say("liang_barsky_circle.test.line")});
@@ -139,15 +143,17 @@ class Teller {
 
   void operator()(const Limited<double>& l, int source_line = __builtin_LINE(), const char* = nullptr) {
     const bool any = l.first <= l.last;
+    const auto [first, last] =
+        any ? std::pair(figure_real(l.first), figure_real(l.last)) : told_apart(l.first, l.last);
     if (any) {
       add_band("c kept t", Role::accepted, scene_.line.at(l.first), scene_.line.at(l.last));
       add_part("d kept", Role::accepted, part(scene_.segment, l.first, l.last));
     }
     milestone("Limited", words_.say("liang_barsky_circle.phase.values"), source_line,
               words_.say(any ? "liang_barsky_circle.limited.some" : "liang_barsky_circle.limited.nothing",
-                         arg("first", figure_real(l.first)), arg("last", figure_real(l.last))),
+                         arg("first", first), arg("last", last)),
               {{"first", l.first}, {"last", l.last}},
-              {words_.symbol("t"), range_text(l.first, l.last),
+              {words_.symbol("t"), first + " … " + last,
                words_.say(any ? "liang_barsky_circle.test.some" : "liang_barsky_circle.test.nothing")});
   }
 
@@ -195,7 +201,7 @@ class Teller {
       view_.marks.erase("b to name");
     }
     if (f.kept) add_part("h result", Role::result, *f.kept);
-    if (faulty_ && scene_.right && kept_text(f.kept) != kept_text(scene_.right)) {
+    if (scene_.right && kept_text(f.kept) != kept_text(scene_.right)) {
       circle_drawing::add_stroke(view_, scene_.panel, "e right", Role::measure, scene_.right->from,
                                  scene_.right->to);
       circle_drawing::add_point(view_, scene_.panel, "e right at", Role::measure, scene_.right->to,
@@ -235,13 +241,15 @@ class Teller {
 
   /// The whole line, dashed, and the perpendicular from the centre.
   void add_perpendicular() {
-    const Quadratic<double> q = quadratic(scene_.segment, scene_.circle);
-    if (!(q.A > 0)) return;
-    const dvec2 foot = scene_.segment.from - q.B / q.A * q.d;
+    const dvec2 d = scene_.segment.to - scene_.segment.from;
+    const double size = std::max(std::abs(d.x), std::abs(d.y));
+    if (!(size > 0)) return;
+    const Chord chord = chord_of(scene_.segment, {scene_.circle.centre, 0}, 0);
+    const dvec2 foot = scene_.circle.centre + dvec2(chord.foot_x.value, chord.foot_y.value);
     const Extent shown = scene_.panel.shown();
-    const double reach = glm::length(shown.size()) / std::sqrt(q.A);
-    circle_drawing::add_stroke(view_, scene_.panel, "b line", Role::guide, foot - reach * q.d,
-                               foot + reach * q.d, false, true);
+    const dvec2 reach = (shown.size().x + shown.size().y) * glm::normalize(d / size);
+    circle_drawing::add_stroke(view_, scene_.panel, "b line", Role::guide, foot - reach, foot + reach, false,
+                               true);
     circle_drawing::add_stroke(view_, scene_.panel, "e perpendicular", Role::measure, scene_.circle.centre,
                                foot);
     circle_drawing::add_point(view_, scene_.panel, "e foot", Role::measure, foot,
@@ -254,8 +262,10 @@ class Teller {
     circle_drawing::add_stroke(view_, scene_.panel, "b line", Role::guide, middle - 1.4 * half * d,
                                middle + 1.4 * half * d, false, true);
     circle_drawing::add_stroke(view_, scene_.panel, "e half", Role::measure, middle, middle + half * d);
-    view_.add({"e half name", Role::measure,
-               Label{scene_.panel.at(middle + 0.5 * half * d), words_.say("liang_barsky_circle.half")}});
+    if (const dvec2 name = middle + 0.5 * half * d; circle_drawing::shows(scene_.panel, name)) {
+      view_.add({"e half name", Role::measure,
+                 Label{scene_.panel.at(name), words_.say("liang_barsky_circle.half")}});
+    }
     if (shown(foot)) {
       view_.add({"c foot t", Role::measure, Dot{scene_.line.at(foot), true}});
       view_.add({"c foot t name", Role::measure,
@@ -317,7 +327,13 @@ class Teller {
   static std::string figure_factor_real(double x) {
     return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x);
   }
-  static std::string number_text(double x) { return std::isfinite(x) ? figure_real(x) : "NaN"; }
+  static std::string number_text(double x) { return std::isfinite(x) ? figure_real(x) : "0/0"; }
+  /// Two different numbers, with all their digits where fewer look the same.
+  static std::pair<std::string, std::string> told_apart(double a, double b) {
+    std::pair texts(figure_real(a), figure_real(b));
+    if (texts.first == texts.second) texts = {fmt::format("{}", a), fmt::format("{}", b)};
+    return texts;
+  }
   static std::string range_text(double a, double b) { return figure_real(a) + " … " + figure_real(b); }
   std::string kept_text(const std::optional<Ends>& kept) const {
     if (!kept) return words_.say("liang_barsky_circle.nothing");
@@ -327,8 +343,10 @@ class Teller {
                       arg("to", figure_place(kept->to)));
   }
   std::string ending(const std::optional<Ends>& kept) const {
-    if (!faulty_) return words_.say("liang_barsky_circle.done", arg("kept", kept_text(kept)));
     const std::string got = kept_text(kept), right = kept_text(scene_.right);
+    if (!faulty_ && got == right) return words_.say("liang_barsky_circle.done", arg("kept", got));
+    if (!faulty_)
+      return words_.say("liang_barsky_circle.done_rounded", arg("kept", got), arg("right", right));
     if (got == right) return words_.say("liang_barsky_circle.done_right", arg("kept", got));
     return words_.say("liang_barsky_circle.done_wrong", arg("kept", got), arg("right", right));
   }
@@ -366,17 +384,40 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
+/// Refuses what the textbook's squares of squares can't hold: then there would be no numbers to show.
+void expect_computable(const Ends& s, const Disc& c) {
+  const Quadratic<double> q = quadratic(s, c);
+  const auto size = [](dvec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); };
+  const auto fits = [](double x) { return x == 0 || (0x1p-200 <= x && x <= 0x1p200); };
+  constexpr auto wanted =
+      "from 6.3e-61 to 1.6e60 expected, for this method squares squares (exact_decision takes any), found {}";
+  if (!fits(size(q.d))) throw ArgumentError("line", "a segment " + fmt::format(wanted, size(q.d)));
+  if (!fits(c.radius)) throw ArgumentError("circle", "a radius " + fmt::format(wanted, c.radius));
+  if (size(q.f) > 0x1p200) {
+    const bool far_line = size(s.from) >= size(c.centre);
+    throw ArgumentError(far_line ? "line" : "circle",
+                        "a distance from the centre " + fmt::format(wanted, size(q.f)));
+  }
+  // A point beside the line by so little that the square of it is none
+  if (c.radius == 0 && q.k != 0 && q.k * q.k < 1e-290) {
+    throw ArgumentError("circle",
+                        "a larger radius expected: the square of the line's distance from the centre "
+                        "has no number (exact_decision needs none)");
+  }
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
   const std::vector<double> line = arguments.numbers("line");
-  const Disc circle = circle_drawing::circle_of(arguments.numbers("circle"));
-  if (!(circle.radius >= 0))
-    throw ArgumentError("circle", "a radius of 0 or more expected, the third number");
+  const Disc circle = circle_drawing::circle_in(arguments);
   const Ends segment{{line[0], line[1]}, {line[2], line[3]}};
+  circle_drawing::expect_coordinates("line", {segment.from, segment.to});
   const std::string& name = arguments.text("method");
   const auto found = std::find_if(all_methods().begin(), all_methods().end(),
                                   [&](const Method& m) { return m.name == name; });
   const bool faulty = found->standing == Standing::faulty;
+  if (name != "exact_decision") expect_computable(segment, circle);
   const Scene scene = scene_of(segment, circle, name != "exact_decision");
+  circle_drawing::expect_scale(scene.panel);
 
   TraceWriter writer(recording);
   Trace& about = writer.trace();

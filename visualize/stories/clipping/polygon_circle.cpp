@@ -19,13 +19,27 @@ using Disc = Circle<double>;
 constexpr std::string_view folder = "algorithms/clipping/polygon_circle/";
 constexpr int width = 36, height = 27;
 
+/// An area, which may lie beyond doubles: value * 2^exponent.
+struct Covered {
+  double value = 0;
+  int exponent = 0;
+
+  std::string text() const { return circle_drawing::scaled_real(value, exponent); }
+  /// A number where that is one, else its text.
+  Value field() const {
+    const double number = std::ldexp(value, exponent);
+    if (value == 0 || std::isnormal(number)) return number;
+    return text();
+  }
+};
+
 /// What all steps are drawn from.
 struct Scene {
   std::vector<dvec2> polygon;
   Disc circle;
   std::optional<double> tolerance;
   Panel panel;
-  double right;  ///< the area that is kept
+  Covered right;  ///< the area that is kept
 };
 
 /// The polygon and the circle; what lies far from the circle is cut off the picture.
@@ -51,13 +65,24 @@ std::vector<dvec2> chain_of(const Ring<double>& ring, const Disc& circle) {
   return points;
 }
 
-double shoelace(const std::vector<dvec2>& polygon) {
+Covered area_of(const Region<double>& region) {
+  if (region.rings.empty()) return {};
+  const Unit unit = unit_of(region.circle.radius);
+  return {area_in(unit, region), 2 * std::ilogb(unit.size)};
+}
+/// Of polygons whose corners lie in the circle.
+Covered area_of(const std::vector<std::vector<dvec2>>& polygons, const Disc& circle) {
+  if (circle.radius == 0) return {};
+  const Unit unit = unit_of(circle.radius);
   double doubled = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    doubled += a.x * b.y - a.y * b.x;
+  for (const std::vector<dvec2>& polygon : polygons) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const dvec2 a = seen_from(circle.centre, polygon[i], unit);
+      const dvec2 b = seen_from(circle.centre, polygon[(i + 1) % polygon.size()], unit);
+      doubled += a.x * b.y - a.y * b.x;
+    }
   }
-  return doubled / 2;
+  return {doubled / 2, 2 * std::ilogb(unit.size)};
 }
 
 /// Tells the steps of both methods.
@@ -158,10 +183,11 @@ class Teller {
     chain_.push_back(b.from);
     const bool arc = b.from != b.to || b.more_than_half;
     if (arc) {
-      const dvec2 c = scene_.circle.centre;
-      const double angle = sweep(b.from - c, b.to - c, b.more_than_half);
+      const Unit unit = unit_of(scene_.circle.radius);
+      const dvec2 from = seen_from(scene_.circle.centre, b.from, unit) / unit.radius;
+      const dvec2 to = seen_from(scene_.circle.centre, b.to, unit) / unit.radius;
       const std::vector<dvec2> points =
-          circle_drawing::arc(scene_.circle, atan2(b.from.y - c.y, b.from.x - c.x), angle);
+          circle_drawing::arc(scene_.circle, atan2(from.y, from.x), sweep(from, to, b.more_than_half));
       chain_.insert(chain_.end(), points.begin() + 1, points.end());
       chain_.back() = b.to;
       view_.add({"e now", Role::current, Path{scene_.panel.at(points)}});
@@ -195,13 +221,12 @@ class Teller {
     clear_result();
     std::string sentence = words_.say("polygon_circle.nothing");
     const auto pieces = static_cast<std::int64_t>(f.region.rings.size());
-    const std::string covered = figure_real(area(f.region));
+    const Covered covered = area_of(f.region);
     add_rings(f.region);
     if (pieces > 0 && scene_.tolerance) {
-      double flat_area = 0;
       std::size_t corners = 0;
-      for (const auto& polygon : flatten(f.region, *scene_.tolerance)) {
-        flat_area += shoelace(polygon);
+      const auto flat = flatten(f.region, *scene_.tolerance);
+      for (const auto& polygon : flat) {
         corners += polygon.size();
         const std::string id = fmt::format("i flat {}", corners);
         view_.add({id, Role::measure, Path{scene_.panel.at(polygon), true}});
@@ -210,14 +235,14 @@ class Teller {
           view_.add({fmt::format("{} {:03}", id, k), Role::measure, Dot{scene_.panel.at(polygon[k])}});
         }
       }
-      sentence =
-          words_.count("polygon_circle.done_flat", pieces, arg("area", covered), arg("corners", corners),
-                       arg("tolerance", figure_real(*scene_.tolerance)), arg("flat", figure_real(flat_area)));
+      sentence = words_.count("polygon_circle.done_flat", pieces, arg("area", covered.text()),
+                              arg("corners", corners), arg("tolerance", figure_real(*scene_.tolerance)),
+                              arg("flat", area_of(flat, scene_.circle).text()));
     } else if (pieces > 0) {
-      sentence = words_.count("polygon_circle.done", pieces, arg("area", covered));
+      sentence = words_.count("polygon_circle.done", pieces, arg("area", covered.text()));
     }
     milestone("Finished", words_.say("words.result"), source_line, sentence,
-              {{"pieces", pieces}, {"area", area(f.region)}}, {});
+              {{"pieces", pieces}, {"area", covered.field()}}, {});
     region_ = f.region;
   }
 
@@ -262,11 +287,11 @@ class Teller {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       view_.add({fmt::format("h point {:03}", i), Role::result, Dot{scene_.panel.at(corners[i])}});
     }
-    milestone(
-        "Joined", words_.say("words.result"), source_line,
-        words_.say("polygon_circle.joined", arg("corners", corners.size()),
-                   arg("area", figure_real(shoelace(corners))), arg("right", figure_real(scene_.right))),
-        {{"corners", count(corners.size())}, {"area", shoelace(corners)}}, {});
+    const Covered area = area_of({corners}, scene_.circle);
+    milestone("Joined", words_.say("words.result"), source_line,
+              words_.say("polygon_circle.joined", arg("corners", corners.size()), arg("area", area.text()),
+                         arg("right", scene_.right.text())),
+              {{"corners", count(corners.size())}, {"area", area.field()}}, {});
   }
 
   Region<double> region_;
@@ -298,7 +323,8 @@ class Teller {
 
   /// A place for an edge's number: outside of the polygon, near the edge's middle and off the circle.
   dvec2 beside(dvec2 from, dvec2 to) const {
-    const dvec2 along = glm::normalize(to - from), centre = scene_.panel.at(scene_.circle.centre);
+    const dvec2 along = from == to ? dvec2{1, 0} : glm::normalize(to - from),
+                centre = scene_.panel.at(scene_.circle.centre);
     const double radius = scene_.circle.radius * scene_.panel.scale().x;
     dvec2 best = (from + to) * 0.5;
     double most = -1;
@@ -390,10 +416,9 @@ const std::vector<Method>& all_methods() {
 
 Trace run(const Arguments& arguments, Recording recording) {
   const std::vector<dvec2> polygon = arguments.points("polygon");
-  const Disc circle = circle_drawing::circle_of(arguments.numbers("circle"));
+  const Disc circle = circle_drawing::circle_in(arguments);
   const std::optional<double> tolerance = arguments.number("tolerance");
-  if (!(circle.radius >= 0))
-    throw ArgumentError("circle", "a radius of 0 or more expected, the third number");
+  for (const dvec2 p : polygon) circle_drawing::expect_coordinates("polygon", {p});
   if (tolerance && !(*tolerance >= circle.radius * 1e-6 && *tolerance > 0)) {
     throw ArgumentError("tolerance", "at least a millionth of the radius expected: a figure shows no more");
   }
@@ -406,7 +431,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   const bool faulty = name == "first_crossing";
   const Scene scene{polygon, circle, tolerance,
                     Panel({{3, 3}, {width - 2, height - 1.5}}, world_of(polygon, circle)),
-                    area(arcs(corners, circle))};
+                    area_of(arcs(corners, circle))};
+  circle_drawing::expect_scale(scene.panel);
 
   TraceWriter writer(recording);
   Trace& about = writer.trace();
@@ -434,7 +460,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const Region<double> region = teller.region_;
   Trace trace = std::move(writer).finish();
   trace.telling = {trace.last, 0};
-  trace.result = {{"area", scene.right}};
+  trace.result = {{"area", scene.right.field()}};
   if (!faulty) trace.result.push_back({"pieces", static_cast<std::int64_t>(region.rings.size())});
   return trace;
 }
