@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// Thrown when an argument lies outside a function's documented domain.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/exact.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus {
 namespace {
@@ -42,7 +43,7 @@ constexpr DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-
 
 constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const Rounded product = two_product(a.high, b.high);
-  return normalized(product.value, product.error + (a.high * b.low + a.low * b.high));
+  return normalized(product.value, product.error + (unfused(a.high * b.low) + unfused(a.low * b.high)));
 }
 
 constexpr DoubleDouble operator*(DoubleDouble a, double b) { return a * DoubleDouble{b, 0}; }
@@ -129,7 +130,7 @@ constexpr auto logarithm_series = reciprocal_odd_numbers<18>();
 template <std::size_t Terms>
 DoubleDouble evaluate(const Series<Terms>& series, DoubleDouble x, std::size_t near_terms) {
   double far = 0;
-  for (std::size_t i = Terms; i-- > near_terms;) far = far * x.high + series[i].high;
+  for (std::size_t i = Terms; i-- > near_terms;) far = unfused(far * x.high) + series[i].high;
   DoubleDouble sum = {far, 0};
   for (std::size_t i = near_terms; i-- > 0;) sum = sum * x + series[i];
   return sum;
@@ -298,7 +299,7 @@ DoubleDouble other_leg(double x) {
 // e^x, rounded. Domain: |x| < 800
 double exponential(DoubleDouble x) {
   // x = n ln 2 + r
-  const int n = nearest_int(x.high * 0x1.71547652b82fep+0);
+  const int n = nearest_int(unfused(x.high * 0x1.71547652b82fep+0));
   const DoubleDouble r = (x - DoubleDouble{n * ln2_leading, 0}) - ln2_rest * n;
   return scaled(evaluate(exponential_series, r, 6), n);
 }

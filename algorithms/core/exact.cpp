@@ -217,7 +217,7 @@ double rounded_quotient(Int128 numerator, Int128 denominator) {
   Uint128 quotient = magnitude_of(numerator) / divisor;
   Uint128 remainder = magnitude_of(numerator) % divisor;
 
-  // Binary digits after the point until the quotient has 64
+  // Binary digits after the point until the quotient has 64: the first within 128, for the numerator isn't 0
   int exponent = 0;
   while (quotient >> 63 == 0) {
     remainder <<= 1;

@@ -2,7 +2,9 @@
 // Arithmetic without rounding errors on the stack: error-free sums and products, expansions, sums of products
 // of doubles, exact signs of orient2d and orient3d, and correctly rounded quotients.
 //
-// All of it needs round-to-nearest and -ffp-contract=off: a fused multiply-add would break two_product.
+// All of it needs round-to-nearest. It stays right where the compiler fuses products and sums (see
+// core/rounding.hpp): what must round alone is guarded, and every bound of an error holds with fewer
+// roundings, too.
 
 #include <array>
 #include <cmath>
@@ -15,8 +17,10 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "core/contract.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus {
 
@@ -31,6 +35,7 @@ struct Rounded {
 /// a + b without loss (Knuth 1969, TAOCP 2, section 4.2.2, theorem B).
 /// Domain: the sum does not overflow. Accuracy: exact, also for subnormals. Cost: 6 additions.
 constexpr Rounded two_sum(double a, double b) {
+  if constexpr (has_fma) a = unfused(a), b = unfused(b);
   const double sum = a + b;
   const double b_kept = sum - a;
   const double a_kept = sum - b_kept;
@@ -40,6 +45,7 @@ constexpr Rounded two_sum(double a, double b) {
 /// a + b without loss when |a| >= |b| or a = 0 (Dekker 1971, section 4).
 /// Domain: as said, and the sum does not overflow. Accuracy: exact. Cost: 3 additions.
 constexpr Rounded fast_two_sum(double a, double b) {
+  if constexpr (has_fma) a = unfused(a), b = unfused(b);
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
@@ -50,18 +56,21 @@ constexpr Rounded two_difference(double a, double b) { return two_sum(a, -b); }
 /// a = value + error, each with at most 26 bits, so that products of halves are exact (Veltkamp 1968, in
 /// Dekker 1971, section 5). Domain: |a| <= 2^995, else the product below overflows. Cost: 4 operations.
 constexpr Rounded split_in_halves(double a) {
-  const double shifted = 0x1.0000002p27 * a;  // 2^27 + 1
+  const double shifted = unfused(0x1.0000002p27 * a);  // 2^27 + 1
   const double high = shifted - (shifted - a);
   return {high, a - high};
 }
 
-/// a * b without loss (Dekker 1971, section 5). Not std::fma: without hardware that is a slow library call,
-/// and where both are defined the result is the same.
+/// a * b without loss: by a fused multiply-add where the machine has one, else in halves (Dekker 1971,
+/// section 5), for without hardware std::fma is a slow library call. In the domain the result is the same.
 /// Domain: |a|, |b| <= 2^995, and a * b is 0 through a zero factor or 2^-968 <= |a * b| < 2^1023 (smaller
 /// products lose their error below the subnormals). Not checked; see Expansion for a checked product.
-/// Accuracy: exact in the domain. Cost: 17 operations.
+/// Accuracy: exact in the domain. Cost: 2 operations, in halves 17.
 constexpr Rounded two_product(double a, double b) {
-  const double product = a * b;
+  const double product = unfused(a * b);
+  if constexpr (has_fma) {
+    if (!std::is_constant_evaluated()) return {product, __builtin_fma(a, b, -product)};
+  }
   const Rounded x = split_in_halves(a);
   const Rounded y = split_in_halves(b);
   const double rest = ((x.value * y.value - product) + x.value * y.error) + x.error * y.value;

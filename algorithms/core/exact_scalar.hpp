@@ -13,6 +13,8 @@
 #include <span>
 #include <string>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// A handle to a rational number of any size; trivially copyable, 16 bytes.

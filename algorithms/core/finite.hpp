@@ -5,6 +5,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "core/rounding.hpp"
+
 namespace gradus {
 
 /// Whether these numbers are all finite; of a type that has no infinities, all are.

@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 using glm::dvec2;

@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// The observer nobody is: every algorithm's default. Costs nothing.

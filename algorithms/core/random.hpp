@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus {
 
@@ -137,7 +138,7 @@ class Random {
   static constexpr double to_range(double unit, double lower, double upper) {
     expects(lower < upper && upper - lower <= std::numeric_limits<double>::max(),
             "a random number needs lower < upper with a finite difference, got {} and {}", lower, upper);
-    const double number = lower + (upper - lower) * unit;
+    const double number = lower + unfused((upper - lower) * unit);
     return number < upper ? number : next_below(upper);
   }
 

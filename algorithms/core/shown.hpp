@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// Bytes of the well-formed UTF-8 character that a text, not empty, begins with; 0 when there is none.

@@ -73,7 +73,8 @@ struct Accepted {
   Line<T> line;
 };
 
-/// Both ends lie beyond the same border (or, in rounded arithmetic, four cuts have settled nothing).
+/// Both ends lie beyond the same border (or, in cut_of_a_cut's rounded arithmetic, four cuts have settled
+/// nothing).
 struct Rejected {
   Code common;
 };
@@ -178,7 +179,9 @@ End<T> end_at(const Line<T>& line, Border border, const Rectangle<T>& window) {
 ///
 /// Domain: all finite coordinates, from the subnormals to the largest. Numbers that are 0 or of 2^-300 to
 ///   2^300 in size take fast arithmetic nearly always.
-/// Steps: Classified Cut* (Accepted | Rejected), at most 4 Cuts; Cut.to() is the rounded point.
+/// Steps: Classified Cut* (Accepted | Rejected), at most 4 Cuts; Cut.to() is the rounded point. No border is
+///   cut at twice: an end that was cut there never is beyond it again, and where both ends are the line is
+///   rejected.
 /// Accuracy: accepted exactly when the segment and the window have a point in common. The coordinate of the
 ///   border is copied, the other one is the nearest number to that of the exact point (1/2 ulp). So, bit for
 ///   bit, clipping again changes nothing, and (b, a) gives the reverse of (a, b).
@@ -191,6 +194,7 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
   End<T> a = end_in(line.a, window);
   End<T> b = end_in(line.b, window);
   if constexpr (observed<O>) observer(Classified<T>{line, window, a.code, b.code});
+  int cuts = 0;
   // Both beyond one border: reject
   while ((a.code & b.code) == 0) {
     // Both inside: accept
@@ -198,6 +202,8 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
       if constexpr (observed<O>) observer(Accepted<T>{{a.at, b.at}});
       return Line<T>{a.at, b.at};
     }
+    // One cut a border is enough
+    if (++cuts > 4) break;
     // Move an end that is outside to a border
     // of its code, along the original line
     const bool of_a = a.code != 0;

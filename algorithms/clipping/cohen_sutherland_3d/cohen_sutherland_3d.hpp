@@ -84,7 +84,8 @@ struct Accepted {
   Line<N, T> line;
 };
 
-/// Both ends lie beyond the same face (or, in rounded arithmetic, six cuts have settled nothing).
+/// Both ends lie beyond the same face (or, in cut_of_a_cut's rounded arithmetic, six cuts have settled
+/// nothing).
 struct Rejected {
   Code common;
 };
@@ -206,7 +207,9 @@ End<3, T> end_at(const Line<3, T>& line, Border face, const Box<T>& box) {
 /// Domain: all finite coordinates, from the subnormals to the largest; a box may be flat. Numbers that are 0
 /// or
 ///   of 2^-300 to 2^300 in size take fast arithmetic nearly always.
-/// Steps: Classified Cut* (Accepted | Rejected), at most 6 Cuts; Cut.to() is the rounded point.
+/// Steps: Classified Cut* (Accepted | Rejected), at most 6 Cuts; Cut.to() is the rounded point. No face is
+///   cut at twice: an end that was cut there never is beyond it again, and where both ends are the line is
+///   rejected.
 /// Accuracy: accepted exactly when the segment and the region have a point in common. The coordinate across a
 ///   face is copied (from the box, or from w), the others are the nearest numbers to those of the exact point
 ///   (1/2 ulp). An end that would round to the homogeneous (0, 0, 0, 0), which is no point, is divided by its
@@ -223,6 +226,7 @@ std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& regio
   End<N, T> a = coded(line.a, region);
   End<N, T> b = coded(line.b, region);
   if constexpr (observed<O>) observer(Classified<N, T>{line, a.code, b.code});
+  int cuts = 0;
   // Both beyond one face: reject
   while ((a.code & b.code) == 0) {
     // Both inside: accept
@@ -230,6 +234,8 @@ std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& regio
       if constexpr (observed<O>) observer(Accepted<N, T>{{a.at, b.at}});
       return Line<N, T>{a.at, b.at};
     }
+    // One cut a face is enough
+    if (++cuts > 6) break;
     // Move an end that is outside to a face
     // of its code, along the original line
     const bool of_a = a.code != 0;

@@ -160,7 +160,8 @@ inline Tested tested(std::span<const Crossing> passes, const Run& run, std::size
   return step;
 }
 
-/// Refuses what only a polygon that meets itself can give.
+/// Refuses what only a polygon that meets itself can give. Of the others as many passages leave as enter, so
+/// every walk along the polygon comes to an exit.
 inline void expect_alternating(std::span<const Crossing> passes) {
   for (std::size_t i = 0; i < passes.size(); ++i) {
     expects(passes[i].leaves != passes[(i + 1) % passes.size()].leaves,
@@ -254,7 +255,7 @@ Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
       add_arc<T>(ring, passes, exit, order);
       if constexpr (observed<O>) observer(bent(region.rings.size(), passes, exit, order));
       entry = (exit + 1) % passes.size();
-    } while (entry != start);
+    } while (!done[entry]);
     region.rings.push_back(closed(ring));
     if constexpr (observed<O>) observer(Closed{region.rings.size() - 1, region.rings.back().size()});
   }
@@ -372,9 +373,9 @@ std::vector<std::vector<glm::vec<2, T>>> flatten(const Region<T>& region, double
       if (!ring[i].arc) continue;
       const ArcEnds arc = ends_of_arc(ring, i, region.circle);
       const double first = atan2(arc.from.y, arc.from.x);
-      const double chords = std::ceil(arc.radians / step);
-      for (double k = 1; k < chords; ++k) {
-        const SinCos at = sin_cos(first + arc.radians * (k / chords));
+      const int chords = static_cast<int>(std::ceil(arc.radians / step));  // less than 2^22
+      for (int k = 1; k < chords; ++k) {
+        const SinCos at = sin_cos(first + arc.radians * (static_cast<double>(k) / chords));
         polygon.push_back(glm::vec<2, T>(centre + r * dvec2(at.cos, at.sin)));
       }
     }

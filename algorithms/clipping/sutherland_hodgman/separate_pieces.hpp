@@ -210,7 +210,7 @@ class BorderCut {
         // Where it leaves and enters at one point, that is one vertex
         const int order = order_along(scene_, border_, now.back(), chains_[chain].front());
         if (order != 0) ring.push_back(now.back());
-      } while (chain != first);
+      } while (!used[chain]);  // each chain has one successor and is that of one: it comes back to the first
       if (ring.size() >= 3) rings.push_back(std::move(ring));
     }
   }

@@ -15,6 +15,7 @@
 #include "clipping/sutherland_hodgman/convex_window.hpp"
 #include "core/contract.hpp"
 #include "core/observe.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus::sutherland_hodgman {
 
@@ -306,7 +307,7 @@ struct Plane {
 /// the rounded bound * w.
 template <class T>
 constexpr T distance(const Plane<T>& plane, const glm::vec<4, T>& p) {
-  return plane.bound * p.w + plane.sign * p[plane.axis];
+  return unfused(plane.bound * p.w) + plane.sign * p[plane.axis];
 }
 
 /// A corner was tested against a plane.

@@ -14,6 +14,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus::viewport {
 

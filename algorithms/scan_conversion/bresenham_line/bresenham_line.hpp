@@ -309,7 +309,8 @@ struct Rounded {
 };
 
 /// The integer nearest to offset, looked for from `row` upwards; midway the lower one when tie_low.
-/// Exact in every T: the differences it takes are representable.
+/// Exact in every T: the differences it takes are representable. It ends: T(row) grows until it is offset.
+/// Domain: offset finite.
 template <class T>
 constexpr std::int64_t nearest(const T& offset, std::int64_t row, bool tie_low) {
   const T half = T(1) / T(2);

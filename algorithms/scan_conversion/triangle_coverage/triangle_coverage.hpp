@@ -16,6 +16,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus::triangle_coverage {
 

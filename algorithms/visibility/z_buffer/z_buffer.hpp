@@ -9,6 +9,7 @@
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "core/raster.hpp"
+#include "core/rounding.hpp"
 
 namespace gradus::z_buffer {
 
