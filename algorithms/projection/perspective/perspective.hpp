@@ -181,7 +181,8 @@ struct Divided {
 ///
 /// Domain: everything.
 /// Steps: Multiplied.
-/// Accuracy: 1 rounding for x and y, 2 for z, w exact; z = near gives exactly 0.
+/// Accuracy: 1 rounding for x and y, 2 for z, w exact; z = near gives exactly 0; where the compiler
+///   fuses product and sum (see core/rounding.hpp) it may be off by 2^-53 |z_offset|.
 /// Cost: 3 multiplications, 1 addition, no division.
 /// Errors: none.
 template <class T, Observer<Multiplied<T>> O = Unobserved>
