@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/elementary.hpp"
@@ -12,6 +13,12 @@ namespace {
 /// The sRGB transfer function from [0, 1] to light.
 double light_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : pow((srgb + 0.055) / 1.055, 2.4); }
 
+/// The largest float that is not above x: another float is above one exactly if it is above the other.
+float rounded_down(double x) {
+  const auto nearest = static_cast<float>(x);
+  return double{nearest} > x ? std::nextafter(nearest, 0.0f) : nearest;
+}
+
 /// The light of each value, and between each two the light where the nearer one changes.
 struct Tables {
   std::array<float, 256> light;
@@ -20,7 +27,7 @@ struct Tables {
     for (std::size_t i = 0; i < 256; ++i)
       light[i] = static_cast<float>(light_of(static_cast<double>(i) / 255));
     for (std::size_t i = 0; i < 255; ++i) {
-      limit[i] = static_cast<float>(light_of((static_cast<double>(i) + 0.5) / 255));
+      limit[i] = rounded_down(light_of((static_cast<double>(i) + 0.5) / 255));
     }
   }
 };

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace gradus {
@@ -37,6 +39,43 @@ TEST(Colour, TheNearestValueIsTaken) {
   EXPECT_GT(checked, 9000);
   // Half the light is 188, not 128
   EXPECT_EQ(srgb8_from_linear(0.5f), 188);
+}
+
+using Wide = boost::multiprecision::cpp_bin_float_50;
+
+/// The light of an sRGB value, to 50 digits; of 3/2, what lies in the middle between 1 and 2.
+Wide light_of(const Wide& value) {
+  const Wide srgb = value / 255;
+  if (srgb <= Wide("0.04045")) return srgb / Wide("12.92");
+  return pow((srgb + Wide("0.055")) / Wide("1.055"), Wide("2.4"));
+}
+
+TEST(Colour, TheLightIsTheNearestFloat) {
+  for (int value = 0; value < 256; ++value) {
+    const Wide exact = light_of(value);
+    const float light = linear_from_srgb8(static_cast<std::uint8_t>(value));
+    const auto off = [&](float x) { return abs(Wide(x) - exact); };
+    EXPECT_LE(off(light), off(std::nextafter(light, 2.0f))) << value;
+    EXPECT_LE(off(light), off(std::nextafter(light, -1.0f))) << value;
+  }
+}
+
+// Of the floats beside each middle none is taken for the other value; half of the middles lie above the float
+// that is nearest to them
+TEST(Colour, EveryFloatBesideAMiddleGoesToItsSide) {
+  EXPECT_EQ(srgb8_from_linear(0x1.3e4568p-13f), 1);
+  int rounded_up = 0;
+  for (int value = 0; value < 255; ++value) {
+    const Wide middle = light_of(value + Wide(0.5));
+    float light = static_cast<float>(middle);
+    rounded_up += light > middle;
+    for (int i = 0; i < 3; ++i) light = std::nextafter(light, 0.0f);
+    for (int i = 0; i < 7; ++i, light = std::nextafter(light, 2.0f)) {
+      EXPECT_EQ(srgb8_from_linear(light), light > middle ? value + 1 : value) << value << ", " << light;
+    }
+  }
+  EXPECT_GT(rounded_up, 100);
+  EXPECT_LT(rounded_up, 155);
 }
 
 TEST(Colour, BeyondTheEnds) {
