@@ -219,6 +219,44 @@ TEST(Affine2d, TheWayBack) {
   EXPECT_EQ(inverse(matrix(scaling<double>({1e-200, 1e200}))).value()[1][1], 1e-200);
 }
 
+// Columns, or rows, of sizes so different that a product on the way leaves the range of double, though the
+// determinant does not
+TEST(Affine2d, TheWayBackFromEntriesOfAnySize) {
+  const auto back = inverse(Mat{1e200, 1e-200, 0, 1e200, -1e-200, 0, 0, 0, 1});  // its determinant is -2
+  ASSERT_TRUE(back);
+  EXPECT_EQ(*back, (Mat{5e-201, 5e-201, 0, 5e199, -5e199, 0, 0, 0, 1}));
+  const auto other = inverse(Mat{1e200, 1e200, 0, 1e-200, -1e-200, 0, 0, 0, 1});
+  ASSERT_TRUE(other);
+  EXPECT_EQ(*other, (Mat{5e-201, 5e199, 0, 5e-201, -5e199, 0, 0, 0, 1}));
+  const auto single = inverse(Matrix<float>{1e30f, 1e-30f, 0, 1e30f, -1e-30f, 0, 0, 0, 1});
+  ASSERT_TRUE(single);
+  EXPECT_NEAR((*single)[1][0] / 5e29f, 1, 1e-6f);
+  // Subnormal entries
+  const auto tiny = inverse(Mat{1, 0x1p-1074, 0, 0x1p-1074, 1, 0, 3, 0, 1});
+  ASSERT_TRUE(tiny);
+  EXPECT_EQ(*tiny, (Mat{1, -0x1p-1074, 0, -0x1p-1074, 1, 0, -3, 0x3p-1074, 1}));
+  const auto least = inverse(Mat{0x3p-1023, 0x1p-1023, 0, 0x1p-1023, 0x3p-1023, 0, 0, 0, 1});
+  ASSERT_TRUE(least);
+  EXPECT_EQ((*least)[0][0], 0x3p1020);
+  // The shift comes back through numbers that would vanish
+  EXPECT_EQ(inverse(Mat{0x1p1000, 0, 0, 0, 0x1p1000, 0, 0x1p1000, 0x1p-60, 1}).value()[2],
+            (dvec3{-1, -0x1p-1060, 1}));
+  // What double has no numbers for has no inverse in it
+  EXPECT_FALSE(inverse(matrix(scaling<double>({1e-310, 1}))).has_value());
+  EXPECT_FALSE(inverse(scaling<double>({0x1p-1074, 1})).has_value());
+  EXPECT_FALSE(inverse(Mat{1e-200, 0, 0, 0, 1e-200, 0, 1e200, 0, 1}).has_value());
+}
+
+TEST(Affine2d, RotationsOfAnySizeAreMended) {
+  const double half = std::sqrt(0.5);
+  for (const double size : {0x1p-1074, 1e-200, 1.0, 1e200}) {
+    const Mat m = nearest_rotation(Mat{size, size, 0, -size, size, 0, 0, 0, 1});
+    EXPECT_NEAR(m[0].x, half, 2e-16) << size;
+    EXPECT_NEAR(m[0].y, half, 2e-16) << size;
+  }
+  EXPECT_THROW(nearest_rotation(Mat(0)), ContractViolation);
+}
+
 TEST(Affine2d, NotFiniteIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_THROW(translation<double>({nan, 0}), ContractViolation);

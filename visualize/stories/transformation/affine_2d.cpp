@@ -387,11 +387,12 @@ std::vector<Method> all_methods() {
 /// The way back must exist before it is told.
 void require_inverses(const Task& task) {
   for (std::size_t k = 0; k < task.factors.size(); ++k) {
-    if (flattens(task.factors[k].linear)) {
-      throw ArgumentError("factors",
-                          fmt::format("factor {}: '{}' flattens the plane (its determinant is 0), so it has "
-                                      "no inverse and can't be undone",
-                                      k + 1, text_of(task.texts[k])));
+    if (!inverse(task.factors[k])) {
+      const char* why = flattens(task.factors[k].linear)
+                            ? "flattens the plane (its determinant is 0), so it has no inverse"
+                            : "has no inverse whose numbers are within the range of double";
+      throw ArgumentError("factors", fmt::format("factor {}: '{}' {} and can't be undone", k + 1,
+                                                 text_of(task.texts[k]), why));
     }
   }
 }
