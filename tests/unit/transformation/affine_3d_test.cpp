@@ -270,6 +270,45 @@ TEST(Affine3d, RepeatedProductsDriftAndAreMended) {
   EXPECT_LT(error(orthonormalized(drifting)), 4.8e-7);
 }
 
+// How far R^T R is from I
+double off_orthogonal(const glm::dmat4& m) {
+  double worst = 0;
+  for (int i = 0; i < 9; ++i) {
+    const dvec3 a(m[i / 3]), b(m[i % 3]);
+    worst = std::max(worst, std::abs(missing_product(a, b, i / 3 == i % 3 ? 1 : 0)));
+  }
+  return worst;
+}
+
+TEST(Affine3d, ColumnsThatAreNearlyParallelAreMended) {
+  for (const double apart : {0x1p-10, 0x1p-20, 0x1p-40, 0x1p-52}) {
+    glm::dmat4 m(1);
+    m[0] = {0.6, 0.48, 0.64, 0};
+    m[1] = {0.6 + apart, 0.48, 0.64, 0};
+    const glm::dmat4 clean = orthonormalized(m);
+    EXPECT_LE(off_orthogonal(clean), 2 * 0x1p-52) << apart;
+    // At right angles on both: (0, 0.64, -0.48) / 0.8
+    EXPECT_NEAR(clean[2].x, 0, 0x1p-52) << apart;
+    EXPECT_NEAR(clean[2].y, 0.8, 0x1p-52) << apart;
+    EXPECT_NEAR(clean[2].z, -0.6, 0x1p-52) << apart;
+  }
+  glm::dmat4 m(1);
+  m[1] = {3, 0, 0, 0};
+  EXPECT_THROW(orthonormalized(m), ContractViolation);
+  m[1] = {3, 0x1p-1000, 0, 0};
+  EXPECT_EQ(orthonormalized(m), glm::dmat4(1));
+}
+
+TEST(Affine3d, NormalsAndMirrorsOfAnySize) {
+  for (const double size : {0x1p-1074, 0x1p-600, 0x1p-200, 1.0, 0x1p200, 0x1p600, 0x1p1023}) {
+    const glm::dmat4 m = scaling(dvec3{size, size, -size});
+    EXPECT_TRUE(mirrors(m)) << size;
+    EXPECT_FALSE(mirrors(scaling(dvec3{size, -size, -size}))) << size;
+    EXPECT_EQ(unit_vector(normal_matrix(m) * dvec3{0, 0, 1}), (dvec3{0, 0, -1})) << size;
+    EXPECT_EQ(unit_vector(normal_matrix(m) * dvec3{0, 1, 0}), (dvec3{0, 1, 0})) << size;
+  }
+}
+
 TEST(Affine3d, NotFiniteIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_THROW(translation(dvec3{0, nan, 0}), ContractViolation);
