@@ -51,6 +51,7 @@ constexpr Window window_around(ivec2 a, ivec2 b) {
 
 /// A vector times a power of two that makes its largest component at least 1 and less than 2, which rounds
 /// nothing (but of components that are vanishingly small beside it). The zero vector stays.
+/// Domain: finite components. Of others the vector is not finite, either, and the exponent without meaning.
 template <std::floating_point T>
 struct Scaled {
   glm::vec<3, T> vector;
@@ -58,14 +59,14 @@ struct Scaled {
 
   explicit Scaled(glm::vec<3, T> v) : vector(v), exponent(0) {
     const T largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (largest == 0) return;
+    if (!(largest > 0)) return;  // 0, or NaN, of which ilogb gives no exponent
     exponent = std::ilogb(largest);
     vector = {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
   }
 };
 
 /// The length of v. Domain: finite components of any size: they are scaled before they are squared, so that
-/// neither 1e-200 nor 1e200 is lost. Accuracy: 2 ulp.
+/// neither 1e-200 nor 1e200 is lost; others give infinity or NaN. Accuracy: 2 ulp.
 template <std::floating_point T>
 T length_of(glm::vec<3, T> v) {
   const Scaled<T> scaled(v);
@@ -79,6 +80,22 @@ glm::vec<3, T> unit_vector(glm::vec<3, T> v) {
   const glm::vec<3, T> scaled = Scaled<T>(v).vector;
   const T square = glm::dot(scaled, scaled);
   return square == 0 ? v : scaled / std::sqrt(square);
+}
+
+/// A vector's direction, of length 1, and its length.
+template <std::floating_point T>
+struct Directed {
+  glm::vec<3, T> direction;
+  T length;
+};
+
+/// unit_vector and length_of at once. Domain, Accuracy: as theirs.
+template <std::floating_point T>
+Directed<T> directed(glm::vec<3, T> v) {
+  const Scaled<T> scaled(v);
+  const T root = std::sqrt(glm::dot(scaled.vector, scaled.vector));
+  if (root == 0) return {v, T(0)};
+  return {scaled.vector / root, std::scalbn(root, scaled.exponent)};
 }
 
 /// The smallest box along the axes that holds some points; empty while it holds none.

@@ -4,11 +4,27 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "core/random.hpp"
 #include "support/seed.hpp"
 
 namespace gradus {
 namespace {
+
+// Beyond the domain, but never beyond what C++ defines
+TEST(Geometry, NoNumberStaysNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 3; ++i) {
+    dvec3 v{1, 2, 3};
+    v[i] = nan;
+    EXPECT_TRUE(std::isnan(length_of(v))) << i;
+    EXPECT_TRUE(std::isnan(unit_vector(v)[i])) << i;
+  }
+  EXPECT_TRUE(std::isnan(length_of(dvec3{nan, nan, nan})));
+  EXPECT_FALSE(std::isfinite(length_of(dvec3{std::numeric_limits<double>::infinity(), 0, 0})));
+}
 
 TEST(Geometry, UnitVectorsOfAnySize) {
   for (const double size : {1e-310, 1e-200, 1.0, 1e200, 1e308}) {

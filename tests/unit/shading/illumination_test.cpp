@@ -108,6 +108,22 @@ TEST(Illumination, LightsAddUpAndWeaken) {
   EXPECT_NEAR(lit({0, 0, -1}, {0, 0, 1}, glowing).x, 3.1, 1e-6);
 }
 
+// Distances whose squares overflow or vanish
+TEST(Illumination, LightsAtAnyDistance) {
+  const auto from = [](double distance, double constant, double linear) {
+    Light light = lamp({0, 0.6 * distance, 0.8 * distance});
+    light.constant = constant;
+    light.linear = linear;
+    const std::vector<Light> lights{light};
+    return phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, 0, 9}, surface(1, 0, 1), std::span<const Light>(lights),
+                 LinearRgb{0})
+        .diffuse.x;
+  };
+  EXPECT_DOUBLE_EQ(from(1e200, 0, 1e-199), 0.08);
+  EXPECT_DOUBLE_EQ(from(1e-200, 0, 1e201), 0.08);
+  EXPECT_DOUBLE_EQ(from(0x5p-1074, 1, 0), 0.8);
+}
+
 TEST(Illumination, StepsFollowTheGrammar) {
   Recorder<AmbientAdded<double>, LightAdded<double>, Finished<double>> seen;
   const std::vector<Light> lights{lamp({0, 3, 4}), lamp({0, 0, -1})};
