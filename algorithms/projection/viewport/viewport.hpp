@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "core/contract.hpp"
+#include "core/finite.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "core/rounding.hpp"
@@ -66,6 +67,8 @@ void expect_sizes(const Rectangle<T>& window, ivec2 picture) {
           most_pixels);
   expects(window.lower.x < window.upper.x && window.lower.y < window.upper.y,
           "a window's lower corner lies below and left of its upper corner");
+  expects(all_finite(window.size().x, window.size().y),
+          "a window has a finite size: its corners are too far apart");
 }
 
 /// The window fills the whole picture: as taught. Where their shapes differ, x and y are scaled differently
@@ -75,7 +78,7 @@ void expect_sizes(const Rectangle<T>& window, ivec2 picture) {
 ///
 /// Domain: lower < upper, width and height from 1 to 2^30; the window's size doesn't overflow.
 /// Cost: none.
-/// Errors: ContractViolation for an empty window or picture.
+/// Errors: ContractViolation for an empty window or picture, and for a window without a finite size.
 template <class T>
 Mapping<T> stretched(const Rectangle<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
   expect_sizes(window, picture);
@@ -85,8 +88,8 @@ Mapping<T> stretched(const Rectangle<T>& window, ivec2 picture, RowZero row_zero
 /// The window fills as much of the picture as it can without changing its shape, and stands in the middle;
 /// two bars of the picture stay empty. A circle stays one.
 ///
-/// Domain: as stretched.
-/// Accuracy: the viewport's size is within 2 roundings, its place in the middle within 2 more.
+/// Domain: as stretched, and height / width of the window is a normal number of T.
+/// Accuracy: the viewport's corners are within 2 ulp of the picture's width or height.
 /// Cost: four multiplications, two divisions.
 /// Errors: as stretched.
 template <class T>
@@ -95,7 +98,7 @@ Mapping<T> letterboxed(const Rectangle<T>& window, ivec2 picture, RowZero row_ze
   const T width = T(picture.x), height = T(picture.y);
   const auto size = window.size();
   // The side on which the window has less room to spare sets the scale of both
-  const bool wide = size.x / width > size.y / height;
+  const bool wide = size.x / size.y > width / height;
   const T used_width = wide ? width : height * (size.x / size.y);
   const T used_height = wide ? width * (size.y / size.x) : height;
   const glm::vec<2, T> margin{(width - used_width) / T(2), (height - used_height) / T(2)};
@@ -269,13 +272,14 @@ glm::vec<2, T> to_plane(const Mapping<T>& map, glm::vec<2, T> place) {
   return place_at(map.window, glm::vec<2, T>{x, up ? y : T(1) - y});
 }
 
-/// The point of the camera plane at the centre of a pixel, where a picture is sampled. Its pixel, by floor,
-/// is this one.
+/// The point of the camera plane at the centre of a pixel, where a picture is sampled.
 ///
 /// pixel: any, also outside the picture.
 ///
 /// Domain: |column|, |row| < 2^22 for float.
-/// Accuracy: as to_plane.
+/// Accuracy: as to_plane. In a stretched picture the point's own pixel, by floor, is this one where a pixel
+///   measures at least 9 ulp of the window's largest coordinate on either axis. Of narrower ones some may
+///   hold no point at all: 1,920 columns from 1e9 to 1e9 + 1e-4 share 840 doubles.
 /// Cost: as to_plane.
 /// Errors: none.
 template <class T>

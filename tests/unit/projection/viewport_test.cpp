@@ -181,6 +181,34 @@ TEST(Viewport, PixelCentresLeadBack) {
   EXPECT_EQ(to_plane(report, dvec2{320, 240}), (dvec2{0, 0}));
 }
 
+// The columns from 1e9 to 1e9 + 1e-4 are half an ulp wide: there are fewer doubles than columns. From 9 ulp
+// on each column has the point that stands for its centre
+TEST(Viewport, ColumnsNarrowerThanAnUlpHaveNoPointOfTheirOwn) {
+  const auto lost = [](double from, double to) {
+    const DMapping map = stretched(DRectangle{{from, 0}, {to, 1}}, {1920, 1});
+    int columns = 0;
+    for (int c = 0; c < 1920; ++c) columns += rasterize(map, pixel_centre(map, {c, 0})) != Pixel({c, 0});
+    return columns;
+  };
+  EXPECT_EQ(lost(1e9, 1e9 + 1e-4), 1261);
+  const double ulp = 0x1p-23;
+  EXPECT_EQ(lost(1e9, 1e9 + 9 * 1920 * ulp), 0);
+  EXPECT_EQ(lost(0x1p29, 0x1p29 + 9 * 1920 * ulp), 0);
+  EXPECT_EQ(lost(0x1p30 - 9 * 1920 * ulp, 0x1p30 - ulp), 0);
+}
+
+TEST(Viewport, WindowsOfAnySize) {
+  // 2 x 1 of the smallest doubles: as wide as the picture, half as high
+  const Rectangle<double> least{{0, 0}, {0x1p-1073, 0x1p-1074}};
+  const auto boxed = letterboxed(least, {1000, 1000});
+  EXPECT_EQ(boxed.viewport.lower, (dvec2{0, 250}));
+  EXPECT_EQ(boxed.viewport.upper, (dvec2{1000, 750}));
+  const auto wide = letterboxed(Rectangle<double>{{0, 0}, {0x1p1023, 0x1p1022}}, {1 << 30, 1 << 30});
+  EXPECT_EQ(wide.viewport.lower, (dvec2{0, 0x1p28}));
+  EXPECT_THROW(stretched(Rectangle<double>{{-1e308, 0}, {1e308, 1}}, {640, 480}), ContractViolation);
+  EXPECT_THROW(letterboxed(Rectangle<double>{{0, -1e308}, {1, 1e308}}, {640, 480}), ContractViolation);
+}
+
 TEST(Viewport, StepsFollowTheGrammar) {
   Recorder<Mapped<double>> seen;
   EXPECT_EQ(to_pixel(dvec2{0.25, 0.5}, 8, 4, seen), (dvec2{5, 1}));
