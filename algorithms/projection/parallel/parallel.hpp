@@ -40,7 +40,8 @@ struct Slant {
 /// behind the plane appears at foreshortening (cos, sin) of where it would stand in the plane.
 /// radians: the angle of receding edges against x, counter-clockwise; 45 degrees is usual. foreshortening:
 ///   >= 0; 1 is the cavalier projection, 1/2 the cabinet projection, 0 the orthographic one.
-/// Accuracy: 1 ulp.
+/// Accuracy: 1.51 ulp a number: sine and cosine are off by up to 0.501 ulp, which the product with the
+///   foreshortening may double, and rounds by 1/2 more.
 /// Errors: ContractViolation for an angle or a foreshortening that is not finite, or a negative one.
 inline Slant<double> slant_of(double radians, double foreshortening) {
   expects(0 <= foreshortening && foreshortening <= std::numeric_limits<double>::max(),
@@ -149,7 +150,7 @@ glm::vec<3, T> oblique(T d, Slant<T> slant, glm::vec<3, T> point, O&& observer =
 ///
 /// plane, direction: any that meet, of any length; direction may point either way. point: any.
 ///
-/// Domain: what neither overflows nor underflows T in a product.
+/// Domain: what neither overflows nor underflows T in a product, sum or quotient.
 /// Steps: Cast Projected.
 /// Accuracy: with N = |offset| + sum |normal_i point_i|, S = sum |normal_i direction_i| and q = normal ·
 ///   direction, each coordinate lies within 10 u |direction_i| N S / q^2 + 2 u |point_i|; Exact is exact.
@@ -176,8 +177,9 @@ glm::vec<3, T> along(const Plane<T>& plane, glm::vec<3, T> v, glm::vec<3, T> poi
 /// written column by column.)
 ///
 /// Domain, Errors: as along.
-/// Accuracy: for z = d, a power of two in the direction's z and products that fit exact; else some u of the
-///   largest entry.
+/// Accuracy: with S and q as for along, an entry is within 7 u S / |q| of its product, which is direction_i
+///   normal_k / q or direction_i offset / q, and where the product is taken from 1, u more; Exact is exact.
+///   For z = d, a power of two in the direction's z and products that fit also double is.
 template <class T>
 glm::mat<4, 4, T> matrix_of(const Plane<T>& plane, glm::vec<3, T> direction) {
   expects(meets(plane, direction), "projectors meet the plane, these are parallel to it");

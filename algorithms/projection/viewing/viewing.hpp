@@ -345,10 +345,10 @@ Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
 
 /// The coordinates of a point for the viewer: how far right, how far up, how deep.
 ///
-/// Domain: finite.
+/// Domain: finite; the distance from the eye is at most half the largest number of T.
 /// Steps: Viewed.
 /// Accuracy: a component is within 2 ulp of the distance from the eye, which is subtracted first (axes of
-///   length 1).
+///   length 1), and 2 of the smallest numbers of T where products underflow.
 /// Cost: 9 multiplications, 9 additions.
 /// Errors: none.
 template <class T, Observer<Viewed<T>> O = Unobserved>
