@@ -10,6 +10,7 @@
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 #include "support/clip_oracle.hpp"
 
 namespace gradus::stress::axis_boxes {
@@ -34,13 +35,17 @@ Clip<N> clip_of(const Input& input) {
 }
 
 template <int N>
-Input generate(Kind kind, Random& random) {
+void put_corners_in_order(Input& input) {
+  constexpr auto n = static_cast<std::size_t>(N);
+  for (std::size_t i = 0; i < n; ++i) put_in_order(input[2 * n + i], input[3 * n + i]);
+}
+
+template <int N>
+Input shape(Kind kind, Random& random) {
   Input input(4 * std::size_t{N});
   constexpr auto n = static_cast<std::size_t>(N);
   for (double& x : input) x = kind == Kind::refused ? number(Kind::random, random) : number(kind, random);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (input[2 * n + i] > input[3 * n + i]) std::swap(input[2 * n + i], input[3 * n + i]);
-  }
+  put_corners_in_order<N>(input);
   if (kind == Kind::near_degenerate) {
     // Nearly level, or nearly a point
     const auto axis = static_cast<std::size_t>(random.uniform_int(0, N - 1));
@@ -66,6 +71,12 @@ Input generate(Kind kind, Random& random) {
     }
   }
   return input;
+}
+
+template <int N>
+Input generate(Kind kind, Random& random) {
+  static const Generator all = at_every_scale(shape<N>, {}, put_corners_in_order<N>);
+  return all(kind, random);
 }
 
 /// Whether the contract takes the input.

@@ -156,7 +156,7 @@ Domain cohen_sutherland_3d() {
             .unit = "ulp",
             .bound = 0.5,
             .numbers = 8,
-            .generate = volume_input,
+            .generate = at_every_scale(volume_input),
             .error = volume_error,
             .arguments = [](const Input& i) -> std::vector<std::pair<std::string, std::string>> {
               return {{"method", "view_volume"}, {"homogeneous", list(i, 0, 8)}};

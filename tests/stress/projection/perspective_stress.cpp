@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -61,7 +62,7 @@ Domain perspective() {
             .unit = "roundings",
             .bound = 0x1.0000000000001p1,  // 2 (1 + 2^-53)
             .numbers = 4,
-            .generate = generate,
+            .generate = at_every_scale(generate, {}, [](Input& i) { i[0] = std::abs(i[0]); }),
             .error = error,
             .traps = {{"in the eye", {1, 1, 1, 0}},
                       {"behind the eye", {1, 1, 1, -2}},

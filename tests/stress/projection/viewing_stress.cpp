@@ -9,6 +9,7 @@
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -64,6 +65,7 @@ Input look_input(Kind kind, Random& random) {
 
 /// The largest distance of a component from the exact one, in ulp of 1.
 double off(const Vec3& found, const Triple<Float>& exact) {
+  if (!viewing::is_finite(found)) return wrong;
   double worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     worst = std::max(worst, static_cast<double>(abs(Float(found[static_cast<int>(k)]) - exact[k])) / one_ulp);
@@ -114,18 +116,21 @@ double view_error(const Input& i) {
   } catch (const ContractViolation&) {
     return 0;  // look_at's own promise
   }
+  if (!all_finite({i[9], i[10], i[11]})) return 0;
   const Vec3 world = vec(i, 9), view = viewing::to_view(frame, world);
   const Triple<Rational> p = {Rational(i[9]) - Rational(i[0]), Rational(i[10]) - Rational(i[1]),
                               Rational(i[11]) - Rational(i[2])};
   const Triple<Rational> axes[] = {triple<Rational>(frame.right), triple<Rational>(frame.up),
                                    triple<Rational>(frame.forward)};
   const Float distance = sqrt(Float(dot(p, p)));
-  const double near = static_cast<double>(distance);
-  if (near == 0) return view == Vec3(0) ? 0 : wrong;
+  if (distance > Float(std::numeric_limits<double>::max()) / 2) return 0;
+  if (distance == 0) return view == Vec3(0) ? 0 : wrong;
+  if (!viewing::is_finite(view)) return wrong;
   double worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Rational error = abs(Rational(view[static_cast<int>(k)]) - dot(axes[k], p));
-    worst = std::max(worst, static_cast<double>(Float(error) / distance) / one_ulp);
+    // Two smallest numbers are as good as two ulp
+    worst = std::max(worst, static_cast<double>(Float(error) / (distance * one_ulp + Float(0x1p-1074))));
   }
   return worst;
 }
@@ -146,9 +151,11 @@ Input inverse_input(Kind kind, Random& random) {
 }
 
 /// A power of two that brings the largest component to [1, 2); 0 for the zero vector.
-double scale_of(Vec3 v) {
+Rational power_that_fits(Vec3 v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return largest == 0 ? 0 : std::scalbn(1.0, -std::ilogb(largest));
+  if (largest == 0) return 0;
+  const int exponent = -std::ilogb(largest);  // of a subnormal beyond what a double holds
+  return Rational(std::ldexp(1.0, exponent / 2)) * Rational(std::ldexp(1.0, exponent - exponent / 2));
 }
 
 double inverse_error(const Input& i) {
@@ -156,7 +163,7 @@ double inverse_error(const Input& i) {
   Triple<Triple<Rational>> scaled;
   Triple<Rational> scales;
   for (std::size_t k = 0; k < 3; ++k) {
-    scales[k] = Rational(scale_of(axes[k]));
+    scales[k] = power_that_fits(axes[k]);
     for (std::size_t c = 0; c < 3; ++c) scaled[k][c] = Rational(axes[k][static_cast<int>(c)]) * scales[k];
   }
   const Rational det = dot(scaled[0], cross(scaled[1], scaled[2]));
@@ -195,7 +202,7 @@ Domain viewing() {
         .unit = "bounds",
         .bound = 1,
         .numbers = 9,
-        .generate = look_input,
+        .generate = at_every_scale(look_input),
         .error = look_error,
         .traps = {{"up along the view", {0, 5, 0, 0, 0, 0, 0, 1, 0}},
                   {"up along the view but for 1e-17", {0, 1, 0, 0, 0, 0, 1e-17, 1, 0}},
@@ -207,8 +214,9 @@ Domain viewing() {
         .unit = "ulp",
         .bound = 2,
         .numbers = 12,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::ties},
-        .generate = view_input,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
+                  Kind::denormal, Kind::extremes},
+        .generate = at_every_scale(view_input),
         .error = view_error,
         .traps = {{"the eye itself", {2, 3, 5, 0, 0, 0, 0, 1, 0, 2, 3, 5}},
                   {"the target", {2, 3, 5, 0, 0, 0, 0, 1, 0, 0, 0, 0}},
@@ -218,8 +226,9 @@ Domain viewing() {
         .unit = "ulp",
         .bound = 32,
         .numbers = 12,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::tiny, Kind::huge, Kind::ties},
-        .generate = inverse_input,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::tiny, Kind::huge, Kind::ties, Kind::denormal,
+                  Kind::extremes},
+        .generate = at_every_scale(inverse_input),
         .error = inverse_error,
         .traps = {{"in one plane", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}},
                   {"lengths far apart", {0, 0, 0, 1e-200, 0, 0, 0, 1, 0, 0, 0, 1e200}},

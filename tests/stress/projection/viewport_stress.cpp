@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -49,15 +50,19 @@ Input generate(Kind kind, Random& random) {
   return input;
 }
 
-/// What is asked: whether the header's domain has this input.
-bool in_domain(const Input& i) {
-  for (std::size_t k : {0U, 1U}) {
-    if (!(i[k] < i[k + 2]) || !std::isfinite(i[k + 2] - i[k])) return false;
-    if (!(i[4 + k] >= 1 && i[4 + k] <= viewport::most_pixels) || i[4 + k] != std::floor(i[4 + k]))
-      return false;
-  }
-  return all_finite(i);
+/// Whether the picture has a size.
+bool has_picture(const Input& i) {
+  return std::ranges::all_of(std::array{i[4], i[5]}, [](double n) {
+    return n >= 1 && n <= viewport::most_pixels && n == std::floor(n);
+  });
 }
+
+/// Whether the window has a size, a finite one.
+bool has_window(const Input& i) {
+  return i[0] < i[2] && i[1] < i[3] && all_finite({i[0], i[1], i[2] - i[0], i[3] - i[1]});
+}
+
+bool in_domain(const Input& i) { return has_window(i) && has_picture(i); }
 
 Mapping<double> map_of(const Input& i) {
   const ivec2 picture{static_cast<int>(i[4]), static_cast<int>(i[5])};
@@ -69,7 +74,11 @@ boost::multiprecision::cpp_int floor_of(const Rational& x) {
   return x < 0 && Rational(quotient) != x ? quotient - 1 : quotient;
 }
 
-double ulp_of(double x) { return std::nextafter(x, wrong) - x; }
+/// From |x| to the next double; from the largest down.
+double ulp_of(double x) {
+  const double size = std::min(std::abs(x), std::nextafter(std::numeric_limits<double>::max(), 0.0));
+  return std::nextafter(size, wrong) - size;
+}
 
 /// The exact place of the point, in pixels.
 std::array<Rational, 2> exact_place(const Input& i) {
@@ -79,9 +88,20 @@ std::array<Rational, 2> exact_place(const Input& i) {
   return {share(i[0], i[2], i[6]) * Rational(i[4]), (1 - share(i[1], i[3], i[7])) * Rational(i[5])};
 }
 
+/// Whether windows that the header's domain lacks are refused.
+double refusal_error(const Input& i) {
+  try {
+    map_of(i);
+  } catch (const ContractViolation&) {
+    return 0;
+  }
+  return wrong;
+}
+
 double place_error(const Input& i) {
-  if (!in_domain(i)) return 0;
+  if (!in_domain(i)) return has_picture(i) ? refusal_error(i) : 0;
   const Mapping<double> map = map_of(i);
+  if (!all_finite(i)) return viewport::rasterize(map, dvec2{i[6], i[7]}) ? wrong : 0;
   const dvec2 place = viewport::place_at(map.viewport, viewport::fraction_of(map, {i[6], i[7]}));
   const auto pixel = viewport::rasterize(map, dvec2{i[6], i[7]});
   const auto exact = exact_place(i);
@@ -108,12 +128,15 @@ double place_error(const Input& i) {
 }
 
 double back_error(const Input& i) {
-  if (!in_domain(i)) return 0;
+  if (!in_domain(i) || !all_finite(i)) return 0;
   const Mapping<double> map = map_of(i);
   const dvec2 place = viewport::place_at(map.viewport, viewport::fraction_of(map, {i[6], i[7]}));
   const dvec2 back = viewport::to_plane(map, place);
   const auto exact = exact_place(i);
   double worst = 0;
+  if (!all_finite({place.x, place.y, back.x, back.y})) {
+    return exact[0] < 0 || exact[0] > Rational(i[4]) || exact[1] < 0 || exact[1] > Rational(i[5]) ? 0 : wrong;
+  }
   for (int k : {0, 1}) {
     const auto at = static_cast<std::size_t>(k);
     if (exact[at] < 0 || exact[at] > Rational(i[4 + at])) return 0;  // places in the viewport
@@ -124,14 +147,52 @@ double back_error(const Input& i) {
   return worst;
 }
 
+// --- The centre of a pixel: a window, the picture's size, then how far across and down the pixel lies ----
+
+/// Windows whose pixels measure from one to 2^20 ulp of their largest coordinate, near the origin and far.
+Input centre_input(Kind kind, Random& random) {
+  Input input = generate(kind == Kind::near_degenerate ? Kind::random : kind, random);
+  for (std::size_t k : {0U, 1U}) {
+    input[4 + k] = std::floor(std::ldexp(random.uniform(1, 2), static_cast<int>(random.uniform_int(0, 12))));
+    if (kind == Kind::near_degenerate || kind == Kind::grazing) {
+      const double far = sized(random, -20, 60),
+                   pixel = std::ldexp(random.uniform(1, 2), static_cast<int>(random.uniform_int(2, 20)));
+      input[k] = far;
+      input[k + 2] = far + pixel * ulp_of(std::abs(far)) * input[4 + k];
+    }
+    input[6 + k] = random.unit();
+  }
+  return input;
+}
+
+double centre_error(const Input& i) {
+  if (!in_domain(i)) return 0;
+  for (std::size_t k : {0U, 1U}) {
+    const Rational pixel = (Rational(i[k + 2]) - Rational(i[k])) / Rational(i[4 + k]);
+    if (pixel < 9 * Rational(ulp_of(std::max(std::abs(i[k]), std::abs(i[k + 2]))))) return 0;
+    if (!(0 <= i[6 + k] && i[6 + k] < 1)) return 0;
+  }
+  const Mapping<double> map = map_of(i);
+  const ivec2 pixel{static_cast<int>(i[6] * i[4]), static_cast<int>(i[7] * i[5])};
+  const dvec2 centre = viewport::pixel_centre(map, pixel);
+  return viewport::rasterize(map, centre) == std::optional(pixel) ? 0 : wrong;
+}
+
 }  // namespace
 
 Domain viewport() {
   const std::vector<Kind> kinds{Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny,
-                                Kind::ties,   Kind::denormal};
+                                Kind::ties,   Kind::denormal,        Kind::extremes};
+  const auto in_order = [](Input& input) {
+    put_in_order(input[0], input[2]);
+    put_in_order(input[1], input[3]);
+  };
+  const std::vector<std::size_t> lengths{0, 1, 2, 3, 6, 7};
   const std::vector<Trap> traps{
       {"the last column's right side", {0, 0, 1, 1, 640, 480, 1, 0.5}},
       {"half a pixel", {-1, -1, 1, 1, 640, 480, 0.0015625, 0}},
+      {"a window of the smallest doubles", {0, 0, 0x1p-1073, 0x1p-1074, 640, 480, 0x1p-1074, 0}},
+      {"a window whose size overflows", {-1e308, 0, 1e308, 1, 640, 480, 0, 0}},
       {"a window of one unit in the last place", {1, 1, 1 + 0x1p-52, 2, 3, 3, 1, 1}}};
   return {"viewport",
           {{.name = "rasterize",
@@ -140,7 +201,7 @@ Domain viewport() {
             .bound = 2.5,
             .numbers = 8,
             .kinds = kinds,
-            .generate = generate,
+            .generate = at_every_scale(generate, lengths, in_order),
             .error = place_error,
             .traps = traps},
            {.name = "to_plane",
@@ -149,9 +210,22 @@ Domain viewport() {
             .bound = 4,
             .numbers = 8,
             .kinds = kinds,
-            .generate = generate,
+            .generate = at_every_scale(generate, lengths, in_order),
             .error = back_error,
-            .traps = traps}}};
+            .traps = traps},
+           {.name = "pixel_centre",
+            .states = "lies in its pixel where that measures 9 ulp of the window's largest coordinate",
+            .unit = "pixels",
+            .bound = 0,
+            .numbers = 8,
+            .kinds = kinds,
+            .generate = at_every_scale(centre_input, {0, 1, 2, 3}, in_order),
+            .error = centre_error,
+            .traps = {{"pixels of half an ulp", {1e9, 0, 1e9 + 1e-4, 1, 1920, 1080, 0.3, 0.7}},
+                      {"pixels of 9 ulp, from a power of two on",
+                       {0x1p30, 0, 0x1p30 + 9 * 1920 * 0x1p-22, 1, 1920, 1080, 0.9999, 0.7}},
+                      {"pixels of 9 ulp, up to a power of two",
+                       {0x1p30 - 9 * 1920 * 0x1p-23, 0, 0x1p30 - 0x1p-23, 1, 1919, 1080, 0.9999, 0.7}}}}}};
 }
 
 }  // namespace gradus::stress

@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
@@ -58,7 +59,7 @@ Domain back_face_culling() {
             .unit = "decisions",
             .bound = 0,
             .numbers = 9,
-            .generate = generate,
+            .generate = at_every_scale(generate),
             .error = error,
             .traps = {
                 {"no area", {1, 1, 1, 2, 2, 1, 3, 3, 1}},
