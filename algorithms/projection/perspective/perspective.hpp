@@ -179,10 +179,11 @@ struct Divided {
 ///
 /// projection: see projection_of. view: any point, also at or behind the eye.
 ///
-/// Domain: everything.
+/// Domain: products that neither overflow nor underflow.
 /// Steps: Multiplied.
-/// Accuracy: 1 rounding for x and y, 2 for z, w exact; z = near gives exactly 0; where the compiler
-///   fuses product and sum (see core/rounding.hpp) it may be off by 2^-53 |z_offset|.
+/// Accuracy: u is the rounding unit of T. x and y are within u |x| and u |y|, z is within u |z| and
+///   u |z_scale view.z|, w is exact; z = near gives exactly 0; where
+///   the compiler fuses product and sum (see core/rounding.hpp) it may be off by 2^-53 |z_offset|.
 /// Cost: 3 multiplications, 1 addition, no division.
 /// Errors: none.
 template <class T, Observer<Multiplied<T>> O = Unobserved>
@@ -269,6 +270,7 @@ enum class DepthFormat {
 
 /// The depth to store for z.
 /// near, far: 0 < near < far. z: near <= z <= far.
+/// Domain: for the accuracy planes from 2^-400 to 2^400 (float: 2^-50 to 2^50), so that no product leaves T.
 /// Accuracy: 3 roundings for the linear curve, 5 for the others, relative to the result: none of them
 ///   subtracts what was rounded.
 /// Errors: ContractViolation for planes that are not 0 < near < far.
@@ -310,8 +312,8 @@ struct Resolved {
 ///
 /// n, f: depths of the near and the far plane, 0 < n < f. z: n <= z <= f.
 ///
-/// Domain: as said. Nearer surfaces than a step may still be told apart, when a rounding lies between them:
-///   two depths a step apart always are, as long as step is small beside z.
+/// Domain: as said, planes from 2^-400 to 2^400. Nearer surfaces than a step may still be told apart, when a
+///   rounding lies between them: two depths a step apart always are, as long as step is small beside z.
 /// Steps: Resolved.
 /// Accuracy: 12 roundings, relative.
 /// Cost: a few divisions.
