@@ -329,7 +329,7 @@ bool flattens(const glm::mat<2, 2, T>& linear) {
 /// Accuracy: 4 ulp an entry, those of the last column of the sum of their absolute terms, times how far the
 ///   determinant cancels: (|xx yy| + |xy yx|) / |det|; and half the smallest number of T where an entry comes
 ///   out subnormal. Exact for Exact.
-/// Cost: 10 multiplications, 4 divisions, their exponents kept apart: about 0.1 us.
+/// Cost: 10 multiplications, 4 divisions, their exponents kept apart: about 0.2 us.
 /// Errors: ContractViolation for entries that are not finite.
 template <class T>
 std::optional<Matrix<T>> inverse(const Matrix<T>& m) {
