@@ -64,6 +64,25 @@ std::string replaced(std::string_view text, const Replacement (&table)[n]) {
 
 std::string latex_escaped(std::string_view text) { return replaced(text, latex); }
 
+std::string latex_path(std::string_view path) {
+  constexpr std::pair<char, std::string_view> names[] = {
+      {'\\', "backslash"}, {'{', "left_brace"}, {'}', "right_brace"}, {'$', "dollar"}, {'&', "ampersand"},
+      {'#', "hash"},       {'%', "percent"},    {'^', "circumflex"},  {'~', "tilde"}};
+  std::string out;
+  bool macro = false;  // a blank ends a macro's name and is lost: those that follow it are spelled out
+  for (const char c : path) {
+    const auto* const named = std::ranges::find(names, c, &std::pair<char, std::string_view>::first);
+    if (named != std::end(names))
+      out += fmt::format("\\csname c_{}_str\\endcsname ", named->second);
+    else if (macro && c == ' ')
+      out += "\\space ";
+    else
+      out += c;
+    macro = named != std::end(names) || (macro && c == ' ');
+  }
+  return out;
+}
+
 std::string markdown_escaped(std::string_view text) {
   constexpr std::string_view special = "\\`*_{}[]()#+-.!|<>~&";
   std::string out;

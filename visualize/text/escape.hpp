@@ -10,6 +10,10 @@ namespace gradus {
 /// …), become commands. Other letters stay as they are (UTF-8).
 std::string latex_escaped(std::string_view text);
 
+/// A file's name for LaTeX: a character that LaTeX would act on becomes the macro that expands to that very
+/// character, wherever a name is expanded (of LaTeX's kernel from 2020 on).
+std::string latex_path(std::string_view path);
+
 /// For Markdown (CommonMark, also inside a table's cell): every character with a meaning gets a backslash.
 std::string markdown_escaped(std::string_view text);
 

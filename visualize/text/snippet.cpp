@@ -42,7 +42,8 @@ std::string beamer(const SnippetFigure& figure) {
     const SnippetStep& step = figure.steps[i];
     const std::string overlay = figure.steps.size() > 1 ? fmt::format("<{}>", i + 1) : "";
     const std::string page = step.page > 0 ? fmt::format("page={},", step.page) : "";
-    out += fmt::format("    \\includegraphics{}[{}{}]{{{}}}%\n", overlay, page, size, visible(step.path));
+    out += fmt::format("    \\includegraphics{}[{}{}]{{{}}}%\n", overlay, page, size,
+                       latex_path(visible(step.path)));
   }
   return out + "  }\n\\end{frame}\n";
 }

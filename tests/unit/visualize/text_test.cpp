@@ -128,6 +128,17 @@ TEST(Snippets, BeamerShowsPageKOnOverlayK) {
 }
 
 TEST(Snippets, RevealShowsOneAfterTheOtherAndEscapes) {
+TEST(Snippets, BeamerNamesFilesWithAnyCharacter) {
+  SnippetFigure figure = deck("pdf", true, 1);
+  figure.steps[0].path = "50% of #1 {a}_b.pdf";
+  EXPECT_THAT(
+      snippet_of(SnippetKind::beamer, figure),
+      HasSubstr("]{50\\csname c_percent_str\\endcsname \\space of \\csname c_hash_str\\endcsname 1 "
+                "\\csname c_left_brace_str\\endcsname a\\csname c_right_brace_str\\endcsname _b.pdf}%\n"));
+  // Plain names stay as they are
+  EXPECT_THAT(snippet_of(SnippetKind::beamer, deck("pdf", true, 1)), HasSubstr("]{my line.pdf}%\n"));
+}
+
   const std::string text = snippet_of(SnippetKind::reveal, deck("svg", true, 3));
   EXPECT_THAT(text,
               HasSubstr("<img class=\"fragment fade-out\" data-fragment-index=\"0\" src=\"my line.svg\" "
