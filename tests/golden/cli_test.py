@@ -224,7 +224,7 @@ def test_again_is_byte_identical():
         "look": ["bresenham_line", "--method", "dda", "--step", "2.1", "--slots", "sentence,drawing", "--size", "800x600"],
         "maze": ["flood_fill", "--maze", "m.txt", "--at", "2,1", "--method", "depth_first", "--step", "3"],
         "long": ["flood_fill", "--maze", "it's a maze.txt", "--at", "2,1", "--step", "30"],
-        "image": ["flood_fill", "--image", "photo.png", "--at", "1,1", "--color", "teal", "--tolerance", "9"],
+        "image": ["flood_fill", "--image", "photo.png", "--at", "1,1", "--paint", "teal", "--tolerance", "9"],
     }
     for name, words in inputs.items():
         for ending in ("svg", "png", "pdf", "html"):
@@ -319,7 +319,8 @@ def test_wrong_input():
         (["run", "radiosity"], topics + "'radiosity'"),
         (["run", "\x1b[31m\n"], topics + r"'\x1b[31m\n'"),
         (["help", "bresenhm_lin"], topics + "'bresenhm_lin', did you mean 'bresenham_line'?"),
-        (["run", "flood_fill", "--color", "red"], "--color: expected a letter for a maze, found '#ff0000'"),
+        (["run", "flood_fill", "--paint", "red"], "--paint: expected a letter for a maze, found a colour"),
+        (["run", "flood_fill", "--color", "red"], "--color: expected one of auto, always, never, found 'red'"),
         (["run", "bresenham_line", "--window", "5,0,3,1"], "--window: expected xmin <= xmax, not 5 > 3, found '5,0,3,1'"),
         (["run", "bresenham_line", "--window", "0,0,3,1", "--method", "dda"],
          "--window: method dda has none: it walks to every pixel"),
@@ -347,7 +348,7 @@ def test_wrong_input():
         ([*line, *out, "--method", "ddb"], re.compile(r"--method: expected one of decision_parameter, .*, found 'ddb', did you mean 'dda'\?")),
         ([*fill, *out, "--tolerance", "256"], "--tolerance: expected a whole number from 0 to 255, found '256'"),
         ([*fill, *out, "--connectivity", "6"], "--connectivity: expected one of 4, 8, found '6'"),
-        ([*fill, *out, "--color", "pink"], re.compile(r"--color: expected a colour #rrggbb or one of black, .*, found 'pink'")),
+        ([*fill, *out, "--paint", "pink"], re.compile(r"--paint: expected a colour #rrggbb or one of black, .*, found 'pink'")),
         ([*fill, *out, "--at", "99,0"], re.compile(r"--at: expected .*, found '?99,0'?")),
         # lists of rings, orders by number, points in clip space
         ([*poly, "--hole", "4,4 6,4 6,6"], "--hole: holes are cut by --method separate_pieces alone"),
@@ -534,8 +535,8 @@ def test_color():
     check("\x1b[" not in gradus(*run, "--json", "--color=always").out, "never in JSON")
     check("\x1b[" not in gradus("figure", "bresenham_line", "-o", "-", "--format", "txt", env={"CLICOLOR_FORCE": "1"}).out,
           "never in a file")
-    fill = gradus("run", "flood_fill", "--color", "always", "--color", "b").out
-    check("\x1b[" in fill, "a topic's own --color beside the terminal's")
+    fill = gradus("run", "flood_fill", "--color", "always", "--paint", "b").out
+    check("\x1b[" in fill and "bbb" in fill, "--color is the terminal's, --paint the topic's")
 
 
 def test_progress():

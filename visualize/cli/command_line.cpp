@@ -66,9 +66,9 @@ class Parser {
 
   void add_flags(std::span<const Flag> flags) {
     for (const Flag& flag : flags) {
-      const std::string name = flag.name == "color" ? terminal_color : flag.name;
       const std::string letter = flag.letter ? fmt::format("-{},", flag.letter) : "";
-      add(letter + "--" + name, "--" + flag.name, !flag.value.empty(), request_.flags, flag.name, flag.many);
+      add(letter + "--" + flag.name, "--" + flag.name, !flag.value.empty(), request_.flags, flag.name,
+          flag.many);
     }
   }
 

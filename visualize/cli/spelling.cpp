@@ -20,8 +20,8 @@ bool is_short_flag(std::string_view word) {
 
 /// A flag that may be meant, whoever it belongs to.
 struct Known {
-  std::string name;  ///< as compared: "at", "color"
-  std::string word;  ///< as the parser knows it: "at", "terminal.color"
+  std::string name;  ///< as compared: "at", "svg_text"
+  std::string word;  ///< as the parser knows it: "at", "svg-text"
   bool takes_value;
   std::string expected;  ///< what its value should be like
 };
@@ -31,10 +31,7 @@ std::string expected_value(const Parameter& parameter) {
 }
 
 void add_flags(std::vector<Known>& known, std::span<const Flag> flags) {
-  for (const Flag& flag : flags) {
-    const bool terminal = flag.name == "color";
-    known.push_back({flag.name, terminal ? terminal_color : flag.name, !flag.value.empty(), flag.value});
-  }
+  for (const Flag& flag : flags) known.push_back({flag.name, flag.name, !flag.value.empty(), flag.value});
 }
 
 std::vector<Known> known_flags(const Command* command, const TopicEntry* topic) {
@@ -108,10 +105,8 @@ std::size_t next_operand(const std::vector<std::string>& words, std::size_t at, 
                                shown("--" + name), suggestion("--" + name, names)));
 }
 
-/// The one flag that is meant. A topic may have a --color of its own: then auto, always and never are the
-/// terminal's.
-const Known& flag_meant(const std::vector<Known>& known, const FlagWord& word, const std::string& value,
-                        const Spelled& spelled) {
+/// The one flag that is meant.
+const Known& flag_meant(const std::vector<Known>& known, const FlagWord& word, const Spelled& spelled) {
   std::vector<std::size_t> matches = meant(known, word.name);
   if (matches.empty()) unknown_flag(known, word.name, spelled);
   const std::string& name = known[matches.front()].name;
@@ -122,9 +117,6 @@ const Known& flag_meant(const std::vector<Known>& known, const FlagWord& word, c
     throw UsageError(
         fmt::format("expected one of {}, found {}", fmt::join(names, ", "), shown("--" + word.name)));
   }
-  const bool for_terminal = value == "auto" || value == "always" || value == "never";
-  const auto terminal = std::ranges::find(known, std::string(terminal_color), &Known::word);
-  if (name == "color" && for_terminal && terminal != known.end()) return *terminal;
   return known[matches.front()];
 }
 
@@ -152,7 +144,7 @@ class Writer {
     FlagWord word = split(words_[i]);
     const bool has_next = i + 1 < words_.size() && !is_long_flag(words_[i + 1]) && words_[i + 1] != "--";
     const std::string value = word.value ? *word.value : has_next ? words_[i + 1] : "";
-    const Known& flag = flag_meant(known_, word, value, spelled_);
+    const Known& flag = flag_meant(known_, word, spelled_);
     if (!flag.takes_value) {
       if (word.value) {
         throw UsageError(

@@ -8,9 +8,6 @@
 
 namespace gradus::cli {
 
-/// The terminal's --color under a name that no topic's parameter has.
-inline constexpr const char* terminal_color = "terminal.color";
-
 /// A command line written out: of `fig cir --at -5,8` there remain the command figure, the topic that begins
 /// with "cir", and the word "--at=-5,8". A value is whatever follows its flag, unless it begins with "--".
 struct Spelled {

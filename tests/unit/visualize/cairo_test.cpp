@@ -33,7 +33,7 @@ std::vector<Trace> some_traces() {
 
 const Colophon hostile{
     "<b>Title</b> & \"more\"", "caption ]]> </desc> \xc3\xa9",
-    "gradus figure flood_fill --maze '#.#/[x]' --color '#d55e00' --x \"<script>\" %41 \xe2\x88\x92",
+    "gradus figure flood_fill --maze '#.#/[x]' --paint '#d55e00' --x \"<script>\" %41 \xe2\x88\x92",
     "fnv1a64:0123456789abcdef"};
 
 TEST(CairoOutput, MetricsTableIsTheFonts) {

@@ -233,15 +233,15 @@ std::string filled_maze(const std::map<std::string, std::string>& given) {
 }
 
 TEST(FillStory, AMazeIsPaintedWithALetter) {
-  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"color", "a"}}), "aa#/ab#/#..");
-  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"color", "a"}, {"window", "1,0,2,2"}}),
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"paint", "a"}}), "aa#/ab#/#..");
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "0,0"}, {"paint", "a"}, {"window", "1,0,2,2"}}),
             "..#/.b#/#..");
   EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "1,1"}}), "..#/.x#/#..");
-  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "2,0"}, {"color", "a"}}), "..#/.b#/#..")
+  EXPECT_EQ(filled_maze({{"maze", "..#/.b#/#.."}, {"at", "2,0"}, {"paint", "a"}}), "..#/.b#/#..")
       << "walls stay";
-  EXPECT_EQ(filled_maze({{"maze", "bb#/.b#/#.."}, {"at", "0,0"}, {"color", "b"}}), "bb#/.b#/#..")
+  EXPECT_EQ(filled_maze({{"maze", "bb#/.b#/#.."}, {"at", "0,0"}, {"paint", "b"}}), "bb#/.b#/#..")
       << "its own letter";
-  EXPECT_THROW(filled_maze({{"color", "#ff0000"}}), ArgumentError);
+  EXPECT_THROW(filled_maze({{"paint", "#ff0000"}}), ArgumentError);
 }
 
 }  // namespace

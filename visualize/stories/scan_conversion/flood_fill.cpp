@@ -514,15 +514,15 @@ auto fill_masked(Image& image, ivec2 seed, Rgba8 color, const Window& window, in
 
 /// What pixels are painted with. A maze's walls stay; its other cells become a letter.
 Rgba8 paint_of(const Subject& subject, const Arguments& arguments, ivec2 seed) {
-  const std::string& given = arguments.has("color") ? arguments.text("color") : "";
+  const std::string& given = arguments.has("paint") ? arguments.text("paint") : "";
   const bool letter = given.size() == 1;
   if (!subject.is_maze) {
     if (letter)
-      throw ArgumentError("color", fmt::format("expected a colour for an image, found '{}'", given));
-    return given.empty() ? default_color : arguments.color("color");
+      throw ArgumentError("paint", fmt::format("expected a colour for an image, found '{}'", given));
+    return given.empty() ? default_color : arguments.color("paint");
   }
   if (!given.empty() && !letter) {
-    throw ArgumentError("color", fmt::format("expected a letter for a maze, found '{}'", given));
+    throw ArgumentError("paint", "expected a letter for a maze, found a colour");
   }
   if (subject.maze[seed] == wall) return maze_color(wall);
   return maze_color(letter ? given[0] : default_letter);
@@ -657,7 +657,7 @@ const TopicEntry& entry() {
             .help = "what to fill instead: a PNG file",
             .instead_of = "maze"},
            {"at", ParameterType::cell, "1,1", "3,4", "seed: column,row from the top left"},
-           {"color", ParameterType::paint, "", "#d55e00",
+           {"paint", ParameterType::paint, "", "#d55e00",
             "what to paint with: a colour, #0072b2 if not given; in a maze a letter, x if not given"},
            {"tolerance", ParameterType::integer, "0", "12",
             "by how much each channel may differ from the seed's, 0 to 255", 0, 255},
@@ -672,7 +672,7 @@ const TopicEntry& entry() {
            {"window", ParameterType::window, "", "2,1,6,5",
             "fill only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
       .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",
-                   "--image photo.png --at 40,30 --color '#d55e00' --tolerance 12"},
+                   "--image photo.png --at 40,30 --paint '#d55e00' --tolerance 12"},
       .run = run};
   return topic;
 }
