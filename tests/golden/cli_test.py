@@ -63,6 +63,8 @@ def test_help_and_version():
     check(all(word in result.out for word in ("--from", "--to", INT32, "--method dda", "taught")), result.out)
     equal(result.out.count("\n  gradus run bresenham_line "), 3, "three examples to paste")
     check("--from" in gradus("figure", "bresenham_line", "--help").out, "a topic's flags in a command's help")
+    equal(gradus("-V").out, gradus("--version").out, "-V")
+    equal(gradus("-x").err, "gradus: expected a known flag (`gradus --help` lists them), found '-x'\n", "the name once")
     result = gradus("--version")
     check(re.match(r"gradus \d+\.\d+\.\d+\n", result.out) and "cairo 1." in result.out and "unknown" not in result.out,
           result.out)
@@ -98,9 +100,11 @@ def test_list():
     check("flood_fill" in gradus("list", "bucket").out, "WORD searches aliases")
     everything = json.loads(gradus("list", "--json").out)
     check("bresenham_line" in json.dumps(everything) and "methods" in json.dumps(everything), "list --json")
-    result = gradus("list", "zzz")
-    equal((result.code, result.out, result.err),
-          (1, "", "gradus: list: expected a word in the name, alias or title of a topic, found 'zzz'\n"), "no match")
+    for word in ("zzz", "gouraud"):
+        result = gradus("list", word)
+        equal((result.code, result.out, result.err),
+              (2, "", f"gradus: list: expected a word in the name, alias or title of a topic, found '{word}'\n"), "no match")
+        equal(gradus("help", word).code, 2, "help and list agree on what there is not")
 
 
 def test_run():
@@ -330,11 +334,11 @@ def test_wrong_input():
         (["figures", "x", "y"], "figures: expected at most one LECTURE, found 'y'"),
         (["again"], "again: expected a FILE, found none (`gradus again --help` shows examples)"),
         ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, found 'x'"),
-        ([*line, *out, "--frm", "1,1"], re.compile(r"figure bresenham_line: expected one of --from, .*, found '--frm', did you mean '--from'\?")),
+        ([*line, *out, "--frm", "1,1"], re.compile(r"figure bresenham_line: unknown flag '--frm', did you mean '--from'\? Expected one of --from, .*")),
         ([*line, *out, "--s", "1"], "expected one of --step, --steps, --snippet, --slots, --size, --scale, --svg-text, --seconds-per-step, found '--s'"),
         ([*line, *out, "-z"], "figure: expected a known flag (`gradus figure --help` lists them), found '-z'"),
         (["list", "--json=1"], "--json: expected no value, found '1'"),
-        (["list", "--only", "x"], re.compile(r"list: expected one of --json, .*, found '--only'")),
+        (["list", "--only", "x"], re.compile(r"list: unknown flag '--only': expected one of --json, .*")),
         (["run", "bresenham_line", "--color", "sometimes"], "--color: expected one of auto, always, never, found 'sometimes'"),
         # values
         ([*line, *out, "--from"], "--from: expected a value like 0,0, found none"),
@@ -671,7 +675,7 @@ def test_exact():
             (["liang_barsky", "--exact=1"], "gradus: --exact: expected no value, found '1'\n")):
         result = gradus("run", *words)
         equal((result.code, result.out, result.err), (2, "", message), " ".join(words))
-    check(gradus("run", "flood_fill", "--exact").err.endswith("found '--exact'\n"), "a topic of whole numbers has none")
+    check("unknown flag '--exact'" in gradus("run", "flood_fill", "--exact").err, "a topic of whole numbers has none")
     write("deck.json", '{"figures": [{"topic": "liang_barsky", "input": {"exact": true}}, {"topic": "liang_barsky", "input": {"exact": 1}}]}')
     equal(gradus("figures", "deck.json", "--check").err,
           "gradus: deck.json:1: figures[1].input.exact: expected true or false, found 1\n", "in a lecture it is true or false")

@@ -90,10 +90,11 @@ class Parser {
 
   [[noreturn]] void refuse_unknown() const {
     const auto left = app_.remaining();
-    const std::string whose = spelled_.command ? spelled_.command->name : "gradus";
-    throw UsageError(fmt::format("{}: expected a known flag (`gradus {} --help` lists them), found {}", whose,
-                                 spelled_.command ? spelled_.command->name : "",
-                                 shown(left.empty() ? "" : left[0])));
+    const std::string found = shown(left.empty() ? "" : left[0]);
+    if (!spelled_.command)
+      throw UsageError(fmt::format("expected a known flag (`gradus --help` lists them), found {}", found));
+    throw UsageError(fmt::format("{0}: expected a known flag (`gradus {0} --help` lists them), found {1}",
+                                 spelled_.command->name, found));
   }
 
   const Spelled& spelled_;

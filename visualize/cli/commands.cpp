@@ -209,7 +209,7 @@ std::span<const Flag> common_flags() {
       {"color", 0, "WHEN", "auto, always or never: colours in the terminal"},
       {"quiet", 'q', "", "no progress and no remarks"},
       {"help", 'h', "", "this help"},
-      {"version", 0, "", "the version of gradus and of the libraries it uses"},
+      {"version", 'V', "", "the version of gradus and of the libraries it uses"},
   };
   return flags;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "stories/point_text.hpp"
@@ -52,9 +53,8 @@ int list(const Request& request) {
   const std::string word = request.operands.empty() ? "" : request.operands[0];
   const std::vector<const TopicEntry*> topics = topics_about(word);
   if (topics.empty() && !word.empty()) {
-    note(fmt::format("gradus: list: expected a word in the name, alias or title of a topic, found {}",
-                     shown(word)));
-    return 1;
+    throw UsageError(
+        fmt::format("list: expected a word in the name, alias or title of a topic, found {}", shown(word)));
   }
   const bool color = use_color(request.color(), Stream::out);
   const std::string ending(word.empty() ? models : "");

@@ -98,11 +98,12 @@ std::size_t next_operand(const std::vector<std::string>& words, std::size_t at, 
                                const Spelled& spelled) {
   std::vector<std::string> names;
   for (const Known& flag : known) names.push_back("--" + hyphened(flag.name));
-  const std::string whose = spelled.topic ? fmt::format("{} {}", spelled.command->name, spelled.topic->name)
-                            : spelled.command ? spelled.command->name
-                                              : "gradus";
-  throw UsageError(fmt::format("{}: expected one of {}, found {}{}", whose, fmt::join(names, ", "),
-                               shown("--" + name), suggestion("--" + name, names)));
+  const std::string whose = spelled.topic ? fmt::format("{} {}: ", spelled.command->name, spelled.topic->name)
+                            : spelled.command ? spelled.command->name + ": "
+                                              : "";
+  const std::string meant = suggestion("--" + name, names);
+  throw UsageError(fmt::format("{}unknown flag {}{} one of {}", whose, shown("--" + name),
+                               meant.empty() ? ": expected" : meant + " Expected", fmt::join(names, ", ")));
 }
 
 /// The one flag that is meant.
