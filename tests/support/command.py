@@ -11,7 +11,7 @@ import programs
 programs.use_nothing_else()
 GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
 PLAIN = {k: v for k, v in os.environ.items()
-         if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "SLURM_CPUS_PER_TASK")}
+         if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "COLUMNS", "SLURM_CPUS_PER_TASK")}
 
 passed = failed = 0
 

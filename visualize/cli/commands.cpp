@@ -11,6 +11,8 @@
 namespace gradus::cli {
 namespace {
 
+const Flag width{"width", 0, "N",
+                 "columns of a line; default: COLUMNS, or the terminal's, or no end in a pipe"};
 const Flag output{"output", 'o', "FILE", ""};
 const Flag step{"step", 0, "N", "one step: a number like 4, or 4.1 for a finer event after it"};
 const Flag steps{
@@ -72,7 +74,7 @@ std::vector<Command> all_commands() {
        0,
        1,
        false,
-       {{"json", 0, "", "as JSON"}},
+       {{"json", 0, "", "as JSON"}, width},
        {"gradus list", "gradus list fill", "gradus list --json"}},
       {"help",
        "one TOPIC or command",
@@ -80,7 +82,7 @@ std::vector<Command> all_commands() {
        0,
        1,
        false,
-       {},
+       {width},
        {"gradus help", "gradus help TOPIC", "gradus help figure"}},
       {"run",
        "a TOPIC",
@@ -88,7 +90,7 @@ std::vector<Command> all_commands() {
        1,
        1,
        true,
-       joined({{"json", 0, "", "as JSON: topic, method, input, steps, result"}, step, steps}, {words}),
+       joined({{"json", 0, "", "as JSON: topic, method, input, steps, result"}, step, steps, width}, {words}),
        {"gradus run TOPIC", "gradus run TOPIC --method NAME --json", "gradus run TOPIC --steps auto"}},
       {"figure",
        "a TOPIC",
@@ -217,6 +219,11 @@ std::span<const Flag> common_flags() {
 Color Request::color() const {
   const auto wanted = flags.find("color");
   return wanted == flags.end() ? Color::automatic : read_color(wanted->second);
+}
+
+std::size_t Request::width() const {
+  const auto wanted = flags.find("width");
+  return output_width(wanted == flags.end() ? "" : wanted->second);
 }
 
 const TopicEntry& find_topic(std::string_view word) {

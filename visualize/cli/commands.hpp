@@ -48,6 +48,8 @@ struct Request {
   bool has(const std::string& flag) const { return flags.contains(flag); }
   bool quiet() const { return has("quiet"); }
   Color color() const;
+  /// How long lines on standard output may be; 0: as long as they are.
+  std::size_t width() const;
 };
 
 /// Reads a command line (without the program's name). Throws UsageError.

@@ -13,6 +13,7 @@
 #include "cli/names.hpp"
 #include "figure/colophon.hpp"
 #include "stories/point_text.hpp"
+#include "text/wrap.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -228,7 +229,7 @@ int help(const Request& request) {
   } else {
     text = overview(color);
   }
-  write_stream(Stream::out, text);
+  write_stream(Stream::out, wrapped(text, request.width()));
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "stories/point_text.hpp"
+#include "text/wrap.hpp"
 #include "web/json.hpp"
 
 namespace gradus::cli {
@@ -58,7 +59,8 @@ int list(const Request& request) {
   }
   const bool color = use_color(request.color(), Stream::out);
   const std::string ending(word.empty() ? models : "");
-  write_stream(Stream::out, request.has("json") ? list_json(topics) : table(topics, color) + ending);
+  write_stream(Stream::out, request.has("json") ? list_json(topics)
+                                                : wrapped(table(topics, color) + ending, request.width()));
   return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/inputs.hpp"
 #include "cli/takes.hpp"
 #include "text/text_output.hpp"
+#include "text/wrap.hpp"
 #include "web/json.hpp"
 
 namespace gradus::cli {
@@ -22,7 +23,7 @@ int run(const Request& request) {
   const bool json = request.has("json");
   const Trace trace = shown_part(spec, takes, json ? Format::json : Format::txt);
   const bool color = !json && use_color(request.color(), Stream::out);
-  write_stream(Stream::out, json ? run_json(trace) : text_of(trace, color));
+  write_stream(Stream::out, json ? run_json(trace) : wrapped(text_of(trace, color), request.width()));
   if (const std::string remark = cut_remark(trace);
       !spec.chooses_steps() && !remark.empty() && !request.quiet())
     note(remark);

@@ -3,10 +3,15 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
+#include "cli/errors.hpp"
 #include "cli/names.hpp"
+#include "stories/point_text.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -46,6 +51,21 @@ int columns(Stream stream) {
   winsize size{};
   const bool known = ioctl(static_cast<int>(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
+}
+
+std::size_t output_width(std::string_view wanted) {
+  constexpr std::int64_t least = 20, most = 10'000;
+  const auto fits = [](const auto& width) { return width && least <= *width && *width <= most; };
+  if (!wanted.empty()) {
+    const auto width = whole_number(wanted);
+    if (!fits(width))
+      throw UsageError(fmt::format("--width: expected a whole number from {} to {}, found {}", least, most,
+                                   shown(wanted)));
+    return static_cast<std::size_t>(*width);
+  }
+  if (const auto width = whole_number(environment("COLUMNS")); fits(width))
+    return static_cast<std::size_t>(*width);
+  return is_terminal(Stream::out) ? static_cast<std::size_t>(std::max(columns(Stream::out), 20)) : 0;
 }
 
 std::string bold(std::string_view text, bool color) { return styled(text, color, "1"); }

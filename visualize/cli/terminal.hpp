@@ -1,6 +1,7 @@
 #pragma once
 // What the two streams are connected to: decides on colour and progress bars.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,10 @@ bool use_color(Color wanted, Stream stream);
 bool can_redraw(Stream stream);
 /// Columns of the terminal; 80 where that is unknown.
 int columns(Stream stream);
+/// How long the lines of standard output may be: what was asked for ("72"; empty: nothing was), else what the
+/// environment's COLUMNS says, else the terminal's width. 0: as long as they are, in a pipe or a file. Throws
+/// UsageError for a width that is none.
+std::size_t output_width(std::string_view wanted);
 
 /// Text in bold, where colour is on.
 std::string bold(std::string_view text, bool color);

@@ -12,6 +12,7 @@
 #include "text/escape.hpp"
 #include "text/snippet.hpp"
 #include "text/text_output.hpp"
+#include "text/wrap.hpp"
 
 namespace gradus {
 namespace {
@@ -127,7 +128,6 @@ TEST(Snippets, BeamerShowsPageKOnOverlayK) {
       << "a figure without a title gets the slide's";
 }
 
-TEST(Snippets, RevealShowsOneAfterTheOtherAndEscapes) {
 TEST(Snippets, BeamerNamesFilesWithAnyCharacter) {
   SnippetFigure figure = deck("pdf", true, 1);
   figure.steps[0].path = "50% of #1 {a}_b.pdf";
@@ -139,6 +139,7 @@ TEST(Snippets, BeamerNamesFilesWithAnyCharacter) {
   EXPECT_THAT(snippet_of(SnippetKind::beamer, deck("pdf", true, 1)), HasSubstr("]{my line.pdf}%\n"));
 }
 
+TEST(Snippets, RevealShowsOneAfterTheOtherAndEscapes) {
   const std::string text = snippet_of(SnippetKind::reveal, deck("svg", true, 3));
   EXPECT_THAT(text,
               HasSubstr("<img class=\"fragment fade-out\" data-fragment-index=\"0\" src=\"my line.svg\" "
@@ -163,6 +164,25 @@ TEST(Snippets, PathsStayPaths) {
   EXPECT_THAT(snippet_of(SnippetKind::markdown, figure), HasSubstr("](<" + address + ">)"));
   figure.ending = "pdf";
   EXPECT_EQ(snippet_of(SnippetKind::beamer, figure).find('\x1b'), std::string::npos);
+}
+
+TEST(Wrapped, GoesOnBelowTheLastColumn) {
+  EXPECT_EQ(wrapped("  name   a title: and what it is about\n  other  short\n", 34),
+            "  name   a title: and what it is\n         about\n  other  short\n");
+  EXPECT_EQ(wrapped("one two three", 7), "one two\n    three") << "no column: four blanks";
+  EXPECT_EQ(wrapped("first column of a table  second", 20), "first column of a\n    table  second")
+      << "too little room behind the last column";
+}
+
+TEST(Wrapped, LosesNothingAndBreaksNoWordNoCommandAndNoColour) {
+  const std::string longer = "Antidisestablishmentarianism\u00a0is one word";
+  EXPECT_EQ(wrapped(longer, 20), "Antidisestablishmentarianism\u00a0is\n    one word");
+  EXPECT_EQ(wrapped("  gradus run topic --line 1,2,3,4", 20), "  gradus run topic --line 1,2,3,4");
+  EXPECT_EQ(wrapped(longer, 0), longer);
+  EXPECT_EQ(wrapped("\033[1mbold\033[0m \033[2mdim\033[0m", 8), "\033[1mbold\033[0m \033[2mdim\033[0m");
+  EXPECT_EQ(wrapped("−−−− −−−", 8), "−−−− −−−") << "columns, not bytes";
+  EXPECT_EQ(wrapped("a\n\nb", 20), "a\n\nb");
+  EXPECT_EQ(wrapped("", 20), "");
 }
 
 TEST(Milestones, AreTheFirstEachKindOfBranchAndTheLast) {
