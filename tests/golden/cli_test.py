@@ -525,6 +525,57 @@ def on_terminal(*words, env=None):
     return seen.decode("utf-8", "replace"), process.wait()
 
 
+SANITIZED = b"__asan_init" in read(GRADUS) if os.path.exists(GRADUS) else False
+
+
+def limited():
+    """A run that would take all memory or all time ends in an error instead."""
+    if not SANITIZED:  # what a sanitizer reserves is far more
+        resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+    resource.setrlimit(resource.RLIMIT_CPU, (20, 20))
+
+
+def test_what_no_scale_can_show():
+    for flag, words in (
+            ("--circle", ["liang_barsky_circle", "--circle", "1e17,0,5"]),
+            ("--circle", ["liang_barsky_circle", "--circle", "1e18,0,5"]),
+            ("--circle", ["polygon_circle", "--circle", "1e18,0,5"]),
+            ("--window", ["cohen_sutherland_2d", "--window", "1e17,0,1e17,10"]),
+            ("--window", ["liang_barsky", "--window", "1e17,0,1e17,10"]),
+            ("--window", ["viewport", "--window", "1e17,0,100000000000000010,10"]),
+            ("--polygon", ["affine_2d", "--polygon", "1e308,0 2,0 2,1 0,1"]),
+            ("--polygon", ["affine_2d", "--polygon", "1e17,0 100000000000000100,0 1e17,10"]),
+            ("--polygon", ["sutherland_hodgman", "--polygon", "1e308,0 2,0 2,1"]),
+            ("--points", ["viewport", "--points", "1e308,1e308"]),
+            ("--eye", ["pipeline", "--eye", "1e308,1,3"])):
+        result = gradus("run", *words, preexec_fn=limited)
+        check(result.code == 2 and result.out == "" and result.err.startswith(f"gradus: {flag}: expected ") and
+              result.err.count("\n") == 1, f"{words}: {result.code} {result.err!r}")
+    for words in (["liang_barsky_circle", "--circle", "1e9,0,5"], ["cohen_sutherland_2d", "--window", "1e9,0,1000000010,10"]):
+        result = gradus("run", *words, preexec_fn=limited)
+        equal((result.code, result.err), (0, ""), f"{words}: far away is fine")
+
+
+def test_lines_fit_the_terminal():
+    def longest(text):
+        lines = [re.sub("\x1b\\[[0-9;]*m", "", line) for line in text.splitlines()]
+        return max(len(line) for line in lines if not line.startswith("  gradus "))
+    for words in (["list"], ["run", "bresenham_line"], ["run", "liang_barsky"], ["run", "viewport"], ["help", "perspective"],
+                  ["help", "figure"]):
+        plain = gradus(*words).out
+        check(longest(plain) > 80, f"{words}: as long as they are in a pipe")
+        check(longest(on_terminal(*words)[0]) <= 80, f"{words}: fits a terminal of 80 columns")
+        for width in (60, 100):
+            fitted = gradus(*words, "--width", str(width)).out
+            check(longest(fitted) <= width, f"{words}: --width {width}: {longest(fitted)}")
+            equal(fitted.split(), plain.split(), f"{words}: no word is lost")
+            equal(gradus(*words, env={"COLUMNS": str(width)}).out, fitted, f"{words}: COLUMNS={width}")
+            equal(gradus(*words, "--width", str(width), env={"COLUMNS": "40"}).out, fitted, "the flag beats the environment")
+    equal(gradus("run", "bresenham_line", "--json", "--width", "40").out, gradus("run", "bresenham_line", "--json").out,
+          "JSON is for programs")
+    equal(gradus("list", "--width", "3").err, "gradus: --width: expected a whole number from 20 to 10000, found '3'\n", "--width 3")
+
+
 def test_color():
     run = ["run", "bresenham_line"]
     check("\x1b[" in on_terminal(*run)[0], "a terminal has colours")

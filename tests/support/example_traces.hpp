@@ -27,6 +27,7 @@ inline Arguments complete(const TopicEntry& entry, const std::map<std::string, s
   for (const Parameter& parameter : entry.parameters) {
     const auto found = given.find(parameter.name);
     Arguments::Entry argument{parameter.name, found == given.end() ? parameter.default_value : found->second};
+    argument.given = found != given.end();
     if (parameter.type == ParameterType::maze) {
       argument.content = argument.text;
       std::ranges::replace(argument.content, '/', '\n');

@@ -94,12 +94,17 @@ std::string range_of(const Parameter& parameter) {
   return "";
 }
 
+/// The same with the sizes of its numbers.
+std::string domain_of(const Parameter& parameter) {
+  return range_of(parameter) + (parameter.sizes.limited() ? ", each " + text_of(parameter.sizes) : "");
+}
+
 std::string inputs_of(const TopicEntry& topic) {
   std::string text;
   for (const Parameter& p : topic.parameters) {
     const std::string first =
         "--" + hyphened(p.name) + (p.type == ParameterType::flag ? "" : " " + shell_quoted(p.example));
-    text += fmt::format("  {}\n      {}\n      {}{}{}\n", first, p.help, range_of(p),
+    text += fmt::format("  {}\n      {}\n      {}{}{}\n", first, p.help, domain_of(p),
                         p.default_value.empty() ? "" : "; default " + shell_quoted(p.default_value),
                         p.instead_of.empty() ? "" : "; instead of --" + hyphened(p.instead_of));
   }

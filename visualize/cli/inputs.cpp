@@ -37,7 +37,11 @@ class Reader {
   Inputs read() {
     inputs_.arguments.set({.name = "method", .text = method()});
     for (const Parameter& parameter : topic_.parameters) {
-      if (const auto text = text_for(parameter)) inputs_.arguments.set(entry(parameter, *text));
+      const auto text = text_for(parameter);
+      if (!text) continue;
+      Arguments::Entry read = entry(parameter, *text);
+      read.given = given_.contains(parameter.name);
+      inputs_.arguments.set(std::move(read));
     }
     return std::move(inputs_);
   }

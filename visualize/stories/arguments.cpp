@@ -23,6 +23,15 @@ namespace {
   refuse(parameter.name, fmt::format("expected {}, found {}", expected, shown(found)));
 }
 
+/// Numbers that the topic can tell of: none too large, none too small.
+template <class Tuples>
+void require_sizes(const Parameter& parameter, const Tuples& tuples, std::string_view text) {
+  const auto fits = [&](const Tuple& tuple) {
+    return std::ranges::all_of(tuple, [&](const Number& n) { return parameter.sizes.hold(n.value); });
+  };
+  if (!std::ranges::all_of(tuples, fits)) refuse(parameter, "numbers " + text_of(parameter.sizes), text);
+}
+
 // --- Colours
 // -----------------------------------------------------------------------------------------------------
 
@@ -191,13 +200,17 @@ std::string canonical_number(const Parameter& parameter, std::string_view text) 
   const auto number = number_in_range(parameter, text);
   if (!number)
     refuse(parameter, fmt::format("a number from {} to {}", parameter.least, parameter.most), text);
+  const Tuple alone{std::get<Number>(read_number(*number))};
+  require_sizes(parameter, std::span(&alone, 1), text);
   return *number;
 }
 
 std::string canonical_numbers(const Parameter& parameter, std::string_view text) {
   const Read<Tuple> read = read_tuple(text, parameter.parts);
   if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
-  return text_of(std::get<Tuple>(read));
+  const Tuple& numbers = std::get<Tuple>(read);
+  require_sizes(parameter, std::span(&numbers, 1), text);
+  return text_of(numbers);
 }
 
 std::string canonical_bounds(const Parameter& parameter, std::string_view text) {
@@ -212,6 +225,7 @@ std::string canonical_bounds(const Parameter& parameter, std::string_view text) 
                                    lower.text, upper.text);
     refuse(parameter, order, text);
   }
+  require_sizes(parameter, std::span(&bounds, 1), text);
   return text_of(bounds);
 }
 
@@ -224,6 +238,7 @@ std::string canonical_points(const Parameter& parameter, std::string_view text) 
     refuse(parameter.name, fmt::format("expected at least {} points, found {}", parameter.least, count));
   if (count > parameter.most)
     refuse(parameter.name, fmt::format("expected at most {} points, found {}", parameter.most, count));
+  require_sizes(parameter, points, text);
   return text_of(points);
 }
 
@@ -235,6 +250,7 @@ std::string canonical_rings(const Parameter& parameter, std::string_view text) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const auto count = static_cast<std::int64_t>(rings[i].size());
     all += count;
+    require_sizes(parameter, rings[i], text);
     if (count >= parameter.least) continue;
     refuse(parameter.name, fmt::format("ring {}: expected at least {} points, with ; between rings alone, "
                                        "found {}",
@@ -369,6 +385,18 @@ std::optional<dvec3> Arguments::place(std::string_view name) const {
 
 namespace {
 
+/// The numbers of tuples, points or rings in their canonical spelling, one after the other.
+std::vector<double> every_number_in(std::string_view text) {
+  constexpr std::string_view separators = ",; ";
+  std::vector<double> numbers;
+  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    numbers.push_back(std::get<Number>(read_number(text.substr(at, end - at))).value);
+    at = end;
+  }
+  return numbers;
+}
+
 std::vector<Tuple> tuples_of(const Arguments& arguments, std::string_view name,
                              const std::vector<std::string>& parts) {
   if (!arguments.has(name) || arguments.text(name).empty()) return {};
@@ -436,6 +464,36 @@ Rgba8 Arguments::color(std::string_view name) const {
     return static_cast<std::uint8_t>(16 * hex_digit(value[at]) + hex_digit(value[at + 1]));
   };
   return {part(1), part(3), part(5), 255};
+}
+
+std::string text_of(const Sizes& sizes) {
+  const auto written = [](double x) {
+    std::string text = fmt::format("{:g}", x);  // "1e+06" becomes "1e6"
+    const std::size_t power = text.find('e');
+    if (power == std::string::npos) return text;
+    const bool small = text[power + 1] == '-';
+    const std::size_t digits = text.find_first_not_of("+-0", power + 1);
+    return text.substr(0, power + 1) + (small ? "-" : "") + text.substr(digits);
+  };
+  if (!sizes.limited()) return "of any size";
+  if (sizes.least == 0) return fmt::format("up to {} in size", written(sizes.most));
+  return fmt::format("0 or from {} to {} in size", written(sizes.least), written(sizes.most));
+}
+
+void refuse(const Arguments& arguments, std::initializer_list<std::string_view> parameters,
+            const std::string& what_was_expected) {
+  const auto* const given = std::ranges::find_if(
+      parameters, [&](std::string_view name) { return arguments.has(name) && arguments.entry(name).given; });
+  refuse(std::string(given == parameters.end() ? *parameters.begin() : *given), what_was_expected);
+}
+
+void require_sizes(const Arguments& arguments, std::string_view parameter, const Sizes& sizes) {
+  for (const double x : every_number_in(arguments.text(parameter))) {
+    if (sizes.hold(x)) continue;
+    refuse(std::string(parameter),
+           fmt::format("method {} needs numbers {}, found {}", arguments.text("method"), text_of(sizes),
+                       shown(arguments.text(parameter))));
+  }
 }
 
 std::string canonical(const Parameter& parameter, std::string_view text) {

@@ -58,13 +58,18 @@ std::optional<std::string_view> cut_at(std::string_view& text, std::string_view 
   return std::nullopt;
 }
 
-/// Numbers, as many as there are names and none too large.
+/// Numbers, as many as there are names.
 std::optional<Tuple> tuple_in(std::string_view text, std::span<const std::string> names) {
   Read<Tuple> read = read_tuple(text, names);
   if (!std::holds_alternative<Tuple>(read)) return std::nullopt;
-  const auto fits = [](const Number& n) { return std::abs(n.value) <= 1e15; };
-  if (!std::ranges::all_of(std::get<Tuple>(read), fits)) return std::nullopt;
   return std::get<Tuple>(std::move(read));
+}
+
+/// Whether products of twelve such factors stay numbers.
+bool fits(const Tuple& tuple) {
+  return std::ranges::all_of(tuple, [](const Number& n) {
+    return n.value == 0 || (1e-15 <= std::abs(n.value) && std::abs(n.value) <= 1e15);
+  });
 }
 
 const std::vector<std::string> one_number{"number"};
@@ -102,11 +107,7 @@ std::optional<FactorText> factor_in(Kind kind, std::string_view rest, std::span<
     Read<std::vector<Tuple>> line = read_tuples(rest, names);
     if (!std::holds_alternative<std::vector<Tuple>>(line)) return std::nullopt;
     factor.line = std::get<std::vector<Tuple>>(std::move(line));
-    if (factor.line.size() != 2) return std::nullopt;
-    for (const Tuple& point : factor.line) {
-      if (!tuple_in(text_of(point), names)) return std::nullopt;
-    }
-    return factor;
+    return factor.line.size() == 2 ? std::optional(factor) : std::nullopt;
   }
   if (kind == Kind::rotate && space) {
     const auto through = cut_at(rest, "through");
@@ -147,6 +148,10 @@ Read<FactorText> read_factor(std::string_view text, std::span<const std::string>
     return Misread{
         fmt::format("expected something like '{}', found {}", example_of(verb->second, space), shown(text))};
   }
+  const bool fit = fits(factor->amount) && fits(factor->pivot) && fits(factor->axis) &&
+                   std::ranges::all_of(factor->line, fits);
+  if (!fit)
+    return Misread{fmt::format("expected numbers 0 or from 1e-15 to 1e15 in size, found {}", shown(text))};
   if (factor->kind == Kind::rotate && space && all_zero(factor->axis))
     return Misread{fmt::format("expected an axis, not the zero vector, found {}", shown(text))};
   if (factor->line.size() == 2 && text_of(factor->line[0]) == text_of(factor->line[1]))

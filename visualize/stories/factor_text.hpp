@@ -33,8 +33,8 @@ struct FactorText {
 /// and in space:
 ///   translate DX,DY,DZ   scale S | SX,SY,SZ [about X,Y,Z]
 ///   rotate DEGREES about x | y | z | AX,AY,AZ [through X,Y,Z]
-/// Errors say which factor. Domain: 1 to most_factors factors, numbers up to 1e15 in size, a mirror's points
-/// different, an axis not 0.
+/// Errors say which factor. Domain: 1 to most_factors factors, numbers 0 or from 1e-15 to 1e15 in size, a
+/// mirror's points different, an axis not 0.
 Read<std::vector<FactorText>> read_factors(std::string_view text, std::span<const std::string> names);
 
 /// The canonical spelling of one factor, and of several with "; " between them.

@@ -85,7 +85,8 @@ std::vector<dvec2> Panel::at(std::span<const dvec2> world) const {
 }
 
 double tick_distance(double length, int most) {
-  expects(length > 0 && most >= 1, "a scale of length {} with {} ticks", length, most);
+  expects(length > 0 && std::isfinite(length) && most >= 1, "a scale of length {} with {} ticks", length,
+          most);
   const double least = length / most;
   // The power of ten below it as it is written: libraries differ in the last bit of pow
   const std::string written = fmt::format("{:.17e}", least);
@@ -96,16 +97,83 @@ double tick_distance(double length, int most) {
   return 10 * power;
 }
 
+bool can_be_told_apart(double least, double most) {
+  // A thousand doubles from end to end: then each place on the paper has one of its own
+  constexpr double steps = 0x1p-42, tiny = 1e-290, huge = 1e290;
+  const double size = most - least;
+  return tiny <= size && size <= huge && size >= steps * std::max(std::abs(least), std::abs(most));
+}
+
+void require_scale(const Panel& panel, const Arguments& arguments,
+                   std::initializer_list<std::string_view> parameters) {
+  const Extent shown = panel.shown();
+  for (const int axis : {0, 1}) {
+    const double least = shown.lower[axis], most = shown.upper[axis];
+    if (can_be_told_apart(least, most)) continue;
+    refuse(arguments, parameters,
+           fmt::format("expected numbers that a scale can tell apart, found a scale from {} to {}", least,
+                       most));
+  }
+}
+
 namespace {
 
-/// The round numbers from `least` to `most`.
-std::vector<double> ticks_of(double least, double most, int count) {
-  std::vector<double> ticks;
+struct Tick {
+  double value;
+  std::string text;
+};
+
+/// The round numbers along a scale, and what they are counted from: 0 unless they would be too long.
+struct Ticks {
+  std::vector<Tick> all{};
+  double from = 0;
+
+  /// "x", or where the numbers are counted from elsewhere "x − 1000000000".
+  std::string name(const std::string& symbol) const {
+    if (from == 0) return symbol;
+    return fmt::format("{} {} {:.15g}", symbol, from < 0 ? "+" : "−", std::abs(from));
+  }
+};
+
+/// Whether the texts of ticks tell them apart and where they lie: to a tenth of their distance.
+bool are_clear(const Ticks& ticks, double step) {
+  return std::ranges::all_of(ticks.all, [&](const Tick& tick) {
+    std::string text = tick.text;
+    const double sign = text.starts_with("−") ? -1 : 1;
+    if (sign < 0) text.erase(0, std::string_view("−").size());
+    return std::abs(sign * std::strtod(text.c_str(), nullptr) - (tick.value - ticks.from)) <= 0.1 * step;
+  });
+}
+
+std::string with_six_digits(double value) {
+  return (value < 0 ? "−" : "") + fmt::format("{:.6g}", std::abs(value));
+}
+
+/// The round numbers from `least` to `most`, about so many; none where doubles don't tell them apart.
+Ticks ticks_of(double least, double most, int count) {
+  if (!can_be_told_apart(least, most)) return {};
   const double step = tick_distance(most - least, count);
-  // Counted, not added up, so that no rounding gathers; -0 is no tick of its own
-  const double first = std::ceil(least / step - 1e-9), last = std::floor(most / step + 1e-9);
-  for (double i = first; i <= last; ++i) ticks.push_back(i == 0 ? 0 : i * step);
-  return ticks;
+  // Counted, not added up, so that no rounding gathers; no number that is counted is beyond 2^53
+  const auto first = static_cast<std::int64_t>(std::ceil(least / step - 1e-9));
+  const auto last = static_cast<std::int64_t>(std::floor(most / step + 1e-9));
+  const auto counted_from = [&](std::int64_t base, std::string (*text_of)(double)) {
+    Ticks ticks{{}, static_cast<double>(base) * step};
+    for (std::int64_t i = first; i <= last; ++i) {
+      const double value = static_cast<double>(i) * step;
+      ticks.all.push_back({value, text_of(static_cast<double>(i - base) * step)});
+    }
+    return ticks;
+  };
+  for (const auto text_of : {figure_real, with_six_digits}) {
+    if (const Ticks ticks = counted_from(0, text_of); are_clear(ticks, step)) return ticks;
+  }
+  return counted_from(first - first % 10, with_six_digits);
+}
+
+/// Ids of ticks: their values, with as many digits as tell them apart.
+std::string id_of(std::string_view axis, std::string_view what, const Ticks& ticks, const Tick& tick) {
+  return ticks.from == 0 ? fmt::format("{}{} {:.6g}", axis, what, tick.value)
+                         : fmt::format("{}{} {:.17g}", axis, what, tick.value);
 }
 
 constexpr double tick_length = 0.35, number_gap = 1.3, name_gap = 1.1;
@@ -119,39 +187,45 @@ void add_axes(View& view, const Panel& panel, std::string_view name, const AxisN
   };
   const dvec2 corner = place.lower;
   if (!names.x.empty()) {
+    const Ticks ticks = ticks_of(shown.lower.x, shown.upper.x, most);
     mark("x", Stroke{corner, {place.upper.x, corner.y}, true});
-    mark("x name", Text{{place.upper.x, corner.y - number_gap}, std::string(names.x), Align::right});
-    for (const double x : ticks_of(shown.lower.x, shown.upper.x, most)) {
-      const double at = panel.at({x, 0}).x;
-      mark(fmt::format("x tick {:.6g}", x), Stroke{{at, corner.y}, {at, corner.y - tick_length}});
-      mark(fmt::format("x value {:.6g}", x), Text{{at, corner.y - number_gap}, figure_real(x)});
+    mark("x name", Text{{place.upper.x, corner.y - number_gap}, ticks.name(names.x), Align::right});
+    for (const Tick& tick : ticks.all) {
+      const double at = panel.at({tick.value, 0}).x;
+      mark(id_of("x ", "tick", ticks, tick), Stroke{{at, corner.y}, {at, corner.y - tick_length}});
+      mark(id_of("x ", "value", ticks, tick), Text{{at, corner.y - number_gap}, tick.text});
     }
   }
   if (names.y.empty()) return;
+  const Ticks ticks = ticks_of(shown.lower.y, shown.upper.y, most);
   mark("y", Stroke{corner, {corner.x, place.upper.y}, true});
-  mark("y name", Text{{corner.x - 0.7, place.upper.y + 0.2}, std::string(names.y), Align::right});
-  for (const double y : ticks_of(shown.lower.y, shown.upper.y, most)) {
-    const double at = panel.at({0, y}).y;
-    mark(fmt::format("y tick {:.6g}", y), Stroke{{corner.x, at}, {corner.x - tick_length, at}});
-    mark(fmt::format("y value {:.6g}", y), Text{{corner.x - 0.7, at}, figure_real(y), Align::right});
+  const dvec2 top{corner.x - 0.7, place.upper.y + 0.2};
+  mark("y name", ticks.from == 0 ? Text{top, names.y, Align::right}
+                                 : Text{top - dvec2{1.6, 0}, ticks.name(names.y), Align::left});
+  for (const Tick& tick : ticks.all) {
+    const double at = panel.at({0, tick.value}).y;
+    mark(id_of("y ", "tick", ticks, tick), Stroke{{corner.x, at}, {corner.x - tick_length, at}});
+    mark(id_of("y ", "value", ticks, tick), Text{{corner.x - 0.7, at}, tick.text, Align::right});
   }
 }
 
-void NumberLine::add_to(View& view, std::string_view name, std::string_view symbol, int ticks) const {
+void NumberLine::add_to(View& view, std::string_view name, std::string_view symbol, int count) const {
   const auto mark = [&](std::string_view what, auto shape) {
     view.add({fmt::format("scale {} {}", name, what), Role::guide, std::move(shape)});
   };
   const dvec2 along = glm::normalize(to_ - from_), below{along.y, -along.x};
+  const Ticks ticks = ticks_of(least_, most_, count);
   mark("line", Stroke{from_, to_, true});
-  mark("name", Text{to_ + along * name_gap, std::string(symbol), Align::left});
-  for (const double value : ticks_of(least_, most_, ticks)) {
-    mark(fmt::format("tick {:.6g}", value), Stroke{at(value), at(value) + tick_length * below});
-    mark(fmt::format("value {:.6g}", value), Text{at(value) + number_gap * below, figure_real(value)});
+  mark("name", Text{to_ + along * name_gap, ticks.name(std::string(symbol)), Align::left});
+  for (const Tick& tick : ticks.all) {
+    const dvec2 at = this->at(tick.value);
+    mark(id_of("", "tick", ticks, tick), Stroke{at, at + tick_length * below});
+    mark(id_of("", "value", ticks, tick), Text{at + number_gap * below, tick.text});
   }
 }
 
 std::string figure_real(double value) {
-  const double size = std::abs(value) < 1e-300 ? 0 : std::abs(value);
+  const double size = std::abs(value);
   std::string text;
   if (size != 0 && (size < 1e-3 || size >= 1e6)) {
     text = fmt::format("{:.3g}", size);

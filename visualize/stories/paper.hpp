@@ -3,6 +3,9 @@
 // in several. A story says what each step looks like as a whole; the step's delta is the difference of two
 // such views.
 
+#include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -12,6 +15,7 @@
 #include <vector>
 
 #include "figure/drawing.hpp"
+#include "stories/topic.hpp"
 
 namespace gradus {
 
@@ -48,9 +52,9 @@ class Shown {
 /// about 1.3 units high where it is 36 x 27 and fills a slide's drawing. Domain: width, height >= 1.
 Grid paper_grid(int width, int height);
 
-/// A rectangle of some plane.
+/// A rectangle of some plane; without any point in it until one is added.
 struct Extent {
-  dvec2 lower{1e300}, upper{-1e300};
+  dvec2 lower{std::numeric_limits<double>::max()}, upper{std::numeric_limits<double>::lowest()};
 
   void add(dvec2 p) {
     lower = glm::min(lower, p);
@@ -59,6 +63,10 @@ struct Extent {
   dvec2 size() const { return upper - lower; }
   dvec2 centre() const { return (lower + upper) * 0.5; }
 };
+
+/// Lengths of any size: no square overflows or underflows.
+inline double length_between(dvec2 a, dvec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
+inline double length_between(dvec3 a, dvec3 b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
 
 /// The rectangle with a margin all round, in parts of its larger side.
 Extent widened(Extent extent, double part);
@@ -94,8 +102,16 @@ class Panel {
 };
 
 /// The distance between ticks: 1, 2 or 5 times a power of ten, so that `length` has at most `most` of them.
-/// Domain: length > 0, most >= 1.
+/// Domain: 0 < length, finite; most >= 1.
 double tick_distance(double length, int most);
+
+/// Whether a scale from `least` to `most` can show where a number on it lies: it is neither too short for
+/// the doubles there nor so long or short that lengths on paper leave their range.
+bool can_be_told_apart(double least, double most);
+
+/// Refuses what the panel can't show, in the name of the parameter among these that was given.
+void require_scale(const Panel& panel, const Arguments& arguments,
+                   std::initializer_list<std::string_view> parameters);
 
 /// Names of a panel's axes; an empty one leaves the axis away.
 struct AxisNames {

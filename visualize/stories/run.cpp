@@ -48,6 +48,7 @@ Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given)
     const auto found = std::ranges::find(given, parameter.name, &Argument::name);
     Arguments::Entry entry{parameter.name, parameter.default_value};
     if (found != given.end()) entry.text = canonical(parameter, found->value);
+    entry.given = found != given.end();
     if (parameter.type == ParameterType::maze) {
       entry.content = entry.text;
       std::ranges::replace(entry.content, '/', '\n');

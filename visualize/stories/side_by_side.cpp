@@ -25,9 +25,7 @@ struct Room {
 constexpr Room float_room{8, 9}, other_room{6, 8};
 
 std::string short_number(double value, int digits) {
-  if (std::isnan(value)) return "NaN";
   const std::string sign = value < 0 ? "−" : "";
-  if (std::isinf(value)) return sign + "∞";
   return sign + fmt::format("{:.{}g}", std::abs(value), digits);
 }
 
@@ -57,21 +55,21 @@ double ulp_at(double x) {
       1.0, std::max(exponent, std::numeric_limits<T>::min_exponent) - std::numeric_limits<T>::digits);
 }
 
-/// |value - exact| in ulp of T at the exact value.
+/// |value - exact| in ulp of T at the exact value; 0 for a value that has left T's range.
 template <class T>
 double error_in_ulp(T value, Exact exact) {
-  if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  if (!std::isfinite(value)) return 0;
   return to_double(abs(Exact(value) - exact) / Exact(ulp_at<T>(to_double(exact))));
 }
 
 std::string ulp_text(double ulp) {
-  if (std::isinf(ulp)) return "∞";
   return ulp < 100 ? fmt::format("{:.2g}", ulp) : fmt::format("{:.1e}", ulp);
 }
 
 /// A number in one of the arithmetics, beside the exact one.
 struct Rounded {
   double value, error;
+  bool in_range() const { return std::isfinite(value); }
 };
 
 /// A run in T beside the exact one.
@@ -246,18 +244,20 @@ class Retelling {
   void put_number(TraceStep& step, const std::pair<std::string, Exact>& number,
                   const std::optional<Rounded>& in_float, const std::optional<Rounded>& in_double) const {
     const auto value = [](const std::optional<Rounded>& r, Room room) {
-      return r ? fitted(r->value, room) : "–";
+      return r && r->in_range() ? fitted(r->value, room) : "–";
     };
-    const auto error = [](const std::optional<Rounded>& r) { return r ? ulp_text(r->error) : "–"; };
+    const auto error = [](const std::optional<Rounded>& r) {
+      return r && r->in_range() ? ulp_text(r->error) : "–";
+    };
     step.row = {named(number.first), value(in_float, float_room),
                 error(in_float),     value(in_double, other_room),
                 error(in_double),    fitted(to_double(number.second), other_room)};
     step.fields.push_back({"number", number.first});
-    if (in_float) {
+    if (in_float && in_float->in_range()) {
       step.fields.push_back({"in_float", in_float->value});
       step.fields.push_back({"float_ulp", in_float->error});
     }
-    if (in_double) {
+    if (in_double && in_double->in_range()) {
       step.fields.push_back({"in_double", in_double->value});
       step.fields.push_back({"double_ulp", in_double->error});
     }
@@ -268,6 +268,7 @@ class Retelling {
                           const std::optional<Rounded>& in_double) const {
     const auto said = [&](const std::string& key, const std::optional<Rounded>& r, int digits) {
       if (!r) return words_.say(key + "parted");
+      if (!r->in_range()) return words_.say(key + "beyond");
       if (r->error == 0) return words_.say(key + "right");
       return words_.say(key + "off", arg("value", short_number(r->value, digits)),
                         arg("ulp", ulp_text(r->error)));

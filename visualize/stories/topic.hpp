@@ -2,8 +2,10 @@
 // What a topic is to everyone outside its own files: one TopicEntry, exported by its story. Command-line
 // flags, `list --json`, help, lectures and the page's form are all made from it.
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -39,6 +41,15 @@ enum class ParameterType {
   flag,     ///< given or not: "yes", else empty
 };
 
+/// How far from 0 the numbers of a parameter may lie. 0 itself always may.
+struct Sizes {
+  double least = 0, most = std::numeric_limits<double>::max();
+  bool hold(double x) const { return x == 0 || (least <= std::abs(x) && std::abs(x) <= most); }
+  bool limited() const { return least > 0 || most < std::numeric_limits<double>::max(); }
+};
+/// "up to 1e150 in size", "0 or from 1e-75 to 1e75 in size".
+std::string text_of(const Sizes& sizes);
+
 struct Parameter {
   std::string name;  ///< as in the source; the flag is the same with hyphens
   ParameterType type;
@@ -50,6 +61,7 @@ struct Parameter {
   std::vector<std::string> parts{};  ///< names of the numbers of a point or of bounds: x, y, z
   std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
   bool numbered = false;     ///< for an order: it may be one of the numbers from 1 on, for what has no names
+  Sizes sizes{};             ///< of real numbers, each for itself; methods may take less
 };
 
 enum class Standing { plain, taught, fast, faulty };
@@ -70,6 +82,7 @@ class Arguments {
     std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
     std::string hash{};                              ///< of the file's bytes, where the value is a file
     bool quotable = true;                            ///< whether messages may show what stands in that file
+    bool given = false;                              ///< rather than a default
   };
   void set(Entry entry);
   bool has(std::string_view name) const;
@@ -111,6 +124,14 @@ class ArgumentError : public std::runtime_error {
       : std::runtime_error(what_was_expected), parameter(std::move(name)) {}
   std::string parameter;
 };
+
+/// Ends a run that can't be with these arguments. What was expected is said of the first of the parameters
+/// that was given, for nobody looks for a mistake in a default.
+[[noreturn]] void refuse(const Arguments& arguments, std::initializer_list<std::string_view> parameters,
+                         const std::string& what_was_expected);
+
+/// Refuses a parameter's numbers beyond these sizes, for the sake of a method that takes less than others.
+void require_sizes(const Arguments& arguments, std::string_view parameter, const Sizes& sizes);
 
 /// Reads one argument as the user wrote it into its canonical spelling: "(3, 4)" -> "3,4".
 /// Throws ArgumentError saying what was expected and what was found. Does not read files.

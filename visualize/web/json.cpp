@@ -494,6 +494,7 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
         parameter["least"] = p.least;
         parameter["most"] = p.most;
       }
+      if (p.sizes.limited()) parameter["sizes"] = {p.sizes.least, p.sizes.most};
       if (!p.choices.empty()) parameter["choices"] = p.choices;
       if (!p.parts.empty()) parameter["parts"] = p.parts;
       parameters.push_back(std::move(parameter));

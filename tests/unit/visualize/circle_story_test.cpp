@@ -215,8 +215,9 @@ TEST(CircleStory, MistakesAreNamed) {
     }
     return std::string();
   };
-  EXPECT_EQ(mistake({{"center", "2147483640,0"}, {"radius", "8"}}),
-            "radius: at most 7 round 2147483640,0 without a window, for pixels are int32, found 8");
+  EXPECT_EQ(
+      mistake({{"center", "2147483640,0"}, {"radius", "8"}}),
+      "radius: a radius of at most 7 round 2147483640,0 without a window, for pixels are int32, found 8");
   EXPECT_EQ(mistake({{"method", "late_update"}, {"window", "0,0,9,9"}}),
             "window: method late_update has none: it walks to every pixel");
   EXPECT_EQ(mistake({{"method", "late_update"}, {"radius", "20001"}}),

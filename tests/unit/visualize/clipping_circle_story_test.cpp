@@ -161,10 +161,8 @@ TEST(ClippingCircleStory, WhatSquaresOfSquaresCannotHoldIsRefused) {
   EXPECT_EQ(mistake("liang_barsky_circle", {{"line", "1e200,-3,-1,3"}, {"method", "exact_decision"}}), "");
   EXPECT_EQ(mistake("liang_barsky_circle", {{"line", "1e308,-3,-1,3"}, {"method", "exact_decision"}}),
             "line: coordinates up to 1e300 in size expected, found 1e+308");
-  EXPECT_EQ(mistake("liang_barsky_circle", {{"circle", "1e17,0,5"}}),
-            "circle: a circle nearer to the origin expected, found one round (1e+17, 0) of a size that no "
-            "scale there "
-            "can show");
+  EXPECT_TRUE(mistake("liang_barsky_circle", {{"circle", "1e17,0,5"}})
+                  .starts_with("circle: expected numbers that a scale can tell apart, found a scale from "));
   const Trace far =
       test::trace_of("liang_barsky_circle", {{"line", "1e200,-3,-1,3"}, {"method", "exact_decision"}});
   EXPECT_EQ(far.steps.back().sentence, "Done: kept is (4,\u00a03) to (−1,\u00a03).");

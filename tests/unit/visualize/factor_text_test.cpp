@@ -69,7 +69,7 @@ TEST(FactorText, SaysWhichFactorIsWrong) {
   EXPECT_EQ(canonical_of("reflect 1,1 1.0,1", plane),
             "! factor 1: expected two different points of the mirror, found 'reflect 1,1 1.0,1'");
   EXPECT_EQ(canonical_of("translate 1e16,0", plane),
-            "! factor 1: expected something like 'translate 2,1', found 'translate 1e16,0'");
+            "! factor 1: expected numbers 0 or from 1e-15 to 1e15 in size, found 'translate 1e16,0'");
   EXPECT_EQ(canonical_of("", plane), "! expected 1 to 12 factors like 'rotate 30 about 1,1', found 0");
   std::string many;
   for (int i = 0; i < 13; ++i) many += "scale 2;";

@@ -87,6 +87,55 @@ TEST(Axes, HaveRoundNumbersAndNoMinusZero) {
   EXPECT_EQ(numbers, (std::vector<std::string>{"0", "10", "5"}));
 }
 
+/// The texts along the x axis from `least` to `most`, the axis' name first.
+std::vector<std::string> texts_of_axis(double least, double most) {
+  View view;
+  add_axes(view, Panel({{3, 3}, {33, 23}}, {{least, 0}, {most, (most - least) * 2 / 3}}), "main", {"x", ""});
+  std::vector<std::string> texts{std::get<Text>(view.marks.at("axis main x name").shape).text};
+  std::map<double, std::string> numbers;  // from left to right
+  for (const auto& [id, mark] : view.marks) {
+    if (!id.starts_with("axis main x value")) continue;
+    const Text& text = std::get<Text>(mark.shape);
+    numbers[text.at.x] = text.text;
+  }
+  for (const auto& [x, text] : numbers) texts.push_back(text);
+  return texts;
+}
+
+TEST(Axes, FarFromZeroCountFromARoundNumber) {
+  EXPECT_EQ(texts_of_axis(1e9, 1e9 + 10),
+            (std::vector<std::string>{"x − 1000000000", "0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(texts_of_axis(-1e12 - 1, -1e12 + 4),
+            (std::vector<std::string>{"x + 1000000000000", "−1", "0", "1", "2", "3", "4"}));
+  EXPECT_EQ(texts_of_axis(2000, 2010).front(), "x") << "short numbers stay";
+  EXPECT_EQ(texts_of_axis(0, 0.002),
+            (std::vector<std::string>{"x", "0", "0.0005", "0.001", "0.0015", "0.002"}));
+}
+
+TEST(Axes, PastTwoToThe53EndWithoutTicks) {
+  for (const double far : {1e16, 1e17, 1e18, 1e300}) {
+    EXPECT_EQ(texts_of_axis(far, far + 10).size(), 1u) << far;
+    EXPECT_FALSE(can_be_told_apart(far, far + 10));
+  }
+  EXPECT_FALSE(can_be_told_apart(0, 1e-300));
+  EXPECT_FALSE(can_be_told_apart(-1e308, 1e308)) << "the length is beyond double";
+  EXPECT_FALSE(can_be_told_apart(3, 3));
+  EXPECT_TRUE(can_be_told_apart(1e12, 1e12 + 1));
+  EXPECT_GT(texts_of_axis(1e12, 1e12 + 1).size(), 4u);
+}
+
+TEST(Axes, AtAnyPlaceAndSizeTicksAreFewAndTellThemselvesApart) {
+  for (const double place : {0.0, 1.0, -7e5, 3e9, -1e12, 4e15, 1e100}) {
+    for (double size = 1e-200; size < 1e200; size *= 977) {
+      const auto texts = texts_of_axis(place, place + size);
+      EXPECT_LE(texts.size(), 9u) << place << " " << size;
+      if (can_be_told_apart(place, place + size)) EXPECT_GE(texts.size(), 3u) << place << " " << size;
+      const std::set<std::string> different(texts.begin(), texts.end());
+      EXPECT_EQ(different.size(), texts.size()) << place << " " << size;
+    }
+  }
+}
+
 TEST(FigureReal, FourDigitsAndATypographicMinus) {
   EXPECT_EQ(figure_real(0), "0");
   EXPECT_EQ(figure_real(-0.0), "0");
@@ -95,6 +144,7 @@ TEST(FigureReal, FourDigitsAndATypographicMinus) {
   EXPECT_EQ(figure_real(123.456), "123.46");
   EXPECT_EQ(figure_real(12345.678), "12345.7");
   EXPECT_EQ(figure_real(1e-9), "1e-09");
+  EXPECT_EQ(figure_real(-4e-310), "−4e-310") << "only 0 is 0";
   EXPECT_EQ(figure_place(dvec2{1, -0.5}), "(1,\u00a0−0.5)");
 }
 

@@ -294,7 +294,7 @@ TEST(PipelineTour, RefusesWhatThereIsNot) {
   EXPECT_EQ(complaint({{"face", "12"}}), "face: expected a face from 0 to 11, found 12");
   EXPECT_EQ(complaint({{"pixel", "20,3"}}), "pixel: expected a pixel inside the 20 × 14 picture, found 20,3");
   EXPECT_EQ(complaint({{"eye", "1,1,1"}, {"target", "1,1,1"}}),
-            "eye: expected a place other than the target, found the same");
+            "eye: expected an eye apart from the target, found both in one place");
   EXPECT_THAT(complaint({{"near", "0"}}),
               testing::StartsWith("near: expected a depth above 0 and before the far plane"));
 }

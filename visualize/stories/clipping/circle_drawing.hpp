@@ -120,19 +120,6 @@ inline liang_barsky_circle::Circle<double> circle_in(const Arguments& arguments)
   return {{numbers[0], numbers[1]}, r};
 }
 
-/// Refuses a panel so small, seen from the origin, that its places have no numbers. The circle alone makes
-/// one.
-inline void expect_scale(const Panel& panel) {
-  const Extent shown = panel.shown();
-  const dvec2 size = shown.size(), far = glm::max(glm::abs(shown.lower), glm::abs(shown.upper));
-  if (std::max(far.x, far.y) <= 0x1p40 * std::min(size.x, size.y)) return;
-  throw ArgumentError(
-      "circle",
-      fmt::format("a circle nearer to the origin expected, found one round ({:.6g}, {:.6g}) of a size "
-                  "that no scale there can show",
-                  shown.centre().x, shown.centre().y));
-}
-
 /// A number value * 2^exponent as figures show numbers, also one beyond doubles.
 inline std::string scaled_real(double value, int exponent) {
   const double whole = std::ldexp(value, exponent);

@@ -25,12 +25,16 @@ struct Task {
 };
 
 Task task_of(const Arguments& arguments) {
+  if (arguments.text("method") != "correctly_rounded") {
+    for (const auto* name : {"line", "window"}) require_sizes(arguments, name, window_view::rounded_sizes);
+  }
   Task task{window_view::line_in(arguments),
             window_view::window_in(arguments),
             window_view::order_in(arguments),
             arguments.text("code_bits"),
             {}};
   task.right = correctly_rounded(task.line, task.window);
+  window_view::require_scale(arguments, task.line, task.window);
   return task;
 }
 

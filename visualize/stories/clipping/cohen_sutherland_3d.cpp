@@ -452,6 +452,9 @@ struct Numbers {
 };
 
 Trace run(const Arguments& arguments, Recording recording) {
+  if (arguments.text("method") == "cut_of_a_cut") {
+    for (const auto* name : {"line", "box"}) require_sizes(arguments, name, {1e-75, 1e75});
+  }
   const Run input = run_of(arguments);
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
@@ -514,19 +517,22 @@ const TopicEntry& entry() {
             .default_value = "-2,1,2,12,11,9",
             .example = "-2,1,2,12,11,9",
             .help = "the segment's ends: x0,y0,z0,x1,y1,z1",
-            .parts = {"x0", "y0", "z0", "x1", "y1", "z1"}},
+            .parts = {"x0", "y0", "z0", "x1", "y1", "z1"},
+            .sizes = {1e-300, 1e300}},
            {.name = "box",
             .type = ParameterType::bounds,
             .default_value = "0,0,0,10,8,6",
             .example = "0,0,0,10,8,6",
             .help = "the box: xmin,ymin,zmin,xmax,ymax,zmax; its faces belong to it",
-            .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}},
+            .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"},
+            .sizes = {1e-300, 1e300}},
            {.name = "homogeneous",
             .type = ParameterType::numbers,
             .default_value = "-2.2,0.5,1.5,2,2,1,-1.5,-1",
             .example = "-2.2,0.5,1.5,2,2,1,-1.5,-1",
             .help = "method view_volume: the ends x0,y0,z0,w0,x1,y1,z1,w1, not divided by w yet",
-            .parts = {"x0", "y0", "z0", "w0", "x1", "y1", "z1", "w1"}},
+            .parts = {"x0", "y0", "z0", "w0", "x1", "y1", "z1", "w1"},
+            .sizes = {1e-100, 1e100}},
            order_parameter(),
            {.name = "code_bits",
             .type = ParameterType::choice,

@@ -423,9 +423,6 @@ const std::vector<Method>& all_methods() {
 
 BoxTask space_of(const Arguments& arguments) {
   const auto line = arguments.numbers("space_line"), box = arguments.numbers("box");
-  for (const double x : line) {
-    if (std::abs(x) > 1e300) throw ArgumentError("space_line", "expected coordinates up to 1e300 in size");
-  }
   return {{{line[0], line[1], line[2]}, {line[3], line[4], line[5]}},
           {{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}};
 }
@@ -478,7 +475,18 @@ void put_side_by_side(Trace& trace, const Task& task, const BoxTask& space, bool
   });
 }
 
+/// What the method can't be watched with is refused before it runs.
+void require_watchable(const Arguments& arguments) {
+  const std::string& method = arguments.text("method");
+  if (method == "box_parametric") return;
+  if (method == "parametric") {
+    for (const auto* name : {"line", "window"}) require_sizes(arguments, name, window_view::rounded_sizes);
+  }
+  window_view::require_scale(arguments, window_view::line_in(arguments), window_view::window_in(arguments));
+}
+
 Trace run(const Arguments& arguments, Recording recording) {
+  require_watchable(arguments);
   const Task task{window_view::line_in(arguments), window_view::window_in(arguments),
                   window_view::order_in(arguments)};
   const std::string& method = arguments.text("method");
@@ -515,9 +523,6 @@ Trace run(const Arguments& arguments, Recording recording) {
     BoxTeller box_teller(writer, space);
     box_parametric(space.line, space.box, usual_order<3>(), box_teller);
   } else if (method == "parametric") {
-    const double most = std::max(
-        {std::abs(task.line.a.x), std::abs(task.line.a.y), std::abs(task.line.b.x), std::abs(task.line.b.y)});
-    if (most > 1e300) throw ArgumentError("line", "method parametric needs coordinates up to 1e300 in size");
     parametric(task.line, task.window, task.order, teller);
   } else {
     correctly_rounded(task.line, task.window, task.order, teller);
@@ -551,14 +556,16 @@ const TopicEntry& entry() {
                       .default_value = "-2,1,2,12,11,9",
                       .example = "-2,1,2,12,11,9",
                       .help = "method box_parametric: the segment's ends x0,y0,z0,x1,y1,z1",
-                      .parts = {"x0", "y0", "z0", "x1", "y1", "z1"}},
+                      .parts = {"x0", "y0", "z0", "x1", "y1", "z1"},
+                      .sizes = window_view::rounded_sizes},
                      {.name = "box",
                       .type = ParameterType::bounds,
                       .default_value = "0,0,0,10,8,6",
                       .example = "0,0,0,10,8,6",
                       .help =
                           "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
-                      .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}},
+                      .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"},
+                      .sizes = window_view::rounded_sizes},
                      exact_parameter()},
       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"},
       .run = run};

@@ -417,7 +417,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const bool faulty = found->standing == Standing::faulty;
   if (name != "exact_decision") expect_computable(segment, circle);
   const Scene scene = scene_of(segment, circle, name != "exact_decision");
-  circle_drawing::expect_scale(scene.panel);
+  require_scale(scene.panel, arguments, {"circle"});
 
   TraceWriter writer(recording);
   Trace& about = writer.trace();

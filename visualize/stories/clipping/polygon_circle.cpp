@@ -432,7 +432,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const Scene scene{polygon, circle, tolerance,
                     Panel({{3, 3}, {width - 2, height - 1.5}}, world_of(polygon, circle)),
                     area_of(arcs(corners, circle))};
-  circle_drawing::expect_scale(scene.panel);
+  require_scale(scene.panel, arguments, {"circle"});
 
   TraceWriter writer(recording);
   Trace& about = writer.trace();

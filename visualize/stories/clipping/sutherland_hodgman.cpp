@@ -341,6 +341,8 @@ class Teller {
     }
   }
 
+  const Panel& panel() const { return panel_; }
+
   /// The last step.
   void finish() {
     quiet();
@@ -430,6 +432,7 @@ class Teller {
   void add_without_bridges(std::size_t number, dvec2 a, dvec2 b) {
     const dvec2 way = b - a;
     const double square = glm::dot(way, way);
+    if (square == 0) return;
     std::vector<std::pair<double, double>> gaps;
     for (const auto& [from, to] : found_) {
       const auto beside = [&](dvec2 p) { return std::abs(way.x * (p.y - a.y) - way.y * (p.x - a.x)); };
@@ -719,6 +722,7 @@ Trace run(const Arguments& arguments, Recording recording) {
     right = std::abs(area_of(places(polygon)));
   }
   Teller teller(writer, given, pieces, right);
+  require_scale(teller.panel(), arguments, {"polygon", "window", "window_polygon"});
   if (!exact) {
     run_plain(given, method.name, teller);
   } else if (given.oblique) {
@@ -733,6 +737,9 @@ Trace run(const Arguments& arguments, Recording recording) {
   return trace;
 }
 
+/// Of coordinates: squares of their differences neither overflow nor underflow.
+constexpr Sizes plane_sizes{1e-100, 1e100};
+
 const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all{
       {.name = "polygon",
@@ -742,7 +749,8 @@ const std::vector<Parameter>& parameters() {
        .help = "the polygon's corners, in either direction",
        .least = 3,
        .most = 200,
-       .parts = {"x", "y"}},
+       .parts = {"x", "y"},
+       .sizes = plane_sizes},
       {.name = "hole",
        .type = ParameterType::rings,
        .default_value = "",
@@ -750,13 +758,15 @@ const std::vector<Parameter>& parameters() {
        .help = "holes in it, apart from one another (separate_pieces alone)",
        .least = 3,
        .most = 200,
-       .parts = {"x", "y"}},
+       .parts = {"x", "y"},
+       .sizes = plane_sizes},
       {.name = "window",
        .type = ParameterType::bounds,
        .default_value = "0,0,10,10",
        .example = "0,0,10,10",
        .help = "the rectangle to clip at, its borders included",
-       .parts = {"xmin", "ymin", "xmax", "ymax"}},
+       .parts = {"xmin", "ymin", "xmax", "ymax"},
+       .sizes = plane_sizes},
       {.name = "window_polygon",
        .type = ParameterType::points,
        .default_value = "",
@@ -765,7 +775,8 @@ const std::vector<Parameter>& parameters() {
        .least = 3,
        .most = 50,
        .parts = {"x", "y"},
-       .instead_of = "window"},
+       .instead_of = "window",
+       .sizes = plane_sizes},
       {.name = "homogeneous",
        .type = ParameterType::points,
        .default_value = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",

@@ -22,21 +22,17 @@ using Rectangle = AxisBox<2, double>;
 
 inline constexpr int paper_width = 36, paper_height = 27;
 
+/// Sizes of what can be drawn, and of what the methods that round can be watched with: products of three of
+/// these numbers' differences neither overflow nor underflow.
+inline constexpr Sizes line_sizes{1e-100, 8e307}, window_sizes{1e-100, 1e150}, rounded_sizes{1e-75, 1e75};
+
 inline Line line_in(const Arguments& arguments) {
   const auto n = arguments.numbers("line");
-  for (const double x : n) {
-    // Then differences can be shown; the method itself takes any
-    if (std::abs(x) > 8e307) throw ArgumentError("line", "expected coordinates up to 8e307 in size");
-  }
   return {{n[0], n[1]}, {n[2], n[3]}};
 }
 
-/// The window, which must not be too large to be drawn.
 inline Rectangle window_in(const Arguments& arguments) {
   const auto n = arguments.numbers("window");
-  for (const double x : n) {
-    if (std::abs(x) > 1e150) throw ArgumentError("window", "expected borders up to 1e150 in size");
-  }
   return {{n[0], n[1]}, {n[2], n[3]}};
 }
 
@@ -45,14 +41,20 @@ inline Extent world_of(const Line& line, const Rectangle& window) {
   Extent world{window.lower, window.upper};
   const dvec2 size = world.size();
   double room = std::max(size.x, size.y);
-  if (room == 0) room = std::max(1e-300, 1e-3 * std::max(std::abs(window.lower.x), std::abs(window.lower.y)));
-  if (room < 1e-250) room = 1;
+  if (room == 0) room = 1e-3 * std::max(std::abs(window.lower.x), std::abs(window.lower.y));
+  if (room == 0) room = 1;
   const Rectangle near{window.lower - 1.6 * room, window.upper + 1.6 * room};
   world = {window.lower - 0.32 * room, window.upper + 0.32 * room};
   for (const dvec2 end : {line.a, line.b}) {
     if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
   }
   return widened(world, 0.1);
+}
+
+/// Refuses a window that no paper can show.
+inline void require_scale(const Arguments& arguments, const Line& line, const Rectangle& window) {
+  const Extent paper{{0, 0}, {paper_width, paper_height}};
+  gradus::require_scale(Panel(paper, world_of(line, window)), arguments, {"window"});
 }
 
 /// The plane in a part of the paper.
@@ -160,7 +162,8 @@ inline Parameter line_parameter(std::string line) {
           .default_value = line,
           .example = "-5,8,3,20",
           .help = "the segment, from (x0, y0) to (x1, y1); y points up",
-          .parts = {"x0", "y0", "x1", "y1"}};
+          .parts = {"x0", "y0", "x1", "y1"},
+          .sizes = line_sizes};
 }
 inline Parameter window_parameter() {
   return {.name = "window",
@@ -168,7 +171,8 @@ inline Parameter window_parameter() {
           .default_value = "0,0,10,10",
           .example = "0,0,10,8",
           .help = "the window, its borders included",
-          .parts = {"xmin", "ymin", "xmax", "ymax"}};
+          .parts = {"xmin", "ymin", "xmax", "ymax"},
+          .sizes = window_sizes};
 }
 inline Parameter order_parameter() {
   return {.name = "order",

@@ -43,7 +43,8 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect) 
   if (eye || target) {
     const Bounds bounds = bounds_of(scene);
     const dvec3 from = eye.value_or(camera.frame.eye), to = target.value_or(bounds.centre());
-    if (from == to) throw ArgumentError("eye", "expected a place other than the target, found the same");
+    if (from == to)
+      refuse(arguments, {"eye", "target"}, "expected an eye apart from the target, found both in one place");
     const bool upright = length_of(glm::cross(unit_vector(to - from), dvec3{0, 1, 0})) < 1e-6;
     camera.frame = viewing::look_at(from, to, upright ? dvec3{0, 0, -1} : dvec3{0, 1, 0});
     camera = with_depths(camera, bounds);
@@ -165,6 +166,8 @@ Run run_of(Scene scene, Size size) {
   run.faced = all<Faced>(record);
   run.clipped = all<Clipped>(record);
   run.snapped = all<Snapped>(record);
+  const double radius = bounds_of(run.scene).radius(), away = length_of(run.scene.camera.frame.eye);
+  run.noise = 1e-9 * std::max(radius, away);
   for (const Covered& covered : all<Covered>(record)) run.covered.push_back(covered.fragment);
   run.tests = all<DepthTested>(record);
   run.shaded = all<Shaded>(record);

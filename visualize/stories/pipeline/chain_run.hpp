@@ -32,6 +32,7 @@ struct Run {
   std::vector<pipeline::Shaded> shaded;
   std::vector<pipeline::Written> written;
   Image image;
+  double noise = 0;  ///< lengths below it are rounding errors beside the model and the eye
   std::map<std::string, int, std::less<>> lines;  ///< by step type: the stage's source line that reported it
 
   const pipeline::Clipped* clipped_of(pipeline::PieceId id) const;

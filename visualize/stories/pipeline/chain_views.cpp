@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "core/colour.hpp"
 #include "figure/number_text.hpp"
 
@@ -32,14 +33,27 @@ std::vector<dvec2> before_eye(const std::vector<glm::dvec4>& corners, double lea
   return points;
 }
 
+/// A polygon as far as it lies round the paper: what divides by next to nothing flies off.
+std::vector<dvec2> near_paper(const std::vector<dvec2>& points) {
+  constexpr double far = 1e6;
+  const auto flies = [](dvec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) > far; };
+  if (std::ranges::none_of(points, flies)) return points;
+  const AxisBox<2, double> room{{-far, -far}, {far, far}};
+  std::vector<dvec2> kept;
+  for (const auto& corner : sutherland_hodgman::clip_to_window(std::span<const dvec2>(points), room))
+    kept.push_back(corner.at);
+  return kept;
+}
+
 std::string padded(const char* name, int number) { return fmt::format("{} {:05}", name, number); }
 
 }  // namespace
 
-std::string real_text(double value) { return figure_real(std::abs(value) < 1e-6 ? 0 : value); }
+std::string real_text(double value, double noise) { return figure_real(std::abs(value) < noise ? 0 : value); }
 
-std::string place_text(dvec3 p) {
-  return fmt::format("({},\u00a0{},\u00a0{})", real_text(p.x), real_text(p.y), real_text(p.z));
+std::string place_text(dvec3 p, double noise) {
+  return fmt::format("({},\u00a0{},\u00a0{})", real_text(p.x, noise), real_text(p.y, noise),
+                     real_text(p.z, noise));
 }
 
 Panel Views::panel(double x0, double x1, dvec2 lower, dvec2 upper) const {
@@ -59,22 +73,18 @@ Panel Views::right(dvec2 lower, dvec2 upper) const {
 
 template <class At>
 Panel Views::fitted(At at, int side, const std::vector<dvec2>& more) const {
-  dvec2 lower{1e300}, upper{-1e300};
-  const auto add = [&](dvec2 p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  };
+  Extent all;
   for (const Piece& piece : run_.pieces) {
-    for (const PieceCorner& corner : piece.corners) add(at(static_cast<std::size_t>(corner.vertex)));
+    for (const PieceCorner& corner : piece.corners) all.add(at(static_cast<std::size_t>(corner.vertex)));
   }
-  for (const dvec2 p : more) add(p);
+  for (const dvec2 p : more) all.add(p);
+  const auto& [lower, upper] = all;
   return side < 0 ? left(lower, upper) : side > 0 ? right(lower, upper) : whole(lower, upper);
 }
 
 void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
                     const std::vector<dvec2>& points) const {
-  Path path{{}, true};
-  for (const dvec2 p : points) path.points.push_back(panel.at(p));
+  Path path{near_paper(panel.at(points)), true};
   if (path.points.size() >= 2) view.add({std::move(id), role, std::move(path)});
 }
 

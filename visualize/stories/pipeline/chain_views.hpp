@@ -62,9 +62,9 @@ class Views {
   const Wording& words_;
 };
 
-/// A number as the tour shows it: what is below 1e-6 is a rounding error.
-std::string real_text(double value);
+/// A number as the tour shows it: what is smaller than `noise` is a rounding error.
+std::string real_text(double value, double noise = 1e-6);
 /// "(1, −0.5, 2)".
-std::string place_text(dvec3 p);
+std::string place_text(dvec3 p, double noise = 1e-6);
 
 }  // namespace gradus::textbook_chain

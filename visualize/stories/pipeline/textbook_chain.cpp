@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/exact_scalar.hpp"
 #include "pipeline.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/pipeline/chain_views.hpp"
@@ -177,8 +178,14 @@ class Tour {
   Row row(std::string point, dvec3 p) const {
     return row(std::move(point), real_text(p.x), real_text(p.y), real_text(p.z));
   }
-  Row row(std::string point, glm::dvec4 p) const {
-    return row(std::move(point), real_text(p.x), real_text(p.y), real_text(p.z), real_text(p.w));
+  /// Lengths, as long as the model or a part of it.
+  std::string length_text(double x) const { return real_text(x, run_.noise); }
+  std::string at_text(dvec3 p) const { return place_text(p, run_.noise); }
+  Row row_at(std::string point, dvec3 p) const {
+    return row(std::move(point), length_text(p.x), length_text(p.y), length_text(p.z));
+  }
+  Row row_at(std::string point, glm::dvec4 p) const {
+    return row(std::move(point), length_text(p.x), length_text(p.y), length_text(p.z), length_text(p.w));
   }
 
   std::size_t vertex(int corner) const {
@@ -211,9 +218,9 @@ class Tour {
     for (int i = 0; i < 3; ++i) {
       const dvec3 p = run_.read[vertex(i)].point.at;
       const std::string name = name_of_vertex(vertex(i));
-      fine(views_.object({i, place_text(p)}),
-           {"VertexRead", name, say("pipeline.vertex_read", arg("name", name), arg("place", place_text(p))),
-            row(name, p), fields_of(p)});
+      fine(views_.object({i, at_text(p)}),
+           {"VertexRead", name, say("pipeline.vertex_read", arg("name", name), arg("place", at_text(p))),
+            row_at(name, p), fields_of(p)});
     }
     const FaceRead& face = run_.faces[static_cast<std::size_t>(piece_.id.face)];
     const std::string key = face.pieces.size() == 1 ? "pipeline.face_read.whole" : "pipeline.face_read.cut";
@@ -243,17 +250,17 @@ class Tour {
       const Placed& placed = run_.placed[vertex(i)];
       const std::string name = name_of_vertex(vertex(i));
       const bool moved = placed.from.at != placed.to.at;
-      fine(views_.world({i, place_text(placed.to.at)}),
+      fine(views_.world({i, at_text(placed.to.at)}),
            {"Placed", name,
             say(moved ? "pipeline.placed.moved" : "pipeline.placed.same", arg("name", name),
-                arg("from", place_text(placed.from.at)), arg("to", place_text(placed.to.at))),
-            row(name, placed.to.at), fields_of(placed.to.at)});
+                arg("from", at_text(placed.from.at)), arg("to", at_text(placed.to.at))),
+            row_at(name, placed.to.at), fields_of(placed.to.at)});
     }
     const Camera& camera = run_.scene.camera;
     milestone(views_.world(), {"WorldTransformation",
                                "",
                                say("pipeline.world", arg("vertices", run_.placed.size()),
-                                   arg("eye", place_text(camera.frame.eye))),
+                                   arg("eye", at_text(camera.frame.eye))),
                                {},
                                fields_of(camera.frame.eye)});
   }
@@ -264,10 +271,10 @@ class Tour {
       const std::string name = name_of_vertex(vertex(i));
       fine(views_.clip_space({i, ""}),
            {"Projected", name,
-            say("pipeline.projected", arg("name", name), arg("depth", real_text(p.view.z)),
-                arg("view", place_text(p.view)), arg("x", real_text(p.clip.at.x)),
-                arg("y", real_text(p.clip.at.y)), arg("z", real_text(p.clip.at.z))),
-            row(name, p.clip.at), fields_of(p.clip.at)});
+            say("pipeline.projected", arg("name", name), arg("depth", length_text(p.view.z)),
+                arg("view", at_text(p.view)), arg("x", length_text(p.clip.at.x)),
+                arg("y", length_text(p.clip.at.y)), arg("z", length_text(p.clip.at.z))),
+            row_at(name, p.clip.at), fields_of(p.clip.at)});
     }
     const auto behind = std::ranges::count_if(run_.clip, [](const Projected& p) { return p.clip.at.z < 0; });
     milestone(views_.clip_space(),
@@ -278,23 +285,29 @@ class Tour {
                {{"before_near", static_cast<std::int64_t>(behind)}}});
   }
 
-  void facing() {
-    const Faced& faced = run_.faced[number_];
-    std::array<dvec3, 3> c;
+  /// Of the corners' x, y and w, with the sign that the stage finds, which decides exactly.
+  double exact_determinant() const {
+    const ExactScope scope;
+    std::array<glm::vec<3, Exact>, 3> c;
     for (int i = 0; i < 3; ++i) {
       const glm::dvec4 at = run_.clip[vertex(i)].clip.at;
-      c[static_cast<std::size_t>(i)] = {at.x, at.y, at.w};
+      c[static_cast<std::size_t>(i)] = {Exact(at.x), Exact(at.y), Exact(at.w)};
     }
-    const double determinant = glm::dot(c[0], glm::cross(c[1], c[2]));
+    return to_double(glm::dot(c[0], glm::cross(c[1], c[2])));
+  }
+
+  void facing() {
+    const Faced& faced = run_.faced[number_];
+    const double determinant = exact_determinant();
     const char* verdict = faced.facing == back_face_culling::Facing::front ? "pipeline.faced.front"
                           : faced.facing == back_face_culling::Facing::back
                               ? (faced.removed ? "pipeline.faced.back" : "pipeline.faced.two_sided")
                               : "pipeline.faced.edge_on";
     fine(views_.facing(), {"Faced",
                            face_name(),
-                           say(verdict, arg("determinant", real_text(determinant)), arg("face", face_name()),
-                               arg("names", corner_names())),
-                           row("det", real_text(determinant)),
+                           say(verdict, arg("determinant", figure_real(determinant)),
+                               arg("face", face_name()), arg("names", corner_names())),
+                           row("det", figure_real(determinant)),
                            {{"determinant", determinant}, {"removed", faced.removed}}});
     const auto removed = std::ranges::count_if(run_.faced, &Faced::removed);
     milestone(views_.facing(),
@@ -338,15 +351,15 @@ class Tour {
     const std::string key = old == own.before.end() ? "pipeline.clipped.new" : "pipeline.clipped.kept";
     fine(views_.clipping({static_cast<int>(k), ""}),
          {"Clipped", name,
-          say(key, arg("name", name), arg("vertex", from), arg("z", real_text(at.z)),
-              arg("w", real_text(at.w))),
-          row(name, at), fields_of(at)});
-    fine(
-        views_.clipping({static_cast<int>(k), place_text(ndc)}),
-        {"Divided", name,
-         say("pipeline.divided", arg("name", name), arg("w", real_text(at.w)), arg("place", place_text(ndc))),
-         row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)},
-        "Clipped");
+          say(key, arg("name", name), arg("vertex", from), arg("z", length_text(at.z)),
+              arg("w", length_text(at.w))),
+          row_at(name, at), fields_of(at)});
+    fine(views_.clipping({static_cast<int>(k), place_text(ndc)}),
+         {"Divided", name,
+          say("pipeline.divided", arg("name", name), arg("w", figure_real(at.w)),
+              arg("place", place_text(ndc))),
+          row(fmt::format("{} / {}", name, words_.symbol("w")), ndc), fields_of(ndc)},
+         "Clipped");
   }
 
   void rasterization() {
@@ -545,13 +558,17 @@ Parameter whole(std::string name, std::string value, std::string example, std::s
           most};
 }
 
+/// Of lengths: what the chain can project, and what its determinants hold.
+constexpr Sizes length_sizes{1e-30, 1e30};
+
 Parameter place(std::string name, std::string example, std::string help) {
   return {.name = std::move(name),
           .type = ParameterType::numbers,
           .default_value = "",
           .example = std::move(example),
           .help = std::move(help),
-          .parts = {"x", "y", "z"}};
+          .parts = {"x", "y", "z"},
+          .sizes = length_sizes};
 }
 
 }  // namespace
@@ -594,7 +611,8 @@ const TopicEntry& entry() {
             .default_value = "",
             .example = "0.5",
             .help = "the depth of the near plane; before the model if not given",
-            .least = 0},
+            .least = 0,
+            .sizes = length_sizes},
            whole("turn", "0", "30", "degrees by which the model is turned round the y axis, stage 2", -360,
                  360)},
       .examples = {"--stage clipping", "--model MODEL.obj --eye 1,1,3", "--turn 30 --face 0 --pixel 12,7"},

@@ -13,7 +13,7 @@ namespace gradus::parallel {
 namespace {
 
 using fmt::arg;
-using solids::modest_numbers;
+using solids::full_place_text;
 using solids::place_text;
 using solids::real;
 using solids::vector_of;
@@ -50,7 +50,7 @@ Slant<double> slant_in(const Arguments& arguments) {
     }
     return slant_of(direction);
   }
-  const std::vector<double> receding = modest_numbers(arguments, "receding");
+  const std::vector<double> receding = arguments.numbers("receding");
   if (!(0 <= receding[1] && receding[1] <= 10)) {
     throw ArgumentError("receding",
                         fmt::format("expected a foreshortening from 0 to 10, not {}", receding[1]));
@@ -60,7 +60,7 @@ Slant<double> slant_in(const Arguments& arguments) {
 }
 
 void read_plane(Task& task, const Arguments& arguments) {
-  const std::vector<double> numbers = modest_numbers(arguments, "plane");
+  const std::vector<double> numbers = arguments.numbers("plane");
   task.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
   const dvec3 normal = task.plane.normal;
   if (normal == dvec3{0}) throw ArgumentError("plane", "expected a normal that is not 0,0,0");
@@ -80,8 +80,7 @@ Task task_of(const Arguments& arguments) {
   Task task;
   task.method = arguments.text("method");
   task.d = *arguments.number("d");
-  if (std::abs(task.d) > 1e6) throw ArgumentError("d", "expected a number from -1000000 to 1000000");
-  const std::vector<double> turn = modest_numbers(arguments, "turn");
+  const std::vector<double> turn = arguments.numbers("turn");
   const solids::Solid solid = arguments.text("solid") == "box" ? solids::box() : solids::house();
   task.solid = solids::placed(solid, solids::turned_axes(turn[0], turn[1]), vector_of(arguments, "at"));
   if (task.method == "along") {
@@ -268,8 +267,9 @@ class Teller {
     }
     if (task_.method == "along") {
       return words_.say("parallel.projected.along", arg("corner", corner_number()),
-                        arg("point", place_text(p.point)), arg("t", factor(t_)),
-                        arg("direction", place_text(task_.direction)), arg("image", image));
+                        arg("point", full_place_text(p.point)), arg("t", factor(t_)),
+                        arg("direction", full_place_text(task_.direction)),
+                        arg("image", full_place_text(p.image)));
     }
     if (task_.method == "keep_x_and_y") {
       return words_.say("parallel.projected.keep_x_and_y", arg("image", image),
@@ -410,33 +410,38 @@ const TopicEntry& entry() {
             .default_value = "2,2,4",
             .example = "0,0,5",
             .help = "where its middle stands: x right, y up, z forward",
-            .parts = {"x", "y", "z"}},
+            .parts = {"x", "y", "z"},
+            .sizes = solids::modest_sizes},
            {.name = "turn",
             .type = ParameterType::numbers,
             .default_value = "0,0",
             .example = "30,0",
             .help = "degrees by which it is turned: round the upright, then round x",
-            .parts = {"yaw", "pitch"}},
+            .parts = {"yaw", "pitch"},
+            .sizes = solids::modest_sizes},
            {.name = "d",
             .type = ParameterType::number,
             .default_value = "0",
             .example = "1",
             .help = "where the picture plane crosses its axis: z = d, for the top view y = d, for the side x "
-                    "= d"},
+                    "= d",
+            .sizes = solids::modest_sizes},
            {.name = "receding",
             .type = ParameterType::numbers,
             .default_value = "45,0.5",
             .example = "45,1",
             .help = "method oblique: the angle of receding edges in degrees, and how long a unit of depth is "
                     "drawn: 0.5 cabinet, 1 cavalier",
-            .parts = {"angle", "foreshortening"}},
+            .parts = {"angle", "foreshortening"},
+            .sizes = solids::modest_sizes},
            {.name = "direction",
             .type = ParameterType::numbers,
             .default_value = "",
             .example = "1,-1,2",
             .help = "methods oblique and along: the projectors' direction instead",
             .parts = {"x", "y", "z"},
-            .instead_of = "receding"},
+            .instead_of = "receding",
+            .sizes = solids::modest_sizes},
            {.name = "from",
             .type = ParameterType::choice,
             .default_value = "front",
@@ -450,7 +455,8 @@ const TopicEntry& entry() {
             .help = "method along: the plane nx x + ny y + nz z = offset; without a direction seen upright, "
                     "which "
                     "is isometric for 1,-1,1",
-            .parts = {"nx", "ny", "nz", "offset"}},
+            .parts = {"nx", "ny", "nz", "offset"},
+            .sizes = solids::modest_sizes},
            exact_parameter()},
       .examples = {"--receding 45,1", "--method orthographic --from top", "--method along --plane 1,-1,1,-3"},
       .run = run};

@@ -14,7 +14,6 @@ namespace gradus::perspective {
 namespace {
 
 using fmt::arg;
-using solids::modest_numbers;
 using solids::place_text;
 using solids::real;
 using solids::short_real;
@@ -46,14 +45,12 @@ class ViewTeller {
 
 double distance_of(const Arguments& arguments) {
   const double d = *arguments.number("distance");
-  if (!(1e-3 <= d && d <= 1e6)) {
-    throw ArgumentError("distance", fmt::format("expected a distance from 0.001 to 1000000, not {}", d));
-  }
+  if (!(d > 0)) refuse(arguments, {"distance"}, fmt::format("expected a distance above 0, not {}", d));
   return d;
 }
 
 std::array<dvec3, 3> axes_of(const Arguments& arguments) {
-  const std::vector<double> turn = modest_numbers(arguments, "turn");
+  const std::vector<double> turn = arguments.numbers("turn");
   return solids::turned_axes(turn[0], turn[1]);
 }
 
@@ -110,8 +107,9 @@ class ProjectionTeller : public ViewTeller {
     fine(std::move(seen), line, [&](TraceStep& step) {
       describe(step, "Scaled");
       step.fields.push_back({"factor", s.factor});
-      step.sentence = words_.say("perspective.scaled", arg("corner", number()), arg("z", real(s.point.z)),
-                                 arg("d", real(d_)), arg("factor", real(s.factor)));
+      step.sentence =
+          words_.say("perspective.scaled", arg("corner", number()), arg("z", figure_real(s.point.z)),
+                     arg("d", real(d_)), arg("factor", real(s.factor)));
     });
   }
   void operator()(const Projected<double>& p, int line = __builtin_LINE(), const char* = nullptr) {
@@ -188,7 +186,7 @@ class VanishingTeller : public ViewTeller {
     points_.resize(directions_.size());
     for (const dvec3 p : solid_.corners) {
       const std::optional<dvec3> image = project(d_, p);
-      if (!image) throw ArgumentError("at", "expected a place where the whole box is before the eye");
+      if (!image) refuse(arguments, {"at", "turn"}, "expected a place where the whole box is before the eye");
       images_.emplace_back(image->x, image->y);
     }
     Extent shown;
@@ -259,9 +257,9 @@ class VanishingTeller : public ViewTeller {
     show(std::move(seen), listed(line), [&](TraceStep& step) {
       describe(step, "Vanished");
       step.fields.insert(step.fields.end(), {{"x", v.point.x}, {"y", v.point.y}});
-      step.sentence = words_.say("perspective.vanished", arg("axis", name()), arg("w", real(taken_.image.w)),
-                                 arg("point", place_text(v.point)));
-      step.row = {name(), place_text(v.direction), real(taken_.image.w), place_text(v.point)};
+      step.sentence = words_.say("perspective.vanished", arg("axis", name()),
+                                 arg("w", figure_real(taken_.image.w)), arg("point", place_text(v.point)));
+      step.row = {name(), place_text(v.direction), figure_real(taken_.image.w), place_text(v.point)};
     });
   }
   void operator()(const StaysParallel<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
@@ -275,7 +273,7 @@ class VanishingTeller : public ViewTeller {
                                            : "perspective.stays_parallel",
                                  arg("axis", name()), arg("direction", place_text(s.direction)),
                                  arg("point", missed() ? place_text(*missed()) : std::string()));
-      step.row = {name(), place_text(s.direction), unasked ? "" : real(taken_.image.w),
+      step.row = {name(), place_text(s.direction), unasked ? "" : figure_real(taken_.image.w),
                   words_.say("perspective.none")};
     });
   }
@@ -430,12 +428,14 @@ class BendTeller : public ViewTeller {
         to_(vector_of(arguments, "to")),
         samples_(arguments.integer("samples")) {
     if (!(far_ > near_)) {
-      throw ArgumentError("far", fmt::format("expected a depth beyond the distance {}, not {}", near_, far_));
+      refuse(arguments, {"far", "distance"},
+             fmt::format("expected a far plane beyond the distance {}, not at {}", near_, far_));
     }
     const auto between = [&](std::string_view name, double z) {
       if (near_ <= z && z <= far_) return;
-      throw ArgumentError(std::string(name),
-                          fmt::format("expected a depth z from {} to {}, not {}", near_, far_, z));
+      refuse(arguments, {name, "distance", "far"},
+             fmt::format("expected a depth z of {} from the distance {} to the far plane {}, not {}", name,
+                         near_, far_, z));
     };
     between("from", from_.z);
     between("to", to_.z);
@@ -443,7 +443,7 @@ class BendTeller : public ViewTeller {
     a_ = image_of(from_);
     b_ = image_of(to_);
     if (std::abs(a_.x - b_.x) < 1e-6 * (std::abs(a_.x) + std::abs(b_.x))) {
-      throw ArgumentError("to", "expected a line whose ends are seen at two different x");
+      refuse(arguments, {"to", "from"}, "expected a line whose ends are seen at two different x");
     }
     Extent space, image;
     for (const dvec3 p : {from_, to_}) space.add({p.x, p.z});
@@ -456,6 +456,7 @@ class BendTeller : public ViewTeller {
     image.lower.y -= 0.1 * image.size().y;
     image.upper.y += 0.1 * image.size().y;
     image_ = Panel({{22.5, 3}, {35, 22.5}}, image, Panel::Fit::stretched);
+    require_scale(image_, arguments, {"from", "to", "wall", "distance", "far"});
     writer.trace().columns = {{"point", false}, {"x_image"}, {"z_image"}, {"interpolated"}, {"error"}};
   }
 
@@ -483,7 +484,7 @@ class BendTeller : public ViewTeller {
       describe(step, "Multiplied");
       step.fields.insert(step.fields.end(), {{"clip_z", m.clip.z}, {"w", m.clip.w}});
       step.sentence = words_.say("perspective.multiplied", arg("name", name_), arg("x", real(m.clip.x)),
-                                 arg("z", real(m.clip.z)), arg("w", real(m.clip.w)));
+                                 arg("z", real(m.clip.z)), arg("w", figure_real(m.clip.w)));
     });
   }
   void operator()(const Divided<double>& d, int line = __builtin_LINE(), const char* = nullptr) {
@@ -494,7 +495,7 @@ class BendTeller : public ViewTeller {
       describe(step, "Scaled");
       step.fields.push_back({"factor", s.factor});
       step.sentence = words_.say("perspective.scaled_point", arg("name", name_), arg("d", real(near_)),
-                                 arg("z", real(s.point.z)), arg("factor", real(s.factor)));
+                                 arg("z", figure_real(s.point.z)), arg("factor", real(s.factor)));
     });
   }
   void operator()(const Projected<double>& p, int line = __builtin_LINE(), const char* = nullptr) {
@@ -514,6 +515,10 @@ class BendTeller : public ViewTeller {
     } else {
       divide(transform(projection(), point_, *this), *this);
     }
+  }
+  /// Beside rounding, which depths of this line's size have.
+  bool is_off(double error) const {
+    return std::abs(error) > 1e-9 * std::max({std::abs(a_.z), std::abs(b_.z), 1e-3});
   }
   double depth_of_wall() const { return image_of({0, 0, wall_}).z; }
   dvec2 in_space(dvec3 p) const { return space_.at({p.x, p.z}); }
@@ -588,7 +593,7 @@ class BendTeller : public ViewTeller {
 
   void add_error(View& seen, dvec3 image) const {
     const dvec3 on_chord = interpolated(image.x);
-    if (std::abs(on_chord.z - image.z) < 1e-6) return;
+    if (!is_off(on_chord.z - image.z)) return;
     seen.add({"d error", Role::measure, Stroke{in_image(image), in_image(on_chord)}});
     seen.add({"f error name", Role::measure,
               Label{0.5 * (in_image(image) + in_image(on_chord)),
@@ -615,9 +620,9 @@ class BendTeller : public ViewTeller {
         step.sentence = words_.say("perspective.end_point", arg("name", name_), arg("x", real(image.x)),
                                    arg("z", real(image.z)));
       } else {
-        step.sentence = words_.say(
-            std::abs(error) < 1e-6 ? "perspective.on_the_line" : "perspective.off_the_line",
-            arg("name", name_), arg("x", real(image.x)), arg("z", real(image.z)), arg("guess", real(guess)));
+        step.sentence = words_.say(is_off(error) ? "perspective.off_the_line" : "perspective.on_the_line",
+                                   arg("name", name_), arg("x", real(image.x)), arg("z", real(image.z)),
+                                   arg("guess", real(guess)));
       }
       step.row = {name_ + " " + before, real(image.x), real(image.z), end ? "" : real(guess),
                   end ? "" : real(error)};
@@ -637,7 +642,7 @@ class BendTeller : public ViewTeller {
       step.phase = words_.say("words.result");
       step.level = Level::idea;
       step.fields = {{"largest_error", worst_}};
-      if (std::abs(worst_) < 1e-6) {
+      if (!is_off(worst_)) {
         step.sentence = words_.say(bent_ ? "perspective.done.level" : "perspective.done.transformation");
       } else {
         step.sentence =
@@ -670,18 +675,15 @@ class DivisionTeller : public ViewTeller {
       : ViewTeller(writer),
         method_(std::move(method)),
         zoom_minus_z_(method_ == "zoom_minus_z"),
-        points_(points_of(arguments)),
+        points_(arguments.places("points")),
         zoom_(*arguments.number("zoom")) {
-    if (!(std::abs(zoom_) <= 1e6))
-      throw ArgumentError("zoom", fmt::format("expected a number from -1000000 to 1000000, not {}", zoom_));
-    const std::vector<double> scales = modest_numbers(arguments, "scales");
-    const std::vector<double> centre = modest_numbers(arguments, "centre");
+    const std::vector<double> scales = arguments.numbers("scales");
+    const std::vector<double> centre = arguments.numbers("centre");
     const std::vector<double> range = arguments.numbers("range");
     scales_ = {scales[0], zoom_minus_z_ ? scales[0] : scales[1]};
     centre_ = {centre[0], centre[1]};
-    if (!(std::min(scales_.x, scales_.y) >= 1e-3))
-      throw ArgumentError("scales",
-                          fmt::format("expected scales from 0.001 on, not {},{}", scales[0], scales[1]));
+    if (!(std::min(scales_.x, scales_.y) > 0))
+      refuse(arguments, {"scales"}, fmt::format("expected scales above 0, not {},{}", scales[0], scales[1]));
     if (!(0 < range[0] && range[0] < range[1] && range[1] <= 1e12))
       throw ArgumentError("range", fmt::format("expected 0 < near < far, not {},{}", range[0], range[1]));
     projection_ = projection_of(scales_.x, scales_.y, range[0], range[1]);
@@ -713,18 +715,18 @@ class DivisionTeller : public ViewTeller {
       describe(step, "Multiplied");
       step.fields.insert(step.fields.end(), {{"clip_z", m.clip.z}, {"w", m.clip.w}});
       step.sentence = words_.say("perspective.multiplied", arg("name", name()), arg("x", real(m.clip.x)),
-                                 arg("z", real(m.clip.z)), arg("w", real(m.clip.w)));
+                                 arg("z", real(m.clip.z)), arg("w", figure_real(m.clip.w)));
     });
   }
   void operator()(const Divided<double>& d, int line = __builtin_LINE(), const char* = nullptr) {
     const double w = d.clip.w;
     if (zoom_minus_z_) {
       const double depth = zoom_ + points_[current_].z;
-      arrived(
-          dvec2(d.ndc), w, {}, "Divided", line,
-          words_.say(depth > 0 ? "perspective.zoomed" : "perspective.zoomed_behind", arg("name", name()),
-                     arg("zoom", real(zoom_)), arg("w", real(w)), arg("image", image_text(dvec2(d.ndc))),
-                     arg("depth", real(depth)), arg("right", image_text(right_image(points_[current_])))));
+      arrived(dvec2(d.ndc), w, {}, "Divided", line,
+              words_.say(depth > 0 ? "perspective.zoomed" : "perspective.zoomed_behind", arg("name", name()),
+                         arg("zoom", real(zoom_)), arg("w", figure_real(w)),
+                         arg("image", image_text(dvec2(d.ndc))), arg("depth", real(depth)),
+                         arg("right", image_text(right_image(points_[current_])))));
       return;
     }
     const dvec2 image = dvec2(d.ndc) + centre_;
@@ -732,15 +734,16 @@ class DivisionTeller : public ViewTeller {
                                  : w == 0 ? "perspective.divided_by_zero"
                                           : "perspective.divided_behind";
     arrived(image, w, d.ndc.z, "Divided", line,
-            words_.say(key, arg("name", name()), arg("w", real(w)), arg("image", image_text(image))));
+            words_.say(key, arg("name", name()), arg("w", figure_real(w)), arg("image", image_text(image))));
   }
   void operator()(const LeftUndivided<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
     images_.push_back(std::nullopt);
     show(pointed(), line, [&](TraceStep& step) {
       describe(step, "LeftUndivided");
       step.fields.push_back({"w", l.clip.w});
-      step.sentence = words_.say("perspective.left_undivided", arg("name", name()), arg("w", real(l.clip.w)));
-      step.row = {point_text(), real(l.clip.w), words_.say("perspective.no_image"), ""};
+      step.sentence =
+          words_.say("perspective.left_undivided", arg("name", name()), arg("w", figure_real(l.clip.w)));
+      step.row = {point_text(), figure_real(l.clip.w), words_.say("perspective.no_image"), ""};
     });
   }
   void operator()(const LeftAlone<double>& l, int line = __builtin_LINE(), const char* = nullptr) {
@@ -751,15 +754,6 @@ class DivisionTeller : public ViewTeller {
   }
 
  private:
-  static std::vector<dvec3> points_of(const Arguments& arguments) {
-    std::vector<dvec3> points = arguments.places("points");
-    for (const dvec3 p : points) {
-      if (glm::all(glm::lessThanEqual(glm::abs(p), dvec3{1e6}))) continue;
-      throw ArgumentError("points", fmt::format("expected numbers from -1000000 to 1000000, found {}",
-                                                arguments.text("points")));
-    }
-    return points;
-  }
   static bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
   static std::string name_of(std::size_t i) { return std::string(1, static_cast<char>('A' + i)); }
 
@@ -814,7 +808,7 @@ class DivisionTeller : public ViewTeller {
       if (finite(image)) step.fields.insert(step.fields.end(), {{"x", image.x}, {"y", image.y}});
       if (z && gradus::perspective::finite(*z)) step.fields.push_back({"z", *z});
       step.sentence = std::move(sentence);
-      step.row = {point_text(), w ? real(*w) : "", image_text(image)};
+      step.row = {point_text(), w ? figure_real(*w) : "", image_text(image)};
       if (!zoom_minus_z_) step.row.push_back(z && gradus::perspective::finite(*z) ? real(*z) : "");
     });
   }
@@ -1242,7 +1236,7 @@ std::string subtitle_of(const Wording& words, const Arguments& arguments, const 
     return words.count("perspective.subtitle.points", static_cast<std::int64_t>(points.size()),
                        arg("points", list));
   }
-  const std::vector<double> turn = modest_numbers(arguments, "turn");
+  const std::vector<double> turn = arguments.numbers("turn");
   const bool house = method == "projection" && arguments.text("solid") == "house";
   return words.say(house ? "perspective.subtitle.house" : "perspective.subtitle.box",
                    arg("yaw", real(turn[0])), arg("pitch", real(turn[1])));
@@ -1364,7 +1358,8 @@ const TopicEntry& entry() {
                       .default_value = "3",
                       .example = "1",
                       .help = "the picture plane's distance d from the eye; methods transformation and "
-                              "keep_z: the near plane"},
+                              "keep_z: the near plane",
+                      .sizes = {1e-3, 1e6}},
                      {.name = "solid",
                       .type = ParameterType::choice,
                       .default_value = "house",
@@ -1376,35 +1371,41 @@ const TopicEntry& entry() {
                       .default_value = "0.4,-0.8,5",
                       .example = "0,0,8",
                       .help = "where the solid's middle stands: x right, y up, z forward",
-                      .parts = {"x", "y", "z"}},
+                      .parts = {"x", "y", "z"},
+                      .sizes = solids::modest_sizes},
                      {.name = "turn",
                       .type = ParameterType::numbers,
                       .default_value = "35,0",
                       .example = "35,25",
                       .help = "degrees by which the solid is turned: round the upright, then round x",
-                      .parts = {"yaw", "pitch"}},
+                      .parts = {"yaw", "pitch"},
+                      .sizes = solids::modest_sizes},
                      {.name = "from",
                       .type = ParameterType::numbers,
                       .default_value = "0,0,3",
                       .example = "0,0,1",
                       .help = "methods transformation and keep_z: where the line starts",
-                      .parts = {"x", "y", "z"}},
+                      .parts = {"x", "y", "z"},
+                      .sizes = solids::modest_sizes},
                      {.name = "to",
                       .type = ParameterType::numbers,
                       .default_value = "6,0,9",
                       .example = "2,0,3",
                       .help = "where it ends",
-                      .parts = {"x", "y", "z"}},
+                      .parts = {"x", "y", "z"},
+                      .sizes = solids::modest_sizes},
                      {.name = "wall",
                       .type = ParameterType::number,
                       .default_value = "6.6",
                       .example = "2.2",
-                      .help = "the depth of a wall that the line crosses"},
+                      .help = "the depth of a wall that the line crosses",
+                      .sizes = solids::modest_sizes},
                      {.name = "far",
                       .type = ParameterType::number,
                       .default_value = "12",
                       .example = "4",
-                      .help = "the far plane's depth"},
+                      .help = "the far plane's depth",
+                      .sizes = solids::modest_sizes},
                      {.name = "samples",
                       .type = ParameterType::integer,
                       .default_value = "3",
@@ -1418,7 +1419,8 @@ const TopicEntry& entry() {
                       .example = "0.1,1000",
                       .help = "methods depth_precision, divide_tested and divide_untested: the depths of the "
                               "near and the far plane",
-                      .parts = {"near", "far"}},
+                      .parts = {"near", "far"},
+                      .sizes = {1e-9, 1e12}},
                      {.name = "points",
                       .type = ParameterType::points,
                       .default_value = "2,1,-2 2,1,2 2,1,-6",
@@ -1427,32 +1429,37 @@ const TopicEntry& entry() {
                               "forward, and the lines from one to the next",
                       .least = 1,
                       .most = 6,
-                      .parts = {"x", "y", "z"}},
+                      .parts = {"x", "y", "z"},
+                      .sizes = solids::modest_sizes},
                      {.name = "scales",
                       .type = ParameterType::numbers,
                       .default_value = "1,1",
                       .example = "1,1.732",
                       .help = "of these methods: by what x and y are multiplied, the cotangents of half the "
                               "angles of view; zoom_minus_z takes the first for both",
-                      .parts = {"across", "up"}},
+                      .parts = {"across", "up"},
+                      .sizes = {1e-3, 1e6}},
                      {.name = "centre",
                       .type = ParameterType::numbers,
                       .default_value = "0,0",
                       .example = "400,300",
                       .help = "of these methods: x and y straight ahead of the eye",
-                      .parts = {"x", "y"}},
+                      .parts = {"x", "y"},
+                      .sizes = solids::modest_sizes},
                      {.name = "zoom",
                       .type = ParameterType::number,
                       .default_value = "4",
                       .example = "0",
-                      .help = "of these methods: how far before z = 0 the eye stands"},
+                      .help = "of these methods: how far before z = 0 the eye stands",
+                      .sizes = solids::modest_sizes},
                      {.name = "direction",
                       .type = ParameterType::numbers,
                       .default_value = "0,0,0",
                       .example = "1,0,1",
                       .help = "methods vanishing_points and parallel_by_plane: one direction more, along the "
                               "box's axes; 0,0,0: none",
-                      .parts = {"x", "y", "z"}},
+                      .parts = {"x", "y", "z"},
+                      .sizes = solids::modest_sizes},
                      exact_parameter()},
       .examples = {"--solid box --turn 0,0", "--method vanishing_points --turn 35,25",
                    "--method keep_z --distance 1 --from 0,0,1 --to 2,0,3 --wall 2.2 --far 4"},

@@ -137,19 +137,12 @@ struct Sheet {
   dvec3 place(dvec2 p) const { return origin + p.x * right + p.y * up; }
 };
 
-/// The numbers of an argument, none of them so large that a figure could not show it.
-inline std::vector<double> modest_numbers(const Arguments& arguments, std::string_view name) {
-  const std::vector<double> numbers = arguments.numbers(name);
-  for (const double number : numbers) {
-    if (std::abs(number) <= 1e6) continue;
-    throw ArgumentError(std::string(name),
-                        fmt::format("expected numbers from -1000000 to 1000000, not {}", number));
-  }
-  return numbers;
-}
-/// The same for three numbers.
+/// Of numbers beside a solid of size 2: what figures can show.
+inline constexpr Sizes modest_sizes{1e-6, 1e6};
+
+/// The three numbers of an argument.
 inline dvec3 vector_of(const Arguments& arguments, std::string_view name) {
-  const std::vector<double> v = modest_numbers(arguments, name);
+  const std::vector<double> v = arguments.numbers(name);
   return {v[0], v[1], v[2]};
 }
 
@@ -164,6 +157,10 @@ inline std::string place_text(dvec2 p) {
 }
 inline std::string place_text(dvec3 p) {
   return fmt::format("({},\u00a0{},\u00a0{})", short_real(p.x), short_real(p.y), short_real(p.z));
+}
+/// With as many decimals as other numbers, for sums that a reader may check.
+inline std::string full_place_text(dvec3 p) {
+  return fmt::format("({},\u00a0{},\u00a0{})", real(p.x), real(p.y), real(p.z));
 }
 
 constexpr int paper_width = 36, paper_height = 23;

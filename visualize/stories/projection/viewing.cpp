@@ -32,8 +32,8 @@ const Extent axes_place{{4.4, 15.6}, {16.6, 28.4}};
 const Extent along_place{{0.8, 1}, {9.4, 11.6}};
 const Extent back_place{{11.8, 1}, {20.2, 11.6}};
 
-/// Farther away the letter is a dot, and numbers don't fit.
-constexpr double farthest = 1'000'000;
+/// Of coordinates: farther away the letter is a dot, and numbers don't fit.
+constexpr Sizes coordinate_sizes{1e-100, 1e6};
 
 /// Axes that are much shorter or longer don't fit into a drawing with the letter.
 constexpr double longest_axis = 1000;
@@ -61,14 +61,6 @@ struct Scene {
   }
 };
 
-void expect_near(const Arguments& arguments, std::string_view name, dvec3 at) {
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(at[i]) <= farthest) continue;
-    throw ArgumentError(std::string(name), fmt::format("coordinates from {0} to {1} expected, found {2}",
-                                                       -farthest, farthest, arguments.text(name)));
-  }
-}
-
 Mesh shipped_letter() {
   const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
   return pipeline::parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
@@ -77,7 +69,6 @@ Mesh shipped_letter() {
 /// An eye with three axes of any lengths and angles.
 Scene scene_of_axes(const Arguments& arguments) {
   const dvec3 eye = *arguments.place("eye");
-  expect_near(arguments, "eye", eye);
   const auto axes = arguments.places("axes");
   const auto expected = [&](std::string_view what) {
     return ArgumentError("axes", fmt::format("{} expected, found {}", what, arguments.text("axes")));
@@ -102,19 +93,18 @@ Scene scene_of_axes(const Arguments& arguments) {
 Scene scene_of(const Arguments& arguments, Along along) {
   Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
   scene.along = along;
-  for (const auto& [name, at] : {std::pair{"eye", scene.eye}, {"target", scene.target}, {"up", scene.up}})
-    expect_near(arguments, name, at);
   if (scene.eye == scene.target)
-    throw ArgumentError("target", "a point apart from the eye expected, found the eye itself");
+    refuse(arguments, {"target", "eye"}, "a target apart from the eye expected, found both in one point");
   if (scene.up == dvec3{0})
-    throw ArgumentError("up", "a direction expected, found 0,0,0, which points nowhere");
+    refuse(arguments, {"up"}, "a direction expected, found 0,0,0, which points nowhere");
   const double sine = sine_between(scene.target - scene.eye, scene.up);
   if (along == Along::divided && !is_finite(scene.frame().right))
-    throw ArgumentError("up", "a hint that leaves something to divide by expected, this one gives 0 / 0");
+    refuse(arguments, {"up", "target", "eye"},
+           "a hint for up that leaves something to divide by expected, this one gives 0 / 0");
   if (along == Along::refused && !(sine >= least_sine<double>)) {
-    throw ArgumentError("up", fmt::format("a direction apart from the view direction expected, found {}, "
-                                          "which is parallel to it",
-                                          arguments.text("up")));
+    refuse(arguments, {"up", "target", "eye"},
+           fmt::format("an up apart from the view direction expected, found {}, which is parallel to it",
+                       arguments.text("up")));
   }
   scene.distance = length_of(scene.target - scene.eye);
   scene.letter = shipped_letter();
@@ -127,6 +117,11 @@ dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * glm::dv
 /// A number without what rounding has left where exact arithmetic says 0: below 2^-40 of `size`.
 double neat(double x, double size) { return std::abs(x) < 0x1p-40 * size ? 0 : x; }
 dvec3 neat(dvec3 v, double size) { return {neat(v.x, size), neat(v.y, size), neat(v.z, size)}; }
+
+/// The size of the largest term of a product of two vectors.
+double largest_product(dvec3 a, dvec3 b) {
+  return std::max({std::abs(a.x * b.x), std::abs(a.y * b.y), std::abs(a.z * b.z)});
+}
 
 /// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
 std::string product_text(dvec3 a, dvec3 b) {
@@ -468,14 +463,15 @@ class Teller {
     known_.newest = r.row;
     ++known_.rows;
     const dvec3 axis = neat(r.axis, 1);
-    const double shift = neat(r.shift, length_of(scene_.eye));
+    // The sum of the products as they are shown
+    const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
+    const bool faulty = method_ == "minus_position" || method_ == "transposed";
+    const double shift = faulty ? r.shift : along;
     const std::string name(axis_names[static_cast<std::size_t>(r.row)]);
     std::string sentence;
     if (method_ == "minus_position") {
-      sentence =
-          words_.say("viewing.position_row", arg("axis", words_.say("viewing.name." + name)),
-                     arg("shift", figure_real(shift)),
-                     arg("right", figure_real(neat(-glm::dot(axis, scene_.eye), length_of(scene_.eye)))));
+      sentence = words_.say("viewing.position_row", arg("axis", words_.say("viewing.name." + name)),
+                            arg("shift", figure_real(shift)), arg("right", figure_real(along)));
     } else if (method_ == "transposed") {
       sentence = words_.say("viewing.transposed_row", arg("entries", figure_place(axis)),
                             arg("axis", figure_place(neat(axis_of(frame_, r.row), 1))));
@@ -756,6 +752,7 @@ const TopicEntry& entry() {
     Parameter parameter{std::move(name), ParameterType::numbers, std::move(value), std::move(example),
                         std::move(help)};
     parameter.parts = {"x", "y", "z"};
+    parameter.sizes = coordinate_sizes;
     return parameter;
   };
   static const TopicEntry topic{

@@ -22,6 +22,8 @@ constexpr std::string_view folder = "algorithms/projection/viewport/";
 /// Two panels on a paper of 36 x 27: the camera plane, and the picture.
 const Extent plane_place{{3.2, 6}, {17, 19.8}};
 const Extent picture_place{{20.2, 6}, {35.3, 19.8}};
+/// Of points and windows: then fractions of the one in the other neither overflow nor underflow.
+constexpr Sizes sizes{1e-100, 1e100};
 /// Up to so many lines the whole grid of pixels is drawn.
 constexpr int most_lines = 40;
 
@@ -36,14 +38,22 @@ Input input_of(const Arguments& arguments, Rounding rounding) {
   const std::vector<double> bounds = arguments.numbers("window");
   const Rectangle<double> window{{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
   if (!(window.lower.x < window.upper.x && window.lower.y < window.upper.y)) {
-    throw ArgumentError("window",
-                        fmt::format("a window with an inside expected, found {}", arguments.text("window")));
+    refuse(arguments, {"window"},
+           fmt::format("a window with an inside expected, found {}", arguments.text("window")));
   }
   const RowZero row_zero = arguments.text("row_zero") == "top" ? RowZero::top : RowZero::bottom;
   const bool boxed = arguments.text("fit") == "letterbox";
   const ivec2 picture = arguments.cell("resolution");
-  return {boxed ? letterboxed(window, picture, row_zero) : stretched(window, picture, row_zero),
-          arguments.points("points"), rounding, boxed};
+  Input input{boxed ? letterboxed(window, picture, row_zero) : stretched(window, picture, row_zero),
+              arguments.points("points"), rounding, boxed};
+  const dvec2 room = input.map.viewport.upper - input.map.viewport.lower;
+  if (std::min(room.x, room.y) < 1e-3) {
+    refuse(arguments, {"window", "resolution", "fit"},
+           fmt::format("expected a window of a shape that leaves more than a thousandth of a pixel between "
+                       "the bars, found {}",
+                       arguments.text("window")));
+  }
+  return input;
 }
 
 std::string name_of(std::size_t point) { return std::string(1, static_cast<char>('A' + point)); }
@@ -75,6 +85,7 @@ class Drawing {
     for (std::size_t i = 0; i < fates.size(); ++i) add_fate(view, fates[i], i, i == current, done);
     return view;
   }
+  const Panel& plane() const { return plane_; }
 
  private:
   static Extent plane_extent(const Input& input) {
@@ -460,6 +471,7 @@ Trace run(const Arguments& arguments, Recording recording) {
                             : method.name == "half_up" ? Rounding::half_up
                                                        : Rounding::half_even;
   const Input input = input_of(arguments, rounding);
+  require_scale(Drawing(input, {}).plane(), arguments, {"window"});
   TraceWriter writer(recording);
   Trace& trace = writer.trace();
   const Wording& words = trace.wording;
@@ -506,9 +518,11 @@ const TopicEntry& entry() {
     points.parts = {"x", "y"};
     points.least = 1;
     points.most = 26;
+    points.sizes = sizes;
     Parameter window{"window", ParameterType::bounds, "-1,-0.75,1,0.75", "-1,-1,1,1",
                      "what is seen of the plane: xmin,ymin,xmax,ymax"};
     window.parts = {"xmin", "ymin", "xmax", "ymax"};
+    window.sizes = sizes;
     Parameter resolution{
         "resolution", ParameterType::cell, "8,6", "640,480", "width and height of the picture in pixels", 1,
         10'000};

@@ -46,6 +46,7 @@ std::int64_t outside(int radius, ivec2 at) {
 /// How far a place lies from the circle along the radius, in pixels. The quotient keeps digits that the
 /// difference of two lengths would lose.
 double radial_error(int radius, ivec2 at) {
+  if (outside(radius, at) == 0) return 0;
   const double length = std::sqrt(double{1} * at.x * at.x + double{1} * at.y * at.y);
   return std::abs(static_cast<double>(outside(radius, at))) / (length + radius);
 }
@@ -589,13 +590,13 @@ const Method& method_named(std::string_view name) {
 }
 
 /// Without a window all of the circle must be in the plane.
-void require_plane(const Circle& circle) {
+void require_plane(const Circle& circle, const Arguments& arguments) {
   if (fits_plane(circle.center, circle.radius)) return;
   const auto room = [](int c) { return std::min(INT32_MAX - std::int64_t{c}, std::int64_t{c} - INT32_MIN); };
-  throw ArgumentError("radius",
-                      fmt::format("at most {} round {},{} without a window, for pixels are int32, found {}",
-                                  std::min(room(circle.center.x), room(circle.center.y)), circle.center.x,
-                                  circle.center.y, circle.radius));
+  refuse(arguments, {"radius", "center"},
+         fmt::format("a radius of at most {} round {},{} without a window, for pixels are int32, found {}",
+                     std::min(room(circle.center.x), room(circle.center.y)), circle.center.x, circle.center.y,
+                     circle.radius));
 }
 
 void require_few(const Circle& circle) {
@@ -678,7 +679,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const Method& method = method_named(arguments.text("method"));
   const bool late = method.name == "late_update";
   if (late) require_watchable(circle, method.name);
-  if (!circle.window) require_plane(circle);
+  if (!circle.window) require_plane(circle, arguments);
   TraceWriter writer(recording);
   describe(writer.trace(), circle, method, arguments);
   set_scene(writer.trace(), circle, late);

@@ -576,11 +576,11 @@ void require_whole(const Line& line, std::string_view method) {
   }
 }
 
-void require_short(const Line& line, std::string_view method) {
+void require_short(const Line& line, std::string_view method, const Arguments& arguments) {
   if (line.size.dx > longest_watched) {
-    throw ArgumentError(
-        "to", fmt::format("method {} is watched from its start, so at most {} pixels: this line has {}",
-                          method, longest_watched + 1, line.size.dx + 1));
+    refuse(arguments, {"to", "from"},
+           fmt::format("method {} is watched from its start, so at most {} pixels: this line has {}", method,
+                       longest_watched + 1, line.size.dx + 1));
   }
 }
 
@@ -632,7 +632,7 @@ Trace run(const Arguments& arguments, Recording recording) {
     tell_decision(writer, line, recording);
   } else if (method.name == "dda") {
     require_whole(line, method.name);
-    require_short(line, method.name);
+    require_short(line, method.name, arguments);
     list_source(writer.trace(), "bresenham_line.hpp", "dda");
     AnalyserTeller teller(writer, line);
     dda<float>(line.from, line.to, drop, teller);
@@ -642,13 +642,13 @@ Trace run(const Arguments& arguments, Recording recording) {
     }
   } else if (method.name == "run_length") {
     require_whole(line, method.name);
-    require_short(line, method.name);
+    require_short(line, method.name, arguments);
     list_source(writer.trace(), "bresenham_line_batch.hpp", "emit_runs");
     RunTeller teller(writer, line);
     run_length(line.from, line.to, [](ivec2, std::int64_t) {}, teller);
   } else {
     require_whole(line, method.name);
-    require_short(line, method.name);
+    require_short(line, method.name, arguments);
     list_source(writer.trace(), "bresenham_line_notes.hpp", method.name);
     DecisionTeller teller(writer, line, true);
     if (method.name == "first_octant") first_octant(line.from, line.to, drop, teller);

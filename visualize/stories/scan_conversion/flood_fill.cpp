@@ -490,6 +490,14 @@ int tolerance_of(const Subject& subject, const Arguments& arguments) {
   return subject.is_maze ? 0 : static_cast<int>(arguments.integer("tolerance"));
 }
 
+/// The window, where there is one, as far as cells can be numbered; the picture ends long before.
+std::optional<Window> window_of(const Arguments& arguments) {
+  const auto window = arguments.window("window");
+  if (!window) return std::nullopt;
+  return Window{glm::clamp(window->lower, room.lower, room.upper),
+                glm::clamp(window->upper, room.lower, room.upper)};
+}
+
 gradus::flood_fill::Method method_of(const Arguments& arguments) {
   const std::string& name = arguments.text("method");
   if (name == "depth_first") return Method::depth_first;
@@ -582,7 +590,7 @@ Outcome fill_unchecked(const Subject& subject, const Arguments& arguments, FillT
 Outcome fill_rightly(const Subject& subject, const Arguments& arguments, FillTeller& teller) {
   const Options options{tolerance_of(subject, arguments), connectivity_of(arguments), method_of(arguments)};
   const ivec2 seed = arguments.cell("at");
-  const auto window = arguments.window("window");
+  const auto window = window_of(arguments);
   const Rgba8 color = paint_of(subject, arguments, seed);
   Outcome outcome{{}, subject.image};
   const bool nothing_to_do = options.tolerance == 0 && color == subject.image[seed];

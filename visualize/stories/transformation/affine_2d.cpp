@@ -186,6 +186,8 @@ class Teller {
   }
   void operator()(const Stuck&) const {}  // refused before the run
 
+  const Panel& panel() const { return *panel_; }
+
   /// The last step: what has come out.
   void finish() {
     shown_ = matrix_;
@@ -195,7 +197,7 @@ class Teller {
     const Shape other = task_.reversed();
     view.add({"b reversed", Role::rejected, Path{panel_->at(other), true}});
     view.add({"k reversed", Role::rejected, Label{panel_->at(other[0]), say("affine_2d.reversed.name")}});
-    const bool same = glm::distance(other[0], corner(done_)) < 1e-9 * (1 + glm::length(other[0]));
+    const bool same = length_between(other[0], corner(done_)) <= 1e-9 * size_;
     step(std::move(view), "Reversed", 0,
          say(same ? "affine_2d.reversed.same" : "affine_2d.reversed", arg("other", figure_place(other[0])),
              arg("to", figure_place(corner(done_)))),
@@ -235,7 +237,12 @@ class Teller {
       centre_added(task_.chain(), std::span(points));
       for (const dvec2 p : points) world.add(p);
     }
-    if (world.size() == dvec2{0}) world = {world.lower - 1.0, world.upper + 1.0};
+    for (const double c : {world.lower.x, world.lower.y, world.upper.x, world.upper.y})
+      size_ = std::max(size_, std::abs(c));
+    if (world.size() == dvec2{0}) {
+      const double room = std::max(1.0, 0.01 * size_);
+      world = {world.lower - room, world.upper + room};
+    }
     panel_.emplace(Extent{{3.6, 4.6}, {25, 17.4}}, widened(world, 0.08));
   }
 
@@ -244,7 +251,7 @@ class Teller {
     const auto furthest = [&](const Shape& right) {
       double most = 0;
       for (std::size_t i = 0; i < right.size(); ++i)
-        most = std::max(most, glm::distance(right[i], stages_.back()[i]));
+        most = std::max(most, length_between(right[i], stages_.back()[i]));
       return most;
     };
     if (undoing()) return say("affine_2d.back", arg("error", figure_real(furthest(task_.shape))));
@@ -371,6 +378,7 @@ class Teller {
   const Method& method_;
   std::optional<Panel> panel_;
   std::vector<Shape> stages_;  ///< the shape, and where it stood after each step
+  double size_ = 0;            ///< the largest coordinate of all
   std::size_t done_ = 0;       ///< steps
   Matrix<double> matrix_{1.0}, shown_{1.0};
   Shown before_;
@@ -485,6 +493,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   list_source(writer.trace(), method.standing == Standing::faulty ? "affine_2d_notes.hpp" : "affine_2d.hpp",
               method.name);
   Teller teller(writer, task, method);
+  require_scale(teller.panel(), arguments, {"polygon", "factors"});
   Shape points = task.shape;
   if (method.name == "one_matrix") one_matrix(task.chain(), std::span(points), teller);
   if (method.name == "factor_by_factor") factor_by_factor(task.chain(), std::span(points), teller);
@@ -546,7 +555,8 @@ const TopicEntry& entry() {
                       .help = "the shape's corners",
                       .least = 1,
                       .most = 40,
-                      .parts = coordinates},
+                      .parts = coordinates,
+                      .sizes = {1e-100, 1e100}},
                      choice("pivots", "whole", "split",
                             "a factor about a point is one step, or three: there, about the origin, and back",
                             {"whole", "split"}),

@@ -85,6 +85,13 @@ constexpr std::array<std::array<std::size_t, 4>, 6> faces{
 /// Corner A, on the front, from where the F is read.
 constexpr std::size_t corner_a = 7;
 
+/// Of length 1, whatever its size; 0 stays.
+template <class Vector>
+Vector unit(Vector v) {
+  const double length = length_between(Vector(0), v);
+  return length > 0 ? v / length : v;
+}
+
 double doubled_area(const std::vector<dvec2>& ring) {
   double area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -99,7 +106,7 @@ void add_box(View& view, const Panel& panel, const std::string& id, Role role, c
              bool filled) {
   std::vector<dvec2> at;
   for (const dvec3 p : shape) at.push_back(panel.at(oblique(p)));
-  const dvec3 x = shape[1] - shape[0], y = shape[2] - shape[0], z = shape[4] - shape[0];
+  const dvec3 x = unit(shape[1] - shape[0]), y = unit(shape[2] - shape[0]), z = unit(shape[4] - shape[0]);
   const bool mirrored = glm::dot(x, glm::cross(y, z)) < 0;
   std::array<bool, 6> seen{};
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -147,7 +154,7 @@ class Paper {
       const std::string name = words_.symbol(coordinates[static_cast<std::size_t>(i)]);
       const dvec2 to = panel.at(oblique(tip));
       view.add({fmt::format("0 {} axis {}", id, i), Role::guide, Stroke{panel.at({0, 0}), to, true}});
-      const dvec2 out = glm::normalize(to - panel.at({0, 0}));
+      const dvec2 out = unit(to - panel.at({0, 0}));
       view.add({fmt::format("0 {} axis name {}", id, i), Role::guide, Text{to + 1.0 * out, name}});
     }
   }
@@ -205,7 +212,7 @@ class Paper {
 /// What rounding has left of zeros is nothing to show.
 dvec3 clean(dvec3 p) {
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(p[i]) < 1e-12 * glm::length(p)) p[i] = 0;
+    if (std::abs(p[i]) < 1e-12 * length_between(dvec3(0), p)) p[i] = 0;
   }
   return p;
 }
@@ -236,6 +243,7 @@ class ProductTeller : Paper {
     panels_.emplace_back(Extent{{0.6, 2.2}, {others_.empty() ? 25.4 : 12.6, top}}, widened(world, 0.03));
     if (!others_.empty()) panels_.emplace_back(Extent{{13.4, 2.2}, {25.4, top}}, widened(world, 0.03));
   }
+  const Panel& panel() const { return panels_[0]; }
 
   void operator()(const Started<double>&, int line = __builtin_LINE(), const char* = nullptr) {
     const std::string product = product_name(words_, task_.factors.size());
@@ -265,7 +273,11 @@ class ProductTeller : Paper {
                      arg("right", figure_place(others_.back()[corner_a])));
     } else if (task_.compare) {
       const dvec3 other = others_.back()[corner_a];
-      const bool same = glm::distance(to, other) < 1e-9 * (1 + glm::length(to));
+      double size = 0;
+      for (const auto* list : {&stages_, &others_}) {
+        for (const Shape& shape : *list) size = std::max(size, length_between(shape[corner_a], dvec3(0)));
+      }
+      const bool same = length_between(to, other) <= 1e-9 * size;
       sentence = say(same ? "affine_3d.same" : "affine_3d.orders", arg("to", figure_place(to)),
                      arg("other", figure_place(other)));
     }
@@ -359,12 +371,13 @@ class PartsTeller : Paper {
              arg("through", figure_place(task.through)), arg("count", parts_.size())),
          Role::input);
   }
+  const Panel& panel() const { return *panel_; }
 
   void operator()(const Decomposed<double>& d, int line = __builtin_LINE(), const char* = nullptr) {
     ++done_;
     product_ = d.product;
     const Mat& m = d.matrix;
-    const dvec3 now = transform(product_, task_.through + task_.axis) - transform(product_, task_.through);
+    const dvec3 now(product_ * glm::dvec4(task_.axis, 0));
     constexpr std::string_view keys[] = {"to_origin", "into_plane",   "onto_z", "turn",
                                          "off_z",     "out_of_plane", "back"};
     const bool round_x = d.part == Part::into_plane || d.part == Part::out_of_plane;
@@ -470,6 +483,7 @@ class VectorTeller : Paper {
              arg("through", figure_place(task.through))),
          row_of("n", n_));
   }
+  const Panel& panel() const { return *panel_; }
 
   void operator()(const Projected<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
     r_ = s.r;
@@ -490,7 +504,7 @@ class VectorTeller : Paper {
     level_ = 3;
     tell("Crossed", line, "words.main_loop",
          say("affine_3d.crossed", arg("v", figure_place(clean(s.v))),
-             arg("length", figure_real(glm::length(s.v)))),
+             arg("length", figure_real(length_between(s.v, dvec3(0))))),
          row_of("v", s.v));
   }
   void operator()(const Turned<double>& s, int line = __builtin_LINE(), const char* = nullptr) {
@@ -669,17 +683,20 @@ Trace run(const Arguments& arguments, Recording recording) {
   dvec3 result;
   if (method.name == "one_matrix") {
     ProductTeller teller(writer, task, false);
+    require_scale(teller.panel(), arguments, {"box", "factors"});
     one_matrix(Chain(task.factors), std::span(box), teller);
     teller.finish(0);
     result = box[corner_a];
   } else if (method.name == "row_vectors") {
     ProductTeller teller(writer, task, true);
+    require_scale(teller.panel(), arguments, {"box", "factors"});
     row_vectors(Chain(task.factors), std::span(box), teller);
     teller.finish(0);
     result = box[corner_a];
   } else if (method.name == "decomposition") {
     const Turn<double> turn = turn_degrees(task.angle);
     PartsTeller teller(writer, task, turn);
+    require_scale(teller.panel(), arguments, {"box", "through"});
     const Mat m = decomposition(task.through, alignment(task.axis), turn, teller);
     teller.finish();
     result = transform(m, box[corner_a]);
@@ -688,6 +705,7 @@ Trace run(const Arguments& arguments, Recording recording) {
     const dvec3 n = direction_of(task.axis);
     const Turn<double> turn = turn_degrees(task.angle);
     VectorTeller teller(writer, task, constant);
+    require_scale(teller.panel(), arguments, {"point", "through"});
     result = constant ? constant_offset(n, task.through, turn, task.point, teller)
                       : turn_vector(n, task.through, turn, task.point, teller);
   }
@@ -707,7 +725,8 @@ Parameter triple(std::string name, std::string value, std::string help) {
           .default_value = value,
           .example = value,
           .help = std::move(help),
-          .parts = coordinates};
+          .parts = coordinates,
+          .sizes = {1e-100, 1e100}};
 }
 
 }  // namespace
