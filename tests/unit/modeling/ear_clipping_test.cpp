@@ -73,6 +73,69 @@ TEST(EarClipping, FacesInSpaceFromAnySide) {
   }
 }
 
+std::vector<Triangle> triangles_in_space(const std::vector<dvec3>& face) {
+  std::vector<Triangle> found;
+  triangulate(std::span<const dvec3>(face), [&](const Triangle& t) { found.push_back(t); });
+  return found;
+}
+
+TEST(EarClipping, FacesInSpaceNeedFiniteCorners) {
+  const std::vector<dvec3> face{{2, 1, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}, {-1, 2, 0}};
+  EXPECT_EQ(triangles_in_space(face).size(), 4u);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      for (const int axis : {0, 1, 2}) {
+        auto broken = face;
+        broken[i][axis] = wrong;
+        int emitted = 0;
+        EXPECT_THROW(triangulate(std::span<const dvec3>(broken), [&](const Triangle&) { ++emitted; }),
+                     ContractViolation);
+        EXPECT_EQ(emitted, 0);
+        if (axis == 2) continue;
+        Polygon flat;
+        for (const dvec3& p : broken) flat.emplace_back(p.x, p.y);
+        EXPECT_THROW(triangulate(std::span<const dvec2>(flat), [&](const Triangle&) { ++emitted; }),
+                     ContractViolation);
+        EXPECT_EQ(emitted, 0);
+      }
+    }
+  }
+}
+
+TEST(EarClipping, FacesInSpaceOfAnySizeAreCutAlike) {
+  // Newell's normal underflows below 2^-537 and overflows above 2^511. The shadow along z has no area
+  const std::vector<dvec3> l{{0, 2, 1}, {0, 1, 1}, {0, 1, 2}, {0, 0, 2}, {0, 0, 0}, {0, 2, 0}};
+  const auto right = triangles_in_space(l);
+  EXPECT_EQ(right, triangles({{2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}}));
+  for (int exponent = -1074; exponent <= 1022; ++exponent) {
+    auto scaled = l;
+    for (dvec3& p : scaled) p *= std::ldexp(1.0, exponent);
+    ASSERT_EQ(triangles_in_space(scaled), right) << "2^" << exponent;
+  }
+  // A long narrow one: its sides multiplied neither underflow nor overflow, but scaled as one they would
+  auto narrow = l;
+  for (dvec3& p : narrow) p = {0, p.y * 0x1p1000, p.z * 0x1p-1070};
+  EXPECT_EQ(triangles_in_space(narrow), right);
+}
+
+TEST(EarClipping, TheLargestShadowCounts) {
+  const auto shadow = [](const std::vector<dvec3>& face) {
+    return largest_shadow(std::span<const dvec3>(face));
+  };
+  for (const double scale : {1.0, 0x1p-1070, 0x1p1020}) {
+    // Areas 6 along x, 4 along y, 12 along z
+    const std::vector<dvec3> slanted{{0, 0, 0}, {2 * scale, 0, scale}, {0, 3 * scale, 2 * scale}};
+    const Shadow z = shadow(slanted);
+    EXPECT_EQ(z.axis, 2) << scale;
+    EXPECT_EQ(z.turn, 1) << scale;
+    const Shadow back = shadow({slanted[2], slanted[1], slanted[0]});
+    EXPECT_EQ(back.axis, 2) << scale;
+    EXPECT_EQ(back.turn, -1) << scale;
+    EXPECT_EQ(shadow({slanted[0], {scale, scale, scale}, {2 * scale, 2 * scale, 2 * scale}}).turn, 0);
+  }
+}
+
 TEST(EarClipping, AlwaysAsManyTriangles) {
   EXPECT_EQ(triangles({{0, 0}, {1, 1}, {2, 2}, {3, 3}}).size(), 2u);                  // on a line
   EXPECT_EQ(triangles({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).size(), 2u);                  // crosses itself
