@@ -145,7 +145,6 @@ template <class T>
 struct Outline {
   std::span<const glm::vec<2, T>> points;
   std::span<const int> next{};  ///< for several rings; empty: one ring, in order
-  int outline_size = 0;         ///< for several rings: vertices of the first one, before those of holes
 
   int after(int i) const {
     if (!next.empty()) return next[static_cast<std::size_t>(i)];

@@ -352,6 +352,87 @@ TEST(SutherlandHodgmanPlane, HolesAreCutToo) {
   }
 }
 
+/// Outline less holes: their areas have signs.
+double area_of(const Piece<double>& piece) {
+  double area = area_of(piece.outline);
+  for (const auto& hole : piece.holes) area += area_of(hole);
+  return area;
+}
+
+TEST(SutherlandHodgmanPlane, AHoleThatTouchesTheOutlineStays) {
+  Points outer{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, hole{{2, 4}, {1, 2}, {3, 2}};
+  // From whichever vertex on, either way round
+  for (int turn = 0; turn < 12; ++turn) {
+    const auto all = pieces({outer, hole});
+    ASSERT_EQ(all.size(), 1u);
+    ASSERT_EQ(all[0].holes.size(), 1u);
+    EXPECT_EQ(area_of(all[0]), 14);
+    // The outline is the one that was given, without the point of the hole
+    EXPECT_TRUE(same_ring(outline(all[0]), {{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+    EXPECT_EQ(area_of(all[0].holes[0]), -2);
+    std::rotate(hole.begin(), hole.begin() + 1, hole.end());
+    if (turn % 3 == 2) std::rotate(outer.begin(), outer.begin() + 1, outer.end());
+    if (turn == 5) std::reverse(hole.begin(), hole.end());
+  }
+  // In a corner, and on the border of the window
+  EXPECT_EQ(area_of(pieces({outer, {{0, 0}, {3, 1}, {1, 3}}}).at(0)), 12);
+  const auto on_border = pieces({{{-5, -5}, {15, -5}, {15, 15}, {-5, 15}}, {{5, 10}, {3, 6}, {7, 6}}});
+  ASSERT_EQ(on_border.size(), 1u);
+  EXPECT_EQ(on_border[0].holes.size(), 1u);
+  EXPECT_EQ(area_of(on_border[0]), 92);
+  EXPECT_TRUE(same_ring(outline(on_border[0]), {{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+}
+
+TEST(SutherlandHodgmanPlane, PartsThatMeetInAPointAreTwoPieces) {
+  // An outline that touches itself, in a vertex of both ways and in the middle of an edge
+  const Points bow{{1, 1}, {4, 4}, {7, 1}, {7, 7}, {4, 4}, {1, 7}};
+  const auto two = pieces({bow});
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(area_of(two[0]), 9);
+  EXPECT_EQ(area_of(two[1]), 9);
+  const auto other =
+      pieces({{{1, 1}, {8, 1}, {4, 1}, {6, 3}, {2, 3}, {4, 1}, {1, 1}, {1, 0}, {8, 0}, {8, 1}}});
+  ASSERT_EQ(other.size(), 2u);
+  EXPECT_EQ(area_of(other[0]) + area_of(other[1]), 11);
+  // Holes that touch the outline and each other part the inside
+  const Points outer{{0, 0}, {6, 0}, {6, 2}, {0, 2}};
+  const auto parted = pieces({outer, {{3, 0}, {4, 1}, {2, 1}}, {{3, 1}, {4, 2}, {2, 2}}});
+  ASSERT_EQ(parted.size(), 2u);
+  EXPECT_EQ(area_of(parted[0]), 5);
+  EXPECT_EQ(area_of(parted[1]), 5);
+  // A hole that touches itself lets a part of the inside be in it
+  const auto island =
+      pieces({{{0, 0}, {8, 0}, {8, 8}, {0, 8}},
+              {{4, 1}, {7, 1}, {7, 7}, {1, 7}, {1, 1}, {4, 1}, {2, 2}, {2, 6}, {6, 6}, {6, 2}}});
+  ASSERT_EQ(island.size(), 2u);
+  EXPECT_EQ(area_of(island[0]) + area_of(island[1]), 64 - 36 + 18);
+}
+
+TEST(SutherlandHodgmanPlane, EdgesRunBothWaysBoundNothing) {
+  const Points outer{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  // A hole with an edge on the outline is a bay; a slit and a line are nothing
+  const auto bay = pieces({outer, {{2, 6}, {2, 3}, {4, 3}, {4, 6}}});
+  ASSERT_EQ(bay.size(), 1u);
+  EXPECT_TRUE(bay[0].holes.empty());
+  EXPECT_EQ(area_of(bay[0]), 30);
+  const auto slit = pieces({{{1, 1}, {4, 1}, {4, 5}, {4, 1}, {7, 1}, {7, 7}, {1, 7}}, {{2, 2}, {3, 3}}});
+  ASSERT_EQ(slit.size(), 1u);
+  EXPECT_EQ(slit[0].outline.size(), 5u);
+  EXPECT_EQ(area_of(slit[0]), 36);
+  EXPECT_TRUE(pieces({{{1, 1}, {5, 5}, {3, 3}}}).empty());
+  EXPECT_TRUE(pieces({{{1, 1}}}).empty());
+}
+
+TEST(SutherlandHodgmanPlane, RingsThatCrossKeepTheirArea) {
+  // A bow-tie of area 0, its left half in the window: clockwise, as it is given
+  const auto tie = pieces({{{2, 8}, {18, 2}, {18, 8}, {2, 2}}});
+  ASSERT_EQ(tie.size(), 1u);
+  EXPECT_EQ(std::abs(area_of(tie[0])), 24);
+  const auto back = pieces({{{2, 2}, {18, 8}, {18, 2}, {2, 8}}});
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_EQ(area_of(back[0]), -area_of(tie[0]));
+}
+
 TEST(SutherlandHodgmanPlane, PieceStepsFollowTheGrammar) {
   Recorder<RingTested<double>, CrossingsOrdered<double>, CrossingsJoined<double>, BorderSplit<double>,
            PieceTraced<double>>
