@@ -145,6 +145,7 @@ template <class T>
 struct Outline {
   std::span<const glm::vec<2, T>> points;
   std::span<const int> next{};  ///< for several rings; empty: one ring, in order
+  bool touch = false;           ///< whether rings touch themselves or each other
 
   int after(int i) const {
     if (!next.empty()) return next[static_cast<std::size_t>(i)];

@@ -283,7 +283,7 @@ struct Rings {
 /// What the vertices of pieces refer to.
 template <class T, class Window>
 Scene<T, Window> scene_of(const Rings<T>& rings, const Window& window) {
-  return {{rings.points, rings.next}, window};
+  return {{rings.points, rings.next, rings.touch}, window};
 }
 
 /// Cuts all rings at one border and keeps what lies inside, as rings of its own.
@@ -348,9 +348,10 @@ Piece<T> piece_in(const Ring<T>& ring, bool touch) {
   return piece;
 }
 
-/// The pieces that rings bound, each with the holes in it.
+/// The pieces that rings bound, each with the holes in it. Takes the rings.
 template <class T, class Window>
-std::vector<Piece<T>> grouped(std::vector<Ring<T>> rings, const Scene<T, Window>& scene, bool touch) {
+std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window>& scene) {
+  const bool touch = scene.polygon.touch;
   std::vector<Ring<T>> outer, inner;
   for (Ring<T>& ring : rings) {
     const int turn = turn_of(ring);
@@ -419,7 +420,7 @@ std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& win
     split_at(border, rings, scene, observer);
   }
   // Holes that no border met lie in a piece
-  const auto pieces = grouped(std::move(rings), scene, polygon.touch);
+  const auto pieces = grouped(rings, scene);
   for (const Piece<T>& piece : pieces) {
     if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
   }
