@@ -15,23 +15,9 @@
 
 #include "core/contract.hpp"
 #include "core/exact.hpp"
+#include "core/geometry.hpp"
 
 namespace gradus {
-
-/// A straight piece from a to b; a == b is a point.
-template <int N, class T>
-struct Segment {
-  glm::vec<N, T> a, b;
-
-  friend bool operator==(const Segment& p, const Segment& q) { return p.a == q.a && p.b == q.b; }
-};
-
-/// A rectangle (N = 2) or box (N = 3) along the axes; its borders belong to it. lower == upper in an axis is
-/// allowed: then it has no thickness there.
-template <int N, class T>
-struct AxisBox {
-  glm::vec<N, T> lower, upper;
-};
 
 /// A border of a rectangle or box: the lower and the upper one of x, of y, of z.
 enum class Border : std::uint8_t { left, right, bottom, top, near, far };

@@ -18,6 +18,35 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::ivec2;
 
+/// A straight piece from a to b; a == b is a point.
+template <int N, class T>
+struct Segment {
+  glm::vec<N, T> a, b;
+
+  friend constexpr bool operator==(const Segment&, const Segment&) = default;
+};
+
+/// A rectangle (N = 2) or box (N = 3) along the axes; its borders belong to it. lower == upper in an axis is
+/// allowed: then it has no thickness there.
+template <int N, class T>
+struct AxisBox {
+  glm::vec<N, T> lower, upper;
+
+  constexpr glm::vec<N, T> size() const { return upper - lower; }
+
+  friend constexpr bool operator==(const AxisBox&, const AxisBox&) = default;
+};
+
+template <class T>
+using Rectangle = AxisBox<2, T>;
+
+/// All points as far from the centre as the radius says; 0 is a point, less is nothing.
+template <class T>
+struct Circle {
+  glm::vec<2, T> centre;
+  T radius;
+};
+
 /// A rectangle of cells, lower and upper corner both included, so that the whole int32 plane is one.
 /// Empty when upper < lower in either axis.
 struct Window {

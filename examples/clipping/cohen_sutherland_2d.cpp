@@ -15,7 +15,7 @@ int main() {
   using namespace gradus;
   using namespace gradus::cohen_sutherland_2d;
   const Rectangle<double> window{{0, 0}, {10, 10}};
-  const Line<double> line{{-3, -8}, {13, 16}};
+  const Segment<2, double> line{{-3, -8}, {13, 16}};
 
   // What is left
   if (const auto left = correctly_rounded(line, window)) {

@@ -17,8 +17,8 @@ int main() {
   namespace clip = cohen_sutherland_3d;
 
   // The part in a box; none would be std::nullopt
-  const clip::Box<double> box{{0, 0, 0}, {10, 8, 6}};
-  const clip::Line<3, double> line{{-2, 1, 2}, {12, 11, 9}};
+  const AxisBox<3, double> box{{0, 0, 0}, {10, 8, 6}};
+  const Segment<3, double> line{{-2, 1, 2}, {12, 11, 9}};
   if (const auto part = clip::correctly_rounded(line, box)) {
     fmt::print("from ({}, {}, {}) to ({}, {}, {})\n", part->a.x, part->a.y, part->a.z, part->b.x, part->b.y,
                part->b.z);
@@ -30,7 +30,7 @@ int main() {
       fmt::print("{} moves to w = {}\n", step.of_a ? "a" : "b", step.to().w);
     }
   };
-  const clip::Line<4, double> seen{{-2.2, 0.5, 1.5, 2}, {2, 1, -1.5, -1}};
+  const Segment<4, double> seen{{-2.2, 0.5, 1.5, 2}, {2, 1, -1.5, -1}};
   clip::correctly_rounded(seen, clip::ViewVolume{}, usual_order<3>(), watch);
 
   // Step 3 of the first as a figure

@@ -15,7 +15,7 @@ int main() {
   using namespace gradus;
   using namespace gradus::liang_barsky;
   const Rectangle<double> window{{0, 0}, {10, 10}};
-  const Line<double> line{{-5, 5}, {15, 5}};
+  const Segment<2, double> line{{-5, 5}, {15, 5}};
 
   // What is left
   if (const auto left = correctly_rounded(line, window)) {

@@ -118,7 +118,7 @@ class Painter {
     hatch(area);
   }
 
-  void trace(const std::vector<Segment>& segments) {
+  void trace(const std::vector<Segment<2, double>>& segments) {
     for (const auto& [from, to] : segments) {
       cairo_move_to(context_, from.x, from.y);
       cairo_line_to(context_, to.x, to.y);

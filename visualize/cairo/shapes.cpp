@@ -6,7 +6,7 @@
 namespace gradus {
 namespace {
 
-void add_diagonals(std::vector<Segment>& lines, const Box& b, double gap, bool rising) {
+void add_diagonals(std::vector<Segment<2, double>>& lines, const Box& b, double gap, bool rising) {
   // Lines x + y = k (rising on a y-down page) or x - y = k, k a multiple of the gap so that neighbours join
   // up
   const double low = rising ? b.x + b.y : b.x - b.bottom();
@@ -19,7 +19,7 @@ void add_diagonals(std::vector<Segment>& lines, const Box& b, double gap, bool r
 }
 
 /// Diagonals of an area: each is cut where it meets an edge, and every other part lies inside.
-void add_diagonals(std::vector<Segment>& lines, const AreaShape& area, double gap, bool rising) {
+void add_diagonals(std::vector<Segment<2, double>>& lines, const AreaShape& area, double gap, bool rising) {
   const auto across = [rising](dvec2 p) { return rising ? p.x + p.y : p.x - p.y; };
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const auto& ring : area.rings) {
@@ -40,15 +40,15 @@ void add_diagonals(std::vector<Segment>& lines, const AreaShape& area, double ga
     std::ranges::sort(cuts);
     for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
       const auto at = [&](double x) { return dvec2{x, rising ? k - x : x - k}; };
-      lines.emplace_back(at(cuts[i]), at(cuts[i + 1]));
+      lines.push_back({at(cuts[i]), at(cuts[i + 1])});
     }
   }
 }
 
 /// The diagonals that make up a hatching.
 template <class Shape, class Where>
-std::vector<Segment> diagonals_of(const Shape& shape, const Where& where, double unit) {
-  std::vector<Segment> lines;
+std::vector<Segment<2, double>> diagonals_of(const Shape& shape, const Where& where, double unit) {
+  std::vector<Segment<2, double>> lines;
   if (shape.hatch == Hatch::none) return lines;
   if (shape.hatch != Hatch::falling) add_diagonals(lines, where, 10 * unit, true);
   if (shape.hatch != Hatch::rising) add_diagonals(lines, where, 10 * unit, false);
@@ -57,11 +57,11 @@ std::vector<Segment> diagonals_of(const Shape& shape, const Where& where, double
 
 }  // namespace
 
-std::vector<Segment> hatch_lines(const RectShape& rect, double unit) {
+std::vector<Segment<2, double>> hatch_lines(const RectShape& rect, double unit) {
   return diagonals_of(rect, rect.box, unit);
 }
 
-std::vector<Segment> hatch_lines(const AreaShape& area, double unit) {
+std::vector<Segment<2, double>> hatch_lines(const AreaShape& area, double unit) {
   return diagonals_of(area, area, unit);
 }
 

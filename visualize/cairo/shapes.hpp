@@ -10,12 +10,10 @@
 
 namespace gradus {
 
-using Segment = std::pair<dvec2, dvec2>;
-
 /// The hatching as diagonals cut to the box by hand: no clip path, so vector files stay small.
-std::vector<Segment> hatch_lines(const RectShape& rect, double unit);
+std::vector<Segment<2, double>> hatch_lines(const RectShape& rect, double unit);
 /// The same, cut to the inside of the rings.
-std::vector<Segment> hatch_lines(const AreaShape& area, double unit);
+std::vector<Segment<2, double>> hatch_lines(const AreaShape& area, double unit);
 double hatch_width(double unit);
 
 /// The tip and the two barbs of a line's arrow; nothing when it has none.

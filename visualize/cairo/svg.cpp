@@ -254,7 +254,7 @@ class SvgWriter {
     segments(hatch_lines(area, unit_), area.hatch_paint, hatch_width(unit_), false);
   }
 
-  void segments(const std::vector<Segment>& lines, Paint paint, double width, bool round) {
+  void segments(const std::vector<Segment<2, double>>& lines, Paint paint, double width, bool round) {
     if (lines.empty()) return;
     begin("path");
     stroke(paint, width);

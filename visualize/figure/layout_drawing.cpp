@@ -39,7 +39,7 @@ Box around(const Box& a, const Box& b) {
 Box grown(const Box& b, double by) { return {b.x - by, b.y - by, b.width + 2 * by, b.height + 2 * by}; }
 
 /// The part of a stroke inside a box; nothing when it misses it. (Liang and Barsky's parameters.)
-std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box) {
+std::optional<Segment<2, double>> clipped(dvec2 a, dvec2 b, const Box& box) {
   // Most are far from it
   if (std::max(a.x, b.x) < box.x || std::min(a.x, b.x) > box.right() || std::max(a.y, b.y) < box.y ||
       std::min(a.y, b.y) > box.bottom()) {
@@ -58,7 +58,7 @@ std::optional<std::pair<dvec2, dvec2>> clipped(dvec2 a, dvec2 b, const Box& box)
       !side(d.y, box.bottom() - a.y)) {
     return std::nullopt;
   }
-  return std::pair{a + enter * d, a + leave * d};
+  return Segment{a + enter * d, a + leave * d};
 }
 
 /// The part of a ring inside a box: cut at one side after the other.
@@ -217,7 +217,7 @@ class DrawingLayout {
       const auto look = figure_.canvas->at(p);
       if (look && (look->role == Role::boundary || look->color || !look->text.empty())) return;
       const dvec2 centre = frame_.point({p.x, p.y});
-      dots.segments.emplace_back(centre, centre);
+      dots.segments.push_back({centre, centre});
     });
     if (!dots.segments.empty()) pen_.strokes("centres", std::move(dots));
   }
@@ -354,12 +354,12 @@ class DrawingLayout {
     for (std::size_t i = 0; i < ends; ++i) {
       const dvec2 from = frame_.point(points[i]), to = frame_.point(points[(i + 1) % points.size()]);
       const auto part = clipped(from, to, frame_.box);
-      whole = whole && part && *part == std::pair(from, to);
-      if (!part || (!line.points.empty() && line.points.back() != part->first)) draw();
+      whole = whole && part && *part == Segment{from, to};
+      if (!part || (!line.points.empty() && line.points.back() != part->a)) draw();
       if (!part) continue;
       strokes_.push_back(*part);
-      if (line.points.empty()) line.points.push_back(part->first);
-      line.points.push_back(part->second);
+      if (line.points.empty()) line.points.push_back(part->a);
+      line.points.push_back(part->b);
     }
     if (whole) line.points.pop_back();
     line.closed = whole;
@@ -388,7 +388,7 @@ class DrawingLayout {
     const dvec2 centre{b.x + b.width / 2, b.y + b.height / 2};
     const auto inner = clipped(centre, frame_.point({focus.x, focus.y}), grown(b, -4 * s_));
     if (!inner) return;
-    const dvec2 tip = inner->second, way = tip - centre;
+    const dvec2 tip = inner->b, way = tip - centre;
     const dvec2 tail = tip - way * (30 * s_ / std::hypot(way.x, way.y));
     taken_.push_back({std::min(tip.x, tail.x), std::min(tip.y, tail.y), std::abs(tip.x - tail.x),
                       std::abs(tip.y - tail.y)});
@@ -515,7 +515,7 @@ class DrawingLayout {
     // Those that stand through all steps come first and look only at what stands too, so that they keep still
     std::vector<Box> step_taken;
     std::vector<std::pair<Box, double>> step_crowded;
-    std::vector<std::pair<dvec2, dvec2>> step_strokes;
+    std::vector<Segment<2, double>> step_strokes;
     std::swap(taken_, step_taken);
     std::swap(crowded_, step_crowded);
     const std::size_t fixed_strokes = trace_.backdrop.size();
@@ -651,7 +651,7 @@ class DrawingLayout {
   std::vector<Box> ticks_;                       ///< of the axes' numbers and some space round them
   std::vector<Box> taken_;                       ///< cells and dots that a label must not cover
   std::vector<std::pair<Box, double>> crowded_;  ///< cells that it should not, and how much
-  std::vector<std::pair<dvec2, dvec2>> strokes_;
+  std::vector<Segment<2, double>> strokes_;
   std::vector<std::pair<const Mark*, const Label*>> fixed_labels_, labels_;
   std::optional<Mark> outside_;  ///< the label of a step outside the view
 };

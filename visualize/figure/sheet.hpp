@@ -87,7 +87,7 @@ struct LineShape {
 };
 /// Many strokes of one look as a single path: a grid, or, with round ends and no length, its dots.
 struct StrokesShape {
-  std::vector<std::pair<dvec2, dvec2>> segments;
+  std::vector<Segment<2, double>> segments;
   Paint stroke;
   double width = 1;
   bool round = false;

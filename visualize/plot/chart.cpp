@@ -346,7 +346,7 @@ class Drawing {
   bool zeros_ = false;
   double zero_row_ = 0;
   std::vector<Box> taken_, labels_;
-  std::vector<std::pair<dvec2, dvec2>> strokes_;
+  std::vector<Segment<2, double>> strokes_;
 };
 
 }  // namespace

@@ -13,10 +13,6 @@
 
 namespace gradus::cohen_sutherland_2d {
 
-template <class T>
-using Line = Segment<2, T>;
-template <class T>
-using Rectangle = AxisBox<2, T>;
 using Order = BorderOrder<2>;
 
 /// A bit for every border that a point lies beyond: 1 left, 2 right, 4 bottom, 8 top. 0 is in the window.
@@ -25,7 +21,7 @@ using Code = std::uint8_t;
 constexpr Code bit(Border border) { return static_cast<Code>(1 << static_cast<int>(border)); }
 
 /// The code of a point. On a border is inside.
-template <class T>
+template <class T = double>
 Code region_code(glm::vec<2, T> p, const Rectangle<T>& window) {
   Code code = 0;
   if (p.x < window.lower.x) code |= bit(Border::left);
@@ -48,7 +44,7 @@ constexpr Border first_of(const Order& order, Code code) {
 /// Both ends have their codes.
 template <class T>
 struct Classified {
-  Line<T> line;
+  Segment<2, T> line;
   Rectangle<T> window;
   Code code_a, code_b;
 };
@@ -60,7 +56,7 @@ struct Cut {
   Border border;
   glm::vec<2, T> from;  ///< where it was,
   Code before;          ///< and its code there
-  Line<T> line;         ///< what is left,
+  Segment<2, T> line;   ///< what is left,
   Code code_a, code_b;  ///< and its codes
 
   glm::vec<2, T> to() const { return of_a ? line.a : line.b; }
@@ -70,7 +66,7 @@ struct Cut {
 /// No bit is set: this part lies in the window.
 template <class T>
 struct Accepted {
-  Line<T> line;
+  Segment<2, T> line;
 };
 
 /// Both ends lie beyond the same border (or, in cut_of_a_cut's rounded arithmetic, four cuts have settled
@@ -108,9 +104,9 @@ glm::vec<2, T> meet(glm::vec<2, T> a, glm::vec<2, T> b, Border border, const Rec
 ///   between two borders.
 /// Cost: four comparisons an end, one division a cut.
 /// Errors: ContractViolation for coordinates that are not finite and windows that are inside out.
-template <class T, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
-std::optional<Line<T>> cut_of_a_cut(Line<T> line, const Rectangle<T>& window,
-                                    const Order& order = usual_order<2>(), O&& observer = {}) {
+template <class T = double, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
+std::optional<Segment<2, T>> cut_of_a_cut(Segment<2, T> line, const Rectangle<T>& window,
+                                          const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
   auto [a, b] = line;
   Code code_a = region_code(a, window);
@@ -122,7 +118,7 @@ std::optional<Line<T>> cut_of_a_cut(Line<T> line, const Rectangle<T>& window,
     // Both inside: accept
     if ((code_a | code_b) == 0) {
       if constexpr (observed<O>) observer(Accepted<T>{{a, b}});
-      return Line<T>{a, b};
+      return Segment{a, b};
     }
     if (++cuts > 4) break;
     // Move an end that is outside
@@ -151,7 +147,7 @@ struct End {
 };
 
 /// An end that has not moved.
-template <class T>
+template <class T = double>
 End<T> end_in(glm::vec<2, T> p, const Rectangle<T>& window) {
   return {p, region_code(p, window)};
 }
@@ -159,7 +155,7 @@ End<T> end_in(glm::vec<2, T> p, const Rectangle<T>& window) {
 /// The end where the original line meets a border: correctly rounded, its code exact. Only where the rounded
 /// coordinate falls onto a border is there something to decide.
 template <class T>
-End<T> end_at(const Line<T>& line, Border border, const Rectangle<T>& window) {
+End<T> end_at(const Segment<2, T>& line, Border border, const Rectangle<T>& window) {
   const int axis = axis_of(border), other = 1 - axis;
   const T c = coordinate(window, border);
   End<T> end{cut_point(line, axis, c), 0};
@@ -187,9 +183,9 @@ End<T> end_at(const Line<T>& line, Border border, const Rectangle<T>& window) {
 ///   bit, clipping again changes nothing, and (b, a) gives the reverse of (a, b).
 /// Cost: as cut_of_a_cut, and some 15 ns a cut; in doubt some 1 us a cut.
 /// Errors: as cut_of_a_cut.
-template <class T, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
-std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& window,
-                                         const Order& order = usual_order<2>(), O&& observer = {}) {
+template <class T = double, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejected> O = Unobserved>
+std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectangle<T>& window,
+                                               const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
   End<T> a = end_in(line.a, window);
   End<T> b = end_in(line.b, window);
@@ -200,7 +196,7 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
     // Both inside: accept
     if ((a.code | b.code) == 0) {
       if constexpr (observed<O>) observer(Accepted<T>{{a.at, b.at}});
-      return Line<T>{a.at, b.at};
+      return Segment{a.at, b.at};
     }
     // One cut a border is enough
     if (++cuts > 4) break;

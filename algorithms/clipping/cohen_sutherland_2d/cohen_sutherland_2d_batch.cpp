@@ -105,16 +105,16 @@ HWY_INLINE M cut_lanes(Lanes& p, const Codes& ca, const Codes& cb, M rejected, c
 
 // Lines that are not certain, one by one, from what stands in `lines`, which `clipped` may be; returns for
 // which lines something is left
-HWY_NOINLINE std::uint64_t clip_unsure(const Line<double>* lines, const Rectangle<double>& window,
+HWY_NOINLINE std::uint64_t clip_unsure(const Segment<2, double>* lines, const Rectangle<double>& window,
                                        std::uint64_t sure, std::uint64_t accepted, const Lanes& found,
-                                       Line<double>* clipped) {
+                                       Segment<2, double>* clipped) {
   const D d;
-  std::array<Line<double>, HWY_MAX_BYTES / sizeof(double)> before;
+  std::array<Segment<2, double>, HWY_MAX_BYTES / sizeof(double)> before;
   std::copy_n(lines, hn::Lanes(d), before.begin());
   hn::StoreInterleaved4(found.ax, found.ay, found.bx, found.by, d, &clipped->a.x);
   for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
     if (sure >> i & 1) continue;
-    const std::optional<Line<double>> line = correctly_rounded(before[i], window);
+    const std::optional<Segment<2, double>> line = correctly_rounded(before[i], window);
     clipped[i] = line ? *line : before[i];
     accepted = (accepted & ~(std::uint64_t{1} << i)) | std::uint64_t{line.has_value()} << i;
   }
@@ -122,8 +122,8 @@ HWY_NOINLINE std::uint64_t clip_unsure(const Line<double>* lines, const Rectangl
 }
 
 // As many lines as go together, from `lines` on; returns for which of them something is left
-HWY_INLINE std::uint64_t clip_some(const Line<double>* lines, const Rectangle<double>& window,
-                                   const Borders& w, Line<double>* clipped) {
+HWY_INLINE std::uint64_t clip_some(const Segment<2, double>* lines, const Rectangle<double>& window,
+                                   const Borders& w, Segment<2, double>* clipped) {
   const D d;
   Lanes p;
   hn::LoadInterleaved4(d, &lines->a.x, p.ax, p.ay, p.bx, p.by);
@@ -142,8 +142,8 @@ HWY_INLINE std::uint64_t clip_some(const Line<double>* lines, const Rectangle<do
   return bits_of(accepted);
 }
 
-std::size_t clip_all(const Line<double>* lines, std::size_t size, const Rectangle<double>& window,
-                     Line<double>* clipped, std::uint8_t* accepted) {
+std::size_t clip_all(const Segment<2, double>* lines, std::size_t size, const Rectangle<double>& window,
+                     Segment<2, double>* clipped, std::uint8_t* accepted) {
   const D d;
   const std::size_t count = hn::Lanes(d);
   const Borders w{hn::Set(d, window.lower.x), hn::Set(d, window.lower.y), hn::Set(d, window.upper.x),
@@ -156,7 +156,7 @@ std::size_t clip_all(const Line<double>* lines, std::size_t size, const Rectangl
   }
   // The last few
   for (; i < size; ++i) {
-    const std::optional<Line<double>> line = correctly_rounded(lines[i], window);
+    const std::optional<Segment<2, double>> line = correctly_rounded(lines[i], window);
     clipped[i] = line ? *line : lines[i];
     accepted[i] = line.has_value();
     kept += line.has_value();
@@ -172,12 +172,12 @@ namespace gradus::cohen_sutherland_2d {
 
 HWY_EXPORT(clip_all);
 
-std::size_t clip_batch(std::span<const Line<double>> lines, const Rectangle<double>& window,
-                       std::span<Line<double>> clipped, std::span<std::uint8_t> accepted) {
-  static_assert(sizeof(Line<double>) == 4 * sizeof(double));
+std::size_t clip_batch(std::span<const Segment<2, double>> lines, const Rectangle<double>& window,
+                       std::span<Segment<2, double>> clipped, std::span<std::uint8_t> accepted) {
+  static_assert(sizeof(Segment<2, double>) == 4 * sizeof(double));
   expects(clipped.size() == lines.size() && accepted.size() == lines.size(),
           "{} lines, but room for {} and for {} answers", lines.size(), clipped.size(), accepted.size());
-  expect_clippable(Line<double>{window.lower, window.upper}, window);
+  expect_clippable(Segment<2, double>{window.lower, window.upper}, window);
   // Without lines in range the borders need not be either
   const double size = std::max({std::abs(window.lower.x), std::abs(window.lower.y), std::abs(window.upper.x),
                                 std::abs(window.upper.y)});
@@ -187,7 +187,7 @@ std::size_t clip_batch(std::span<const Line<double>> lines, const Rectangle<doub
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::optional<Line<double>> line = correctly_rounded(lines[i], window);
+    const std::optional<Segment<2, double>> line = correctly_rounded(lines[i], window);
     clipped[i] = line ? *line : lines[i];
     accepted[i] = line.has_value();
     kept += line.has_value();

@@ -26,7 +26,7 @@ namespace gradus::cohen_sutherland_2d {
 /// Errors: ContractViolation for spans of different lengths, and as correctly_rounded; the outputs are
 /// without
 ///   meaning then.
-std::size_t clip_batch(std::span<const Line<double>> lines, const Rectangle<double>& window,
-                       std::span<Line<double>> clipped, std::span<std::uint8_t> accepted);
+std::size_t clip_batch(std::span<const Segment<2, double>> lines, const Rectangle<double>& window,
+                       std::span<Segment<2, double>> clipped, std::span<std::uint8_t> accepted);
 
 }  // namespace gradus::cohen_sutherland_2d

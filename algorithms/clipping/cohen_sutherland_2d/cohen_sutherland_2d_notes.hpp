@@ -33,9 +33,10 @@ struct GaveUp {
 /// Steps: Classified Recoded* (Accepted | Rejected | GaveUp)
 /// Accuracy: none.
 /// Cost: one division a round.
-template <class T, Observer<Classified<T>, Recoded<T>, Accepted<T>, Rejected, GaveUp> O = Unobserved>
-std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
-                                  const Order& order = usual_order<2>(), int rounds = 8, O&& observer = {}) {
+template <class T = double, Observer<Classified<T>, Recoded<T>, Accepted<T>, Rejected, GaveUp> O = Unobserved>
+std::optional<Segment<2, T>> codes_only(Segment<2, T> line, const Rectangle<T>& window,
+                                        const Order& order = usual_order<2>(), int rounds = 8,
+                                        O&& observer = {}) {
   expect_clippable(line, window);
   const auto [a, b] = line;
   Code code_a = region_code(a, window);
@@ -78,8 +79,9 @@ std::optional<Line<T>> codes_only(Line<T> line, const Rectangle<T>& window,
 ///   nothing is left, where (10,5)-(5,8) is right.
 /// Cost: four comparisons an end.
 /// Errors: as cut_of_a_cut.
-template <class T, Observer<Classified<T>, Accepted<T>, Rejected> O = Unobserved>
-std::optional<Line<T>> whole_or_nothing(Line<T> line, const Rectangle<T>& window, O&& observer = {}) {
+template <class T = double, Observer<Classified<T>, Accepted<T>, Rejected> O = Unobserved>
+std::optional<Segment<2, T>> whole_or_nothing(Segment<2, T> line, const Rectangle<T>& window,
+                                              O&& observer = {}) {
   expect_clippable(line, window);
   const auto code_of = [&](auto node) {
     Code code = 0;

@@ -16,11 +16,6 @@
 
 namespace gradus::cohen_sutherland_3d {
 
-/// A segment in space, or (N = 4) one of homogeneous points.
-template <int N, class T>
-using Line = Segment<N, T>;
-template <class T>
-using Box = AxisBox<3, T>;
 using Order = BorderOrder<3>;
 
 /// A bit for every face that a point lies beyond: 1 left, 2 right, 4 bottom, 8 top, 16 near, 32 far. 0 is
@@ -60,7 +55,7 @@ constexpr bool names_each_face(const Order& order) {
 /// Both ends have their codes.
 template <int N, class T>
 struct Classified {
-  Line<N, T> line;
+  Segment<N, T> line;
   Code code_a, code_b;
 };
 
@@ -71,7 +66,7 @@ struct Cut {
   Border face;
   glm::vec<N, T> from;  ///< where it was,
   Code before;          ///< and its code there
-  Line<N, T> line;      ///< what is left,
+  Segment<N, T> line;   ///< what is left,
   Code code_a, code_b;  ///< and its codes
 
   glm::vec<N, T> to() const { return of_a ? line.a : line.b; }
@@ -81,7 +76,7 @@ struct Cut {
 /// No bit is set: this part lies inside.
 template <int N, class T>
 struct Accepted {
-  Line<N, T> line;
+  Segment<N, T> line;
 };
 
 /// Both ends lie beyond the same face (or, in cut_of_a_cut's rounded arithmetic, six cuts have settled
@@ -95,7 +90,7 @@ struct Rejected {
 /// Where the way from p, outside of a face, to q, which is not, comes to it, in the arithmetic of T.
 template <class T>
 constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, Border face,
-                              const Box<T>& box) {
+                              const AxisBox<3, T>& box) {
   const int axis = axis_of(face);
   const T c = coordinate(box, face);
   const T t = (c - p[axis]) / (q[axis] - p[axis]);
@@ -109,10 +104,9 @@ constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, 
 /// D. Cohen, I. Sutherland, about 1967; in three dimensions J. Foley, A. van Dam, S. Feiner, J. Hughes,
 /// Computer graphics: principles and practice, 2nd edition 1990, section 6.5.3.
 ///
-/// T: float, double or gradus::Exact. line: any two points, in any units. region: a Box<T>, whose faces
-/// belong
-///   to it, or ViewVolume with a homogeneous line. order: of several faces that an end lies beyond, which is
-///   cut at first.
+/// T: float, double or gradus::Exact. line: any two points, in any units. region: an AxisBox<3, T>, whose
+///   faces belong to it, or ViewVolume with a homogeneous line. order: of several faces that an end lies
+///   beyond, which is cut at first.
 ///
 /// Domain: finite coordinates whose differences don't overflow (in the view volume: sums, too); beyond, the
 ///   answer may be wrong. correctly_rounded has no such limit.
@@ -125,10 +119,10 @@ constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, 
 /// Errors: ContractViolation for coordinates that are not finite, boxes that are inside out, and an order
 /// that
 ///   leaves out a face.
-template <int N, class T, class Region,
+template <int N = 3, class T = double, class Region = AxisBox<N, T>,
           Observer<Classified<N, T>, Cut<N, T>, Accepted<N, T>, Rejected> O = Unobserved>
-std::optional<Line<N, T>> cut_of_a_cut(Line<N, T> line, const Region& region,
-                                       const Order& order = usual_order<3>(), O&& observer = {}) {
+std::optional<Segment<N, T>> cut_of_a_cut(Segment<N, T> line, const Region& region,
+                                          const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
   expects(names_each_face(order), "an order of cutting names each of the six faces once");
   auto [a, b] = line;
@@ -141,7 +135,7 @@ std::optional<Line<N, T>> cut_of_a_cut(Line<N, T> line, const Region& region,
     // Both inside: accept
     if ((code_a | code_b) == 0) {
       if constexpr (observed<O>) observer(Accepted<N, T>{{a, b}});
-      return Line<N, T>{a, b};
+      return Segment{a, b};
     }
     if (++cuts > 6) break;
     // Move an end that is outside
@@ -185,7 +179,7 @@ Cut<N, T> cut_of(bool of_a, Border face, const End<N, T>& old, const End<N, T>& 
 /// The end where the original line meets a face: correctly rounded, its code exact. Only where a rounded
 /// coordinate falls onto a face is there something to decide.
 template <class T>
-End<3, T> end_at(const Line<3, T>& line, Border face, const Box<T>& box) {
+End<3, T> end_at(const Segment<3, T>& line, Border face, const AxisBox<3, T>& box) {
   const int axis = axis_of(face);
   const T c = coordinate(box, face);
   End<3, T> end{cut_point(line, axis, c), 0};
@@ -217,10 +211,10 @@ End<3, T> end_at(const Line<3, T>& line, Border face, const Box<T>& box) {
 ///   bit, clipping again changes nothing, and (b, a) gives the reverse of (a, b).
 /// Cost: as cut_of_a_cut, and some 40 ns a cut, in the view volume some 150 ns; in doubt some us a cut.
 /// Errors: as cut_of_a_cut.
-template <int N, class T, class Region,
+template <int N = 3, class T = double, class Region = AxisBox<N, T>,
           Observer<Classified<N, T>, Cut<N, T>, Accepted<N, T>, Rejected> O = Unobserved>
-std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& region,
-                                            const Order& order = usual_order<3>(), O&& observer = {}) {
+std::optional<Segment<N, T>> correctly_rounded(Segment<N, T> line, const Region& region,
+                                               const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
   expects(names_each_face(order), "an order of cutting names each of the six faces once");
   End<N, T> a = coded(line.a, region);
@@ -232,7 +226,7 @@ std::optional<Line<N, T>> correctly_rounded(Line<N, T> line, const Region& regio
     // Both inside: accept
     if ((a.code | b.code) == 0) {
       if constexpr (observed<O>) observer(Accepted<N, T>{{a.at, b.at}});
-      return Line<N, T>{a.at, b.at};
+      return Segment{a.at, b.at};
     }
     // One cut a face is enough
     if (++cuts > 6) break;

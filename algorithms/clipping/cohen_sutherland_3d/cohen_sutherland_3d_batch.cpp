@@ -20,7 +20,7 @@ namespace gradus::cohen_sutherland_3d::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using namespace lanes::HWY_NAMESPACE;
-using Space = Line<3, double>;
+using Space = Segment<3, double>;
 
 constexpr double largest = 0x1p300;
 
@@ -228,7 +228,7 @@ HWY_INLINE M cut_lanes(Lanes& p, const Axis& x, const Axis& y, const Axis& z, Pa
 
 // Lines that are not certain, one by one, from what stands in `lines`, which `clipped` may be; returns for
 // which lanes something is left
-HWY_NOINLINE std::uint64_t clip_unsure(const Space* lines, const Box<double>& box, std::uint64_t sure,
+HWY_NOINLINE std::uint64_t clip_unsure(const Space* lines, const AxisBox<3, double>& box, std::uint64_t sure,
                                        std::uint64_t accepted, const Lanes& found, Space* clipped) {
   const std::size_t count = hn::Lanes(D());
   std::array<Space, HWY_MAX_BYTES / sizeof(double)> before;
@@ -245,7 +245,7 @@ HWY_NOINLINE std::uint64_t clip_unsure(const Space* lines, const Box<double>& bo
 }
 
 // As many lines as go together, from `lines` on; returns for which lanes something is left
-HWY_INLINE std::uint64_t clip_some(const Space* lines, const Box<double>& box, Space* clipped) {
+HWY_INLINE std::uint64_t clip_some(const Space* lines, const AxisBox<3, double>& box, Space* clipped) {
   const D d;
   Lanes p = load(lines);
   const Axis x = axis(p.x, box.lower.x, box.upper.x), y = axis(p.y, box.lower.y, box.upper.y),
@@ -271,7 +271,7 @@ HWY_INLINE std::uint64_t clip_some(const Space* lines, const Box<double>& box, S
 }
 
 // Returns how many lines were done, all but the last few, and counts those of which something is left
-std::size_t clip_most(const Space* lines, std::size_t size, const Box<double>& box, Space* clipped,
+std::size_t clip_most(const Space* lines, std::size_t size, const AxisBox<3, double>& box, Space* clipped,
                       std::uint8_t* accepted, std::size_t& kept) {
   const std::size_t count = hn::Lanes(D());
   std::size_t i = 0;
@@ -293,12 +293,12 @@ namespace gradus::cohen_sutherland_3d {
 
 HWY_EXPORT(clip_most);
 
-std::size_t clip_batch(std::span<const Line<3, double>> lines, const Box<double>& box,
-                       std::span<Line<3, double>> clipped, std::span<std::uint8_t> accepted) {
-  static_assert(sizeof(Line<3, double>) == 6 * sizeof(double));
+std::size_t clip_batch(std::span<const Segment<3, double>> lines, const AxisBox<3, double>& box,
+                       std::span<Segment<3, double>> clipped, std::span<std::uint8_t> accepted) {
+  static_assert(sizeof(Segment<3, double>) == 6 * sizeof(double));
   expects(clipped.size() == lines.size() && accepted.size() == lines.size(),
           "{} lines, but room for {} and for {} answers", lines.size(), clipped.size(), accepted.size());
-  expect_clippable(Line<3, double>{box.lower, box.upper}, box);
+  expect_clippable(Segment<3, double>{box.lower, box.upper}, box);
   // Without lines in range the faces need not be either
   double size = 0;
   for (const Border face : usual_order<3>()) size = std::max(size, std::abs(coordinate(box, face)));
@@ -309,7 +309,7 @@ std::size_t clip_batch(std::span<const Line<3, double>> lines, const Box<double>
   }
   // The last few, or all
   for (; i < lines.size(); ++i) {
-    const std::optional<Line<3, double>> line = correctly_rounded(lines[i], box);
+    const std::optional<Segment<3, double>> line = correctly_rounded(lines[i], box);
     clipped[i] = line ? *line : lines[i];
     accepted[i] = line.has_value();
     kept += line.has_value();

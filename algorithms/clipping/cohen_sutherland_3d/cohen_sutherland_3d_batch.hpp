@@ -26,7 +26,7 @@ namespace gradus::cohen_sutherland_3d {
 /// Errors: ContractViolation for spans of different lengths, and as correctly_rounded; the outputs are
 /// without
 ///   meaning then.
-std::size_t clip_batch(std::span<const Line<3, double>> lines, const Box<double>& box,
-                       std::span<Line<3, double>> clipped, std::span<std::uint8_t> accepted);
+std::size_t clip_batch(std::span<const Segment<3, double>> lines, const AxisBox<3, double>& box,
+                       std::span<Segment<3, double>> clipped, std::span<std::uint8_t> accepted);
 
 }  // namespace gradus::cohen_sutherland_3d

@@ -210,7 +210,7 @@ inline glm::vec4 divided_at(const Crossing<float>& c, const glm::vec4& a, const 
 /// round to (0, 0, 0, 0), which is no point, is divided by its w. Domain: the ends lie on different sides of
 /// the face, or one of them on it. T: float, double or gradus::Exact.
 template <class T>
-End<4, T> end_at(const Line<4, T>& line, Border face, const ViewVolume&) {
+End<4, T> end_at(const Segment<4, T>& line, Border face, const ViewVolume&) {
   const Crossing<T> there{depth(line.a, face), depth(line.b, face)};
   End<4, T> end{line.a, 0};
   for (int i = 0; i < 4; ++i) {
@@ -256,7 +256,7 @@ bool opposite(const glm::vec<4, T>& a, const glm::vec<4, T>& b) {
 /// for ends opposite each other, between which it lies. (A matrix that can be inverted makes neither of
 /// points.)
 template <class T>
-void expect_clippable(const Line<4, T>& segment, const ViewVolume&) {
+void expect_clippable(const Segment<4, T>& segment, const ViewVolume&) {
   expects(is_finite(segment.a) && is_finite(segment.b), "a segment needs finite end points");
   const glm::vec<4, T> none(T(0));
   expects(segment.a != none && segment.b != none, "(0, 0, 0, 0) is no homogeneous point");

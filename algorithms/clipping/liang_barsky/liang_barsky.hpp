@@ -13,10 +13,6 @@
 
 namespace gradus::liang_barsky {
 
-template <class T>
-using Line = Segment<2, T>;
-template <class T>
-using Rectangle = AxisBox<2, T>;
 using Order = BorderOrder<2>;
 
 // --- Steps -------------------------------------------------------
@@ -24,7 +20,7 @@ using Order = BorderOrder<2>;
 /// The line is written as a + t d, with t from 0 to 1.
 template <class T>
 struct Started {
-  Line<T> line;
+  Segment<2, T> line;
   Rectangle<T> window;
   glm::vec<2, T> d;
 };
@@ -50,7 +46,7 @@ struct Tested {
 /// The interval is not empty: this part lies in the window.
 template <class T>
 struct Accepted {
-  Line<T> line;
+  Segment<2, T> line;
   T enter, leave;
 };
 
@@ -77,9 +73,9 @@ struct Rejected {
 ///   border it was cut at, and lines that pass near a corner may be decided wrongly.
 /// Cost: four divisions, and four products for the ends.
 /// Errors: ContractViolation for coordinates that are not finite and windows that are inside out.
-template <class T, Observer<Started<T>, Tested<T>, Accepted<T>, Rejected<T>> O = Unobserved>
-std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
-                                  const Order& order = usual_order<2>(), O&& observer = {}) {
+template <class T = double, Observer<Started<T>, Tested<T>, Accepted<T>, Rejected<T>> O = Unobserved>
+std::optional<Segment<2, T>> parametric(Segment<2, T> line, const Rectangle<T>& window,
+                                        const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
   const auto [a, b] = line;
   const auto d = b - a;
@@ -112,7 +108,7 @@ std::optional<Line<T>> parametric(Line<T> line, const Rectangle<T>& window,
     }
   }
   // Put both values into the line
-  Line<T> rest = line;
+  Segment<2, T> rest = line;
   if (enter > T(0)) rest.a = a + enter * d;
   if (leave < T(1)) rest.b = a + leave * d;
   if constexpr (observed<O>) observer(Accepted<T>{rest, enter, leave});
@@ -152,7 +148,7 @@ struct Missed {
 /// Its ends were computed.
 template <class T>
 struct Kept {
-  Line<T> line;
+  Segment<2, T> line;
   Span span;
 };
 
@@ -204,9 +200,9 @@ struct Narrowing {
 ///   window have a point in common, a border's coordinate copied, the other one 1/2 ulp.
 /// Cost: comparisons, three orders of some 3 ns at most, some 15 ns for each end that is cut; in doubt 1 us.
 /// Errors: as parametric.
-template <class T, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O = Unobserved>
-std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& window,
-                                         const Order& order = usual_order<2>(), O&& observer = {}) {
+template <class T = double, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O = Unobserved>
+std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectangle<T>& window,
+                                               const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
   Narrowing<2, T> narrowing{line, window};
   if constexpr (observed<O>) observer(Started<T>{line, window, line.b - line.a});
@@ -222,7 +218,7 @@ std::optional<Line<T>> correctly_rounded(Line<T> line, const Rectangle<T>& windo
     }
   }
   // The points at those two borders
-  Line<T> rest = narrowing.rest();
+  Segment<2, T> rest = narrowing.rest();
   if constexpr (observed<O>) observer(Kept<T>{rest, narrowing.span});
   return rest;
 }

@@ -11,10 +11,6 @@
 
 namespace gradus::liang_barsky {
 
-template <class T>
-using SpaceLine = Segment<3, T>;
-template <class T>
-using Box = AxisBox<3, T>;
 using BoxOrder = BorderOrder<3>;
 
 // --- Steps: Tested, Rejected, Ordered and Missed are those of the rectangle ------
@@ -22,22 +18,22 @@ using BoxOrder = BorderOrder<3>;
 /// The line is written as a + t d, with t from 0 to 1.
 template <class T>
 struct BoxStarted {
-  SpaceLine<T> line;
-  Box<T> box;
+  Segment<3, T> line;
+  AxisBox<3, T> box;
   glm::vec<3, T> d;
 };
 
 /// The interval is not empty: this part lies in the box.
 template <class T>
 struct BoxAccepted {
-  SpaceLine<T> line;
+  Segment<3, T> line;
   T enter, leave;
 };
 
 /// Its ends were computed.
 template <class T>
 struct BoxKept {
-  SpaceLine<T> line;
+  Segment<3, T> line;
   Span span;
 };
 
@@ -58,9 +54,9 @@ struct BoxKept {
 ///   face it was cut at, and lines that pass near an edge may be decided wrongly.
 /// Cost: six divisions, and six products for the ends.
 /// Errors: ContractViolation for coordinates that are not finite and boxes that are inside out.
-template <class T, Observer<BoxStarted<T>, Tested<T>, BoxAccepted<T>, Rejected<T>> O = Unobserved>
-std::optional<SpaceLine<T>> box_parametric(SpaceLine<T> line, const Box<T>& box,
-                                           const BoxOrder& order = usual_order<3>(), O&& observer = {}) {
+template <class T = double, Observer<BoxStarted<T>, Tested<T>, BoxAccepted<T>, Rejected<T>> O = Unobserved>
+std::optional<Segment<3, T>> box_parametric(Segment<3, T> line, const AxisBox<3, T>& box,
+                                            const BoxOrder& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, box);
   const auto [a, b] = line;
   const auto d = b - a;
@@ -93,7 +89,7 @@ std::optional<SpaceLine<T>> box_parametric(SpaceLine<T> line, const Box<T>& box,
     }
   }
   // Put both values into the line
-  SpaceLine<T> rest = line;
+  Segment<3, T> rest = line;
   if (enter > T(0)) rest.a = a + enter * d;
   if (leave < T(1)) rest.b = a + leave * d;
   if constexpr (observed<O>) observer(BoxAccepted<T>{rest, enter, leave});
@@ -115,10 +111,10 @@ std::optional<SpaceLine<T>> box_parametric(SpaceLine<T> line, const Box<T>& box,
 ///   box have a point in common, a face's coordinate copied, the others 1/2 ulp.
 /// Cost: comparisons, five orders of some 3 ns at most, some 30 ns for each end that is cut; in doubt some
 /// us. Errors: as box_parametric.
-template <class T, Observer<BoxStarted<T>, Ordered<T>, BoxKept<T>, Missed> O = Unobserved>
-std::optional<SpaceLine<T>> box_correctly_rounded(SpaceLine<T> line, const Box<T>& box,
-                                                  const BoxOrder& order = usual_order<3>(),
-                                                  O&& observer = {}) {
+template <class T = double, Observer<BoxStarted<T>, Ordered<T>, BoxKept<T>, Missed> O = Unobserved>
+std::optional<Segment<3, T>> box_correctly_rounded(Segment<3, T> line, const AxisBox<3, T>& box,
+                                                   const BoxOrder& order = usual_order<3>(),
+                                                   O&& observer = {}) {
   expect_clippable(line, box);
   Narrowing<3, T> narrowing{line, box};
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, line.b - line.a});
@@ -134,7 +130,7 @@ std::optional<SpaceLine<T>> box_correctly_rounded(SpaceLine<T> line, const Box<T
     }
   }
   // The points at those two faces
-  SpaceLine<T> rest = narrowing.rest();
+  Segment<3, T> rest = narrowing.rest();
   if constexpr (observed<O>) observer(BoxKept<T>{rest, narrowing.span});
   return rest;
 }

@@ -17,9 +17,7 @@ namespace gradus::sutherland_hodgman {
 
 // --- Windows -----------------------------------------------------
 
-/// A rectangle along the axes, its borders included. Its borders: 0 left, 1 right, 2 bottom, 3 top.
-template <class T>
-using Rectangle = AxisBox<2, T>;
+// A window is a Rectangle, whose borders are 0 left, 1 right, 2 bottom, 3 top, or a ConvexWindow.
 
 /// Any other convex window: corners counter-clockwise, no two equal, no three in a line. Border i runs from
 /// corner i to the next.

@@ -21,14 +21,6 @@ namespace gradus::viewport {
 
 // --- What a mapping is made of -----------------------------------
 
-/// A rectangle along the axes: on the camera plane in its units, y up, or in the picture in pixels.
-template <class T>
-struct Rectangle {
-  glm::vec<2, T> lower, upper;
-
-  glm::vec<2, T> size() const { return upper - lower; }
-};
-
 /// Where row 0 is, and so which way rows are counted.
 enum class RowZero : std::uint8_t {
   top,     ///< as in every picture file: y is turned round
@@ -79,7 +71,7 @@ void expect_sizes(const Rectangle<T>& window, ivec2 picture) {
 /// Domain: lower < upper, width and height from 1 to 2^30; the window's size doesn't overflow.
 /// Cost: none.
 /// Errors: ContractViolation for an empty window or picture, and for a window without a finite size.
-template <class T>
+template <class T = double>
 Mapping<T> stretched(const Rectangle<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
   expect_sizes(window, picture);
   return {window, {{T(0), T(0)}, {T(picture.x), T(picture.y)}}, picture, row_zero};
@@ -92,7 +84,7 @@ Mapping<T> stretched(const Rectangle<T>& window, ivec2 picture, RowZero row_zero
 /// Accuracy: the viewport's corners are within 2 ulp of the picture's width or height.
 /// Cost: four multiplications, two divisions.
 /// Errors: as stretched.
-template <class T>
+template <class T = double>
 Mapping<T> letterboxed(const Rectangle<T>& window, ivec2 picture, RowZero row_zero = RowZero::top) {
   expect_sizes(window, picture);
   const T width = T(picture.x), height = T(picture.y);

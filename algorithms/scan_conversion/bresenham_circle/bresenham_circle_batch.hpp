@@ -10,12 +10,6 @@
 
 namespace gradus::bresenham_circle {
 
-/// Round a pixel centre, with a radius in pixels.
-struct Circle {
-  ivec2 center;
-  int radius;
-};
-
 /// A whole circle, eight pixels a step: two in each of four rows, which walk from the top, the bottom and
 /// the middle towards the diagonals. Pixels on an axis or a diagonal are written twice, which is cheaper than
 /// asking. Domain: all of it lies in the raster.
@@ -83,8 +77,8 @@ void draw(Raster<Cell>& raster, ivec2 center, int radius, const Cell& value) {
 
 /// Draws many circles, in order. Cost: the sum of the circles'.
 template <class Cell>
-void draw(Raster<Cell>& raster, std::span<const Circle> circles, const Cell& value) {
-  for (const Circle& circle : circles) draw(raster, circle.center, circle.radius, value);
+void draw(Raster<Cell>& raster, std::span<const Circle<int>> circles, const Cell& value) {
+  for (const auto& [centre, radius] : circles) draw(raster, centre, radius, value);
 }
 
 }  // namespace gradus::bresenham_circle

@@ -112,11 +112,6 @@ constexpr void run_length_in_window(ivec2 from, ivec2 to, const Window& window, 
   if (shown.first <= shown.last) emit_runs(from, to, shown, run, observer);
 }
 
-/// From one pixel centre to another.
-struct Segment {
-  ivec2 from, to;
-};
-
 /// Where a line stands in memory.
 template <class Cell>
 struct Pen {
@@ -180,8 +175,8 @@ void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
 
 /// Draws many lines, in order. Cost: the sum of the lines'.
 template <class Cell>
-void draw(Raster<Cell>& raster, std::span<const Segment> segments, const Cell& value) {
-  for (const Segment& segment : segments) draw(raster, segment.from, segment.to, value);
+void draw(Raster<Cell>& raster, std::span<const Segment<2, int>> segments, const Cell& value) {
+  for (const auto& [a, b] : segments) draw(raster, a, b, value);
 }
 
 }  // namespace gradus::bresenham_line

@@ -3,8 +3,8 @@
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
 
 namespace clip = gradus::cohen_sutherland_2d;
-using Line = clip::Line<double>;
-using Rectangle = clip::Rectangle<double>;
+using Line = gradus::Segment<2, double>;
+using Rectangle = gradus::Rectangle<double>;
 
 extern "C" {
 [[gnu::flatten]] bool machine_code_cut_of_a_cut(Line& line, const Rectangle& window) {

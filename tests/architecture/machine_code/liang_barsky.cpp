@@ -3,8 +3,8 @@
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 
 namespace clip = gradus::liang_barsky;
-using Line = clip::Line<double>;
-using Rectangle = clip::Rectangle<double>;
+using Line = gradus::Segment<2, double>;
+using Rectangle = gradus::Rectangle<double>;
 
 extern "C" {
 [[gnu::flatten]] bool machine_code_parametric(Line& line, const Rectangle& window) {
@@ -17,14 +17,14 @@ extern "C" {
   if (found) line = *found;
   return found.has_value();
 }
-[[gnu::flatten]] bool machine_code_box_parametric(clip::SpaceLine<double>& line,
-                                                  const clip::Box<double>& box) {
+[[gnu::flatten]] bool machine_code_box_parametric(clip::Segment<3, double>& line,
+                                                  const gradus::AxisBox<3, double>& box) {
   const auto found = clip::box_parametric(line, box);
   if (found) line = *found;
   return found.has_value();
 }
-[[gnu::flatten]] bool machine_code_box_correctly_rounded(clip::SpaceLine<double>& line,
-                                                         const clip::Box<double>& box) {
+[[gnu::flatten]] bool machine_code_box_correctly_rounded(clip::Segment<3, double>& line,
+                                                         const gradus::AxisBox<3, double>& box) {
   const auto found = clip::box_correctly_rounded(line, box);
   if (found) line = *found;
   return found.has_value();

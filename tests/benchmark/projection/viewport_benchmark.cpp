@@ -22,7 +22,7 @@ using Rational = boost::multiprecision::cpp_rational;
 using Pixel = std::optional<ivec2>;
 
 constexpr ivec2 picture{640, 480};
-const viewport::Rectangle<double> plane{{-1, -0.75}, {1, 0.75}};
+const Rectangle<double> plane{{-1, -0.75}, {1, 0.75}};
 
 /// Points, and their pixels by exact arithmetic.
 struct Points {

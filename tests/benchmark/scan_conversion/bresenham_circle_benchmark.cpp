@@ -17,15 +17,15 @@ namespace gradus::bench {
 namespace {
 
 using namespace drawings;
-using bresenham_circle::Circle;
+using PixelCircle = Circle<int>;
 
 constexpr int side = 1024;
 
 /// 100 circles inside the picture with radii from `least` to `most`, or anywhere, cut by its border.
-std::vector<Circle> circles(int least, int most, bool cut = false) {
+std::vector<PixelCircle> circles(int least, int most, bool cut = false) {
   std::mt19937_64 random(1);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
-  std::vector<Circle> set;
+  std::vector<PixelCircle> set;
   for (int i = 0; i < 100; ++i) {
     const int radius = least + below(most - least + 1);
     const int room = cut ? side : side - 2 * radius, first = cut ? 0 : radius;
@@ -35,28 +35,29 @@ std::vector<Circle> circles(int least, int most, bool cut = false) {
   return set;
 }
 
-void reference(Canvas& canvas, const Circle& circle) {
-  bresenham_circle::decision_parameter(circle.center, circle.radius, [&](ivec2 p) {
+void reference(Canvas& canvas, const PixelCircle& circle) {
+  bresenham_circle::decision_parameter(circle.centre, circle.radius, [&](ivec2 p) {
     if (canvas.contains(p)) canvas[p] = 1;
   });
 }
 
 /// How far a pixel is from the circle.
-double off(const Circle& circle, ivec2 p) {
-  const dvec2 at = dvec2(p - circle.center);
+double off(const PixelCircle& circle, ivec2 p) {
+  const dvec2 at = dvec2(p - circle.centre);
   return std::abs(std::hypot(at.x, at.y) - circle.radius);
 }
 
-Window round(const Circle& circle) {
-  return {circle.center - circle.radius - 3, circle.center + circle.radius + 3};
+Window round(const PixelCircle& circle) {
+  return {circle.centre - circle.radius - 3, circle.centre + circle.radius + 3};
 }
 
-void add_cases(std::vector<Case>& cases, const std::vector<Circle>& set, const Workload& workload, bool cut) {
-  const Figures<Circle> figures{reference, round, off};
+void add_cases(std::vector<Case>& cases, const std::vector<PixelCircle>& set, const Workload& workload,
+               bool cut) {
+  const Figures<PixelCircle> figures{reference, round, off};
   const Window whole{{0, 0}, {side - 1, side - 1}};
   std::int64_t pixels = 0;
-  for (const Circle& circle : set) {
-    bresenham_circle::decision_parameter(circle.center, circle.radius,
+  for (const PixelCircle& circle : set) {
+    bresenham_circle::decision_parameter(circle.centre, circle.radius,
                                          [&](ivec2 p) { pixels += whole.contains(p) ? 1 : 0; });
   }
   const auto add = [&](const char* name, Standing standing, auto draw) {
@@ -65,47 +66,47 @@ void add_cases(std::vector<Case>& cases, const std::vector<Circle>& set, const W
   if (cut) {
     add("decision_parameter, asking each pixel", Standing::taught, reference);
   } else {
-    add("decision_parameter", Standing::taught, [](Canvas& canvas, const Circle& circle) {
-      bresenham_circle::decision_parameter(circle.center, circle.radius, [&](ivec2 p) { canvas[p] = 1; });
+    add("decision_parameter", Standing::taught, [](Canvas& canvas, const PixelCircle& circle) {
+      bresenham_circle::decision_parameter(circle.centre, circle.radius, [&](ivec2 p) { canvas[p] = 1; });
     });
-    add("late_update", Standing::faulty, [](Canvas& canvas, const Circle& circle) {
-      bresenham_circle::late_update(circle.center, circle.radius, [&](ivec2 p) {
+    add("late_update", Standing::faulty, [](Canvas& canvas, const PixelCircle& circle) {
+      bresenham_circle::late_update(circle.centre, circle.radius, [&](ivec2 p) {
         if (canvas.contains(p)) canvas[p] = 1;
       });
     });
   }
-  add("in_window", Standing::robust, [](Canvas& canvas, const Circle& circle) {
-    bresenham_circle::in_window(circle.center, circle.radius, canvas.window(),
+  add("in_window", Standing::robust, [](Canvas& canvas, const PixelCircle& circle) {
+    bresenham_circle::in_window(circle.centre, circle.radius, canvas.window(),
                                 [&](ivec2 p) { canvas[p] = 1; });
   });
-  add("draw", Standing::batch, [](Canvas& canvas, const Circle& circle) {
-    bresenham_circle::draw(canvas, circle.center, circle.radius, std::uint8_t{1});
+  add("draw", Standing::batch, [](Canvas& canvas, const PixelCircle& circle) {
+    bresenham_circle::draw(canvas, circle.centre, circle.radius, std::uint8_t{1});
   });
 #ifdef GRADUS_HAS_OPENCV
-  add("OpenCV circle", Standing::peer, [](Canvas& canvas, const Circle& circle) {
+  add("OpenCV circle", Standing::peer, [](Canvas& canvas, const PixelCircle& circle) {
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
-    cv::circle(picture, {circle.center.x, circle.center.y}, circle.radius, 1);
+    cv::circle(picture, {circle.centre.x, circle.centre.y}, circle.radius, 1);
   });
 #endif
   cases.push_back(case_of_all(
       "Cairo stroke", Standing::peer,
-      [](Canvas& canvas, const std::vector<Circle>& all) {
+      [](Canvas& canvas, const std::vector<PixelCircle>& all) {
         peers::CairoPen pen(canvas);
-        for (const Circle& circle : all) pen.circle(circle.center, circle.radius);
+        for (const PixelCircle& circle : all) pen.circle(circle.centre, circle.radius);
       },
-      [](Canvas& canvas, const Circle& circle) {
-        peers::CairoPen(canvas).circle(circle.center, circle.radius);
+      [](Canvas& canvas, const PixelCircle& circle) {
+        peers::CairoPen(canvas).circle(circle.centre, circle.radius);
       },
       set, side, pixels, figures, workload));
 #ifdef GRADUS_HAS_AGG
-  add("AGG ellipse", Standing::peer, [](Canvas& canvas, const Circle& circle) {
-    peers::AggPen(canvas).circle(circle.center, circle.radius);
+  add("AGG ellipse", Standing::peer, [](Canvas& canvas, const PixelCircle& circle) {
+    peers::AggPen(canvas).circle(circle.centre, circle.radius);
   });
 #endif
 }
 
 std::vector<Case> cases() {
-  static std::map<std::string, std::vector<Circle>> sets;
+  static std::map<std::string, std::vector<PixelCircle>> sets;
   std::vector<Case> all;
   add_cases(all, sets["all radii"] = circles(1, 510), {"all radii"}, false);
   add_cases(all, sets["radius 5 to 14"] = circles(5, 14), {"radius 5 to 14"}, false);

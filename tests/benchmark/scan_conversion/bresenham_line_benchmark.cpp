@@ -19,7 +19,7 @@ namespace gradus::bench {
 namespace {
 
 using namespace drawings;
-using bresenham_line::Segment;
+using Line = Segment<2, int>;
 
 constexpr int side = 1024;
 
@@ -33,9 +33,9 @@ class Random {
 };
 
 /// 200 lines inside the picture, of all directions, nearly level, or short.
-std::vector<Segment> mix(const std::string& name) {
+std::vector<Line> mix(const std::string& name) {
   Random random;
-  std::vector<Segment> lines;
+  std::vector<Line> lines;
   for (int i = 0; i < 200; ++i) {
     const int x = random.below(side), y = random.below(side);
     const int level = 20 + random.below(side - 40);
@@ -53,9 +53,9 @@ std::vector<Segment> mix(const std::string& name) {
 }
 
 /// 100 lines of so many pixels.
-std::vector<Segment> of_length(int pixels) {
+std::vector<Line> of_length(int pixels) {
   Random random;
-  std::vector<Segment> lines;
+  std::vector<Line> lines;
   for (int i = 0; i < 100; ++i) {
     const int minor = random.below(pixels), x = random.below(side - pixels + 1);
     const int y = random.below(side - minor);
@@ -70,57 +70,55 @@ std::vector<Segment> of_length(int pixels) {
   return lines;
 }
 
-std::int64_t pixels_of(const std::vector<Segment>& lines) {
+std::int64_t pixels_of(const std::vector<Line>& lines) {
   std::int64_t pixels = 0;
-  for (const Segment& line : lines) pixels += bresenham_line::pixel_count(line.from, line.to);
+  for (const Line& line : lines) pixels += bresenham_line::pixel_count(line.a, line.b);
   return pixels;
 }
 
 /// How far a pixel is from the line along the axis that the line crosses slowly.
-double off(const Segment& line, ivec2 p) {
-  const dvec2 way = dvec2(line.to - line.from), at = dvec2(p - line.from);
+double off(const Line& line, ivec2 p) {
+  const dvec2 way = dvec2(line.b - line.a), at = dvec2(p - line.a);
   const double longer = std::max(std::abs(way.x), std::abs(way.y));
   return longer > 0 ? std::abs(way.x * at.y - way.y * at.x) / longer
                     : std::max(std::abs(at.x), std::abs(at.y));
 }
 
-void reference(Canvas& canvas, const Segment& line) {
-  bresenham_line::decision_parameter(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
+void reference(Canvas& canvas, const Line& line) {
+  bresenham_line::decision_parameter(line.a, line.b, [&](ivec2 p) { canvas[p] = 1; });
 }
 
-Window round(const Segment& line) {
-  return {glm::min(line.from, line.to) - 2, glm::max(line.from, line.to) + 2};
-}
+Window round(const Line& line) { return {glm::min(line.a, line.b) - 2, glm::max(line.a, line.b) + 2}; }
 
 /// Every method on the lines.
-void add_cases(std::vector<Case>& cases, const std::vector<Segment>& lines, const Workload& workload) {
-  const Figures<Segment> figures{reference, round, off};
+void add_cases(std::vector<Case>& cases, const std::vector<Line>& lines, const Workload& workload) {
+  const Figures<Line> figures{reference, round, off};
   const std::int64_t pixels = pixels_of(lines);
   const auto add = [&](const char* name, Standing standing, auto draw) {
     cases.push_back(case_of(name, standing, draw, lines, side, pixels, figures, workload));
   };
   add("decision_parameter", Standing::taught, reference);
-  add("dda<float>", Standing::taught, [](Canvas& canvas, const Segment& line) {
-    bresenham_line::dda<float>(line.from, line.to, [&](ivec2 p) { canvas[p] = 1; });
+  add("dda<float>", Standing::taught, [](Canvas& canvas, const Line& line) {
+    bresenham_line::dda<float>(line.a, line.b, [&](ivec2 p) { canvas[p] = 1; });
   });
-  add("run_length", Standing::robust, [](Canvas& canvas, const Segment& line) {
-    const ivec2 step = bresenham_line::moves(line.from, line.to).straight;
-    bresenham_line::run_length(line.from, line.to, [&](ivec2 start, std::int64_t count) {
+  add("run_length", Standing::robust, [](Canvas& canvas, const Line& line) {
+    const ivec2 step = bresenham_line::moves(line.a, line.b).straight;
+    bresenham_line::run_length(line.a, line.b, [&](ivec2 start, std::int64_t count) {
       for (; count > 0; --count, start += step) canvas[start] = 1;
     });
   });
-  add("draw", Standing::batch, [](Canvas& canvas, const Segment& line) {
-    bresenham_line::draw(canvas, line.from, line.to, std::uint8_t{1});
+  add("draw", Standing::batch, [](Canvas& canvas, const Line& line) {
+    bresenham_line::draw(canvas, line.a, line.b, std::uint8_t{1});
   });
-  add("first_octant", Standing::faulty, [](Canvas& canvas, const Segment& line) {
-    bresenham_line::first_octant(line.from, line.to, [&](ivec2 p) {
+  add("first_octant", Standing::faulty, [](Canvas& canvas, const Line& line) {
+    bresenham_line::first_octant(line.a, line.b, [&](ivec2 p) {
       if (canvas.contains(p)) canvas[p] = 1;
     });
   });
 #ifdef GRADUS_HAS_OPENCV
-  add("OpenCV line", Standing::peer, [](Canvas& canvas, const Segment& line) {
+  add("OpenCV line", Standing::peer, [](Canvas& canvas, const Line& line) {
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
-    cv::line(picture, {line.from.x, line.from.y}, {line.to.x, line.to.y}, 1);
+    cv::line(picture, {line.a.x, line.a.y}, {line.b.x, line.b.y}, 1);
   });
 #endif
   const auto add_all = [&](const char* name, auto all, auto one) {
@@ -128,20 +126,20 @@ void add_cases(std::vector<Case>& cases, const std::vector<Segment>& lines, cons
   };
   add_all(
       "Cairo stroke",
-      [](Canvas& canvas, const std::vector<Segment>& set) {
+      [](Canvas& canvas, const std::vector<Line>& set) {
         peers::CairoPen pen(canvas);
-        for (const Segment& line : set) pen.line(line.from, line.to);
+        for (const Line& line : set) pen.line(line.a, line.b);
       },
-      [](Canvas& canvas, const Segment& line) { peers::CairoPen(canvas).line(line.from, line.to); });
+      [](Canvas& canvas, const Line& line) { peers::CairoPen(canvas).line(line.a, line.b); });
 #ifdef GRADUS_HAS_AGG
   add("AGG line", Standing::peer,
-      [](Canvas& canvas, const Segment& line) { peers::AggPen(canvas).line(line.from, line.to); });
+      [](Canvas& canvas, const Line& line) { peers::AggPen(canvas).line(line.a, line.b); });
 #endif
 #ifdef GRADUS_HAS_OSMESA
   static peers::MesaPicture mesa(side);
   add_all(
-      "Mesa GL_LINES", [](Canvas&, const std::vector<Segment>& set) { mesa.lines(set); },
-      [](Canvas& canvas, const Segment& line) {
+      "Mesa GL_LINES", [](Canvas&, const std::vector<Line>& set) { mesa.lines(set); },
+      [](Canvas& canvas, const Line& line) {
         mesa.lines(std::array{line});
         mesa.give_to(canvas, round(line));
       });
@@ -149,7 +147,7 @@ void add_cases(std::vector<Case>& cases, const std::vector<Segment>& lines, cons
 }
 
 std::vector<Case> cases() {
-  static std::map<std::string, std::vector<Segment>> sets;
+  static std::map<std::string, std::vector<Line>> sets;
   std::vector<Case> all;
   for (const char* name : {"all directions", "nearly level", "20 pixels"}) {
     add_cases(all, sets[name] = mix(name), {name});

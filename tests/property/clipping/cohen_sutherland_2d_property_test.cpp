@@ -45,7 +45,7 @@ class CohenSutherland2dProperty : public ::testing::Test {
 
 // Watches a run: the cuts, and whether one needed exact arithmetic
 struct Watcher {
-  Line<double> line;
+  Segment<2, double> line;
   Rectangle<double> window;
   int cuts = 0;
   bool slow = false;
@@ -111,7 +111,7 @@ TEST_F(CohenSutherland2dProperty, CorrectlyRoundedInFloatToo) {
     SCOPED_TRACE(where(i));
     const int kinds[] = {0, 1, 2, 7};
     const ClipCase k = cases(kinds[i % 4]);
-    const Line<float> line{glm::vec2(k.line.a), glm::vec2(k.line.b)};
+    const Segment<2, float> line{glm::vec2(k.line.a), glm::vec2(k.line.b)};
     const Rectangle<float> window{glm::vec2(k.window.lower), glm::vec2(k.window.upper)};
     const auto found = correctly_rounded(line, window);
     const auto expected = exact_clip(line, window);
@@ -138,7 +138,7 @@ TEST_F(CohenSutherland2dProperty, BothMethodsInRationalsAreTheDefinition) {
     const ExactScope scope;
     const ClipCase k = cases(static_cast<int>(i % ClipCases::kinds));
     const auto exact = [](glm::dvec2 p) { return ExactVec2(Exact(p.x), Exact(p.y)); };
-    const Line<Exact> line{exact(k.line.a), exact(k.line.b)};
+    const Segment<2, Exact> line{exact(k.line.a), exact(k.line.b)};
     const Rectangle<Exact> window{exact(k.window.lower), exact(k.window.upper)};
     const auto taught = cut_of_a_cut(line, window), careful = correctly_rounded(line, window);
     const auto rounded = correctly_rounded(k.line, k.window);
@@ -213,8 +213,8 @@ int on_every_target(Test test) {
   return targets;
 }
 
-std::vector<std::uint8_t> batched(std::span<const Line<double>> lines, const Rectangle<double>& window,
-                                  std::vector<Line<double>>& clipped) {
+std::vector<std::uint8_t> batched(std::span<const Segment<2, double>> lines, const Rectangle<double>& window,
+                                  std::vector<Segment<2, double>>& clipped) {
   clipped.resize(lines.size());
   std::vector<std::uint8_t> accepted(lines.size());
   const std::size_t kept = clip_batch(lines, window, clipped, accepted);
@@ -229,10 +229,10 @@ TEST_F(CohenSutherland2dProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarg
       SCOPED_TRACE(where(round));
       // Lines of this kind with a window of this kind, in numbers that leave a rest
       const ClipCase first = cases(round);
-      std::vector<Line<double>> lines{first.line};
+      std::vector<Segment<2, double>> lines{first.line};
       while (lines.size() < static_cast<std::size_t>(round % 23)) lines.push_back(cases(round).line);
       if (round % 23 == 0) lines.clear();
-      std::vector<Line<double>> clipped;
+      std::vector<Segment<2, double>> clipped;
       const auto accepted = batched(lines, first.window, clipped);
       for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto line = correctly_rounded(lines[i], first.window);
@@ -255,11 +255,11 @@ TEST_F(CohenSutherland2dProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarg
 
 // The same lines, one window: as the pipeline and the benchmark use it
 TEST_F(CohenSutherland2dProperty, ABatchOfManyLines) {
-  std::vector<Line<double>> lines;
+  std::vector<Segment<2, double>> lines;
   for (int i = 0; i < 20000; ++i) lines.push_back(cases(i % 50 == 49 ? 3 : 0).line);
   const Rectangle<double> window{{-300, -200}, {250, 400}};
   on_every_target([&] {
-    std::vector<Line<double>> clipped;
+    std::vector<Segment<2, double>> clipped;
     const auto accepted = batched(lines, window, clipped);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto line = correctly_rounded(lines[i], window);
@@ -271,13 +271,13 @@ TEST_F(CohenSutherland2dProperty, ABatchOfManyLines) {
 
 TEST_F(CohenSutherland2dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
   on_every_target([&] {
-    std::vector<Line<double>> lines(9, Line<double>{{1, 1}, {2, 2}}), clipped(9);
+    std::vector<Segment<2, double>> lines(9, Segment<2, double>{{1, 1}, {2, 2}}), clipped(9);
     std::vector<std::uint8_t> accepted(9);
     const Rectangle<double> ten{{0, 0}, {10, 10}};
     EXPECT_EQ(clip_batch(lines, ten, clipped, accepted), 9u);
     for (const std::size_t bad : {0u, 5u, 8u}) {
       for (int axis = 0; axis < 4; ++axis) {
-        std::vector<Line<double>> some = lines;
+        std::vector<Segment<2, double>> some = lines;
         (&some[bad].a.x)[axis] = axis % 2 ? std::nan("") : -std::numeric_limits<double>::infinity();
         EXPECT_THROW(clip_batch(some, ten, clipped, accepted), ContractViolation);
       }

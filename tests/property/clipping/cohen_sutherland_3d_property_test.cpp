@@ -211,7 +211,7 @@ TEST(CohenSutherland3dProperty, MeasuredErrorOfACutOfACut) {
 
 // --- Many at once ------------------------------------------------------------------------------------------
 
-using Space = Line<3, double>;
+using Space = Segment<3, double>;
 
 std::string where(std::int64_t i) {
   return "GRADUS_SEED=" + std::to_string(test::seed()) + " case " + std::to_string(i);
@@ -231,7 +231,7 @@ int on_every_target(Test test) {
   return targets;
 }
 
-std::vector<std::uint8_t> batched(std::span<const Space> lines, const Box<double>& box,
+std::vector<std::uint8_t> batched(std::span<const Space> lines, const AxisBox<3, double>& box,
                                   std::vector<Space>& clipped) {
   clipped.resize(lines.size());
   std::vector<std::uint8_t> accepted(lines.size());
@@ -354,7 +354,7 @@ TEST(CohenSutherland3dProperty, ABatchOfManyLines) {
     if (i % 7 == 0) line.b[(i + 1) % 3] = line.a[(i + 1) % 3];
     lines.push_back(line);
   }
-  const Box<double> box{{-300, -200, 0}, {250, 400, 700}};
+  const AxisBox<3, double> box{{-300, -200, 0}, {250, 400, 700}};
   int targets = 0;
   targets = on_every_target([&] {
     std::vector<Space> clipped;
@@ -372,7 +372,7 @@ TEST(CohenSutherland3dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
   on_every_target([&] {
     std::vector<Space> lines(9, Space{{1, 1, 1}, {2, 2, 2}}), clipped(9);
     std::vector<std::uint8_t> accepted(9);
-    const Box<double> ten{dvec3(0), dvec3(10)};
+    const AxisBox<3, double> ten{dvec3(0), dvec3(10)};
     EXPECT_EQ(clip_batch(lines, ten, clipped, accepted), 9u);
     for (const std::size_t bad : {0u, 5u, 8u}) {
       for (int i = 0; i < 6; ++i) {
@@ -382,7 +382,7 @@ TEST(CohenSutherland3dProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
       }
     }
     for (int i = 0; i < 3; ++i) {
-      Box<double> broken = ten;
+      AxisBox<3, double> broken = ten;
       broken.lower[i] = 11;
       EXPECT_THROW(clip_batch(lines, broken, clipped, accepted), ContractViolation);
       EXPECT_THROW(clip_batch({}, broken, {}, {}), ContractViolation);

@@ -17,7 +17,7 @@ namespace gradus::liang_barsky {
 namespace {
 
 /// Whether the points or the order of the faces that the segment really crosses need exact arithmetic.
-bool is_slow(const SpaceLine<double>& line, const Box<double>& box) {
+bool is_slow(const Segment<3, double>& line, const AxisBox<3, double>& box) {
   for (const Border face : usual_order<3>()) {
     const int axis = axis_of(face);
     const double c = coordinate(box, face), a = line.a[axis], b = line.b[axis];
@@ -116,8 +116,8 @@ TEST(LiangBarskyBoxProperty, TheTextbookIsExactInRationals) {
     const ExactScope scope;
     const auto [line, box] = cases(i % 8 == 5 ? 0 : i % 8);
     const auto part = box_correctly_rounded(line, box);
-    const auto taught = box_parametric(SpaceLine<Exact>{exactly(line.a), exactly(line.b)},
-                                       Box<Exact>{exactly(box.lower), exactly(box.upper)});
+    const auto taught = box_parametric(Segment<3, Exact>{exactly(line.a), exactly(line.b)},
+                                       AxisBox<3, Exact>{exactly(box.lower), exactly(box.upper)});
     ASSERT_EQ(taught.has_value(), part.has_value()) << "case " << i;
     if (!part) continue;
     ++kept;

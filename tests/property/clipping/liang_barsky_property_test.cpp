@@ -98,7 +98,7 @@ TEST_F(LiangBarskyProperty, BothMethodsInRationalsAreTheDefinition) {
     const ExactScope scope;
     const ClipCase k = cases(static_cast<int>(i % ClipCases::kinds));
     const auto exact = [](glm::dvec2 p) { return ExactVec2(Exact(p.x), Exact(p.y)); };
-    const Line<Exact> line{exact(k.line.a), exact(k.line.b)};
+    const Segment<2, Exact> line{exact(k.line.a), exact(k.line.b)};
     const Rectangle<Exact> window{exact(k.window.lower), exact(k.window.upper)};
     const auto taught = parametric(line, window), careful = correctly_rounded(line, window);
     const auto rounded = correctly_rounded(k.line, k.window);

@@ -23,7 +23,6 @@ using sutherland_hodgman::clip_to_window;
 using sutherland_hodgman::ConvexWindow;
 using sutherland_hodgman::Plane;
 using sutherland_hodgman::Polygons;
-using sutherland_hodgman::Rectangle;
 using test::ExactPoint;
 using test::Rational;
 using Points = std::vector<dvec2>;

@@ -15,17 +15,19 @@
 namespace gradus::cohen_sutherland_2d {
 namespace {
 
-using Found = std::optional<Line<double>>;
+using Found = std::optional<Segment<2, double>>;
 template <class T>
 using Record = Recorder<Classified<T>, Cut<T>, Accepted<T>, Rejected>;
 
 const Rectangle<double> ten{{0, 0}, {10, 10}};
 
-Found taught(Line<double> line, const Rectangle<double>& window = ten) { return cut_of_a_cut(line, window); }
-Found exact(Line<double> line, const Rectangle<double>& window = ten) {
+Found taught(Segment<2, double> line, const Rectangle<double>& window = ten) {
+  return cut_of_a_cut(line, window);
+}
+Found exact(Segment<2, double> line, const Rectangle<double>& window = ten) {
   return correctly_rounded(line, window);
 }
-Found left_over(double ax, double ay, double bx, double by) { return Line<double>{{ax, ay}, {bx, by}}; }
+Found left_over(double ax, double ay, double bx, double by) { return Segment<2, double>{{ax, ay}, {bx, by}}; }
 
 TEST(CohenSutherland2d, GoldenCodes) {
   // G001-44
@@ -52,7 +54,7 @@ TEST(CohenSutherland2d, GoldenLines) {
 
 TEST(CohenSutherland2d, StepsFollowTheGrammar) {
   Record<double> seen;
-  cut_of_a_cut(Line<double>{{-5, 8}, {3, 20}}, ten, usual_order<2>(), seen);
+  cut_of_a_cut(Segment<2, double>{{-5, 8}, {3, 20}}, ten, usual_order<2>(), seen);
   // Undecided though wholly outside (E001-25): the codes 0001 and 1000 share no bit
   ASSERT_EQ(seen.events().size(), 3u);
   const auto start = all<Classified<double>>(seen).at(0);
@@ -72,7 +74,7 @@ TEST(CohenSutherland2d, EachCutClearsABit) {
     for (int i = 0; i < 4000; ++i) {
       const auto c = [&](int k) { return static_cast<double>((i / k * 7 + i * 3) % 19 - 4); };
       Record<double> seen;
-      const Found found = clip(Line<double>{{c(1), c(5)}, {c(11), c(23)}}, seen);
+      const Found found = clip(Segment<2, double>{{c(1), c(5)}, {c(11), c(23)}}, seen);
       const auto cuts = all<Cut<double>>(seen);
       ASSERT_LE(cuts.size(), 4u);
       for (const Cut<double>& cut : cuts) {
@@ -93,11 +95,11 @@ TEST(CohenSutherland2d, EachCutClearsABit) {
 
 TEST(CohenSutherland2d, TheOrderSaysWhichBorderIsCutFirst) {
   Record<double> seen;
-  cut_of_a_cut(Line<double>{{-5, -10}, {5, 5}}, ten,
+  cut_of_a_cut(Segment<2, double>{{-5, -10}, {5, 5}}, ten,
                {Border::bottom, Border::top, Border::left, Border::right}, seen);
   EXPECT_EQ(all<Cut<double>>(seen).at(0).border, Border::bottom);
   Record<double> usual;
-  cut_of_a_cut(Line<double>{{-5, -10}, {5, 5}}, ten, usual_order<2>(), usual);
+  cut_of_a_cut(Segment<2, double>{{-5, -10}, {5, 5}}, ten, usual_order<2>(), usual);
   EXPECT_EQ(all<Cut<double>>(usual).at(0).border, Border::left);
 }
 
@@ -105,7 +107,8 @@ TEST(CohenSutherland2d, ObservedEqualsUnobserved) {
   int steps = 0;
   auto count = [&](const auto&) { ++steps; };
   const auto order = usual_order<2>();
-  for (const Line<double> line : {Line<double>{{-4, 3}, {6, 15}}, {{-5, 8}, {3, 20}}, {{1, 1}, {2, 2}}}) {
+  for (const Segment<2, double> line :
+       {Segment<2, double>{{-4, 3}, {6, 15}}, {{-5, 8}, {3, 20}}, {{1, 1}, {2, 2}}}) {
     EXPECT_EQ(cut_of_a_cut(line, ten, order, count), taught(line));
     EXPECT_EQ(correctly_rounded(line, ten, order, count), exact(line));
     EXPECT_EQ(codes_only(line, ten, order, 8, count), codes_only(line, ten));
@@ -117,10 +120,10 @@ template <class T>
 void clip_in() {
   const ExactScope scope;
   const Rectangle<T> window{{T(0), T(0)}, {T(10), T(10)}};
-  const Line<T> line{{T(-4), T(3)}, {T(6), T(15)}};
-  const Line<T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
+  const Segment<2, T> line{{T(-4), T(3)}, {T(6), T(15)}};
+  const Segment<2, T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
   EXPECT_EQ(correctly_rounded(line, window), right);
-  EXPECT_FALSE(correctly_rounded(Line<T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
+  EXPECT_FALSE(correctly_rounded(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
   const auto found = cut_of_a_cut(line, window);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->a, right.a);
@@ -155,7 +158,7 @@ TEST(CohenSutherland2d, MistakesAreNamed) {
 // --- Numerical traps -----------------------------------------------------------------------------
 
 TEST(CohenSutherland2dTraps, TheDifferenceOverflows) {
-  const Line<double> line{{-1e308, 0}, {1e308, 10}};
+  const Segment<2, double> line{{-1e308, 0}, {1e308, 10}};
   EXPECT_EQ(exact(line), left_over(0, 5, 10, 5));
   // The taught form accepts a point that is not a number
   const Found naive = taught(line);
@@ -163,7 +166,7 @@ TEST(CohenSutherland2dTraps, TheDifferenceOverflows) {
 }
 
 TEST(CohenSutherland2dTraps, TheProductOverflows) {
-  const Line<double> line{{-1e200, -1e200}, {1e200, 1e200}};
+  const Segment<2, double> line{{-1e200, -1e200}, {1e200, 1e200}};
   EXPECT_EQ(exact(line), left_over(0, 0, 10, 10));
   EXPECT_NE(taught(line), left_over(0, 0, 10, 10));
 }
@@ -181,11 +184,11 @@ TEST(CohenSutherland2dTraps, TheCornerIsTouchedOrMissedByOneStep) {
 TEST(CohenSutherland2dTraps, NearlyParallelToABorder) {
   // One step in y moves the crossing by a million in x
   const double under = std::nextafter(10.0, 9.0), over = std::nextafter(10.0, 11.0);
-  const Line<double> line{{-1e6, under}, {1e6, over}};
+  const Segment<2, double> line{{-1e6, under}, {1e6, over}};
   EXPECT_EQ(exact(line, {{-2e6, 0}, {2e6, 10}}), left_over(-1e6, under, 0, 10));
   EXPECT_EQ(exact(line), left_over(0, 10, 0, 10));
   // (not symmetric: one step down is half as long as one step up)
-  const Line<double> moved{{-1e6, under}, {1e6, std::nextafter(over, 11.0)}};
+  const Segment<2, double> moved{{-1e6, under}, {1e6, std::nextafter(over, 11.0)}};
   const Found found = exact(moved, {{-2e6, 0}, {2e6, 10}});
   ASSERT_TRUE(found);
   EXPECT_LT(found->b.x, -1e5);
@@ -211,13 +214,13 @@ TEST(CohenSutherland2dTraps, SubnormalsAndSignedZeros) {
 // --- The exhibit ---------------------------------------------------------------------------------
 
 TEST(CohenSutherland2dNotes, TheListingClipsNothing) {
-  const Line<double> line{{-5, 5}, {15, 5}};
+  const Segment<2, double> line{{-5, 5}, {15, 5}};
   EXPECT_EQ(codes_only(line, ten), line);  // E001-24; right is (0,5)-(10,5)
 }
 
 TEST(CohenSutherland2dNotes, TheListingMayNeverEnd) {
   Recorder<Classified<double>, Recoded<double>, Accepted<double>, Rejected, GaveUp> seen;
-  EXPECT_EQ(codes_only(Line<double>{{5, 5}, {-5, 5}}, ten, usual_order<2>(), 50, seen), std::nullopt);
+  EXPECT_EQ(codes_only(Segment<2, double>{{5, 5}, {-5, 5}}, ten, usual_order<2>(), 50, seen), std::nullopt);
   EXPECT_EQ(all<Recoded<double>>(seen).size(), 50u);
   EXPECT_EQ(all<GaveUp>(seen).size(), 1u);
   // Always the same: "left" is charged to the end that is inside
@@ -227,30 +230,30 @@ TEST(CohenSutherland2dNotes, TheListingMayNeverEnd) {
 TEST(CohenSutherland2dNotes, BelowTheWindowPasses) {
   // E002-06, G002-07: (10,-5) is kept
   Recorder<Classified<double>, Accepted<double>, Rejected> seen;
-  const Line<double> line{{10, -5}, {5, 5}};
+  const Segment<2, double> line{{10, -5}, {5, 5}};
   EXPECT_EQ(whole_or_nothing(line, ten, seen), line);
   const auto codes = all<Classified<double>>(seen);
   ASSERT_EQ(codes.size(), 1u);
   EXPECT_EQ(codes[0].code_a, 0);
   EXPECT_EQ(region_code(line.a, ten), bit(Border::bottom));
-  EXPECT_EQ(correctly_rounded(line, ten), (Line<double>{{7.5, 0}, {5, 5}}));
+  EXPECT_EQ(correctly_rounded(line, ten), (Segment<2, double>{{7.5, 0}, {5, 5}}));
   // The three other sides are asked for
   for (const glm::dvec2 out : {glm::dvec2{-5, 5}, glm::dvec2{15, 5}, glm::dvec2{5, 15}}) {
-    EXPECT_EQ(whole_or_nothing(Line<double>{out, {5, 5}}, ten), std::nullopt);
+    EXPECT_EQ(whole_or_nothing(Segment<2, double>{out, {5, 5}}, ten), std::nullopt);
   }
 }
 
 TEST(CohenSutherland2dNotes, OneEndOutsideDropsTheWholeSegment) {
   // E002-07
-  const Line<double> line{{15, 2}, {5, 8}};
+  const Segment<2, double> line{{15, 2}, {5, 8}};
   EXPECT_EQ(whole_or_nothing(line, ten), std::nullopt);
-  EXPECT_EQ(correctly_rounded(line, ten), (Line<double>{{10, 5}, {5, 8}}));
+  EXPECT_EQ(correctly_rounded(line, ten), (Segment<2, double>{{10, 5}, {5, 8}}));
   // Of all segments between whole places one end of which lies above or beside the window, none is left;
   // those in the window stay
   int lost = 0;
   for (int x = -3; x <= 13; ++x) {
     for (int y = 0; y <= 13; ++y) {
-      const Line<double> segment{{x, y}, {4, 7}};
+      const Segment<2, double> segment{{x, y}, {4, 7}};
       const bool inside = region_code(segment.a, ten) == 0;
       EXPECT_EQ(whole_or_nothing(segment, ten).has_value(), inside);
       lost += !inside && correctly_rounded(segment, ten).has_value();
@@ -260,9 +263,9 @@ TEST(CohenSutherland2dNotes, OneEndOutsideDropsTheWholeSegment) {
 }
 
 TEST(CohenSutherland2dNotes, TheListingIsRightWhereNothingIsCut) {
-  const Line<double> inside{{1, 1}, {2, 2}};
+  const Segment<2, double> inside{{1, 1}, {2, 2}};
   EXPECT_EQ(codes_only(inside, ten), inside);
-  EXPECT_EQ(codes_only(Line<double>{{-3, 12}, {5, 16}}, ten), std::nullopt);
+  EXPECT_EQ(codes_only(Segment<2, double>{{-3, 12}, {5, 16}}, ten), std::nullopt);
 }
 
 }  // namespace

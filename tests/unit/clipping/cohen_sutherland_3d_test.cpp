@@ -16,7 +16,7 @@
 namespace gradus::cohen_sutherland_3d {
 namespace {
 
-using Cube = Box<double>;
+using Cube = AxisBox<3, double>;
 using Piece = Segment<3, double>;
 using Homogeneous = Segment<4, double>;
 using Classified3 = Classified<3, double>;

@@ -15,8 +15,8 @@
 namespace gradus::liang_barsky {
 namespace {
 
-using Piece = SpaceLine<double>;
-using Cube = Box<double>;
+using Piece = Segment<3, double>;
+using Cube = AxisBox<3, double>;
 using Watcher = Recorder<BoxStarted<double>, Tested<double>, BoxAccepted<double>, Rejected<double>>;
 using ExactWatcher = Recorder<BoxStarted<double>, Ordered<double>, BoxKept<double>, Missed>;
 using TestedFace = Tested<double>;
@@ -89,8 +89,8 @@ TEST(LiangBarskyBox, HardNumbers) {
 TEST(LiangBarskyBox, FloatDoubleAndExactAgree) {
   const ExactScope scope;
   const auto clip = []<class T>(T) {
-    const Box<T> box{{T(0), T(0), T(0)}, {T(1), T(1), T(1)}};
-    const SpaceLine<T> line{{T(-1), T(1) / T(2), T(1) / T(4)}, {T(3), T(1) / T(2), T(1)}};
+    const AxisBox<3, T> box{{T(0), T(0), T(0)}, {T(1), T(1), T(1)}};
+    const Segment<3, T> line{{T(-1), T(1) / T(2), T(1) / T(4)}, {T(3), T(1) / T(2), T(1)}};
     const auto part = box_parametric(line, box);
     EXPECT_TRUE(part);
     EXPECT_EQ(box_correctly_rounded(line, box), part);

@@ -14,15 +14,17 @@
 namespace gradus::liang_barsky {
 namespace {
 
-using Found = std::optional<Line<double>>;
+using Found = std::optional<Segment<2, double>>;
 
 const Rectangle<double> ten{{0, 0}, {10, 10}};
 
-Found taught(Line<double> line, const Rectangle<double>& window = ten) { return parametric(line, window); }
-Found exact(Line<double> line, const Rectangle<double>& window = ten) {
+Found taught(Segment<2, double> line, const Rectangle<double>& window = ten) {
+  return parametric(line, window);
+}
+Found exact(Segment<2, double> line, const Rectangle<double>& window = ten) {
   return correctly_rounded(line, window);
 }
-Found left_over(double ax, double ay, double bx, double by) { return Line<double>{{ax, ay}, {bx, by}}; }
+Found left_over(double ax, double ay, double bx, double by) { return Segment<2, double>{{ax, ay}, {bx, by}}; }
 
 TEST(LiangBarsky, GoldenLines) {
   for (const auto clip : {taught, exact}) {
@@ -48,7 +50,7 @@ TEST(LiangBarsky, GoldenLines) {
 // The values that errata E001-26d gives for this line: t in [1/4, 3/4]
 TEST(LiangBarsky, StepsFollowTheGrammar) {
   Recorder<Started<double>, Tested<double>, Accepted<double>, Rejected<double>> seen;
-  parametric(Line<double>{{-5, 5}, {15, 5}}, ten, usual_order<2>(), seen);
+  parametric(Segment<2, double>{{-5, 5}, {15, 5}}, ten, usual_order<2>(), seen);
   ASSERT_EQ(seen.events().size(), 6u);
   EXPECT_EQ(all<Started<double>>(seen).at(0).d, (glm::dvec2{20, 0}));
   const auto tested = all<Tested<double>>(seen);
@@ -68,7 +70,7 @@ TEST(LiangBarsky, StepsFollowTheGrammar) {
 
 TEST(LiangBarsky, ALineOutsideIsFoundOutAtOnce) {
   Recorder<Started<double>, Tested<double>, Accepted<double>, Rejected<double>> seen;
-  parametric(Line<double>{{-5, 12}, {15, 12}}, ten,
+  parametric(Segment<2, double>{{-5, 12}, {15, 12}}, ten,
              {Border::top, Border::bottom, Border::left, Border::right}, seen);
   ASSERT_EQ(all<Tested<double>>(seen).size(), 1u);
   EXPECT_EQ(all<Tested<double>>(seen)[0].crossing, Crossing::outside);
@@ -77,7 +79,7 @@ TEST(LiangBarsky, ALineOutsideIsFoundOutAtOnce) {
 
 TEST(LiangBarsky, BordersInTheOrderOfTheLine) {
   Recorder<Started<double>, Ordered<double>, Kept<double>, Missed> seen;
-  correctly_rounded(Line<double>{{-4, 3}, {6, 15}}, ten, usual_order<2>(), seen);
+  correctly_rounded(Segment<2, double>{{-4, 3}, {6, 15}}, ten, usual_order<2>(), seen);
   const auto ordered = all<Ordered<double>>(seen);
   ASSERT_EQ(ordered.size(), 4u);
   EXPECT_EQ(ordered[0].span.enter, Border::left);
@@ -85,7 +87,7 @@ TEST(LiangBarsky, BordersInTheOrderOfTheLine) {
   EXPECT_EQ(ordered[3].span.leave, Border::top);
   EXPECT_EQ(all<Kept<double>>(seen).size(), 1u);
   Recorder<Started<double>, Ordered<double>, Kept<double>, Missed> missed;
-  correctly_rounded(Line<double>{{-5, 8}, {3, 20}}, ten, usual_order<2>(), missed);
+  correctly_rounded(Segment<2, double>{{-5, 8}, {3, 20}}, ten, usual_order<2>(), missed);
   EXPECT_TRUE(all<Ordered<double>>(missed).back().beyond);
   EXPECT_EQ(all<Missed>(missed).size(), 1u);
 }
@@ -94,7 +96,8 @@ TEST(LiangBarsky, ObservedEqualsUnobserved) {
   int steps = 0;
   auto count = [&](const auto&) { ++steps; };
   const auto order = usual_order<2>();
-  for (const Line<double> line : {Line<double>{{-4, 3}, {6, 15}}, {{-5, 8}, {3, 20}}, {{1, 1}, {2, 2}}}) {
+  for (const Segment<2, double> line :
+       {Segment<2, double>{{-4, 3}, {6, 15}}, {{-5, 8}, {3, 20}}, {{1, 1}, {2, 2}}}) {
     EXPECT_EQ(parametric(line, ten, order, count), taught(line));
     EXPECT_EQ(correctly_rounded(line, ten, order, count), exact(line));
   }
@@ -105,11 +108,11 @@ template <class T>
 void clip_in() {
   const ExactScope scope;
   const Rectangle<T> window{{T(0), T(0)}, {T(10), T(10)}};
-  const Line<T> line{{T(-4), T(3)}, {T(6), T(15)}};
-  const Line<T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
+  const Segment<2, T> line{{T(-4), T(3)}, {T(6), T(15)}};
+  const Segment<2, T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
   EXPECT_EQ(correctly_rounded(line, window), right);
-  EXPECT_FALSE(parametric(Line<T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
-  EXPECT_FALSE(correctly_rounded(Line<T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
+  EXPECT_FALSE(parametric(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
+  EXPECT_FALSE(correctly_rounded(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
   const auto found = parametric(line, window);
   ASSERT_TRUE(found);
   EXPECT_NEAR(static_cast<double>(found->a.y), 7.8, 1e-6);
@@ -136,7 +139,7 @@ TEST(LiangBarsky, MistakesAreNamed) {
 // --- Numerical traps -----------------------------------------------------------------------------
 
 TEST(LiangBarskyTraps, TheDifferenceOverflows) {
-  const Line<double> line{{-1e308, 0}, {1e308, 10}};
+  const Segment<2, double> line{{-1e308, 0}, {1e308, 10}};
   EXPECT_EQ(exact(line), left_over(0, 5, 10, 5));
   EXPECT_NE(taught(line), left_over(0, 5, 10, 5));
 }
@@ -168,7 +171,7 @@ TEST(LiangBarskyTraps, WindowsWithoutExtent) {
 
 // Putting a rounded t into the line leads beside the border, so that clipping again cuts again
 TEST(LiangBarskyTraps, ARoundedValueMissesTheBorder) {
-  const Line<double> line{{-0.7, 0.1}, {2.9, 1.3}};
+  const Segment<2, double> line{{-0.7, 0.1}, {2.9, 1.3}};
   const Found found = taught(line, {{0.1, 0}, {1, 1}});
   ASSERT_TRUE(found);
   EXPECT_NE(found->a.x, 0.1);

@@ -266,7 +266,7 @@ TEST(BresenhamCircle, DrawStaysInTheRaster) {
     EXPECT_EQ(raster, expected) << radius;
   }
   Raster<char> raster(20, 10, '.');
-  const std::vector<Circle> circles{{{4, 4}, 4}, {{INT_MIN + 19, 3}, INT_MAX}};
+  const std::vector<Circle<int>> circles{{{4, 4}, 4}, {{INT_MIN + 19, 3}, INT_MAX}};
   draw(raster, circles, 'x');
   EXPECT_EQ((raster[{4, 8}]), 'x');
   EXPECT_EQ((raster[{18, 3}]), 'x');

@@ -234,7 +234,7 @@ TEST(BresenhamLine, DrawStaysInTheRaster) {
   });
   EXPECT_EQ(inside, 20);
   EXPECT_EQ(raster, expected);
-  const std::vector<Segment> segments{{{0, 9}, {19, 9}}, {{INT_MIN, INT_MIN}, {INT_MAX, INT_MAX}}};
+  const std::vector<Segment<2, int>> segments{{{0, 9}, {19, 9}}, {{INT_MIN, INT_MIN}, {INT_MAX, INT_MAX}}};
   draw(raster, segments, 'x');
   EXPECT_EQ((raster[{0, 9}]), 'x');
   EXPECT_EQ((raster[{19, 9}]), 'x');

@@ -14,11 +14,11 @@ using fmt::arg;
 constexpr std::string_view folder = "algorithms/clipping/cohen_sutherland_2d/";
 
 struct Task {
-  Line<double> line;
+  Segment<2, double> line;
   Rectangle<double> window;
   Order order;
   std::string bits;  ///< which border each digit stands for, the first to the left
-  std::optional<Line<double>> right;
+  std::optional<Segment<2, double>> right;
   bool faulty = false;
   bool whole = false;       ///< whether any bit drops the whole segment
   bool right_line = false;  ///< whether cuts are computed from the original line
@@ -77,7 +77,7 @@ class Teller {
 
   void operator()(const Cut<double>& c, int source_line = __builtin_LINE(), const char* = nullptr) {
     cuts_.push_back({c.from, c.to()});
-    const Line<double> before = task_.right_line ? task_.line : now_;
+    const Segment<2, double> before = task_.right_line ? task_.line : now_;
     now_ = c.line;
     codes_ = {c.code_a, c.code_b};
     show(drawing(Role::current), source_line, [&](TraceStep& step) {
@@ -198,7 +198,7 @@ class Teller {
     return words_.say("cohen_sutherland_2d.verdict." + key);
   }
   /// The cut with its numbers put in: "8 + 12·5/8".
-  std::string formula(const Line<double>& line, Border border) const {
+  std::string formula(const Segment<2, double>& line, Border border) const {
     const int i = axis_of(border), j = 1 - i;
     return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), window_view::factor(line.b[j] - line.a[j]),
                        window_view::factor(coordinate(task_.window, border) - line.a[i]),
@@ -239,7 +239,7 @@ class Teller {
                        cuts_[i].b, figure_number(static_cast<std::int64_t>(i + 1)));
     }
     scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
-    const Line<double>& line = task_.line;
+    const Segment<2, double>& line = task_.line;
     scene_.add_point(view, "end a", Role::input, line.a, line.b, named("a", line.a, now_.a, 0));
     scene_.add_point(view, "end b", Role::input, line.b, line.a, named("b", line.b, now_.b, 1));
     return view;
@@ -259,9 +259,9 @@ class Teller {
   const Wording& words_;
   Task task_;
   window_view::Scene scene_;
-  Line<double> now_;
+  Segment<2, double> now_;
   std::array<Code, 2> codes_{};
-  std::vector<Line<double>> cuts_;
+  std::vector<Segment<2, double>> cuts_;
   std::int64_t rounds_ = 0;
   Shown shown_;
 };

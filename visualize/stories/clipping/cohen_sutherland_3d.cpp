@@ -39,9 +39,9 @@ const Parameter& order_parameter() {
 /// What a run is about.
 struct Run {
   std::string method;
-  Line<3, double> line;  ///< of the box
-  Box<double> box;
-  Line<4, double> seen;  ///< of the view volume
+  Segment<3, double> line;  ///< of the box
+  AxisBox<3, double> box;
+  Segment<4, double> seen;  ///< of the view volume
   Order order;
   int plane;        ///< of the view volume: the axis that is drawn against w
   bool left_first;  ///< whether a code begins with the bit of the left face, not that of the far one
@@ -93,8 +93,8 @@ struct State {
     Border face;
     glm::vec<N, double> from, to;
   };
-  Line<N, double> line;  ///< as it came
-  Line<N, double> rest;  ///< what is left
+  Segment<N, double> line;  ///< as it came
+  Segment<N, double> rest;  ///< what is left
   Code code_a = 0, code_b = 0;
   std::vector<Move> moves;
   bool accepted = false, rejected = false;
@@ -363,7 +363,7 @@ class Teller {
   /// What the step changes: the difference of two whole drawings.
   Delta drawn() { return shown_.change_to(view_of(words_, run_, state_)); }
   std::string name(Border face) const { return face_name(words_, face); }
-  std::string ending(const Line<N, double>& part) const {
+  std::string ending(const Segment<N, double>& part) const {
     const std::string from = place_text(part.a), to = place_text(part.b);
     if constexpr (N == 4) {
       return words_.say("cohen_sutherland_3d.accepted.volume", arg("from", from), arg("to", to),

@@ -15,7 +15,7 @@ using fmt::arg;
 constexpr std::string_view folder = "algorithms/clipping/liang_barsky/";
 
 struct Task {
-  Line<double> line;
+  Segment<2, double> line;
   Rectangle<double> window;
   Order order;
 };
@@ -201,7 +201,7 @@ class Teller {
     return view;
   }
 
-  void kept(const Line<double>& line, std::string type, int source_line) {
+  void kept(const Segment<2, double>& line, std::string type, int source_line) {
     const auto right = correctly_rounded(task_.line, task_.window);
     const window_view::Off off = right ? window_view::off_by(line, *right) : window_view::Off{};
     show(drawing(Role::result), source_line, [&](TraceStep& step) {
@@ -246,8 +246,8 @@ class Teller {
 
 /// A segment in space and a box.
 struct BoxTask {
-  SpaceLine<double> line;
-  Box<double> box;
+  Segment<3, double> line;
+  AxisBox<3, double> box;
 };
 
 /// The same in a box: the space above, the values of t below.
