@@ -18,11 +18,11 @@ int main() {
 
   // What is left, by the textbook
   const auto kept = half_chord<double>({{-9, -3}, {-1, 3}}, circle);
-  if (kept) fmt::print("({}, {}) to ({}, {})\n", kept->from.x, kept->from.y, kept->to.x, kept->to.y);
+  if (kept) fmt::print("({}, {}) to ({}, {})\n", kept->a.x, kept->a.y, kept->b.x, kept->b.y);
 
   // A tangent is one point, exactly
   const auto point = exact_decision<double>({{-1, 7}, {7, 1}}, circle);
-  if (point) fmt::print("({}, {})\n", point->from.x, point->from.y);
+  if (point) fmt::print("({}, {})\n", point->a.x, point->a.y);
 
   // Where the line enters and leaves, as a figure
   const Trace trace =

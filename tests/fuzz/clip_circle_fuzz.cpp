@@ -32,8 +32,8 @@ double error_of(T got, const Wide& right, T radius) {
 }
 
 template <class T>
-void compare(const Segment<T>& s, const Circle<T>& c) {
-  const Rational ax = s.from.x, ay = s.from.y, dx = Rational(s.to.x) - ax, dy = Rational(s.to.y) - ay;
+void compare(const Segment<2, T>& s, const Circle<T>& c) {
+  const Rational ax = s.a.x, ay = s.a.y, dx = Rational(s.b.x) - ax, dy = Rational(s.b.y) - ay;
   const Rational fx = ax - Rational(c.centre.x), fy = ay - Rational(c.centre.y), r = c.radius;
   const Rational A = dx * dx + dy * dy, B = fx * dx + fy * dy, C = fx * fx + fy * fy - r * r;
   const Rational k = dx * fy - dy * fx, D = r * r * A - k * k;
@@ -45,22 +45,22 @@ void compare(const Segment<T>& s, const Circle<T>& c) {
   }
   const auto kept = exact_decision(s, c);
   require(kept.has_value() == hits, "kept exactly when there is a common point");
-  const auto back = exact_decision(Segment<T>{s.to, s.from}, c);
+  const auto back = exact_decision(Segment<2, T>{s.b, s.a}, c);
   require(back.has_value() == hits, "the reverse is kept as well");
   if (!kept) return;
-  require(back->from == kept->to && back->to == kept->from, "the reverse is the reverse");
-  if (from_side <= 0) require(kept->from == s.from, "an end inside stays");
-  if (to_side <= 0) require(kept->to == s.to, "an end inside stays");
+  require(back->a == kept->b && back->b == kept->a, "the reverse is the reverse");
+  if (from_side <= 0) require(kept->a == s.a, "an end inside stays");
+  if (to_side <= 0) require(kept->b == s.b, "an end inside stays");
   for (const bool leaves : {false, true}) {
     if ((leaves ? to_side : from_side) <= 0) continue;
-    const auto got = leaves ? kept->to : kept->from;
+    const auto got = leaves ? kept->b : kept->a;
     const Wide root = (leaves ? 1 : -1) * sqrt(Wide(D));
     const Wide x = Wide(Rational(ax - B / A * dx)) + root * Wide(dx) / Wide(A);
     const Wide y = Wide(Rational(ay - B / A * dy)) + root * Wide(dy) / Wide(A);
     require(error_of(got.x, x, c.radius) <= 0.63, "x is right to 0.63 ulp");
     require(error_of(got.y, y, c.radius) <= 0.63, "y is right to 0.63 ulp");
-    require(std::min(s.from.x, s.to.x) <= got.x && got.x <= std::max(s.from.x, s.to.x) &&
-                std::min(s.from.y, s.to.y) <= got.y && got.y <= std::max(s.from.y, s.to.y),
+    require(std::min(s.a.x, s.b.x) <= got.x && got.x <= std::max(s.a.x, s.b.x) &&
+                std::min(s.a.y, s.b.y) <= got.y && got.y <= std::max(s.a.y, s.b.y),
             "the point lies in the segment's box");
   }
 }
@@ -71,15 +71,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::FuzzInput input(data, size);
   static constexpr int reaches[]{30, 200, 1020};
   const int reach = reaches[input.below(3)];
-  Segment<double> s;
+  Segment<2, double> s;
   Circle<double> c;
-  s.from = input.point(-reach - 54, reach);
-  s.to = input.point(-reach - 54, reach);
+  s.a = input.point(-reach - 54, reach);
+  s.b = input.point(-reach - 54, reach);
   c.centre = input.point(-reach - 54, reach);
   c.radius = std::abs(input.number(-reach - 54, reach));
   const int kind = input.below(6);
-  if (kind == 0) c.radius = std::hypot(s.from.x - c.centre.x, s.from.y - c.centre.y);
-  if (kind == 1) c.radius = std::abs(s.from.y - c.centre.y), s.to.y = s.from.y;
+  if (kind == 0) c.radius = std::hypot(s.a.x - c.centre.x, s.a.y - c.centre.y);
+  if (kind == 1) c.radius = std::abs(s.a.y - c.centre.y), s.b.y = s.a.y;
   if (kind == 2) {  // tangent to 3-4-5, exactly where numbers are small
     c.centre = {};
     const double p = input.below(64), q = input.below(64);
@@ -90,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!std::isfinite(c.radius)) c.radius = 1;
   compare(s, c);
   if (reach > 30) return 0;
-  compare(Segment<float>{glm::vec2(s.from), glm::vec2(s.to)},
+  compare(Segment<2, float>{glm::vec2(s.a), glm::vec2(s.b)},
           Circle<float>{glm::vec2(c.centre), static_cast<float>(c.radius)});
   return 0;
 }

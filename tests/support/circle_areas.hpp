@@ -51,7 +51,7 @@ inline Wide shared_area(const Point& a, const Point& b, const Wide& r) {
 
 /// The area that a polygon and a disc share.
 template <class T>
-Wide exact_area(const std::vector<glm::vec<2, T>>& polygon, const liang_barsky_circle::Circle<T>& circle) {
+Wide exact_area(const std::vector<glm::vec<2, T>>& polygon, const Circle<T>& circle) {
   Wide area = 0;
   const Point c = wide(circle.centre);
   for (std::size_t i = 0; i < polygon.size(); ++i) {

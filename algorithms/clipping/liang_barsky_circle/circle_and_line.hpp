@@ -17,27 +17,14 @@
 
 namespace gradus::liang_barsky_circle {
 
-template <class T>
-struct Circle {
-  glm::vec<2, T> centre;
-  T radius;  ///< >= 0; 0 is a point
-};
-
-template <class T>
-struct Segment {
-  glm::vec<2, T> from, to;
-
-  friend constexpr bool operator==(const Segment&, const Segment&) = default;
-};
-
 /// The same in double, which holds every float.
 template <std::floating_point T>
 constexpr Circle<double> in_double(const Circle<T>& circle) {
   return {dvec2(circle.centre), double{circle.radius}};
 }
 template <std::floating_point T>
-constexpr Segment<double> in_double(const Segment<T>& segment) {
-  return {dvec2(segment.from), dvec2(segment.to)};
+constexpr Segment<2, double> in_double(const Segment<2, T>& segment) {
+  return {dvec2(segment.a), dvec2(segment.b)};
 }
 
 /// Refuses what is no circle, by name.
@@ -71,8 +58,8 @@ struct Quadratic {
 
 /// T: float, double or gradus::Exact. Accuracy: that of T; A, B, C, k and D are rational, so exact in Exact.
 template <class T>
-constexpr Quadratic<T> quadratic(const Segment<T>& segment, const Circle<T>& circle) {
-  const glm::vec<2, T> d = segment.to - segment.from, f = segment.from - circle.centre;
+constexpr Quadratic<T> quadratic(const Segment<2, T>& segment, const Circle<T>& circle) {
+  const glm::vec<2, T> d = segment.b - segment.a, f = segment.a - circle.centre;
   const T r = circle.radius;
   const T A = d.x * d.x + d.y * d.y, B = f.x * d.x + f.y * d.y, k = d.x * f.y - d.y * f.x;
   return {d, f, A, B, f.x * f.x + f.y * f.y - r * r, k, r * r * A - k * k};
@@ -101,14 +88,14 @@ inline int side(dvec2 p, const Circle<double>& circle) {
 /// The sign of (p - centre) . (to - from): whether p lies before (-1) or past (+1) the foot of the
 /// perpendicular, seen along from -> to.
 /// Domain: all finite doubles. Accuracy: exact. Cost: about 3 ns, in doubt about 0.3 us.
-inline int past_foot(dvec2 p, const Segment<double>& s, dvec2 centre) {
-  const dvec2 f = p - centre, d = s.to - s.from;
+inline int past_foot(dvec2 p, const Segment<2, double>& s, dvec2 centre) {
+  const dvec2 f = p - centre, d = s.b - s.a;
   const double x = f.x * d.x, y = f.y * d.y;
   const double bound = 0x1p-50 * (std::abs(x) + std::abs(y)) + 0x1p-960;
   if (x + y > bound) return 1;
   if (-(x + y) > bound) return -1;
-  return (form_difference(p.x, centre.x) * form_difference(s.to.x, s.from.x) +
-          form_difference(p.y, centre.y) * form_difference(s.to.y, s.from.y))
+  return (form_difference(p.x, centre.x) * form_difference(s.b.x, s.a.x) +
+          form_difference(p.y, centre.y) * form_difference(s.b.y, s.a.y))
       .sign();
 }
 
@@ -118,11 +105,11 @@ struct ExactLine {
   Form<2> A, k;
   Form<4> D;
 
-  ExactLine(const Segment<double>& s, const Circle<double>& circle)
-      : dx(form_difference(s.to.x, s.from.x)),
-        dy(form_difference(s.to.y, s.from.y)),
+  ExactLine(const Segment<2, double>& s, const Circle<double>& circle)
+      : dx(form_difference(s.b.x, s.a.x)),
+        dy(form_difference(s.b.y, s.a.y)),
         A(dx * dx + dy * dy),
-        k(dx * form_difference(s.from.y, circle.centre.y) - dy * form_difference(s.from.x, circle.centre.x)) {
+        k(dx * form_difference(s.a.y, circle.centre.y) - dy * form_difference(s.a.x, circle.centre.x)) {
     const Form<1> r(circle.radius);
     D = r * r * A - k * k;
   }
@@ -131,7 +118,7 @@ struct ExactLine {
 /// The sign of D = r^2 A - k^2: -1 where the line misses the circle, 0 where it touches it, +1 where it
 /// crosses it. Domain: all finite doubles, radius >= 0; 0 for two equal points. Accuracy: exact.
 /// Cost: about 5 ns, in doubt about 1 us.
-inline int reach(const Segment<double>& s, const Circle<double>& circle) {
+inline int reach(const Segment<2, double>& s, const Circle<double>& circle) {
   const Quadratic<double> q = quadratic(s, circle);
   const double terms = std::abs(q.d.x * q.f.y) + std::abs(q.d.y * q.f.x);
   const double r2 = circle.radius * circle.radius, r2A = r2 * q.A, k2 = q.k * q.k;
@@ -161,14 +148,13 @@ struct RoundedLine {
 /// crossings' places: near tangents, far ends, numbers beyond 2^150 or too small.
 /// Source of the bound: k errs by less than 2^-98 of its terms' sizes, hence D by `D_error`, and sqrt(D) by
 /// less than D_error / sqrt(D); the places feel both divided by |d|.
-inline std::optional<RoundedLine> line_by_pairs(const Segment<double>& s, const Circle<double>& circle) {
+inline std::optional<RoundedLine> line_by_pairs(const Segment<2, double>& s, const Circle<double>& circle) {
   const double r = circle.radius;
-  const double largest = std::max({std::abs(s.from.x), std::abs(s.from.y), std::abs(s.to.x), std::abs(s.to.y),
+  const double largest = std::max({std::abs(s.a.x), std::abs(s.a.y), std::abs(s.b.x), std::abs(s.b.y),
                                    std::abs(circle.centre.x), std::abs(circle.centre.y), r});
   if (!(largest <= 0x1p150)) return std::nullopt;
-  const Rounded dx = two_difference(s.to.x, s.from.x), dy = two_difference(s.to.y, s.from.y);
-  const Rounded fx = two_difference(s.from.x, circle.centre.x),
-                fy = two_difference(s.from.y, circle.centre.y);
+  const Rounded dx = two_difference(s.b.x, s.a.x), dy = two_difference(s.b.y, s.a.y);
+  const Rounded fx = two_difference(s.a.x, circle.centre.x), fy = two_difference(s.a.y, circle.centre.y);
   const Rounded A = sum_of_pairs(product_of_pairs(dx, dx), product_of_pairs(dy, dy));
   const Rounded left = product_of_pairs(dx, fy), right = product_of_pairs(dy, fx);
   const Rounded k = sum_of_pairs(left, negated(right));
@@ -185,7 +171,7 @@ inline std::optional<RoundedLine> line_by_pairs(const Segment<double>& s, const 
 }
 
 /// The same from exact arithmetic: right for all finite doubles.
-inline RoundedLine line_by_forms(const Segment<double>& s, const Circle<double>& circle) {
+inline RoundedLine line_by_forms(const Segment<2, double>& s, const Circle<double>& circle) {
   const ExactLine exact(s, circle);
   const auto rounded = [](const auto& form) {
     const Leading leading = form.leading();
@@ -223,7 +209,7 @@ struct Chord {
 /// The chord, 2^by times as large.
 /// Domain: two different points, reach >= 0. Accuracy: 2^-56 of the radius. Cost: about 0.1 us, in doubt 1
 /// us.
-inline Chord chord_of(const Segment<double>& s, const Circle<double>& circle, int by) {
+inline Chord chord_of(const Segment<2, double>& s, const Circle<double>& circle, int by) {
   const std::optional<RoundedLine> pairs = line_by_pairs(s, circle);
   const RoundedLine line = pairs ? *pairs : line_by_forms(s, circle);
   // foot = k (-dy, dx) / A, half = sqrt(D) (dx, dy) / A
@@ -252,17 +238,17 @@ struct PlacedChord {
   int magnified;  ///< the chord is 2^magnified times as large
   double radius;  ///< the circle's, as many times as large
 };
-inline PlacedChord chord_on(const Segment<double>& s, const Circle<double>& circle) {
-  const bool turned = s.to.x < s.from.x || (s.to.x == s.from.x && s.to.y < s.from.y);
+inline PlacedChord chord_on(const Segment<2, double>& s, const Circle<double>& circle) {
+  const bool turned = s.b.x < s.a.x || (s.b.x == s.a.x && s.b.y < s.a.y);
   const int by = circle.radius < 0x1p-900 ? 1074 : circle.radius > 0x1p900 ? -200 : 0;
-  return {chord_of(turned ? Segment<double>{s.to, s.from} : s, circle, by), turned, by,
+  return {chord_of(turned ? Segment<2, double>{s.b, s.a} : s, circle, by), turned, by,
           magnified(circle.radius, by)};
 }
 
 /// The point where the segment enters or leaves the circle; inside the segment's box.
 /// Domain: the segment does so. Accuracy: 0.63 ulp of max(|coordinate|, radius). Turned round, the segment
 /// leaves at the same bits where it entered.
-inline dvec2 crossing(const Segment<double>& s, const Circle<double>& circle, const PlacedChord& placed,
+inline dvec2 crossing(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& placed,
                       bool leaves) {
   const bool second = leaves != placed.turned;
   const auto placed_at = [&](double centre, Rounded offset) {
@@ -276,28 +262,29 @@ inline dvec2 crossing(const Segment<double>& s, const Circle<double>& circle, co
   };
   const double x = placed_at(circle.centre.x, placed.chord.x(second));
   const double y = placed_at(circle.centre.y, placed.chord.y(second));
-  return {std::clamp(x, std::min(s.from.x, s.to.x), std::max(s.from.x, s.to.x)),
-          std::clamp(y, std::min(s.from.y, s.to.y), std::max(s.from.y, s.to.y))};
+  return {std::clamp(x, std::min(s.a.x, s.b.x), std::max(s.a.x, s.b.x)),
+          std::clamp(y, std::min(s.a.y, s.b.y), std::max(s.a.y, s.b.y))};
 }
 
 /// Where a segment with its first end outside enters. `to`: the side of the other end; on the circle, and not
 /// past the foot, it is the only point the two share. Domain, accuracy: those of crossing.
-inline dvec2 entry(const Segment<double>& s, const Circle<double>& circle, const PlacedChord& chord, int to) {
-  if (to == 0 && past_foot(s.to, s, circle.centre) <= 0) return s.to;
+inline dvec2 entry(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& chord,
+                   int to) {
+  if (to == 0 && past_foot(s.b, s, circle.centre) <= 0) return s.b;
   return crossing(s, circle, chord, false);
 }
 
 /// Where a segment with its second end outside leaves. `from`: the side of the other end.
-inline dvec2 departure(const Segment<double>& s, const Circle<double>& circle, const PlacedChord& chord,
+inline dvec2 departure(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& chord,
                        int from) {
-  if (from == 0 && past_foot(s.from, s, circle.centre) >= 0) return s.from;
+  if (from == 0 && past_foot(s.a, s, circle.centre) >= 0) return s.a;
   return crossing(s, circle, chord, true);
 }
 
 /// Whether the foot of the perpendicular from the centre lies between the ends and on neither.
 /// Domain: all finite doubles. Accuracy: exact.
-inline bool foot_between(const Segment<double>& s, dvec2 centre) {
-  return past_foot(s.from, s, centre) < 0 && past_foot(s.to, s, centre) > 0;
+inline bool foot_between(const Segment<2, double>& s, dvec2 centre) {
+  return past_foot(s.a, s, centre) < 0 && past_foot(s.b, s, centre) > 0;
 }
 
 }  // namespace gradus::liang_barsky_circle

@@ -20,7 +20,7 @@ namespace gradus::liang_barsky_circle {
 /// What is asked.
 template <class T>
 struct Started {
-  Segment<T> segment;
+  Segment<2, T> segment;
   Circle<T> circle;
 };
 
@@ -67,17 +67,16 @@ struct Cut {
 /// All is done.
 template <class T>
 struct Finished {
-  std::optional<Segment<T>> kept;
+  std::optional<Segment<2, T>> kept;
 };
 
 // --- The taught method -------------------------------------------
 
 /// The part of a segment from t = first to t = last; ends that are not cut are copied.
 template <class T>
-constexpr Segment<T> part(const Segment<T>& segment, T first, T last) {
-  const auto d = segment.to - segment.from;
-  return {first == T(0) ? segment.from : segment.from + first * d,
-          last == T(1) ? segment.to : segment.from + last * d};
+constexpr Segment<2, T> part(const Segment<2, T>& segment, T first, T last) {
+  const auto d = segment.b - segment.a;
+  return {first == T(0) ? segment.a : segment.a + first * d, last == T(1) ? segment.b : segment.a + last * d};
 }
 
 /// The part of a segment that lies in a circle, by the foot of the perpendicular and half the chord: on the
@@ -98,15 +97,16 @@ constexpr Segment<T> part(const Segment<T>& segment, T first, T last) {
 /// Errors: ContractViolation when the radius is negative, NaN or infinite, or a point not finite.
 template <std::floating_point T,
           Observer<Started<T>, Measured<T>, Crossed<T>, Limited<T>, Finished<T>> O = Unobserved>
-std::optional<Segment<T>> half_chord(const Segment<T>& segment, const Circle<T>& circle, O&& observer = {}) {
+std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circle<T>& circle,
+                                        O&& observer = {}) {
   expect_circle(circle);
-  expect_finite(segment.from);
-  expect_finite(segment.to);
-  std::optional<Segment<T>> kept;
+  expect_finite(segment.a);
+  expect_finite(segment.b);
+  std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
   const T r = circle.radius;
-  auto d = segment.to - segment.from;
-  auto f = segment.from - circle.centre;
+  auto d = segment.b - segment.a;
+  auto f = segment.a - circle.centre;
   T A = d.x * d.x + d.y * d.y;
   T k = d.x * f.y - d.y * f.x;
   // Does the line come as near as r?
@@ -155,19 +155,19 @@ std::optional<Segment<T>> half_chord(const Segment<T>& segment, const Circle<T>&
 /// Cost: about 10 ns for a segment inside or well outside, 0.15 us for one that is cut; in doubt about 2 us.
 /// Errors: as half_chord.
 template <std::floating_point T, Observer<Started<T>, Placed, Reached, Cut<T>, Finished<T>> O = Unobserved>
-std::optional<Segment<T>> exact_decision(const Segment<T>& segment, const Circle<T>& circle,
-                                         O&& observer = {}) {
+std::optional<Segment<2, T>> exact_decision(const Segment<2, T>& segment, const Circle<T>& circle,
+                                            O&& observer = {}) {
   expect_circle(circle);
-  expect_finite(segment.from);
-  expect_finite(segment.to);
+  expect_finite(segment.a);
+  expect_finite(segment.b);
   const auto s = in_double(segment);
   const auto c = in_double(circle);
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
   // On which sides are the ends?
-  const int from = side(s.from, c);
-  const int to = side(s.to, c);
+  const int from = side(s.a, c);
+  const int to = side(s.b, c);
   if constexpr (observed<O>) observer(Placed{from, to});
-  std::optional<Segment<T>> kept = segment;
+  std::optional<Segment<2, T>> kept = segment;
   // Both outside: does the line come
   // near enough, between them?
   if (from > 0 && to > 0) {
@@ -180,12 +180,12 @@ std::optional<Segment<T>> exact_decision(const Segment<T>& segment, const Circle
   if (kept && (from > 0 || to > 0)) {
     const auto chord = chord_on(s, c);
     if (from > 0) {
-      kept->from = entry(s, c, chord, to);
-      if constexpr (observed<O>) observer(Cut<T>{segment.from, kept->from, false});
+      kept->a = entry(s, c, chord, to);
+      if constexpr (observed<O>) observer(Cut<T>{segment.a, kept->a, false});
     }
     if (to > 0) {
-      kept->to = departure(s, c, chord, from);
-      if constexpr (observed<O>) observer(Cut<T>{segment.to, kept->to, true});
+      kept->b = departure(s, c, chord, from);
+      if constexpr (observed<O>) observer(Cut<T>{segment.b, kept->b, true});
     }
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});

@@ -226,16 +226,16 @@ HWY_INLINE M cut_lanes(Lanes& p, const End& from, const End& to, M accepted, con
 
 // Segments that are not certain, one by one, from what stands in `segments`, which `clipped` may be; returns
 // for which segments something is left
-HWY_NOINLINE std::uint64_t clip_unsure(const Segment<double>* segments, const Circle<double>& circle,
+HWY_NOINLINE std::uint64_t clip_unsure(const Segment<2, double>* segments, const Circle<double>& circle,
                                        std::uint64_t sure, std::uint64_t accepted, const Lanes& found,
-                                       Segment<double>* clipped) {
+                                       Segment<2, double>* clipped) {
   const D d;
-  std::array<Segment<double>, HWY_MAX_BYTES / sizeof(double)> before;
+  std::array<Segment<2, double>, HWY_MAX_BYTES / sizeof(double)> before;
   std::copy_n(segments, hn::Lanes(d), before.begin());
-  hn::StoreInterleaved4(found.ax, found.ay, found.bx, found.by, d, &clipped->from.x);
+  hn::StoreInterleaved4(found.ax, found.ay, found.bx, found.by, d, &clipped->a.x);
   for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
     if (sure >> i & 1) continue;
-    const std::optional<Segment<double>> segment = exact_decision(before[i], circle);
+    const std::optional<Segment<2, double>> segment = exact_decision(before[i], circle);
     clipped[i] = segment ? *segment : before[i];
     accepted = (accepted & ~(std::uint64_t{1} << i)) | std::uint64_t{segment.has_value()} << i;
   }
@@ -243,11 +243,11 @@ HWY_NOINLINE std::uint64_t clip_unsure(const Segment<double>* segments, const Ci
 }
 
 // As many segments as go together, from `segments` on; returns for which of them something is left
-HWY_INLINE std::uint64_t clip_some(const Segment<double>* segments, const Circle<double>& circle,
-                                   const Disc& c, Segment<double>* clipped, std::size_t& one_by_one) {
+HWY_INLINE std::uint64_t clip_some(const Segment<2, double>* segments, const Circle<double>& circle,
+                                   const Disc& c, Segment<2, double>* clipped, std::size_t& one_by_one) {
   const D d;
   Lanes p;
-  hn::LoadInterleaved4(d, &segments->from.x, p.ax, p.ay, p.bx, p.by);
+  hn::LoadInterleaved4(d, &segments->a.x, p.ax, p.ay, p.bx, p.by);
   const End from = end_at(p.ax, p.ay, c), to = end_at(p.bx, p.by, c);
   // A coordinate that is not a number makes the sum none either
   const V size = hn::Add(hn::Add(hn::Abs(p.ax), hn::Abs(p.ay)), hn::Add(hn::Abs(p.bx), hn::Abs(p.by)));
@@ -269,15 +269,15 @@ HWY_INLINE std::uint64_t clip_some(const Segment<double>* segments, const Circle
   }
   const std::uint64_t bits = bits_of(accepted);
   if (hn::AllTrue(d, sure)) {
-    hn::StoreInterleaved4(p.ax, p.ay, p.bx, p.by, d, &clipped->from.x);
+    hn::StoreInterleaved4(p.ax, p.ay, p.bx, p.by, d, &clipped->a.x);
     return bits;
   }
   one_by_one += hn::CountTrue(d, hn::Not(sure));
   return clip_unsure(segments, circle, bits_of(sure), bits, p, clipped);
 }
 
-BatchCount clip_all(const Segment<double>* segments, std::size_t size, const Circle<double>& circle,
-                    Segment<double>* clipped, std::uint8_t* accepted) {
+BatchCount clip_all(const Segment<2, double>* segments, std::size_t size, const Circle<double>& circle,
+                    Segment<2, double>* clipped, std::uint8_t* accepted) {
   const D d;
   const std::size_t count = hn::Lanes(d);
   const double r = circle.radius;
@@ -297,7 +297,7 @@ BatchCount clip_all(const Segment<double>* segments, std::size_t size, const Cir
   }
   // The last few
   for (; i < size; ++i) {
-    const std::optional<Segment<double>> segment = exact_decision(segments[i], circle);
+    const std::optional<Segment<2, double>> segment = exact_decision(segments[i], circle);
     clipped[i] = segment ? *segment : segments[i];
     accepted[i] = segment.has_value();
     counts.accepted += segment.has_value();
@@ -314,9 +314,9 @@ namespace gradus::liang_barsky_circle {
 
 HWY_EXPORT(clip_all);
 
-BatchCount clip_batch(std::span<const Segment<double>> segments, const Circle<double>& circle,
-                      std::span<Segment<double>> clipped, std::span<std::uint8_t> accepted) {
-  static_assert(sizeof(Segment<double>) == 4 * sizeof(double));
+BatchCount clip_batch(std::span<const Segment<2, double>> segments, const Circle<double>& circle,
+                      std::span<Segment<2, double>> clipped, std::span<std::uint8_t> accepted) {
+  static_assert(sizeof(Segment<2, double>) == 4 * sizeof(double));
   expects(clipped.size() == segments.size() && accepted.size() == segments.size(),
           "{} segments, but room for {} and for {} answers", segments.size(), clipped.size(),
           accepted.size());
@@ -329,7 +329,7 @@ BatchCount clip_batch(std::span<const Segment<double>> segments, const Circle<do
   }
   BatchCount counts;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const std::optional<Segment<double>> segment = exact_decision(segments[i], circle);
+    const std::optional<Segment<2, double>> segment = exact_decision(segments[i], circle);
     clipped[i] = segment ? *segment : segments[i];
     accepted[i] = segment.has_value();
     counts.accepted += segment.has_value();

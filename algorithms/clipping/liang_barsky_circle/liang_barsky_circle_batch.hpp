@@ -32,7 +32,7 @@ struct BatchCount {
 /// Cost: see the topic's page; some 45 additions and products to decide; to cut 210, 2 divisions, a root.
 /// Errors: ContractViolation for spans of different lengths, and as exact_decision; the outputs are without
 ///   meaning then.
-BatchCount clip_batch(std::span<const Segment<double>> segments, const Circle<double>& circle,
-                      std::span<Segment<double>> clipped, std::span<std::uint8_t> accepted);
+BatchCount clip_batch(std::span<const Segment<2, double>> segments, const Circle<double>& circle,
+                      std::span<Segment<2, double>> clipped, std::span<std::uint8_t> accepted);
 
 }  // namespace gradus::liang_barsky_circle

@@ -30,13 +30,13 @@ struct Solved {
 /// Errors: none.
 template <std::floating_point T,
           Observer<Started<T>, Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
-std::optional<Segment<T>> without_empty_test(const Segment<T>& segment, const Circle<T>& circle,
-                                             O&& observer = {}) {
-  std::optional<Segment<T>> kept;
+std::optional<Segment<2, T>> without_empty_test(const Segment<2, T>& segment, const Circle<T>& circle,
+                                                O&& observer = {}) {
+  std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
   const T r = circle.radius;
-  auto d = segment.to - segment.from;
-  auto f = segment.from - circle.centre;
+  auto d = segment.b - segment.a;
+  auto f = segment.a - circle.centre;
   T A = d.x * d.x + d.y * d.y;
   T B = 2 * (f.x * d.x + f.y * d.y);
   T C = f.x * f.x + f.y * f.y - r * r;
@@ -69,13 +69,13 @@ std::optional<Segment<T>> without_empty_test(const Segment<T>& segment, const Ci
 /// Errors: none.
 template <std::floating_point T,
           Observer<Started<T>, Discriminant<T>, Solved<T>, Limited<T>, Finished<T>> O = Unobserved>
-std::optional<Segment<T>> discriminant_equals_zero(const Segment<T>& segment, const Circle<T>& circle,
-                                                   O&& observer = {}) {
-  std::optional<Segment<T>> kept;
+std::optional<Segment<2, T>> discriminant_equals_zero(const Segment<2, T>& segment, const Circle<T>& circle,
+                                                      O&& observer = {}) {
+  std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
   const T r = circle.radius;
-  auto d = segment.to - segment.from;
-  auto f = segment.from - circle.centre;
+  auto d = segment.b - segment.a;
+  auto f = segment.a - circle.centre;
   T A = d.x * d.x + d.y * d.y;
   T B = 2 * (f.x * d.x + f.y * d.y);
   T C = f.x * f.x + f.y * f.y - r * r;

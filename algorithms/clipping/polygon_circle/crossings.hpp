@@ -16,8 +16,15 @@
 
 namespace gradus::polygon_circle {
 
-using liang_barsky_circle::Circle;
-using liang_barsky_circle::Segment;
+using liang_barsky_circle::chord_on;
+using liang_barsky_circle::crossing;
+using liang_barsky_circle::departure;
+using liang_barsky_circle::entry;
+using liang_barsky_circle::expect_circle;
+using liang_barsky_circle::foot_between;
+using liang_barsky_circle::in_double;
+using liang_barsky_circle::reach;
+using liang_barsky_circle::side;
 
 // --- The polygon ------------------------------------------------------------------------------------------
 
@@ -109,7 +116,7 @@ inline std::optional<Meeting> meeting_edges(std::span<const dvec2> corners) {
 }
 
 /// Edge number i, from corner i to the next one.
-inline Segment<double> edge_of(std::span<const dvec2> corners, std::size_t i) {
+inline Segment<2, double> edge_of(std::span<const dvec2> corners, std::size_t i) {
   return {corners[i], corners[(i + 1) % corners.size()]};
 }
 
@@ -126,7 +133,7 @@ struct Crossing {
 
 /// How an edge runs in the open disc.
 struct Run {
-  Segment<double> edge;
+  Segment<2, double> edge;
   int from, to;  ///< the sides of its ends: -1 inside, 0 on the circle, +1 outside
   bool inside;   ///< part of it lies in the open disc
   bool enters() const { return inside && from >= 0; }
@@ -134,8 +141,8 @@ struct Run {
 };
 
 /// Domain: finite coordinates. Accuracy: exact. An edge that only touches the circle does not run in it.
-inline Run run_of(const Segment<double>& edge, const Circle<double>& circle) {
-  const int from = side(edge.from, circle), to = side(edge.to, circle);
+inline Run run_of(const Segment<2, double>& edge, const Circle<double>& circle) {
+  const int from = side(edge.a, circle), to = side(edge.b, circle);
   const bool inside = from < 0 || to < 0 || (foot_between(edge, circle.centre) && reach(edge, circle) > 0);
   return {edge, from, to, inside};
 }
@@ -149,7 +156,7 @@ inline void add_crossings(std::vector<Crossing>& crossings, const Run& run, std:
     const bool second = leaves != chord.turned;
     const dvec2 direction = dvec2(chord.chord.x(second).value, chord.chord.y(second).value) / chord.radius;
     const bool on_circle = (leaves ? run.to : run.from) == 0;
-    const dvec2 end = leaves ? run.edge.to : run.edge.from;
+    const dvec2 end = leaves ? run.edge.b : run.edge.a;
     const std::size_t corner = leaves ? (i + 1) % n : i;
     crossings.push_back({i, leaves, on_circle ? std::optional(corner) : std::nullopt,
                          on_circle ? end : crossing(run.edge, circle, chord, leaves), direction});
@@ -207,7 +214,7 @@ class CircleOrder {
   }
 
  private:
-  Segment<double> edge(const Crossing& c) const { return edge_of(corners_, c.edge); }
+  Segment<2, double> edge(const Crossing& c) const { return edge_of(corners_, c.edge); }
   /// The same for both passages of a corner.
   std::size_t place(const Crossing& c) const { return c.corner ? *c.corner : corners_.size() + c.edge; }
   bool convex(std::size_t corner) const {

@@ -26,9 +26,9 @@ struct Joined {
 
 /// The first point of what the circle leaves of an edge, which has an end inside: its start, when that is
 /// inside, else the entry.
-inline dvec2 first_of(const Segment<double>& edge, bool from_inside, const Circle<double>& circle) {
-  if (from_inside) return edge.from;
-  return entry(edge, circle, chord_on(edge, circle), side(edge.to, circle));
+inline dvec2 first_of(const Segment<2, double>& edge, bool from_inside, const Circle<double>& circle) {
+  if (from_inside) return edge.a;
+  return entry(edge, circle, chord_on(edge, circle), side(edge.b, circle));
 }
 
 /// FAULTY: of the clipped edge it takes the first point also where the edge leaves, which is the edge's own
@@ -53,9 +53,9 @@ std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polyg
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const auto edge = edge_of(corners, i);
-    bool from_in = side(edge.from, c) <= 0;
-    bool to_in = side(edge.to, c) <= 0;
-    if constexpr (observed<O>) observer(Looked{i, edge.from, edge.to, from_in, to_in});
+    bool from_in = side(edge.a, c) <= 0;
+    bool to_in = side(edge.b, c) <= 0;
+    if constexpr (observed<O>) observer(Looked{i, edge.a, edge.b, from_in, to_in});
     // One end inside: "the crossing"
     if (from_in != to_in) {
       auto cut = first_of(edge, from_in, c);
@@ -64,8 +64,8 @@ std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polyg
     }
     // The second end, if it is inside
     if (to_in) {
-      kept.push_back(glm::vec<2, T>(edge.to));
-      if constexpr (observed<O>) observer(Kept{edge.to, false});
+      kept.push_back(glm::vec<2, T>(edge.b));
+      if constexpr (observed<O>) observer(Kept{edge.b, false});
     }
   }
   if constexpr (observed<O>) observer(Joined<T>{kept});

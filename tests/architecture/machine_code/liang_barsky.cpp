@@ -17,13 +17,13 @@ extern "C" {
   if (found) line = *found;
   return found.has_value();
 }
-[[gnu::flatten]] bool machine_code_box_parametric(clip::Segment<3, double>& line,
+[[gnu::flatten]] bool machine_code_box_parametric(gradus::Segment<3, double>& line,
                                                   const gradus::AxisBox<3, double>& box) {
   const auto found = clip::box_parametric(line, box);
   if (found) line = *found;
   return found.has_value();
 }
-[[gnu::flatten]] bool machine_code_box_correctly_rounded(clip::Segment<3, double>& line,
+[[gnu::flatten]] bool machine_code_box_correctly_rounded(gradus::Segment<3, double>& line,
                                                          const gradus::AxisBox<3, double>& box) {
   const auto found = clip::box_correctly_rounded(line, box);
   if (found) line = *found;

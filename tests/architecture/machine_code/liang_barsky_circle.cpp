@@ -3,8 +3,8 @@
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 
 namespace circle = gradus::liang_barsky_circle;
-using Segment = circle::Segment<double>;
-using Circle = circle::Circle<double>;
+using Segment = gradus::Segment<2, double>;
+using Circle = gradus::Circle<double>;
 
 void keep(const std::optional<Segment>& part);  // defined nowhere: the compiler must call it
 

@@ -4,7 +4,7 @@
 
 namespace polygon = gradus::polygon_circle;
 using Polygon = std::span<const gradus::dvec2>;
-using Circle = polygon::Circle<double>;
+using Circle = gradus::Circle<double>;
 
 void keep(const polygon::Region<double>& region);  // defined nowhere: the compiler must call it
 void keep(const std::vector<gradus::dvec2>& corners);

@@ -24,17 +24,17 @@ namespace gradus::bench {
 namespace {
 
 namespace lbc = gradus::liang_barsky_circle;
-using Ends = lbc::Segment<double>;
+using Ends = Segment<2, double>;
 using Kept = std::optional<Ends>;
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<400, boost::multiprecision::digit_base_2>>;
 
-constexpr lbc::Circle<double> circle{{0.3, -0.2}, 5};
+constexpr Circle<double> circle{{0.3, -0.2}, 5};
 
 /// The answer in 400 bits, rounded once.
 Kept reference(const Ends& s) {
-  const Wide dx = Wide(s.to.x) - s.from.x, dy = Wide(s.to.y) - s.from.y;
-  const Wide fx = Wide(s.from.x) - circle.centre.x, fy = Wide(s.from.y) - circle.centre.y;
+  const Wide dx = Wide(s.b.x) - s.a.x, dy = Wide(s.b.y) - s.a.y;
+  const Wide fx = Wide(s.a.x) - circle.centre.x, fy = Wide(s.a.y) - circle.centre.y;
   const Wide r(circle.radius), A = dx * dx + dy * dy, B = fx * dx + fy * dy, C = fx * fx + fy * fy - r * r;
   const Wide D = B * B - A * C;
   if (D < 0) return std::nullopt;
@@ -42,10 +42,10 @@ Kept reference(const Ends& s) {
   if (enters > 1 || leaves < 0) return std::nullopt;
   Ends kept = s;
   const auto at = [&](const Wide& t) {
-    return dvec2(Wide(s.from.x + t * dx).convert_to<double>(), Wide(s.from.y + t * dy).convert_to<double>());
+    return dvec2(Wide(s.a.x + t * dx).convert_to<double>(), Wide(s.a.y + t * dy).convert_to<double>());
   };
-  if (enters > 0) kept.from = at(enters);
-  if (leaves < 1) kept.to = at(leaves);
+  if (enters > 0) kept.a = at(enters);
+  if (leaves < 1) kept.b = at(leaves);
   return kept;
 }
 
@@ -76,8 +76,8 @@ const Segments& segments(const std::string& mix, std::size_t count) {
       const double before = 1 + 5 * unit(), after = 1 + 5 * unit();
       s = {foot - before * along, foot + after * along};
     } else {
-      s.from = point();
-      s.to = point();
+      s.a = point();
+      s.b = point();
     }
     const Kept kept = reference(s);
     const char* is = !kept ? "outside" : *kept == s ? "inside" : "crossing";
@@ -107,8 +107,8 @@ Error error_of(const Clipped& got, const Segments& set) {
     if ((got.accepted[i] != 0) != right.has_value()) sum.wrong_decision();
     if (!got.accepted[i] || !right) continue;
     const Ends& s = got.segments[i];
-    sum.add(std::max(ulps(s.from.x, right->from.x), ulps(s.from.y, right->from.y)));
-    sum.add(std::max(ulps(s.to.x, right->to.x), ulps(s.to.y, right->to.y)));
+    sum.add(std::max(ulps(s.a.x, right->a.x), ulps(s.a.y, right->a.y)));
+    sum.add(std::max(ulps(s.b.x, right->b.x), ulps(s.b.y, right->b.y)));
   }
   return sum.error();
 }

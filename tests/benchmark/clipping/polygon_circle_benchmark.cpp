@@ -28,7 +28,7 @@ using Polygon = std::vector<dvec2>;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<BoostPoint, false, true>;  // counter-clockwise, closed
 
-const liang_barsky_circle::Circle<double> circle{{0.3, -0.2}, 5};
+const Circle<double> circle{{0.3, -0.2}, 5};
 constexpr double pi = 0x1.921fb54442d18p1;
 
 /// 100 star-shaped polygons of so many corners: inside, round the rim, or outside.

@@ -37,11 +37,11 @@ struct Oracle {
   Rational ax, ay, dx, dy, fx, fy, r, A, B, C, k, D;
 
   template <class T>
-  Oracle(const Segment<T>& s, const Circle<T>& c)
-      : ax(s.from.x),
-        ay(s.from.y),
-        dx(Rational(s.to.x) - ax),
-        dy(Rational(s.to.y) - ay),
+  Oracle(const Segment<2, T>& s, const Circle<T>& c)
+      : ax(s.a.x),
+        ay(s.a.y),
+        dx(Rational(s.b.x) - ax),
+        dy(Rational(s.b.y) - ay),
         fx(ax - Rational(c.centre.x)),
         fy(ay - Rational(c.centre.y)),
         r(c.radius),
@@ -98,7 +98,7 @@ class Cases {
   Cases(std::uint64_t offset, int reach) : random_(test::seed() + offset), reach_(reach) {}
 
   struct Case {
-    Segment<T> segment;
+    Segment<2, T> segment;
     Circle<T> circle;
   };
 
@@ -118,30 +118,30 @@ class Cases {
         Case c = generic(power(-5, 5));
         const auto n = normal(c.segment);
         const T along = unit();
-        const auto on = c.segment.from + along * (c.segment.to - c.segment.from);
+        const auto on = c.segment.a + along * (c.segment.b - c.segment.a);
         c.circle.centre = on + c.circle.radius * n;
         c.circle.radius = nudged(c.circle.radius);
         return c;
       }
       case 3: {  // an end nearly on the circle
         Case c = generic(power(-5, 5));
-        const auto d = c.segment.from - c.circle.centre;
+        const auto d = c.segment.a - c.circle.centre;
         c.circle.radius = nudged(std::sqrt(d.x * d.x + d.y * d.y));
         return c;
       }
       case 4: {  // far ends
         Case c = generic(T(1));
         const T far = power(10, std::numeric_limits<T>::digits);
-        c.segment.from = c.circle.centre + far * c.segment.from;
-        c.segment.to = c.circle.centre - far * c.segment.to;
-        if (random_.unit() < 0.5) c.segment.to.y = c.segment.from.y = c.circle.centre.y + unit();
+        c.segment.a = c.circle.centre + far * c.segment.a;
+        c.segment.b = c.circle.centre - far * c.segment.b;
+        if (random_.unit() < 0.5) c.segment.b.y = c.segment.a.y = c.circle.centre.y + unit();
         return c;
       }
       case 5: {  // a far and large circle
         Case c = generic(T(1));
         const T far = power(5, std::numeric_limits<T>::digits);
         c.circle.centre *= far;
-        const auto d = c.segment.from - c.circle.centre;
+        const auto d = c.segment.a - c.circle.centre;
         c.circle.radius = std::sqrt(d.x * d.x + d.y * d.y) + unit();
         return c;
       }
@@ -171,14 +171,14 @@ class Cases {
   }
   Case generic(T size) {
     Case c;
-    c.segment.from = point(size);
-    c.segment.to = point(size);
+    c.segment.a = point(size);
+    c.segment.b = point(size);
     c.circle.centre = point(size) * T(0.5);
     c.circle.radius = std::abs(unit()) * size;
     return c;
   }
-  glm::vec<2, T> normal(const Segment<T>& s) {
-    const auto d = s.to - s.from;
+  glm::vec<2, T> normal(const Segment<2, T>& s) {
+    const auto d = s.b - s.a;
     const T length = std::sqrt(d.x * d.x + d.y * d.y);
     return {-d.y / length, d.x / length};
   }
@@ -200,23 +200,23 @@ template <class T>
 void expect_right(const typename Cases<T>::Case& given, Counts& counts) {
   const auto& [s, c] = given;
   const Oracle right(s, c);
-  ASSERT_EQ(side(in_double(s).from, in_double(c)), right.from_side());
-  ASSERT_EQ(side(in_double(s).to, in_double(c)), right.to_side());
+  ASSERT_EQ(side(in_double(s).a, in_double(c)), right.from_side());
+  ASSERT_EQ(side(in_double(s).b, in_double(c)), right.to_side());
   if (right.A != 0) ASSERT_EQ(reach(in_double(s), in_double(c)), right.D.sign());
   const auto kept = exact_decision(s, c);
   ASSERT_EQ(kept.has_value(), right.hits());
   // The reverse, bit for bit
-  const auto back = exact_decision(Segment<T>{s.to, s.from}, c);
+  const auto back = exact_decision(Segment<2, T>{s.b, s.a}, c);
   ASSERT_EQ(back.has_value(), kept.has_value());
   if (!kept) {
     ++counts.missed;
     return;
   }
-  ASSERT_EQ(back->from, kept->to);
-  ASSERT_EQ(back->to, kept->from);
-  counts.touched += kept->from == kept->to;
-  if (right.from_side() <= 0) ASSERT_EQ(kept->from, s.from);
-  if (right.to_side() <= 0) ASSERT_EQ(kept->to, s.to);
+  ASSERT_EQ(back->a, kept->b);
+  ASSERT_EQ(back->b, kept->a);
+  counts.touched += kept->a == kept->b;
+  if (right.from_side() <= 0) ASSERT_EQ(kept->a, s.a);
+  if (right.to_side() <= 0) ASSERT_EQ(kept->b, s.b);
   if (right.from_side() <= 0 && right.to_side() <= 0) {
     ++counts.inside;
     return;
@@ -225,16 +225,16 @@ void expect_right(const typename Cases<T>::Case& given, Counts& counts) {
   counts.doubtful += !line_by_pairs(in_double(s), in_double(c)).has_value();
   for (const bool leaves : {false, true}) {
     if ((leaves ? right.to_side() : right.from_side()) <= 0) continue;
-    const auto got = leaves ? kept->to : kept->from;
+    const auto got = leaves ? kept->b : kept->a;
     Wide x, y;
     right.point(leaves, x, y);
     const double error = std::max(error_of(got.x, x, c.radius), error_of(got.y, y, c.radius));
     counts.worst = std::max(counts.worst, error);
     ASSERT_LE(error, 0.63);
-    ASSERT_LE(std::min(s.from.x, s.to.x), got.x);
-    ASSERT_LE(got.x, std::max(s.from.x, s.to.x));
-    ASSERT_LE(std::min(s.from.y, s.to.y), got.y);
-    ASSERT_LE(got.y, std::max(s.from.y, s.to.y));
+    ASSERT_LE(std::min(s.a.x, s.b.x), got.x);
+    ASSERT_LE(got.x, std::max(s.a.x, s.b.x));
+    ASSERT_LE(std::min(s.a.y, s.b.y), got.y);
+    ASSERT_LE(got.y, std::max(s.a.y, s.b.y));
   }
 }
 
@@ -244,9 +244,9 @@ Counts run_cases(std::uint64_t offset, int reach, int count) {
   Counts counts;
   for (int i = 0; i < count; ++i) {
     const auto given = cases.next();
-    SCOPED_TRACE(testing::Message() << std::hexfloat << "case " << i << ": " << given.segment.from.x << ","
-                                    << given.segment.from.y << " " << given.segment.to.x << ","
-                                    << given.segment.to.y << " circle " << given.circle.centre.x << ","
+    SCOPED_TRACE(testing::Message() << std::hexfloat << "case " << i << ": " << given.segment.a.x << ","
+                                    << given.segment.a.y << " " << given.segment.b.x << ","
+                                    << given.segment.b.y << " circle " << given.circle.centre.x << ","
                                     << given.circle.centre.y << "," << given.circle.radius);
     expect_right<T>(given, counts);
     if (testing::Test::HasFatalFailure()) return counts;
@@ -287,25 +287,25 @@ TEST(LiangBarskyCircleProperty, MixedSizesAgainstExactArithmetic) {
   for (int i = 0; i < count; ++i) {
     const stress::Input n = stress::of_mixed_sizes(random);
     SCOPED_TRACE(testing::Message() << "case " << i << ": " << fmt::format("{:a}", fmt::join(n, ",")));
-    const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
+    const Segment<2, double> s{{n[0], n[1]}, {n[2], n[3]}};
     const Circle<double> c{{n[4], n[5]}, n[6]};
     const Oracle right(s, c);
-    ASSERT_EQ(side(s.from, c), right.from_side());
-    ASSERT_EQ(side(s.to, c), right.to_side());
-    ASSERT_EQ(past_foot(s.from, s, c.centre), right.B.sign());
+    ASSERT_EQ(side(s.a, c), right.from_side());
+    ASSERT_EQ(side(s.b, c), right.to_side());
+    ASSERT_EQ(past_foot(s.a, s, c.centre), right.B.sign());
     if (right.A != 0) ASSERT_EQ(reach(s, c), right.D.sign());
     const auto ends = stress::ends_in_circle(n);
-    const auto got = exact_decision(s, c), back = exact_decision(Segment<double>{s.to, s.from}, c);
+    const auto got = exact_decision(s, c), back = exact_decision(Segment<2, double>{s.b, s.a}, c);
     ASSERT_EQ(got.has_value(), ends.has_value());
     ASSERT_EQ(back.has_value(), got.has_value());
     underflows += n[6] * n[6] == 0 || (right.A != 0 && quadratic(s, c).A == 0);
     if (!got) continue;
     ++kept;
     cut += !ends->from_is_given || !ends->to_is_given;
-    touched += got->from == got->to;
-    ASSERT_EQ(got->from, back->to);
-    ASSERT_EQ(got->to, back->from);
-    const double error = std::max(ends->from.error(got->from), ends->to.error(got->to));
+    touched += got->a == got->b;
+    ASSERT_EQ(got->a, back->b);
+    ASSERT_EQ(got->b, back->a);
+    const double error = std::max(ends->from.error(got->a), ends->to.error(got->b));
     worst = std::max(worst, error);
     ASSERT_LE(error, 0.63);
   }
@@ -327,10 +327,10 @@ TEST(LiangBarskyCircleProperty, TheQuadraticInExactDecidesTheSame) {
     const auto [s, c] = cases.next();
     const auto e = [](dvec2 p) { return ExactVec2(Exact(p.x), Exact(p.y)); };
     const Quadratic<Exact> q =
-        quadratic(Segment<Exact>{e(s.from), e(s.to)}, Circle<Exact>{e(c.centre), Exact(c.radius)});
+        quadratic(Segment<2, Exact>{e(s.a), e(s.b)}, Circle<Exact>{e(c.centre), Exact(c.radius)});
     ASSERT_EQ(sign(q.D), q.A == Exact{} ? 0 : reach(s, c)) << i;
-    ASSERT_EQ(sign(q.C), side(s.from, c)) << i;
-    ASSERT_EQ(sign(q.B), past_foot(s.from, s, c.centre)) << i;
+    ASSERT_EQ(sign(q.C), side(s.a, c)) << i;
+    ASSERT_EQ(sign(q.B), past_foot(s.a, s, c.centre)) << i;
     ASSERT_EQ(q.B * q.B - q.A * q.C, q.D) << i;
     touching += sign(q.D) == 0;
   }
@@ -346,17 +346,17 @@ TEST(LiangBarskyCircleProperty, ErrorsOfTheTextbookForms) {
   for (int i = 0; i < count; ++i) {
     double n[7];
     for (double& x : n) x = random.uniform(-10, 10);
-    const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
+    const Segment<2, double> s{{n[0], n[1]}, {n[2], n[3]}};
     const Circle<double> c{{n[4] / 2, n[5] / 2}, std::abs(n[6])};
     const auto right = exact_decision(s, c), taught = half_chord(s, c),
                notes = discriminant_equals_zero(s, c);
     wrong_taught += right.has_value() != taught.has_value();
     wrong_notes += right.has_value() != notes.has_value();
     if (!right) continue;
-    const auto error = [&](const std::optional<Segment<double>>& got) {
+    const auto error = [&](const std::optional<Segment<2, double>>& got) {
       double most = 0;
       if (!got) return most;
-      for (const auto& [a, b] : {std::pair{got->from, right->from}, std::pair{got->to, right->to}}) {
+      for (const auto& [a, b] : {std::pair{got->a, right->a}, std::pair{got->b, right->b}}) {
         for (const int axis : {0, 1}) {
           most = std::max(most, error_of(a[axis], Wide(b[axis]), c.radius));
         }
@@ -386,11 +386,11 @@ TEST(LiangBarskyCircleProperty, TangencyIsDecidedByRounding) {
     // The tangent at the angle of (x, y), |(x, y)| = r rounded
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
     const double r = std::sqrt(x * x + y * y), a = random.uniform(1, 3), b = random.uniform(1, 3);
-    const Segment<double> s{{x - a * y, y + a * x}, {x + b * y, y - b * x}};
+    const Segment<2, double> s{{x - a * y, y + a * x}, {x + b * y, y - b * x}};
     const Circle<double> c{{0, 0}, r};
-    const auto d = s.to - s.from;
-    const double B = 2 * (s.from.x * d.x + s.from.y * d.y), A = d.x * d.x + d.y * d.y;
-    const double D = B * B - 4 * A * (s.from.x * s.from.x + s.from.y * s.from.y - r * r);
+    const auto d = s.b - s.a;
+    const double B = 2 * (s.a.x * d.x + s.a.y * d.y), A = d.x * d.x + d.y * d.y;
+    const double D = B * B - 4 * A * (s.a.x * s.a.x + s.a.y * s.a.y - r * r);
     ++sign_of_D[(D > 0) - (D < 0) + 1];
     wrong += ((D > 0) - (D < 0)) != Oracle(s, c).D.sign();
     ASSERT_EQ(reach(s, c), Oracle(s, c).D.sign());
@@ -417,11 +417,11 @@ int on_every_target(Test test) {
   return targets;
 }
 
-bool same_bits(const Segment<double>& a, const Segment<double>& b) {
+bool same_bits(const Segment<2, double>& a, const Segment<2, double>& b) {
   const auto same = [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   };
-  return same(a.from.x, b.from.x) && same(a.from.y, b.from.y) && same(a.to.x, b.to.x) && same(a.to.y, b.to.y);
+  return same(a.a.x, b.a.x) && same(a.a.y, b.a.y) && same(a.b.x, b.b.x) && same(a.b.y, b.b.y);
 }
 
 /// Segments for one circle: round it, tangent to it or 1 ulp beside, with ends on it, inside, points, through
@@ -431,7 +431,7 @@ class Round {
   explicit Round(std::uint64_t offset) : random_(test::seed() + offset) {}
 
   static constexpr int kinds = 9;
-  Segment<double> next(int kind, const Circle<double>& c) {
+  Segment<2, double> next(int kind, const Circle<double>& c) {
     const double r = c.radius;
     const dvec2 n = direction(), along(-n.y, n.x);
     switch (kind) {
@@ -451,7 +451,7 @@ class Round {
       case 4:
         return {c.centre + 0.7 * r * unit(), c.centre + 0.7 * r * unit()};
       case 5: {
-        const dvec2 p = nudged({c.centre + random_.uniform(0, 2) * r * n, {}}).from;
+        const dvec2 p = nudged({c.centre + random_.uniform(0, 2) * r * n, {}}).a;
         return {p, p};
       }
       case 6:
@@ -478,18 +478,18 @@ class Round {
     const dvec2 p = unit();
     return p / std::sqrt(p.x * p.x + p.y * p.y);
   }
-  Segment<double> nudged(Segment<double> s) {
-    for (double* x : {&s.from.x, &s.from.y, &s.to.x, &s.to.y}) {
+  Segment<2, double> nudged(Segment<2, double> s) {
+    for (double* x : {&s.a.x, &s.a.y, &s.b.x, &s.b.y}) {
       const double to = random_.unit() < 0.5 ? -HUGE_VAL : HUGE_VAL;
       if (random_.unit() < 0.2 && std::abs(*x) < 1e308) *x = std::nextafter(*x, to);
     }
-    return random_.unit() < 0.5 ? s : Segment<double>{s.to, s.from};
+    return random_.unit() < 0.5 ? s : Segment<2, double>{s.b, s.a};
   }
   Random random_;
 };
 
-bool finite(const Segment<double>& s) {
-  return std::isfinite(s.from.x) && std::isfinite(s.from.y) && std::isfinite(s.to.x) && std::isfinite(s.to.y);
+bool finite(const Segment<2, double>& s) {
+  return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x) && std::isfinite(s.b.y);
 }
 
 struct BatchCases {
@@ -497,9 +497,9 @@ struct BatchCases {
 };
 
 // Compares a batch with exact_decision, and clips in place too
-void expect_same(std::vector<Segment<double>> segments, const Circle<double>& c, BatchCases& counts) {
+void expect_same(std::vector<Segment<2, double>> segments, const Circle<double>& c, BatchCases& counts) {
   const std::size_t size = segments.size();
-  std::vector<Segment<double>> clipped(size);
+  std::vector<Segment<2, double>> clipped(size);
   std::vector<std::uint8_t> accepted(size), again(size);
   const BatchCount count = clip_batch(segments, c, clipped, accepted);
   ASSERT_EQ(count.accepted, static_cast<std::size_t>(std::count(accepted.begin(), accepted.end(), 1)));
@@ -530,8 +530,8 @@ TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodOnEveryTarget
       if (round % 16 == 5) first.circle.radius = 0;
       if (round % 16 == 9) first.circle.centre = {0, 0};
       // Numbers of segments that leave a rest, or none
-      std::vector<Segment<double>> segments;
-      const auto add = [&](const Segment<double>& s) {
+      std::vector<Segment<2, double>> segments;
+      const auto add = [&](const Segment<2, double>& s) {
         if (finite(s)) segments.push_back(s);
       };
       add(first.segment);
@@ -562,10 +562,10 @@ TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodForMixedSizes
       const stress::Sizes sizes = round % 8 == 0 ? stress::Sizes{} : stress::Sizes{-700, 148};
       const stress::Input n = stress::of_mixed_sizes(random, sizes);
       SCOPED_TRACE(testing::Message() << "round " << round << ": " << fmt::format("{:a}", fmt::join(n, ",")));
-      const Segment<double> s{{n[0], n[1]}, {n[2], n[3]}};
-      const Segment<double> up{{s.from.x, std::nextafter(s.from.y, HUGE_VAL)}, s.to};
-      std::vector<Segment<double>> segments{s, {s.to, s.from}, {s.from, s.from}, up, {{0, 0}, s.to}, s, s, s};
-      std::erase_if(segments, [](const Segment<double>& given) { return !finite(given); });
+      const Segment<2, double> s{{n[0], n[1]}, {n[2], n[3]}};
+      const Segment<2, double> up{{s.a.x, std::nextafter(s.a.y, HUGE_VAL)}, s.b};
+      std::vector<Segment<2, double>> segments{s, {s.b, s.a}, {s.a, s.a}, up, {{0, 0}, s.b}, s, s, s};
+      std::erase_if(segments, [](const Segment<2, double>& given) { return !finite(given); });
       expect_same(segments, {{n[4], n[5]}, n[6]}, counts);
       if (testing::Test::HasFatalFailure()) return;
     }
@@ -579,13 +579,13 @@ TEST(LiangBarskyCircleProperty, TheBatchHasTheBitsOfTheScalarMethodForMixedSizes
 TEST(LiangBarskyCircleProperty, NearlyEverySegmentOfABatchIsCertified) {
   Round round_it(10);
   const auto of_kind = [&](int kind, const Circle<double>& c) {
-    std::vector<Segment<double>> segments(16'384);
+    std::vector<Segment<2, double>> segments(16'384);
     for (auto& s : segments) s = round_it.next(kind, c);
     return segments;
   };
   const Circle<double> near{{0.3, -0.2}, 5}, far{{1e6, -3e7}, 0.01};
-  const std::vector<std::vector<Segment<double>>> sets{of_kind(0, near), of_kind(4, near), of_kind(7, near),
-                                                       of_kind(0, far)};
+  const std::vector<std::vector<Segment<2, double>>> sets{of_kind(0, near), of_kind(4, near),
+                                                          of_kind(7, near), of_kind(0, far)};
   const Circle<double> circles[] = {near, near, near, far};
   const char* const names[] = {"random", "inside", "far ends", "random, far circle"};
   const int targets = on_every_target([&] {
@@ -604,14 +604,14 @@ TEST(LiangBarskyCircleProperty, NearlyEverySegmentOfABatchIsCertified) {
 TEST(LiangBarskyCircleProperty, ABatchRefusesWhatTheScalarMethodRefuses) {
   on_every_target([&] {
     const double infinity = std::numeric_limits<double>::infinity();
-    std::vector<Segment<double>> segments(9, Segment<double>{{1, 1}, {2, 2}}), clipped(9);
+    std::vector<Segment<2, double>> segments(9, Segment<2, double>{{1, 1}, {2, 2}}), clipped(9);
     std::vector<std::uint8_t> accepted(9);
     const Circle<double> five{{0, 0}, 5};
     EXPECT_EQ(clip_batch(segments, five, clipped, accepted).accepted, 9u);
     for (const std::size_t bad : {0u, 5u, 8u}) {
       for (int axis = 0; axis < 4; ++axis) {
-        std::vector<Segment<double>> some = segments;
-        (&some[bad].from.x)[axis] = axis % 2 ? std::nan("") : -infinity;
+        std::vector<Segment<2, double>> some = segments;
+        (&some[bad].a.x)[axis] = axis % 2 ? std::nan("") : -infinity;
         EXPECT_THROW(clip_batch(some, five, clipped, accepted), ContractViolation);
       }
     }

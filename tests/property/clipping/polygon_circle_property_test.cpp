@@ -150,9 +150,9 @@ void expect_sorted(const std::vector<dvec2>& corners, const Circle<double>& circ
                    const std::vector<Crossing>& crossings, Counts& counts) {
   using Many = Float<400>;
   const auto direction = [&](const Crossing& c) {
-    const Segment<double> s = edge_of(corners, c.edge);
-    const Many dx = Many(s.to.x) - s.from.x, dy = Many(s.to.y) - s.from.y;
-    const Many fx = Many(s.from.x) - circle.centre.x, fy = Many(s.from.y) - circle.centre.y;
+    const Segment<2, double> s = edge_of(corners, c.edge);
+    const Many dx = Many(s.b.x) - s.a.x, dy = Many(s.b.y) - s.a.y;
+    const Many fx = Many(s.a.x) - circle.centre.x, fy = Many(s.a.y) - circle.centre.y;
     const Many k = dx * fy - dy * fx, A = dx * dx + dy * dy, r(circle.radius);
     const Many root = sqrt(Many(r * r * A - k * k)) * (c.leaves ? 1 : -1);
     return std::pair<Many, Many>((root * dx - k * dy) / A / r, (root * dy + k * dx) / A / r);
@@ -258,12 +258,12 @@ TEST(PolygonCircleProperty, PiecesAgreeWithSegmentsAndArcsLieInThePolygon) {
     for (const Tested& t : all<Tested>(seen)) {
       const auto kept = liang_barsky_circle::exact_decision(t.run.edge, circle);
       if (!t.run.inside) {
-        if (kept) ASSERT_EQ(kept->from, kept->to);
+        if (kept) ASSERT_EQ(kept->a, kept->b);
         continue;
       }
       ++pieces;
-      ASSERT_EQ(kept->from, t.enters.value_or(t.run.edge.from));
-      ASSERT_EQ(kept->to, t.leaves.value_or(t.run.edge.to));
+      ASSERT_EQ(kept->a, t.enters.value_or(t.run.edge.a));
+      ASSERT_EQ(kept->b, t.leaves.value_or(t.run.edge.b));
     }
     for (const Ring<double>& ring : region.rings) {
       for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -299,7 +299,7 @@ TEST(PolygonCircleProperty, MixedSizesAgainstExactArithmetic) {
     simple += !all<Tested>(seen).empty();
     rings += static_cast<int>(region.rings.size());
     for (const Tested& t : all<Tested>(seen)) {
-      const dvec2 a = t.run.edge.from, b = t.run.edge.to;
+      const dvec2 a = t.run.edge.a, b = t.run.edge.b;
       const auto right = stress::ends_in_circle({a.x, a.y, b.x, b.y, n[4], n[5], n[6]});
       ASSERT_EQ(t.run.inside, right && right->runs);
       if (!t.run.inside) continue;

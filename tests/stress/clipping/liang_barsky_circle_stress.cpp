@@ -17,9 +17,7 @@
 namespace gradus::stress {
 namespace {
 
-using liang_barsky_circle::Circle;
 using liang_barsky_circle::exact_decision;
-using liang_barsky_circle::Segment;
 
 // --- Inputs: from, to, centre, radius ---
 
@@ -76,14 +74,14 @@ Input generate(Kind kind, Random& random) {
   return input;
 }
 
-Segment<double> segment_of(const Input& i) { return {{i[0], i[1]}, {i[2], i[3]}}; }
+Segment<2, double> segment_of(const Input& i) { return {{i[0], i[1]}, {i[2], i[3]}}; }
 Circle<double> circle_of(const Input& i) { return {{i[4], i[5]}, i[6]}; }
 
 // --- Promises ---
 
 double error(const Input& i) {
   const bool taken = all_finite(i) && i[6] >= 0;
-  std::optional<Segment<double>> found;
+  std::optional<Segment<2, double>> found;
   try {
     found = exact_decision(segment_of(i), circle_of(i));
   } catch (const ContractViolation&) {
@@ -93,32 +91,32 @@ double error(const Input& i) {
   const std::optional<EndsInCircle> right = ends_in_circle(i);
   if (found.has_value() != right.has_value()) return wrong;
   if (!found) return 0;
-  return std::max(right->from.error(found->from), right->to.error(found->to));
+  return std::max(right->from.error(found->a), right->to.error(found->b));
 }
 
-bool same_bits(const Segment<double>& a, const Segment<double>& b) {
+bool same_bits(const Segment<2, double>& a, const Segment<2, double>& b) {
   const auto bits = [](dvec2 p) {
     return std::pair(std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y));
   };
-  return bits(a.from) == bits(b.from) && bits(a.to) == bits(b.to);
+  return bits(a.a) == bits(b.a) && bits(a.b) == bits(b.b);
 }
 
 /// 0 where the segment turned round gives the reverse, bit for bit.
 double reversed_error(const Input& i) {
   if (!all_finite(i) || i[6] < 0) return 0;
-  const Segment<double> segment = segment_of(i);
+  const Segment<2, double> segment = segment_of(i);
   const auto there = exact_decision(segment, circle_of(i));
-  const auto back = exact_decision(Segment<double>{segment.to, segment.from}, circle_of(i));
+  const auto back = exact_decision(Segment<2, double>{segment.b, segment.a}, circle_of(i));
   if (there.has_value() != back.has_value()) return wrong;
-  return !there || same_bits(*there, {back->to, back->from}) ? 0 : wrong;
+  return !there || same_bits(*there, {back->b, back->a}) ? 0 : wrong;
 }
 
 /// 0 where a batch, with the segment in every lane and turned round, has the bits of exact_decision.
 double batch_error(const Input& i) {
   if (!all_finite(i) || i[6] < 0) return 0;
-  const Segment<double> segment = segment_of(i);
-  std::vector<Segment<double>> segments(17, segment), clipped(17);
-  for (std::size_t k = 0; k < segments.size(); k += 3) std::swap(segments[k].from, segments[k].to);
+  const Segment<2, double> segment = segment_of(i);
+  std::vector<Segment<2, double>> segments(17, segment), clipped(17);
+  for (std::size_t k = 0; k < segments.size(); k += 3) std::swap(segments[k].a, segments[k].b);
   std::vector<std::uint8_t> accepted(segments.size());
   liang_barsky_circle::clip_batch(segments, circle_of(i), clipped, accepted);
   for (std::size_t k = 0; k < segments.size(); ++k) {

@@ -22,7 +22,6 @@ namespace gradus::stress {
 namespace {
 
 using polygon_circle::arcs;
-using polygon_circle::Circle;
 using polygon_circle::Region;
 using test::Point;
 using test::Rational;

@@ -14,7 +14,7 @@
 namespace gradus::liang_barsky_circle {
 namespace {
 
-using S = Segment<double>;
+using S = Segment<2, double>;
 using C = Circle<double>;
 using Kept = std::optional<S>;
 
@@ -26,10 +26,10 @@ S segment(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y
 
 void expect_near(const Kept& kept, const S& right, double tolerance) {
   ASSERT_TRUE(kept);
-  EXPECT_NEAR(kept->from.x, right.from.x, tolerance);
-  EXPECT_NEAR(kept->from.y, right.from.y, tolerance);
-  EXPECT_NEAR(kept->to.x, right.to.x, tolerance);
-  EXPECT_NEAR(kept->to.y, right.to.y, tolerance);
+  EXPECT_NEAR(kept->a.x, right.a.x, tolerance);
+  EXPECT_NEAR(kept->a.y, right.a.y, tolerance);
+  EXPECT_NEAR(kept->b.x, right.b.x, tolerance);
+  EXPECT_NEAR(kept->b.y, right.b.y, tolerance);
 }
 
 TEST(LiangBarskyCircle, GoldenSegments) {
@@ -40,7 +40,7 @@ TEST(LiangBarskyCircle, GoldenSegments) {
       {segment(1, 0, 2, 0), segment(1, 0, 1, 0)},   {segment(0, 0, 2, 0), segment(0, 0, 1, 0)},
   };
   for (const auto& [given, right] : kept) {
-    EXPECT_EQ(exact_decision(given, unit), right) << given.from.x;
+    EXPECT_EQ(exact_decision(given, unit), right) << given.a.x;
     expect_near(half_chord(given, unit), right, 1e-15);
   }
   // G001-60, 64: nothing
@@ -73,7 +73,7 @@ TEST(LiangBarskyCircle, Grazing) {
   // The notes' arithmetic can't see either
   const Kept touching = discriminant_equals_zero(segment(-2, above, 2, above), unit);
   ASSERT_TRUE(touching);
-  EXPECT_EQ(touching->from, dvec2(0, above));
+  EXPECT_EQ(touching->a, dvec2(0, above));
 }
 
 TEST(LiangBarskyCircle, TangentsFromInsideAndOutside) {
@@ -144,7 +144,7 @@ TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
   const Kept far = exact_decision(S{{-4 * unit_of_doubles, 0}, {30, -11.5}},
                                   C{{4 * unit_of_doubles, 0}, 8 * unit_of_doubles});  // met at (9.95, -5.35)
   ASSERT_TRUE(far);
-  EXPECT_EQ(far->to, dvec2(10 * unit_of_doubles, -5 * unit_of_doubles));
+  EXPECT_EQ(far->b, dvec2(10 * unit_of_doubles, -5 * unit_of_doubles));
   const Kept lattice = scaled(10, -5, -11, 2, 5);
   ASSERT_TRUE(lattice);
   EXPECT_EQ(*lattice, (S{{4 * unit_of_doubles, -3 * unit_of_doubles}, {-5 * unit_of_doubles, 0}}));
@@ -152,9 +152,9 @@ TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
 
 /// Kept of a segment, and of it turned round the same.
 Kept both_ways(const S& given, const C& circle) {
-  const Kept there = exact_decision(given, circle), back = exact_decision(S{given.to, given.from}, circle);
+  const Kept there = exact_decision(given, circle), back = exact_decision(S{given.b, given.a}, circle);
   EXPECT_EQ(there.has_value(), back.has_value());
-  if (there && back) EXPECT_EQ(*there, (S{back->to, back->from}));
+  if (there && back) EXPECT_EQ(*there, (S{back->b, back->a}));
   return there;
 }
 
@@ -273,24 +273,24 @@ TEST(LiangBarskyCircle, StepsFollowTheGrammar) {
 TEST(LiangBarskyCircle, TheQuadraticIsExactInExact) {
   const ExactScope scope;
   const auto e = [](double x) { return Exact(x); };
-  const Segment<Exact> s{{e(-6), e(3)}, {e(2), e(3)}};
+  const Segment<2, Exact> s{{e(-6), e(3)}, {e(2), e(3)}};
   const Quadratic<Exact> q = quadratic(s, Circle<Exact>{{e(0), e(0)}, e(5)});
   EXPECT_EQ(q.A, e(64));
   EXPECT_EQ(q.B, e(-48));
   EXPECT_EQ(q.C, e(20));
   EXPECT_EQ(q.D, q.B * q.B - q.A * q.C);
   // A tangent that doubles can't tell
-  const Segment<Exact> tangent{{e(-2), e(0.1) * e(10)}, {e(2), e(0.1) * e(10)}};
+  const Segment<2, Exact> tangent{{e(-2), e(0.1) * e(10)}, {e(2), e(0.1) * e(10)}};
   EXPECT_EQ(sign(quadratic(tangent, Circle<Exact>{{e(0), e(0)}, e(0.1) * e(10)}).D), 0);
   // Float and double with the same small numbers
-  const Quadratic<float> f = quadratic(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
+  const Quadratic<float> f = quadratic(Segment<2, float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
   const Quadratic<double> d = quadratic(segment(-6, 3, 2, 3), C{{0, 0}, 5});
   EXPECT_EQ(double{f.D}, d.D);
   EXPECT_EQ(e(d.D), q.D);
-  const auto kept = exact_decision(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
+  const auto kept = exact_decision(Segment<2, float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5});
   ASSERT_TRUE(kept);
-  EXPECT_EQ(kept->from, glm::vec2(-4, 3));
-  EXPECT_EQ(half_chord(Segment<float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5})->from, glm::vec2(-4, 3));
+  EXPECT_EQ(kept->a, glm::vec2(-4, 3));
+  EXPECT_EQ(half_chord(Segment<2, float>{{-6, 3}, {2, 3}}, Circle<float>{{0, 0}, 5})->a, glm::vec2(-4, 3));
 }
 
 // --- The notes' listings ----------------------------------------------------------------------------------
@@ -317,7 +317,7 @@ TEST(LiangBarskyCircleNotes, TheDiscriminantCancels) {
   EXPECT_TRUE(discriminant_equals_zero(segment(-1e8, 1.0000001, 1e8, 1.0000001), unit));
   const Kept near = discriminant_equals_zero(segment(-1e6, 0.999, 1e6, 0.999), unit);
   ASSERT_TRUE(near);
-  EXPECT_NEAR(near->to.x, 0.04335, 1e-5);  // right: 0.04471
+  EXPECT_NEAR(near->b.x, 0.04335, 1e-5);  // right: 0.04471
 }
 
 TEST(LiangBarskyCircleNotes, StepsAreWatchedOnly) {

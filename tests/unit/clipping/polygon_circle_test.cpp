@@ -245,7 +245,7 @@ TEST(PolygonCircle, FloatAndExact) {
   EXPECT_NEAR(area(region), pi / 4, 1e-15);
   // What is rational is the quadratic of each edge: the same in Exact
   const ExactScope scope;
-  const Segment<Exact> edge{{Exact(2), Exact(0)}, {Exact(2), Exact(2)}};
+  const Segment<2, Exact> edge{{Exact(2), Exact(0)}, {Exact(2), Exact(2)}};
   const auto q = liang_barsky_circle::quadratic(edge, Circle<Exact>{{Exact(0), Exact(0)}, Exact(1)});
   EXPECT_EQ(sign(q.D), run_of({{2, 0}, {2, 2}}, unit).inside ? 1 : -1);
 }

@@ -52,8 +52,8 @@ TEST(Oracles, PolygonsInARectangle) {
 void expect_chord(const Input& i, dvec2 from, dvec2 to) {
   const auto ends = ends_in_circle(i);
   ASSERT_TRUE(ends);
-  EXPECT_LE(ends->from.error(from), 0.5) << from.x;
-  EXPECT_LE(ends->to.error(to), 0.5) << to.x;
+  EXPECT_LE(ends->a.error(from), 0.5) << from.x;
+  EXPECT_LE(ends->b.error(to), 0.5) << to.x;
 }
 
 TEST(Oracles, SegmentsInACircle) {
@@ -71,7 +71,7 @@ TEST(Oracles, SegmentsInACircle) {
 
 TEST(Oracles, PolygonsInACircle) {
   const auto area = [](const std::vector<dvec2>& polygon) {
-    return static_cast<double>(test::exact_area(polygon, polygon_circle::Circle<double>{{0, 0}, 1}));
+    return static_cast<double>(test::exact_area(polygon, polygon_Circle<double>{{0, 0}, 1}));
   };
   EXPECT_NEAR(area({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), 0.785398, 5e-7);
   EXPECT_NEAR(area({{0, -0.5}, {3, -0.5}, {0, 0.5}}), 0.810830, 5e-7);

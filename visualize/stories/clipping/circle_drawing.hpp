@@ -19,7 +19,7 @@
 namespace gradus::circle_drawing {
 
 /// An arc as a chain of points close enough for the eye: from an angle on, counter-clockwise, in radians.
-inline std::vector<dvec2> arc(const liang_barsky_circle::Circle<double>& circle, double from, double sweep) {
+inline std::vector<dvec2> arc(const Circle<double>& circle, double from, double sweep) {
   const int chords = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) * 20)));
   std::vector<dvec2> points;
   for (int i = 0; i <= chords; ++i) {
@@ -30,7 +30,7 @@ inline std::vector<dvec2> arc(const liang_barsky_circle::Circle<double>& circle,
 }
 
 /// The circle as a closed chain, without its first point again.
-inline std::vector<dvec2> whole(const liang_barsky_circle::Circle<double>& circle) {
+inline std::vector<dvec2> whole(const Circle<double>& circle) {
   std::vector<dvec2> points = arc(circle, 0, 0x1.921fb54442d18p2);
   points.pop_back();
   return points;
@@ -38,9 +38,10 @@ inline std::vector<dvec2> whole(const liang_barsky_circle::Circle<double>& circl
 
 /// The point of a segment nearest to another: the foot of the perpendicular, or an end. Accuracy: a few ulp
 /// of the larger of its distance and that point's coordinates, however far the ends.
-inline dvec2 nearest_on(const liang_barsky_circle::Segment<double>& s, dvec2 to) {
-  if (!foot_between(s, to)) return past_foot(s.from, s, to) >= 0 ? s.from : s.to;
-  const auto chord = chord_of(s, {to, 0}, 0);  // of a point: its foot is what is asked
+inline dvec2 nearest_on(const Segment<2, double>& s, dvec2 to) {
+  if (!liang_barsky_circle::foot_between(s, to))
+    return liang_barsky_circle::past_foot(s.a, s, to) >= 0 ? s.a : s.b;
+  const auto chord = liang_barsky_circle::chord_of(s, {to, 0}, 0);  // of a point: its foot is what is asked
   return to + dvec2(chord.foot_x.value, chord.foot_y.value);
 }
 
@@ -109,7 +110,7 @@ inline void expect_coordinates(const std::string& flag, std::initializer_list<dv
 }
 
 /// The circle of the numbers cx, cy, r, as far as a figure can show it.
-inline liang_barsky_circle::Circle<double> circle_in(const Arguments& arguments) {
+inline Circle<double> circle_in(const Arguments& arguments) {
   const std::vector<double> numbers = arguments.numbers("circle");
   const double r = numbers[2];
   if (!(r >= 0)) throw ArgumentError("circle", "a radius of 0 or more expected, the third number");

@@ -14,7 +14,7 @@ namespace gradus::liang_barsky_circle {
 namespace {
 
 using fmt::arg;
-using Ends = Segment<double>;
+using Ends = Segment<2, double>;
 using Disc = Circle<double>;
 
 constexpr std::string_view folder = "algorithms/clipping/liang_barsky_circle/";
@@ -37,8 +37,8 @@ Extent world_of(const Ends& s, const Disc& c) {
   around.add(c.centre - c.radius);
   around.add(c.centre + c.radius);
   Extent all = around;
-  all.add(s.from);
-  all.add(s.to);
+  all.add(s.a);
+  all.add(s.b);
   const bool fits = c.radius == 0 || std::max(all.size().x, all.size().y) <= 12 * c.radius;
   return widened(fits ? all : widened(around, 0.5), 0.12);
 }
@@ -82,8 +82,8 @@ class Teller {
   void operator()(const Started<double>& s, int source_line = __builtin_LINE(), const char* = nullptr) {
     base();
     milestone("Started", words_.say("words.set_up"), source_line,
-              words_.say("liang_barsky_circle.started", arg("from", figure_place(s.segment.from)),
-                         arg("to", figure_place(s.segment.to))),
+              words_.say("liang_barsky_circle.started", arg("from", figure_place(s.segment.a)),
+                         arg("to", figure_place(s.segment.b))),
               {{"radius", s.circle.radius}}, {words_.symbol("r"), figure_real(s.circle.radius), ""});
   }
 
@@ -93,7 +93,7 @@ class Teller {
     // D tells apart what looks the same here
     const std::string than = near == radius ? (m.D == 0 ? "=" : "≈") : m.D == 0 ? "≈" : m.D > 0 ? "<" : ">";
     std::string sentence =
-        words_.say("liang_barsky_circle.point", arg("from", figure_place(scene_.segment.from)));
+        words_.say("liang_barsky_circle.point", arg("from", figure_place(scene_.segment.a)));
     if (m.A > 0) {
       add_perpendicular();
       sentence =
@@ -158,8 +158,8 @@ class Teller {
   }
 
   void operator()(const Placed& p, int source_line = __builtin_LINE(), const char* = nullptr) {
-    place("from", scene_.segment.from, p.from);
-    place("to", scene_.segment.to, p.to);
+    place("from", scene_.segment.a, p.from);
+    place("to", scene_.segment.b, p.to);
     milestone(
         "Placed", words_.say("liang_barsky_circle.phase.decision"), source_line,
         words_.say("liang_barsky_circle.placed", arg("from", side_text(p.from)), arg("to", side_text(p.to))),
@@ -202,9 +202,9 @@ class Teller {
     }
     if (f.kept) add_part("h result", Role::result, *f.kept);
     if (scene_.right && kept_text(f.kept) != kept_text(scene_.right)) {
-      circle_drawing::add_stroke(view_, scene_.panel, "e right", Role::measure, scene_.right->from,
-                                 scene_.right->to);
-      circle_drawing::add_point(view_, scene_.panel, "e right at", Role::measure, scene_.right->to,
+      circle_drawing::add_stroke(view_, scene_.panel, "e right", Role::measure, scene_.right->a,
+                                 scene_.right->b);
+      circle_drawing::add_point(view_, scene_.panel, "e right at", Role::measure, scene_.right->b,
                                 words_.say("liang_barsky_circle.right"), true);
     }
     milestone("Finished", words_.say("words.result"), source_line, ending(f.kept),
@@ -223,12 +223,12 @@ class Teller {
     view_.add({"a circle", Role::boundary, Path{panel.at(circle_drawing::whole(scene_.circle)), true}});
     circle_drawing::add_point(view_, panel, "a centre", Role::boundary, scene_.circle.centre,
                               words_.say("liang_barsky_circle.centre"));
-    circle_drawing::add_stroke(view_, panel, "b segment", Role::input, scene_.segment.from, scene_.segment.to,
+    circle_drawing::add_stroke(view_, panel, "b segment", Role::input, scene_.segment.a, scene_.segment.b,
                                true);
-    circle_drawing::add_point(view_, panel, "b from", Role::input, scene_.segment.from,
+    circle_drawing::add_point(view_, panel, "b from", Role::input, scene_.segment.a,
                               words_.say("liang_barsky_circle.from"));
-    if (scene_.segment.from != scene_.segment.to) {
-      circle_drawing::add_point(view_, panel, "b to", Role::input, scene_.segment.to,
+    if (scene_.segment.a != scene_.segment.b) {
+      circle_drawing::add_point(view_, panel, "b to", Role::input, scene_.segment.b,
                                 words_.say("liang_barsky_circle.to"));
     }
     add_axes(view_, panel, "plane", {words_.symbol("x"), words_.symbol("y")});
@@ -241,7 +241,7 @@ class Teller {
 
   /// The whole line, dashed, and the perpendicular from the centre.
   void add_perpendicular() {
-    const dvec2 d = scene_.segment.to - scene_.segment.from;
+    const dvec2 d = scene_.segment.b - scene_.segment.a;
     const double size = std::max(std::abs(d.x), std::abs(d.y));
     if (!(size > 0)) return;
     const Chord chord = chord_of(scene_.segment, {scene_.circle.centre, 0}, 0);
@@ -257,7 +257,7 @@ class Teller {
   }
 
   void add_chord(double foot, double half) {
-    const dvec2 d = scene_.segment.to - scene_.segment.from, middle = scene_.segment.from + foot * d;
+    const dvec2 d = scene_.segment.b - scene_.segment.a, middle = scene_.segment.a + foot * d;
     view_.marks.erase("b line");
     circle_drawing::add_stroke(view_, scene_.panel, "b line", Role::guide, middle - 1.4 * half * d,
                                middle + 1.4 * half * d, false, true);
@@ -283,7 +283,7 @@ class Teller {
     add_value("leaves", leaves, words_.say("liang_barsky_circle.leaves"));
   }
   void add_value(const std::string& id, double t, const std::string& name) {
-    const dvec2 at = scene_.segment.from + t * (scene_.segment.to - scene_.segment.from);
+    const dvec2 at = scene_.segment.a + t * (scene_.segment.b - scene_.segment.a);
     circle_drawing::add_point(view_, scene_.panel, "g " + id, Role::current, at, name);
     if (!shown(t)) return;
     view_.add({"c " + id + " t", Role::current, Dot{scene_.line.at(t)}});
@@ -292,7 +292,7 @@ class Teller {
 
   /// A part of the segment as a band, so that it is seen on the line.
   void add_part(const std::string& id, Role role, const Ends& kept) {
-    const auto part = circle_drawing::shown_part(scene_.panel, kept.from, kept.to);
+    const auto part = circle_drawing::shown_part(scene_.panel, kept.a, kept.b);
     if (!part) return;
     const dvec2 a = scene_.panel.at(part->first), b = scene_.panel.at(part->second);
     view_.add({id + " from", role, Dot{a}});
@@ -337,10 +337,10 @@ class Teller {
   static std::string range_text(double a, double b) { return figure_real(a) + " … " + figure_real(b); }
   std::string kept_text(const std::optional<Ends>& kept) const {
     if (!kept) return words_.say("liang_barsky_circle.nothing");
-    if (kept->from == kept->to)
-      return words_.say("liang_barsky_circle.one_point", arg("at", figure_place(kept->from)));
-    return words_.say("liang_barsky_circle.from_to", arg("from", figure_place(kept->from)),
-                      arg("to", figure_place(kept->to)));
+    if (kept->a == kept->b)
+      return words_.say("liang_barsky_circle.one_point", arg("at", figure_place(kept->a)));
+    return words_.say("liang_barsky_circle.from_to", arg("from", figure_place(kept->a)),
+                      arg("to", figure_place(kept->b)));
   }
   std::string ending(const std::optional<Ends>& kept) const {
     const std::string got = kept_text(kept), right = kept_text(scene_.right);
@@ -394,7 +394,7 @@ void expect_computable(const Ends& s, const Disc& c) {
   if (!fits(size(q.d))) throw ArgumentError("line", "a segment " + fmt::format(wanted, size(q.d)));
   if (!fits(c.radius)) throw ArgumentError("circle", "a radius " + fmt::format(wanted, c.radius));
   if (size(q.f) > 0x1p200) {
-    const bool far_line = size(s.from) >= size(c.centre);
+    const bool far_line = size(s.a) >= size(c.centre);
     throw ArgumentError(far_line ? "line" : "circle",
                         "a distance from the centre " + fmt::format(wanted, size(q.f)));
   }
@@ -410,7 +410,7 @@ Trace run(const Arguments& arguments, Recording recording) {
   const std::vector<double> line = arguments.numbers("line");
   const Disc circle = circle_drawing::circle_in(arguments);
   const Ends segment{{line[0], line[1]}, {line[2], line[3]}};
-  circle_drawing::expect_coordinates("line", {segment.from, segment.to});
+  circle_drawing::expect_coordinates("line", {segment.a, segment.b});
   const std::string& name = arguments.text("method");
   const auto found = std::find_if(all_methods().begin(), all_methods().end(),
                                   [&](const Method& m) { return m.name == name; });
@@ -423,8 +423,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   Trace& about = writer.trace();
   const Wording& words = about.wording;
   introduce(about, "liang_barsky_circle", arguments, faulty);
-  about.subtitle = words.say("liang_barsky_circle.subtitle", arg("from", figure_place(segment.from)),
-                             arg("to", figure_place(segment.to)), arg("centre", figure_place(circle.centre)),
+  about.subtitle = words.say("liang_barsky_circle.subtitle", arg("from", figure_place(segment.a)),
+                             arg("to", figure_place(segment.b)), arg("centre", figure_place(circle.centre)),
                              arg("radius", figure_real(circle.radius)));
   about.grid = paper_grid(width, height);
   about.legend = {{Role::input, words.say("liang_barsky_circle.legend.input")},
@@ -447,10 +447,8 @@ Trace run(const Arguments& arguments, Recording recording) {
   trace.telling = {trace.last, 0};
   trace.result = {{"kept", kept.has_value()}};
   if (kept) {
-    for (const auto& [field, value] : {std::pair{"from_x", kept->from.x},
-                                       {"from_y", kept->from.y},
-                                       {"to_x", kept->to.x},
-                                       {"to_y", kept->to.y}}) {
+    for (const auto& [field, value] :
+         {std::pair{"from_x", kept->a.x}, {"from_y", kept->a.y}, {"to_x", kept->b.x}, {"to_y", kept->b.y}}) {
       trace.result.push_back({field, value});
     }
   }

@@ -339,9 +339,9 @@ class Teller {
     return best;
   }
 
-  void follow_edge(std::size_t i, const Segment<double>& edge) {
+  void follow_edge(std::size_t i, const Segment<2, double>& edge) {
     calm();
-    circle_drawing::add_stroke(view_, scene_.panel, "e edge", Role::current, edge.from, edge.to, true);
+    circle_drawing::add_stroke(view_, scene_.panel, "e edge", Role::current, edge.a, edge.b, true);
     if (const auto found = view_.marks.find(fmt::format("c edge {:03}", i)); found != view_.marks.end()) {
       found->second.role = Role::current;
     }
