@@ -15,7 +15,7 @@ import tempfile
 # Package of ./bootstrap -> its programs, or those of a package that it brings along
 PACKAGES = {
     "g++": ("c++", "g++", "as", "ld", "ar", "ranlib"),
-    "cmake": ("cmake",),
+    "cmake": ("cmake", "ctest"),
     "ninja-build": ("ninja",),
     "clang-19": ("clang++-19",),
     "ffmpeg": ("ffmpeg", "ffprobe"),
