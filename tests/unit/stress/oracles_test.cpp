@@ -71,7 +71,7 @@ TEST(Oracles, SegmentsInACircle) {
 
 TEST(Oracles, PolygonsInACircle) {
   const auto area = [](const std::vector<dvec2>& polygon) {
-    return static_cast<double>(test::exact_area(polygon, polygon_Circle<double>{{0, 0}, 1}));
+    return static_cast<double>(test::exact_area(polygon, Circle<double>{{0, 0}, 1}));
   };
   EXPECT_NEAR(area({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), 0.785398, 5e-7);
   EXPECT_NEAR(area({{0, -0.5}, {3, -0.5}, {0, 0.5}}), 0.810830, 5e-7);
