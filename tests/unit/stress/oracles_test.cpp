@@ -52,8 +52,8 @@ TEST(Oracles, PolygonsInARectangle) {
 void expect_chord(const Input& i, dvec2 from, dvec2 to) {
   const auto ends = ends_in_circle(i);
   ASSERT_TRUE(ends);
-  EXPECT_LE(ends->a.error(from), 0.5) << from.x;
-  EXPECT_LE(ends->b.error(to), 0.5) << to.x;
+  EXPECT_LE(ends->from.error(from), 0.5) << from.x;
+  EXPECT_LE(ends->to.error(to), 0.5) << to.x;
 }
 
 TEST(Oracles, SegmentsInACircle) {

@@ -182,7 +182,7 @@ TEST(PlaneMarks, AnAreaLiesBelowTheLinesAndIsHatched) {
   const AreaShape& shape = std::get<AreaShape>(area->what);
   EXPECT_EQ(shape.rings.size(), 2u);
   // A diagonal of the hatching never runs through the hole
-  const std::vector<Segment> lines = hatch_lines(shape, sheet.unit);
+  const std::vector<Segment<2, double>> lines = hatch_lines(shape, sheet.unit);
   ASSERT_GT(lines.size(), 10u);
   const Box hole = test::box_around(shape.rings[1]);
   for (const auto& [a, b] : lines) {
