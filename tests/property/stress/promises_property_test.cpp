@@ -41,7 +41,7 @@ TEST_P(Promises, AreKept) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Promises, ::testing::ValuesIn(promises()),
-                         [](const auto& info) { return info.param.topic + "_" + info.param.property->name; });
+                         [](const auto& of) { return of.param.topic + "_" + of.param.property->name; });
 
 }  // namespace
 }  // namespace gradus::stress
