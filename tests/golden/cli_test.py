@@ -82,6 +82,18 @@ def test_examples_run():
     check(count >= 6, f"examples tried: {count}")
 
 
+def test_a_program_alone_names_what_builds_the_others():
+    """`gradus bench` and `gradus stress` are programs of their own; the line that misses one names a command that exists."""
+    shutil.copy(GRADUS, "gradus")
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../bootstrap")) as script:
+        known = set(re.findall(r"^  (\w+)\)$", script.read(), re.M))
+    for name in ("bench", "stress"):
+        done = subprocess.run(["./gradus", name], capture_output=True, text=True)
+        named = re.search(r"`\./bootstrap (\w+)`", done.stderr)
+        check(done.returncode == 1 and done.stderr.count("\n") == 1 and named, f"gradus {name}: {done.stderr}")
+        check(named and named[1] in known, f"./bootstrap {name} exists: {known}")
+
+
 def test_help_is_quick():
     times = []
     for _ in range(15):
