@@ -1430,7 +1430,7 @@ const TopicEntry& entry() {
                       .least = 1,
                       .most = 6,
                       .parts = {"x", "y", "z"},
-                      .sizes = solids::modest_sizes},
+                      .sizes = {1e-9, 1e6}},
                      {.name = "scales",
                       .type = ParameterType::numbers,
                       .default_value = "1,1",
