@@ -15,7 +15,7 @@ extern "C" {
   polygon = clip(polygon, std::span<const Plane<double>>(planes, count));
 }
 void machine_code_cut_at_border(std::span<const Vertex<double>> polygon, int border,
-                                const Scene<double, Rectangle<double>>& scene, Corners& result) {
+                                const Scene<double, gradus::Rectangle<double>>& scene, Corners& result) {
   result = cut_at_border(polygon, border, scene);
 }
 void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
@@ -23,11 +23,11 @@ void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
   split_at(border, rings, scene);
 }
 void machine_code_bridges(std::span<const Vertex<double>> polygon, std::span<const glm::dvec2> points,
-                          const Rectangle<double>& window, std::vector<BridgeFound<double>>& result) {
+                          const gradus::Rectangle<double>& window, std::vector<BridgeFound<double>>& result) {
   result = bridges(polygon, points, window);
 }
-void machine_code_separate_pieces(const Rings<double>& polygon, const Rectangle<double>& window, Ways order,
-                                  std::vector<Piece<double>>& result) {
+void machine_code_separate_pieces(const Rings<double>& polygon, const gradus::Rectangle<double>& window,
+                                  Ways order, std::vector<Piece<double>>& result) {
   result = separate_pieces(polygon, window, order);
 }
 void machine_code_cut_of_a_cut(std::span<const Vertex<double>> polygon, const PlainBorder<double>& border,

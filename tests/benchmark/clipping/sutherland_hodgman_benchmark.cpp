@@ -32,7 +32,6 @@ namespace sh = gradus::sutherland_hodgman;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<BoostPoint, false, false>;  // counter-clockwise, not closed
 using glm::dvec2;
-using sh::Rectangle;
 using Ring = std::vector<dvec2>;
 using Pieces = std::vector<Ring>;
 
