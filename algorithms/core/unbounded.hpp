@@ -7,6 +7,8 @@
 #include <concepts>
 #include <utility>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// digits * 2^exponent, where 1/2 <= |digits| < 1, or 0. Domain: made from finite numbers; up to 2^18

@@ -318,8 +318,8 @@ void crossings_of_lines() {
 }
 
 namespace circles = liang_barsky_circle;
-using Circle = circles::Circle<double>;
-using Chord = circles::Segment<double>;
+using Circle = gradus::Circle<double>;
+using Chord = Segment<2, double>;
 
 std::optional<Chord> in_circle(const Chord& s, const Circle& c) { return circles::exact_decision(s, c); }
 KERNEL int side_of(dvec2 p, const Circle& circle) { return circles::side(p, circle); }

@@ -74,8 +74,7 @@ void polygons() {
     expect(triangles == 10 && std::abs(ears - doubled_area(corners)) < 1e-11, "ears cover the polygon", i);
 
     // In a circle, by true arcs and by chords
-    const auto region =
-        polygon_circle::arcs(std::span<const dvec2>(corners), polygon_circle::Circle<double>{{0, 0}, 5});
+    const auto region = polygon_circle::arcs(std::span<const dvec2>(corners), Circle<double>{{0, 0}, 5});
     double chords = 0;
     for (const auto& ring : polygon_circle::flatten(region, 1e-4)) chords += doubled_area(ring);
     const double area = polygon_circle::area(region);
