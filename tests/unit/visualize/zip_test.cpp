@@ -40,8 +40,8 @@ std::string seen_by_python(const fs::path& zip) {
       "  print(i.filename,len(d),sum(d)%1000,'%d-%d-%d'%i.date_time[:3],i.date_time[3],i.compress_type,"
       "oct(i.external_attr>>16),i.create_system)\n";
   write(zip.string() + ".py", script);
-  const std::string command =
-      "PYTHONIOENCODING=utf-8 python3 " + zip.string() + ".py " + zip.string() + " > " + out.string();
+  const std::string command = "PYTHONIOENCODING=utf-8 " GRADUS_PYTHON " " + zip.string() + ".py " +
+                              zip.string() + " > " + out.string();
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::ifstream file(out);
   return {std::istreambuf_iterator<char>(file), {}};
