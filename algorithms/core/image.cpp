@@ -23,8 +23,6 @@ namespace {
 
 static_assert(sizeof(Rgba8) == 4, "rows of an Image are handed to libpng as bytes");
 
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-
 /// libpng's own limit would be a million; the number of pixels is what matters here.
 constexpr png_uint_32 longest_side = 0x7fffffff;
 
@@ -70,7 +68,8 @@ void take_bytes(png_structp png, png_bytep to, std::size_t count) {
 
 class PngReader {
  public:
-  PngReader(std::span<const std::uint8_t> bytes, const std::string& name) : source_{bytes}, name_(name) {
+  PngReader(std::span<const std::uint8_t> bytes, const std::string& name, std::int64_t most_pixels)
+      : source_{bytes}, name_(name), most_pixels_(most_pixels) {
     constexpr std::size_t signature = 8;
     if (bytes.size() < signature || png_sig_cmp(bytes.data(), 0, signature) != 0) {
       throw InputError(fmt::format("{}: expected a PNG file, found {}", shown_name(name),
@@ -109,6 +108,7 @@ class PngReader {
 
   Source source_;
   const std::string& name_;
+  std::int64_t most_pixels_;
   Complaint complaint_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
@@ -121,9 +121,9 @@ void PngReader::read_header() {
   });
   if (!readable) refuse();
   const std::int64_t width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
-  if (width > most_pixels / height) {
+  if (width > most_pixels_ / height) {
     throw InputError(fmt::format("{}: expected at most {} pixels, found {} x {}", shown_name(name_),
-                                 most_pixels, width, height));
+                                 most_pixels_, width, height));
   }
   // Before memory is asked for: can these few bytes hold so many pixels at all?
   const auto row_bytes = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
@@ -288,12 +288,12 @@ std::vector<std::uint8_t> file_bytes(const std::string& path) {
 
 }  // namespace
 
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return PngReader(bytes, name).picture();
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, std::int64_t most_pixels) {
+  return PngReader(bytes, name, most_pixels).picture();
 }
 
 std::vector<PngText> png_texts(std::span<const std::uint8_t> bytes, const std::string& name) {
-  PngReader reader(bytes, name);
+  PngReader reader(bytes, name, most_png_pixels);
   reader.picture();
   return reader.texts();
 }

@@ -31,10 +31,14 @@ struct PngText {
   std::string key, text;
 };
 
+inline constexpr std::int64_t most_png_pixels = std::int64_t{1} << 28;
+
 /// The picture in a PNG file's bytes, whatever its bit depth and colour type, as 8-bit RGBA.
 /// `name` is how errors call the file. Throws InputError when the bytes are no valid PNG.
-/// Domain: width x height at most 2^28 pixels (1 GiB), so that a hostile header asks for no more.
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+/// Domain: width x height at most `most_pixels`, by default 2^28 (1 GiB), so that a hostile header asks for
+/// no more: a few kilobytes can hold as many.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
+                 std::int64_t most_pixels = most_png_pixels);
 
 /// The texts stored in a PNG. Throws InputError when the bytes are no valid PNG.
 std::vector<PngText> png_texts(std::span<const std::uint8_t> bytes, const std::string& name);

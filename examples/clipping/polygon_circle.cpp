@@ -18,7 +18,7 @@ int main() {
   const std::vector<dvec2> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
   // A quarter of the disc: two edges and an arc
-  const Region<double> region = arcs(std::span<const dvec2>(square), Circle<double>{{0, 0}, 5});
+  const Region<double> region = arcs(square, {{0, 0}, 5});
   for (const Corner<double>& corner : region.rings.at(0)) {
     fmt::print("({}, {}) and on {}\n", corner.at.x, corner.at.y,
                corner.arc ? "along the circle" : "straight");

@@ -19,8 +19,7 @@ int main() {
   // One polygon, with a bridge between its parts
   const std::vector<dvec2> letter_u{{2, -4}, {8, -4}, {8, 4}, {6, 4}, {6, -2}, {4, -2}, {4, 4}, {2, 4}};
   const Rectangle<double> window{{0, 0}, {10, 10}};
-  for (const auto& v : clip_to_window(std::span<const dvec2>(letter_u), window))
-    fmt::print("({}, {}) ", v.at.x, v.at.y);
+  for (const auto& v : clip_to_window(letter_u, window)) fmt::print("({}, {}) ", v.at.x, v.at.y);
   fmt::print("\n");
 
   // Two pieces, and the borders that had a part in them, as the algorithm reports it
@@ -28,10 +27,7 @@ int main() {
     if constexpr (std::same_as<Step, CrossingsJoined<double>>)
       fmt::print("joined at border {}\n", step.border);
   };
-  const std::vector<std::vector<dvec2>> rings{letter_u};
-  const std::vector<int> order = all_borders(window);
-  fmt::print("{} pieces\n",
-             separate_pieces(Rings<double>(rings), window, std::span<const int>(order), watch).size());
+  fmt::print("{} pieces\n", separate_pieces(letter_u, window, all_borders(window), watch).size());
 
   // The last step as a figure
   const Trace trace =

@@ -58,7 +58,7 @@ inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
   }
   std::vector<dvec3> polygon;
   for (const Corner& corner : corners_of(mesh, face)) polygon.push_back(position_of(mesh, corner));
-  ear_clipping::triangulate(std::span<const dvec3>(polygon), add);
+  ear_clipping::triangulate(polygon, add);
   return pieces;
 }
 

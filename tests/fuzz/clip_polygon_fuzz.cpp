@@ -34,9 +34,9 @@ Rational area_in(const Points& ring, const ConvexWindow<double>& w) {
 template <class Window>
 ExactPoint place_of(const Scene<double, Window>& scene, const Vertex<double>& v) {
   if (!v.made()) return test::exact_point(scene.polygon[v.input]);
-  const Line<double> a = scene.line(v.edge), b = scene.line(v.border);
-  return test::exact_crossing(test::exact_point(a.p), test::exact_point(a.q), test::exact_point(b.p),
-                              test::exact_point(b.q));
+  const Segment<2, double> a = scene.line(v.edge), b = scene.line(v.border);
+  return test::exact_crossing(test::exact_point(a.a), test::exact_point(a.b), test::exact_point(b.a),
+                              test::exact_point(b.b));
 }
 
 bool nearest(double at, const Rational& x) {
@@ -68,8 +68,8 @@ void compare(const Points& points, const Window& window, std::vector<int> order)
     const auto& next = clipped[(i + 1) % clipped.size()];
     if (clipped[i].made() || next.made()) require(clipped[i].at != next.at, "no made edge has length 0");
     for (int border = 0; border < border_count(window); ++border) {
-      const Line<double> line = line_of(window, border);
-      const Rational turn = test::turn(test::exact_point(line.p), test::exact_point(line.q), exact[i]);
+      const Segment<2, double> line = line_of(window, border);
+      const Rational turn = test::turn(test::exact_point(line.a), test::exact_point(line.b), exact[i]);
       require(turn >= 0, "every vertex lies in the window");
       require(side_of_border(scene, border, clipped[i]) == turn.sign(), "sides are exact");
     }

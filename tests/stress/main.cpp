@@ -55,13 +55,15 @@ std::vector<std::string> figure_words(const Domain& domain, const Property& prop
   return words;
 }
 
-void draw(const std::vector<std::string>& words, const fs::path& path, cli::NewFiles& files) {
+void draw(const std::vector<std::string>& words, const fs::path& path, cli::NewFiles& files,
+          cli::Replace replace) {
   try {
     const cli::Request request = cli::read_request(words);
     const cli::Inputs inputs = cli::read_inputs(*request.topic, request.arguments, cli::as_named);
     const cli::FigureSpec spec = cli::read_spec(request, inputs.arguments);
     cli::Takes takes(*spec.topic, spec.arguments);
-    files.add(path.string(), cli::picture_bytes(spec, takes, cli::shown_step(spec, takes), cli::Format::svg));
+    files.add(path.string(), cli::picture_bytes(spec, takes, cli::shown_step(spec, takes), cli::Format::svg),
+              replace);
   } catch (const std::exception& error) {
     cli::note(fmt::format("gradus stress: {} is not drawn: {}", path.filename().string(), error.what()));
   }
@@ -104,6 +106,21 @@ int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
       "--replay: expected PROPERTY:NUMBERS as a report prints it, or PROPERTY:TRAP, found {}", shown(text)));
 }
 
+fs::path figure_path(const fs::path& folder, const Domain& domain, const Property& property) {
+  return folder / fmt::format("{}-{}.svg", domain.topic, property.name);
+}
+
+/// Makes the folder, and refuses one with somebody's own files where ours would lie.
+void prepare(const std::string& folder, const std::vector<const Domain*>& wanted, cli::Replace replace) {
+  cli::make_folder(folder, "--output");
+  if (replace == cli::Replace::anything) return;
+  for (const Domain* domain : wanted) {
+    for (const Property& property : domain->properties) {
+      cli::check_replaced(figure_path(folder, *domain, property).string(), "--output");
+    }
+  }
+}
+
 int stress(const cli::Request& request) {
   const std::vector<const Domain*> wanted = chosen(request);
   if (request.has("replay")) return replay(wanted, request.flags.at("replay"));
@@ -122,15 +139,19 @@ int stress(const cli::Request& request) {
   for (const Domain* domain : wanted) properties += domain->properties.size();
   const std::chrono::duration<double> share(static_cast<double>(seconds) / static_cast<double>(properties));
 
-  if (request.has("output")) cli::make_folder(request.flags.at("output"), "--output");
+  const cli::Replace replace = cli::replaces(request.has("force"));
+  if (request.has("output")) prepare(request.flags.at("output"), wanted, replace);
   std::uint64_t cases = 0, broken = 0;
   cli::NewFiles files;
   for (const Domain* domain : wanted) {
     cli::write_stream(cli::Stream::out, domain->topic + "\n");
     for (const Property& property : domain->properties) {
       const auto end = std::chrono::steady_clock::now() + share;
-      const Finding finding = attack(
-          property, seed, [&](std::uint64_t i) { return i % 16 || std::chrono::steady_clock::now() < end; });
+      // Sixteen cases at least, however long the traps took
+      const auto more = [&](std::uint64_t i) {
+        return i == 0 || i % 16 || std::chrono::steady_clock::now() < end;
+      };
+      const Finding finding = attack(property, seed, more);
       // A broken promise must stay broken, a worst error nearly as bad
       const double least = finding.broken() ? std::nextafter(property.bound, wrong) : 0.99 * finding.worst;
       const Input small = finding.input.empty() ? Input{} : shrunk(property, finding.input, least);
@@ -139,8 +160,8 @@ int stress(const cli::Request& request) {
       broken += finding.broken() ? 1u : 0u;
       if (!request.has("output") || small.empty()) continue;
       const std::vector<std::string> words = figure_words(*domain, property, small);
-      const fs::path folder = request.flags.at("output");
-      if (!words.empty()) draw(words, folder / fmt::format("{}-{}.svg", domain->topic, property.name), files);
+      const fs::path path = figure_path(request.flags.at("output"), *domain, property);
+      if (!words.empty()) draw(words, path, files, replace);
     }
   }
   files.commit();

@@ -13,6 +13,7 @@
 #include "clipping/liang_barsky_circle/circle_and_line.hpp"
 #include "core/exact.hpp"
 #include "core/form.hpp"
+#include "core/points.hpp"
 
 namespace gradus::polygon_circle {
 
@@ -63,6 +64,11 @@ std::vector<dvec2> counter_clockwise(std::span<const glm::vec<2, T>> polygon) {
   if (corners.size() < 3 || sign == 0) return {};
   if (sign < 0) std::reverse(corners.begin() + 1, corners.end());
   return corners;
+}
+/// The same for points in a vector, an array or braces.
+template <OtherPointRow<2> Points = PointsInBraces<2>>
+std::vector<dvec2> counter_clockwise(const Points& polygon) {
+  return counter_clockwise(span_of(polygon));
 }
 
 /// Whether a point lies in a polygon; of a point on its boundary it says either.

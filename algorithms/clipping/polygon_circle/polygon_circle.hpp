@@ -263,6 +263,12 @@ Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
   return region;
 }
 
+/// The same for points in a vector, an array or braces, whose numbers are doubles.
+template <OtherPointRow<2> Points = PointsInBraces<2>, class... Observed>
+auto arcs(const Points& polygon, const Circle<ScalarOf<Points>>& circle, Observed&&... observer) {
+  return arcs(span_of(polygon), circle, std::forward<Observed>(observer)...);
+}
+
 // --- What to do with rings ---------------------------------------
 
 /// The angle of an arc from its direction at both ends, in radians; `more_than_half` tells a tiny one from

@@ -72,4 +72,10 @@ std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polyg
   return kept;
 }
 
+/// The same for points in a vector, an array or braces, whose numbers are doubles.
+template <OtherPointRow<2> Points = PointsInBraces<2>, class... Observed>
+auto first_crossing(const Points& polygon, const Circle<ScalarOf<Points>>& circle, Observed&&... observer) {
+  return first_crossing(span_of(polygon), circle, std::forward<Observed>(observer)...);
+}
+
 }  // namespace gradus::polygon_circle

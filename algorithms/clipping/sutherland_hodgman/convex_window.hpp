@@ -12,6 +12,7 @@
 
 #include "clipping/sutherland_hodgman/crossing.hpp"
 #include "core/axis_cut.hpp"
+#include "core/points.hpp"
 
 namespace gradus::sutherland_hodgman {
 
@@ -36,7 +37,7 @@ std::optional<ConvexWindow<T>> convex_window(std::span<const glm::vec<2, T>> poi
   for (std::size_t i = 0; corners.size() >= 3 && i < corners.size();) {
     const std::size_t n = corners.size();
     const auto &before = corners[(i + n - 1) % n], &at = corners[i], &after = corners[(i + 1) % n];
-    if (before == at || side(Line<T>{before, at}, after) == 0) {
+    if (before == at || side(Segment<2, T>{before, at}, after) == 0) {
       corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
       i = i > 0 ? i - 1 : 0;
     } else {
@@ -46,17 +47,23 @@ std::optional<ConvexWindow<T>> convex_window(std::span<const glm::vec<2, T>> poi
   const std::size_t n = corners.size();
   if (n < 3) return std::nullopt;
   // All turn the same way, and go round once: x turns back twice
-  const int turn = side(Line<T>{corners[0], corners[1]}, corners[2]);
+  const int turn = side(Segment<2, T>{corners[0], corners[1]}, corners[2]);
   int reversals = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const auto &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
-    if (side(Line<T>{a, b}, c) != turn) return std::nullopt;
+    if (side(Segment<2, T>{a, b}, c) != turn) return std::nullopt;
     const auto forward = [](const auto& u, const auto& v) { return u.x < v.x || (u.x == v.x && u.y < v.y); };
     reversals += forward(a, b) != forward(b, c);
   }
   if (reversals != 2) return std::nullopt;
   if (turn < 0) std::reverse(corners.begin(), corners.end());
   return ConvexWindow<T>{corners};
+}
+
+/// The same for points in a vector, an array or braces.
+template <OtherPointRow<2> Points = PointsInBraces<2>>
+auto convex_window(const Points& points) {
+  return convex_window(span_of(points));
 }
 
 template <class T>
@@ -78,7 +85,7 @@ constexpr T coordinate_of(const Rectangle<T>& window, int border) {
 /// The line of a border, with the window on its left. A rectangle's are of length 1, so that they are lines
 /// even where the window has no thickness.
 template <class T>
-Line<T> line_of(const Rectangle<T>& window, int border) {
+Segment<2, T> line_of(const Rectangle<T>& window, int border) {
   const T c = coordinate_of(window, border), zero = T(0), one = T(1);
   switch (border) {
     case 0:
@@ -92,7 +99,7 @@ Line<T> line_of(const Rectangle<T>& window, int border) {
   }
 }
 template <class T>
-Line<T> line_of(const ConvexWindow<T>& window, int border) {
+Segment<2, T> line_of(const ConvexWindow<T>& window, int border) {
   const std::size_t i = static_cast<std::size_t>(border), n = window.corners.size();
   return {window.corners[i], window.corners[i + 1 < n ? i + 1 : 0]};
 }
@@ -159,7 +166,7 @@ struct Scene {
   const Window& window;
 
   /// The line of an edge, directed as the edge is.
-  Line<T> line(EdgeName edge) const {
+  Segment<2, T> line(EdgeName edge) const {
     if (edge.of_window()) return line_of(window, edge.number());
     return {polygon[edge.number()], polygon[polygon.after(edge.number())]};
   }
@@ -182,10 +189,9 @@ int side_of_border(const Scene<T, Rectangle<T>>& scene, int border, const Vertex
   if (v.border.number() == border) return 0;
   const int made_on = axis_of(v.border.number()), axis = axis_of(border);
   if (made_on == axis) return side_of_border(scene.window, border, v.at);
-  const Line<T> edge = scene.line(v.edge);
-  const auto order =
-      compare_at_cut(Segment<2, T>{edge.p, edge.q}, made_on, coordinate_of(scene.window, v.border.number()),
-                     axis, coordinate_of(scene.window, border), v.at[axis]);
+  const Segment<2, T> edge = scene.line(v.edge);
+  const auto order = compare_at_cut(edge, made_on, coordinate_of(scene.window, v.border.number()), axis,
+                                    coordinate_of(scene.window, border), v.at[axis]);
   const int above = (order > 0) - (order < 0);
   return border % 2 == 0 ? above : -above;
 }
@@ -193,7 +199,7 @@ template <class T>
 int side_of_border(const Scene<T, ConvexWindow<T>>& scene, int border, const Vertex<T>& v) {
   if (!v.made()) return side_of_border(scene.window, border, v.at);
   if (v.made_by(border)) return 0;
-  const Line<T> line = line_of(scene.window, border);
+  const Segment<2, T> line = line_of(scene.window, border);
   return side_of_crossing(line, scene.line(v.edge), scene.line(v.border));
 }
 
@@ -213,10 +219,7 @@ template <class T>
 glm::vec<2, T> point_of_cut(const Scene<T, Rectangle<T>>& scene, EdgeName edge, int border) {
   const int axis = axis_of(border);
   const T c = coordinate_of(scene.window, border);
-  if (!edge.of_window()) {
-    const Line<T> line = scene.line(edge);
-    return cut_point(Segment<2, T>{line.p, line.q}, axis, c);
-  }
+  if (!edge.of_window()) return cut_point(scene.line(edge), axis, c);
   glm::vec<2, T> corner{c, c};
   corner[1 - axis] = coordinate_of(scene.window, edge.number());
   return corner;
@@ -233,32 +236,32 @@ glm::vec<2, T> point_of_cut(const Scene<T, ConvexWindow<T>>& scene, EdgeName edg
 /// lie at one point. Exact. Domain: both lie on the border's line. Cost: about 10 ns, in doubt up to 4 us.
 template <class T, class Window>
 int order_along(const Scene<T, Window>& scene, int border, const Vertex<T>& u, const Vertex<T>& v) {
-  const Line<T> line = line_of(scene.window, border);
+  const Segment<2, T> line = line_of(scene.window, border);
   if (u.made() && v.made() && u.edge == v.edge && u.border == v.border) return 0;
   if constexpr (std::same_as<Window, Rectangle<T>>) {
     // Rounding keeps the order: places that differ say it already
     const int axis = 1 - axis_of(border);
     const int order = (u.at[axis] > v.at[axis]) - (u.at[axis] < v.at[axis]);
-    if (order != 0) return line.p[axis] < line.q[axis] ? order : -order;
+    if (order != 0) return line.a[axis] < line.b[axis] ? order : -order;
   }
   const auto other_line = [&](const Vertex<T>& w) {
-    const Line<T> edge = scene.line(w.edge);
+    const Segment<2, T> edge = scene.line(w.edge);
     const bool on_it = w.edge == EdgeName::window(border) || heading(line, edge) == 0;
     return on_it ? scene.line(w.border) : edge;
   };
   if (!u.made() && !v.made()) {
-    const int axis = line.p.x == line.q.x ? 1 : 0;
+    const int axis = line.a.x == line.b.x ? 1 : 0;
     const int order = (u.at[axis] > v.at[axis]) - (u.at[axis] < v.at[axis]);
-    return line.p[axis] < line.q[axis] ? order : -order;
+    return line.a[axis] < line.b[axis] ? order : -order;
   }
   if (u.made() && v.made()) {
-    const Line<T> a = other_line(u), b = other_line(v);
-    // From b's right side to its left runs the border, or the other way: on which side is u?
-    return side_of_crossing(b, a, line) * heading(b, line);
+    const Segment<2, T> at_u = other_line(u), at_v = other_line(v);
+    // From at_v's right side to its left runs the border, or the other way: on which side is u?
+    return side_of_crossing(at_v, at_u, line) * heading(at_v, line);
   }
   if (v.made()) return -order_along(scene, border, v, u);
-  const Line<T> a = other_line(u);
-  return -side(a, v.at) * heading(a, line);
+  const Segment<2, T> at_u = other_line(u);
+  return -side(at_u, v.at) * heading(at_u, line);
 }
 
 }  // namespace gradus::sutherland_hodgman

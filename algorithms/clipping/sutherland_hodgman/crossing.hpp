@@ -11,14 +11,11 @@
 
 #include "core/contract.hpp"
 #include "core/exact.hpp"
+#include "core/geometry.hpp"
 
 namespace gradus::sutherland_hodgman {
 
-/// A line through two different points, from p to q; its left side is the inside.
-template <class T>
-struct Line {
-  glm::vec<2, T> p, q;
-};
+// A line is a segment of it: it runs from a to b, two different points, and its left side is the inside.
 
 template <class T>
 constexpr int sign_of(T x) {
@@ -28,11 +25,11 @@ constexpr int sign_of(T x) {
 /// The side of the line on which a point lies: 1 left, 0 on it, -1 right. Exact.
 /// Domain: finite coordinates. Cost: about 3 ns, in doubt 0.2 us.
 template <class T>
-int side(const Line<T>& line, glm::vec<2, T> point) {
+int side(const Segment<2, T>& line, glm::vec<2, T> point) {
   if constexpr (std::floating_point<T>) {
-    return orient2d(line.p, line.q, point);
+    return orient2d(line.a, line.b, point);
   } else {
-    const auto way = line.q - line.p, to = point - line.p;
+    const auto way = line.b - line.a, to = point - line.a;
     return sign_of(way.x * to.y - way.y * to.x);
   }
 }
@@ -55,26 +52,27 @@ inline Estimate turn_estimate(glm::dvec2 p, glm::dvec2 q, glm::dvec2 r, glm::dve
 struct Term {
   double factor, other;
 };
-inline std::array<Term, 6> orientation_terms(const Line<double>& l, glm::dvec2 c) {
-  return {{{l.q.x, c.y}, {-l.q.x, l.p.y}, {-l.p.x, c.y}, {-l.q.y, c.x}, {l.q.y, l.p.x}, {l.p.y, c.x}}};
+inline std::array<Term, 6> orientation_terms(const Segment<2, double>& l, glm::dvec2 c) {
+  return {{{l.b.x, c.y}, {-l.b.x, l.a.y}, {-l.a.x, c.y}, {-l.b.y, c.x}, {l.b.y, l.a.x}, {l.a.y, c.x}}};
 }
 
 /// The sign of det(q - p, s - r) and of f(q) g(p) - f(p) g(q) by exact arithmetic alone; see below.
-inline int turn_exact(const Line<double>& a, const Line<double>& b) {
+inline int turn_exact(const Segment<2, double>& l, const Segment<2, double>& m) {
   SumOfProducts<2> sum;
   for (const auto& [x, y, plus] :
-       {std::tuple(a.q.x, b.q.y, true), std::tuple(a.q.x, b.p.y, false), std::tuple(a.p.x, b.q.y, false),
-        std::tuple(a.p.x, b.p.y, true), std::tuple(a.q.y, b.q.x, false), std::tuple(a.q.y, b.p.x, true),
-        std::tuple(a.p.y, b.q.x, true), std::tuple(a.p.y, b.p.x, false)}) {
+       {std::tuple(l.b.x, m.b.y, true), std::tuple(l.b.x, m.a.y, false), std::tuple(l.a.x, m.b.y, false),
+        std::tuple(l.a.x, m.a.y, true), std::tuple(l.b.y, m.b.x, false), std::tuple(l.b.y, m.a.x, true),
+        std::tuple(l.a.y, m.b.x, true), std::tuple(l.a.y, m.a.x, false)}) {
     plus ? sum.add(x, y) : sum.subtract(x, y);
   }
   return sum.sign();
 }
 
-inline int mixed_sides_exact(const Line<double>& f, const Line<double>& g, const Line<double>& on) {
+inline int mixed_sides_exact(const Segment<2, double>& f, const Segment<2, double>& g,
+                             const Segment<2, double>& on) {
   SumOfProducts<4> sum;
-  const auto f_p = orientation_terms(f, on.p), f_q = orientation_terms(f, on.q);
-  const auto g_p = orientation_terms(g, on.p), g_q = orientation_terms(g, on.q);
+  const auto f_p = orientation_terms(f, on.a), f_q = orientation_terms(f, on.b);
+  const auto g_p = orientation_terms(g, on.a), g_q = orientation_terms(g, on.b);
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) {
       sum.add(f_q[i].factor, f_q[i].other, g_p[j].factor, g_p[j].other);
@@ -86,38 +84,39 @@ inline int mixed_sides_exact(const Line<double>& f, const Line<double>& g, const
 
 }  // namespace detail
 
-/// Which way b heads, seen along a: 1 to the left, -1 to the right, 0 both are parallel. Exact.
+/// Which way m heads, seen along l: 1 to the left, -1 to the right, 0 both are parallel. Exact.
 /// Domain: finite coordinates. Cost: about 3 ns, in doubt 0.3 us.
 template <class T>
-int heading(const Line<T>& a, const Line<T>& b) {
+int heading(const Segment<2, T>& l, const Segment<2, T>& m) {
   if constexpr (std::floating_point<T>) {
-    const Line<double> u{glm::dvec2(a.p), glm::dvec2(a.q)}, v{glm::dvec2(b.p), glm::dvec2(b.q)};
-    const auto turn = detail::turn_estimate(u.p, u.q, v.p, v.q);
+    const Segment<2, double> u{glm::dvec2(l.a), glm::dvec2(l.b)}, v{glm::dvec2(m.a), glm::dvec2(m.b)};
+    const auto turn = detail::turn_estimate(u.a, u.b, v.a, v.b);
     if (turn.value > turn.error) return 1;
     if (turn.value < -turn.error) return -1;
     return detail::turn_exact(u, v);
   } else {
-    const auto u = a.q - a.p, v = b.q - b.p;
+    const auto u = l.b - l.a, v = m.b - m.a;
     return sign_of(u.x * v.y - u.y * v.x);
   }
 }
 
 /// The side of a line on which the crossing of two others lies: 1 left, 0 on it, -1 right. Exact.
 ///
-/// Along `on` a point is p + t (q - p), and its side of any line goes evenly from that of p to that of q: so
-/// the crossing with `a` has t = a(p) / (a(p) - a(q)), and line(p) + t (line(q) - line(p)) is the answer.
+/// Along `on` a point is a + t (b - a), and its side of any line goes evenly from that of a to that of b: so
+/// the crossing with `other` has t = o(a) / (o(a) - o(b)), and line(a) + t (line(b) - line(a)) is the answer.
 ///
-/// Domain: finite coordinates of any size; `a` and `on` not parallel. Cost: about 10 ns, in doubt 4 us.
+/// Domain: finite coordinates of any size; `other` and `on` not parallel. Cost: about 10 ns, in doubt 4 us.
 template <class T>
-int side_of_crossing(const Line<T>& line, const Line<T>& a, const Line<T>& on) {
+int side_of_crossing(const Segment<2, T>& line, const Segment<2, T>& other, const Segment<2, T>& on) {
   int mixed = 0;
   if constexpr (std::floating_point<T>) {
-    const Line<double> f{glm::dvec2(line.p), glm::dvec2(line.q)}, g{glm::dvec2(a.p), glm::dvec2(a.q)};
-    const Line<double> l{glm::dvec2(on.p), glm::dvec2(on.q)};
-    const auto of = [](const Line<double>& by, glm::dvec2 c) {
-      return detail::turn_estimate(by.p, by.q, by.p, c);
+    const Segment<2, double> f{glm::dvec2(line.a), glm::dvec2(line.b)},
+        g{glm::dvec2(other.a), glm::dvec2(other.b)};
+    const Segment<2, double> l{glm::dvec2(on.a), glm::dvec2(on.b)};
+    const auto of = [](const Segment<2, double>& by, glm::dvec2 c) {
+      return detail::turn_estimate(by.a, by.b, by.a, c);
     };
-    const auto fp = of(f, l.p), fq = of(f, l.q), gp = of(g, l.p), gq = of(g, l.q);
+    const auto fp = of(f, l.a), fq = of(f, l.b), gp = of(g, l.a), gq = of(g, l.b);
     const double value = fq.value * gp.value - fp.value * gq.value;
     const auto size = [](detail::Estimate x, detail::Estimate y) {
       return std::abs(x.value) * y.error + x.error * (std::abs(y.value) + y.error) +
@@ -126,13 +125,13 @@ int side_of_crossing(const Line<T>& line, const Line<T>& a, const Line<T>& on) {
     const double error = 1.0001 * (size(fq, gp) + size(fp, gq)) + 0x1p-1000;
     mixed = value > error ? 1 : value < -error ? -1 : detail::mixed_sides_exact(f, g, l);
   } else {
-    const auto of = [](const Line<T>& by, glm::vec<2, T> c) {
-      const auto way = by.q - by.p, to = c - by.p;
+    const auto of = [](const Segment<2, T>& by, glm::vec<2, T> c) {
+      const auto way = by.b - by.a, to = c - by.a;
       return way.x * to.y - way.y * to.x;
     };
-    mixed = sign_of(of(line, on.q) * of(a, on.p) - of(line, on.p) * of(a, on.q));
+    mixed = sign_of(of(line, on.b) * of(other, on.a) - of(line, on.a) * of(other, on.b));
   }
-  return -mixed * heading(a, on);
+  return -mixed * heading(other, on);
 }
 
 namespace detail {
@@ -171,16 +170,16 @@ inline std::optional<double> nearest_if_sure(double start, Twofold way, const Qu
   return highest + 0.0;
 }
 
-inline std::optional<Quotient> share_of_way(const Line<double>& a, const Line<double>& b) {
+inline std::optional<Quotient> share_of_way(const Segment<2, double>& l, const Segment<2, double>& m) {
   const auto minus = [](double x, double y) { return twofold(two_difference(x, y)); };
-  const Twofold ax = minus(a.q.x, a.p.x), ay = minus(a.q.y, a.p.y);
-  const Twofold bx = minus(b.q.x, b.p.x), by = minus(b.q.y, b.p.y);
-  const Twofold cx = minus(b.p.x, a.p.x), cy = minus(b.p.y, a.p.y);
+  const Twofold ax = minus(l.b.x, l.a.x), ay = minus(l.b.y, l.a.y);
+  const Twofold bx = minus(m.b.x, m.a.x), by = minus(m.b.y, m.a.y);
+  const Twofold cx = minus(m.a.x, l.a.x), cy = minus(m.a.y, l.a.y);
   const auto fits = [](Twofold x) {
     return x.high == 0 || (0x1p-150 <= std::abs(x.high) && std::abs(x.high) <= 0x1p150);
   };
   if (!(fits(ax) && fits(ay) && fits(bx) && fits(by) && fits(cx) && fits(cy))) return std::nullopt;
-  // det(a, c) / -det(a, b): how far along b the line a is met
+  // det(a, c) / -det(a, b): how far along m the line l is met
   const Twofold s1 = product(ax, cy), s2 = product(ay, cx), w1 = product(ay, bx), w2 = product(ax, by);
   const Twofold share = difference(s1, s2), whole = difference(w1, w2);
   if (whole.high == 0 || share.high == 0) return std::nullopt;
@@ -190,49 +189,51 @@ inline std::optional<Quotient> share_of_way(const Line<double>& a, const Line<do
 }
 
 /// One coordinate by exact arithmetic alone; `axis` 0 gives x, 1 y.
-inline SumOfProducts<3> crossing_numerator(const Line<double>& a, const Line<double>& b, int axis) {
-  // (a.p x a.q) (b.p - b.q) - (a.p - a.q) (b.p x b.q)
+inline SumOfProducts<3> crossing_numerator(const Segment<2, double>& l, const Segment<2, double>& m,
+                                           int axis) {
+  // (l.a x l.b) (m.a - m.b) - (l.a - l.b) (m.a x m.b)
   SumOfProducts<3> sum;
-  for (const double end : {b.p[axis], -b.q[axis]}) {
-    sum.add(a.p.x, a.q.y, end);
-    sum.subtract(a.p.y, a.q.x, end);
+  for (const double end : {m.a[axis], -m.b[axis]}) {
+    sum.add(l.a.x, l.b.y, end);
+    sum.subtract(l.a.y, l.b.x, end);
   }
-  for (const double end : {a.p[axis], -a.q[axis]}) {
-    sum.subtract(b.p.x, b.q.y, end);
-    sum.add(b.p.y, b.q.x, end);
+  for (const double end : {l.a[axis], -l.b[axis]}) {
+    sum.subtract(m.a.x, m.b.y, end);
+    sum.add(m.a.y, m.b.x, end);
   }
   return sum;
 }
-inline SumOfProducts<2> crossing_denominator(const Line<double>& a, const Line<double>& b) {
+inline SumOfProducts<2> crossing_denominator(const Segment<2, double>& l, const Segment<2, double>& m) {
   SumOfProducts<2> sum;
-  for (const double x : {a.p.x, -a.q.x}) {
-    for (const double y : {b.p.y, -b.q.y}) sum.add(x, y);
+  for (const double x : {l.a.x, -l.b.x}) {
+    for (const double y : {m.a.y, -m.b.y}) sum.add(x, y);
   }
-  for (const double y : {a.p.y, -a.q.y}) {
-    for (const double x : {b.p.x, -b.q.x}) sum.subtract(y, x);
+  for (const double y : {l.a.y, -l.b.y}) {
+    for (const double x : {m.a.x, -m.b.x}) sum.subtract(y, x);
   }
   return sum;
 }
-inline double crossing_exact(const Line<double>& a, const Line<double>& b, int axis) {
-  return rounded_quotient(crossing_numerator(a, b, axis), crossing_denominator(a, b)) + 0.0;
+inline double crossing_exact(const Segment<2, double>& l, const Segment<2, double>& m, int axis) {
+  return rounded_quotient(crossing_numerator(l, m, axis), crossing_denominator(l, m)) + 0.0;
 }
 
 /// The float nearest to a crossing's coordinate, whose nearest double is known: where that lies midway
 /// between two floats, the exact sum says on which side of it the crossing is.
-inline float nearest_float(const Line<double>& a, const Line<double>& b, int axis, double coordinate) {
+inline float nearest_float(const Segment<2, double>& l, const Segment<2, double>& m, int axis,
+                           double coordinate) {
   const float nearest = static_cast<float>(coordinate);
   const float other = std::nextafter(nearest, coordinate < double{nearest} ? -INFINITY : INFINITY);
   if (double{nearest} == coordinate || coordinate - double{nearest} != double{other} - coordinate) {
     return nearest;
   }
-  SumOfProducts<3> beyond = crossing_numerator(a, b, axis);
-  for (const double x : {a.p.x, -a.q.x}) {
-    for (const double y : {b.p.y, -b.q.y}) beyond.subtract(x, y, coordinate);
+  SumOfProducts<3> beyond = crossing_numerator(l, m, axis);
+  for (const double x : {l.a.x, -l.b.x}) {
+    for (const double y : {m.a.y, -m.b.y}) beyond.subtract(x, y, coordinate);
   }
-  for (const double y : {a.p.y, -a.q.y}) {
-    for (const double x : {b.p.x, -b.q.x}) beyond.add(y, x, coordinate);
+  for (const double y : {l.a.y, -l.b.y}) {
+    for (const double x : {m.a.x, -m.b.x}) beyond.add(y, x, coordinate);
   }
-  const int above = beyond.sign() * crossing_denominator(a, b).sign();
+  const int above = beyond.sign() * crossing_denominator(l, m).sign();
   return above == 0 || (above > 0) != (other > nearest) ? nearest : other;
 }
 
@@ -243,16 +244,16 @@ inline float nearest_float(const Line<double>& a, const Line<double>& b, int axi
 ///   has infinite coordinates. Accuracy: 1/2 ulp; without rounding for rationals.
 /// Cost: about 40 ns, in doubt 3 us.
 template <class T>
-glm::vec<2, T> crossing_point(const Line<T>& a, const Line<T>& b) {
+glm::vec<2, T> crossing_point(const Segment<2, T>& l, const Segment<2, T>& m) {
   if constexpr (std::floating_point<T>) {
-    const Line<double> u{glm::dvec2(a.p), glm::dvec2(a.q)}, v{glm::dvec2(b.p), glm::dvec2(b.q)};
+    const Segment<2, double> u{glm::dvec2(l.a), glm::dvec2(l.b)}, v{glm::dvec2(m.a), glm::dvec2(m.b)};
     const auto t = detail::share_of_way(u, v);
     glm::vec<2, T> at{};
     for (int axis = 0; axis < 2; ++axis) {
       std::optional<double> sure;
       if (t) {
-        const auto way = detail::twofold(two_difference(v.q[axis], v.p[axis]));
-        sure = detail::nearest_if_sure(v.p[axis], way, *t);
+        const auto way = detail::twofold(two_difference(v.b[axis], v.a[axis]));
+        sure = detail::nearest_if_sure(v.a[axis], way, *t);
       }
       const double exact = sure ? *sure : detail::crossing_exact(u, v, axis);
       if constexpr (std::same_as<T, float>) {
@@ -263,10 +264,10 @@ glm::vec<2, T> crossing_point(const Line<T>& a, const Line<T>& b) {
     }
     return at;
   } else {
-    const auto u = a.q - a.p, v = b.q - b.p, c = b.p - a.p;
+    const auto u = l.b - l.a, v = m.b - m.a, c = m.a - l.a;
     const T whole = u.y * v.x - u.x * v.y;
     const T share = u.x * c.y - u.y * c.x;
-    return b.p + share / whole * v;
+    return m.a + share / whole * v;
   }
 }
 

@@ -71,15 +71,28 @@ struct PieceTraced {
 
 // --- What goes on at one border ----------------------------------
 
-/// The sign of twice the area of a ring. Exact. Domain: finite. Cost: a few ns a vertex, in doubt 60.
+/// A point, and the place of a vertex.
 template <class T>
-int area_sign(std::span<const glm::vec<2, T>> ring) {
+const glm::vec<2, T>& place_of(const glm::vec<2, T>& point) {
+  return point;
+}
+template <class T>
+const glm::vec<2, T>& place_of(const Vertex<T>& vertex) {
+  return vertex.at;
+}
+
+/// The sign of twice the area of a ring of points or vertices. Exact. Domain: finite. Cost: a few ns a
+/// vertex, in doubt 60.
+template <class P>
+int area_sign(std::span<const P> ring) {
+  using T = std::remove_cvref_t<decltype(place_of(ring[0]).x)>;
   const std::size_t n = ring.size();
+  const auto at = [ring, n](std::size_t i) -> const glm::vec<2, T>& { return place_of(ring[i < n ? i : 0]); };
   if constexpr (std::floating_point<T>) {
     // In plain arithmetic, wrong by less than 2^-50 of the sizes added up for each vertex
     double estimate = 0, sizes = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const glm::dvec2 a(ring[i]), b(ring[i + 1 < n ? i + 1 : 0]);
+      const glm::dvec2 a(at(i)), b(at(i + 1));
       estimate += a.x * b.y - a.y * b.x;
       sizes += std::abs(a.x * b.y) + std::abs(a.y * b.x);
     }
@@ -87,7 +100,7 @@ int area_sign(std::span<const glm::vec<2, T>> ring) {
     if (std::abs(estimate) > bound) return sign_of(estimate);
     SumOfProducts<2> doubled;
     for (std::size_t i = 0; i < n; ++i) {
-      const glm::dvec2 a(ring[i]), b(ring[i + 1 < n ? i + 1 : 0]);
+      const glm::dvec2 a(at(i)), b(at(i + 1));
       doubled.add(a.x, b.y);
       doubled.subtract(a.y, b.x);
     }
@@ -95,7 +108,7 @@ int area_sign(std::span<const glm::vec<2, T>> ring) {
   } else {
     T doubled(0);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto &a = ring[i], &b = ring[i + 1 < n ? i + 1 : 0];
+      const auto &a = at(i), &b = at(i + 1);
       doubled += a.x * b.y - a.y * b.x;
     }
     return sign_of(doubled);
@@ -206,8 +219,8 @@ class BorderCut {
     const int order = order_along(scene_, border_, a.vertex, b.vertex);
     if (order != 0) return order < 0;
     // Both edges as they point inside
-    const Line<T> line = line_of(scene_.window, border_);
-    const Line<T> u = scene_.line(a.edge), v = scene_.line(b.edge);
+    const Segment<2, T> line = line_of(scene_.window, border_);
+    const Segment<2, T> u = scene_.line(a.edge), v = scene_.line(b.edge);
     return heading(u, v) * heading(line, u) * heading(line, v) < 0;
   }
 
@@ -222,7 +235,7 @@ class BorderCut {
 template <class T, class Window>
 int height_against(const Scene<T, Window>& scene, const Vertex<T>& v, T y) {
   if (v.at.y != y || !v.made()) return (v.at.y > y) - (v.at.y < y);
-  const Line<T> horizontal{{T(0), y}, {T(1), y}};
+  const Segment<2, T> horizontal{{T(0), y}, {T(1), y}};
   return side_of_crossing(horizontal, scene.line(v.edge), scene.line(v.border));
 }
 
@@ -235,14 +248,19 @@ bool holds(const Scene<T, Window>& scene, std::span<const Vertex<T>> ring, glm::
     const Vertex<T>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
     const bool starts_above = height_against(scene, a, point.y) > 0;
     if (starts_above == (height_against(scene, b, point.y) > 0)) continue;
-    const Line<T> line = scene.line(a.after);
+    const Segment<2, T> line = scene.line(a.after);
     const int right_of_it = -side(line, point);
-    odd ^= (line.p.y < line.q.y ? right_of_it : -right_of_it) > 0;
+    odd ^= (line.a.y < line.b.y ? right_of_it : -right_of_it) > 0;
   }
   return odd;
 }
 
 // --- The method --------------------------------------------------
+
+/// Rings in a vector, an array or braces, each a row of points itself.
+template <class Row>
+concept RowOfRings = ContiguousRow<Row> && PointRow<ItemOf<Row>, 2>;
+using RingsInBraces = std::initializer_list<std::vector<glm::dvec2>>;
 
 /// The rings of a polygon: the first one its outline, the others holes, which lie in it.
 template <class T>
@@ -253,32 +271,57 @@ struct Rings {
   bool touch = false;          ///< whether they do
 
   /// Outline counter-clockwise, holes clockwise, whichever way they come; a ring of area 0 stays as it is.
-  explicit Rings(std::span<const std::vector<glm::vec<2, T>>> given) {
-    for (std::size_t r = 0; r < given.size(); ++r) {
-      const std::span<const glm::vec<2, T>> ring(given[r]);
-      expect_finite(ring);
-      const bool reverse = area_sign(ring) == (r == 0 ? -1 : 1);
-      const int first = static_cast<int>(points.size()), n = static_cast<int>(ring.size());
-      points.insert(points.end(), ring.begin(), ring.end());
-      for (int i = 0; i < n; ++i) next.push_back(first + (reverse ? i + n - 1 : i + 1) % n);
-      rings.push_back(ring_from(first, n));
-    }
+  template <RowOfRings Given = RingsInBraces>
+    requires std::same_as<ScalarOf<ItemOf<Given>>, T>
+  explicit Rings(const Given& given) {
+    for (const auto& ring : given) add(span_of(ring));
+    join_touching();
+  }
+  /// An outline without holes.
+  template <PointRow<2> Points = PointsInBraces<2>>
+    requires std::same_as<ScalarOf<Points>, T>
+  explicit Rings(const Points& outline) {
+    add(span_of(outline));
+    join_touching();
+  }
+
+ private:
+  void add(std::span<const glm::vec<2, T>> ring) {
+    expect_finite(ring);
+    const bool reverse = area_sign(ring) == (rings.empty() ? -1 : 1);
+    const int first = static_cast<int>(points.size()), n = static_cast<int>(ring.size());
+    points.insert(points.end(), ring.begin(), ring.end());
+    for (int i = 0; i < n; ++i) next.push_back(first + (reverse ? i + n - 1 : i + 1) % n);
+    rings.push_back(ring_from(first, n));
+  }
+  void join_touching() {
     const Outline<T> outline{points, next};
-    if (points.size() <= 24 && !any_touch(outline)) return;
+    if (surely_apart(outline)) return;
     TouchingRings<T> touching(outline);
     touch = touching.touch();
     if (touch) rings = touching.joined();
   }
-
- private:
+  bool surely_apart(const Outline<T>& outline) const {
+    if constexpr (std::floating_point<T>) {
+      if (rings.size() == 1 && goes_round_a_point(outline)) return true;
+    }
+    return TouchSearch<T>(outline).answer() == false;
+  }
   Ring<T> ring_from(int first, int n) const {
     Ring<T> ring;
+    ring.reserve(static_cast<std::size_t>(n));
     for (int i = first; std::ssize(ring) < n; i = next[static_cast<std::size_t>(i)]) {
       ring.push_back({points[static_cast<std::size_t>(i)], i, {}, {}, EdgeName::polygon(i)});
     }
     return ring;
   }
 };
+template <RowOfRings Given>
+Rings(const Given&) -> Rings<ScalarOf<ItemOf<Given>>>;
+template <PointRow<2> Points>
+Rings(const Points&) -> Rings<ScalarOf<Points>>;
+Rings(RingsInBraces) -> Rings<double>;
+Rings(PointsInBraces<2>) -> Rings<double>;
 
 /// What the vertices of pieces refer to.
 template <class T, class Window>
@@ -320,24 +363,26 @@ void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& s
   if constexpr (observed<O>) observer(BorderSplit<T>{border, rings});
 }
 
+/// Whether a ring runs along the window somewhere.
+template <class T>
+bool along_window(const Ring<T>& ring) {
+  return std::any_of(ring.begin(), ring.end(), [](const Vertex<T>& v) { return v.after.of_window(); });
+}
+
 /// Which side of a ring the polygon has: 1 its inner side, -1 its outer one, 0 the ring has no area. Beyond
 /// the window there is nothing; a ring that doesn't run along it has the input's vertices alone.
 template <class T>
 int turn_of(const Ring<T>& ring) {
-  std::vector<glm::vec<2, T>> points;
-  for (const Vertex<T>& v : ring) {
-    if (v.after.of_window()) return 1;
-    points.push_back(v.at);
-  }
-  return area_sign(std::span<const glm::vec<2, T>>(points));
+  if (along_window(ring)) return 1;
+  return area_sign(std::span<const Vertex<T>>(ring));
 }
 
 /// The piece that a ring goes round: where it passes a point twice it comes apart into the outline and holes.
 /// touch: whether rings of the polygon do. Else only a vertex on the border of the window is passed twice.
 template <class T>
-Piece<T> piece_in(const Ring<T>& ring, bool touch) {
+Piece<T> piece_in(Ring<T> ring, bool touch) {
   const auto on_border = [](const Vertex<T>& v) { return !v.made() && v.after.of_window(); };
-  if (!touch && std::none_of(ring.begin(), ring.end(), on_border)) return {ring, {}};
+  if (!touch && std::none_of(ring.begin(), ring.end(), on_border)) return {std::move(ring), {}};
   Piece<T> piece{{}, simple_rings(ring)};
   if (piece.holes.empty()) return piece;
   const auto goes_round = [](const Ring<T>& simple) { return turn_of(simple) > 0; };
@@ -346,6 +391,20 @@ Piece<T> piece_in(const Ring<T>& ring, bool touch) {
   piece.outline = std::move(*outline);
   piece.holes.erase(outline);
   return piece;
+}
+
+/// Takes out pieces so small that their outline has fewer than three places left. Of rings that cross, what
+/// runs along the window is no hole in it, but a piece.
+template <class T>
+void leave_out_vanished(std::vector<Piece<T>>& pieces) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    leave_out_repeated(pieces[i].outline);
+    if (!pieces[i].outline.empty()) continue;
+    for (Ring<T>& ring : std::exchange(pieces[i].holes, {})) {
+      if (along_window(ring)) pieces.push_back({std::move(ring), {}});
+    }
+  }
+  std::erase_if(pieces, [](const Piece<T>& piece) { return piece.outline.empty(); });
 }
 
 /// The pieces that rings bound, each with the holes in it. Takes the rings.
@@ -358,7 +417,11 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
     if (turn != 0) (turn > 0 ? outer : inner).push_back(std::move(ring));
   }
   std::vector<Piece<T>> pieces;
-  for (const Ring<T>& ring : outer) pieces.push_back(piece_in(ring, touch));
+  pieces.reserve(outer.size());
+  for (Ring<T>& ring : outer) {
+    // Holes ask for the whole rings
+    pieces.push_back(piece_in(inner.empty() ? std::move(ring) : ring, touch));
+  }
   for (const Ring<T>& ring : inner) {
     // What lies left of a hole is the piece that it is in
     const auto left_end = std::min_element(
@@ -370,12 +433,15 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
       pieces.push_back({ring, {}});  // rings cross
       continue;
     }
-    const auto simple = touch ? simple_rings(ring) : std::vector<Ring<T>>{ring};
     auto& holes = pieces[static_cast<std::size_t>(around - outer.begin())].holes;
+    if (!touch) {
+      holes.push_back(ring);
+      continue;
+    }
+    const auto simple = simple_rings(ring);
     holes.insert(holes.end(), simple.begin(), simple.end());
   }
-  for (Piece<T>& piece : pieces) leave_out_repeated(piece.outline);
-  std::erase_if(pieces, [](const Piece<T>& piece) { return piece.outline.empty(); });
+  leave_out_vanished(pieces);
   return pieces;
 }
 
@@ -402,9 +468,11 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
 ///   Access 1.2.1, 6.1.11.1, and what touches the window in points or edges alone gives nothing. Before
 ///   vertices are rounded, no ring passes a point twice, and two of a piece have at most one in common. A
 ///   part so small that its vertices round to fewer than three places is left out.
-/// Cost: 1 or 2 ns for each pair of vertices up to 24 of them, else O(n log n) for n, to find where rings
-///   touch; one test a vertex and border; O(k log k) for k crossings on one border; O(h n) for h holes that
-///   no border met.
+/// Cost: to know whether rings touch, when Rings are made: for n vertices O(n) where one goes round a point
+/// as
+///   convex polygons and stars do, or where boxes round runs of edges mostly lie apart; else, and where they
+///   do touch, O(n log n), with O(n^2) bytes moved at worst (see touching_rings.hpp). Then one test a vertex
+///   and border; O(k log k) for k crossings on one border; O(h n) for h holes that no border met.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 template <class T, class Window,
           Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>, PieceTraced<T>> O =
@@ -425,6 +493,23 @@ std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& win
     if constexpr (observed<O>) observer(PieceTraced<T>{number_in(std::span(pieces), piece), piece});
   }
   return pieces;
+}
+
+/// The same, in the borders' own order: left, right, bottom, top.
+template <class T, class Window = Rectangle<T>>
+std::vector<Piece<T>> separate_pieces(const Rings<T>& polygon, const Window& window) {
+  return separate_pieces(polygon, window, all_borders(window));
+}
+
+/// The same for an outline, or rings, as they are: points in a vector, an array or braces. With an order and
+/// an observer or without.
+template <PointRow<2> Points = PointsInBraces<2>, class Window = Rectangle<ScalarOf<Points>>, class... More>
+auto separate_pieces(const Points& outline, const Window& window, More&&... order_and_observer) {
+  return separate_pieces(Rings(outline), window, std::forward<More>(order_and_observer)...);
+}
+template <RowOfRings Given = RingsInBraces, class Window = Rectangle<ScalarOf<ItemOf<Given>>>, class... More>
+auto separate_pieces(const Given& rings, const Window& window, More&&... order_and_observer) {
+  return separate_pieces(Rings(rings), window, std::forward<More>(order_and_observer)...);
 }
 
 }  // namespace gradus::sutherland_hodgman

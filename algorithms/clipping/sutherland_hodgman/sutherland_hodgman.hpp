@@ -228,10 +228,17 @@ std::vector<Vertex<T>> clip_to_window(std::span<const glm::vec<2, T>> points, co
 }
 
 /// The same, in the borders' own order: left, right, bottom, top.
-template <class T, class Window>
+template <class T, class Window = Rectangle<T>>
 std::vector<Vertex<T>> clip_to_window(std::span<const glm::vec<2, T>> points, const Window& window) {
-  const std::vector<int> order = all_borders(window);
-  return clip_to_window(points, window, std::span<const int>(order));
+  return clip_to_window(points, window, all_borders(window));
+}
+
+/// The same for points in a vector, an array or braces, whose numbers are doubles; a window in braces is a
+/// Rectangle. With an order and an observer or without.
+template <OtherPointRow<2> Points = PointsInBraces<2>, class Window = Rectangle<ScalarOf<Points>>,
+          class... More>
+auto clip_to_window(const Points& points, const Window& window, More&&... order_and_observer) {
+  return clip_to_window(span_of(points), window, std::forward<More>(order_and_observer)...);
 }
 
 /// An edge along a border, with its ends in the border's direction.
@@ -290,6 +297,13 @@ std::vector<BridgeFound<T>> bridges(std::span<const Vertex<T>> polygon,
     if constexpr (observed<O>) observer(bridge);
   }
   return found;
+}
+
+/// The same for what clip_to_window gave, as it is, and points in any form that it takes.
+template <class T, PointRow<2> Points = PointsInBraces<2>, class Window = Rectangle<T>, class... Observed>
+auto bridges(const std::vector<Vertex<T>>& polygon, const Points& points, const Window& window,
+             Observed&&... observer) {
+  return bridges(span_of(polygon), span_of(points), window, std::forward<Observed>(observer)...);
 }
 
 // --- In clip space -----------------------------------------------
@@ -431,6 +445,17 @@ std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> 
     polygon = clip(rest, plane, observer);
   }
   return polygon;
+}
+
+/// Both for corners in a vector or an array, and for planes such as view_volume gives.
+template <OtherRow Corners, class T, class... Observed>
+auto clip(const Corners& polygon, const Plane<T>& plane, Observed&&... observer) {
+  return clip(span_of(polygon), plane, std::forward<Observed>(observer)...);
+}
+template <ContiguousRow Corners, OtherRow Planes, class... Observed>
+auto clip(const Corners& polygon, const Planes& planes, Observed&&... observer) {
+  std::vector<ItemOf<Corners>> corners(std::begin(polygon), std::end(polygon));
+  return clip(std::move(corners), span_of(planes), std::forward<Observed>(observer)...);
 }
 
 /// The six planes of clip space in the order of cutting: far, then the sides, `x` and `y` times as far out as

@@ -180,7 +180,7 @@ bool holds_point(std::span<const glm::vec<2, T>> points, glm::vec<2, T> p) {
   bool odd = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto &a = points[i], &b = points[i + 1 < points.size() ? i + 1 : 0];
-    const int turn = side(Line<T>{a, b}, p);
+    const int turn = side(Segment<2, T>{a, b}, p);
     if (turn == 0 && (a.x <= p.x) != (b.x < p.x) && (a.y <= p.y) != (b.y < p.y)) return true;
     if ((a.y > p.y) != (b.y > p.y)) odd ^= (turn > 0) == (b.y > a.y);
   }

@@ -16,6 +16,7 @@
 #include "core/contract.hpp"
 #include "core/exact.hpp"
 #include "core/observe.hpp"
+#include "core/points.hpp"
 
 namespace gradus::ear_clipping {
 
@@ -143,6 +144,8 @@ template <class T>
 Shadow largest_shadow(std::span<const glm::vec<3, T>> polygon) {
   if constexpr (std::floating_point<T>) {
     const auto [normal, error] = detail::newell(polygon);
+    const auto finite = [](glm::dvec3 v) { return std::isfinite(v.x + v.y + v.z); };
+    if (!finite(normal) || !finite(error)) return detail::largest_shadow_exact(polygon);
     const int axis = largest_of([&normal](int i) { return std::abs(normal[i]); });
     if (normal[axis] > error[axis]) return {axis, 1};
     if (normal[axis] < -error[axis]) return {axis, -1};
@@ -168,6 +171,16 @@ std::vector<glm::vec<2, T>> flattened(std::span<const glm::vec<3, T>> polygon) {
   flat.reserve(polygon.size());
   for (const glm::vec<3, T>& p : polygon) flat.push_back({p[u], p[v]});
   return flat;
+}
+
+/// Both for corners in a vector, an array or braces.
+template <OtherPointRow<3> Points = PointsInBraces<3>>
+Shadow largest_shadow(const Points& polygon) {
+  return largest_shadow(span_of(polygon));
+}
+template <OtherPointRow<3> Points = PointsInBraces<3>>
+auto flattened(const Points& polygon) {
+  return flattened(span_of(polygon));
 }
 
 // --- In the plane ------------------------------------------------
@@ -297,6 +310,16 @@ void triangulate(std::span<const glm::vec<3, T>> polygon, Emit&& emit, O&& obser
   const auto flat = flattened(polygon);
   std::span<const glm::vec<2, T>> all = flat;
   triangulate(all, emit, observer);
+}
+
+/// Both for corners in a vector, an array or braces, whose numbers are doubles.
+template <OtherPointRow<2> Points = PointsInBraces<2>, class Emit, class... Observed>
+void triangulate(const Points& polygon, Emit&& emit, Observed&&... observer) {
+  triangulate(span_of(polygon), emit, std::forward<Observed>(observer)...);
+}
+template <OtherPointRow<3> Points = PointsInBraces<3>, class Emit, class... Observed>
+void triangulate(const Points& polygon, Emit&& emit, Observed&&... observer) {
+  triangulate(span_of(polygon), emit, std::forward<Observed>(observer)...);
 }
 
 }  // namespace gradus::ear_clipping

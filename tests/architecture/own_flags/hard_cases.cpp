@@ -295,23 +295,23 @@ void boxes_and_view_volumes() {
 
 namespace sh = sutherland_hodgman;
 
-KERNEL dvec2 crossing_of(const sh::Line<double>& a, const sh::Line<double>& b) {
+KERNEL dvec2 crossing_of(const Segment<2, double>& a, const Segment<2, double>& b) {
   return sh::crossing_point(a, b);
 }
-KERNEL int side_of(const sh::Line<double>& line, const sh::Line<double>& a, const sh::Line<double>& b) {
+KERNEL int side_of(const Segment<2, double>& line, const Segment<2, double>& a, const Segment<2, double>& b) {
   return sh::side_of_crossing(line, a, b);
 }
 
 void crossings_of_lines() {
   Random random(6);
   for (int i = 0; i < rounds; ++i) {
-    const sh::Line<double> a{point(random), point(random)}, b{point(random), point(random)};
+    const Segment<2, double> a{point(random), point(random)}, b{point(random), point(random)};
     // A third line through the point where they cross, as near as doubles come
     const dvec2 at = crossing_of(a, b);
     for (int axis = 0; axis < 2; ++axis) {
       expect(same(at[axis], sh::detail::crossing_exact(a, b, axis)), "crossing_point", i);
     }
-    const sh::Line<double> third{at, point(random)};
+    const Segment<2, double> third{at, point(random)};
     expect(side_of(third, a, b) == -sh::detail::mixed_sides_exact(third, a, b) * sh::detail::turn_exact(a, b),
            "side_of_crossing", i);
   }

@@ -11,6 +11,7 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
+#include "core/elementary.hpp"
 #include "core/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/random.hpp"
@@ -85,9 +86,9 @@ Rational area_in(const Points& ring, const ConvexWindow<double>& w) {
 template <class Window>
 ExactPoint place_of(const Scene<double, Window>& scene, const Vertex<double>& v) {
   if (!v.made()) return test::exact_point(scene.polygon[v.input]);
-  const Line<double> a = scene.line(v.edge), b = scene.line(v.border);
-  return test::exact_crossing(test::exact_point(a.p), test::exact_point(a.q), test::exact_point(b.p),
-                              test::exact_point(b.q));
+  const Segment<2, double> a = scene.line(v.edge), b = scene.line(v.border);
+  return test::exact_crossing(test::exact_point(a.a), test::exact_point(a.b), test::exact_point(b.a),
+                              test::exact_point(b.b));
 }
 
 /// Whether no other double is nearer to x. Counts those for which the first guess of plain arithmetic fails.
@@ -166,9 +167,9 @@ void clip_and_compare(const Points& points, const Window& window, std::vector<in
       EXPECT_GE(side, 0);
       ran.on_border += side == 0 && !v.made();
       // The exact place decides, and it is the one that is remembered
-      const Line<double> line = line_of(window, border);
+      const Segment<2, double> line = line_of(window, border);
       const Rational turn =
-          test::turn(test::exact_point(line.p), test::exact_point(line.q), place_of(scene, v));
+          test::turn(test::exact_point(line.a), test::exact_point(line.b), place_of(scene, v));
       EXPECT_EQ(side, turn.sign());
     }
   }
@@ -416,6 +417,88 @@ void compare_parts(const std::vector<Points>& rings, const Window& window, const
   ++ran.cases;
 }
 
+/// Whether rings touch, by all pairs of edges and vertices.
+bool any_touch(const Outline<double>& polygon) {
+  const int n = static_cast<int>(polygon.points.size());
+  for (int i = 0; i < n; ++i) {
+    const int next = polygon.after(i);
+    const Segment<2, double> edge{polygon[i], polygon[next]};
+    if (polygon.after(next) == i) return true;
+    for (int k = 0; k < n; ++k) {
+      const dvec2 v = polygon[k];
+      const auto between = [&](int axis) {
+        return std::min(edge.a[axis], edge.b[axis]) <= v[axis] &&
+               v[axis] <= std::max(edge.a[axis], edge.b[axis]);
+      };
+      if (k == i || k == next || !between(0) || !between(1)) continue;
+      if (side(edge, v) == 0) return true;
+    }
+  }
+  return false;
+}
+
+/// A ring round the origin whose vertices lie at random distances.
+Points star(int vertices, double nearest, Random& random) {
+  Points points;
+  for (int k = 0; k < vertices; ++k) {
+    const SinCos at = sin_cos(0x1.921fb54442d18p2 * k / vertices);
+    points.push_back(random.uniform(nearest, 1) * dvec2(at.cos, at.sin));
+  }
+  return points;
+}
+
+TEST(SutherlandHodgmanProperty, WhetherRingsTouchIsKnownAsFromAllPairs) {
+  // Stars, rings that cross themselves, of places that repeat, and regions of triangles: 3 to 200 vertices
+  Random random(test::seed() + 8);
+  int touching = 0, apart = 0, untold = 0, round_a_point = 0;
+  const std::int64_t rounds = test::cases(3000, 100000);
+  for (std::int64_t round = 0; round < rounds; ++round) {
+    const int n = static_cast<int>(random.uniform_int(3, round % 10 == 0 ? 200 : 30));
+    std::vector<Points> rings;
+    if (round % 4 == 0) {
+      rings.push_back(star(n, random.uniform(0.05, 1), random));
+    } else if (round % 4 == 1) {
+      const test::TriangleRegion region =
+          test::random_region(static_cast<int>(random.uniform_int(2, 7)), random);
+      for (const auto& ring : test::RegionRings(region).polygon(random)) {
+        rings.push_back(test::told_otherwise(ring, random));
+      }
+    } else {
+      // On a grid, fine or coarse
+      const int places = round % 4 == 2 ? 1 << 20 : n;
+      Points& ring = rings.emplace_back();
+      for (int k = 0; k < n; ++k) {
+        ring.push_back(dvec2(random.uniform_int(0, places), random.uniform_int(0, places)));
+      }
+    }
+    const double scale = std::ldexp(1.0, static_cast<int>(random.uniform_int(-1074, 1000)));
+    for (Points& ring : rings) {
+      for (dvec2& p : ring) p *= scale;
+    }
+    const Rings<double> polygon(rings);
+    const Outline<double> outline{polygon.points, polygon.next};
+    const bool right = any_touch(outline);
+    const auto answer = TouchSearch<double>(outline).answer();
+    ASSERT_TRUE(!answer || *answer == right) << round;
+    if (rings.size() == 1 && goes_round_a_point(outline)) {
+      ASSERT_FALSE(right) << round;
+      ++round_a_point;
+    }
+    // Where rings cross, the sweep may miss one; where they don't touch it sees none
+    ASSERT_TRUE(right || !polygon.touch) << round;
+    ASSERT_TRUE(right || !TouchingRings<double>(outline).touch()) << round;
+    untold += !answer;
+    touching += right;
+    apart += !right;
+  }
+  std::printf("%d touch, %d don't; %d untold by boxes, %d round a point\n", touching, apart, untold,
+              round_a_point);
+  EXPECT_GE(touching, rounds / 5);
+  EXPECT_GE(apart, rounds / 5);
+  EXPECT_GE(untold, rounds / 100);
+  EXPECT_GE(round_a_point, rounds / 10);
+}
+
 TEST(SutherlandHodgmanProperty, RingsThatTouchGiveTheConnectedPartsOfTheInside) {
   // Holes that touch the outline and each other, at corners and in the middle of edges, outlines that touch
   // themselves, and borders through all that; at any scale
@@ -567,17 +650,17 @@ TEST(SutherlandHodgmanProperty, CrossingsOfLinesAreExact) {
                            : dvec2(random.uniform(-1, 1), random.uniform(-1, 1));
       return p * std::ldexp(1.0, shift);
     };
-    const Line<double> a{point(), point()}, b{point(), point()}, c{point(), point()};
+    const Segment<2, double> a{point(), point()}, b{point(), point()}, c{point(), point()};
     const auto exact = [](dvec2 p) { return test::exact_point(p); };
-    const Rational turned = test::turn(exact({}), exact(a.q - a.p), exact(b.q - b.p));
+    const Rational turned = test::turn(exact({}), exact(a.b - a.a), exact(b.b - b.a));
     if (grid) ASSERT_EQ(heading(a, b), turned.sign());
-    if (a.p == a.q || b.p == b.q || heading(a, b) == 0) continue;
-    const ExactPoint at = test::exact_crossing(exact(a.p), exact(a.q), exact(b.p), exact(b.q));
+    if (a.a == a.b || b.a == b.b || heading(a, b) == 0) continue;
+    const ExactPoint at = test::exact_crossing(exact(a.a), exact(a.b), exact(b.a), exact(b.b));
     const dvec2 rounded = crossing_point(a, b);
     ASSERT_TRUE(nearest(rounded.x, at.x) && nearest(rounded.y, at.y));
-    if (c.p == c.q) continue;
+    if (c.a == c.b) continue;
     const int side = side_of_crossing(c, a, b);
-    ASSERT_EQ(side, test::turn(exact(c.p), exact(c.q), at).sign());
+    ASSERT_EQ(side, test::turn(exact(c.a), exact(c.b), at).sign());
     ties += side == 0;
     ++cases;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "core/random.hpp"
@@ -78,6 +79,73 @@ TEST(EarClippingProperty, SimplePolygonsAreCoveredOnce) {
   EXPECT_EQ(cases, 4000);
   EXPECT_GT(reflex, 4000);
   std::printf("%d polygons, %d reflex corners, %d triangles without area\n", cases, reflex, straight);
+}
+
+using ExactNormal = std::array<cpp_rational, 3>;
+
+/// Twice the area of a triangle in space, as a vector across it.
+ExactNormal doubled_normal(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+  ExactNormal normal;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    normal[static_cast<std::size_t>(axis)] = doubled_area({a[u], a[v]}, {b[u], b[v]}, {c[u], c[v]});
+  }
+  return normal;
+}
+cpp_rational dot(const ExactNormal& a, const ExactNormal& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+TEST(EarClippingProperty, FacesOnAnyPlaneAreCoveredOnce) {
+  // Combs and stars on whole numbers, on planes of whole numbers: exactly flat at every scale
+  Random random(test::seed() + 1);
+  const auto whole = [&random](std::int64_t size) {
+    return static_cast<double>(random.uniform_int(-size, size));
+  };
+  const auto vector = [&] {
+    const double x = whole(9), y = whole(9), z = whole(9);
+    return glm::dvec3(x, y, z);
+  };
+  int cases = 0, axes[3] = {0, 0, 0}, turned = 0, subnormal = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const glm::dvec3 origin = vector(), u = vector(), v = vector();
+    const double scale = std::ldexp(1.0, static_cast<int>(random.uniform_int(-1073, 1000)));
+    std::vector<glm::dvec3> face;
+    for (const glm::dvec2 p : round % 2 ? any_comb(random) : any_star(random)) {
+      const double size = round % 2 ? 2 : 1 << 20;
+      const glm::dvec2 place{std::round(size * p.x), std::round(size * p.y)};
+      face.push_back(scale * (origin + place.x * u + place.y * v));
+    }
+    ExactNormal normal{};
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      const auto part = doubled_normal(face[0], face[i - 1], face[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] += part[axis];
+    }
+    if (dot(normal, normal) == 0) continue;
+    ExactNormal sum{};
+    std::size_t count = 0;
+    triangulate(face, [&](const Triangle& t) {
+      const auto at = [&](int i) { return face[static_cast<std::size_t>(i)]; };
+      const auto part = doubled_normal(at(t[0]), at(t[1]), at(t[2]));
+      ASSERT_GE(dot(part, normal), 0) << "round " << round << ", seed " << test::seed();
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
+      ++count;
+    });
+    ASSERT_EQ(count, face.size() - 2);
+    ASSERT_EQ(sum, normal) << "round " << round << ", seed " << test::seed();
+    const Shadow shadow = largest_shadow(face);
+    ASSERT_EQ(shadow.turn, normal[static_cast<std::size_t>(shadow.axis)].sign());
+    ++axes[shadow.axis];
+    turned += shadow.turn < 0;
+    subnormal += scale < 0x1p-1000;
+    ++cases;
+  }
+  std::printf("%d faces, shadows along x %d, y %d, z %d; %d turned, %d tiny\n", cases, axes[0], axes[1],
+              axes[2], turned, subnormal);
+  EXPECT_GE(cases, 1500);
+  for (const int along : axes) EXPECT_GE(along, 200);
+  EXPECT_GE(turned, 200);
+  EXPECT_GE(subnormal, 50);
 }
 
 }  // namespace

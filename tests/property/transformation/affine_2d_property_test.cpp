@@ -206,6 +206,58 @@ void measure_errors(std::uint64_t offset) {
   EXPECT_LE(worst_inverse, 4);
 }
 
+/// Entries of all sizes, up to the bounds of plain arithmetic and just beyond, zeros of both signs, and
+/// determinants that cancel: plain numbers give the bits that numbers without bounds to their exponents do.
+template <class T>
+void compare_inverses(int bound, std::uint64_t offset) {
+  std::mt19937_64 random(seed() + offset);
+  const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
+  const auto entry = [&](int size) {
+    if (below(12) == 0) return below(2) ? T(0) : -T(0);
+    const int exponent = std::clamp(size + below(9) - 4, -bound - 1, bound);
+    const T x = std::ldexp(std::uniform_real_distribution<T>(1, 2)(random), exponent);
+    return below(2) ? x : -x;
+  };
+  const auto bits_of = [](const std::optional<Matrix<T>>& m) {
+    std::vector<std::pair<T, bool>> bits;
+    for (int k = 0; m && k < 6; ++k) {
+      const T x = (*m)[k / 2][k % 2];
+      bits.emplace_back(x, std::signbit(x));
+    }
+    return bits;
+  };
+  int plain = 0, none = 0, cancels = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const bool of_one_size = below(2) == 0;
+    const int size = below(2 * bound + 3) - bound - 1;
+    Matrix<T> m(T(1));
+    for (int k = 0; k < 6; ++k) {
+      m[k / 2][k % 2] = entry(of_one_size ? size : below(2 * bound + 3) - bound - 1);
+    }
+    if (below(4) == 0) {
+      // The second column nearly along the first
+      m[1].x = m[0].x;
+      m[1].y = m[0].y * (1 + T(below(64) - 32) * std::numeric_limits<T>::epsilon());
+      ++cancels;
+    }
+    const auto back = inverse(m);
+    ASSERT_EQ(bits_of(back), bits_of(detail::inverse_in(m, detail::Boundless{}))) << i << ", seed " << seed();
+    ASSERT_TRUE(!flattens(glm::mat<2, 2, T>(m)) || !back);
+    plain += detail::are_moderate<T>(m[0].x, m[0].y, m[1].x, m[1].y, m[2].x, m[2].y);
+    none += !back;
+  }
+  std::printf("%d of 100000 in plain numbers, %d cancel, %d have no inverse\n", plain, cancels, none);
+  EXPECT_GE(plain, 50'000);
+  EXPECT_LE(plain, 99'900);
+  EXPECT_GE(cancels, 20'000);
+  EXPECT_GE(none, 1000);
+}
+
+TEST(Affine2dProperty, PlainInversesHaveTheBitsOfThoseWithoutBounds) {
+  compare_inverses<double>(240, 6);
+  compare_inverses<float>(24, 7);
+}
+
 TEST(Affine2dProperty, ErrorsInDouble) { measure_errors<double>(4); }
 TEST(Affine2dProperty, ErrorsInFloat) { measure_errors<float>(5); }
 

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "stress/numbers.hpp"
+#include "stress/scales.hpp"
 #include "support/clip_oracle.hpp"
 #include "support/polygon_areas.hpp"
 
@@ -114,6 +116,46 @@ Input rectangle_input(Kind kind, Random& random) {
   return input;
 }
 constexpr std::size_t rectangle_numbers = 4 + 2 * corners + 1;
+
+/// The same with a ring of four corners before the order: a hole, or one that crosses the polygon, or none
+/// where all corners are one.
+constexpr std::size_t hole_corners = 4, hole_at = 4 + 2 * corners;
+constexpr std::size_t pieces_numbers = hole_at + 2 * hole_corners + 1;
+Input pieces_input(Kind kind, Random& random) {
+  Input input = rectangle_input(kind, random);
+  const double order = input.back();
+  input.pop_back();
+  const Points outline = points_in(input, 4, corners);
+  const auto corner = [&] { return outline[static_cast<std::size_t>(random.uniform_int(0, corners - 1))]; };
+  const double way = random.unit();
+  const dvec2 middle = 0.25 * (0.5 * (outline[0] + outline[1]) + 0.5 * (outline[2] + outline[4])) +
+                       0.5 * (0.5 * (outline[1] + outline[3]));
+  dvec2 p = corner();
+  for (std::size_t i = 0; i < hole_corners; ++i) {
+    // None, anything, or at corners and edges of the outline and between them
+    if (way >= 0.2) {
+      const double x = number(kind == Kind::refused ? Kind::random : kind, random);
+      p = dvec2(x, number(kind == Kind::refused ? Kind::random : kind, random));
+      const double t = random.uniform_int(0, 1) ? random.unit() : 0;
+      const dvec2 a = corner(), b = corner();
+      if (way > 0.4) p = (1 - t) * a + t * (random.unit() < 0.5 ? b : middle);
+    }
+    add(input, p);
+  }
+  input.push_back(order);
+  return input;
+}
+
+/// Which numbers of an input grow and shrink with it: all but the order.
+std::vector<std::size_t> lengths_of(std::size_t numbers) {
+  std::vector<std::size_t> lengths(numbers - 1);
+  std::iota(lengths.begin(), lengths.end(), std::size_t{0});
+  return lengths;
+}
+void mend_rectangle(Input& input) {
+  put_in_order(input[0], input[2]);
+  put_in_order(input[1], input[3]);
+}
 
 Rectangle<double> rectangle_of(const Input& i) { return {{i[0], i[1]}, {i[2], i[3]}}; }
 bool rectangle_is_taken(const Input& i) { return all_finite(i) && i[0] <= i[2] && i[1] <= i[3]; }
@@ -288,38 +330,46 @@ double batch_error(const Input& i) {
   return differ;
 }
 
-/// How far the areas of the pieces are from the polygon's in the window, in parts of what rounding each
-/// vertex can do: half an ulp of the window's size, along all edges.
+Rational area_of(const Vertices& ring) {
+  Points points;
+  for (const auto& v : ring) points.push_back(v.at);
+  return test::exact_area(points);
+}
+
+/// How far the areas of the pieces, outlines less holes, are from the polygon's in the window, in parts of
+/// what rounding each vertex can do: half an ulp of the window's size, along all edges.
 double pieces_error(const Input& i) {
   const auto order = order_in(i.back());
   if (!order) return 0;
-  const std::vector<Points> rings{points_in(i, 4, corners)};
+  std::vector<Points> rings{points_in(i, 4, corners)};
+  const Points hole = points_in(i, hole_at, hole_corners);
+  if (std::ranges::any_of(hole, [&](dvec2 p) { return p != hole[0]; })) rings.push_back(hole);
   const Rectangle<double> window = rectangle_of(i);
   Rational area = 0;
   try {
-    const sutherland_hodgman::Rings<double> polygon{std::span<const Points>(rings)};
-    for (const auto& piece : separate_pieces(polygon, window, std::span<const int>(*order))) {
-      Points outline;
-      for (const auto& v : piece.outline) outline.push_back(v.at);
-      area += test::exact_area(outline);
+    for (const auto& piece : sutherland_hodgman::separate_pieces(rings, window, *order)) {
+      area += area_of(piece.outline);
+      for (const auto& ring : piece.holes) area += area_of(ring);
     }
   } catch (const ContractViolation&) {
     return rectangle_is_taken(i) ? wrong : 0;
   }
   if (!rectangle_is_taken(i)) return wrong;
-  const Rational whole = test::exact_area(rings[0]);
-  // A figure of eight runs neither way round
-  if (whole == 0) return 0;
-  const Rational right = test::area_in_rectangle(rings[0], window.lower, window.upper);
-  const Rational off = abs(Rational(area - whole.sign() * right));
+  // The outline runs counter-clockwise, a hole clockwise, and a ring of area 0 as it is given
+  Rational right = 0;
+  for (const Points& ring : rings) {
+    const int turn = test::exact_area(ring).sign(), wanted = &ring == &rings[0] ? 1 : -1;
+    right += (turn == 0 ? 1 : turn * wanted) * test::area_in_rectangle(ring, window.lower, window.upper);
+  }
+  const Rational off = abs(Rational(area - right));
   if (off == 0) return 0;
   const auto largest = std::max({std::abs(i[0]), std::abs(i[1]), std::abs(i[2]), std::abs(i[3])});
   const double before = std::nextafter(largest, 0.0);
   const Rational half_ulp = (Rational(largest) - Rational(before)) / (before < largest ? 1 : 2);
   // An edge is in the window at most once, and two borders or corners follow its ends
-  const Rational length =
-      Rational(4 * corners) * (Rational(i[2]) - Rational(i[0]) + Rational(i[3]) - Rational(i[1]));
-  const Rational most = half_ulp * (length + Rational(4 * corners) * half_ulp);
+  const Rational length = Rational(4 * (corners + hole_corners)) *
+                          (Rational(i[2]) - Rational(i[0]) + Rational(i[3]) - Rational(i[1]));
+  const Rational most = half_ulp * (length + Rational(4 * (corners + hole_corners)) * half_ulp);
   return static_cast<double>(Rational(off / most));
 }
 
@@ -400,6 +450,15 @@ std::vector<std::pair<std::string, std::string>> rectangle_arguments(const Input
           {"window", fmt::format("{},{},{},{}", i[0], i[1], i[2], i[3])}};
 }
 
+std::vector<std::pair<std::string, std::string>> pieces_arguments(const Input& i) {
+  auto arguments = rectangle_arguments(i, "separate_pieces");
+  const Points hole = points_in(i, hole_at, hole_corners);
+  if (std::ranges::any_of(hole, [&](dvec2 p) { return p != hole[0]; })) {
+    arguments.emplace_back("hole", points_text(i, hole_at, hole_corners));
+  }
+  return arguments;
+}
+
 std::vector<Trap> rectangle_traps() {
   return {
       {"a corner of the window on every edge", {0, 0, 10, 10, 5, -5, 15, 5, 5, 15, -5, 5, -5, 5, -5, 5, 0}},
@@ -416,6 +475,18 @@ std::vector<Trap> rectangle_traps() {
        {0, 0, 10, 10, -1, 1, 1, std::nextafter(-1.0, 0.0), 5, -5, 5, 5, 4, 5, 3, 5, 0}}};
 }
 
+std::vector<Trap> pieces_traps() {
+  std::vector<Trap> traps = rectangle_traps();
+  for (Trap& trap : traps) trap.input.insert(trap.input.end() - 1, 2 * hole_corners, 0);
+  traps.push_back({"a hole that touches the outline with its first corner",
+                   {-1, -1, 5, 5, 0, 0, 4, 0, 4, 4, 0, 4, 0, 4, 0, 4, 2, 4, 1, 2, 3, 2, 3, 2, 0}});
+  traps.push_back({"a hole in the corner of the outline, and the window through both",
+                   {0, 0, 2, 5, 0, 0, 4, 0, 4, 4, 0, 4, 0, 4, 0, 4, 0, 0, 3, 1, 3, 3, 1, 3, 0}});
+  traps.push_back({"a bow-tie of area 0 with a hole",
+                   {0, 0, 10, 10, 1, 1, 9, 9, 9, 1, 1, 9, 1, 9, 1, 9, 2, 3, 3, 5, 2, 7, 2, 7, 0}});
+  return traps;
+}
+
 }  // namespace
 
 Domain sutherland_hodgman() {
@@ -429,7 +500,7 @@ Domain sutherland_hodgman() {
         .unit = "ulp",
         .bound = 0.5,
         .numbers = rectangle_numbers,
-        .generate = rectangle_input,
+        .generate = at_every_scale(rectangle_input, lengths_of(rectangle_numbers), mend_rectangle),
         .error = rectangle_error,
         .arguments = drawn_as("border_by_border"),
         .traps = rectangle_traps()},
@@ -438,7 +509,7 @@ Domain sutherland_hodgman() {
         .unit = "ulp",
         .bound = 0.5,
         .numbers = convex_numbers,
-        .generate = convex_input,
+        .generate = at_every_scale(convex_input, lengths_of(convex_numbers)),
         .error = convex_error,
         .arguments = [](const Input& i) -> std::vector<std::pair<std::string, std::string>> {
           return {{"method", "border_by_border"},
@@ -454,19 +525,20 @@ Domain sutherland_hodgman() {
         .unit = "vertices",
         .bound = 0,
         .numbers = rectangle_numbers,
-        .generate = rectangle_input,
+        .generate = at_every_scale(rectangle_input, lengths_of(rectangle_numbers), mend_rectangle),
         .error = batch_error,
         .arguments = drawn_as("border_by_border"),
         .traps = rectangle_traps()},
        {.name = "separate_pieces",
-        .states = "the area of the pieces is the polygon's in the window, but for the rounding of vertices",
+        .states = "the area of the pieces, outlines less holes, is the polygon's in the window, but for the "
+                  "rounding of vertices",
         .unit = "of rounding",
         .bound = 1,
-        .numbers = rectangle_numbers,
-        .generate = rectangle_input,
+        .numbers = pieces_numbers,
+        .generate = at_every_scale(pieces_input, lengths_of(pieces_numbers), mend_rectangle),
         .error = pieces_error,
-        .arguments = drawn_as("separate_pieces"),
-        .traps = rectangle_traps()},
+        .arguments = pieces_arguments,
+        .traps = pieces_traps()},
        {.name = "clip_space",
         .states =
             "before the division: exact sides; a corner on the plane, within 6 ulp of the edge along it",
@@ -475,7 +547,7 @@ Domain sutherland_hodgman() {
         .numbers = 11,
         .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
                   Kind::denormal, Kind::extremes},
-        .generate = plane_input,
+        .generate = at_every_scale(plane_input, {0, 1, 2, 3, 4, 5, 6, 7}),
         .error = plane_error,
         .traps = {{"w goes through 0", {1, 0, 1, 2, 1, 0, -1, -1, 2, 1, 0}},
                   {"an end far away", {0, 0, 1, 1, 1e17, 0, -1e17, -1e17, 2, 1, 0}},

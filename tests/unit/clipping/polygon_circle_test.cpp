@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,7 +21,7 @@ constexpr Circle<double> unit{{0, 0}, 1};
 constexpr double pi = 0x1.921fb54442d18p1;
 
 Region<double> clipped(const Polygon& polygon, const Circle<double>& circle = unit) {
-  return arcs(std::span<const dvec2>(polygon), circle);
+  return arcs(polygon, circle);
 }
 double clipped_area(const Polygon& polygon, const Circle<double>& circle = unit) {
   return area(clipped(polygon, circle));
@@ -367,6 +368,26 @@ TEST(PolygonCircleNotes, StepsFollowTheGrammar) {
   for (const auto& event : seen.events()) text += "OLKJ"[event.step.index()];
   EXPECT_EQ(text, "OLKLKKLKJ");
   EXPECT_EQ(all<Kept>(seen)[0].at, dvec2(0, -0.5));  // the start of the edge that leaves
+}
+
+TEST(PolygonCircle, TakesPointsAsProgramsHaveThem) {
+  const auto right = arcs(std::span<const dvec2>(quadrant), unit).rings;
+  ASSERT_EQ(right.size(), 1u);
+  const std::array<dvec2, 4> array{quadrant[0], quadrant[1], quadrant[2], quadrant[3]};
+  const dvec2 plain[]{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  Polygon changeable = quadrant;
+  EXPECT_EQ(arcs(quadrant, {{0, 0}, 1}).rings, right);
+  EXPECT_EQ(arcs(array, unit).rings, right);
+  EXPECT_EQ(arcs(plain, unit).rings, right);
+  EXPECT_EQ(arcs(std::span(changeable), unit).rings, right);
+  EXPECT_EQ(arcs({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 0}, 1}).rings, right);
+  const std::vector<glm::vec2> floats{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  static_assert(std::same_as<decltype(arcs(floats, {{0, 0}, 1})), Region<float>>);
+  EXPECT_EQ(first_crossing(quadrant, unit), first_crossing(std::span<const dvec2>(quadrant), unit));
+  EXPECT_EQ(counter_clockwise({{0, 2}, {2, 2}, {2, 0}}).size(), 3u);
+  Recorder<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<double>> seen;
+  EXPECT_EQ(arcs(quadrant, unit, seen).rings, right);
+  EXPECT_EQ(all<Tested>(seen).size(), 4u);
 }
 
 }  // namespace

@@ -145,9 +145,7 @@ constexpr Rectangle<double> square{{0, 0}, {10, 10}};
 
 Points clipped(const Points& points, std::vector<int> order = {0, 1, 2, 3}) {
   Points result;
-  for (const auto& v : clip_to_window(std::span<const dvec2>(points), square, std::span<const int>(order))) {
-    result.push_back(v.at);
-  }
+  for (const auto& v : clip_to_window(points, square, order)) result.push_back(v.at);
   return result;
 }
 double area_of(const Points& ring) {
@@ -164,8 +162,13 @@ double area_of(const std::vector<Vertex<T>>& ring) {
   for (const auto& v : ring) points.emplace_back(static_cast<double>(v.at.x), static_cast<double>(v.at.y));
   return area_of(points);
 }
+Points places(const std::vector<Vertex<double>>& ring) {
+  Points points;
+  for (const auto& v : ring) points.push_back(v.at);
+  return points;
+}
 std::vector<Piece<double>> pieces(std::vector<Points> rings, std::vector<int> order = {0, 1, 2, 3}) {
-  return separate_pieces(Rings<double>(std::span<const Points>(rings)), square, std::span<const int>(order));
+  return separate_pieces(rings, square, order);
 }
 Points outline(const Piece<double>& piece) {
   Points points;
@@ -487,6 +490,81 @@ TEST(SutherlandHodgmanPlane, RefusesWhatIsNoPolygonAndNoWindow) {
   EXPECT_THROW(pieces({broken}), ContractViolation);
   // A window without thickness is one all the same
   EXPECT_TRUE(clip_to_window(std::span<const dvec2>(fine), Rectangle<double>{{3, 0}, {3, 5}}).empty());
+}
+
+TEST(SutherlandHodgmanPlane, AVanishingPieceTakesNoOtherWithIt) {
+  // A ring outside of the outline, along an edge of it: what it has in the window is 3 ulp wide
+  const dvec2 far{-0x1.12648ebcbf2d6p+3, -0x1.7bd18fdc974cp+3},
+      near{-0x1.4e342f8bc1dbdp+1, -0x1.4ad26fa3b1873p+3};
+  const Points outline{{0, 0}, far, near}, beside{far, near, {-6, -12}};
+  const Rectangle<double> narrow{{-0x1.4e342f8bc1dcp+1, -16}, {0, 0}};
+  const auto alone = separate_pieces(outline, narrow);
+  const auto both = separate_pieces({outline, beside}, narrow, std::vector<int>{2, 3, 0, 1});
+  ASSERT_EQ(alone.size(), 1u);
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_NEAR(area_of(both[0].outline), area_of(alone[0].outline), 1e-13);
+  EXPECT_GT(area_of(alone[0].outline), 8);
+}
+
+TEST(SutherlandHodgmanPlane, TakesPointsAsProgramsHaveThem) {
+  const Points vector{{-5, 2}, {5, 2}, {5, 8}};
+  const std::array<dvec2, 3> array{vector[0], vector[1], vector[2]};
+  const dvec2 plain[]{{-5, 2}, {5, 2}, {5, 8}};
+  Points changeable = vector;
+  const std::vector<glm::vec2> floats{{-5, 2}, {5, 2}, {5, 8}};
+  const std::vector<int> order{0, 1, 2, 3};
+  const auto right = places(clip_to_window(std::span<const dvec2>(vector), square));
+  ASSERT_EQ(right.size(), 4u);
+  EXPECT_EQ(places(clip_to_window(vector, square)), right);
+  EXPECT_EQ(places(clip_to_window(array, square)), right);
+  EXPECT_EQ(places(clip_to_window(plain, square, order)), right);
+  EXPECT_EQ(places(clip_to_window(std::span(changeable), square)), right);
+  EXPECT_EQ(places(clip_to_window(std::span(plain), square)), right);
+  EXPECT_EQ(places(clip_to_window({{-5, 2}, {5, 2}, {5, 8}}, {{0, 0}, {10, 10}})), right);
+  static_assert(std::same_as<decltype(clip_to_window(floats, {{0, 0}, {10, 10}})), Ring<float>>);
+  static_assert(std::same_as<decltype(clip_to_window({{0, 0}}, {{0, 0}, {10, 10}})), Ring<double>>);
+  Recorder<VertexTested<double>, EdgeCut<double>, BorderPassed<double>> seen;
+  EXPECT_EQ(places(clip_to_window(vector, square, order, seen)), right);
+  EXPECT_EQ(all<BorderPassed<double>>(seen).size(), 4u);
+  // What takes the result, and what makes a window
+  const Points u{{2, -4}, {8, -4}, {8, 4}, {6, 4}, {6, -2}, {4, -2}, {4, 4}, {2, 4}};
+  EXPECT_EQ(bridges(clip_to_window(u, square), u, square).size(), 1u);
+  const auto half = convex_window({{0, 0}, {10, 0}, {0, 10}});
+  ASSERT_TRUE(half);
+  EXPECT_EQ(area_of(clip_to_window(vector, *half)), 19.6875);
+  // In clip space
+  const Polygon corners = flat({{-5, 2}, {5, 2}, {5, 8}});
+  EXPECT_EQ(clip(corners, window).size(), 4u);
+  EXPECT_EQ(clip(corners, window[0]).size(), 4u);
+  EXPECT_TRUE(clip(corners, view_volume(1.0, 1.0)).empty());
+}
+
+TEST(SutherlandHodgmanPlane, TakesRingsAsProgramsHaveThem) {
+  const Points around{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, hole{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
+  const std::vector<Points> rings{around, hole};
+  const auto area = [](const std::vector<Piece<double>>& parts) {
+    double sum = 0;
+    for (const auto& part : parts) {
+      sum += area_of(part.outline);
+      for (const auto& ring : part.holes) sum += area_of(ring);
+    }
+    return sum;
+  };
+  EXPECT_EQ(area(separate_pieces(Rings<double>(std::span<const Points>(rings)), square)), 12);
+  EXPECT_EQ(area(separate_pieces(Rings(rings), square)), 12);
+  EXPECT_EQ(area(separate_pieces(Rings({around, hole}), square)), 12);
+  EXPECT_EQ(area(separate_pieces(rings, square)), 12);
+  EXPECT_EQ(area(separate_pieces(std::array{around, hole}, square)), 12);
+  EXPECT_EQ(area(separate_pieces({around, hole}, {{0, 0}, {2, 4}})), 6);
+  EXPECT_EQ(area(separate_pieces(Rings(around), square)), 16);
+  EXPECT_EQ(area(separate_pieces(around, {{0, 0}, {2, 4}})), 8);
+  EXPECT_EQ(area(separate_pieces({{0, 0}, {4, 0}, {4, 4}}, square)), 8);
+  // With an order and an observer
+  Recorder<RingTested<double>, CrossingsOrdered<double>, CrossingsJoined<double>, BorderSplit<double>,
+           PieceTraced<double>>
+      seen;
+  EXPECT_EQ(area(separate_pieces(rings, square, all_borders(square), seen)), 12);
+  EXPECT_EQ(all<PieceTraced<double>>(seen).size(), 1u);
 }
 
 template <class T>

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "core/exact_scalar.hpp"
 #include "core/geometry.hpp"
@@ -156,6 +158,46 @@ TEST(EarClipping, MistakesAndScalars) {
   const std::vector<glm::vec2> floats{{0, 0}, {4, 2}, {0, 4}, {1, 2}};
   triangulate(std::span<const glm::vec2>(floats), [&](const Triangle&) { ++count; });
   EXPECT_EQ(count, 4);
+}
+
+TEST(EarClipping, TheLargestShadowWhereProductsOverflow) {
+  // 2^1056 along y, of which plain arithmetic made NaN, and took the 2^743 along z
+  const std::vector<dvec3> face{{0, 0, -0x1p313}, {0x1p743, 0, 0}, {0, 0, 0},
+                                {0, 1, 0},        {0x1p743, 0, 0}, {0, 0, 0}};
+  EXPECT_EQ(largest_shadow(face).axis, 1);
+}
+
+TEST(EarClipping, TakesCornersAsProgramsHaveThem) {
+  const Polygon arrow{{0, 0}, {4, 2}, {0, 4}, {1, 2}};
+  const auto right = triangles(arrow);
+  std::vector<Triangle> found;
+  const auto add = [&found](const Triangle& t) { found.push_back(t); };
+  const auto taken = [&found, &right] { return std::exchange(found, {}) == right; };
+  const std::array<dvec2, 4> array{arrow[0], arrow[1], arrow[2], arrow[3]};
+  const dvec2 plain[]{{0, 0}, {4, 2}, {0, 4}, {1, 2}};
+  Polygon changeable = arrow;
+  triangulate(arrow, add);
+  EXPECT_TRUE(taken());
+  triangulate(array, add);
+  EXPECT_TRUE(taken());
+  triangulate(plain, add);
+  EXPECT_TRUE(taken());
+  triangulate(std::span(changeable), add);
+  EXPECT_TRUE(taken());
+  triangulate({{0, 0}, {4, 2}, {0, 4}, {1, 2}}, add);
+  EXPECT_TRUE(taken());
+  Recorder<Tested, Cut, Finished> seen;
+  triangulate(arrow, add, seen);
+  EXPECT_TRUE(taken());
+  EXPECT_EQ(all<Cut>(seen).size(), 2u);
+  // In space
+  const std::vector<dvec3> face{{0, 0, 7}, {4, 2, 7}, {0, 4, 7}, {1, 2, 7}};
+  triangulate(face, add);
+  EXPECT_TRUE(taken());
+  triangulate({{0, 0, 7}, {4, 2, 7}, {0, 4, 7}, {1, 2, 7}}, add);
+  EXPECT_TRUE(taken());
+  EXPECT_EQ(largest_shadow(face).axis, 2);
+  EXPECT_EQ(flattened(face), arrow);
 }
 
 }  // namespace
