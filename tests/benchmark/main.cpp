@@ -55,17 +55,32 @@ double positive(const cli::Request& request, const std::string& flag, double usu
 }
 
 /// The charts of some findings, as files' names and bytes.
-void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files) {
+void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files, cli::Replace replace) {
   const auto draw_one = [&](const std::optional<plot::Chart>& chart, const char* kind) {
     if (!chart) return;
     const Sheet sheet = plot::sheet_of(*chart);
     const Colophon colophon{chart->title, chart->subtitle, "", ""};
     const std::string name = fmt::format("{}-{}", found.subject->topic, kind);
-    files.add((folder / (name + ".svg")).string(), svg_of(sheet, themes().front(), colophon));
-    files.add((folder / (name + ".png")).string(), png_of(sheet, themes().front(), colophon));
+    files.add((folder / (name + ".svg")).string(), svg_of(sheet, themes().front(), colophon), replace);
+    files.add((folder / (name + ".png")).string(), png_of(sheet, themes().front(), colophon), replace);
   };
   draw_one(error_chart(found), "error");
   draw_one(size_chart(found), "size");
+}
+
+/// Makes the folder, and refuses one with somebody's own files where ours would lie.
+void prepare(const std::string& folder, const std::vector<const Subject*>& wanted, cli::Replace replace) {
+  cli::make_folder(folder, "--output");
+  if (replace == cli::Replace::anything) return;
+  const auto check = [&](const std::string& name) {
+    cli::check_replaced((fs::path(folder) / name).string(), "--output");
+  };
+  check("bench.json");
+  for (const Subject* subject : wanted) {
+    for (const char* kind : {"error.svg", "error.png", "size.svg", "size.png"}) {
+      check(fmt::format("{}-{}", subject->topic, kind));
+    }
+  }
 }
 
 int bench(const cli::Request& request) {
@@ -74,7 +89,8 @@ int bench(const cli::Request& request) {
   effort.seconds = positive(request, "seconds", effort.seconds, 60);
   effort.repetitions = static_cast<int>(positive(request, "repetitions", effort.repetitions, 1000));
   // Before hours of measuring could be lost
-  if (request.has("output")) cli::make_folder(request.flags.at("output"), "--output");
+  const cli::Replace replace = cli::replaces(request.has("force"));
+  if (request.has("output")) prepare(request.flags.at("output"), wanted, replace);
   std::vector<Findings> all;
   for (const Subject* subject : wanted) {
     std::vector<Case> cases = subject->cases();
@@ -87,8 +103,8 @@ int bench(const cli::Request& request) {
   if (!request.has("output")) return 0;
   const fs::path folder = request.flags.at("output");
   cli::NewFiles files;
-  for (const Findings& found : all) draw(found, folder, files);
-  files.add((folder / "bench.json").string(), json_of(all));
+  for (const Findings& found : all) draw(found, folder, files, replace);
+  files.add((folder / "bench.json").string(), json_of(all), replace);
   files.commit();
   return 0;
 }

@@ -144,8 +144,9 @@ Trace many(int steps) {
   trace.subtitle = "a field of 200 × 200";
   trace.goal = "Visit the cells row by row.";
   trace.grid.y_up = false;
-  trace.grid.picture = Image(200, 200, Rgba8{238, 244, 232, 255});
-  for (int i = 0; i < 200; ++i) (*trace.grid.picture)[{i, (i * 7) % 200}] = {90, 120, 80, 255};
+  Image picture(200, 200, Rgba8{238, 244, 232, 255});
+  for (int i = 0; i < 200; ++i) picture[{i, (i * 7) % 200}] = {90, 120, 80, 255};
+  trace.grid.picture = std::make_shared<const Image>(picture);
   ivec2 last{-1, -1};
   for (int i = 0; i <= steps; ++i) {
     const ivec2 at{i % 200, i / 200};

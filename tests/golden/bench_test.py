@@ -43,6 +43,23 @@ def test_table_charts_and_json():
     check(wrong["first_octant"] > 0, "first_octant draws wrong pixels in other octants")
 
 
+def test_files_of_others_stay():
+    again = ["bench", "viewing", *QUICK, "-o", "made"]
+    equal([gradus(*again).code, gradus(*again).code], [0, 0], "over its own files")
+    for name in ("bench.json", "viewing-error.svg"):
+        kept = pathlib.Path("made", name).read_bytes()
+        mine = b'{\n  "context": {\n    "date": "today"\n  },\n  "benchmarks": [],\n  "gradus": ""\n}\n'
+        pathlib.Path("made", name).write_bytes(mine)
+        result = gradus(*again)
+        equal((result.code, result.out, result.err),
+              (2, "", f"gradus bench: --output: expected a new file or one that gradus made, found 'made/{name}' (--force replaces it)\n"),
+              f"somebody's {name}")
+        equal(pathlib.Path("made", name).read_bytes(), mine, "stays")
+        pathlib.Path("made", name).write_bytes(kept)
+    pathlib.Path("made/bench.json").write_text("mine")
+    equal(gradus(*again, "--force").code, 0, "--force")
+
+
 def test_json_alone():
     result = gradus("bench", "parallel", *QUICK, "--json")
     equal(result.code, 0, "gradus bench parallel --json")

@@ -5,45 +5,20 @@ Usage: cli_test.py [path of gradus]        (default: $GRADUS_COMMAND)
 import json
 import os
 import pathlib
-import pty
 import re
 import resource
-import select
 import shutil
 import signal
 import subprocess
 import sys
 import time
-import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
-from command import GRADUS, PLAIN, check, equal, gradus
+from command import GRADUS, PLAIN, check, equal, files, gradus, on_terminal, png, read, wait_for, write
 
 MODELS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/models")
 INT32 = "-2147483648 to 2147483647"
-
-
-def files(folder="."):
-    return sorted(os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names)
-
-
-def read(path):
-    with open(path, "rb") as file:
-        return file.read()
-
-
-def write(path, data):
-    with open(path, "wb") as file:
-        file.write(data if isinstance(data, bytes) else data.encode())
-
-
-def png(width, height, gray):
-    def chunk(kind, data):
-        return len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
-    rows = b"".join(b"\0" + bytes(gray(x, y) for x in range(width)) for y in range(height))
-    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes([8, 0, 0, 0, 0])
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 # --- What is right ---------------------------------------------------------------------------------------------------
@@ -315,7 +290,7 @@ def test_wrong_input():
     write("evil.svg", '<svg><metadata gradus-command="gradus figures -o /tmp/evil"/></svg>')
     write("evil2.svg", '<svg><metadata gradus-command="gradus figure bresenham_line -o /tmp/evil.svg"/></svg>')
     os.mkdir("folder")
-    write("x.svg", "old")
+    gradus("figure", "bresenham_line", "--to", "2,1", "-o", "x.svg")
     line, fill = ["figure", "bresenham_line"], ["figure", "flood_fill"]
     out = ["-o", "x.svg"]
     poly = ["run", "sutherland_hodgman"]
@@ -328,8 +303,8 @@ def test_wrong_input():
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
-        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, found 'lits', did you mean 'list'?"),
-        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, found 'zzz'"),
+        (["lits"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, open, completion, man, found 'lits', did you mean 'list'?"),
+        (["zzz"], "COMMAND: expected one of list, help, run, figure, figures, render, bench, stress, again, open, completion, man, found 'zzz'"),
         (["run"], "run: expected a TOPIC, found none (`gradus run --help` shows examples)"),
         (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
         (["run", "radiosity"], topics + "'radiosity'"),
@@ -517,26 +492,6 @@ def test_read_only_folder():
 # --- The terminal ----------------------------------------------------------------------------------------------------
 
 
-def on_terminal(*words, env=None):
-    """Output of a run whose stdout and stderr are a terminal, and its exit code."""
-    main, terminal = pty.openpty()
-    process = subprocess.Popen([GRADUS, *words], stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal,
-                               env={**PLAIN, "TERM": "xterm", **(env or {})})
-    os.close(terminal)
-    seen = b""
-    while True:
-        ready, _, _ = select.select([main], [], [], 60)
-        try:
-            block = os.read(main, 65536) if ready else b""
-        except OSError:
-            block = b""
-        if not block:
-            break
-        seen += block
-    os.close(main)
-    return seen.decode("utf-8", "replace"), process.wait()
-
-
 SANITIZED = b"__asan_init" in read(GRADUS) if os.path.exists(GRADUS) else False
 
 
@@ -619,12 +574,12 @@ def test_progress():
 
 
 def test_interrupt():
-    process = subprocess.Popen([GRADUS, "figure", "bresenham_line", "--to", "3000,7", "-o", "i{step}.png"],
+    process = subprocess.Popen([GRADUS, "figure", "bresenham_line", "--to", "3000,7", "--steps", "0-3000", "-o", "i{step}.png"],
                                stderr=subprocess.PIPE, env=PLAIN)
-    process.stderr.readline()
+    wait_for(lambda: len(files()) > 1)
     process.send_signal(signal.SIGINT)
-    process.communicate()
-    equal(process.returncode, 130, "Ctrl-C")
+    _, err = process.communicate()
+    equal((process.returncode, err), (130, b""), "Ctrl-C")
     equal(files(), [], "no incomplete files are left")
     process = subprocess.Popen([GRADUS, "run", "flood_fill", "--maze", "-"], stdin=subprocess.PIPE, env=PLAIN)
     time.sleep(0.2)

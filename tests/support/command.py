@@ -1,10 +1,13 @@
 """What the tests of the `gradus` command share: where it is, what has passed and failed, a folder for each test."""
 import os
+import pty
+import select
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 import programs
 
@@ -43,6 +46,55 @@ def gradus(*words, stdin=b"", env=None, timeout=300, **options):
     process = subprocess.run([GRADUS, *words], input=stdin, stderr=subprocess.PIPE, timeout=timeout,
                              env={**PLAIN, **(env or {})}, **options)
     return Result(process)
+
+
+def files(folder="."):
+    return sorted(os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names)
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def write(path, data):
+    with open(path, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+
+
+def png(width, height, gray):
+    def chunk(kind, data):
+        return len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
+    rows = b"".join(b"\0" + bytes(gray(x, y) for x in range(width)) for y in range(height))
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes([8, 0, 0, 0, 0])
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+def on_terminal(*words, env=None, stdin=subprocess.DEVNULL):
+    """Output of a run whose stdout and stderr are a terminal, and its exit code."""
+    main, terminal = pty.openpty()
+    process = subprocess.Popen([GRADUS, *words], stdin=stdin, stdout=terminal, stderr=terminal,
+                               env={**PLAIN, "TERM": "xterm", **(env or {})})
+    os.close(terminal)
+    seen = b""
+    while True:
+        ready, _, _ = select.select([main], [], [], 60)
+        try:
+            block = os.read(main, 65536) if ready else b""
+        except OSError:
+            block = b""
+        if not block:
+            break
+        seen += block
+    os.close(main)
+    return seen.decode("utf-8", "replace"), process.wait()
+
+
+def wait_for(condition, seconds=60):
+    """Until it holds; whoever gives up says so by what he checks next."""
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)
 
 
 def in_new_folder(test):

@@ -22,6 +22,9 @@ PACKAGES = {
     "librsvg2-bin": ("rsvg-convert",),
     "poppler-utils": ("pdfinfo", "pdftocairo", "pdftoppm", "pdftotext"),
     "qpdf": ("qpdf",),
+    "zsh": ("zsh",),
+    "fish": ("fish",),
+    "groff-base": ("groff", "troff", "grotty", "preconv"),
     "chromium": ("chromium",),
     "chromium-driver": ("chromedriver",),
 }

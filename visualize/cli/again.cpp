@@ -59,9 +59,10 @@ std::string beside(const std::string& path) {
 }
 
 /// Where it goes when nobody says where: beside the file.
-std::string output_for(const Request& request, const std::string& path) {
-  if (request.has("output")) return request.flags.at("output");
-  return path == dash ? std::string(dash) : beside(path);
+Output output_for(const Request& request, const std::string& path) {
+  const std::string usual = path == dash ? std::string(dash) : beside(path);
+  return {request.has("output") ? request.flags.at("output") : usual, replaces(request.has("force")),
+          request.quiet()};
 }
 
 /// Throws UsageError when the input is no longer what it was.
@@ -106,14 +107,18 @@ int render_again(Request recorded, const Colophon& colophon, const Request& requ
   if (!request.labels.empty()) {
     throw UsageError(fmt::format("--label: expected a figure, found the rendered picture {}", shown(path)));
   }
-  const std::string output = output_for(request, path);
-  check_picture_output(output);
-  Rendered picture = rendered(recorded, [&](const std::string& name, const std::string& flag) {
+  const Output output = output_for(request, path);
+  check_picture_output(output.path);
+  const auto find = [&](const std::string& name, const std::string& flag) {
     return find_input(name, flag, path, colophon.input_hash);
-  });
-  check_hash(picture.colophon.input_hash, colophon);
-  picture.files.push_back(path);
-  write_rendered(picture, output, request.quiet());
+  };
+  const auto check = [&](const RenderBrief& brief) {
+    check_hash(brief.colophon.input_hash, colophon);
+    std::vector<std::string> inputs = brief.files;
+    inputs.push_back(path);
+    check_output(output.path, inputs, output.replace);
+  };
+  write_rendered(rendered(recorded, find, check), output);
   return 0;
 }
 
@@ -139,13 +144,13 @@ int again(const Request& request) {
   FigureSpec spec = read_spec(recorded, inputs.arguments);
   apply_flags(spec, request);
   const bool named = request.has("output");
-  const std::string output = output_for(request, path);
+  const Output output = output_for(request, path);
   const Format format =
-      request.has("format") || (named && output != dash) ? read_format(request, output) : *content;
+      request.has("format") || (named && output.path != dash) ? read_format(request, output.path) : *content;
   refuse_idle_flags(request, format);
   inputs.files.push_back(path);
-  if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
-  write_figure(spec, format, output, inputs.files, request.quiet());
+  if (!output.quiet) std::ranges::for_each(inputs.remarks, note);
+  write_figure(spec, format, output, inputs.files);
   return 0;
 }
 

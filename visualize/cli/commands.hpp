@@ -20,6 +20,9 @@ struct Flag {
   bool many = false;  ///< may be given several times
 };
 
+/// What an operand is, for completion.
+enum class Operand { none, topic, page, lecture, model, figure, shell, folder };
+
 struct Command {
   std::string name;
   std::string operands;  ///< how they are called in messages: "a TOPIC", "one WORD"
@@ -28,6 +31,8 @@ struct Command {
   bool about_topic = false;         ///< the first operand is a topic, whose parameters are flags too
   std::vector<Flag> flags;
   std::vector<std::string> examples;
+  Operand operand = Operand::none;    ///< behind the topic, where there is one
+  std::vector<std::string> limits{};  ///< of how much it makes at once, a line each
 };
 std::span<const Command> commands();
 
@@ -63,6 +68,10 @@ int figure(const Request& request);
 int figures(const Request& request);
 int render(const Request& request);
 int again(const Request& request);
+int completion(const Request& request);
+int manual(const Request& request);
+/// Replaces the process by a browser.
+int open_gallery(const Request& request);
 /// Replaces the process by the program that does the command: gradus-bench, gradus-stress.
 int hand_over(const Request& request);
 

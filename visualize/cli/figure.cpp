@@ -79,23 +79,49 @@ std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Form
   return format == Format::pdf ? pages_bytes(spec, takes, {step}) : picture_bytes(spec, takes, step, format);
 }
 
-void write_series(const FigureSpec& spec, Takes& takes, Format format, const std::string& output,
-                  std::span<const std::string> inputs, bool quiet) {
+/// How many steps are put into files or frames: of a run without being asked to, and for who asks with
+/// --steps.
+struct Limit {
+  std::string_view of;
+  std::int64_t unasked, asked;
+};
+constexpr Limit most_files{"files", 1000, 100'000};
+constexpr Limit most_frames{"frames", 1000, 10'000};
+
+/// The steps to show, refused where they are more than anybody can mean. Throws UsageError.
+std::vector<StepNumber> steps_within(const Limit& limit, const FigureSpec& spec, const Takes& takes) {
+  if (count_in(spec.steps) > limit.asked) {
+    throw UsageError(fmt::format("--steps: expected at most {} {}, found {}", limit.asked, limit.of,
+                                 count_in(spec.steps)));
+  }
+  const std::int64_t last = takes.last();
+  if (!spec.chooses_steps() && last >= limit.unasked) {
+    throw UsageError(
+        fmt::format("-o: expected at most {} {}, found {} steps (--steps 0-{}/{} takes some of them, "
+                    "--steps A-B up to {})",
+                    limit.unasked, limit.of, last + 1, last, last / limit.unasked + 1, limit.asked));
+  }
+  return shown_steps(spec, takes);
+}
+
+void write_series(const FigureSpec& spec, Takes& takes, Format format, const Output& output,
+                  std::span<const std::string> inputs) {
   if (!is_drawn(format) || is_film(format)) {
     throw UsageError(
-        fmt::format("-o: expected {} for svg, png or pdf only, found {}", step_mark, shown(output)));
+        fmt::format("-o: expected {} for svg, png or pdf only, found {}", step_mark, shown(output.path)));
   }
-  const std::vector<StepNumber> steps = shown_steps(spec, takes);
-  remark_cut(spec, takes.opening(), quiet);
-  for (const StepNumber step : steps) check_output(name_for(output, step), inputs);
+  const std::vector<StepNumber> steps = steps_within(most_files, spec, takes);
+  remark_cut(spec, takes.opening(), output.quiet);
+  for (const StepNumber step : steps) check_output(name_for(output.path, step), inputs, output.replace);
   NewFiles files;
-  Progress progress(steps.size(), quiet);
+  Progress progress(steps.size(), output.quiet, Telling::as_a_whole);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const std::string name = name_for(output, steps[i]);
-    files.add(name, bytes_at(at_step(spec, steps[i]), takes, steps[i], format));
+    const std::string name = name_for(output.path, steps[i]);
+    files.add(name, bytes_at(at_step(spec, steps[i]), takes, steps[i], format), output.replace);
     progress.finished(i, name);
   }
   files.commit();
+  progress.kept();
 }
 
 /// All steps as pages, or the first of them when they are too many for one file. Throws UsageError.
@@ -121,7 +147,8 @@ std::string document(FigureSpec spec, Takes& takes, bool quiet) {
                        text_of(spec.steps), takes.last(), most_pages));
     }
   }
-  return pages_bytes(spec, takes, steps);
+  Progress progress(steps.size(), quiet);
+  return pages_bytes(spec, takes, steps, [&progress](std::size_t i) { progress.finished(i, ""); });
 }
 
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
@@ -131,8 +158,10 @@ std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format,
 }
 
 std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
+  const std::vector<StepNumber> steps = steps_within(most_frames, spec, takes);
   remark_cut(spec, takes.opening(), quiet);
-  return film_of(spec, takes, shown_steps(spec, takes), format);
+  Progress progress(frames_drawn(film_format(format), steps.size()), quiet);
+  return film_of(spec, takes, steps, format, [&progress](std::size_t i) { progress.finished(i, ""); });
 }
 
 std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
@@ -192,24 +221,24 @@ void refuse_idle_flags(const Request& request, Format format) {
   }
 }
 
-void write_figure(FigureSpec spec, Format format, const std::string& output,
-                  std::span<const std::string> inputs, bool quiet, std::optional<SnippetKind> snippet) {
+void write_figure(FigureSpec spec, Format format, const Output& output, std::span<const std::string> inputs,
+                  std::optional<SnippetKind> snippet) {
   spec = fitting(std::move(spec), format);
   if (spec.said.contains("paper") && !spec.handout) {
     throw UsageError(fmt::format("--paper: expected --handout with it, found {} alone", spec.paper.name));
   }
-  const bool series = output.find(step_mark) != std::string::npos;
-  if (!series) check_output(output, inputs);
-  if (output == dash) refuse_binary_in_terminal(format);
+  const bool series = output.path.find(step_mark) != std::string::npos;
+  if (!series) check_output(output.path, inputs, output.replace);
+  if (output.path == dash) refuse_binary_in_terminal(format);
   if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
   Takes takes(*spec.topic, spec.arguments, spec.wording);
   if (series) {
-    write_series(spec, takes, format, output, inputs, quiet);
+    write_series(spec, takes, format, output, inputs);
   } else {
-    write_output(output, one_file(spec, takes, format, quiet));
-    if (output != dash && !quiet) note(shown_name(output));
+    write_output(output.path, one_file(spec, takes, format, output.quiet), output.replace);
+    if (output.path != dash && !output.quiet) note(shown_name(output.path));
   }
-  if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, takes, format, output));
+  if (snippet) write_stream(Stream::out, snippet_for(*snippet, spec, takes, format, output.path));
 }
 
 namespace {
@@ -233,17 +262,18 @@ std::optional<SnippetKind> read_snippet(const Request& request, Format format, c
 }  // namespace
 
 int figure(const Request& request) {
-  const auto output = request.flags.find("output");
-  if (output == request.flags.end()) {
+  const auto wanted = request.flags.find("output");
+  if (wanted == request.flags.end()) {
     throw UsageError("-o: expected a file like line.svg, or - for standard output, found none");
   }
-  const Format format = read_format(request, output->second);
+  const Output output{wanted->second, replaces(request.has("force")), request.quiet()};
+  const Format format = read_format(request, output.path);
   refuse_idle_flags(request, format);
-  const auto snippet = read_snippet(request, format, output->second);
+  const auto snippet = read_snippet(request, format, output.path);
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
-  if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
-  write_figure(spec, format, output->second, inputs.files, request.quiet(), snippet);
+  if (!output.quiet) std::ranges::for_each(inputs.remarks, note);
+  write_figure(spec, format, output, inputs.files, snippet);
   return 0;
 }
 

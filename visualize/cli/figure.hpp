@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/figure_file.hpp"
+#include "cli/files.hpp"
 #include "text/snippet.hpp"
 
 namespace gradus::cli {
@@ -18,8 +19,7 @@ void refuse_idle_flags(const Request& request, Format format);
 
 /// One file, or one a step when the name holds "{step}"; then the lines that put it into a lecture.
 /// Everything appears or nothing. Throws UsageError, WorkError.
-void write_figure(FigureSpec spec, Format format, const std::string& output,
-                  std::span<const std::string> inputs, bool quiet,
+void write_figure(FigureSpec spec, Format format, const Output& output, std::span<const std::string> inputs,
                   std::optional<SnippetKind> snippet = std::nullopt);
 
 }  // namespace gradus::cli

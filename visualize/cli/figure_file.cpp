@@ -11,6 +11,7 @@
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
+#include "cli/own_files.hpp"
 #include "figure/metrics.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
@@ -149,9 +150,13 @@ std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step,
                                : svg_of(sheet, finish_of(spec), colophon);
 }
 
-std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps) {
+std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                        const OnDrawn& on_drawn) {
   const Colophon colophon = colophon_of_many(spec, takes.opening(), steps);
-  const auto figure = [&](std::size_t i) { return takes.figure(steps[i]); };
+  const auto figure = [&](std::size_t i) {
+    if (on_drawn) on_drawn(i);
+    return takes.figure(steps[i]);
+  };
   if (spec.handout) {
     const Handout handout{spec.paper, *spec.handout, spec.look, colophon.command};
     const auto page = [&](std::size_t i) { return handout_page(handout, i, steps.size(), figure); };
@@ -161,10 +166,15 @@ std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<
   return pdf_of(steps.size(), page, finish_of(spec), colophon);
 }
 
-std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
-                    Format format) {
+std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
+                    const OnDrawn& on_drawn) {
   const Finish finish = finish_of(spec);
-  const auto frame = [&](std::size_t i) { return image_of(sheet_of(takes.figure(steps[i]), spec), finish); };
+  std::size_t drawn = 0;
+  const auto frame = [&](std::size_t i) {
+    Image image = image_of(sheet_of(takes.figure(steps[i]), spec), finish);
+    if (on_drawn) on_drawn(drawn++);
+    return image;
+  };
   return film_bytes(film_format(format), steps.size(), frame, spec.film,
                     colophon_of_many(spec, takes.opening(), steps));
 }
@@ -175,13 +185,13 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
     case Format::csv:
       return csv_of(trace);
     case Format::md:
-      return markdown_of(trace);
+      return markdown_of(trace) + closing_line("md", command_of(spec));
     case Format::tex:
-      return latex_of(trace);
+      return latex_of(trace) + closing_line("tex", command_of(spec));
     case Format::json:
       return run_json(trace);
     case Format::txt:
-      return text_of(trace, false);
+      return text_of(trace, false) + closing_line("txt", command_of(spec));
     default:
       break;
   }

@@ -1,6 +1,7 @@
 #pragma once
 // A figure as a file's bytes: what it shows, in which format, and the command that makes it again.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,11 +42,15 @@ Sheet sheet_of(const Figure& figure, const FigureSpec& spec);
 
 /// SVG or PNG.
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format);
+/// Told that the i-th picture of a file has been drawn.
+using OnDrawn = std::function<void(std::size_t i)>;
 /// PDF, one page a step.
-std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps);
-/// GIF, MP4, WebP: a frame a step. Throws UsageError, WorkError.
-std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
-                    Format format);
+std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                        const OnDrawn& on_drawn = {});
+/// GIF, MP4, WebP: a frame a step. `on_drawn` is told of each of frames_drawn(). Throws UsageError,
+/// WorkError.
+std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
+                    const OnDrawn& on_drawn = {});
 /// HTML, CSV, JSON, text: made from a trace. It is the opening of the run, or the part that the spec wants.
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
                         const std::string& topic_page = "");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -23,6 +24,7 @@
 #include "core/image.hpp"
 #include "scene/files.hpp"
 #include "stories/point_text.hpp"
+#include "web/topic_page.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -56,7 +58,8 @@ std::size_t read_jobs(const Request& request) {
   return static_cast<std::size_t>(*count);
 }
 
-/// What lies in the output folder, as far as it was made here.
+/// What lies in the output folder, as far as it was made here. Remembered in a file of the folder, which is
+/// written anew from time to time: each time costs as much as there is to remember.
 class Album {
  public:
   explicit Album(fs::path out) : out_(std::move(out)) {
@@ -74,7 +77,10 @@ class Album {
     return manifest_.owner.empty() ? "the built-in gallery"
                                    : "the lecture " + shown(manifest_.owner.substr(0, end));
   }
-  void give_to(const std::string& owner) { manifest_.owner = owner; }
+  void give_to(const std::string& owner) {
+    changed_ = changed_ || manifest_.owner != owner;
+    manifest_.owner = owner;
+  }
 
   bool has(const std::string& slug, const std::string& key) const {
     const auto known = manifest_.jobs.find(slug);
@@ -83,6 +89,13 @@ class Album {
                                [this](const ManifestFile& file) { return is_as_made(file); });
   }
   bool knows(const std::string& slug) const { return manifest_.jobs.contains(slug); }
+  /// Whether the job made a file of this name the last time. From any thread.
+  bool made(const std::string& slug, const std::string& path) const {
+    const std::lock_guard lock(mutex_);
+    const auto known = manifest_.jobs.find(slug);
+    return known != manifest_.jobs.end() &&
+           std::ranges::find(known->second.second, path, &ManifestFile::path) != known->second.second.end();
+  }
   const std::string& key(const std::string& slug) const { return manifest_.jobs.at(slug).first; }
   const std::vector<ManifestFile>& files(const std::string& slug) const {
     return manifest_.jobs.at(slug).second;
@@ -106,7 +119,8 @@ class Album {
       if (std::ranges::find(files, old.path, &ManifestFile::path) == files.end()) remove(slug, old);
     }
     job = {key, std::move(files)};
-    write_output((out_ / manifest_name).string(), manifest_json(manifest_));
+    changed_ = true;
+    if (std::chrono::steady_clock::now() >= next_save_) save();
   }
 
   /// Forgets jobs that no longer exist, with their files. Returns how many there were.
@@ -121,8 +135,21 @@ class Album {
       if (fs::path(known.first).filename() == known.first) fs::remove(out_ / known.first, error);  // if empty
     }
     const std::size_t count = std::erase_if(manifest_.jobs, gone);
-    if (count > 0) write_output((out_ / manifest_name).string(), manifest_json(manifest_));
+    changed_ = changed_ || count > 0;
+    save();
     return count;
+  }
+
+  /// Writes down all that has been put. Not while other threads put.
+  void save() {
+    if (!changed_) return;
+    const auto start = std::chrono::steady_clock::now();
+    write_output((out_ / manifest_name).string(), manifest_json(manifest_), Replace::anything);
+    const auto end = std::chrono::steady_clock::now();
+    changed_ = false;
+    // A killed run has little to do again, and a long one spends a small part of its time here
+    next_save_ =
+        end + std::max<std::chrono::steady_clock::duration>(std::chrono::seconds(1), 20 * (end - start));
   }
 
  private:
@@ -144,7 +171,9 @@ class Album {
 
   fs::path out_;
   Manifest manifest_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  bool changed_ = false;  ///< since it was written down
+  std::chrono::steady_clock::time_point next_save_{};
 };
 
 /// Calls do_one(i) for every i < count, on several threads.
@@ -191,27 +220,46 @@ std::vector<Job> selected(const Lecture& lecture, const std::string& program, co
   return wanted;
 }
 
-fs::path make_folder(const Request& request) {
+fs::path folder_name(const Request& request) {
   const auto wanted = request.flags.find("output");
   const std::string name = wanted == request.flags.end() ? "out" : wanted->second;
   std::error_code error;
   if (name == dash || (fs::exists(name, error) && !fs::is_directory(name, error))) {
     throw UsageError(fmt::format("-o: expected a folder, found {}", shown(name)));
   }
-  fs::create_directories(name, error);
-  if (error) throw WorkError(fmt::format("can't make the folder {}: {}", shown(name), error.message()));
   return name;
 }
 
-/// Refuses a folder with the figures of another lecture, unless they may go.
-void claim(Album& album, const LectureFile& file, const fs::path& out, bool force) {
-  if (!force && !album.belongs_to(file.owner)) {
-    throw UsageError(
-        fmt::format("-o: expected a folder without the figures of another lecture, found {} with those of {} "
-                    "(--force removes them)",
-                    shown(out.string()), album.owner()));
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw WorkError(fmt::format("can't make the folder {}: {}", shown(folder.string()), error.message()));
+}
+
+/// Refuses a folder with the figures of another lecture.
+void check_owner(const Album& album, const LectureFile& file, const fs::path& out) {
+  if (album.belongs_to(file.owner)) return;
+  throw UsageError(
+      fmt::format("-o: expected a folder without the figures of another lecture, found {} with those of {} "
+                  "(--force removes them)",
+                  shown(out.string()), album.owner()));
+}
+
+/// The paths of the pages that a lecture has beside its figures' folders.
+std::set<std::string> page_paths(const Lecture& lecture, bool built_in) {
+  std::set<std::string> paths{index_name};
+  if (built_in) paths.insert(errata_name);
+  for (const LectureFigure& figure : lecture.figures) {
+    const std::string page = topic_page_path(*figure.spec.topic);
+    if (!page.empty()) paths.insert(page);
   }
-  album.give_to(file.owner);
+  return paths;
+}
+
+/// Refuses a folder where a page would take the place of somebody's own, also one that came after ours.
+void check_pages(const std::set<std::string>& pages, const fs::path& out) {
+  for (const std::string& page : pages) check_replaced((out / page).string(), "-o");
 }
 
 struct Failures {
@@ -251,18 +299,14 @@ TopicFigure topic_figure(const LectureFigure& figure, const Card& card, const Tr
           card.player};
 }
 
-/// Writes the pages of the topics that have figures here. Returns what was written.
+/// Writes the pages of the topics that have figures here; check_pages() has let them. Returns what was
+/// written.
 std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, const fs::path& out) {
   std::vector<ManifestFile> written;
   for (const TopicPage& page : topic_pages(figures)) {
     const fs::path path = out / page.path;
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) {
-      throw WorkError(
-          fmt::format("can't make the folder {}: {}", shown(path.parent_path().string()), error.message()));
-    }
-    write_output(path.string(), page.html);
+    make_folder(path.parent_path());
+    write_output(path.string(), page.html, Replace::anything);
     written.push_back(file_state(out, page.path));
   }
   return written;
@@ -303,13 +347,14 @@ void write_index(const Lecture& lecture, bool built_in, const fs::path& out, Alb
   GalleryOptions options;
   if (!lecture.title.empty()) options.title = lecture.title;
   if (built_in) {
-    write_output((out / errata_name).string(), errata_gallery());
+    write_output((out / errata_name).string(), errata_gallery(), Replace::anything);
     written.push_back(file_state(out, errata_name));
     options.errata = errata_name;
   }
-  write_output((out / index_name).string(), gallery_page(cards.cards, options));
+  write_output((out / index_name).string(), gallery_page(cards.cards, options), Replace::anything);
   written.push_back(file_state(out, index_name));
   album.put(index_name, key, std::move(written));
+  album.save();
 }
 
 void complain(const std::vector<Problem>& problems) {
@@ -379,10 +424,16 @@ int figures(const Request& request) {
 
   const std::string program = program_fingerprint();
   const std::vector<Job> wanted = selected(lecture, program, request);
-  const fs::path out = make_folder(request);
-  const bool force = request.has("force");
+  const fs::path out = folder_name(request);
+  const bool force = request.has("force"), built_in = file.owner.empty();
   Album album(out);
-  claim(album, file, out, force);
+  if (!force) {
+    check_owner(album, file, out);
+    check_pages(page_paths(lecture, built_in), out);
+    if (request.has("zip")) check_replaced(zip_beside(out), "--zip");
+  }
+  make_folder(out);
+  album.give_to(file.owner);
   const std::size_t removed = album.keep_only(lecture.parts());
   std::vector<Job> due;
   for (const Job& job : wanted) {
@@ -390,14 +441,18 @@ int figures(const Request& request) {
   }
   std::vector<std::vector<std::string>> remarks(due.size());
   const Failures failures = for_all(due, lecture, threads, request.quiet(), [&](std::size_t i) {
-    Drawn drawn = std::visit([&](const auto* part) { return draw(*part, out); }, due[i].part);
+    const auto replace = [&](const std::string& path) {
+      return replaces(force || album.made(due[i].name(), path));
+    };
+    Drawn drawn = std::visit([&](const auto* part) { return draw(*part, out, replace); }, due[i].part);
     album.put(due[i].name(), due[i].key, std::move(drawn.files));
     remarks[i] = std::move(drawn.remarks);
   });
-  write_index(lecture, file.owner.empty(), out, album, program, force);
+  album.save();
+  write_index(lecture, built_in, out, album, program, force);
 
   if (request.has("zip")) {
-    zip_folder(out, album.paths(), zip_beside(out));
+    zip_folder(out, album.paths(), zip_beside(out), replaces(force));
     if (!request.quiet()) note(shown_name(zip_beside(out)));
   }
   complain(failures.problems);

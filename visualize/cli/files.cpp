@@ -5,16 +5,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
 
 #include "cli/errors.hpp"
+#include "cli/leftovers.hpp"
+#include "cli/own_files.hpp"
+#include "cli/status_line.hpp"
 #include "scene/files.hpp"
 #include "stories/point_text.hpp"
 
@@ -79,6 +82,7 @@ void forget(const std::string& path) {
 [[noreturn]] void stop(int signal) {
   incomplete().mutex.lock();  // and never unlocked: nobody makes another file now
   for (const std::string& path : incomplete().paths) unlink(path.c_str());
+  StatusLine::only().leave();
   _exit(128 + signal);
 }
 
@@ -105,19 +109,27 @@ void wait_for_signals() {
   }).detach();
 }
 
-/// The file behind a link, so that the link itself is not replaced.
-std::string behind_links(const std::string& path) {
-  std::error_code error;
-  const auto target = std::filesystem::canonical(path, error);
-  return error ? path : target.string();
+/// The file that a link leads to, so that the link itself is not replaced; it need not be there. Sets errno
+/// and returns nothing for links that go round in a circle.
+std::optional<std::string> behind_links(const std::string& path) {
+  constexpr int most_links = 40;  // as in the kernel
+  std::filesystem::path at = path;
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::read_symlink(at, error);
+    if (error) return at.string();
+    at = at.parent_path() / target;
+  }
+  errno = ELOOP;
+  return std::nullopt;
 }
 
 /// Opens a new file beside `path`.
 int open_beside(const std::string& path, std::string& temporary) {
-  static std::atomic<unsigned> counter = 0;
-  const std::size_t name = path.find_last_of('/') + 1;
+  const std::string folder = path.substr(0, path.find_last_of('/') + 1);
+  remove_leftovers(folder);
   while (true) {
-    temporary = fmt::format("{}.{}.{}-{}.tmp", path.substr(0, name), "gradus", getpid(), counter++);
+    temporary = folder + temporary_name();
     const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
   }
@@ -150,7 +162,13 @@ std::string read_standard_input(std::string_view what) {
 }  // namespace
 
 std::string read_input(const std::string& path, std::string_view what) {
-  if (path == dash) return read_standard_input(what);
+  if (path == dash) {
+    const bool typed = isatty(STDIN_FILENO) == 1;
+    if (typed) StatusLine::only().hide(true);
+    std::string bytes = read_standard_input(what);
+    if (typed) StatusLine::only().hide(false);
+    return bytes;
+  }
   pipeline::FileRead file = pipeline::read_regular_file(path);
   if (!file.problem.empty()) throw UsageError(fmt::format("{}: {}", what, file.problem));
   return std::move(file.bytes);
@@ -163,15 +181,25 @@ std::string fingerprint(std::string_view bytes) {
 }
 
 void write_stream(Stream stream, std::string_view bytes) {
-  if (write_all(static_cast<int>(stream), bytes)) return;
-  if (errno == EPIPE) throw OutputClosed();
-  const int reason = errno;
+  int reason = 0;
+  const auto write = [&] { reason = write_all(static_cast<int>(stream), bytes) ? 0 : errno; };
+  if (is_terminal(stream)) {
+    StatusLine::only().aside(write, bytes.ends_with('\n'));
+  } else {
+    write();
+  }
+  if (reason == 0) return;
+  if (reason == EPIPE) throw OutputClosed();
   throw WorkError(fmt::format("can't write to standard output: {}", std::strerror(reason)));
 }
 
 void note(std::string_view line) {
-  // One call a line: lines of several threads do not mix
-  static_cast<void>(write_all(STDERR_FILENO, std::string(line) + "\n"));
+  try {
+    // One call a line: lines of several threads do not mix
+    write_stream(Stream::err, std::string(line) + "\n");
+  } catch (const std::exception&) {
+    // A closed stderr is no reason to stop the work
+  }
 }
 
 bool same_file(const std::string& a, const std::string& b) {
@@ -188,7 +216,13 @@ void make_folder(const std::string& path, std::string_view what) {
   }
 }
 
-void check_output(const std::string& path, std::span<const std::string> inputs) {
+void check_replaced(const std::string& path, std::string_view what, std::string_view bytes) {
+  if (is_replaceable(path, bytes)) return;
+  throw UsageError(fmt::format(
+      "{}: expected a new file or one that gradus made, found {} (--force replaces it)", what, shown(path)));
+}
+
+void check_output(const std::string& path, std::span<const std::string> inputs, Replace replace) {
   if (path == dash) return;
   std::error_code error;
   if (path.empty() || path.ends_with('/') || std::filesystem::is_directory(path, error)) {
@@ -202,6 +236,7 @@ void check_output(const std::string& path, std::span<const std::string> inputs) 
     if (input == dash || !same_file(path, input)) continue;
     throw UsageError(fmt::format("-o: expected another file than the input, found {}", shown(path)));
   }
+  if (replace == Replace::own) check_replaced(path, "-o");
 }
 
 NewFiles::~NewFiles() {
@@ -211,16 +246,18 @@ NewFiles::~NewFiles() {
   }
 }
 
-void NewFiles::add(const std::string& path, std::string_view bytes) {
+void NewFiles::add(const std::string& path, std::string_view bytes, Replace replace) {
   struct stat known{};
   const bool exists = stat(path.c_str(), &known) == 0;
   if (exists && !S_ISREG(known.st_mode)) return write_in_place(path, bytes);
+  if (replace == Replace::own) check_replaced(path, "-o", bytes);
+  const auto target = behind_links(path);
+  if (!target) cannot_write(path);
   std::string temporary;
-  const std::string target = exists ? behind_links(path) : path;
-  Descriptor file(open_beside(target, temporary));
+  Descriptor file(open_beside(*target, temporary));
   if (file.number() < 0) cannot_write(path);
   remember(temporary);
-  pending_.push_back({temporary, target});
+  pending_.push_back({temporary, *target});
   if (exists) static_cast<void>(fchmod(file.number(), known.st_mode & 07777));
   if (!write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
 }
@@ -234,10 +271,10 @@ void NewFiles::commit() {
   pending_.clear();
 }
 
-void write_output(const std::string& path, std::string_view bytes) {
+void write_output(const std::string& path, std::string_view bytes, Replace replace) {
   if (path == dash) return write_stream(Stream::out, bytes);
   NewFiles files;
-  files.add(path, bytes);
+  files.add(path, bytes, replace);
   files.commit();
 }
 

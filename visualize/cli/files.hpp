@@ -32,15 +32,34 @@ void note(std::string_view line);
 /// Whether both paths lead to one file.
 bool same_file(const std::string& a, const std::string& b);
 
+/// What a new file may take the place of.
+enum class Replace : std::uint8_t {
+  own,       ///< what is_replaceable() takes for ours; anything else is a UsageError that names --force
+  anything,  ///< said with --force, or known to be ours
+};
+/// What --force allows.
+constexpr Replace replaces(bool force) { return force ? Replace::anything : Replace::own; }
+
+/// Where a command writes to, and whether it says so.
+struct Output {
+  std::string path;  ///< or dash
+  Replace replace = Replace::own;
+  bool quiet = false;
+};
+
+/// Throws UsageError, beginning with the flag `what`, when the file at `path` must not be replaced.
+void check_replaced(const std::string& path, std::string_view what, std::string_view bytes = {});
+
 /// Throws UsageError when nothing can be written under this name: it is a folder, its folder does not exist,
-/// or it is one of the inputs.
-void check_output(const std::string& path, std::span<const std::string> inputs);
+/// it is one of the inputs, or somebody's own.
+void check_output(const std::string& path, std::span<const std::string> inputs, Replace replace);
 
 /// Makes a folder and those it lies in, unless it is there. Throws UsageError, naming the argument `what`.
 void make_folder(const std::string& path, std::string_view what);
 
 /// Files that appear together: each is written beside its final place and gets its name in commit().
-/// Destroyed before that, no trace is left. Throws WorkError.
+/// Destroyed before that, no trace is left; what a killed process left is removed by the next one that writes
+/// into the same folder (see leftovers.hpp). Throws WorkError.
 class NewFiles {
  public:
   NewFiles() = default;
@@ -48,8 +67,9 @@ class NewFiles {
   NewFiles(const NewFiles&) = delete;
   NewFiles& operator=(const NewFiles&) = delete;
 
-  /// An existing file keeps its permissions; a link is followed; a device or pipe is written at once.
-  void add(const std::string& path, std::string_view bytes);
+  /// An existing file keeps its permissions; a link is followed, also to what is not there yet; a device or
+  /// pipe is written at once. Throws UsageError for a file that must not be replaced.
+  void add(const std::string& path, std::string_view bytes, Replace replace = Replace::own);
   void commit();
 
  private:
@@ -59,8 +79,8 @@ class NewFiles {
   std::vector<Pending> pending_;
 };
 
-/// One file, or standard output for "-".
-void write_output(const std::string& path, std::string_view bytes);
+/// One file, or standard output for "-". Throws as NewFiles does.
+void write_output(const std::string& path, std::string_view bytes, Replace replace = Replace::own);
 
 /// Opens closed standard streams, ignores SIGPIPE, and ends the program on SIGINT (130) and SIGTERM (143)
 /// after removing files that are not complete. To be called first.

@@ -224,6 +224,11 @@ void check_film(FilmFormat format, const FilmOptions& options, bool transparent)
   }
 }
 
+std::size_t frames_drawn(FilmFormat format, std::size_t frames) {
+  // The first one more: it tells the size and whether there is transparency
+  return 1 + (format == FilmFormat::gif ? 2 * frames : frames);
+}
+
 std::string film_bytes(FilmFormat format, std::size_t frames, const std::function<Image(std::size_t)>& frame,
                        const FilmOptions& options, const Colophon& colophon) {
   if (frames == 0) throw WorkError("film: expected at least one frame, found none");

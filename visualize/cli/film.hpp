@@ -23,6 +23,9 @@ struct FilmOptions {
 /// option is out of its range, or the format knows no transparency.
 void check_film(FilmFormat format, const FilmOptions& options, bool transparent);
 
+/// How often film_bytes asks for a frame, for a film of so many.
+std::size_t frames_drawn(FilmFormat format, std::size_t frames);
+
 /// A film of frame(0), frame(1), … frame(frames - 1), all of one size, drawn one at a time as ffmpeg takes
 /// them; GIF asks for each twice, first to choose its 256 colours. The same frames give the same bytes.
 ///

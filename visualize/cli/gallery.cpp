@@ -124,7 +124,8 @@ std::vector<std::string> copied_names(const LecturePart& part) {
 /// Collects the files of one figure or render under their names.
 class Folder {
  public:
-  Folder(const LecturePart& part, const fs::path& out) : part_(part), out_(out) {
+  Folder(const LecturePart& part, const fs::path& out, const ReplaceAt& replace)
+      : part_(part), out_(out), replace_(replace) {
     std::error_code error;
     const fs::path folder = out / part.name;
     fs::create_directories(folder, error);
@@ -147,7 +148,7 @@ class Folder {
       throw UsageError(fmt::format(
           "expected an output folder apart from the inputs, found the input file {} in it", shown(full)));
     }
-    files_.add(full, bytes);
+    files_.add(full, bytes, replace_(path));
     paths_.push_back(path);
   }
 
@@ -170,6 +171,7 @@ class Folder {
  private:
   const LecturePart& part_;
   const fs::path& out_;
+  const ReplaceAt& replace_;
   NewFiles files_;
   std::vector<std::string> paths_;
 };
@@ -428,10 +430,10 @@ void rehearse(const LectureFigure& figure) {
   sheet_of(takes.figure(thumbnail_step(spec, takes)), spec);
 }
 
-Drawn draw(const LectureFigure& figure, const fs::path& out) {
+Drawn draw(const LectureFigure& figure, const fs::path& out, const ReplaceAt& replace) {
   const FigureSpec& spec = figure.spec;
   Takes takes(*spec.topic, spec.arguments, spec.wording);
-  Folder folder(figure, out);
+  Folder folder(figure, out, replace);
   for (const Format format : figure.outputs) {
     for (const OutputFile& file : output_files(spec, takes, format, figure.name)) {
       folder.add(file.name, file.bytes);
@@ -478,9 +480,9 @@ Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, c
 
 void rehearse(const LectureRender&) {}
 
-Drawn draw(const LectureRender& render, const fs::path& out) {
+Drawn draw(const LectureRender& render, const fs::path& out, const ReplaceAt& replace) {
   Rendered picture = rendered_again(render.request, render);
-  Folder folder(render, out);
+  Folder folder(render, out, replace);
   folder.add(render.name + ".png", picture.png);
   if (has_thumbnail(render)) {
     folder.add(thumbnail_name(render), rendered_again(thumbnail_of(render), render).png);

@@ -2,10 +2,12 @@
 // The figures of a lecture as files: one folder each, and a card on the page of all figures.
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "cli/files.hpp"
 #include "cli/lecture.hpp"
 #include "web/gallery_page.hpp"
 #include "web/json.hpp"
@@ -35,9 +37,13 @@ struct Drawn {
   std::vector<std::string> remarks;  ///< a line each
 };
 
-/// Draws the files into out/<name>/ and tells what they are. Everything appears or nothing.
-Drawn draw(const LectureFigure& figure, const std::filesystem::path& out);
-Drawn draw(const LectureRender& render, const std::filesystem::path& out);
+/// What a file at this path, below the output folder, may take the place of.
+using ReplaceAt = std::function<Replace(const std::string& path)>;
+
+/// Draws the files into out/<name>/ and tells what they are. Everything appears or nothing. Throws UsageError
+/// where a file must not be replaced.
+Drawn draw(const LectureFigure& figure, const std::filesystem::path& out, const ReplaceAt& replace);
+Drawn draw(const LectureRender& render, const std::filesystem::path& out, const ReplaceAt& replace);
 
 /// Its card. `files`: those that draw() made.
 Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, const Takes& takes);

@@ -18,7 +18,9 @@ int hand_over(const Request& request) {
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / ("gradus-" + command);
   if (!std::filesystem::exists(program)) {
     throw WorkError(
-        fmt::format("{0}: gradus-{0} is not beside this program; build it with `./bootstrap {0}`", command));
+        fmt::format("{0}: expected the program gradus-{0} beside this one, found none; in a clone of Gradus "
+                    "`./bootstrap {0}` builds and runs it",
+                    command));
   }
   std::vector<std::string> words{program.string()};
   for (const auto& [flag, value] : request.flags) {

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
+#include "cli/help.hpp"
 #include "cli/names.hpp"
 #include "figure/colophon.hpp"
 #include "stories/point_text.hpp"
@@ -94,10 +95,13 @@ std::string range_of(const Parameter& parameter) {
   return "";
 }
 
-/// The same with the sizes of its numbers.
+}  // namespace
+
 std::string domain_of(const Parameter& parameter) {
   return range_of(parameter) + (parameter.sizes.limited() ? ", each " + text_of(parameter.sizes) : "");
 }
+
+namespace {
 
 std::string inputs_of(const TopicEntry& topic) {
   std::string text;
@@ -119,34 +123,11 @@ std::string_view standing_of(Standing standing) {
 std::string methods_of(const TopicEntry& topic) {
   std::string text;
   for (const Method& method : topic.methods) {
-    std::vector<std::string> marks;
-    if (method.name == topic.default_method) marks.push_back("default");
-    if (const auto standing = standing_of(method.standing); !standing.empty()) marks.emplace_back(standing);
+    const std::vector<std::string> marks = marks_of(method, topic);
     text += fmt::format("  --method {}{}\n      {}{}\n", method.name,
                         marks.empty() ? "" : fmt::format(" ({})", fmt::join(marks, ", ")), method.title,
                         method.note.empty() ? "" : ": " + method.note);
   }
-  return text;
-}
-
-std::string examples_of(const TopicEntry& topic, std::string_view command, std::string_view end) {
-  std::string text;
-  for (const std::string& example : topic.examples) {
-    text += fmt::format("  gradus {} {} {}{}\n", command, topic.name, example, end);
-  }
-  return text;
-}
-
-std::string topic_help(const TopicEntry& topic, bool color) {
-  std::string text = fmt::format("{}: {}\n", bold(topic.title, color), topic.summary);
-  text += section("Examples", color) + examples_of(topic, "run", "");
-  if (!topic.examples.empty()) {
-    text += fmt::format("  gradus figure {} {} -o {}.svg\n", topic.name, topic.examples[0], topic.name);
-  }
-  text += section("Inputs", color) + inputs_of(topic);
-  text += section("Methods", color) + methods_of(topic);
-  if (!topic.aliases.empty())
-    text += section("Also called", color) + fmt::format("  {}\n", fmt::join(topic.aliases, ", "));
   return text;
 }
 
@@ -157,36 +138,82 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
+/// A line each, indented.
+std::string lines_of(const std::vector<std::string>& examples) {
+  std::string text;
+  for (const std::string& example : examples) text += "  " + example + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> marks_of(const Method& method, const TopicEntry& topic) {
+  std::vector<std::string> marks;
+  if (method.name == topic.default_method) marks.emplace_back("default");
+  if (const auto standing = standing_of(method.standing); !standing.empty()) marks.emplace_back(standing);
+  return marks;
+}
+
+std::vector<std::string> examples_of(const Command& command, const TopicEntry* topic) {
+  if (!topic && !catalogue().empty()) topic = catalogue()[0];
+  std::vector<std::string> examples;
+  for (const std::string& example : command.examples) {
+    examples.push_back(
+        topic ? replaced(replaced(example, "TOPIC", topic->name), "NAME", topic->default_method) : example);
+  }
+  return examples;
+}
+
+std::vector<std::string> examples_of(const TopicEntry& topic) {
+  std::vector<std::string> examples;
+  for (const std::string& example : topic.examples)
+    examples.push_back(fmt::format("gradus run {} {}", topic.name, example));
+  if (!topic.examples.empty())
+    examples.push_back(fmt::format("gradus figure {0} {1} -o {0}.svg", topic.name, topic.examples[0]));
+  return examples;
+}
+
+std::vector<std::string> first_examples() {
+  std::vector<std::string> examples{"gradus list", "gradus figures -o out/"};
+  if (!catalogue().empty()) {
+    const TopicEntry& topic = *catalogue()[0];
+    const std::string arguments = topic.examples.empty() ? "" : " " + topic.examples[0];
+    examples.push_back(fmt::format("gradus run {}{}", topic.name, arguments));
+    examples.push_back(fmt::format("gradus figure {0}{1} -o {0}.svg", topic.name, arguments));
+  }
+  examples.emplace_back("gradus render letter_f.obj -o f.png");
+  return examples;
+}
+
+namespace {
+
+std::string topic_help(const TopicEntry& topic, bool color) {
+  std::string text = fmt::format("{}: {}\n", bold(topic.title, color), topic.summary);
+  text += section("Examples", color) + lines_of(examples_of(topic));
+  text += section("Inputs", color) + inputs_of(topic);
+  text += section("Methods", color) + methods_of(topic);
+  if (!topic.aliases.empty())
+    text += section("Also called", color) + fmt::format("  {}\n", fmt::join(topic.aliases, ", "));
+  return text;
+}
+
 std::string command_help(const Command& command, const TopicEntry* topic, bool color) {
   std::string text = fmt::format("{}: {}\n", bold("gradus " + command.name, color), command.summary);
-  text += section("Examples", color);
-  const std::string name = topic ? topic->name : catalogue().empty() ? "" : catalogue()[0]->name;
-  const std::string method = topic                 ? topic->default_method
-                             : catalogue().empty() ? ""
-                                                   : catalogue()[0]->default_method;
-  for (const std::string& example : command.examples) {
-    text += "  " + replaced(replaced(example, "TOPIC", name), "NAME", method) + "\n";
-  }
+  text += section("Examples", color) + lines_of(examples_of(command, topic));
   if (topic)
     text += section("Inputs", color) + inputs_of(*topic) + section("Methods", color) + methods_of(*topic);
   if (command.about_topic && !topic) text += "\nThe inputs of a topic are flags too: gradus help TOPIC\n";
   std::vector<Flag> flags = command.flags;
   flags.insert(flags.end(), common_flags().begin(), common_flags().end());
   text += section("Flags", color) + flag_table(flags);
+  if (!command.limits.empty()) text += section("Limits", color);
+  for (const std::string& limit : command.limits) text += "  " + limit + "\n";
   return text;
 }
 
 std::string overview(bool color) {
   std::string text{introduction};
-  text += section("Examples", color);
-  text += "  gradus list\n  gradus figures -o out/\n";
-  if (!catalogue().empty()) {
-    const TopicEntry& topic = *catalogue()[0];
-    const std::string arguments = topic.examples.empty() ? "" : " " + topic.examples[0];
-    text += fmt::format("  gradus run {}{}\n  gradus figure {}{} -o {}.svg\n", topic.name, arguments,
-                        topic.name, arguments, topic.name);
-  }
-  text += "  gradus render letter_f.obj -o f.png\n";
+  text += section("Examples", color) + lines_of(first_examples());
   text += section("Commands", color);
   std::vector<std::pair<std::string, std::string>> rows;
   for (const Command& command : commands()) rows.emplace_back(command.name, command.summary);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
@@ -95,7 +96,8 @@ class Reader {
         fmt::format("{}: {}", flag_of(parameter), text == dash ? "standard input" : shown(text));
     return {.name = parameter.name,
             .text = name,
-            .image = decode_png({data, bytes.size()}, called),
+            .image = std::make_shared<const Image>(
+                decode_png({data, bytes.size()}, called, std::min(parameter.most, most_png_pixels))),
             .hash = fingerprint(bytes)};
   }
 

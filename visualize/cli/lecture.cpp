@@ -155,9 +155,7 @@ class Reader {
  private:
   void note(Problem problem) {
     // A default that is wrong is wrong for every figure: once is enough
-    if (std::ranges::find(lecture_.problems, problem) == lecture_.problems.end()) {
-      lecture_.problems.push_back(std::move(problem));
-    }
+    if (known_problems_.insert(problem).second) lecture_.problems.push_back(std::move(problem));
   }
   void complain(const Place& place, const std::string& what) {
     note(problem_at(lecture_, place, ": " + what));
@@ -678,8 +676,9 @@ class Reader {
   void name_parts() {
     Owners owners;
     for (const AnyPart& any : lecture_.parts()) check_name(part_of(any), owners);
-    const auto give = [&owners](LecturePart& part, const std::string& base) {
-      if (part.name.empty()) part.name = free_name(part, base, owners);
+    std::map<std::string, int> tried;  // by base: the numbers that are nobody's any more
+    const auto give = [&](LecturePart& part, const std::string& base) {
+      if (part.name.empty()) part.name = free_name(part, base, owners, tried[lowered(base)]);
       owners.emplace(lowered(part.name), &part);
     };
     for (LectureFigure& figure : lecture_.figures) give(figure, figure.spec.topic->name);
@@ -692,17 +691,21 @@ class Reader {
     return is_name(stem) && lowered(stem) != pages_folder && stem.size() <= 70 ? stem : "render";
   }
 
-  /// `base`, then with "_2", "_3", …
-  static std::string free_name(const LecturePart& part, const std::string& base, const Owners& owners) {
-    for (int number = 1;; ++number) {
+  /// `base`, then with "_2", "_3", …; `taken`: up to this number each has an owner.
+  static std::string free_name(const LecturePart& part, const std::string& base, const Owners& owners,
+                               int& taken) {
+    for (int number = taken + 1;; ++number) {
       std::string name = number == 1 ? base : fmt::format("{}_{}", base, number);
-      if (!owners.contains(lowered(name)) && input_called(name, part).empty()) return name;
+      const bool is_taken = owners.contains(lowered(name));
+      if (is_taken && number == taken + 1) taken = number;
+      if (!is_taken && input_called(name, part).empty()) return name;
     }
   }
 
   const LectureFile& file_;
   const std::map<std::string, std::string>& instead_;  ///< flags
   Lecture lecture_;
+  std::set<Problem> known_problems_;
   std::set<const TopicEntry*> topics_;  ///< of all figures, also those that are not whole
 };
 

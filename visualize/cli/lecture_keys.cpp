@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/choices.hpp"
 #include "cli/lecture.hpp"
 #include "cli/located_json.hpp"
 #include "cli/names.hpp"
@@ -13,9 +14,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// Flags that say where to and in which format: a lecture has keys of its own for that.
+/// Flags that say where to and in which format: a lecture has keys of its own for that, or none.
 bool is_about_output(const Flag& flag) {
-  return flag.name == "output" || flag.name == "format" || flag.name == "snippet";
+  return flag.name == "output" || flag.name == "format" || flag.name == "force" || flag.name == "snippet";
 }
 
 KeyKind kind_of(const Flag& flag) {
@@ -103,22 +104,6 @@ JsonNode either(std::vector<JsonNode> schemas) {
 JsonNode of_type(const Texts& names) { return json_object({{"type", 0, type(names)}}); }
 
 JsonNode one_of(const Texts& names) { return json_object({{"enum", 0, json_texts(names)}}); }
-
-/// The names that a flag takes, where they are few.
-Texts choices_of(const std::string& key) {
-  Texts names;
-  if (key == "theme") {
-    for (const Theme& theme : themes()) names.push_back(theme.name);
-  }
-  if (key == "language") {
-    for (const Language& language : languages()) names.push_back(language.code());
-  }
-  if (key == "layout") return {"slide", "handout"};
-  if (key == "y") return {"up", "down"};
-  if (key == "svg_text") return {"outlines", "text"};
-  if (key == "paper") return {"a4", "letter"};
-  return names;
-}
 
 Texts topic_names() {
   Texts names;

@@ -3,23 +3,37 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/complete.hpp"
 #include "cli/files.hpp"
 #include "cli/guarded.hpp"
+#include "cli/progress.hpp"
 
 namespace gradus::cli {
 namespace {
 
-int perform(const Request& request) {
+/// What shells ask at every press of the tab key: the words behind -- are not the user's command yet, and may
+/// be anything.
+bool asks_what_is_next(const std::vector<std::string>& words) {
+  return words.size() > 2 && words[0] == "completion" && words[1] == "--next" && words[2] == "--";
+}
+
+int perform(const std::vector<std::string>& words) {
+  if (asks_what_is_next(words)) return complete_next({words.begin() + 3, words.end()});
+  const Request request = read_request(words);
   if (request.has("version")) return version();
   if (request.has("help") || !request.command) return help(request);
   const std::string& name = request.command->name;
   if (name == "list") return list(request);
   if (name == "help") return help(request);
+  if (name == "bench" || name == "stress") return hand_over(request);
+  if (name == "completion") return completion(request);
+  if (name == "man") return manual(request);
+  if (name == "open") return open_gallery(request);
+  const Working working(name + (request.topic ? " " + request.topic->name : ""), request.quiet());
   if (name == "run") return run(request);
   if (name == "figure") return figure(request);
   if (name == "figures") return figures(request);
   if (name == "render") return render(request);
-  if (name == "bench" || name == "stress") return hand_over(request);
   return again(request);
 }
 
@@ -29,6 +43,5 @@ int perform(const Request& request) {
 int main(int argc, char** argv) {
   gradus::cli::prepare_process();
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  return gradus::cli::guarded("gradus",
-                              [&] { return gradus::cli::perform(gradus::cli::read_request(words)); });
+  return gradus::cli::guarded("gradus", [&] { return gradus::cli::perform(words); });
 }

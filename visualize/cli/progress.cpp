@@ -2,70 +2,105 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <atomic>
+#include <chrono>
 
 #include "cli/files.hpp"
+#include "cli/status_line.hpp"
 #include "cli/terminal.hpp"
 
 namespace gradus::cli {
 namespace {
 
-void put(const std::string& text) {
-  try {
-    write_stream(Stream::err, text);
-  } catch (const std::exception&) {
-    // A closed stderr is no reason to stop the work
-  }
+constexpr std::size_t bar_width = 24;
+
+/// How many bars of items are shown.
+std::atomic<int> bars = 0;
+
+/// A block that moves to and fro.
+std::string moving_block(std::size_t tick) {
+  constexpr std::size_t block = 6, way = bar_width - block;
+  const std::size_t at = tick % (2 * way), left = at < way ? at : 2 * way - at;
+  return std::string(left, '.') + std::string(block, '#') + std::string(way - left, '.');
 }
 
 }  // namespace
 
-Progress::Progress(std::size_t items, bool quiet)
+Progress::Progress(std::size_t items, bool quiet, Telling telling)
     : style_(quiet                     ? Style::none
              : can_redraw(Stream::err) ? Style::bar
                                        : Style::lines),
+      telling_(telling),
       lines_(items),
       done_(items) {
+  if (style_ == Style::bar && items < 2) style_ = Style::none;
+  if (style_ == Style::bar) ++bars;
   const std::lock_guard lock(mutex_);
   draw();
 }
 
-Progress::~Progress() { erase(); }
+Progress::~Progress() {
+  if (style_ != Style::bar) return;
+  StatusLine::only().clear();
+  --bars;
+}
 
 void Progress::finished(std::size_t index, const std::string& line) {
   const std::lock_guard lock(mutex_);
+  if (done_[index]) return;
   ++count_;
   done_[index] = true;
   lines_[index] = line;
   latest_ = line.empty() ? latest_ : line;
-  if (style_ == Style::lines) {
-    // Only what has nothing unfinished before it, so that the order does not depend on the threads
-    for (; told_ < done_.size() && done_[told_]; ++told_) {
-      if (!lines_[told_].empty()) put(lines_[told_] + "\n");
-    }
-  }
+  if (telling_ == Telling::each) tell();
   draw();
 }
 
-void Progress::say(const std::string& line) {
+void Progress::kept() {
   const std::lock_guard lock(mutex_);
-  erase();
-  put(line + "\n");
-  draw();
+  tell();
+}
+
+void Progress::tell() {
+  if (style_ != Style::lines) return;
+  // Only what has nothing unfinished before it, so that the order does not depend on the threads
+  for (; told_ < done_.size() && done_[told_]; ++told_) {
+    if (!lines_[told_].empty()) note(lines_[told_]);
+  }
 }
 
 void Progress::draw() const {
-  if (style_ != Style::bar || done_.size() < 2) return;
-  constexpr std::size_t width = 24;
-  const std::size_t full = width * count_ / done_.size();
-  std::string line = fmt::format("[{}{}] {}/{} {}", std::string(full, '#'), std::string(width - full, '.'),
-                                 count_, done_.size(), latest_);
-  line.resize(std::min(line.size(), static_cast<std::size_t>(columns(Stream::err) - 1)));
-  put("\r\x1b[K" + line);
+  if (style_ != Style::bar) return;
+  const std::size_t full = bar_width * count_ / done_.size();
+  StatusLine::only().show(fmt::format("[{}{}] {}/{} {}", std::string(full, '#'),
+                                      std::string(bar_width - full, '.'), count_, done_.size(), latest_));
 }
 
-void Progress::erase() const {
-  if (style_ == Style::bar && done_.size() >= 2) put("\r\x1b[K");
+Working::Working(std::string what, bool quiet) : what_(std::move(what)) {
+  if (!quiet && can_redraw(Stream::err)) thread_ = std::thread([this] { tick(); });
+}
+
+Working::~Working() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+  StatusLine::only().clear();
+}
+
+void Working::tick() {
+  using namespace std::chrono_literals;
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  for (std::size_t i = 0; !changed_.wait_for(lock, i == 0 ? 1000ms : 200ms, [this] { return over_; }); ++i) {
+    if (bars > 0) continue;
+    const auto spent =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start);
+    StatusLine::only().show(fmt::format("[{}] {}, {} s", moving_block(i), what_, spent.count()));
+  }
 }
 
 }  // namespace gradus::cli

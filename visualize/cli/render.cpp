@@ -316,8 +316,10 @@ RenderBrief render_brief(const Request& request, const FindFile& find) {
   return shot_of(request, find).brief;
 }
 
-Rendered rendered(const Request& request, const FindFile& find) {
+Rendered rendered(const Request& request, const FindFile& find,
+                  const std::function<void(const RenderBrief&)>& on_read) {
   Shot shot = shot_of(request, find);
+  if (on_read) on_read(shot.brief);
   Rendered result{std::move(shot.brief), ""};
   const Picture picture = picture_of(shot.scene, shot.wish);
   if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
@@ -326,7 +328,7 @@ Rendered rendered(const Request& request, const FindFile& find) {
 }
 
 void check_picture_output(const std::string& output) {
-  check_output(output, {});
+  check_output(output, {}, Replace::anything);
   if (output == dash && is_terminal(Stream::out)) {
     throw UsageError("-o: expected a file or a pipe for png, found a terminal");
   }
@@ -335,21 +337,24 @@ void check_picture_output(const std::string& output) {
   }
 }
 
-void write_rendered(const Rendered& picture, const std::string& output, bool quiet) {
-  check_output(output, picture.files);
-  write_output(output, picture.png);
-  if (quiet) return;
+void write_rendered(const Rendered& picture, const Output& output) {
+  write_output(output.path, picture.png, output.replace);
+  if (output.quiet) return;
   for (const std::string& remark : picture.remarks) note(remark);
-  if (output != dash) note(shown_name(output));
+  if (output.path != dash) note(shown_name(output.path));
 }
 
 int render(const Request& request) {
-  const auto output = request.flags.find("output");
-  if (output == request.flags.end()) {
+  const auto wanted = request.flags.find("output");
+  if (wanted == request.flags.end()) {
     throw UsageError("-o: expected a file like model.png, or - for standard output, found none");
   }
-  check_picture_output(output->second);
-  write_rendered(rendered(request), output->second, request.quiet());
+  const Output output{wanted->second, replaces(request.has("force")), request.quiet()};
+  check_picture_output(output.path);
+  const auto check = [&output](const RenderBrief& brief) {
+    check_output(output.path, brief.files, output.replace);
+  };
+  write_rendered(rendered(request, as_named, check), output);
   return 0;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 // A model as a picture: what `gradus render` makes, and `gradus again` makes again.
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "figure/colophon.hpp"
 
@@ -25,14 +27,16 @@ struct Rendered : RenderBrief {
 };
 
 /// Renders what a request of `gradus render` asks for. find: where the model lies; its material libraries lie
-/// beside it. Throws UsageError and InputError.
-Rendered rendered(const Request& request, const FindFile& find = as_named);
+/// beside it. on_read: told what has been read, before the first pixel. Throws UsageError and InputError.
+Rendered rendered(const Request& request, const FindFile& find = as_named,
+                  const std::function<void(const RenderBrief&)>& on_read = {});
 
 /// The same short of rendering: reads flags and model, and aims the camera. Throws what rendered() would.
 RenderBrief render_brief(const Request& request, const FindFile& find = as_named);
 
-/// Writes the picture, and the remarks to stderr unless `quiet`. Throws UsageError, WorkError.
-void write_rendered(const Rendered& picture, const std::string& output, bool quiet);
+/// Writes the picture, and the remarks to stderr unless that is to be quiet. check_output() has let it.
+/// Throws WorkError.
+void write_rendered(const Rendered& picture, const Output& output);
 
 /// Refuses an output that can't be a picture's: no PNG by its name, a folder, a terminal. Throws UsageError.
 void check_picture_output(const std::string& output);

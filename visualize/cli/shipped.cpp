@@ -1,5 +1,6 @@
 #include "cli/shipped.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -28,6 +29,19 @@ std::string shipped_example(std::string_view name) {
     }
   }
   return "";
+}
+
+std::vector<std::string> shipped_examples(std::string_view ending) {
+  std::vector<std::string> names;
+  const fs::path examples = fs::path(shipped("examples/gallery.json")).parent_path();
+  std::error_code error;
+  for (const fs::path& folder : {examples / "models", examples / "images"}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace gradus::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gradus::cli {
 
@@ -13,5 +14,8 @@ std::string shipped(const std::string& name);
 /// The path of a model or a picture that is called by its bare name: "letter_f.obj", "letter_f", "horse.png".
 /// Empty for any other name.
 std::string shipped_example(std::string_view name);
+
+/// The names of the models (".obj") or pictures (".png") that come with the program, sorted.
+std::vector<std::string> shipped_examples(std::string_view ending);
 
 }  // namespace gradus::cli

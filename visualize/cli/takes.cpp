@@ -167,7 +167,7 @@ Trace Takes::part(const std::vector<StepRange>& ranges) const {
     first = std::min(first, range.first.step);
     last = std::max(last, range.last.step);
   }
-  Trace trace = topic_.run(arguments_, from(first));
+  Trace trace = first <= 0 ? *opening_ : topic_.run(arguments_, from(first));
   const auto held = [&ranges](const TraceStep& step) {
     return std::ranges::any_of(ranges, [&step](const StepRange& range) { return range.holds(step.number); });
   };

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cli/errors.hpp"
-#include "cli/files.hpp"
+#include "cli/own_files.hpp"
 #include "figure/colophon.hpp"
 
 namespace gradus::cli {
@@ -52,10 +52,22 @@ class Zip {
 
   std::string finish() {
     check(archive_write_close(writer_.get()));
+    add_comment(zip_comment());
     return std::move(bytes_);
   }
 
  private:
+  /// The last record of a zip ends in the comment's length and the comment, which libarchive leaves empty.
+  void add_comment(std::string_view comment) {
+    constexpr std::size_t last_record = 22;
+    const bool as_expected =
+        bytes_.size() >= last_record &&
+        std::string_view(bytes_).substr(bytes_.size() - last_record).starts_with("PK\5\6");
+    if (!as_expected || comment.size() > 0xff) throw WorkError("can't write the zip: it doesn't end as one");
+    bytes_[bytes_.size() - 2] = static_cast<char>(comment.size());
+    bytes_ += comment;
+  }
+
   void check(int status) const {
     if (status == ARCHIVE_OK) return;
     const char* error = archive_error_string(writer_.get());
@@ -79,9 +91,8 @@ std::string readme(std::string_view title, std::string_view command, std::size_t
                                 : fmt::format("{} of the {} steps, evenly spaced", count, whole);
   return fmt::format(
       "{}\n\n{} as SVG, for print and slides, and as PNG. The number in a file's name is the step's.\n\n"
-      "Any step, size, theme and format:\n\n  {}\n\nMade by Gradus {}. {}: use the figures as you like, "
-      "without asking.\n",
-      title, which, command, release_version, figure_licence);
+      "Any step, size, theme and format:\n\n  {}\n\n{}. {}: use the figures as you like, without asking.\n",
+      title, which, command, zip_comment(), figure_licence);
 }
 
 }  // namespace
@@ -93,10 +104,10 @@ std::string zip_of(std::span<const ZipEntry> entries) {
 }
 
 void zip_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
-                const std::string& output) {
+                const std::string& output, Replace replace) {
   Zip zip;
   for (const std::string& file : files) zip.add({file, read_input((folder / file).string(), "zip")});
-  write_output(output, zip.finish());
+  write_output(output, zip.finish(), replace);
 }
 
 std::vector<ZipEntry> step_entries(std::string_view slug, std::string_view title, std::string_view command,

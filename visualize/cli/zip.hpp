@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/files.hpp"
 #include "figure/trace.hpp"
 
 namespace gradus::cli {
@@ -18,13 +19,13 @@ struct ZipEntry {
 };
 
 /// The entries in their order, deflated. The same entries give the same bytes, whoever packs them where and
-/// when. Throws WorkError.
+/// when; the zip's comment says that Gradus did. Throws WorkError.
 std::string zip_of(std::span<const ZipEntry> entries);
 
 /// Packs files below `folder` (relative paths) into the zip `output`, under the same paths: with an
 /// index.html at its root it can be uploaded as a web page. Throws UsageError for a file that can't be read.
 void zip_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
-                const std::string& output);
+                const std::string& output, Replace replace = Replace::own);
 
 /// One step as a picture: its bytes as SVG, as PNG.
 struct StepPicture {

@@ -16,6 +16,7 @@ namespace gradus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using SortedJson = nlohmann::json;
 
 // -- Text
 // ------------------------------------------------------------------------------------------------------
@@ -512,25 +513,26 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
   return std::move(out).finish();
 }
 
+// Of a library type that finds a member in logarithmic time: a manifest may have thousands of jobs.
+
 std::string manifest_json(const Manifest& manifest) {
-  Json jobs = Json::object();
+  SortedJson jobs = SortedJson::object();
   for (const auto& [slug, job] : manifest.jobs) {
-    Json files = Json::array();
+    SortedJson files = SortedJson::array();
     for (const ManifestFile& f : job.second)
       files.push_back({{"path", f.path}, {"size", f.size}, {"modified", f.modified}});
     jobs[slug] = {{"key", job.first}, {"files", std::move(files)}};
   }
-  return Json{{"owner", manifest.owner}, {"jobs", std::move(jobs)}}.dump(1, ' ', false,
-                                                                         Json::error_handler_t::replace) +
-         "\n";
+  const SortedJson all{{"owner", manifest.owner}, {"jobs", std::move(jobs)}};
+  return all.dump(1, ' ', false, SortedJson::error_handler_t::replace) + "\n";
 }
 
 Manifest parse_manifest(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const SortedJson json = SortedJson::parse(text, nullptr, false);
   Manifest out;
   if (!json.is_object() || !json.contains("jobs") || !json["jobs"].is_object()) return out;
   if (json.contains("owner") && json["owner"].is_string()) out.owner = json["owner"].get<std::string>();
-  const auto is_file = [](const Json& f) {
+  const auto is_file = [](const SortedJson& f) {
     return f.is_object() && f.contains("path") && f["path"].is_string() && f.contains("size") &&
            f["size"].is_number_unsigned() && f.contains("modified") && f["modified"].is_number_integer();
   };
@@ -541,7 +543,7 @@ Manifest parse_manifest(std::string_view text) {
     if (!std::ranges::all_of(job["files"], is_file)) continue;
     auto& [key, files] = out.jobs[slug];
     key = job["key"].get<std::string>();
-    for (const Json& f : job["files"]) {
+    for (const SortedJson& f : job["files"]) {
       files.push_back(
           {f["path"].get<std::string>(), f["size"].get<std::uint64_t>(), f["modified"].get<std::int64_t>()});
     }

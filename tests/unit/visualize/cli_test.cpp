@@ -219,7 +219,7 @@ TEST_F(Files, LeaveNoTraceWithoutCommit) {
   put("a", "old");
   {
     NewFiles files;
-    files.add(path("a"), "new");
+    files.add(path("a"), "new", Replace::anything);
     files.add(path("b"), "new");
     EXPECT_EQ(names().size(), 3u);
   }
@@ -230,7 +230,7 @@ TEST_F(Files, LeaveNoTraceWithoutCommit) {
 TEST_F(Files, ReplaceAndKeepPermissions) {
   put("a", "old");
   fs::permissions(path("a"), fs::perms::owner_read | fs::perms::owner_write);
-  write_output(path("a"), "new");
+  write_output(path("a"), "new", Replace::anything);
   EXPECT_EQ(get("a"), "new");
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
@@ -238,10 +238,37 @@ TEST_F(Files, ReplaceAndKeepPermissions) {
 TEST_F(Files, ALinkStaysALink) {
   put("target", "old");
   fs::create_symlink("target", path("link"));
-  write_output(path("link"), "new");
+  write_output(path("link"), "new", Replace::anything);
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(get("target"), "new");
   EXPECT_EQ(names(), (FileNames{"link", "target"}));
+}
+
+TEST_F(Files, ALinkToWhatIsNotThereIsFollowedToo) {
+  fs::create_directory(path("sub"));
+  fs::create_symlink("sub/other", path("link"));
+  fs::create_symlink("target", path("sub/other"));
+  write_output(path("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_TRUE(fs::is_symlink(path("sub/other")));
+  EXPECT_EQ(get("sub/target"), "new");
+}
+
+TEST_F(Files, SomebodysFileIsNotReplaced) {
+  put("a", "mine");
+  put("empty", "");
+  const std::string refusal =
+      "-o: expected a new file or one that gradus made, found '" + path("a") + "' (--force replaces it)";
+  EXPECT_EQ(complaint([this] { write_output(path("a"), "new"); }), refusal);
+  EXPECT_EQ(complaint([this] { check_output(path("a"), {}, Replace::own); }), refusal);
+  EXPECT_EQ(get("a"), "mine");
+  EXPECT_EQ(names(), (FileNames{"a", "empty"}));
+  check_output(path("a"), {}, Replace::anything);
+  write_output(path("a"), "mine");
+  write_output(path("empty"), "new");
+  EXPECT_EQ(get("empty"), "new");
+  NewFiles files;
+  EXPECT_EQ(complaint([&] { files.add(path("a"), "new"); }), refusal);
 }
 
 TEST_F(Files, ADeviceIsNotReplaced) {
@@ -282,14 +309,14 @@ TEST_F(Files, NeverOntoAnInput) {
   const std::vector<std::string> inputs{"-", path("a")};
   for (const char* name : {"a", "b", "c", "./a"}) {
     const std::string output = path(name);
-    EXPECT_EQ(complaint([&] { check_output(output, inputs); }),
+    EXPECT_EQ(complaint([&] { check_output(output, inputs, Replace::own); }),
               "-o: expected another file than the input, found '" + output + "'");
   }
-  check_output(path("d"), inputs);
-  check_output("-", inputs);
-  EXPECT_EQ(complaint([&] { check_output(path(""), inputs); }),
+  check_output(path("d"), inputs, Replace::own);
+  check_output("-", inputs, Replace::own);
+  EXPECT_EQ(complaint([&] { check_output(path(""), inputs, Replace::own); }),
             "-o: expected a file's name, found '" + path("") + "'");
-  EXPECT_EQ(complaint([&] { check_output(path("no/d"), inputs); }),
+  EXPECT_EQ(complaint([&] { check_output(path("no/d"), inputs, Replace::own); }),
             "-o: expected a folder that exists, found '" + path("no") + "'");
 }
 

@@ -179,17 +179,18 @@ TEST(TraceJson, ALateRecordingOnAHugeGridTellsWhatIsNear) {
 
 TEST(TraceJson, PutsPicturesInAsPaletteOrAsTexels) {
   Trace trace = small_trace();
-  trace.grid.picture = Image(2, 1, Rgba8{1, 2, 3, 255});
-  (*trace.grid.picture)[{1, 0}] = {0, 0, 0, 0};
+  Image two(2, 1, Rgba8{1, 2, 3, 255});
+  two[{1, 0}] = {0, 0, 0, 0};
+  trace.grid.picture = std::make_shared<const Image>(two);
   const Json few = Json::parse(trace_json(trace))["grid"]["picture"];
   EXPECT_EQ(few["palette"], Json::parse("[[1, 2, 3, 255], [0, 0, 0, 0]]"));
   EXPECT_EQ(few["indices"], "AAE=");
 
-  trace.grid.picture = Image(300, 1);
+  Image colours(300, 1);
   for (int x = 0; x < 300; ++x) {
-    (*trace.grid.picture)[{x, 0}] = {static_cast<std::uint8_t>(x % 256), static_cast<std::uint8_t>(x / 256),
-                                     0, 255};
+    colours[{x, 0}] = {static_cast<std::uint8_t>(x % 256), static_cast<std::uint8_t>(x / 256), 0, 255};
   }
+  trace.grid.picture = std::make_shared<const Image>(colours);
   const Json many = Json::parse(trace_json(trace))["grid"]["picture"];
   EXPECT_FALSE(many.contains("palette"));
   EXPECT_EQ(many["rgba"].get<std::string>().size(), 1600u);

@@ -362,7 +362,7 @@ TEST(Lecture, KeysAreTheFlagsOfAFigureAndAFewOfItsOwn) {
   const auto command = std::ranges::find(commands(), "figure", &Command::name);
   std::size_t flags = 0;
   for (const Flag& flag : command->flags) {
-    if (flag.name == "output" || flag.name == "format" || flag.name == "snippet") continue;
+    if (std::set<std::string>{"output", "format", "force", "snippet"}.contains(flag.name)) continue;
     std::string name = flag.name == "label" ? "labels" : flag.name;
     std::ranges::replace(name, '-', '_');
     const auto key = std::ranges::find(lecture_keys(), name, &LectureKey::name);
@@ -441,6 +441,7 @@ TEST(LectureRenders, KeysAreTheFlagsOfTheCommandAndAFewOfTheirOwn) {
   std::set<std::string> expected{"model", "name", "title", "caption"}, found;
   for (const Flag& flag : command->flags) expected.insert(flag.name);
   expected.erase("output");
+  expected.erase("force");
   for (const LectureKey& key : render_keys()) {
     EXPECT_TRUE(found.insert(key.name).second) << key.name << " twice";
     EXPECT_FALSE(key.help.empty()) << key.name;
