@@ -1,37 +1,62 @@
-# Writes a C++ file that holds the contents of files; run by gradus_embed in CMakeLists.txt.
+# Writes a C++ file that holds the contents of text files; run by gradus_embed in CMakeLists.txt.
 #   cmake -D OUTPUT=x.cpp -D FUNCTION=source_text -D ROOT=/project "-DFILES=a.hpp;b.hpp" -P embed.cmake
 # The file defines std::string_view gradus::FUNCTION(std::string_view path): the content by its path from ROOT, or
 # an empty text for a path that is not among FILES.
-# Contents become arrays of bytes: a string literal has a length limit, and no escape is safe for every text.
+# With "-DJOIN=en;de" the text "en.txt" is all files of that name, or that end so (a.en.txt), one after the other.
+# Contents become string literals: as arrays of bytes the pages alone took compiler and CMake ten seconds.
+
+cmake_minimum_required(VERSION 3.25)
 
 set(arrays)
 set(lookups)
 set(number 0)
 foreach(path IN LISTS FILES)
-  file(READ ${ROOT}/${path} bytes HEX)
-  string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
-  # The closing zero keeps an empty file's array legal; it is not part of the content
-  string(APPEND arrays "constexpr char file_${number}[] = {${bytes}'\\0'};\n")
+  file(READ ${ROOT}/${path} text)
+  string(LENGTH "${text}" length)
+  file(SIZE ${ROOT}/${path} size)
+  if(NOT length EQUAL size)
+    message(FATAL_ERROR "embed.cmake: ${path} is not a text with Unix line ends (${length} of its ${size} bytes are)")
+  endif()
+  string(REPLACE "\\" "\\\\" text "${text}")
+  string(REPLACE "\"" "\\\"" text "${text}")
+  string(REPLACE "?" "\\?" text "${text}")  # "??=" and the like have been other letters once
+  string(REPLACE "\n" "\\n\"\n\"" text "${text}")
+  set(joined OFF)
+  foreach(key IN LISTS JOIN)
+    if(path MATCHES "(^|[/.])${key}\\.txt$")
+      string(APPEND text_${key} "\n\"${text}\"")
+      set(joined ON)
+    endif()
+  endforeach()
+  if(joined)
+    continue()
+  endif()
+  string(APPEND arrays "constexpr char file_${number}[] =\n\"${text}\";\n")
   string(APPEND lookups "  if (path == \"${path}\") return {file_${number}, sizeof file_${number} - 1};\n")
   math(EXPR number "${number} + 1")
 endforeach()
 
-file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [=[
-// Made by visualize/embed.cmake
+foreach(key IN LISTS JOIN)
+  string(APPEND arrays "constexpr char text_${key}[] =${text_${key}};\n")
+  string(APPEND lookups "  if (path == \"${key}.txt\") return {text_${key}, sizeof text_${key} - 1};\n")
+endforeach()
+
+file(WRITE ${OUTPUT} "// Made by visualize/embed.cmake
 #include <string_view>
+
+// Longer than the standard asks compilers to take
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
 
 namespace gradus {
 namespace {
 
-@arrays@
+${arrays}
 }  // namespace
 
-std::string_view @FUNCTION@(std::string_view path);
-std::string_view @FUNCTION@([[maybe_unused]] std::string_view path) {
-@lookups@  return {};
+std::string_view ${FUNCTION}(std::string_view path);
+std::string_view ${FUNCTION}([[maybe_unused]] std::string_view path) {
+${lookups}  return {};
 }
 
 }  // namespace gradus
-]=])
-# Also when nothing changed: the build asks for the output to be newer than the inputs
-file(TOUCH ${OUTPUT})
+")

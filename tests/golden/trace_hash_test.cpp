@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "support/example_traces.hpp"
@@ -25,44 +26,48 @@ std::string text_of_value(const Value& value) {
       value);
 }
 
-std::string text_of_mark(const Mark& mark) {
-  std::string text = mark.id + " " + std::string(name_of(mark.role));
+std::string text_of_shape(const Mark& mark) {
+  std::string text;
   const auto point = [&text](dvec2 p) { text += fmt::format(" {} {}", p.x, p.y); };
-  if (const Dot* dot = std::get_if<Dot>(&mark.shape)) point(dot->at);
-  if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) point(stroke->a), point(stroke->b);
-  if (const Path* path = std::get_if<Path>(&mark.shape)) {
-    for (const dvec2 p : path->points) point(p);
-  }
-  if (const Label* label = std::get_if<Label>(&mark.shape)) {
+  const auto points = [&](const std::vector<dvec2>& all) {
+    for (const dvec2 p : all) point(p);
+    text += ";";
+  };
+  const auto flag = [&text](bool set, std::string_view name) { text += set ? name : ""; };
+  if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
+    point(dot->at);
+    flag(dot->ring, " ring");
+  } else if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+    points({stroke->a, stroke->b});
+    flag(stroke->arrow, " arrow");
+    flag(stroke->dashed, " dashed");
+  } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+    points(path->points);
+    flag(path->closed, " closed");
+    flag(path->dashed, " dashed");
+  } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
+    for (const auto& ring : area->rings) points(ring);
+  } else if (const Text* words = std::get_if<Text>(&mark.shape)) {
+    point(words->at);
+    text += fmt::format(" {} {}", words->text, static_cast<int>(words->align));
+  } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
     point(label->at);
     text += " " + label->text;
   }
   return text;
 }
 
-/// Everything a trace says, but for source lines: editing a comment changes no trace.
-std::string whole_text(const Trace& trace) {
-  std::string text = fmt::format("{}|{}|{}|{}\n", trace.title, trace.subtitle, trace.method, trace.faulty);
-  for (const Mark& mark : trace.backdrop) text += text_of_mark(mark) + "\n";
-  for (const TraceStep& step : trace.steps) {
+/// A mark stands in the order of its id, and where two texts meet the first one stays.
+std::string text_of_mark(const Mark& mark) {
+  return fmt::format("{}|{}|{}{}", mark.id, name_of(mark.role), mark.shape.index(), text_of_shape(mark));
+}
+
+std::string text_of_cell(ivec2 at, const CellLook& look) {
+  std::string text = fmt::format("{},{} {} {}", at.x, at.y, name_of(look.role), look.text);
+  if (look.color) {
     text +=
-        fmt::format("{} {} {} {} {}\n", text_of(step.number), step.type, step.phase, step.key, step.sentence);
-    for (const Field& field : step.fields) text += field.name + "=" + text_of_value(field.value) + ";";
-    for (const std::string& cell : step.read) text += cell + "|";
-    for (const std::string& cell : step.row) text += cell + "|";
-    for (const std::string& id : step.delta.removed) text += "-" + id;
-    for (const CellChange& change : step.delta.cells) {
-      text += fmt::format("[{},{} {}]", change.at.x, change.at.y,
-                          change.look ? name_of(change.look->role) : std::string_view("bare"));
-      if (change.look && change.look->color) {
-        const Rgba8 c = *change.look->color;
-        text += fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
-      }
-    }
-    if (step.delta.plane) text += *step.delta.plane ? "plane" : "cells";
-    for (const Mark& mark : step.delta.set) text += text_of_mark(mark) + "\n";
+        fmt::format("#{:02x}{:02x}{:02x}{:02x}", look.color->r, look.color->g, look.color->b, look.color->a);
   }
-  for (const Field& field : trace.result) text += field.name + "=" + text_of_value(field.value) + "\n";
   return text;
 }
 
@@ -72,13 +77,119 @@ std::uint64_t fnv1a(std::string_view text) {
   return hash;
 }
 
+/// The whole drawing after each step, whatever deltas it came from: the sum of what is in it, so that a step
+/// costs what it changes.
+class DrawingHash {
+ public:
+  explicit DrawingHash(const Trace& trace) : canvas_(trace.before) {
+    for (const auto& [id, mark] : canvas_.marks()) sum_ += fnv1a(text_of_mark(mark));
+    const Window& cells = trace.grid.cells;
+    const auto size = [&](int axis) { return double{1} * cells.upper[axis] - cells.lower[axis] + 1; };
+    if (size(0) * size(1) > 1e6) return;
+    for (int y = cells.lower.y; y <= cells.upper.y; ++y) {
+      for (int x = cells.lower.x; x <= cells.upper.x; ++x) sum_ += hash_of(ivec2{x, y});
+    }
+  }
+  std::uint64_t after(const Delta& delta) {
+    std::set<std::pair<int, int>> cells;
+    std::set<std::string> ids(delta.removed.begin(), delta.removed.end());
+    for (const CellChange& change : delta.cells) cells.insert({change.at.x, change.at.y});
+    for (const Mark& mark : delta.set) ids.insert(mark.id);
+    const auto touched = [&] {
+      std::uint64_t sum = 0;
+      for (const auto& [x, y] : cells) sum += hash_of(ivec2{x, y});
+      for (const std::string& id : ids) sum += hash_of(id);
+      return sum;
+    };
+    sum_ -= touched();
+    canvas_.apply(delta);
+    sum_ += touched();
+    return sum_ + (canvas_.plane() ? 1 : 0);
+  }
+
+ private:
+  std::uint64_t hash_of(ivec2 at) const {
+    const auto look = canvas_.at(at);
+    return look ? fnv1a(text_of_cell(at, *look)) : 0;
+  }
+  std::uint64_t hash_of(const std::string& id) const {
+    const auto found = canvas_.marks().find(id);
+    return found == canvas_.marks().end() ? 0 : fnv1a(text_of_mark(found->second));
+  }
+
+  Canvas canvas_;
+  std::uint64_t sum_ = 0;
+};
+
+std::string text_of_grid(const Grid& grid) {
+  const Window& cells = grid.cells;
+  std::string text = fmt::format("{} {} {} {}|{}{}{}|{}|{}", cells.lower.x, cells.lower.y, cells.upper.x,
+                                 cells.upper.y, grid.y_up, grid.whole, grid.axes, grid.x_name, grid.y_name);
+  if (grid.picture) {
+    for (const Rgba8& c : grid.picture->cells())
+      text += fmt::format("{:02x}{:02x}{:02x}{:02x}", c.r, c.g, c.b, c.a);
+  }
+  return text;
+}
+
+/// A file of the project is the same file wherever the project lies.
+std::string without_place(std::string value) {
+  const std::string place = std::string(GRADUS_SOURCE_DIR) + "/";
+  return value.starts_with(place) ? value.substr(place.size()) : value;
+}
+
+/// All that is shown around the steps.
+std::string text_of_head(const Trace& trace) {
+  std::string text =
+      fmt::format("{}|{}|{}|{}|{}|{}|{}|{}\n", trace.topic, trace.title, trace.subtitle, trace.method,
+                  trace.method_title, trace.faulty, trace.goal, trace.input_hash);
+  for (const Argument& argument : trace.arguments)
+    text += argument.name + "=" + without_place(argument.value) + "\n";
+  for (const Column& column : trace.columns)
+    text += fmt::format("{}|{}|{}\n", column.id, column.numeric, column.name);
+  for (const LegendEntry& entry : trace.legend)
+    text += fmt::format("{}|{}\n", name_of(entry.role), entry.text);
+  for (const Mark& mark : trace.backdrop) text += text_of_mark(mark) + "\n";
+  for (const std::string& cell : trace.widest) text += cell + "|";
+  text += text_of_grid(trace.grid) + "\n" + trace.longest_sentence + "\n";
+  text += fmt::format("{} {}\n", trace.last, text_of(trace.telling));
+  for (const ivec2 p : trace.pixels) text += fmt::format("{},{} ", p.x, p.y);
+  for (const Field& field : trace.result) text += field.name + "=" + text_of_value(field.value) + "\n";
+  return text;
+}
+
+/// Everything a trace shows, but for source lines: editing a comment changes no trace.
+std::string whole_text(const Trace& trace) {
+  std::string text = text_of_head(trace);
+  DrawingHash drawing(trace);
+  for (const TraceStep& step : trace.steps) {
+    text += fmt::format("{} {} {} {} {} {} {},{}\n", text_of(step.number), static_cast<int>(step.level),
+                        step.type, step.phase, step.key, step.sentence, step.focus.x, step.focus.y);
+    for (const Field& field : step.fields) text += field.name + "=" + text_of_value(field.value) + ";";
+    for (const std::string& cell : step.read) text += cell + "|";
+    text += "/";
+    for (const std::string& cell : step.row) text += cell + "|";
+    text += fmt::format("{:x}\n", drawing.after(step.delta));
+  }
+  return text;
+}
+
+std::vector<std::uint64_t> hashes_in(const Wording& wording) {
+  std::vector<std::uint64_t> hashes;
+  for (const Trace& trace : test::telling_traces(wording, {}, false))
+    hashes.push_back(fnv1a(whole_text(trace)));
+  return hashes;
+}
+
+// A line a run: its hash in English, in German, and what it is.
 TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   const std::string path = std::string(GRADUS_SOURCE_DIR) + "/tests/golden/trace_hashes.txt";
+  const std::vector<std::uint64_t> german = hashes_in(Wording(*find_language("de")));
   std::string hashes;
   std::size_t count = 0;
   for (const Trace& trace : test::telling_traces({}, {}, false)) {
-    hashes += fmt::format("{:016x} {} {}, {}\n", fnv1a(whole_text(trace)), trace.topic, trace.method,
-                          trace.subtitle);
+    hashes += fmt::format("{:016x} {:016x} {} {}, {}\n", fnv1a(whole_text(trace)), german.at(count),
+                          trace.topic, trace.method, trace.subtitle);
     ++count;
   }
   EXPECT_GT(count, 20u);
@@ -88,11 +199,42 @@ TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   EXPECT_EQ(hashes, golden.str());
 }
 
-TEST(TraceHash, SeesADifference) {
-  Trace trace = test::trace_of("bresenham_line");
-  const std::uint64_t before = fnv1a(whole_text(trace));
-  trace.steps[3].sentence += ".";
-  EXPECT_NE(fnv1a(whole_text(trace)), before);
+TEST(TraceHash, SeesEveryPart) {
+  const Trace right = test::trace_of("bresenham_line");
+  const std::uint64_t before = fnv1a(whole_text(right));
+  const auto sees = [&](const char* part, auto change) {
+    Trace trace = right;
+    change(trace);
+    EXPECT_NE(fnv1a(whole_text(trace)), before) << part;
+  };
+  const auto sees_in_drawing = [&](const char* part, Mark mark) {
+    sees(part, [&](Trace& trace) { trace.steps[3].delta.set.push_back(mark); });
+  };
+  sees("sentence", [](Trace& t) { t.steps[3].sentence += "."; });
+  sees("focus", [](Trace& t) { ++t.steps[3].focus.x; });
+  sees("level", [](Trace& t) { t.steps[3].level = Level::idea; });
+  sees("key", [](Trace& t) { t.steps[3].key += "0"; });
+  sees("row", [](Trace& t) { t.steps[3].row.push_back(""); });
+  sees("column", [](Trace& t) { t.columns[0].name += "x"; });
+  sees("legend", [](Trace& t) { t.legend[0].text += "x"; });
+  sees("grid", [](Trace& t) { t.grid.y_up = !t.grid.y_up; });
+  sees("goal", [](Trace& t) { t.goal += "x"; });
+  sees("cell", [](Trace& t) { t.steps[3].delta.cells.push_back({{5, 2}, CellLook{Role::current, "7"}}); });
+  sees("bare cell", [](Trace& t) { t.steps.back().delta.cells.push_back({{0, 0}, std::nullopt}); });
+  sees("plane", [](Trace& t) { t.steps[3].delta.plane = true; });
+  sees("telling", [](Trace& t) { ++t.telling.step; });
+  sees_in_drawing("text", {"a", Role::input, Text{{1, 2}, "x"}});
+  sees_in_drawing("area", {"a", Role::input, Area{{{{1, 2}}}}});
+  sees_in_drawing("dashes", {"a", Role::input, Stroke{{1, 2}, {3, 4}, false, true}});
+}
+
+TEST(TraceHash, IsOfTheDrawingWhateverDeltasItCameFrom) {
+  const Trace right = test::trace_of("bresenham_line");
+  Trace other = right;
+  other.steps[2].delta.removed.push_back("never there");
+  other.steps[2].delta.set.insert(other.steps[2].delta.set.begin(), other.steps[2].delta.set.begin(),
+                                  other.steps[2].delta.set.end());
+  EXPECT_EQ(fnv1a(whole_text(other)), fnv1a(whole_text(right)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,7 @@ inline Arguments complete(const TopicEntry& entry, const std::map<std::string, s
       std::ranges::replace(argument.content, '/', '\n');
     }
     if (parameter.type == ParameterType::picture && !argument.text.empty()) {
-      argument.image = read_png(argument.text);
+      argument.image = std::make_shared<const Image>(read_png(argument.text));
     }
     arguments.set(std::move(argument));
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -137,9 +138,10 @@ struct Grid {
   Window cells;      ///< the cells there are; all of int32 is allowed
   bool y_up = true;  ///< lines and circles: up; anything with an image: row 0 at the top
   std::string x_name = "x", y_name = "y";
-  bool whole = false;            ///< all cells are always shown, however small: no view that follows the step
-  bool axes = true;              ///< false: a paper, whose drawings bring scales of their own
-  std::optional<Image> picture;  ///< the input picture, one texel a cell, from cells.lower; row 0 first
+  bool whole = false;  ///< all cells are always shown, however small: no view that follows the step
+  bool axes = true;    ///< false: a paper, whose drawings bring scales of their own
+  /// The input picture, if there is one: one texel a cell, from cells.lower, row 0 first. Copies share it.
+  std::shared_ptr<const Image> picture;
 };
 
 }  // namespace gradus

@@ -46,6 +46,17 @@ class TraceWriter {
     next_ = number;
     fine_ = 0;
   }
+  /// Whether nothing more is kept: from now on milestones are only counted, and whoever tells a long run need
+  /// not work out what they change.
+  bool full() const {
+    return static_cast<std::int64_t>(trace_.steps.size()) >= recording_.most ||
+           changes_ >= Recording::most_changes;
+  }
+  /// A milestone of a full recording.
+  void count_step() {
+    ++next_;
+    fine_ = 0;
+  }
   /// The number of the last milestone so far.
   std::int64_t current() const { return next_ - 1; }
 
@@ -67,10 +78,6 @@ class TraceWriter {
     trace_.steps.push_back(std::move(step));
   }
   bool keep(StepNumber number, const Delta& delta);
-  bool full() const {
-    return static_cast<std::int64_t>(trace_.steps.size()) >= recording_.most ||
-           changes_ >= Recording::most_changes;
-  }
 
   Recording recording_;
   Trace trace_;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -35,6 +36,15 @@ using Value = std::variant<std::int64_t, double, bool, std::string, ivec2>;
 struct Field {
   std::string name;
   Value value;
+  std::string quantity{};  ///< what it is a value of, where its name does not say it: p for p_before
+};
+
+/// A question that a step answers, and which way the run goes on.
+struct Decision {
+  std::string question;              ///< for the reader: "p < 0?"
+  std::vector<std::string> answers;  ///< all there are
+  std::size_t answer = 0;            ///< which of them was given
+  std::string branch{};              ///< its kind, for programs: straight, diagonal, inside, outside, cut, …
 };
 
 /// The cells of one table row, one text per column of the trace; empty where it has none.
@@ -44,12 +54,13 @@ using Row = std::vector<std::string>;
 struct TraceStep {
   StepNumber number;
   Level level = Level::step;
-  std::string type;           ///< the step type's name in the algorithm: "Stepped"
-  std::string phase;          ///< part of the run: "set up", "main loop"
-  std::string key;            ///< what it is about: "4,2" for a pixel
-  int line = 0;               ///< the algorithm's source line that reported it; 0 where none did
-  std::vector<Field> fields;  ///< the step's data
-  std::string sentence;       ///< cause, then effect, with the numbers put in
+  std::string type;                    ///< the step type's name in the algorithm: "Stepped"
+  std::string phase;                   ///< part of the run: "set up", "main loop"
+  std::string key;                     ///< what it is about: "4,2" for a pixel
+  int line = 0;                        ///< the algorithm's source line that reported it; 0 where none did
+  std::vector<Field> fields;           ///< the step's data
+  std::string sentence;                ///< cause, then effect, with the numbers put in
+  std::optional<Decision> decision{};  ///< what is decided here, if anything is
   /// The table after this step: `read` completes the row in which the test was read (the last one so far),
   /// `row` is the row that the step produced. Either may be empty.
   Row read, row;

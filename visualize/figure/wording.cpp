@@ -1,5 +1,7 @@
 #include "figure/wording.hpp"
 
+#include <fmt/args.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -7,7 +9,7 @@
 
 namespace gradus {
 
-std::string_view language_text(std::string_view path);  // made by the build from figure/language/
+std::string_view language_text(std::string_view path);  // made by the build: see figure/wording.hpp
 
 namespace {
 
@@ -98,6 +100,12 @@ Wording::Wording() : language_(&languages().front()) {}
 std::string Wording::symbol(std::string_view name) const {
   const auto found = std::ranges::find(labels_, name, &SymbolLabel::symbol);
   return found == labels_.end() ? std::string(name) : found->text;
+}
+
+std::string Wording::fill(std::string_view key, std::span<const NamedText> values) const {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const NamedText& value : values) store.push_back(fmt::arg(value.name.c_str(), value.text));
+  return filled(key, store);
 }
 
 std::string Wording::filled(std::string_view key, fmt::format_args values) const {

@@ -1,7 +1,7 @@
 #pragma once
 // In whose words a run is told: the templates of a language, and the reader's own names for symbols.
 //
-// A language is one text file, visualize/figure/language/<code>.txt, with a section a topic:
+// A language is figure/language/<code>.txt, for what all figures say, and T.<code>.txt beside each story:
 //
 //   [bresenham_line]
 //   started = Start at {from}; [p] = {p}.
@@ -51,6 +51,11 @@ struct SymbolLabel {
   friend bool operator==(const SymbolLabel&, const SymbolLabel&) = default;
 };
 
+/// A value by the name that a template knows it by: {name}.
+struct NamedText {
+  std::string name, text;
+};
+
 class Wording {
  public:
   /// English, every symbol under its own name.
@@ -71,6 +76,8 @@ class Wording {
   std::string say(std::string_view key, const Values&... values) const {
     return filled(key, fmt::make_format_args(values...));
   }
+  /// The same with values that are known at run time; more may be given than the text asks for.
+  std::string fill(std::string_view key, std::span<const NamedText> values) const;
   /// The same for a count: the key is "<key>.one" for 1 and "<key>.many" for all others; the value is {n}.
   template <class... Values>
   std::string count(std::string_view key, long long n, const Values&... values) const {

@@ -4,23 +4,25 @@
 #include <algorithm>
 #include <array>
 
+#include "stories/colors.hpp"
 #include "stories/factor_text.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {
-namespace {
 
-[[noreturn]] void refuse(const std::string& parameter, const std::string& what) {
+void refuse(std::string_view parameter, const std::string& what) {
 #if defined(__cpp_exceptions)
-  throw ArgumentError(parameter, what);
+  throw ArgumentError(std::string(parameter), what);
 #else
-  contract_violated(std::string_view(parameter + ": " + what));
+  contract_violated(std::string_view(std::string(parameter) + ": " + what));
 #endif
 }
 
+namespace {
+
 [[noreturn]] void refuse(const Parameter& parameter, const std::string& expected, std::string_view found) {
-  refuse(parameter.name, fmt::format("expected {}, found {}", expected, shown(found)));
+  gradus::refuse(parameter.name, fmt::format("expected {}, found {}", expected, shown(found)));
 }
 
 /// Numbers that the topic can tell of: none too large, none too small.
@@ -86,9 +88,7 @@ std::string canonical_color(const Parameter& parameter, std::string_view text) {
   if (named != basic_colors.end()) return std::string(named->hex);
   const std::string hex = hex_color(word);
   if (hex.empty()) {
-    std::vector<std::string_view> names;
-    for (const NamedColor& color : basic_colors) names.push_back(color.name);
-    refuse(parameter, fmt::format("a colour #rrggbb or one of {}", fmt::join(names, ", ")), text);
+    refuse(parameter, fmt::format("a colour #rrggbb or one of {}", fmt::join(color_names(), ", ")), text);
   }
   return hex;
 }
@@ -207,7 +207,7 @@ std::string canonical_number(const Parameter& parameter, std::string_view text) 
 
 std::string canonical_numbers(const Parameter& parameter, std::string_view text) {
   const Read<Tuple> read = read_tuple(text, parameter.parts);
-  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  if (const Misread* misread = std::get_if<Misread>(&read)) gradus::refuse(parameter.name, misread->what);
   const Tuple& numbers = std::get<Tuple>(read);
   require_sizes(parameter, std::span(&numbers, 1), text);
   return text_of(numbers);
@@ -215,7 +215,7 @@ std::string canonical_numbers(const Parameter& parameter, std::string_view text)
 
 std::string canonical_bounds(const Parameter& parameter, std::string_view text) {
   const Read<Tuple> read = read_tuple(text, parameter.parts);
-  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  if (const Misread* misread = std::get_if<Misread>(&read)) gradus::refuse(parameter.name, misread->what);
   const Tuple& bounds = std::get<Tuple>(read);
   const std::size_t half = bounds.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {
@@ -231,20 +231,22 @@ std::string canonical_bounds(const Parameter& parameter, std::string_view text) 
 
 std::string canonical_points(const Parameter& parameter, std::string_view text) {
   const Read<std::vector<Tuple>> read = read_tuples(text, parameter.parts);
-  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  if (const Misread* misread = std::get_if<Misread>(&read)) gradus::refuse(parameter.name, misread->what);
   const auto& points = std::get<std::vector<Tuple>>(read);
   const auto count = static_cast<std::int64_t>(points.size());
   if (count < parameter.least)
-    refuse(parameter.name, fmt::format("expected at least {} points, found {}", parameter.least, count));
+    gradus::refuse(parameter.name,
+                   fmt::format("expected at least {} points, found {}", parameter.least, count));
   if (count > parameter.most)
-    refuse(parameter.name, fmt::format("expected at most {} points, found {}", parameter.most, count));
+    gradus::refuse(parameter.name,
+                   fmt::format("expected at most {} points, found {}", parameter.most, count));
   require_sizes(parameter, points, text);
   return text_of(points);
 }
 
 std::string canonical_rings(const Parameter& parameter, std::string_view text) {
   const Read<std::vector<std::vector<Tuple>>> read = read_rings(text, parameter.parts);
-  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  if (const Misread* misread = std::get_if<Misread>(&read)) gradus::refuse(parameter.name, misread->what);
   const auto& rings = std::get<std::vector<std::vector<Tuple>>>(read);
   std::int64_t all = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -252,12 +254,14 @@ std::string canonical_rings(const Parameter& parameter, std::string_view text) {
     all += count;
     require_sizes(parameter, rings[i], text);
     if (count >= parameter.least) continue;
-    refuse(parameter.name, fmt::format("ring {}: expected at least {} points, with ; between rings alone, "
-                                       "found {}",
-                                       i + 1, parameter.least, count));
+    gradus::refuse(parameter.name,
+                   fmt::format("ring {}: expected at least {} points, with ; between rings alone, "
+                               "found {}",
+                               i + 1, parameter.least, count));
   }
   if (all > parameter.most)
-    refuse(parameter.name, fmt::format("expected at most {} points in all, found {}", parameter.most, all));
+    gradus::refuse(parameter.name,
+                   fmt::format("expected at most {} points in all, found {}", parameter.most, all));
   return text_of(rings);
 }
 
@@ -289,7 +293,7 @@ std::string canonical_order(const Parameter& parameter, std::string_view text) {
 
 std::string canonical_factors(const Parameter& parameter, std::string_view text) {
   const Read<std::vector<FactorText>> read = read_factors(text, parameter.parts);
-  if (const Misread* misread = std::get_if<Misread>(&read)) refuse(parameter.name, misread->what);
+  if (const Misread* misread = std::get_if<Misread>(&read)) gradus::refuse(parameter.name, misread->what);
   return text_of(std::get<std::vector<FactorText>>(read));
 }
 
@@ -300,6 +304,12 @@ std::string canonical_model(const Parameter& parameter, std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string> color_names() {
+  std::vector<std::string> names;
+  for (const NamedColor& color : basic_colors) names.emplace_back(color.name);
+  return names;
+}
 
 bool is_maze_rows(std::string_view text) {
   const auto in_maze = [](char c) { return c == '#' || c == '.' || ('a' <= lower(c) && lower(c) <= 'z'); };
@@ -533,7 +543,7 @@ std::string canonical(const Parameter& parameter, std::string_view text) {
     case ParameterType::flag:
       return canonical_flag(parameter, text);
   }
-  refuse(parameter.name, "expected a known type of value, found none");
+  gradus::refuse(parameter.name, "expected a known type of value, found none");
 }
 
 }  // namespace gradus

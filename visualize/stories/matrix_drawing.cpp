@@ -113,6 +113,12 @@ std::string factor_words(const Wording& words, const FactorText& factor) {
   return words.say("transformation.about", arg("factor", text), arg("pivot", figure_text(factor.pivot)));
 }
 
+std::string factors_words(const Wording& words, const std::vector<FactorText>& factors) {
+  std::vector<std::string> all;
+  for (const FactorText& factor : factors) all.push_back(factor_words(words, factor));
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
 std::string factor_name(const Wording& words, std::size_t factor) {
   return fmt::format("{}{}", words.symbol("M"), factor + 1);
 }

@@ -27,6 +27,9 @@ std::string figure_text(const Tuple& point);
 /// "transformation.".
 std::string factor_words(const Wording& words, const FactorText& factor);
 
+/// The same of all factors, with semicolons between them.
+std::string factors_words(const Wording& words, const std::vector<FactorText>& factors);
+
 /// "M3·M2·M1", or "M" where there is no factor.
 std::string product_name(const Wording& words, std::size_t factors);
 /// "M2"; factors count from 0.

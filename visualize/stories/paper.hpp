@@ -4,6 +4,7 @@
 // such views.
 
 #include <cmath>
+#include <glm/vec4.hpp>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -141,8 +142,9 @@ constexpr dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
 
 /// A number as figures show it: four significant digits or so, the typographic minus.
 std::string figure_real(double value);
-/// "(1, −0.5)" and "(1, −0.5, 2)", with no-break spaces.
+/// "(1, −0.5)" and "(1, −0.5, 2)", with no-break spaces; a homogeneous point's four numbers likewise.
 std::string figure_place(dvec2 p);
 std::string figure_place(dvec3 p);
+std::string figure_place(glm::dvec4 p);
 
 }  // namespace gradus

@@ -1,7 +1,6 @@
 #include "stories/side_by_side.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -336,13 +335,6 @@ Parameter exact_parameter() {
           .default_value = "",
           .example = "",
           .help = "float, double and exact arithmetic side by side"};
-}
-
-void require_method(const Arguments& arguments, std::initializer_list<std::string_view> methods) {
-  const std::string& method = arguments.text("method");
-  if (std::ranges::find(methods, method) != methods.end()) return;
-  throw ArgumentError("exact", fmt::format("expected one of the methods {} with it, found {}",
-                                           fmt::join(methods, ", "), method));
 }
 
 }  // namespace gradus

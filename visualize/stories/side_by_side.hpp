@@ -12,6 +12,7 @@
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
 #include "core/exact_scalar.hpp"
+#include "stories/telling.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {
@@ -59,13 +60,15 @@ enum class ToldIn { floats, doubles };
 void put_side_by_side(Trace& trace, const NumericRuns& runs, ToldIn told_in);
 
 /// Runs `method(T(), observer)` for the three T. `Numbers` has, for each type of step that the method
-/// reports, `void operator()(NumericStep<T>&, const Step&)`, which fills in type, numbers and decisions.
+/// reports, `void operator()(NumericStep<T>&, const Step&)`, which fills in numbers and decisions, and the
+/// type where it is told by another name than the step's own.
 template <class Numbers, class Method>
 void show_side_by_side(Trace& trace, Method method, ToldIn told_in = ToldIn::doubles) {
   const ExactScope scope;
   const auto watch = [&]<class T>(NumericRun<T>& run) {
-    const auto observer = [&](const auto& step, int line = __builtin_LINE(), const char* = nullptr) {
-      run.steps.push_back({.type = "", .line = line});
+    const auto observer = [&]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                          const char* = nullptr) {
+      run.steps.push_back({.type = std::string(Narrator::step_name<Step>()), .line = line});
       Numbers{}(run.steps.back(), step);
     };
     try {
@@ -85,8 +88,13 @@ void show_side_by_side(Trace& trace, Method method, ToldIn told_in = ToldIn::dou
 Parameter exact_parameter();
 inline bool side_by_side(const Arguments& arguments) { return arguments.flag("exact"); }
 
-/// Throws ArgumentError where the method wanted is none of these.
-void require_method(const Arguments& arguments, std::initializer_list<std::string_view> methods);
+/// Where it is asked for, the table becomes that of `run` in the three T once all is told. Till then `run` is
+/// kept: it must hold what it needs.
+template <class Numbers, class Run>
+void tell_side_by_side(Narrator& narrator, Run run, ToldIn told_in = ToldIn::doubles) {
+  if (!side_by_side(narrator.arguments())) return;
+  narrator.afterwards([=](Trace& trace) { show_side_by_side<Numbers>(trace, run, told_in); });
+}
 
 /// The same vector, box … in another scalar.
 template <class T, glm::length_t N>

@@ -2,11 +2,14 @@
 // What a topic is to everyone outside its own files: one TopicEntry, exported by its story. Command-line
 // flags, `list --json`, help, lectures and the page's form are all made from it.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,10 +56,11 @@ std::string text_of(const Sizes& sizes);
 struct Parameter {
   std::string name;  ///< as in the source; the flag is the same with hyphens
   ParameterType type;
-  std::string default_value;                         ///< canonical; empty: none
-  std::string example;                               ///< a value to paste
-  std::string help;                                  ///< one line: meaning and unit
-  std::int64_t least = INT32_MIN, most = INT32_MAX;  ///< for numbers: the range, both included
+  std::string default_value;  ///< canonical; empty: none
+  std::string example;        ///< a value to paste
+  std::string help;           ///< one line: meaning and unit
+  /// For numbers: the range, both included; for pictures: `most` pixels.
+  std::int64_t least = INT32_MIN, most = INT32_MAX;
   std::vector<std::string> choices{};
   std::vector<std::string> parts{};  ///< names of the numbers of a point or of bounds: x, y, z
   std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
@@ -65,10 +69,33 @@ struct Parameter {
 };
 
 enum class Standing { plain, taught, fast, faulty };
+/// A whole number of which a method takes less than others.
+struct AtMost {
+  std::string parameter;
+  std::int64_t most;
+};
+/// The same for real numbers.
+struct SizesOf {
+  std::string parameter;
+  Sizes sizes;
+};
+
+class Narrator;
+/// A way to do what the topic does, and all that is known of it before it runs.
 struct Method {
-  std::string name, title;
-  Standing standing;
-  std::string note;  ///< one line; for a faulty one: what is wrong with it
+  std::string name, title{};
+  Standing standing = Standing::plain;
+  std::string note{};  ///< one line; for a faulty one: what is wrong with it
+
+  void (*tell)(Narrator&) = nullptr;  ///< runs it and tells its steps
+  std::string function{};             ///< what is listed; without it, the function of the method's name
+  std::string file{};  ///< where that is in the topic's folder; without it, the topic's header, or its notes
+  std::vector<std::string> without{};                   ///< parameters it has none of
+  std::string why_without = "it walks to every pixel";  ///< may be empty
+  std::vector<AtMost> within{};
+  std::vector<SizesOf> sizes{};
+  std::vector<std::string> unread{};  ///< parameters that it takes no notice of: its traces don't name them
+  bool exact = false;                 ///< its numbers can be told in three arithmetics side by side
 };
 
 /// The arguments of a run, complete (defaults filled in) and canonical. Files have already been read.
@@ -76,9 +103,9 @@ class Arguments {
  public:
   struct Entry {
     std::string name;
-    std::string text;              ///< canonical spelling
-    std::optional<Image> image{};  ///< picture parameters: what the file holds
-    std::string content{};         ///< mazes: the rows, one a line, wherever they came from; models: the file
+    std::string text;                      ///< canonical spelling
+    std::shared_ptr<const Image> image{};  ///< picture parameters: what the file holds; copies share it
+    std::string content{};  ///< mazes: the rows, one a line, wherever they came from; models: the file
     std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
     std::string hash{};                              ///< of the file's bytes, where the value is a file
     bool quotable = true;                            ///< whether messages may show what stands in that file
@@ -130,6 +157,14 @@ class ArgumentError : public std::runtime_error {
 [[noreturn]] void refuse(const Arguments& arguments, std::initializer_list<std::string_view> parameters,
                          const std::string& what_was_expected);
 
+/// The same for one parameter.
+[[noreturn]] void refuse(std::string_view parameter, const std::string& what_was_expected);
+template <class First, class... Rest>
+[[noreturn]] void refuse(std::string_view parameter, fmt::format_string<First, Rest...> format, First&& first,
+                         Rest&&... rest) {
+  refuse(parameter, fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...));
+}
+
 /// Refuses a parameter's numbers beyond these sizes, for the sake of a method that takes less than others.
 void require_sizes(const Arguments& arguments, std::string_view parameter, const Sizes& sizes);
 
@@ -142,14 +177,15 @@ std::string canonical(const Parameter& parameter, std::string_view text);
 bool is_maze_rows(std::string_view text);
 
 struct TopicEntry {
-  std::string name, title, chapter;  ///< "bresenham_line", "Bresenham line", "scan_conversion"
-  std::vector<std::string> aliases;
+  std::string name, title{}, chapter;  ///< "bresenham_line", "Bresenham line", "scan_conversion"
+  std::vector<std::string> aliases{};
   std::string summary;  ///< one line for `list`
   std::vector<Method> methods;
-  std::string default_method;
+  std::string default_method{};
+  std::vector<Column> columns{};  ///< of the methods that name none of their own
   std::vector<Parameter> parameters;
   std::vector<std::string> examples;  ///< three argument lists to paste: "--from 0,0 --to 7,3"
-  Trace (*run)(const Arguments&, Recording);
+  Trace (*run)(const Arguments&, Recording) = nullptr;
 };
 
 /// Every topic there is, by chapter, then name.

@@ -2,6 +2,7 @@
 // on the paper, and sentences that their own numbers bear out.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -166,6 +167,26 @@ TEST(ClippingCircleStory, WhatSquaresOfSquaresCannotHoldIsRefused) {
   const Trace far =
       test::trace_of("liang_barsky_circle", {{"line", "1e200,-3,-1,3"}, {"method", "exact_decision"}});
   EXPECT_EQ(far.steps.back().sentence, "Done: kept is (4,\u00a03) to (−1,\u00a03).");
+}
+
+// A scale of length 0, and 2.3e-290/1e+18 = 0
+TEST(ClippingCircleStory, NumbersNearTheSmallestAreNot0) {
+  const auto refused = testing::StartsWith("circle: expected numbers that a scale can tell apart");
+  for (const char* method : {"half_chord", "exact_decision", "discriminant_equals_zero"}) {
+    EXPECT_THAT(
+        mistake("liang_barsky_circle",
+                {{"method", method}, {"line", "-5e-324,-5e-324,-5e-324,-5e-324"}, {"circle", "0,0,0"}}),
+        refused)
+        << method;
+  }
+  EXPECT_THAT(
+      mistake("polygon_circle",
+              {{"polygon", "-7e-320,-7e-320 7e-320,-3e-320 2e-320,0 -3e-320,7e-320"}, {"circle", "0,0,0"}}),
+      refused);
+  const Trace near =
+      test::trace_of("liang_barsky_circle", {{"line", "-9.32e-236,2.3e-308,-1e+18,-2.3e-308"}});
+  EXPECT_NE(near.steps.at(1).sentence.find("= 2.3e-290/1e+18 = 2.3e-308 < 5;"), std::string::npos)
+      << near.steps.at(1).sentence;
 }
 
 TEST(ClippingCircleStory, NearTangentsAreToldByD) {

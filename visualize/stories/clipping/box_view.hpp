@@ -83,6 +83,14 @@ inline void add_box(View& view, const SpaceView& space, const AxisBox<3, double>
   }
 }
 
+/// A part of a plane of space, as the one that a step is about.
+inline void add_face(View& view, const SpaceView& space, const std::vector<dvec3>& corners) {
+  std::vector<dvec2> outline;
+  for (const dvec3 p : corners) outline.push_back(space.at(p));
+  view.add({"face area", Role::current, Area{{outline}}});
+  view.add({"face outline", Role::current, Path{outline, true}});
+}
+
 /// Three short arrows that say which way the axes go: right, up, and away from the reader or towards him.
 /// at: their foot on the paper.
 inline void add_directions(View& view, dvec2 at, const std::array<std::string, 3>& names,

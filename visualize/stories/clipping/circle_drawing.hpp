@@ -99,12 +99,10 @@ inline void add_point(View& view, const Panel& panel, const std::string& id, Rol
 }
 
 /// Coordinates that a figure can show: differences and their sums are finite.
-inline void expect_coordinates(const std::string& flag, std::initializer_list<dvec2> points) {
+inline void expect_coordinates(std::string_view flag, std::initializer_list<dvec2> points) {
   for (const dvec2 p : points) {
     for (const double x : {p.x, p.y}) {
-      if (std::abs(x) > 1e300) {
-        throw ArgumentError(flag, fmt::format("coordinates up to 1e300 in size expected, found {}", x));
-      }
+      if (std::abs(x) > 1e300) refuse(flag, "coordinates up to 1e300 in size expected, found {}", x);
     }
   }
 }
@@ -113,9 +111,9 @@ inline void expect_coordinates(const std::string& flag, std::initializer_list<dv
 inline Circle<double> circle_in(const Arguments& arguments) {
   const std::vector<double> numbers = arguments.numbers("circle");
   const double r = numbers[2];
-  if (!(r >= 0)) throw ArgumentError("circle", "a radius of 0 or more expected, the third number");
+  if (!(r >= 0)) refuse("circle", "a radius of 0 or more expected, the third number");
   if (r != 0 && !(1e-290 <= r && r <= 1e290)) {
-    throw ArgumentError("circle", fmt::format("a radius of 0 or from 1e-290 to 1e290 expected, found {}", r));
+    refuse("circle", "a radius of 0 or from 1e-290 to 1e290 expected, found {}", r);
   }
   expect_coordinates("circle", {{numbers[0], numbers[1]}});
   return {{numbers[0], numbers[1]}, r};
@@ -141,5 +139,7 @@ inline std::string scaled_real(double value, int exponent) {
   if (digits >= 9.995) digits /= 10, ++power;
   return fmt::format("{}{:.3g}e{:+03}", value < 0 ? "−" : "", digits, power);
 }
+/// The same of a double: one near the smallest is not 0.
+inline std::string real(double value) { return scaled_real(value, 0); }
 
 }  // namespace gradus::circle_drawing

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "stories/clipping/clipped_polygon.hpp"
 #include "stories/paper.hpp"
-#include "stories/topic.hpp"
-#include "stories/words.hpp"
+#include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {
 
@@ -35,101 +35,133 @@ struct NamedPoint {
 };
 
 /// Tells the steps of `clip` in clip space.
-class ClipSpaceTeller {
+class ClipSpaceStory {
  public:
   static constexpr int paper_width = 21, paper_height = 30;
 
-  ClipSpaceTeller(TraceWriter& writer, const std::vector<Point<double>>& corners)
-      : writer_(writer),
-        words_(writer.wording()),
+  ClipSpaceStory(const Words& words, const std::vector<Point<double>>& corners)
+      : words_(words),
         side_(side_place, side_world(corners)),
-        picture_(picture_place, picture_world(corners)) {
-    writer.trace().columns = {{"plane", false}, {"corner", false}, {"value"}, {"kept", false}};
+        picture_(picture_place, picture_world(corners)),
+        axis_(most_telling_axis(corners)),
+        telling_axis_(axis_) {
     for (const Point<double>& corner : corners) {
       given_.push_back({fmt::format("{}", given_.size() + 1), corner.at});
     }
     rest_ = given_;
-    axis_ = telling_axis_ = most_telling_axis(corners);
-    start();
   }
 
-  void operator()(const Tested<double>& t, int line = __builtin_LINE(), const char* = nullptr) {
-    enter(t.plane);
-    const NamedPoint& corner = rest_[t.corner];
-    tested_ = t.corner;
-    if (t.inside) kept_.push_back(corner);
+  void show(Board& board, const steps::Started&) { put(board); }
+  Event say(const steps::Started&) const {
+    Event event{.text = "space_started", .level = Level::idea};
+    const auto behind = std::ranges::find_if(given_, [](const NamedPoint& p) { return p.at.w <= 0; });
+    if (behind == given_.end()) return event;
+    event.text = behind->at.w < 0 ? "space_started_behind" : "space_started_eye";
+    event.words = {{"corner", behind->name}, {"value", behind->at.w}};
+    if (behind->at.w < 0) event.words.push_back({"wrong", dvec2(behind->at) / behind->at.w});
+    return event;
+  }
+
+  void show(Board& board, const Tested<double>& t) {
+    if (!plane_ || passed_) enter(t.plane);
+    tested_ = t;
+    if (t.inside) kept_.push_back(rest_[t.corner]);
     sides_.push_back(t.inside);
-    last_row_ = {plane_text(t.plane), corner.name, figure_real(distance(t.plane, t.at)),
-                 t.inside ? corner.name : ""};
     here_ = t.at;
-    tell("Tested", line,
-         words_.say(
-             t.inside ? "sutherland_hodgman.plane_tested.inside" : "sutherland_hodgman.plane_tested.outside",
-             fmt::arg("corner", corner.name), fmt::arg("test", test_text(t.plane)),
-             fmt::arg("numbers", numbers_text(t.plane, t.at)),
-             fmt::arg("value", figure_real(distance(t.plane, t.at))), fmt::arg("plane", plane_text(t.plane))),
-         fields(t.plane, t.at), last_row_);
+    put(board);
+  }
+  Event say(const Tested<double>& t) const {
+    const std::string corner = rest_[t.corner].name, value = figure_real(distance(t.plane, t.at));
+    return {.text = t.inside ? "plane_tested.inside" : "plane_tested.outside",
+            .facts = fields(t.plane, t.at),
+            .words = {{"corner", corner},
+                      {"test", test_text(t.plane)},
+                      {"numbers", numbers_text(t.plane, t.at)},
+                      {"plane", plane_text(t.plane)}},
+            .row = row_of(t),
+            .phase = phase_of(t.plane),
+            .decides = yes_or_no(
+                words_, words_.say("question.plane", {{"test", test_text(t.plane)}, {"value", value}}),
+                t.inside, t.inside ? "inside" : "outside")};
   }
 
-  void operator()(const Cut<double>& c, int line = __builtin_LINE(), const char* = nullptr) {
-    const NamedPoint made{letter(), c.at};
-    const std::size_t n = rest_.size();
-    const NamedPoint &before = rest_[(tested_ + n - 1) % n], &now = rest_[tested_];
-    const bool enters = sides_.back();
+  void show(Board& board, const Cut<double>& c) {
+    made_ = {letter(letters_++), c.at};
     // The cut comes before the corner that was tested last
-    kept_.insert(kept_.end() - (enters ? 1 : 0), made);
-    Row read;
-    std::string kept = made.name;
-    if (enters) {
-      read = last_row_;
-      kept += ", " + std::exchange(read.back(), "");
-    }
+    kept_.insert(kept_.end() - (tested_->inside ? 1 : 0), made_);
     edge_ = {c.inside, c.outside};
     here_ = c.at;
-    const double from = distance(c.plane, c.inside), to = distance(c.plane, c.outside);
-    tell("Cut", line,
-         words_.say("sutherland_hodgman.plane_cut", fmt::arg("from", enters ? now.name : before.name),
-                    fmt::arg("to", enters ? before.name : now.name), fmt::arg("a", figure_real(from)),
-                    fmt::arg("b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)),
-                    fmt::arg("t", figure_real(c.t)), fmt::arg("name", made.name),
-                    fmt::arg("at", place_text(c.at)), fmt::arg("plane", plane_text(c.plane))),
-         fields(c.plane, c.at), {plane_text(c.plane), made.name, figure_real(distance(c.plane, c.at)), kept},
-         Level::step, read);
+    put(board);
     edge_.reset();
   }
+  Event say(const Cut<double>& c) const {
+    const bool enters = tested_->inside;
+    const std::size_t n = rest_.size();
+    const std::string before = rest_[(tested_->corner + n - 1) % n].name, now = rest_[tested_->corner].name;
+    const double to = distance(c.plane, c.outside);
+    Event event{
+        .text = "plane_cut",
+        .facts = fields(c.plane, c.at),
+        .words = {{"from", enters ? now : before},
+                  {"to", enters ? before : now},
+                  {"a", distance(c.plane, c.inside)},
+                  {"b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)},
+                  {"t", c.t},
+                  {"name", made_.name},
+                  {"at", place_text(c.at)},
+                  {"plane", plane_text(c.plane)}},
+        .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
+        .phase = phase_of(c.plane),
+        .decides = yes_or_no(
+            words_,
+            words_.say("question.plane_cut", {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}),
+            true, enters ? "enters" : "leaves")};
+    if (enters) {
+      event.read = row_of(*tested_);
+      event.row.back() = made_.name + ", " + std::exchange(event.read.back().text, "");
+    }
+    return event;
+  }
 
-  void operator()(const Passed<double>& p, int line = __builtin_LINE(), const char* = nullptr) {
+  void show(Board& board, const Passed<double>&) {
     const bool was_behind = any_behind(rest_);
     rest_ = std::exchange(kept_, {});
+    came_to_front_ = was_behind && !any_behind(rest_);
     sides_.clear();
     here_.reset();
     passed_ = true;
+    put(board);
+  }
+  Event say(const Passed<double>& p) const {
     const auto left = static_cast<std::int64_t>(p.corners);
-    std::string sentence =
-        words_.say("sutherland_hodgman.plane_empty", fmt::arg("plane", plane_text(p.plane)));
-    if (left > 0) {
-      sentence = words_.count(was_behind && !any_behind(rest_) ? "sutherland_hodgman.plane_passed_front"
-                                                               : "sutherland_hodgman.plane_passed",
-                              left, fmt::arg("plane", plane_text(p.plane)));
-    }
-    tell("Passed", line, std::move(sentence), {{"corners", left}}, {}, Level::idea);
+    Event event{.text = "plane_empty",
+                .facts = {{"corners", left}},
+                .words = {{"plane", plane_text(p.plane)}},
+                .phase = phase_of(p.plane),
+                .level = Level::idea,
+                .decides = yes_or_no(words_, words_.say("question.left"), left > 0,
+                                     left > 0 ? "accepted" : "rejected")};
+    if (left == 0) return event;
+    event.text = came_to_front_ ? "plane_passed_front" : "plane_passed";
+    event.count = left;
+    return event;
   }
 
   /// The last step: the division.
-  void finish() {
+  void show(Board& board, const steps::Finished&) {
     plane_.reset();
     here_.reset();
     done_ = true;
     axis_ = telling_axis_;
-    phase_ = words_.say("words.result");
-    const auto corners = static_cast<std::int64_t>(rest_.size());
-    std::string key = "sutherland_hodgman.divided";
+    put(board);
+  }
+  Event say(const steps::Finished&) const {
+    if (rest_.empty()) return {.text = "divided_nothing"};
     const bool all_divide = std::ranges::none_of(given_, [](const NamedPoint& p) { return p.at.w == 0; });
-    if (any_behind(given_) && all_divide) key = "sutherland_hodgman.divided_last";
-    if (any_behind(rest_)) key = "sutherland_hodgman.divided_eye";
-    tell("Finished", 0,
-         rest_.empty() ? words_.say("sutherland_hodgman.divided_nothing") : words_.count(key, corners), {},
-         {}, Level::idea);
+    return {.text = any_behind(rest_)                  ? "divided_eye"
+                    : any_behind(given_) && all_divide ? "divided_last"
+                                                       : "divided",
+            .count = static_cast<std::int64_t>(rest_.size())};
   }
 
  private:
@@ -200,10 +232,12 @@ class ClipSpaceTeller {
     const std::string number = c < 0 ? fmt::format("({})", figure_real(c)) : figure_real(c);
     return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−", number);
   }
-  std::string letter() {
-    const std::size_t n = letters_++;
-    const char letter = static_cast<char>('A' + n % 26);
-    return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
+  std::string phase_of(const Plane<double>& plane) const {
+    return words_.say("phase.plane", {{"plane", plane_text(plane)}});
+  }
+  std::vector<Said> row_of(const Tested<double>& t) const {
+    const std::string& name = rest_[t.corner].name;
+    return {plane_text(t.plane), name, distance(t.plane, t.at), t.inside ? name : ""};
   }
   static std::vector<Field> fields(const Plane<double>& plane, const dvec4& p) {
     return {{"axis", std::int64_t{plane.axis}},
@@ -214,50 +248,20 @@ class ClipSpaceTeller {
             {"w", p.w}};
   }
 
-  // --- Steps
+  // --- Drawing
 
-  void start() {
-    phase_ = words_.say("words.set_up");
-    const auto behind = std::ranges::find_if(given_, [](const NamedPoint& p) { return p.at.w <= 0; });
-    std::string sentence = words_.say("sutherland_hodgman.space_started");
-    if (behind != given_.end() && behind->at.w < 0) {
-      sentence = words_.say("sutherland_hodgman.space_started_behind", fmt::arg("corner", behind->name),
-                            fmt::arg("value", figure_real(behind->at.w)),
-                            fmt::arg("wrong", figure_place(dvec2(behind->at) / behind->at.w)));
-    } else if (behind != given_.end()) {
-      sentence = words_.say("sutherland_hodgman.space_started_eye", fmt::arg("corner", behind->name));
-    }
-    tell("Started", 0, std::move(sentence), {}, {}, Level::idea);
-  }
   /// At a plane's first step.
   void enter(const Plane<double>& plane) {
-    if (plane_ && !passed_) return;
     plane_ = plane;
     axis_ = plane.axis;
     passed_ = false;
-    phase_ = words_.say("sutherland_hodgman.phase.plane", fmt::arg("plane", plane_text(plane)));
   }
-  void tell(std::string_view type, int line, std::string sentence, std::vector<Field> fields, Row row,
-            Level level = Level::step, Row read = {}) {
-    writer_.step(shown_.change_to(view()), {0, 0}, line, [&](TraceStep& step) {
-      step.type = type;
-      step.phase = phase_;
-      step.key = type;
-      step.level = level;
-      step.fields = std::move(fields);
-      step.sentence = std::move(sentence);
-      step.read = std::move(read);
-      step.row = std::move(row);
-    });
-  }
-
-  // --- Drawing
-
-  View view() const {
+  void put(Board& board) const {
     View view;
     add_side(view);
     add_picture(view);
-    return view;
+    board.milestone();
+    board.draw(std::move(view));
   }
 
   dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
@@ -275,8 +279,8 @@ class ClipSpaceTeller {
     if (lower.x < eye.x) {
       view.add({"a behind", Role::rejected,
                 Area{{{lower, {eye.x, lower.y}, {eye.x, upper.y}, {lower.x, upper.y}}}}});
-      view.add({"a behind name", Role::rejected,
-                Text{{0.4, lower.y - 1}, words_.say("sutherland_hodgman.behind"), Align::left}});
+      view.add(
+          {"a behind name", Role::rejected, Text{{0.4, lower.y - 1}, words_.say("behind"), Align::left}});
     }
     view.add({"a w", Role::guide, Stroke{{lower.x, eye.y}, {upper.x + 0.9, eye.y}, true}});
     view.add({"a w name", Role::guide, Text{{upper.x + 1.6, eye.y}, w}});
@@ -355,7 +359,7 @@ class ClipSpaceTeller {
   void add_picture(View& view) const {
     view.add({"p caption", Role::guide,
               Text{{0.5 * (picture_place.lower.x + picture_place.upper.x), picture_place.upper.y + 1.5},
-                   words_.say("sutherland_hodgman.picture")}});
+                   words_.say("picture")}});
     const std::string w = words_.symbol("w");
     add_axes(view, picture_, "p axes", {symbol(0) + "/" + w, symbol(1) + "/" + w}, 4);
     std::vector<dvec2> window;
@@ -405,27 +409,24 @@ class ClipSpaceTeller {
       wrong.push_back(picture_.at(glm::clamp(at, shown.lower, shown.upper)));
       if (p.at.w > 0 || at != glm::clamp(at, shown.lower, shown.upper)) continue;
       view.add({"r wrong " + p.name, Role::rejected, Dot{wrong.back(), true}});
-      view.add(
-          {"r wrong name " + p.name, Role::rejected,
-           Label{wrong.back(), words_.say("sutherland_hodgman.divided_first", fmt::arg("corner", p.name))}});
+      view.add({"r wrong name " + p.name, Role::rejected,
+                Label{wrong.back(), words_.say("divided_first", {{"corner", p.name}})}});
     }
     view.add({"r wrong", Role::rejected, Path{wrong, true, true}});
   }
 
-  TraceWriter& writer_;
-  const Wording& words_;
-  Panel side_, picture_;
-  Shown shown_;
+  const Words& words_;
+  const Panel side_, picture_;
   std::vector<NamedPoint> given_, rest_, kept_;
   std::vector<bool> sides_;  ///< of the corners tested so far at this plane
   std::optional<Plane<double>> plane_;
+  std::optional<Tested<double>> tested_;  ///< the last one
   std::optional<dvec4> here_;
   std::optional<std::pair<dvec4, dvec4>> edge_;
-  std::size_t tested_ = 0, letters_ = 0;
-  int axis_ = 0, telling_axis_ = 0;
-  bool passed_ = false, done_ = false;
-  std::string phase_;
-  Row last_row_;
+  NamedPoint made_;
+  std::size_t letters_ = 0;
+  int axis_, telling_axis_;
+  bool passed_ = false, done_ = false, came_to_front_ = false;
 };
 
 }  // namespace gradus::sutherland_hodgman

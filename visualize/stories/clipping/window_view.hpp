@@ -10,10 +10,9 @@
 #include <utility>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
-#include "figure/wording.hpp"
+#include "stories/clipping/axis_arguments.hpp"
 #include "stories/paper.hpp"
-#include "stories/topic.hpp"
-#include "stories/words.hpp"
+#include "stories/telling.hpp"
 
 namespace gradus::window_view {
 
@@ -26,15 +25,8 @@ inline constexpr int paper_width = 36, paper_height = 27;
 /// these numbers' differences neither overflow nor underflow.
 inline constexpr Sizes line_sizes{1e-100, 8e307}, window_sizes{1e-100, 1e150}, rounded_sizes{1e-75, 1e75};
 
-inline Line line_in(const Arguments& arguments) {
-  const auto n = arguments.numbers("line");
-  return {{n[0], n[1]}, {n[2], n[3]}};
-}
-
-inline Rectangle window_in(const Arguments& arguments) {
-  const auto n = arguments.numbers("window");
-  return {{n[0], n[1]}, {n[2], n[3]}};
-}
+inline Line line_in(const Arguments& arguments) { return segment_in<2>(arguments, "line"); }
+inline Rectangle window_in(const Arguments& arguments) { return box_in<2>(arguments, "window"); }
 
 /// What of the plane is shown: the window with room round it, and ends of the segment that are not far away.
 inline Extent world_of(const Line& line, const Rectangle& window) {
@@ -69,7 +61,7 @@ class Scene {
   const Rectangle& shown() const { return shown_; }
 
   /// Axes, the window, and its borders on and on.
-  void add_window(View& view, const Wording& words) const {
+  void add_window(View& view, const Words& words) const {
     add_axes(view, panel_, "plane", {words.symbol("x"), words.symbol("y")});
     const auto [lower, upper] = window_;
     const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
@@ -137,17 +129,20 @@ inline Off off_by(const Line& found, const Line& right) {
   return most;
 }
 
-/// The sentence of an accepted piece whose ends rounding has moved: by how many doubles (`near`), and where
-/// nobody counts those any more, next to 0, how far (`far`).
-inline std::string moved_by_rounding(const Wording& words, std::string_view near, std::string_view far,
-                                     const Line& line, const Off& off) {
+/// A piece that lies in the window is what is left: told with how many doubles rounding has moved its ends
+/// by, or, where nobody counts those any more, next to 0, how far.
+inline Event accepted(const Line& piece, const Off& off) {
   constexpr std::int64_t countable = 1'000'000;
-  const std::string from = figure_place(line.a), to = figure_place(line.b);
-  if (off.doubles < countable) {
-    return words.count(near, off.doubles, fmt::arg("from", from), fmt::arg("to", to));
-  }
-  return words.say(far, fmt::arg("from", from), fmt::arg("to", to),
-                   fmt::arg("distance", figure_real(off.distance)));
+  Event event{.text = off.doubles < countable ? "accepted_off" : "accepted_far",
+              .facts = {{"x0", piece.a.x, "x"},
+                        {"y0", piece.a.y, "y"},
+                        {"x1", piece.b.x, "x"},
+                        {"y1", piece.b.y, "y"}},
+              .words = {{"from", piece.a}, {"to", piece.b}, {"distance", off.distance}},
+              .ends = true};
+  if (off.doubles == 0) event.text = "accepted";
+  if (event.text == "accepted_off") event.count = off.doubles;
+  return event;
 }
 
 /// "(−4)" for a negative number, as a later term.
@@ -175,18 +170,7 @@ inline Parameter window_parameter() {
           .sizes = window_sizes};
 }
 inline Parameter order_parameter() {
-  return {.name = "order",
-          .type = ParameterType::order,
-          .default_value = "left,right,bottom,top",
-          .example = "top,bottom,right,left",
-          .help = "in which order the borders are taken",
-          .choices = {"left", "right", "bottom", "top"}};
-}
-inline BorderOrder<2> order_in(const Arguments& arguments) {
-  const auto places = arguments.order(order_parameter());
-  BorderOrder<2> order{};
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Border>(places[i]);
-  return order;
+  return gradus::order_parameter<2>("top,bottom,right,left", "in which order the borders are taken");
 }
 
 }  // namespace gradus::window_view

@@ -40,8 +40,7 @@ std::vector<dvec2> near_paper(const std::vector<dvec2>& points) {
   if (std::ranges::none_of(points, flies)) return points;
   const AxisBox<2, double> room{{-far, -far}, {far, far}};
   std::vector<dvec2> kept;
-  for (const auto& corner : sutherland_hodgman::clip_to_window(std::span<const dvec2>(points), room))
-    kept.push_back(corner.at);
+  for (const auto& corner : sutherland_hodgman::clip_to_window(points, room)) kept.push_back(corner.at);
   return kept;
 }
 

@@ -285,4 +285,37 @@ class Scenery {
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
 };
 
+/// How far a solid's corners, one after the other, have got their images.
+class Progress {
+ public:
+  explicit Progress(Scenery scenery)
+      : scenery_(std::move(scenery)), images_(scenery_.solid().corners.size()) {}
+
+  void turn_to(std::size_t corner) { corner_ = corner; }
+  void arrive(dvec3 image) { images_[corner_] = image; }
+
+  const Scenery& scenery() const { return scenery_; }
+  const Scenery::Images& images() const { return images_; }
+  std::size_t corner() const { return corner_; }
+  /// Of the corner at hand, counted from 1.
+  std::int64_t number() const { return static_cast<std::int64_t>(corner_) + 1; }
+  std::string key() const { return fmt::format("{}", corner_); }
+
+  View drawing(Role images) const {
+    View view = scenery_.empty();
+    scenery_.add_images(view, images_, images);
+    return view;
+  }
+  View with_corner() const {
+    View view = drawing(Role::past);
+    scenery_.point_at(view, corner_, images_[corner_]);
+    return view;
+  }
+
+ private:
+  Scenery scenery_;
+  Scenery::Images images_;
+  std::size_t corner_ = 0;
+};
+
 }  // namespace gradus::solids

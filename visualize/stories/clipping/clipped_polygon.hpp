@@ -1,0 +1,223 @@
+#pragma once
+// A polygon and a convex window in the plane: what is given, and what all stories of it draw alike.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "stories/paper.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::sutherland_hodgman {
+
+using Points = std::vector<dvec2>;
+
+inline constexpr int plane_width = 36, plane_height = 27;
+
+/// What a run was given.
+struct Given {
+  std::vector<Points> rings;                      ///< the outline, and perhaps holes
+  std::optional<ConvexWindow<double>> oblique{};  ///< instead of the rectangle
+  Rectangle<double> rectangle{};
+  std::vector<int> order{};
+
+  const Points& outline() const { return rings[0]; }
+  Points window() const {
+    if (oblique) return oblique->corners;
+    const dvec2 low = rectangle.lower, high = rectangle.upper;
+    return {low, {high.x, low.y}, high, {low.x, high.y}};
+  }
+  Segment<2, double> border(int number) const {
+    return oblique ? line_of(*oblique, number) : line_of(rectangle, number);
+  }
+};
+
+inline Points places(std::span<const Vertex<double>> ring) {
+  Points points;
+  for (const Vertex<double>& v : ring) points.push_back(v.at);
+  return points;
+}
+
+inline double area_of(const Points& ring) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const dvec2 a = ring[i] - ring[0], b = ring[i + 1 < ring.size() ? i + 1 : 0] - ring[0];
+    doubled += a.x * b.y - a.y * b.x;
+  }
+  return doubled / 2;
+}
+inline double area_of(const Piece<double>& piece) {
+  double area = area_of(places(piece.outline));
+  for (const auto& hole : piece.holes) area += area_of(places(hole));
+  return area;
+}
+
+/// The plane as the paper shows it.
+inline Panel panel_of(const Given& given) {
+  Extent all;
+  for (const Points& ring : given.rings) {
+    for (const dvec2 p : ring) all.add(p);
+  }
+  for (const dvec2 p : given.window()) all.add(p);
+  return Panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.08));
+}
+
+/// The part of a line that a rectangle of the plane shows.
+inline std::optional<Stroke> across(const Segment<2, double>& line, const Extent& shown) {
+  double first = -1e300, last = 1e300;
+  for (const int axis : {0, 1}) {
+    const double way = line.b[axis] - line.a[axis];
+    if (way == 0) continue;
+    const double low = (shown.lower[axis] - line.a[axis]) / way;
+    const double high = (shown.upper[axis] - line.a[axis]) / way;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  if (!(first < last)) return std::nullopt;
+  return Stroke{line.a + first * (line.b - line.a), line.a + last * (line.b - line.a), false, true};
+}
+
+/// A, B … Z, A1, B1 …
+inline std::string letter(std::size_t n) {
+  const char letter = static_cast<char>('A' + n % 26);
+  return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
+}
+
+/// Names of vertices: those given by their numbers, those made by letters as they come.
+class Names {
+ public:
+  std::string operator()(const Vertex<double>& v) {
+    if (!v.made()) return fmt::format("{}", v.input + 1);
+    return letter(letters_.insert({{v.edge.id, v.border.id, v.at.x, v.at.y}, letters_.size()}).first->second);
+  }
+
+ private:
+  std::map<std::tuple<int, int, double, double>, std::size_t> letters_;
+};
+
+/// The drawing that a story adds to. What begins with "f " is pointed at by one step alone.
+class PlaneDrawing {
+ public:
+  PlaneDrawing(const Words& words, const Given& given)
+      : words_(words), given_(given), panel_(panel_of(given)) {
+    for (const Points& ring : given.rings) {
+      Ring<double> vertices;
+      for (const dvec2 p : ring) vertices.push_back({p, static_cast<int>(vertices.size()), {}, {}, {}});
+      rest_.push_back(vertices);
+    }
+  }
+
+  // Once for all stories: what is asked
+
+  void show(Board& board, const steps::Started&) {
+    add_input();
+    put(board);
+  }
+  Event say(const steps::Started&) const {
+    std::string order;
+    for (const int border : given_.order) order += (order.empty() ? "" : ", ") + name_of_border(border);
+    return {.text = "started",
+            .words = {{"corners", given_.outline().size()}, {"order", order}},
+            .level = Level::idea};
+  }
+
+ protected:
+  std::string name_of_border(int border) const {
+    constexpr std::array<std::string_view, 4> names{"left", "right", "bottom", "top"};
+    if (given_.oblique) return words_.say("border.numbered", {{"number", border + 1}});
+    return words_.say(fmt::format("border.{}", names[static_cast<std::size_t>(border)]));
+  }
+  std::string phase_of(int border) const {
+    return words_.say("phase.border", {{"border", name_of_border(border)}});
+  }
+
+  /// At the first step of a border: what comes to it, and the border itself.
+  bool enter_border(int border) {
+    if (border_ == border) return false;
+    border_ = border;
+    erase("d ");
+    show_rest("c ring", Role::past);
+    if (const auto stroke = across(given_.border(border), panel_.shown())) {
+      view_.add({"b window border", Role::current,
+                 Stroke{panel_.at(stroke->a), panel_.at(stroke->b), false, true}});
+    }
+    return true;
+  }
+  /// At its last step: what is left.
+  void pass_border(const std::vector<Ring<double>>& rest) {
+    erase("c ");
+    erase("d ");
+    rest_ = rest;
+    show_rest("d ring", Role::accepted);
+  }
+  void leave_border() {
+    border_.reset();
+    erase("b window border");
+    erase("e ");
+  }
+
+  void mark_side(const Vertex<double>& v, int side) {
+    const Role role = side >= 0 ? Role::accepted : Role::rejected;
+    view_.add({"e side " + names_(v), role, Dot{panel_.at(v.at), side < 0}});
+  }
+
+  void put(Board& board) const {
+    board.milestone();
+    board.draw(view_);
+  }
+  /// Takes away what the last step pointed at.
+  void quiet() { erase("f "); }
+  void erase(std::string_view start) {
+    std::erase_if(view_.marks, [&](const auto& mark) { return mark.first.starts_with(start); });
+  }
+
+  const Words& words_;
+  const Given& given_;
+  const Panel panel_;
+  View view_;
+  Names names_;
+
+ private:
+  void add_input() {
+    view_.add({"b window", Role::boundary, Path{panel_.at(given_.window()), true}});
+    add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
+    if (given_.oblique) {
+      for (const int border : given_.order) {
+        const Segment<2, double> line = given_.border(border);
+        view_.add({fmt::format("b border {:03}", border), Role::boundary,
+                   Label{panel_.at(0.5 * line.a + 0.5 * line.b), name_of_border(border)}});
+      }
+    }
+    std::size_t before = 0;  // corners of earlier rings
+    for (std::size_t r = 0; r < given_.rings.size(); ++r) {
+      const Points& ring = given_.rings[r];
+      view_.add({fmt::format("b given {}", r), Role::input, Path{panel_.at(ring), true, true}});
+      for (std::size_t i = 0; i < ring.size() && ring.size() <= 24; ++i) {
+        const std::size_t n = before + i;
+        view_.add({fmt::format("b number {:03}", n), Role::input,
+                   Label{panel_.at(ring[i]), fmt::format("{}", n + 1)}});
+      }
+      before += ring.size();
+    }
+  }
+  void show_rest(std::string_view id, Role role) {
+    std::vector<Points> all;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      all.push_back(panel_.at(places(rest_[i])));
+      view_.add({fmt::format("{} {:03} line", id, i), role, Path{all.back(), true}});
+    }
+    if (!all.empty()) view_.add({fmt::format("{} area", id), role, Area{all}});
+  }
+
+  std::optional<int> border_;       ///< the one that is cut at
+  std::vector<Ring<double>> rest_;  ///< what came to it
+};
+
+}  // namespace gradus::sutherland_hodgman

@@ -1,0 +1,352 @@
+// The story of a segment and the codes of its ends.
+
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+
+#include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
+#include "stories/clipping/region_codes.hpp"
+#include "stories/clipping/window_view.hpp"
+#include "stories/side_by_side.hpp"
+
+namespace gradus::cohen_sutherland_2d {
+namespace {
+
+using window_view::Line;
+
+/// What happens where the codes settle nothing: an end is cut off what is left or off the original line, or
+/// gets a code alone, or all is dropped.
+enum class Way { cut_of_a_cut, correctly_rounded, codes_only, whole_or_nothing };
+
+struct Task {
+  Line line;
+  Rectangle<double> window;
+  Order order;
+  std::string bits;  ///< which border each digit stands for, the first to the left
+  std::optional<Line> right;
+};
+
+Task task_of(const Arguments& arguments) {
+  const Line line = window_view::line_in(arguments);
+  const Rectangle<double> window = window_view::window_in(arguments);
+  window_view::require_scale(arguments, line, window);
+  return {line, window, order_in<2>(arguments), arguments.text("code_bits"), correctly_rounded(line, window)};
+}
+
+/// The codes of both ends.
+struct Codes {
+  Code a = 0, b = 0;
+};
+
+class Story {
+ public:
+  Story(const Words& words, const Task& task, Way way)
+      : words_(words),
+        task_(task),
+        scene_(task.line, task.window, {{3.2, 5}, {35, 26}}),
+        way_(way),
+        whole_(way == Way::whole_or_nothing),
+        now_(task.line) {}
+
+  void show(Board& board, const Classified<double>& c) {
+    codes_ = read_ = {c.code_a, c.code_b};
+    board.milestone(drawing(Role::current));
+  }
+  Event say(const Classified<double>& c) const {
+    return {.text = "classified",
+            .facts = {{"code_a", std::int64_t{c.code_a}, "code"}, {"code_b", std::int64_t{c.code_b}, "code"}},
+            .words = {{"a", c.line.a},
+                      {"b", c.line.b},
+                      {"code_a", digits(codes_.a)},
+                      {"code_b", digits(codes_.b)},
+                      {"verdict", verdict()}},
+            .row = {"", "", "", "", "", digits(codes_.a), digits(codes_.b)},
+            .key = "codes",
+            .begins = true,
+            .decides = decision()};
+  }
+
+  void show(Board& board, const Cut<double>& c) {
+    read_ = std::exchange(codes_, {c.code_a, c.code_b});
+    cuts_.push_back({c.from, c.to()});
+    now_ = c.line;
+    board.milestone(drawing(Role::current));
+  }
+  Event say(const Cut<double>& c) const {
+    const int axis = axis_of(c.border);
+    return {.text = "cut",
+            .facts = {{"of_a", c.of_a, "end"},
+                      {"border", std::string(name_of(c.border))},
+                      {"x", c.to().x},
+                      {"y", c.to().y},
+                      {"code_a", std::int64_t{c.code_a}, "code"},
+                      {"code_b", std::int64_t{c.code_b}, "code"}},
+            .words = {{"end", end(c.of_a)},
+                      {"border", beyond(c.border)},
+                      {"code", digits(c.before)},
+                      {"axis", axis_name(words_, axis)},
+                      {"at", coordinate(task_.window, c.border)},
+                      {"other", axis_name(words_, 1 - axis)},
+                      {"formula", formula(c)},
+                      {"value", c.to()[1 - axis]},
+                      {"after", digits(c.after())}},
+            .row = row(cuts_.size(), c.of_a, c.border, c.to()),
+            .key = fmt::format("cut {}", cuts_.size()),
+            .decides = decision()};
+  }
+
+  void show(Board& board, const Recoded<double>& r) {
+    read_ = std::exchange(codes_, {r.code_a, r.code_b});
+    ++rounds_;
+    View view = drawing(Role::current);
+    scene_.add_point(view, "computed", Role::candidate, r.at, r.at, words_.say("computed"), true);
+    board.milestone(std::move(view));
+  }
+  Event say(const Recoded<double>& r) const {
+    return {.text = "recoded",
+            .facts = {{"of_a", r.of_a, "end"}, {"border", std::string(name_of(r.border))}},
+            .words = {{"border", name(r.border)},
+                      {"point", r.at},
+                      {"code", digits(r.of_a ? codes_.a : codes_.b)},
+                      {"end", end(r.of_a)}},
+            .row = row(rounds_, r.of_a, r.border, r.at),
+            .key = fmt::format("round {}", rounds_),
+            .decides = decision()};
+  }
+
+  void show(Board& board, const Accepted<double>& a) {
+    read_ = codes_;
+    if (task_.right) off_ = window_view::off_by(a.line, *task_.right);
+    const bool faulty = way_ == Way::codes_only || whole_;
+    unclipped_ = !task_.right || (faulty && off_.doubles > 0);
+    View view = drawing(Role::result);
+    if (unclipped_) add_right(view);
+    board.milestone(std::move(view));
+    result_ = {{"accepted", true}, {"cuts", count_of_cuts()}, {"off_by", off_.doubles}};
+  }
+  Event say(const Accepted<double>& a) const {
+    Event event = window_view::accepted(a.line, unclipped_ ? window_view::Off{} : off_);
+    if (unclipped_) event.text = "unclipped";
+    event.decides = decision();
+    return event;
+  }
+
+  void show(Board& board, const Rejected&) {
+    read_ = codes_;
+    View view = drawing(Role::rejected);
+    if (whole_) add_right(view);
+    board.milestone(std::move(view));
+    result_ = {{"accepted", false}, {"cuts", count_of_cuts()}};
+  }
+  Event say(const Rejected& r) const {
+    const bool settled = r.common != 0;
+    return {.text = !settled ? "unsettled"
+                    : whole_ ? "dropped"
+                             : "rejected",
+            .facts = {{"common", std::int64_t{r.common}, "code"}},
+            .words = {{"code_a", digits(codes_.a)},
+                      {"code_b", digits(codes_.b)},
+                      {"border", beyond(first_of(task_.order, r.common))}},
+            .ends = true,
+            .decides = settled ? std::optional(decision()) : std::nullopt};
+  }
+
+  void show(Board& board, const GaveUp& g) {
+    View view = drawing(Role::rejected);
+    add_right(view);
+    board.milestone(std::move(view));
+    result_ = {{"accepted", false}, {"rounds", std::int64_t{g.rounds}}};
+  }
+  static Event say(const GaveUp& g) {
+    return {.text = "gave_up", .facts = {{"rounds", std::int64_t{g.rounds}}}, .ends = true};
+  }
+
+  const std::vector<Field>& result() const { return result_; }
+
+ private:
+  std::string name(Border border) const { return words_.say(fmt::format("border.{}", name_of(border))); }
+  std::string beyond(Border border) const { return words_.say(fmt::format("beyond.{}", name_of(border))); }
+  static std::string end(bool of_a) { return of_a ? "a" : "b"; }
+  static Border border_of(char letter) { return static_cast<Border>(std::string_view("LRBT").find(letter)); }
+  /// The digits of a code in the order asked for: "1001".
+  std::string digits(Code code) const {
+    std::string text;
+    for (const char letter : task_.bits) text += code & bit(border_of(letter)) ? '1' : '0';
+    return text;
+  }
+  std::vector<Said> row(std::size_t number, bool of_a, Border border, dvec2 at) const {
+    return {number, end(of_a), name(border), at.x, at.y, digits(codes_.a), digits(codes_.b)};
+  }
+  /// The cut with its numbers put in: "8 + 12·5/8".
+  std::string formula(const Cut<double>& c) const {
+    Line line = task_.line;
+    if (way_ != Way::correctly_rounded) line = c.of_a ? Line{c.from, c.line.b} : Line{c.line.a, c.from};
+    const int i = axis_of(c.border), j = 1 - i;
+    return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), window_view::factor(line.b[j] - line.a[j]),
+                       window_view::factor(coordinate(task_.window, c.border) - line.a[i]),
+                       window_view::factor(line.b[i] - line.a[i]));
+  }
+
+  std::string verdict() const {
+    if ((codes_.a | codes_.b) == 0) return words_.say("verdict.inside");
+    if (whole_) return words_.say("verdict.dropped");
+    return words_.say((codes_.a & codes_.b) != 0 ? "verdict.beyond" : "verdict.undecided");
+  }
+  Decision decision() const {
+    const std::string a = digits(read_.a), b = digits(read_.b);
+    if (!whole_) return decided_by_codes(words_, read_.a, a, read_.b, b);
+    const bool set = (read_.a | read_.b) != 0;
+    return yes_or_no(words_, words_.say("question_whole", {{"code_a", a}, {"code_b", b}}), set,
+                     set ? "rejected" : "accepted");
+  }
+
+  std::int64_t count_of_cuts() const { return static_cast<std::int64_t>(cuts_.size()); }
+  void add_right(View& view) const {
+    if (task_.right) scene_.add_line(view, "right", Role::accepted, *task_.right);
+  }
+  /// The whole drawing: regions with their codes, what was cut off, what is left.
+  View drawing(Role left_over) const {
+    View view;
+    scene_.add_window(view, words_);
+    add_codes(view);
+    for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      const bool last = i + 1 == cuts_.size() && left_over == Role::current;
+      scene_.add_line(view, fmt::format("cut off {}", i + 1), last ? Role::rejected : Role::past, cuts_[i],
+                      true);
+      scene_.add_point(view, fmt::format("cut {}", i + 1), last ? Role::current : Role::past, cuts_[i].b,
+                       cuts_[i].b, figure_number(static_cast<std::int64_t>(i + 1)));
+    }
+    scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
+    const auto& [a, b] = task_.line;
+    scene_.add_point(view, "end a", Role::input, a, b, a == now_.a ? "a " + digits(codes_.a) : "a");
+    scene_.add_point(view, "end b", Role::input, b, a, b == now_.b ? "b " + digits(codes_.b) : "b");
+    return view;
+  }
+  /// Each region's code in its upper left corner, and which digit is which.
+  void add_codes(View& view) const {
+    const auto [lower, upper] = scene_.shown();
+    const auto [from, to] = task_.window;
+    const double xs[] = {lower.x, from.x, to.x}, ys[] = {from.y, to.y, upper.y};
+    const Code across[] = {bit(Border::left), 0, bit(Border::right)};
+    const Code up[] = {bit(Border::bottom), 0, bit(Border::top)};
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const Code region = static_cast<Code>(across[i] | up[k]);
+        view.add({fmt::format("region {:02}", region), Role::guide,
+                  Text{scene_.panel().at({xs[i], ys[k]}) + dvec2{0.4, -0.9}, digits(region), Align::left}});
+      }
+    }
+    std::string bits;
+    for (const char letter : task_.bits) bits += (bits.empty() ? "" : " · ") + name(border_of(letter));
+    view.add({"bits", Role::guide, Text{{18, 1.2}, words_.say("bits", {{"bits", bits}})}});
+  }
+
+  const Words& words_;
+  const Task& task_;
+  const window_view::Scene scene_;
+  const Way way_;
+  const bool whole_;
+  Line now_;
+  Codes codes_, read_;  ///< by now, and those that this step is decided by
+  std::vector<Line> cuts_;
+  std::size_t rounds_ = 0;
+  window_view::Off off_{};
+  bool unclipped_ = false;
+  std::vector<Field> result_;
+};
+
+// --- The methods
+
+/// What the steps of the taught method hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Classified<T>& c) const {
+    to.point("a", c.line.a);
+    to.point("b", c.line.b);
+    to.decision(c.code_a);
+    to.decision(c.code_b);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Cut<T>& c) const {
+    to.point(c.of_a ? "a" : "b", c.to());
+    to.decision(c.border);
+    to.decision(c.after());
+  }
+  template <class T, class Step>
+  void operator()(NumericStep<T>&, const Step&) const {}
+};
+
+template <Way way>
+void tell(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
+  const auto& [line, window, order, bits, right] = task;
+  const Words& words = narrator.words();
+  narrator.paper(window_view::paper_width, window_view::paper_height);
+  narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
+  narrator.legend({{Role::input, "input"},
+                   {Role::boundary, "boundary"},
+                   {Role::current, "current"},
+                   {Role::past, "past"},
+                   {Role::rejected, "rejected"},
+                   {Role::result, "result"}});
+  if (narrator.method().standing == Standing::faulty) {
+    narrator.trace().legend.push_back({Role::accepted, words.say("legend.right")});
+    narrator.trace().legend.push_back({Role::candidate, words.say("legend.candidate")});
+  }
+  Story story(words, task, way);
+  const auto watcher = narrator.watcher(story);
+  if constexpr (way == Way::cut_of_a_cut) cut_of_a_cut(line, window, order, watcher);
+  if constexpr (way == Way::correctly_rounded) correctly_rounded(line, window, order, watcher);
+  if constexpr (way == Way::codes_only) codes_only(line, window, order, 8, watcher);
+  if constexpr (way == Way::whole_or_nothing) whole_or_nothing(line, window, watcher);
+  narrator.result(story.result());
+  narrator.last_of_whole_is_telling();
+  tell_side_by_side<Numbers>(narrator, [task]<class T>(T, const auto& observer) {
+    cut_of_a_cut(in_scalar<T>(task.line), in_scalar<T>(task.window), task.order, observer);
+  });
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  const std::vector<SizesOf> rounded{{"line", window_view::rounded_sizes},
+                                     {"window", window_view::rounded_sizes}};
+  static const TopicEntry topic = completed<entry>(
+      {.name = "cohen_sutherland_2d",
+       .chapter = "clipping",
+       .aliases = {"cohen sutherland", "line clipping", "region codes", "outcodes"},
+       .summary = "the part of a segment that lies in a window, by region codes",
+       .methods = {{.name = "cut_of_a_cut",
+                    .standing = Standing::taught,
+                    .tell = tell<Way::cut_of_a_cut>,
+                    .sizes = rounded,
+                    .exact = true},
+                   {.name = "correctly_rounded",
+                    .standing = Standing::fast,
+                    .tell = tell<Way::correctly_rounded>},
+                   {.name = "codes_only",
+                    .standing = Standing::faulty,
+                    .tell = tell<Way::codes_only>,
+                    .sizes = rounded},
+                   {.name = "whole_or_nothing",
+                    .standing = Standing::faulty,
+                    .tell = tell<Way::whole_or_nothing>,
+                    .sizes = rounded}},
+       .columns =
+           {{"cut"}, {"end", false}, {"border", false}, {"x"}, {"y"}, {"code_a", false}, {"code_b", false}},
+       .parameters = {window_view::line_parameter("-3,-8,13,16"),
+                      window_view::window_parameter(),
+                      window_view::order_parameter(),
+                      {.name = "code_bits",
+                       .type = ParameterType::choice,
+                       .default_value = "TBRL",
+                       .example = "LRBT",
+                       .help =
+                           "which border each digit of a code stands for: T top, B bottom, R right, L left",
+                       .choices = {"TBRL", "LRBT"}},
+                      exact_parameter()},
+       .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
+                    "--line 5,5,-5,5 --method codes_only"}});
+  return topic;
+}
+
+}  // namespace gradus::cohen_sutherland_2d

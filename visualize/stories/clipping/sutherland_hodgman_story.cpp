@@ -1,0 +1,347 @@
+// The story of a polygon and a convex window: what each border takes off, and what hangs together then.
+
+#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+
+#include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
+#include "stories/clipping/border_story.hpp"
+#include "stories/clipping/clip_space.hpp"
+#include "stories/clipping/pieces_story.hpp"
+#include "stories/point_text.hpp"
+#include "stories/side_by_side.hpp"
+
+namespace gradus::sutherland_hodgman {
+namespace {
+
+// --- What is given
+
+/// Of coordinates: squares of their differences neither overflow nor underflow.
+constexpr Sizes plane_sizes{1e-100, 1e100};
+
+const std::vector<Parameter>& parameters() {
+  static const std::vector<Parameter> all{
+      {.name = "polygon",
+       .type = ParameterType::points,
+       .default_value = "-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
+       .example = "2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4",
+       .help = "the polygon's corners, in either direction",
+       .least = 3,
+       .most = 200,
+       .parts = {"x", "y"},
+       .sizes = plane_sizes},
+      {.name = "hole",
+       .type = ParameterType::rings,
+       .default_value = "",
+       .example = "7,1 9,1 9,3 7,3; 4,1 5,1 5,2",
+       .help = "holes in it, none in another; they may touch (separate_pieces alone)",
+       .least = 3,
+       .most = 200,
+       .parts = {"x", "y"},
+       .sizes = plane_sizes},
+      {.name = "window",
+       .type = ParameterType::bounds,
+       .default_value = "0,0,10,10",
+       .example = "0,0,10,10",
+       .help = "the rectangle to clip at, its borders included",
+       .parts = {"xmin", "ymin", "xmax", "ymax"},
+       .sizes = plane_sizes},
+      {.name = "window_polygon",
+       .type = ParameterType::points,
+       .default_value = "",
+       .example = "5,-3 12,3 8,10 -2,7",
+       .help = "a convex window instead: its corners in order; cut at in that order, counter-clockwise",
+       .least = 3,
+       .most = 50,
+       .parts = {"x", "y"},
+       .instead_of = "window",
+       .sizes = plane_sizes},
+      {.name = "homogeneous",
+       .type = ParameterType::points,
+       .default_value = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .example = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+       .help = "method homogeneous: the corners in clip space, not divided by w yet",
+       .least = 3,
+       .most = 50,
+       .parts = {"x", "y", "z", "w"}},
+      {.name = "order",
+       .type = ParameterType::order,
+       .default_value = "left,right,bottom,top",
+       .example = "bottom,left,top,right",
+       .help = "in which order the borders are cut at; those of window_polygon by their numbers, as 3,1,2",
+       .choices = {"left", "right", "bottom", "top"},
+       .numbered = true},
+      exact_parameter()};
+  return all;
+}
+const Parameter& order_parameter() {
+  return *std::ranges::find(parameters(), ParameterType::order, &Parameter::type);
+}
+
+/// The order of an oblique window's borders: as they come, unless their numbers say otherwise.
+std::vector<int> order_of(const Arguments& arguments, const ConvexWindow<double>& window) {
+  std::vector<int> order = all_borders(window);
+  const std::string& text = arguments.text("order");
+  if (text == order_parameter().default_value) return order;
+  const auto numbers = arguments.numbered_order("order");
+  if (!numbers || numbers->size() != order.size()) {
+    refuse("order",
+           "expected the numbers 1 to {} of the window's borders, each once in any order, found '{}'",
+           order.size(), text);
+  }
+  std::ranges::transform(*numbers, order.begin(), [](std::size_t n) { return static_cast<int>(n); });
+  return order;
+}
+
+/// What a method takes besides a polygon and a rectangle.
+struct Takes {
+  bool holes = false, oblique_windows = false;
+};
+
+Given given_of(const Arguments& arguments, Takes takes) {
+  Given given{.rings = {arguments.points("polygon")}};
+  for (Points& hole : arguments.rings("hole")) {
+    if (!takes.holes) refuse("hole", "holes are cut by --method separate_pieces alone");
+    given.rings.push_back(std::move(hole));
+  }
+  if (const Points points = arguments.points("window_polygon"); !points.empty()) {
+    if (!takes.oblique_windows) refuse("window_polygon", "this method clips at rectangles alone");
+    given.oblique = convex_window(points);
+    if (!given.oblique)
+      refuse("window_polygon", "corners of a convex window with an area expected, in order");
+    given.order = order_of(arguments, *given.oblique);
+    return given;
+  }
+  const std::vector<double> bounds = arguments.numbers("window");
+  given.rectangle = {{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
+  if (arguments.numbered_order("order")) {
+    refuse(
+        "order",
+        "expected left,right,bottom,top, each once in any order, found '{}': numbers are for the borders of "
+        "--window-polygon",
+        arguments.text("order"));
+  }
+  for (const std::size_t border : arguments.order(order_parameter()))
+    given.order.push_back(static_cast<int>(border));
+  return given;
+}
+
+/// Corners in clip space, as they were given.
+std::vector<Point<double>> homogeneous_of(const Arguments& arguments) {
+  const std::vector<std::string> parts{"x", "y", "z", "w"};
+  const auto read = read_tuples(arguments.text("homogeneous"), parts);
+  expects(!std::holds_alternative<Misread>(read), "points in their canonical spelling");
+  std::vector<Point<double>> corners;
+  for (const Tuple& p : std::get<std::vector<Tuple>>(read)) {
+    corners.push_back({{p[0].value, p[1].value, p[2].value, p[3].value}});
+    const auto& at = corners.back().at;
+    if (at == dvec4(0)) refuse("homogeneous", "point {}: 0,0,0,0 is no point", corners.size());
+    for (int i = 0; i < 4; ++i) {
+      const double size = std::abs(at[i]);
+      if (size == 0 || (1e-6 <= size && size <= 1e6)) continue;
+      refuse("homogeneous",
+             "point {}: expected numbers that are 0 or from 0.000001 to 1000000 in size, found '{}'",
+             corners.size(), text_of(p));
+    }
+  }
+  return corners;
+}
+
+// --- The methods in the plane
+
+/// What the steps of the textbook's passes hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const VertexTested<T>& v) const {
+    to.point("vertex", v.vertex.at);
+    to.decision(v.side);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const EdgeCut<T>& c) const {
+    to.point("cut", c.vertex.at);
+  }
+  template <class T>
+  void operator()(NumericStep<T>&, const BorderPassed<T>&) const {}
+};
+
+void set_up(Narrator& narrator, const Given& given) {
+  require_scale(panel_of(given), narrator.arguments(), {"polygon", "window", "window_polygon"});
+  narrator.paper(plane_width, plane_height);
+  narrator.subtitle("subtitle", {{"corners", given.outline().size()}, {"borders", given.order.size()}});
+  narrator.legend({{Role::input, "input"},
+                   {Role::boundary, "boundary"},
+                   {Role::past, "past"},
+                   {Role::current, "current"},
+                   {Role::accepted, "accepted"},
+                   {Role::rejected, "rejected"},
+                   {Role::result, "result"}});
+  narrator.key_by_type();
+  narrator.last_is_telling();
+  if (!given.oblique) return;
+  // An order of borders that it hasn't got
+  std::erase_if(narrator.trace().arguments, [&](const Argument& a) {
+    return a.name == "order" && a.value == order_parameter().default_value;
+  });
+}
+
+/// Runs `clip` at the window that was given, of whichever kind.
+template <class Clip>
+void at_window(const Given& given, Clip clip) {
+  given.oblique ? clip(*given.oblique) : clip(given.rectangle);
+}
+
+void tell_border_by_border(Narrator& narrator) {
+  const Given given = given_of(narrator.arguments(), {.oblique_windows = true});
+  set_up(narrator, given);
+  BorderStory story(narrator.words(), given, std::nullopt);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  at_window(given, [&](const auto& window) {
+    const auto polygon = clip_to_window(given.outline(), window, given.order, watch);
+    story.add_result(polygon);
+    bridges(polygon, given.outline(), window, [&](const auto& bridge) { watch(bridge, 0); });
+  });
+  watch(steps::Finished{}, 0);
+}
+
+void tell_separate_pieces(Narrator& narrator) {
+  const Given given = given_of(narrator.arguments(), {.holes = true, .oblique_windows = true});
+  set_up(narrator, given);
+  narrator.columns({{"border", false}, {"out"}, {"in"}, {"rings"}});
+  PiecesStory story(narrator.words(), given);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  at_window(given, [&](const auto& window) { separate_pieces(given.rings, window, given.order, watch); });
+  watch(steps::Finished{}, 0);
+}
+
+/// The textbook's loop and the notes' listings, in plain arithmetic. clip: of a task.
+template <class Clip>
+void tell_plain(Narrator& narrator, Clip clip) {
+  const Given given = given_of(narrator.arguments(), {});
+  set_up(narrator, given);
+  std::optional<double> right;
+  if (narrator.method().standing == Standing::faulty) {
+    const auto polygon = clip_to_window(given.outline(), given.rectangle);
+    right = std::abs(area_of(places(polygon)));
+  }
+  BorderStory story(narrator.words(), given, right);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  story.add_result(clip(Task<double>{given.outline(), given.rectangle, given.order}, watch));
+  watch(steps::Finished{}, 0);
+}
+
+/// Such a listing for one border, at one after the other.
+template <class Pass>
+void tell_passes(Narrator& narrator, Pass pass) {
+  tell_plain(narrator, [&](const auto& task, const auto& watch) {
+    return by_passes(task, [&](auto rest, auto border) { return pass(rest, border, watch); });
+  });
+}
+
+void tell_cut_of_a_cut(Narrator& narrator) {
+  tell_passes(narrator, [](auto... at) { return cut_of_a_cut(at...); });
+  const auto run = [given = given_of(narrator.arguments(), {})]<class T>(T, const auto& observer) {
+    std::vector<glm::vec<2, T>> corners;
+    for (const dvec2 p : given.outline()) corners.push_back(in_scalar<T>(p));
+    const Rectangle<T> window = in_scalar<T>(given.rectangle);
+    by_passes(Task<T>{corners, window, given.order},
+              [&](auto rest, auto border) { return cut_of_a_cut(rest, border, observer); });
+  };
+  tell_side_by_side<Numbers>(narrator, run);
+}
+void tell_entering_not_cut(Narrator& narrator) {
+  tell_passes(narrator, [](auto... at) { return entering_not_cut(at...); });
+}
+void tell_previous_left_behind(Narrator& narrator) {
+  tell_passes(narrator, [](auto... at) { return previous_left_behind(at...); });
+}
+void tell_marked_by_window(Narrator& narrator) {
+  tell_passes(narrator, [](auto... at) { return marked_by_window(at...); });
+}
+void tell_containing_left_whole(Narrator& narrator) {
+  tell_plain(narrator,
+             [](const auto& task, const auto& watch) { return containing_left_whole(task, watch); });
+}
+
+// --- The method before the division
+
+void tell_homogeneous(Narrator& narrator) {
+  const Arguments& arguments = narrator.arguments();
+  if (!arguments.rings("hole").empty()) refuse("hole", "holes are cut by --method separate_pieces alone");
+  if (!arguments.points("window_polygon").empty())
+    refuse("window_polygon", "method homogeneous clips at the planes of clip space alone");
+  const std::vector<Point<double>> corners = homogeneous_of(arguments);
+  const auto planes = view_volume(1.0, 1.0);
+  narrator.paper(ClipSpaceStory::paper_width, ClipSpaceStory::paper_height);
+  narrator.subtitle("subtitle_space", {{"corners", corners.size()}, {"planes", planes.size()}});
+  narrator.trace().goal = narrator.words().say("goal_space");
+  narrator.legend({{Role::input, "input"},
+                   {Role::past, "past_plane"},
+                   {Role::current, "current"},
+                   {Role::accepted, "accepted"},
+                   {Role::rejected, "rejected_space"},
+                   {Role::result, "result"}});
+  narrator.columns({{"plane", false}, {"corner", false}, {"value"}, {"kept", false}});
+  narrator.key_by_type();
+  narrator.last_is_telling();
+  ClipSpaceStory story(narrator.words(), corners);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  const auto polygon = clip(corners, std::span<const Plane<double>>(planes), watch);
+  watch(steps::Finished{}, 0);
+  narrator.result({{"corners", static_cast<std::int64_t>(polygon.size())}});
+}
+
+const std::vector<Method>& all_methods() {
+  const auto faulty = [](std::string name, void (*tell)(Narrator&)) {
+    return Method{
+        .name = std::move(name), .standing = Standing::faulty, .tell = tell, .unread = {"homogeneous"}};
+  };
+  static const std::vector<Method> methods{
+      {.name = "border_by_border",
+       .standing = Standing::taught,
+       .tell = tell_border_by_border,
+       .function = "cut_at_border",
+       .unread = {"homogeneous"}},
+      {.name = "separate_pieces",
+       .tell = tell_separate_pieces,
+       .function = "split_at",
+       .file = "separate_pieces.hpp",
+       .unread = {"homogeneous"}},
+      {.name = "homogeneous",
+       .tell = tell_homogeneous,
+       .function = "clip",
+       .unread = {"polygon", "hole", "window", "window_polygon", "order", "exact"}},
+      {.name = "cut_of_a_cut",
+       .tell = tell_cut_of_a_cut,
+       .file = "sutherland_hodgman_notes.hpp",
+       .unread = {"homogeneous"},
+       .exact = true},
+      faulty("entering_not_cut", tell_entering_not_cut),
+      faulty("previous_left_behind", tell_previous_left_behind),
+      faulty("marked_by_window", tell_marked_by_window),
+      faulty("containing_left_whole", tell_containing_left_whole)};
+  return methods;
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  static const TopicEntry topic = completed<entry>(
+      {.name = "sutherland_hodgman",
+       .chapter = "clipping",
+       .aliases = {"polygon clipping", "reentrant clipping", "weiler atherton"},
+       .summary = "the part of a polygon that lies in a convex window, border by border",
+       .methods = all_methods(),
+       .columns = {{"border", false}, {"corner", false}, {"side", false}, {"kept", false}},
+       .parameters = parameters(),
+       .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
+                    "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",
+                    "--window-polygon '5,-3 12,3 8,10 -2,7'",
+                    "--method homogeneous --homogeneous '-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1'"}});
+  return topic;
+}
+
+}  // namespace gradus::sutherland_hodgman

@@ -1,0 +1,319 @@
+// A line from above, before and after the transformation: straight, or bent, when z stays as it is. A wall
+// stands behind its middle.
+
+#include "projection/perspective/perspective_notes.hpp"
+#include "stories/projection/perspective_telling.hpp"
+
+namespace gradus::perspective {
+namespace {
+
+struct Task {
+  bool bent;  ///< the notes' transformation
+  double near, far, wall;
+  dvec3 from, to;
+  int samples;  ///< between the ends
+
+  Projection<double> projection() const { return projection_of(near, near, near, far); }
+  dvec3 image_of(dvec3 p) const { return bent ? *keep_z(near, p) : divide(transform(projection(), p)); }
+  double depth_of_wall() const { return image_of({0, 0, wall}).z; }
+};
+
+Task task_of(const Arguments& arguments, bool bent) {
+  const Task task{.bent = bent,
+                  .near = distance_of(arguments),
+                  .far = *arguments.number("far"),
+                  .wall = *arguments.number("wall"),
+                  .from = vector_of(arguments, "from"),
+                  .to = vector_of(arguments, "to"),
+                  .samples = static_cast<int>(arguments.integer("samples"))};
+  if (!(task.far > task.near)) {
+    refuse(arguments, {"far", "distance"},
+           fmt::format("expected a far plane beyond the distance {}, not at {}", task.near, task.far));
+  }
+  const auto between = [&](std::string_view name, double z) {
+    if (task.near <= z && z <= task.far) return;
+    refuse(arguments, {name, "distance", "far"},
+           fmt::format("expected a depth z of {} from the distance {} to the far plane {}, not {}", name,
+                       task.near, task.far, z));
+  };
+  between("from", task.from.z);
+  between("to", task.to.z);
+  between("wall", task.wall);
+  const double a = task.image_of(task.from).x, b = task.image_of(task.to).x;
+  if (std::abs(a - b) < 1e-6 * (std::abs(a) + std::abs(b))) {
+    refuse(arguments, {"to", "from"}, "expected a line whose ends are seen at two different x");
+  }
+  return task;
+}
+
+/// A point of the line.
+struct Sample {
+  std::string name;
+  dvec3 point;
+  dvec3 image{};
+};
+
+/// The ends first, for the straight line runs between them.
+std::vector<Sample> samples_of(const Task& task) {
+  std::vector<Sample> samples{{"A", task.from}, {"B", task.to}};
+  for (int i = 1; i <= task.samples; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(task.samples + 1);
+    samples.push_back({fmt::format("M{}", i), task.from + share * (task.to - task.from)});
+  }
+  return samples;
+}
+
+class Story {
+ public:
+  Story(const Words& words, const Task& task)
+      : words_(words), task_(task), a_(task.image_of(task.from)), b_(task.image_of(task.to)) {
+    Extent space, image;
+    for (const dvec3 p : {task.from, task.to}) space.add({p.x, p.z});
+    space.add({0, 0});
+    space.add({0, std::min(task.far, std::max({task.from.z, task.to.z, task.wall}) * 1.1)});
+    space_ = Panel({{4, 3}, {17, 22.5}}, widened(space, 0.06));
+    const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
+    image.add({least - margin, std::min({a_.z, b_.z, task.depth_of_wall()})});
+    image.add({most + margin, std::max({a_.z, b_.z, task.depth_of_wall()})});
+    image.lower.y -= 0.1 * image.size().y;
+    image.upper.y += 0.1 * image.size().y;
+    image_ = Panel({{22.5, 3}, {35, 22.5}}, image, Panel::Fit::stretched);
+  }
+
+  const Panel& image_panel() const { return image_; }
+  void turn_to(std::size_t sample) { now_ = samples_[sample]; }
+  const std::vector<Sample>& samples() const { return samples_; }
+  double worst() const { return worst_; }
+
+  void show(Board& board, const steps::Started&) { board.milestone(view()); }
+  Event say(const steps::Started&) const {
+    return {.text = task_.bent ? "started.keep_z" : "started.transformation",
+            .words = {{"wall", real(task_.wall)}, {"near", real(task_.near)}, {"far", real(task_.far)}},
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const Multiplied<double>&) { board.detail(pointed()); }
+  Event say(const Multiplied<double>& m) const {
+    return {.text = "multiplied",
+            .facts = {{"point", now_.name}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
+            .words = {{"name", now_.name}, {"x", real(m.clip.x)}, {"z", real(m.clip.z)}},
+            .key = now_.name};
+  }
+  void show(Board& board, const Divided<double>& d) { arrive(board, d.ndc); }
+  Event say(const Divided<double>&) const { return arrived(); }
+
+  void show(Board& board, const Scaled<double>&) { board.detail(pointed()); }
+  Event say(const Scaled<double>& s) const {
+    return {
+        .text = "scaled_point",
+        .facts = {{"point", now_.name}, {"factor", s.factor}},
+        .words = {{"name", now_.name}, {"d", real(task_.near)}, {"z", s.point.z}, {"factor", real(s.factor)}},
+        .key = now_.name,
+        .decides = before_eye(words_, s.point.z)};
+  }
+  void show(Board& board, const Projected<double>& p) { arrive(board, p.image); }
+  Event say(const Projected<double>& p) const {
+    Event event = arrived();
+    if (!event.decides) event.decides = before_eye(words_, p.point.z);
+    return event;
+  }
+
+  void show(Board&, const Unseen<double>&) {}  // every point is before the eye
+  Event say(const Unseen<double>&) const { return {}; }
+
+  void show(Board& board, const steps::Finished&) {
+    View seen = view();
+    if (worst_at_) add_error(seen, arrived_[*worst_at_].image);
+    board.milestone(std::move(seen));
+  }
+  Event say(const steps::Finished&) const {
+    const auto wrongly_hidden = [&](const Sample& sample) {
+      const double wall = task_.depth_of_wall();
+      return (sample.image.z < wall) != (interpolated(sample.image.x).z < wall);
+    };
+    const bool wrong_surface = std::any_of(arrived_.begin() + 2, arrived_.end(), wrongly_hidden);
+    return {.text = is_off(worst_) ? (wrong_surface ? "done.wrong_surface" : "done.bent")
+                    : task_.bent   ? "done.level"
+                                   : "done.transformation",
+            .facts = {{"largest_error", worst_, "error"}},
+            .words = {{"error", real(worst_)}, {"wall", real(task_.wall)}}};
+  }
+
+ private:
+  /// Beside rounding, which depths of this line's size have.
+  bool is_off(double error) const {
+    return std::abs(error) > 1e-9 * std::max({std::abs(a_.z), std::abs(b_.z), 1e-3});
+  }
+  dvec2 in_space(dvec3 p) const { return space_.at({p.x, p.z}); }
+  dvec2 in_image(dvec3 p) const { return image_.at({p.x, p.z}); }
+  /// What stands between A and B at this x: a scan line's depth.
+  dvec3 interpolated(double x) const { return {x, 0, interpolated_depth(a_, b_, x)}; }
+  double error_at(dvec3 image) const { return interpolated(image.x).z - image.z; }
+
+  // --- A point has its image
+
+  void arrive(Board& board, dvec3 image) {
+    now_.image = image;
+    arrived_.push_back(now_);
+    if (arrived_.size() > 2 && std::abs(error_at(image)) > std::abs(worst_)) {
+      worst_ = error_at(image);
+      worst_at_ = arrived_.size() - 1;
+    }
+    View seen = pointed();
+    seen.add({"e image " + now_.name, Role::current, Dot{in_image(image)}});
+    seen.add({"f image name " + now_.name, Role::current, Label{in_image(image), now_.name + "′"}});
+    if (arrived_.size() > 2) add_error(seen, image);
+    board.milestone(std::move(seen));
+  }
+
+  Event arrived() const {
+    const dvec3 point = now_.point, image = now_.image;
+    const std::string place =
+        fmt::format("{} ({},\u00a0{})", now_.name, short_real(point.x), short_real(point.z));
+    Event event{.text = "end_point",
+                .facts = {{"point", now_.name}, {"x", image.x}, {"z", image.z}},
+                .words = {{"name", now_.name}, {"x", real(image.x)}, {"z", real(image.z)}},
+                .row = {place, real(image.x), real(image.z)},
+                .key = now_.name};
+    if (arrived_.size() <= 2) return event;
+    const double guess = interpolated(image.x).z, error = error_at(image);
+    event.text = is_off(error) ? "off_the_line" : "on_the_line";
+    event.facts.push_back({"error", error});
+    event.words.push_back({"guess", real(guess)});
+    event.row.insert(event.row.end(), {real(guess), real(error)});
+    event.decides = before_wall(guess);
+    return event;
+  }
+
+  /// What whoever draws the scan line reads there.
+  Decision before_wall(double guess) const {
+    const double wall = task_.depth_of_wall();
+    return yes_or_no(words_,
+                     words_.say("question.before_wall",
+                                {{"name", now_.name}, {"guess", real(guess)}, {"wall", real(wall)}}),
+                     guess < wall, guess < wall ? "nearer" : "farther");
+  }
+
+  // --- The drawing
+
+  View view() const {
+    View view;
+    view.add({"z caption space", Role::guide, Text{{10, 25.4}, words_.say("from_above")}});
+    view.add({"z caption image", Role::guide, Text{{28.5, 25.4}, words_.say("transformed")}});
+    add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 5);
+    add_axes(view, image_, "image", {words_.symbol("x′"), words_.symbol("z′")}, 5);
+    add_space(view);
+    add_wall_in_image(view);
+    if (arrived_.size() >= 2) add_line_in_image(view);
+    for (std::size_t i = 0; i < arrived_.size(); ++i) {
+      const auto& [name, point, image] = arrived_[i];
+      view.add({"e space " + name, Role::past, Dot{in_space(point)}});
+      view.add({"e image " + name, Role::past, Dot{in_image(image)}});
+      if (i >= 2) continue;
+      view.add({"f space name " + name, Role::input, Label{in_space(point), name}});
+      view.add({"f image name " + name, Role::input, Label{in_image(image), name + "′"}});
+    }
+    return view;
+  }
+
+  void add_space(View& view) const {
+    const Extent shown = space_.shown();
+    const auto level = [&](double depth) {
+      return Stroke{space_.at({shown.lower.x, depth}), space_.at({shown.upper.x, depth})};
+    };
+    view.add({"a plane", Role::guide, level(task_.near)});
+    view.add({"b wall", Role::boundary, level(task_.wall)});
+    view.add({"f wall name in space", Role::boundary,
+              Label{space_.at({shown.upper.x - 0.1 * shown.size().x, task_.wall}), words_.say("wall")}});
+    view.add({"c line", Role::input, Stroke{in_space(task_.from), in_space(task_.to)}});
+    const dvec2 eye = space_.at({0, 0});
+    view.add({"e eye", Role::input, Dot{eye}});
+    view.add({"f eye name", Role::input, Label{eye, words_.shared("projection", "eye")}});
+  }
+
+  void add_wall_in_image(View& view) const {
+    const Extent shown = image_.shown();
+    const double wall = task_.depth_of_wall();
+    view.add({"b wall image", Role::boundary,
+              Stroke{image_.at({shown.lower.x, wall}), image_.at({shown.upper.x, wall})}});
+    view.add({"f wall name", Role::boundary,
+              Label{image_.at({shown.upper.x - 0.08 * shown.size().x, wall}), words_.say("wall")}});
+  }
+
+  /// What became of the line, and where it was bent what a scan line draws.
+  void add_line_in_image(View& view) const {
+    const Stroke chord{in_image(a_), in_image(b_)};
+    if (!task_.bent) return view.add({"d curve", Role::result, chord});
+    view.add({"c chord", Role::candidate, chord});
+    std::vector<dvec2> curve;
+    constexpr int pieces = 64;
+    for (int i = 0; i <= pieces; ++i) {
+      const double share = static_cast<double>(i) / pieces;
+      curve.push_back(in_image(task_.image_of(task_.from + share * (task_.to - task_.from))));
+    }
+    view.add({"d curve", Role::result, Path{curve, false}});
+  }
+
+  View pointed() const {
+    View seen = view();
+    seen.add({"d ray", Role::current, Stroke{space_.at({0, 0}), in_space(now_.point), false, true}});
+    seen.add({"e space " + now_.name, Role::current, Dot{in_space(now_.point)}});
+    seen.add({"f space name " + now_.name, Role::current, Label{in_space(now_.point), now_.name}});
+    return seen;
+  }
+
+  void add_error(View& view, dvec3 image) const {
+    const dvec3 on_chord = interpolated(image.x);
+    const double error = on_chord.z - image.z;
+    if (!is_off(error)) return;
+    view.add({"d error", Role::measure, Stroke{in_image(image), in_image(on_chord)}});
+    view.add(
+        {"f error name", Role::measure,
+         Label{0.5 * (in_image(image) + in_image(on_chord)), words_.say("error", {{"error", real(error)}})}});
+  }
+
+  const Words& words_;
+  const Task& task_;
+  const dvec3 a_, b_;  ///< the ends' images
+  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, image_ = space_;
+  const std::vector<Sample> samples_ = samples_of(task_);
+  Sample now_{};
+  std::vector<Sample> arrived_;
+  double worst_ = 0;
+  std::optional<std::size_t> worst_at_;
+};
+
+/// take(point, observer): what the method does with a point.
+template <class Take>
+void tell_line(Narrator& narrator, const Task& task, const Take& take) {
+  Story story(narrator.words(), task);
+  require_scale(story.image_panel(), narrator.arguments(), {"from", "to", "wall", "distance", "far"});
+  narrator.subtitle("subtitle.line", {{"from", place_text(task.from)}, {"to", place_text(task.to)}});
+  narrator.paper(solids::paper_width, paper_height);
+  narrator.columns({{"point", false}, {"x_image"}, {"z_image"}, {"interpolated"}, {"error"}});
+  narrator.legend({{Role::current, "point"},
+                   {Role::result, "true_line"},
+                   {Role::candidate, "interpolated"},
+                   {Role::measure, "error"}});
+  narrator.last_of_whole_is_telling();
+  narrator.tell_each(story, story.samples().size(),
+                     [&](std::size_t i, const auto& watch) { take(story.samples()[i].point, watch); });
+  narrator.result({{"largest_error", story.worst(), "error"}});
+}
+
+}  // namespace
+
+void tell_transformation(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments(), false);
+  narrator.list_below("divide");
+  tell_line(narrator, task, [&task](dvec3 point, const auto& watch) {
+    divide(transform(task.projection(), point, watch), watch);
+  });
+}
+
+void tell_keep_z(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments(), true);
+  tell_line(narrator, task, [&task](dvec3 point, const auto& watch) { keep_z(task.near, point, watch); });
+}
+
+}  // namespace gradus::perspective

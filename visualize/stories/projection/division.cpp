@@ -1,0 +1,341 @@
+// What is divided, and what should not be: points where the eye may be among them, from above and in the
+// picture.
+
+#include "projection/perspective/perspective_notes.hpp"
+#include "stories/projection/perspective_telling.hpp"
+
+namespace gradus::perspective {
+namespace {
+
+enum class Way { tested, untested, zoom_minus_z };
+
+bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
+std::string name_of(std::size_t i) { return std::string(1, static_cast<char>('A' + i)); }
+
+struct Task {
+  Way way;
+  std::vector<dvec3> points;
+  double zoom;
+  dvec2 scales{1, 1}, centre{0, 0};
+  Projection<double> projection{};
+
+  bool zooms() const { return way == Way::zoom_minus_z; }
+  WireScreen<double> screen() const { return {centre, scales.x, zoom}; }
+  /// From a point as it is given, with the eye `zoom` before z = 0, to view space.
+  dvec3 in_view(dvec3 p) const { return p - dvec3{centre, -zoom}; }
+  dvec2 right_image(dvec3 p) const { return dvec2(divide_untested(projection, in_view(p))) + centre; }
+  dvec2 image_of(dvec3 p) const { return zooms() ? zoom_minus_z(screen(), p) : right_image(p); }
+  bool behind(dvec3 p) const { return !(zoom + p.z > 0); }
+  /// Where the formula has the eye, from above; it looks towards the plane.
+  dvec2 eye() const { return {centre.x, zooms() ? zoom : -zoom}; }
+  double plane() const { return eye().y + (zooms() ? -scales.x : scales.x); }
+};
+
+Task task_of(const Arguments& arguments, Way way) {
+  Task task{.way = way, .points = arguments.places("points"), .zoom = *arguments.number("zoom")};
+  const std::vector<double> scales = arguments.numbers("scales");
+  const std::vector<double> centre = arguments.numbers("centre");
+  const std::vector<double> range = arguments.numbers("range");
+  task.scales = {scales[0], task.zooms() ? scales[0] : scales[1]};
+  task.centre = {centre[0], centre[1]};
+  if (!(std::min(task.scales.x, task.scales.y) > 0))
+    refuse("scales", "expected scales above 0, not {},{}", scales[0], scales[1]);
+  if (!(0 < range[0] && range[0] < range[1] && range[1] <= 1e12))
+    refuse("range", "expected 0 < near < far, not {},{}", range[0], range[1]);
+  task.projection = projection_of(task.scales.x, task.scales.y, range[0], range[1]);
+  return task;
+}
+
+class Story {
+ public:
+  /// multiplied_line: of the listing, where it has a call of transform rather than transform itself.
+  Story(const Words& words, const Task& task, std::optional<int> multiplied_line)
+      : words_(words), task_(task), multiplied_line_(multiplied_line) {
+    lay_out();
+  }
+
+  void turn_to(std::size_t point) { current_ = point; }
+
+  void show(Board& board, const steps::Started&) { board.milestone(view()); }
+  Event say(const steps::Started&) const {
+    return {.text = by_way("started.divide_tested", "started.divide_untested", "started.zoom_minus_z"),
+            .words = {{"zoom", real(task_.zoom)}},
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const Multiplied<double>&) { board.detail(pointed()); }
+  Event say(const Multiplied<double>& m) const {
+    return {.text = "multiplied",
+            .facts = {{"point", name()}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
+            .words = {{"name", name()}, {"x", real(m.clip.x)}, {"z", real(m.clip.z)}},
+            .key = name(),
+            .decides = divisible(m.clip.w),
+            .line = multiplied_line_};
+  }
+
+  void show(Board& board, const Divided<double>& d) {
+    arrive(board, task_.zooms() ? dvec2(d.ndc) : dvec2(d.ndc) + task_.centre);
+  }
+  Event say(const Divided<double>& d) const {
+    const double w = d.clip.w;
+    if (task_.zooms()) return zoomed(w);
+    return arrived({.text = w > 0    ? "divided"
+                            : w == 0 ? "divided_by_zero"
+                                     : "divided_behind",
+                    .decides = divisible(w)},
+                   w, d.ndc.z);
+  }
+
+  void show(Board& board, const LeftUndivided<double>&) { arrive(board, std::nullopt); }
+  Event say(const LeftUndivided<double>& l) const {
+    return {.text = "left_undivided",
+            .facts = {{"point", name()}, {"w", l.clip.w}},
+            .words = {{"name", name()}},
+            .row = {point_text(), l.clip.w, words_.say("no_image")},
+            .key = name(),
+            .decides = divisible(l.clip.w)};
+  }
+
+  void show(Board& board, const LeftAlone<double>& l) { arrive(board, dvec2(l.node)); }
+  Event say(const LeftAlone<double>&) const {
+    return arrived({.text = "left_alone", .decides = has_no_depth(true)}, std::nullopt, std::nullopt);
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    turn_to(task_.points.size());
+    board.milestone(view());
+  }
+  Event say(const steps::Finished&) const {
+    const std::int64_t behind = std::ranges::count_if(task_.points, [&](dvec3 p) { return task_.behind(p); });
+    if (task_.zooms()) return {.text = "done.zoom_minus_z"};
+    if (behind == 0) return {.text = "done.before_the_eye"};
+    return {.text = by_way("done.divide_tested", "done.divide_untested", ""), .count = behind};
+  }
+
+  std::vector<Field> result() const {
+    std::vector<Field> result;
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      if (!has_image(i)) continue;
+      result.push_back({name_of(i) + ".x", images_[i]->x, "x"});
+      result.push_back({name_of(i) + ".y", images_[i]->y, "y"});
+    }
+    return result;
+  }
+
+ private:
+  std::string_view by_way(std::string_view tested, std::string_view untested, std::string_view zoom) const {
+    return task_.way == Way::tested ? tested : task_.way == Way::untested ? untested : zoom;
+  }
+  std::string name() const { return name_of(current_); }
+  std::string point_text() const { return name() + " " + figure_place(task_.points[current_]); }
+  std::string image_text(dvec2 p) const { return finite(p) ? place_text(p) : words_.say("no_number"); }
+  bool has_image(std::size_t i) const { return images_[i] && finite(*images_[i]); }
+
+  // --- A point has its image, or none
+
+  void arrive(Board& board, std::optional<dvec2> image) {
+    images_.push_back(image);
+    board.milestone(pointed());
+  }
+
+  /// The event with what all of them tell.
+  Event arrived(Event event, std::optional<double> w, std::optional<double> z) const {
+    const dvec2 image = *images_[current_];
+    const bool has_z = z && gradus::perspective::finite(*z);
+    event.key = name();
+    event.facts = {{"point", name()}};
+    if (w) event.facts.push_back({"w", *w});
+    if (finite(image)) event.facts.insert(event.facts.end(), {{"x", image.x}, {"y", image.y}});
+    if (has_z) event.facts.push_back({"z", *z});
+    event.words.insert(event.words.end(), {{"name", name()},
+                                           {"image", image_text(image)},
+                                           {"right", image_text(task_.right_image(task_.points[current_]))}});
+    event.row = {point_text(), w ? Said(*w) : "", image_text(image), has_z ? real(*z) : ""};
+    return event;
+  }
+  Event zoomed(double w) const {
+    const double depth = task_.zoom + task_.points[current_].z;
+    return arrived({.text = depth > 0 ? "zoomed" : "zoomed_behind",
+                    .words = {{"zoom", real(task_.zoom)}, {"depth", real(depth)}},
+                    .decides = has_no_depth(false)},
+                   w, std::nullopt);
+  }
+
+  std::optional<Decision> divisible(double w) const {
+    if (task_.way != Way::tested) return std::nullopt;  // it isn't asked
+    return yes_or_no(words_, words_.say("question.before_w", {{"w", w}}), w > 0, w > 0 ? "before" : "behind");
+  }
+  Decision has_no_depth(bool yes) const {
+    return yes_or_no(words_, words_.say("question.left_alone", {{"z", task_.points[current_].z}}), yes,
+                     yes ? "left alone" : "divided");
+  }
+
+  // --- The drawing
+
+  /// The picture has room for all images but those that fly off.
+  void lay_out() {
+    const double scale = std::max(task_.scales.x, task_.scales.y);
+    half_ = 0.3 * scale;
+    for (const dvec3 p : task_.points) {
+      const dvec2 away = glm::abs(task_.image_of(p) - task_.centre);
+      const double most = std::max(away.x, away.y);
+      if (finite(away) && most <= 2.2 * scale) half_ = std::max(half_, 1.5 * most);
+    }
+    Extent space;
+    for (const dvec3 p : task_.points) space.add({p.x, p.z});
+    space.add(task_.eye());
+    for (const double side : {-half_, half_}) space.add({task_.centre.x + side, task_.plane()});
+    space_ = Panel({{4, 3}, {17, 22.5}}, widened(space, 0.05), Panel::Fit::stretched);
+    picture_ = Panel({{22.5, 6}, {35, 18.5}}, {task_.centre - half_, task_.centre + half_});
+  }
+  dvec2 from_above(std::size_t i) const { return {task_.points[i].x, task_.points[i].z}; }
+
+  static void add_stroke(View& view, const Panel& panel, std::string id, Role role, dvec2 a, dvec2 b,
+                         bool dashed = false) {
+    const std::optional<Stroke> part = shown_part(panel.shown(), a, b);
+    if (part) view.add({std::move(id), role, Stroke{panel.at(part->a), panel.at(part->b), false, dashed}});
+  }
+
+  /// The whole projector of a point: it, the eye and the image, as far as the drawing reaches.
+  void add_projector(View& view, std::size_t i, Role role) const {
+    const dvec2 point = from_above(i), eye = task_.eye();
+    if (!has_image(i) || point == eye) return;
+    if (task_.zooms() && task_.points[i].z == 0) return;  // left alone
+    std::array<dvec2, 3> line{eye, point, dvec2{images_[i]->x, task_.plane()}};
+    std::ranges::sort(line, {}, [](dvec2 p) { return std::pair(p.y, p.x); });
+    add_stroke(view, space_, fmt::format("b projector {}", i), role, line[0], line[2], true);
+  }
+
+  /// A point's image: a dot, or where it lies outside an arrow to the border.
+  void add_image(View& view, std::size_t i, Role role) const {
+    if (!has_image(i)) return;
+    const dvec2 centre = task_.centre, away = *images_[i] - centre;
+    const double most = std::max(std::abs(away.x), std::abs(away.y));
+    const bool inside = most <= half_;
+    const dvec2 end = picture_.at(inside ? *images_[i] : centre + away * (half_ / most));
+    const std::string id = fmt::format("e image {}", i);
+    if (inside) {
+      view.add({id, role, Dot{end}});
+    } else {
+      view.add({id, role, Stroke{picture_.at(centre + away * (0.85 * half_ / most)), end, true}});
+    }
+    view.add({fmt::format("f image name {}", i), role, Label{end, name_of(i) + "′"}});
+  }
+
+  /// The picture of the line between a point and the next.
+  void add_line(View& view, std::size_t i, Role role) const {
+    const std::string id = fmt::format("d image line {}", i);
+    if (images_[i] && images_[i + 1]) {
+      if (has_image(i) && has_image(i + 1))
+        add_stroke(view, picture_, id, role, *images_[i], *images_[i + 1]);
+      return;
+    }
+    if (!images_[i] && !images_[i + 1]) return;
+    // It runs to infinity, towards where it passes beside the eye
+    const std::size_t seen = images_[i] ? i : i + 1, other = images_[i] ? i + 1 : i;
+    const glm::dvec4 a = transform(task_.projection, task_.in_view(task_.points[seen]));
+    const glm::dvec4 b = transform(task_.projection, task_.in_view(task_.points[other]));
+    const dvec2 from = *images_[seen], way = dvec2(a + a.w / (a.w - b.w) * (b - a));
+    const Extent shown{task_.centre - half_, task_.centre + half_};
+    const bool inside = glm::all(glm::lessThanEqual(glm::abs(from - task_.centre), dvec2{half_}));
+    if (!inside || way == dvec2{0}) return;
+    view.add({id, role, Stroke{picture_.at(from), picture_.at(last_inside(shown, from, way)), true}});
+  }
+
+  View view() const {
+    View view;
+    view.add({"z caption space", Role::guide, Text{{10, 25.4}, words_.say("from_above")}});
+    view.add({"z caption image", Role::guide, Text{{28.5, 25.4}, words_.shared("projection", "picture")}});
+    add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
+    add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
+    const double middle = task_.centre.x, plane = task_.plane();
+    add_stroke(view, space_, "a plane", Role::boundary, {middle - half_, plane}, {middle + half_, plane});
+    const dvec2 eye = space_.at(task_.eye());
+    view.add({"e eye", Role::input, Dot{eye}});
+    view.add({"f eye name", Role::input, Label{eye, words_.shared("projection", "eye")}});
+    for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
+      add_stroke(view, space_, fmt::format("c line {}", i), Role::input, from_above(i), from_above(i + 1));
+    for (std::size_t i = 0; i < task_.points.size(); ++i) add_point(view, i, Role::input);
+    add_images(view);
+    return view;
+  }
+  void add_point(View& view, std::size_t i, Role role) const {
+    const dvec2 at = space_.at(from_above(i));
+    view.add({fmt::format("e point {}", i), role, Dot{at}});
+    view.add({fmt::format("f point name {}", i), role, Label{at, name_of(i)}});
+  }
+  void add_images(View& view) const {
+    const auto wrong = [&](std::size_t i) {
+      return task_.way != Way::tested && (task_.zooms() || task_.behind(task_.points[i]));
+    };
+    const Role right = current_ == task_.points.size() ? Role::result : Role::past;
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      add_projector(view, i, Role::guide);
+      add_image(view, i, wrong(i) ? Role::rejected : right);
+      if (i > 0) add_line(view, i - 1, wrong(i) || wrong(i - 1) ? Role::rejected : right);
+    }
+  }
+
+  /// With the point at hand.
+  View pointed() const {
+    View seen = view();
+    add_point(seen, current_, Role::current);
+    if (current_ < images_.size()) add_projector(seen, current_, Role::current);
+    return seen;
+  }
+
+  const Words& words_;
+  const Task& task_;
+  const std::optional<int> multiplied_line_;
+  double half_ = 1;  ///< of the picture's side
+  Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
+  std::size_t current_ = 0;
+  std::vector<std::optional<dvec2>> images_;
+};
+
+/// take(point, observer): what the method does with a point.
+template <class Take>
+void tell_points(Narrator& narrator, const Task& task, std::optional<int> multiplied_line, const Take& take) {
+  std::string list;
+  for (const dvec3 p : task.points) list += (list.empty() ? "" : ", ") + figure_place(p);
+  narrator.trace().subtitle = narrator.words().count(
+      "subtitle.points", static_cast<std::int64_t>(task.points.size()), {{"points", list}});
+  narrator.paper(solids::paper_width, paper_height);
+  narrator.columns({{"point", false}, {"w"}, {"image", false}});
+  if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});
+  narrator.legend({{Role::input, "points"}, {Role::current, "point"}, {Role::result, "result"}});
+  if (task.way != Way::tested)
+    narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.wrong")});
+  narrator.last_of_whole_is_telling();
+  Story story(narrator.words(), task, multiplied_line);
+  narrator.tell_each(story, task.points.size(),
+                     [&](std::size_t i, const auto& watch) { take(task.points[i], watch); });
+  narrator.result(story.result());
+}
+
+}  // namespace
+
+void tell_divide_tested(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments(), Way::tested);
+  narrator.list_below("divide");
+  narrator.list_below("divide_tested");
+  tell_points(narrator, task, std::nullopt, [&](dvec3 point, const auto& watch) {
+    divide_tested(task.projection, task.in_view(point), watch);
+  });
+}
+
+void tell_divide_untested(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments(), Way::untested);
+  const int call = narrator.trace().listing.front().number;
+  tell_points(narrator, task, call, [&](dvec3 point, const auto& watch) {
+    divide_untested(task.projection, task.in_view(point), watch);
+  });
+}
+
+void tell_zoom_minus_z(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments(), Way::zoom_minus_z);
+  tell_points(narrator, task, std::nullopt,
+              [&](dvec3 point, const auto& watch) { zoom_minus_z(task.screen(), point, watch); });
+}
+
+}  // namespace gradus::perspective

@@ -1,0 +1,413 @@
+// The story of a parallel projection: how every corner of a solid goes to the picture plane along one
+// direction, and what the picture keeps.
+
+#include "projection/parallel/parallel.hpp"
+
+#include "projection/parallel/parallel_notes.hpp"
+#include "stories/projection/solids.hpp"
+#include "stories/side_by_side.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::parallel {
+namespace {
+
+using solids::full_place_text;
+using solids::place_text;
+using solids::real;
+using solids::vector_of;
+
+using Images = solids::Scenery::Images;
+
+/// What is projected, how, and in which words.
+struct Task {
+  solids::Solid solid;
+  double d = 0;
+  Axis axis = Axis::z;
+  Slant<double> slant{};
+  Plane<double> plane{};
+  dvec3 direction{0};  ///< of the projectors, away from the viewer
+  dvec3 shown{0};      ///< the direction that the picture is seen along; a wrong method has one of its own
+  solids::Sheet sheet{};
+  std::vector<dvec3> right{};  ///< where the corners should go; empty: where they do
+  std::string_view started{}, cast{}, projected{}, done{};
+  bool all_digits = false;  ///< of the image, in a sentence that a reader may check
+};
+
+// --- The steps
+
+/// In brackets where a negative number is a factor or taken away.
+std::string factor(double value) { return value < -1e-9 ? "(" + real(value) + ")" : real(value); }
+
+class Story {
+ public:
+  Story(const Words& words, const Task& task, const Images& images)
+      : task_(task),
+        progress_({words.wording(),
+                   task.solid,
+                   task.sheet,
+                   hidden_along(task.solid, task.shown),
+                   {},
+                   images,
+                   task.right}) {}
+
+  void turn_to(std::size_t corner) { progress_.turn_to(corner); }
+
+  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(Role::past)); }
+  Event say(const steps::Started&) const {
+    return {.text = task_.started,
+            .words = {{"d", real(task_.d)},
+                      {"normal", place_text(task_.plane.normal)},
+                      {"direction", place_text(task_.direction)}},
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const Cast<double>& c) {
+    t_ = c.t;
+    board.detail(progress_.with_corner());
+  }
+  Event say(const Cast<double>& c) const {
+    const dvec3 n = task_.plane.normal;
+    return {.text = task_.cast,
+            .facts = {{"corner", progress_.number()}, {"t", c.t}},
+            .words = {{"d", real(task_.d)},
+                      {"coordinate", factor(c.point[static_cast<int>(task_.axis)])},
+                      {"offset", real(task_.plane.offset)},
+                      {"product", factor(glm::dot(n, c.point))},
+                      {"slope", factor(glm::dot(n, task_.direction))},
+                      {"t", real(c.t)}},
+            .key = progress_.key()};
+  }
+
+  void show(Board& board, const Projected<double>& p) {
+    progress_.arrive(p.image);
+    board.milestone(progress_.with_corner());
+  }
+  Event say(const Projected<double>& p) const {
+    const dvec3 right = task_.right.empty() ? p.image : task_.right[progress_.corner()];
+    const std::string image = task_.all_digits ? full_place_text(p.image) : place_text(p.image);
+    return {.text = task_.projected,
+            .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
+            .words = {{"d", real(task_.d)},
+                      {"x", real(p.point.x)},
+                      {"y", real(p.point.y)},
+                      {"t", factor(t_)},
+                      {"a", factor(task_.slant.a)},
+                      {"b", factor(task_.slant.b)},
+                      {"image_x", real(p.image.x)},
+                      {"image_y", real(p.image.y)},
+                      {"point", full_place_text(p.point)},
+                      {"direction", full_place_text(task_.direction)},
+                      {"image", image},
+                      {"right", place_text(right)}},
+            .row = {progress_.number(), place_text(p.point), real(t_), place_text(p.image)},
+            .key = progress_.key()};
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    View view = progress_.drawing(Role::result);
+    if (!task_.right.empty()) add_right_picture(view);
+    board.milestone(std::move(view));
+  }
+  Event say(const steps::Finished&) const {
+    return {.text = task_.done,
+            .words = {{"length", real(glm::length(dvec2{task_.slant.a, task_.slant.b}))},
+                      {"worst", real(largest_error())}}};
+  }
+
+  double largest_error() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < task_.right.size(); ++i) largest = std::max(largest, error(i));
+    return largest;
+  }
+
+ private:
+  double error(std::size_t i) const { return glm::distance(task_.right[i], *progress_.images()[i]); }
+
+  /// Beside the notes' picture, the one that its slant asks for, and how far a corner is off.
+  void add_right_picture(View& view) const {
+    const solids::Scenery& scenery = progress_.scenery();
+    const std::vector<bool> hidden = hidden_along(task_.solid, task_.direction);
+    for (std::size_t i = 0; i < task_.solid.edges.size(); ++i) {
+      const solids::Edge& edge = task_.solid.edges[i];
+      const dvec2 a = scenery.in_picture(task_.right[edge.a]), b = scenery.in_picture(task_.right[edge.b]);
+      view.add({fmt::format("f right {:02}", i), Role::accepted, Stroke{a, b, false, hidden[i]}});
+    }
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < task_.right.size(); ++i) {
+      if (error(i) > error(worst) + 1e-9) worst = i;
+    }
+    const dvec2 from = scenery.in_picture(*progress_.images()[worst]);
+    view.add({"d off", Role::measure, Stroke{from, scenery.in_picture(task_.right[worst])}});
+  }
+
+  const Task& task_;
+  solids::Progress progress_;
+  double t_ = 0;
+};
+
+// --- The arguments
+
+Task task_of(const Arguments& arguments) {
+  Task task;
+  task.d = *arguments.number("d");
+  task.cast = "cast.axis";
+  const std::vector<double> turn = arguments.numbers("turn");
+  const solids::Solid solid = arguments.text("solid") == "box" ? solids::box() : solids::house();
+  task.solid = placed(solid, solids::turned_axes(turn[0], turn[1]), vector_of(arguments, "at"));
+  return task;
+}
+
+/// The arguments' slant: from a direction if there is one, else from angle and foreshortening.
+Slant<double> slant_in(const Arguments& arguments) {
+  if (!arguments.numbers("direction").empty()) {
+    const dvec3 direction = vector_of(arguments, "direction");
+    if (!(std::abs(direction.z) > 1e-6 * (std::abs(direction.x) + std::abs(direction.y)))) {
+      refuse("direction", "expected a direction that meets the plane z = d, its z is 0 or far too small");
+    }
+    return slant_of(direction);
+  }
+  const std::vector<double> receding = arguments.numbers("receding");
+  if (!(0 <= receding[1] && receding[1] <= 10)) {
+    refuse("receding", "expected a foreshortening from 0 to 10, not {}", receding[1]);
+  }
+  const auto [sine, cosine] = sin_cos_degrees(receding[0]);
+  return {-(receding[1] * cosine), -(receding[1] * sine)};
+}
+
+/// Projectors that lean, onto z = d.
+Task leaning(const Arguments& arguments) {
+  Task task = task_of(arguments);
+  task.slant = slant_in(arguments);
+  task.sheet = {{0, 0, task.d}, {1, 0, 0}, {0, 1, 0}};
+  task.direction = task.shown = {task.slant.a, task.slant.b, 1};
+  return task;
+}
+
+/// Projectors that stand upright on a plane across an axis.
+Task upright(const Arguments& arguments) {
+  Task task = task_of(arguments);
+  const std::string& view = arguments.text("from");
+  task.axis = view == "side" ? Axis::x : view == "top" ? Axis::y : Axis::z;
+  if (task.axis == Axis::x) {
+    task.sheet = {{task.d, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    task.direction = {-1, 0, 0};
+  } else if (task.axis == Axis::y) {
+    task.sheet = {{0, task.d, 0}, {1, 0, 0}, {0, 0, 1}};
+    task.direction = {0, -1, 0};
+  } else {
+    task.sheet = {{0, 0, task.d}, {1, 0, 0}, {0, 1, 0}};
+    task.direction = {0, 0, 1};
+  }
+  task.shown = task.direction;
+  return task;
+}
+
+/// Any direction of the sheet as it stands upright for whoever looks along `forward`.
+solids::Sheet sheet_for(dvec3 origin, dvec3 forward) {
+  const bool level = std::abs(forward.x) + std::abs(forward.z) > 1e-9 * std::abs(forward.y);
+  const dvec3 right = unit_vector(glm::cross(level ? dvec3{0, 1, 0} : dvec3{0, 0, 1}, forward));
+  return {origin, right, unit_vector(glm::cross(forward, right))};
+}
+
+/// Onto any plane.
+Task onto_plane(const Arguments& arguments) {
+  Task task = task_of(arguments);
+  const std::vector<double> numbers = arguments.numbers("plane");
+  task.plane = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  const dvec3 normal = task.plane.normal;
+  if (normal == dvec3{0}) refuse("plane", "expected a normal that is not 0,0,0");
+  const bool upright = arguments.numbers("direction").empty();
+  const dvec3 v = upright ? normal : vector_of(arguments, "direction");
+  if (!meets(task.plane, v)) {
+    refuse("direction", "expected a direction that meets the plane, not one parallel to it");
+  }
+  // The viewer looks forward, or else down
+  task.direction = task.shown = v.z < 0 || (v.z == 0 && v.y > 0) ? -v : v;
+  const double sense = glm::dot(normal, task.direction) < 0 ? -1 : 1;
+  task.sheet = sheet_for(task.plane.offset / glm::dot(normal, normal) * normal, sense * normal);
+  return task;
+}
+
+// --- The methods
+
+/// project(point, observer...): where the method takes a point.
+template <class Project>
+void tell_corners(Narrator& narrator, const Task& task, const Project& project) {
+  narrator.trace().subtitle = narrator.words().say("subtitle." + narrator.arguments().text("solid"));
+  narrator.paper(solids::paper_width, solids::paper_height);
+  narrator.legend({{Role::input, "input"},
+                   {Role::boundary, "boundary"},
+                   {Role::current, "current"},
+                   {Role::past, "past"},
+                   {Role::result, "result"},
+                   {Role::accepted, "right"},
+                   {Role::measure, "off"}});
+  narrator.last_of_whole_is_telling();
+  Images images;
+  for (const dvec3 p : task.solid.corners) images.push_back(project(p));
+  Story story(narrator.words(), task, images);
+  narrator.tell_each(story, images.size(),
+                     [&](std::size_t i, const auto& watch) { project(task.solid.corners[i], watch); });
+  std::vector<Field> result{{"corners", static_cast<std::int64_t>(images.size())}};
+  if (!task.right.empty()) result.push_back({"largest_error", story.largest_error(), "error"});
+  narrator.result(std::move(result));
+}
+
+/// What a projection's steps hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Cast<T>& c) const {
+    to.number("t", c.t);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.point("image", p.image);
+  }
+};
+
+/// The same, in other arithmetics too. The slant is the doubles' in all three.
+template <class Project>
+void tell_exact_corners(Narrator& narrator, const Task& task, const Project& project) {
+  tell_corners(narrator, task, project);
+  tell_side_by_side<Numbers>(narrator,
+                             [corners = task.solid.corners, project]<class T>(T, const auto& observer) {
+                               for (const dvec3 corner : corners) project(in_scalar<T>(corner), observer);
+                             });
+}
+
+void tell_oblique(Narrator& narrator) {
+  Task task = leaning(narrator.arguments());
+  const double foreshortening = glm::length(dvec2{task.slant.a, task.slant.b});
+  const bool cavalier = std::abs(foreshortening - 1) < 1e-9, cabinet = std::abs(foreshortening - 0.5) < 1e-9;
+  task.started = "started.oblique";
+  task.projected = "projected.oblique";
+  task.done = cavalier ? "done.cavalier" : cabinet ? "done.cabinet" : "done.oblique";
+  tell_exact_corners(
+      narrator, task,
+      [d = task.d, slant = task.slant]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
+        return oblique(T(d), Slant<T>{T(slant.a), T(slant.b)}, point, observer...);
+      });
+}
+
+void tell_orthographic(Narrator& narrator) {
+  Task task = upright(narrator.arguments());
+  constexpr std::string_view started[]{"started.side", "started.top", "started.front"};
+  constexpr std::string_view projected[]{"projected.side", "projected.top", "projected.front"};
+  task.started = started[static_cast<int>(task.axis)];
+  task.projected = projected[static_cast<int>(task.axis)];
+  task.done = "done.orthographic";
+  tell_exact_corners(
+      narrator, task,
+      [d = task.d, axis = task.axis]<class T>(const glm::vec<3, T>& point, const auto&... observer) {
+        return orthographic(axis, T(d), point, observer...);
+      });
+}
+
+void tell_along(Narrator& narrator) {
+  Task task = onto_plane(narrator.arguments());
+  task.started = "started.along";
+  task.cast = "cast.along";
+  task.projected = "projected.along";
+  task.all_digits = true;
+  task.done = "done.along";
+  tell_corners(narrator, task, [&task](dvec3 point, const auto&... observer) {
+    return along(task.plane, task.direction, point, observer...);
+  });
+}
+
+/// The notes' matrix looks straight ahead, whatever it was told.
+void tell_keep_x_and_y(Narrator& narrator) {
+  Task task = leaning(narrator.arguments());
+  task.shown = {0, 0, 1};
+  for (const dvec3 p : task.solid.corners) task.right.push_back(oblique(task.d, task.slant, p));
+  task.started = "started.keep_x_and_y";
+  task.projected = "projected.keep_x_and_y";
+  task.done = "done.keep_x_and_y";
+  tell_corners(narrator, task, [&task](dvec3 point, const auto&... observer) {
+    return keep_x_and_y(task.d, task.slant, point, observer...);
+  });
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  static const TopicEntry topic = completed<entry>(
+      {.name = "parallel",
+       .chapter = "projection",
+       .aliases = {"parallel projection", "oblique projection", "orthographic projection", "cavalier",
+                   "cabinet", "isometric"},
+       .summary = "every point goes to the picture plane along one direction: orthographic and oblique",
+       .methods = {{.name = "oblique", .standing = Standing::taught, .tell = tell_oblique, .exact = true},
+                   {.name = "orthographic", .tell = tell_orthographic, .exact = true},
+                   {.name = "along", .tell = tell_along},
+                   {.name = "keep_x_and_y", .standing = Standing::faulty, .tell = tell_keep_x_and_y}},
+       .columns = {{"corner"}, {"point", false}, {"t"}, {"image", false}},
+       .parameters =
+           {{.name = "solid",
+             .type = ParameterType::choice,
+             .default_value = "house",
+             .example = "box",
+             .help = "what is projected: 2 wide, 2 high, 3 deep",
+             .choices = {"house", "box"}},
+            {.name = "at",
+             .type = ParameterType::numbers,
+             .default_value = "2,2,4",
+             .example = "0,0,5",
+             .help = "where its middle stands: x right, y up, z forward",
+             .parts = {"x", "y", "z"},
+             .sizes = solids::modest_sizes},
+            {.name = "turn",
+             .type = ParameterType::numbers,
+             .default_value = "0,0",
+             .example = "30,0",
+             .help = "degrees by which it is turned: round the upright, then round x",
+             .parts = {"yaw", "pitch"},
+             .sizes = solids::modest_sizes},
+            {.name = "d",
+             .type = ParameterType::number,
+             .default_value = "0",
+             .example = "1",
+             .help =
+                 "where the picture plane crosses its axis: z = d, for the top view y = d, for the side x "
+                 "= d",
+             .sizes = solids::modest_sizes},
+            {.name = "receding",
+             .type = ParameterType::numbers,
+             .default_value = "45,0.5",
+             .example = "45,1",
+             .help =
+                 "method oblique: the angle of receding edges in degrees, and how long a unit of depth is "
+                 "drawn: 0.5 cabinet, 1 cavalier",
+             .parts = {"angle", "foreshortening"},
+             .sizes = solids::modest_sizes},
+            {.name = "direction",
+             .type = ParameterType::numbers,
+             .default_value = "",
+             .example = "1,-1,2",
+             .help = "methods oblique and along: the projectors' direction instead",
+             .parts = {"x", "y", "z"},
+             .instead_of = "receding",
+             .sizes = solids::modest_sizes},
+            {.name = "from",
+             .type = ParameterType::choice,
+             .default_value = "front",
+             .example = "top",
+             .help = "method orthographic: from where one looks",
+             .choices = {"front", "top", "side"}},
+            {.name = "plane",
+             .type = ParameterType::numbers,
+             .default_value = "1,-1,1,-3",
+             .example = "1,-2,2,-6",
+             .help = "method along: the plane nx x + ny y + nz z = offset; without a direction seen upright, "
+                     "which "
+                     "is isometric for 1,-1,1",
+             .parts = {"nx", "ny", "nz", "offset"},
+             .sizes = solids::modest_sizes},
+            exact_parameter()},
+       .examples = {"--receding 45,1", "--method orthographic --from top",
+                    "--method along --plane 1,-1,1,-3"}});
+  return topic;
+}
+
+}  // namespace gradus::parallel

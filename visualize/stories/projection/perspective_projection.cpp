@@ -1,0 +1,128 @@
+// A solid's perspective picture, corner by corner.
+
+#include "stories/projection/perspective_telling.hpp"
+#include "stories/side_by_side.hpp"
+
+namespace gradus::perspective {
+namespace {
+
+solids::Scenery::Images images_of(const solids::Solid& solid, double d) {
+  solids::Scenery::Images images;
+  for (const dvec3 p : solid.corners) images.push_back(project(d, p));
+  return images;
+}
+
+class Story {
+ public:
+  Story(const Words& words, double d, const solids::Solid& solid)
+      : words_(words),
+        d_(d),
+        progress_({words.wording(),
+                   solid,
+                   {{0, 0, d}, {1, 0, 0}, {0, 1, 0}},
+                   hidden_from_origin(solid),
+                   dvec3{0},
+                   images_of(solid, d)}) {}
+
+  void turn_to(std::size_t corner) { progress_.turn_to(corner); }
+  std::int64_t unseen() const { return unseen_; }
+
+  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(Role::past)); }
+  Event say(const steps::Started&) const {
+    return {.text = "started.projection", .words = {{"d", real(d_)}}, .level = Level::idea};
+  }
+
+  void show(Board& board, const Scaled<double>& s) {
+    factor_ = s.factor;
+    board.detail(progress_.with_corner());
+  }
+  Event say(const Scaled<double>& s) const {
+    return {.text = "scaled",
+            .facts = {{"corner", progress_.number()}, {"factor", s.factor}},
+            .words = {{"z", s.point.z}, {"d", real(d_)}, {"factor", real(s.factor)}},
+            .key = progress_.key(),
+            .decides = before_eye(words_, s.point.z)};
+  }
+
+  void show(Board& board, const Projected<double>& p) {
+    progress_.arrive(p.image);
+    board.milestone(progress_.with_corner());
+  }
+  Event say(const Projected<double>& p) const {
+    return {.text = "projected",
+            .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
+            .words = {{"x", real(p.point.x)},
+                      {"y", real(p.point.y)},
+                      {"factor", real(factor_)},
+                      {"image_x", real(p.image.x)},
+                      {"image_y", real(p.image.y)}},
+            .row = {progress_.number(), place_text(p.point), real(factor_), place_text(p.image)},
+            .key = progress_.key(),
+            .decides = before_eye(words_, p.point.z)};
+  }
+
+  void show(Board& board, const Unseen<double>&) {
+    ++unseen_;
+    board.milestone(progress_.with_corner());
+  }
+  Event say(const Unseen<double>& u) const {
+    return {.text = "unseen",
+            .facts = {{"corner", progress_.number()}},
+            .words = {{"z", real(u.point.z)}},
+            .row = {progress_.number(), place_text(u.point), "", words_.say("no_image")},
+            .key = progress_.key(),
+            .decides = before_eye(words_, u.point.z)};
+  }
+
+  void show(Board& board, const steps::Finished&) { board.milestone(progress_.drawing(Role::result)); }
+  Event say(const steps::Finished&) const {
+    if (unseen_ == 0) return {.text = "done.projection"};
+    return {.text = "done.unseen", .count = unseen_};
+  }
+
+ private:
+  const Words& words_;
+  const double d_;
+  solids::Progress progress_;
+  std::int64_t unseen_ = 0;
+  double factor_ = 0;
+};
+
+/// What the steps of a projection hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Scaled<T>& s) const {
+    to.number("factor", s.factor);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.point("image", p.image);
+  }
+  template <class T>
+  void operator()(NumericStep<T>&, const Unseen<T>&) const {}
+};
+
+}  // namespace
+
+void tell_projection(Narrator& narrator) {
+  const Arguments& arguments = narrator.arguments();
+  const double d = distance_of(arguments);
+  const bool house = arguments.text("solid") == "house";
+  const solids::Solid solid =
+      placed(house ? solids::house() : solids::box(), axes_of(arguments), vector_of(arguments, "at"));
+  say_turn(narrator, house ? "subtitle.house" : "subtitle.box");
+  narrator.paper(solids::paper_width, solids::paper_height);
+  narrator.columns({{"corner"}, {"point", false}, {"factor"}, {"image", false}});
+  narrator.legend(
+      {{Role::input, "solid"}, {Role::current, "current"}, {Role::past, "past"}, {Role::result, "result"}});
+  narrator.last_of_whole_is_telling();
+  Story story(narrator.words(), d, solid);
+  narrator.tell_each(story, solid.corners.size(),
+                     [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });
+  narrator.result({{"images", static_cast<std::int64_t>(solid.corners.size()) - story.unseen()}});
+  tell_side_by_side<Numbers>(narrator, [d, solid]<class T>(T, const auto& observer) {
+    for (const dvec3 corner : solid.corners) project(T(d), in_scalar<T>(corner), observer);
+  });
+}
+
+}  // namespace gradus::perspective

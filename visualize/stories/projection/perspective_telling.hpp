@@ -1,0 +1,66 @@
+#pragma once
+// What the stories of perspective share; each tells its methods in a file of its own.
+
+#include <algorithm>
+
+#include "projection/perspective/perspective.hpp"
+#include "stories/projection/solids.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::perspective {
+
+using solids::place_text;
+using solids::real;
+using solids::short_real;
+using solids::vector_of;
+
+// perspective_projection.cpp
+void tell_projection(Narrator& narrator);
+// vanishing_points.cpp
+void tell_vanishing_points(Narrator& narrator);
+void tell_parallel_by_plane(Narrator& narrator);
+// bent_lines.cpp
+void tell_transformation(Narrator& narrator);
+void tell_keep_z(Narrator& narrator);
+// division.cpp
+void tell_divide_tested(Narrator& narrator);
+void tell_divide_untested(Narrator& narrator);
+void tell_zoom_minus_z(Narrator& narrator);
+// depth_precision.cpp
+void tell_depth_precision(Narrator& narrator);
+
+inline constexpr int paper_height = 27;
+
+inline double distance_of(const Arguments& arguments) {
+  const double d = *arguments.number("distance");
+  if (!(d > 0)) refuse("distance", "expected a distance above 0, not {}", d);
+  return d;
+}
+
+/// The solid's own x, y and z in view space.
+inline std::array<dvec3, 3> axes_of(const Arguments& arguments) {
+  const std::vector<double> turn = arguments.numbers("turn");
+  return solids::turned_axes(turn[0], turn[1]);
+}
+
+inline void say_turn(Narrator& narrator, std::string_view subtitle) {
+  const std::vector<double> turn = narrator.arguments().numbers("turn");
+  narrator.subtitle(subtitle, {{"yaw", real(turn[0])}, {"pitch", real(turn[1])}});
+}
+
+/// Where the ray from a point of a rectangle leaves it.
+inline dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
+  double t = 1e300;
+  for (const int i : {0, 1}) {
+    if (way[i] > 0) t = std::min(t, (box.upper[i] - a[i]) / way[i]);
+    if (way[i] < 0) t = std::min(t, (box.lower[i] - a[i]) / way[i]);
+  }
+  return a + std::max(0.0, t) * way;
+}
+
+/// What says whether a point of this depth has an image.
+inline Decision before_eye(const Words& words, double z) {
+  return yes_or_no(words, words.say("question.before_eye", {{"z", z}}), z > 0, z > 0 ? "before" : "behind");
+}
+
+}  // namespace gradus::perspective

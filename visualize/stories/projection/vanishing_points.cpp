@@ -1,0 +1,304 @@
+// The lines of a box, and where those of one direction run together.
+
+#include "projection/perspective/perspective_notes.hpp"
+#include "stories/projection/perspective_telling.hpp"
+
+namespace gradus::perspective {
+namespace {
+
+/// An edge of the box, or a line through it.
+struct Line {
+  std::string id, goes_on;  ///< of the marks: its own, and that of what leads on to the vanishing point
+  dvec2 a, b;
+  bool hidden;
+};
+
+/// All that run along one direction.
+struct Lines {
+  std::string id, name;
+  dvec3 direction;
+  std::vector<Line> all{};
+  std::optional<dvec2> point{};  ///< where they vanish, as far as the method has found
+};
+
+/// The box and its picture.
+struct Box {
+  double d = 1;
+  solids::Solid solid{};
+  std::vector<dvec2> images{};
+  std::vector<bool> hidden{};
+  std::array<dvec3, 3> axes{};
+  dvec3 own{0};  ///< a direction along its axes; 0: none
+};
+
+Box box_of(const Arguments& arguments) {
+  Box box{.d = distance_of(arguments)};
+  box.axes = axes_of(arguments);
+  box.solid = placed(solids::box(), box.axes, vector_of(arguments, "at"));
+  box.hidden = hidden_from_origin(box.solid);
+  box.own = vector_of(arguments, "direction");
+  for (const dvec3 p : box.solid.corners) {
+    const std::optional<dvec3> image = project(box.d, p);
+    if (!image) refuse(arguments, {"at", "turn"}, "expected a place where the whole box is before the eye");
+    box.images.emplace_back(image->x, image->y);
+  }
+  return box;
+}
+
+/// Corners 0 1 2 3 and 4 5 6 7 go round; 1 - 0 runs along x, 3 - 0 along y, 4 - 0 along z.
+int axis_of(const solids::Edge& edge) {
+  const std::size_t a = edge.a, b = edge.b;
+  if (b == a + 4) return 2;
+  const bool level = (a % 4 == 0 && b % 4 == 1) || (a % 4 == 2 && b % 4 == 3);
+  return level ? 0 : 1;
+}
+
+Lines edges_along(const Words& words, const Box& box, int axis) {
+  constexpr std::string_view names[] = {"x", "y", "z"};
+  const auto place = static_cast<std::size_t>(axis);
+  Lines lines{std::string(names[place]), words.symbol(names[place]), box.axes[place]};
+  for (std::size_t i = 0; i < box.solid.edges.size(); ++i) {
+    const solids::Edge& edge = box.solid.edges[i];
+    if (axis_of(edge) != axis) continue;
+    lines.all.push_back({fmt::format("c edge {:02}", i), fmt::format("b line {:02}", i), box.images[edge.a],
+                         box.images[edge.b], box.hidden[i]});
+  }
+  return lines;
+}
+
+/// Lines of the direction that is none of the box's: from each corner from where it leads into the box, to
+/// where it leaves it.
+Lines lines_inside(const Box& box) {
+  const dvec3 own = box.own;
+  Lines lines{"direction", place_text(own), own.x * box.axes[0] + own.y * box.axes[1] + own.z * box.axes[2]};
+  const std::vector<dvec3> own_corners = solids::box().corners;
+  for (std::size_t k = 0; k < own_corners.size(); ++k) {
+    const dvec3 p = own_corners[k];
+    if (!glm::all(glm::lessThanEqual(own * p, dvec3{0}))) continue;
+    double length = 1e300;
+    for (int i = 0; i < 3; ++i) {
+      if (own[i] != 0) length = std::min(length, 2 * std::abs(p[i] / own[i]));
+    }
+    const std::optional<dvec3> end = project(box.d, box.solid.corners[k] + length * lines.direction);
+    const std::string id = fmt::format("d own {}", k);
+    if (end) lines.all.push_back({id, "b " + id, box.images[k], dvec2(*end), false});
+  }
+  return lines;
+}
+
+bool within(const Extent& extent, dvec2 p) {
+  return glm::all(glm::lessThanEqual(extent.lower, p)) && glm::all(glm::lessThanEqual(p, extent.upper));
+}
+
+class Story {
+ public:
+  /// by_plane: the line of the rule's listing that calls vanishing_point, of which it lists no more.
+  Story(const Words& words, const Box& box, std::optional<int> by_plane)
+      : words_(words), box_(box), matrix_(matrix_onto(box.d)), by_plane_(by_plane) {
+    for (const int axis : {0, 1, 2}) lines_.push_back(edges_along(words, box, axis));
+    if (box.own != dvec3{0}) lines_.push_back(lines_inside(box));
+    Extent shown;
+    for (const dvec2 p : box.images) shown.add(p);
+    const double reach = 6 * std::max(shown.size().x, shown.size().y);
+    const dvec2 middle = shown.centre();
+    for (const Lines& lines : lines_) {
+      const std::optional<dvec2> point = vanishing_point(matrix_, lines.direction);
+      if (point && glm::distance(*point, middle) <= reach) shown.add(*point);
+    }
+    panel_ = Panel({{1.5, 2}, {34.5, 25}}, widened(shown, 0.08));
+  }
+
+  std::size_t count() const { return lines_.size(); }
+  void turn_to(std::size_t at) { at_ = at; }
+  const Lines& lines() const { return lines_[at_]; }
+  const glm::dmat4& matrix() const { return matrix_; }
+  std::int64_t vanishing_axes() const {
+    return std::ranges::count_if(lines_.begin(), lines_.begin() + 3,
+                                 [](const Lines& lines) { return lines.point.has_value(); });
+  }
+
+  void show(Board& board, const steps::Started&) { board.milestone(box(Role::input)); }
+  Event say(const steps::Started&) const {
+    return {.text = by_plane_ ? "started.parallel_by_plane" : "started.vanishing_points",
+            .words = {{"d", real(box_.d)}},
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const TakenToInfinity<double>& t) {
+    w_ = t.image.w;
+    View view = before();
+    add_lines(view, lines(), Role::current);
+    board.detail(std::move(view));
+  }
+  Event say(const TakenToInfinity<double>& t) const {
+    return {.text = "taken_to_infinity",
+            .facts = {{"axis", lines().id}, {"w", w_}},
+            .words = {{"axis", lines().name}, {"direction", place_text(t.direction)}, {"w", real(w_)}},
+            .key = lines().id,
+            .decides = divisible(),
+            .line = by_plane_};
+  }
+
+  void show(Board& board, const Vanished<double>& v) {
+    lines_[at_].point = v.point;
+    View view = before();
+    lead_on(view, at_, Role::current);
+    add_lines(view, lines(), Role::current);
+    board.milestone(std::move(view));
+  }
+  Event say(const Vanished<double>& v) const {
+    return {.text = "vanished",
+            .facts = {{"axis", lines().id}, {"x", v.point.x}, {"y", v.point.y}},
+            .words = {{"axis", lines().name}, {"w", w_}, {"point", place_text(v.point)}},
+            .row = {lines().name, place_text(v.direction), w_, place_text(v.point)},
+            .key = lines().id,
+            .decides = divisible(),
+            .line = by_plane_};
+  }
+
+  void show(Board& board, const StaysParallel<double>&) {
+    View view = before();
+    add_lines(view, lines(), missed(lines()) ? Role::rejected : Role::current);
+    board.milestone(std::move(view));
+  }
+  Event say(const StaysParallel<double>& s) const {
+    const bool by_rule = by_plane_ && s.direction.y == 0;
+    const std::optional<dvec2> missed_point = missed(lines());
+    Event event{.text = missed_point ? "said_to_stay"
+                        : by_rule    ? "stays_by_rule"
+                                     : "stays_parallel",
+                .facts = {{"axis", lines().id}},
+                .words = {{"axis", lines().name},
+                          {"direction", place_text(s.direction)},
+                          {"point", missed_point ? place_text(*missed_point) : ""}},
+                .row = {lines().name, place_text(s.direction), by_rule ? Said("") : w_, words_.say("none")},
+                .key = lines().id};
+    if (by_rule) {
+      event.decides = yes_or_no(words_, words_.say("question.by_plane"), true, "parallel");
+      return event;
+    }
+    event.decides = divisible();
+    event.line = by_plane_;
+    return event;
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    View view = box(Role::result);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      lead_on(view, i, Role::past);
+      if (missed(lines_[i])) add_lines(view, lines_[i], Role::rejected);
+    }
+    board.milestone(std::move(view));
+  }
+  Event say(const steps::Finished&) const {
+    constexpr std::string_view keys[] = {"done.points.none", "done.points.one", "done.points.two",
+                                         "done.points.three"};
+    if (!by_plane_) return {.text = keys[vanishing_axes()]};
+    std::string names;
+    for (const Lines& lines : lines_) {
+      if (missed(lines)) names += (names.empty() ? "" : ", ") + lines.name;
+    }
+    return {.text = names.empty() ? "done.rule_holds" : "done.parallel_by_plane", .words = {{"axes", names}}};
+  }
+
+ private:
+  Decision divisible() const {
+    return yes_or_no(words_, words_.say("question.divisible", {{"w", w_}}), w_ != 0,
+                     w_ != 0 ? "vanishes" : "parallel");
+  }
+  /// Where lines vanish although the rule has them stay parallel.
+  std::optional<dvec2> missed(const Lines& lines) const {
+    return lines.point ? std::nullopt : vanishing_point(matrix_, lines.direction);
+  }
+
+  View box(Role role) const {
+    View view;
+    const Extent shown = panel_.shown();
+    if (shown.lower.y < 0 && shown.upper.y > 0) {
+      const dvec2 left = panel_.at({shown.lower.x, 0}), right = panel_.at({shown.upper.x, 0});
+      view.add({"a eye level", Role::guide, Stroke{left, right}});
+      view.add({"z eye level name", Role::guide,
+                Label{panel_.at({shown.lower.x + 0.25 * shown.size().x, 0}), words_.say("eye_level")}});
+    }
+    for (int axis = 0; axis < 3; ++axis) add_lines(view, lines_[static_cast<std::size_t>(axis)], role);
+    return view;
+  }
+
+  /// The box, and where the lines before these lead to.
+  View before() const {
+    View view = box(Role::input);
+    for (std::size_t i = 0; i < at_; ++i) lead_on(view, i, Role::past);
+    return view;
+  }
+
+  void add_lines(View& view, const Lines& lines, Role role) const {
+    for (const Line& line : lines.all)
+      view.add({line.id, role, Stroke{panel_.at(line.a), panel_.at(line.b), false, line.hidden}});
+  }
+
+  /// They go on to the vanishing point, or to the border of the drawing on the way there.
+  void lead_on(View& view, std::size_t at, Role role) const {
+    const Lines& lines = lines_[at];
+    if (!lines.point) return;
+    const dvec2 point = *lines.point;
+    const bool current = role == Role::current, inside = within(panel_.shown(), point);
+    for (const Line& line : lines.all) {
+      const dvec2 from = glm::distance(line.a, point) < glm::distance(line.b, point) ? line.a : line.b;
+      const dvec2 to = inside ? point : last_inside(panel_.shown(), from, point - from);
+      view.add({line.goes_on, current ? Role::current : Role::guide,
+                Stroke{panel_.at(from), panel_.at(to), false, true}});
+    }
+    if (!current && lines.id == "direction") add_lines(view, lines, Role::past);
+    if (!inside) return;
+    const std::string id = fmt::format("e point {}", at);
+    const Role of_point = current ? Role::current : Role::result;
+    view.add({id, of_point, Dot{panel_.at(point)}});
+    view.add({"f name " + id, of_point,
+              Label{panel_.at(point), words_.say("vanishing_point_of", {{"axis", lines.name}})}});
+  }
+
+  const Words& words_;
+  const Box& box_;
+  const glm::dmat4 matrix_;
+  const std::optional<int> by_plane_;
+  std::vector<Lines> lines_;  ///< of x, y, z, and of the direction given
+  Panel panel_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}};
+  std::size_t at_ = 0;
+  double w_ = 0;  ///< of the point at infinity that was taken through the matrix
+};
+
+/// find(matrix, direction, observer): what the method does with a direction.
+template <class Find>
+void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find& find) {
+  const Box box = box_of(narrator.arguments());
+  say_turn(narrator, "subtitle.box");
+  narrator.paper(solids::paper_width, paper_height);
+  narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
+  narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, {Role::result, "result"}});
+  narrator.last_of_whole_is_telling();
+  Story story(narrator.words(), box, by_plane);
+  narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
+    find(story.matrix(), story.lines().direction, watch);
+  });
+  std::vector<Field> result{{"vanishing_points", story.vanishing_axes()}};
+  if (box.own != dvec3{0}) result.push_back({"direction_vanishes", story.lines().point.has_value()});
+  narrator.result(std::move(result));
+}
+
+}  // namespace
+
+void tell_vanishing_points(Narrator& narrator) {
+  tell_directions(narrator, {}, [](const glm::dmat4& matrix, dvec3 direction, const auto& watch) {
+    vanishing_point(matrix, direction, watch);
+  });
+}
+
+void tell_parallel_by_plane(Narrator& narrator) {
+  const int call = narrator.trace().listing.back().number;
+  tell_directions(narrator, call, [](const glm::dmat4& matrix, dvec3 direction, const auto& watch) {
+    parallel_by_plane(matrix, direction, watch);
+  });
+  narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.missed")});
+}
+
+}  // namespace gradus::perspective

@@ -1,0 +1,388 @@
+#pragma once
+// What a view is about, and how it is drawn: the world with the viewer's axes, and beside it what they see.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "projection/viewing/viewing.hpp"
+#include "projection/viewing/viewing_notes.hpp"
+#include "scene/obj.hpp"
+#include "stories/telling.hpp"
+#include "stories/wireframe.hpp"
+
+namespace gradus::viewing {
+
+using DFrame = Frame<double>;
+
+constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
+
+/// Of coordinates: farther away the letter is a dot, and numbers don't fit.
+constexpr Sizes coordinate_sizes{1e-100, 1e6};
+
+/// Axes that are much shorter or longer don't fit into a drawing with the letter.
+constexpr double longest_axis = 1000;
+
+/// What is made of a hint for up along the view.
+enum class Along { refused, replaced, divided };
+
+struct Scene {
+  dvec3 eye, target, up;
+  double distance;  ///< from the eye to the target
+  Mesh letter;
+  std::optional<DFrame> axes{};  ///< given ones, of any lengths and angles, instead of target and up
+  Along along = Along::refused;
+
+  /// The frame at the eye.
+  DFrame frame() const {
+    return axes ? *axes : aimed([](const auto&) {});
+  }
+  /// The same, watched.
+  template <class O>
+  DFrame aimed(O&& observer) const {
+    if (along == Along::replaced) return spare_up(eye, target, up, observer);
+    if (along == Along::divided) return cross_products(eye, target, up, observer);
+    return look_at(eye, target, up, observer);
+  }
+};
+
+inline Mesh shipped_letter() {
+  const auto open = [](const std::string& name) { return std::optional(std::string(shipped_model(name))); };
+  return pipeline::parse_obj(shipped_model("letter_f.obj"), "letter_f.obj", open).mesh;
+}
+
+/// An eye with three axes of any lengths and angles.
+inline Scene scene_of_axes(const Arguments& arguments) {
+  const dvec3 eye = *arguments.place("eye");
+  const auto axes = arguments.places("axes");
+  const auto expect = [&](bool holds, const std::string& what) {
+    if (!holds) refuse("axes", "{} expected, found {}", what, arguments.text("axes"));
+  };
+  for (const dvec3 axis : axes) {
+    const double length = length_of(axis);
+    expect(1 / longest_axis <= length && length <= longest_axis,
+           fmt::format("axes of lengths from {} to {}", 1 / longest_axis, longest_axis));
+  }
+  const Rescaled<double> x(axes[0]), y(axes[1]), z(axes[2]);
+  expect(std::abs(glm::dot(x.axis, glm::cross(y.axis, z.axis))) > 1e-6,
+         "three axes that don't lie in one plane");
+  const dvec3 middle{0.4, 0.6, 0};  // of the letter
+  return {eye,
+          middle,
+          {0, 1, 0},
+          std::max(1.0, length_of(middle - eye)),
+          shipped_letter(),
+          DFrame{eye, axes[0], axes[1], axes[2]}};
+}
+
+inline Scene scene_of(const Arguments& arguments, Along along) {
+  Scene scene{*arguments.place("eye"), *arguments.place("target"), *arguments.place("up"), 0, {}};
+  scene.along = along;
+  if (scene.eye == scene.target)
+    refuse(arguments, {"target", "eye"}, "a target apart from the eye expected, found both in one point");
+  if (scene.up == dvec3{0})
+    refuse(arguments, {"up"}, "a direction expected, found 0,0,0, which points nowhere");
+  const double sine = sine_between(scene.target - scene.eye, scene.up);
+  if (along == Along::divided && !is_finite(scene.frame().right))
+    refuse(arguments, {"up", "target", "eye"},
+           "a hint for up that leaves something to divide by expected, this one gives 0 / 0");
+  if (along == Along::refused && !(sine >= least_sine<double>)) {
+    refuse(arguments, {"up", "target", "eye"},
+           fmt::format("an up apart from the view direction expected, found {}, which is parallel to it",
+                       arguments.text("up")));
+  }
+  scene.distance = length_of(scene.target - scene.eye);
+  scene.letter = shipped_letter();
+  return scene;
+}
+
+// --- The drawing
+
+/// Two panels on a paper of 36 x 27: the world, and what the viewer makes of it.
+inline const Extent world_place{{0.8, 0.8}, {20.2, 24.2}};
+inline const Extent seen_place{{21.9, 5.8}, {35.3, 19.2}};
+
+/// For given axes, on a paper of 21 x 30: the axes, and below them the letter along them and in the world.
+inline const Extent axes_place{{4.4, 15.6}, {16.6, 28.4}};
+inline const Extent along_place{{0.8, 1}, {9.4, 11.6}};
+inline const Extent back_place{{11.8, 1}, {20.2, 11.6}};
+
+/// What a matrix makes of a point.
+inline dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * glm::dvec4(p, 1)); }
+
+/// The drawings of a run. What is known grows from step to step.
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Words& words)
+      : scene_(scene),
+        words_(words),
+        wires_(scene.letter),
+        world_(scene.axes ? axes_place : world_place, world_extent()) {}
+
+  /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
+  struct Known {
+    std::array<bool, 3> axes{};
+    int newest = -1;
+    int rows = 0;       ///< of the matrix, from above
+    bool seen = false;  ///< the model is drawn as the matrix has it
+  };
+
+  View world(const Known& known, const DFrame& frame) const {
+    View view;
+    caption(view, "world", {world_place.centre().x, 26});
+    add_world_axes(view);
+    letter(
+        view, "world", Role::past, parallel_sight({0.42, 0.3, 1}),
+        [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
+    const double size = 0.3 * scene_.distance;
+    hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
+    if (!known.axes[1]) {
+      arrow(view, "hint", Role::candidate, scene_.eye, scene_.eye + size * unit_vector(scene_.up),
+            words_.say("hint"), true);
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (!known.axes[static_cast<std::size_t>(i)]) continue;
+      const std::string name(axis_names[static_cast<std::size_t>(i)]);
+      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
+            scene_.eye + size * axis_of(frame, i), words_.say("name." + name), false);
+    }
+    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
+    point(view, "target", Role::input, scene_.target, words_.say("name.target"));
+    return view;
+  }
+
+  /// The picture: x / depth to the right, y / depth up; the letter in it once the matrix is whole.
+  void add_picture(View& view, const Known& known, const glm::dmat4& matrix) const {
+    caption(view, "picture", {seen_place.centre().x, 26});
+    frame_of(view);
+    const Panel panel(seen_place, picture_extent(matrix));
+    const dvec2 middle = seen_place.centre();
+    if (known.rows >= 1) {
+      guide_line(view, "no right", {middle.x, seen_place.lower.y}, {middle.x, seen_place.upper.y});
+    }
+    if (known.rows >= 2) {
+      guide_line(view, "no up", {seen_place.lower.x, middle.y}, {seen_place.upper.x, middle.y});
+    }
+    if (known.rows >= 3) {
+      const dvec3 target = through(matrix, scene_.target);
+      view.add({"seen target", Role::accepted, Dot{panel.at(dvec2(target) / target.z)}});
+      view.add({"seen target name", Role::accepted,
+                Label{panel.at(dvec2(target) / target.z), words_.say("name.target")}});
+    }
+    if (!known.seen) return;
+    const auto seen = [&](dvec3 p) -> std::optional<dvec2> {
+      const dvec3 v = through(matrix, p);
+      if (v.z <= 0) return std::nullopt;
+      return panel.at(dvec2(v) / v.z);
+    };
+    letter(view, "picture", Role::result, central_sight(scene_.eye), seen, seen_place);
+  }
+
+  /// View space from aside, where a faulty matrix leaves the letter: right to the right, up up, depth to the
+  /// back.
+  void add_view_space(View& view, const Known& known, const glm::dmat4& wrong,
+                      const glm::dmat4& right) const {
+    caption(view, "view_space", {seen_place.centre().x, 26});
+    const auto flat = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
+    Extent all;
+    all.add(flat({0, 0, 0}));
+    for (const dvec3 p : {scene_.eye, scene_.target}) all.add(flat(through(wrong, p)));
+    const double size = 0.3 * scene_.distance;
+    for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, scene_.distance}})
+      all.add(flat(tip));
+    const Extent place{{21.8, 1.5}, {35, 24}};
+    const Panel panel(place, widened(all, 0.06));
+    const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
+    const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
+      view.add({id, role, Stroke{at({0, 0, 0}), at(tip), true}});
+      view.add({id + " name", role, Label{at(tip), words_.say("name." + std::string(name))}});
+    };
+    line("space right", Role::guide, {size, 0, 0}, "right");
+    line("space up", Role::guide, {0, size, 0}, "up");
+    line("space forward", Role::guide, {0, 0, scene_.distance}, "forward");
+    view.add({"space eye", Role::input, Dot{at({0, 0, 0})}});
+    if (!known.seen) return;
+    const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
+    const dvec3 eye = through(wrong, scene_.eye);
+    view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
+    if (length_of(eye) > 1e-9 * scene_.distance) {
+      view.add({"eye there", Role::rejected, Dot{at(eye)}});
+      view.add({"eye there name", Role::rejected, Label{at(eye), words_.say("name.eye")}});
+    }
+    view.add({"target here", Role::accepted, Dot{at(here), true}});
+    view.add({"target here name", Role::accepted, Label{at(here), words_.say("belongs")}});
+    view.add({"target there", Role::rejected, Dot{at(there)}});
+    view.add({"target there name", Role::rejected, Label{at(there), words_.say("name.target")}});
+  }
+
+  /// Given axes at the eye, and as many columns of the inverse as are known.
+  View given_axes(const Known& known, const DFrame& frame) const {
+    View view;
+    const glm::dmat4 inverse = inverse_of_any_frame(frame);
+    const double unit = arrow_unit(frame);
+    for (int i = 0; i < 3; ++i) {
+      const std::string name(axis_names[static_cast<std::size_t>(i)]);
+      arrow(view, "axis " + name, Role::input, scene_.eye, scene_.eye + unit * axis_of(frame, i),
+            words_.say("name." + name), false);
+      if (i >= known.rows) continue;
+      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
+            scene_.eye + unit * dvec3(inverse[i]),
+            words_.say("column_name", {{"axis", words_.say("name." + name)}}), true);
+    }
+    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
+    return view;
+  }
+
+  /// The letter in coordinates along the axes, and in the world, where the inverse leads it back to.
+  void add_there_and_back(View& view, const Known& known, const DFrame& frame) const {
+    const glm::dmat4 matrix = world_to_view(frame), inverse = inverse_of_any_frame(frame);
+    const auto along = [&](dvec3 p) { return through(matrix, p); };
+    const auto back = [&](dvec3 p) { return known.seen ? through(inverse, through(matrix, p)) : p; };
+    // Depth is positive along the axes, and to the back
+    const auto to_the_back = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
+    view.add({"caption coordinates", Role::guide,
+              Text{{0.3, along_place.upper.y + 1.4}, words_.say("caption.coordinates"), Align::left}});
+    caption(view, "world", {back_place.centre().x, back_place.upper.y + 1.4});
+    add_wires(view, "along", Role::past, along_place, [&](dvec3 p) { return to_the_back(along(p)); });
+    add_wires(view, "back", known.seen ? Role::result : Role::past, back_place,
+              [&](dvec3 p) { return oblique(back(p)); });
+    if (!known.seen) return;
+    const double y = along_place.centre().y;
+    view.add({"leads back", Role::result,
+              Stroke{{along_place.upper.x + 0.2, y}, {back_place.lower.x - 0.2, y}, true}});
+  }
+
+ private:
+  /// The letter, all its edges alike. flat(p): a point's place in the plane.
+  template <class Flat>
+  void add_wires(View& view, const std::string& name, Role role, const Extent& place, Flat flat) const {
+    Extent all;
+    for (const auto& [a, b] : wires_.edges()) {
+      all.add(flat(a));
+      all.add(flat(b));
+    }
+    const Panel panel(place, widened(all, 0.04));
+    int number = 0;
+    for (const auto& [a, b] : wires_.edges()) {
+      view.add({fmt::format("letter {} {:02}", name, number++), role,
+                Stroke{panel.at(flat(a)), panel.at(flat(b))}});
+    }
+  }
+  /// Paper lengths of given axes and the inverse's columns have one scale.
+  double arrow_unit(const DFrame& frame) const {
+    const glm::dmat4 inverse = inverse_of_any_frame(frame);
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) {
+      longest = std::max({longest, length_of(axis_of(frame, i)), length_of(dvec3(inverse[i]))});
+    }
+    return 0.45 * scene_.distance / longest;
+  }
+
+  Extent world_extent() const {
+    Extent extent;
+    const double size = 0.3 * scene_.distance;
+    const auto add = [&](dvec3 p) { extent.add(oblique(p)); };
+    const DFrame frame = scene_.frame();
+    if (scene_.axes) {
+      const glm::dmat4 inverse = inverse_of_any_frame(frame);
+      const double unit = arrow_unit(frame);
+      add(scene_.eye);
+      for (int i = 0; i < 3; ++i) {
+        add(scene_.eye + unit * axis_of(frame, i));
+        add(scene_.eye + unit * dvec3(inverse[i]));
+      }
+      return widened(extent, 0.06);
+    }
+    for (const auto& [a, b] : wires_.edges()) {
+      add(a);
+      add(b);
+    }
+    add(scene_.target);
+    for (const dvec3 way : {frame.right, frame.up, frame.forward, unit_vector(scene_.up), dvec3{0}})
+      add(scene_.eye + size * way);
+    for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
+      add(axis_length() * tip);
+    return widened(extent, 0.06);
+  }
+  double axis_length() const { return std::max(1.6, 0.25 * scene_.distance); }
+
+  /// What the picture shows round its middle, the target: the letter, where it is in front.
+  Extent picture_extent(const glm::dmat4& matrix) const {
+    double half = 0.05;
+    for (const auto& [a, b] : wires_.edges()) {
+      for (const dvec3 p : {a, b}) {
+        const dvec3 v = through(matrix, p);
+        if (v.z > 0) half = std::max({half, std::abs(v.x / v.z), std::abs(v.y / v.z)});
+      }
+    }
+    half = std::min(1.2 * half, 1.5);
+    return {{-half, -half}, {half, half}};
+  }
+
+  void caption(View& view, std::string_view key, dvec2 at) const {
+    view.add(
+        {fmt::format("caption {}", key), Role::guide, Text{at, words_.say("caption." + std::string(key))}});
+  }
+  void frame_of(View& view) const {
+    const auto& [lower, upper] = seen_place;
+    view.add({"picture frame", Role::boundary,
+              Path{{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}, true}});
+  }
+  static void guide_line(View& view, std::string id, dvec2 a, dvec2 b) {
+    view.add({std::move(id), Role::guide, Stroke{a, b, false, true}});
+  }
+  void add_world_axes(View& view) const {
+    for (const auto& [name, way] :
+         {std::pair{"x", dvec3{1, 0, 0}}, {"y", dvec3{0, 1, 0}}, {"z", dvec3{0, 0, 1}}}) {
+      const dvec2 tip = world_.at(oblique(axis_length() * way));
+      view.add({fmt::format("world {}", name), Role::guide, Stroke{world_.at({0, 0}), tip, true}});
+      view.add({fmt::format("world {} name", name), Role::guide, Label{tip, words_.symbol(name)}});
+    }
+  }
+  void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
+    view.add({id, role, Dot{world_.at(oblique(at))}});
+    view.add({id + " name", role, Label{world_.at(oblique(at)), std::move(name)}});
+  }
+  void arrow(View& view, const std::string& id, Role role, dvec3 from, dvec3 to, std::string name,
+             bool dashed) const {
+    view.add({id, role, Stroke{world_.at(oblique(from)), world_.at(oblique(to)), true, dashed}});
+    view.add({id + " name", role, Label{world_.at(oblique(to)), std::move(name)}});
+  }
+  /// A segment of the world, dashed where the letter hides it.
+  void hidden_aware(View& view, const std::string& id, Role role, dvec3 a, dvec3 b) const {
+    int number = 0;
+    for (const auto& [from, to, hidden] : wires_.pieces(a, b, parallel_sight({0.42, 0.3, 1}))) {
+      view.add({fmt::format("{} {}", id, number++), role,
+                Stroke{world_.at(oblique(a + from * (b - a))), world_.at(oblique(a + to * (b - a))), false,
+                       hidden}});
+    }
+  }
+  template <class At>
+  void letter(View& view, const std::string& name, Role role, const SightFrom& sight, At at,
+              const Extent& place) const {
+    int edge = 0;
+    for (const auto& [a, b] : wires_.edges()) {
+      int number = 0;
+      for (const auto& [from, to, hidden] : wires_.pieces(a, b, sight)) {
+        const auto p = at(a + from * (b - a)), q = at(a + to * (b - a));
+        if (!p || !q) continue;
+        if (auto part = shown_part(place, *p, *q)) {
+          part->dashed = hidden;
+          view.add({fmt::format("letter {} {:02} {}", name, edge, number), role, *part});
+        }
+        ++number;
+      }
+      ++edge;
+    }
+  }
+
+  const Scene& scene_;
+  const Words& words_;
+  Wireframe wires_;
+  Panel world_;
+};
+
+}  // namespace gradus::viewing

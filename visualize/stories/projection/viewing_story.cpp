@@ -1,0 +1,426 @@
+// The story of a view: three axes at the eye, the matrix made of them, and what the viewer sees.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stories/projection/viewing_drawing.hpp"
+
+namespace gradus::viewing {
+namespace {
+
+/// A number without what rounding has left where exact arithmetic says 0: below 2^-40 of `size`.
+double neat(double x, double size) { return std::abs(x) < 0x1p-40 * size ? 0 : x; }
+dvec3 neat(dvec3 v, double size) { return {neat(v.x, size), neat(v.y, size), neat(v.z, size)}; }
+
+/// The size of the largest term of a product of two vectors.
+double largest_product(dvec3 a, dvec3 b) {
+  return std::max({std::abs(a.x * b.x), std::abs(a.y * b.y), std::abs(a.z * b.z)});
+}
+
+/// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
+std::string product_text(dvec3 a, dvec3 b) {
+  const auto factor = [](double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); };
+  return fmt::format("{}·{} + {}·{} + {}·{}", factor(a.x), factor(b.x), factor(a.y), factor(b.y), factor(a.z),
+                     factor(b.z));
+}
+
+/// "right", "up", "forward", and again.
+std::string axis_id(int number) { return std::string(axis_names[static_cast<std::size_t>(number % 3)]); }
+
+// --- The steps
+
+/// Which matrix is made of the axes.
+enum class Way { rows, inverse, any_frame, minus_position, transposed };
+
+/// What is given, and of given axes what their inverse is tested with: told by no step of the method.
+struct Input {};
+struct RowMultiplied {
+  int row;
+  glm::dmat4 inverse;
+};
+struct Inverted {};
+
+/// Tells the frame, the matrix, and what it makes of the target.
+class Story {
+ public:
+  Story(const Words& words, const Scene& scene, Way way)
+      : words_(words),
+        scene_(scene),
+        way_(way),
+        drawing_(scene, words),
+        frame_(scene.frame()),
+        right_(world_to_view(frame_)),
+        wrong_(way == Way::minus_position ? minus_position(frame_) : transposed(frame_)) {}
+
+  void show(Board& board, const Input&) { milestone(board); }
+  Event say(const Input&) const {
+    if (way_ == Way::any_frame) {
+      return {.text = "input_axes",
+              .words = {{"right", frame_.right}, {"up", frame_.up}, {"forward", frame_.forward}},
+              .key = "eye",
+              .begins = true};
+    }
+    return {.text = "input",
+            .words = {{"eye", scene_.eye}, {"target", scene_.target}, {"up", scene_.up}},
+            .key = "eye",
+            .begins = true};
+  }
+
+  void show(Board& board, const HintReplaced<double>&) {
+    replaced_ = true;
+    milestone(board);
+  }
+  Event say(const HintReplaced<double>& h) const {
+    Event event = of_frame("hint_replaced", "hint", h.spare, {{"up", h.up_hint}, {"spare", h.spare}});
+    event.decides = hint_along_the_view(true);
+    return event;
+  }
+  void show(Board& board, const Aimed<double>&) { learn_axis(board, 2); }
+  Event say(const Aimed<double>& a) const {
+    Event event = of_frame(
+        "aimed", "forward", a.forward,
+        {{"along", a.target - a.eye}, {"distance", scene_.distance}, {"forward", neat(a.forward, 1)}});
+    if (scene_.along == Along::replaced && !replaced_) event.decides = hint_along_the_view(false);
+    return event;
+  }
+  void show(Board& board, const Levelled<double>&) { learn_axis(board, 0); }
+  Event say(const Levelled<double>& l) const {
+    const dvec3 across = glm::cross(frame_.forward, l.up_hint);
+    const double length = length_of(across);
+    return of_frame("levelled", "right", l.right,
+                    {{"across", neat(across, length)}, {"length", length}, {"right", neat(l.right, 1)}});
+  }
+  void show(Board& board, const Framed<double>&) { learn_axis(board, 1); }
+  Event say(const Framed<double>& f) const {
+    return of_frame("framed", "up", f.frame.up, {{"up", neat(f.frame.up, 1)}});
+  }
+
+  void show(Board& board, const RowWritten<double>& r) {
+    known_.newest = r.row;
+    ++known_.rows;
+    milestone(board);
+  }
+  Event say(const RowWritten<double>& r) const {
+    const dvec3 axis = neat(r.axis, 1);
+    // The sum of the products as they are shown
+    const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
+    const double shift = faulty() ? r.shift : along;
+    Event event{.text = way_ == Way::minus_position ? "position_row" : "row",
+                .facts = {{"row", std::int64_t{r.row}},
+                          {"x", r.axis.x},
+                          {"y", r.axis.y},
+                          {"z", r.axis.z},
+                          {"shift", r.shift}},
+                .words = {{"axis", axis_name(r.row)},
+                          {"product", product_text(axis, scene_.eye)},
+                          {"shift", shift},
+                          {"right", along}},
+                .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
+                .key = axis_id(r.row),
+                .phase = words_.say("phase.matrix")};
+    if (way_ == Way::transposed) {
+      event.text = "transposed_row";
+      event.words = {{"entries", axis}, {"axis", neat(axis_of(frame_, r.row), 1)}};
+      event.row[0] = words_.say("row_number", {{"n", r.row + 1}});
+    }
+    return event;
+  }
+
+  void show(Board& board, const ColumnWritten<double>& c) {
+    known_.newest = c.column < 3 ? c.column : -1;
+    known_.rows = std::min(3, c.column + 1);
+    milestone(board);
+  }
+  Event say(const ColumnWritten<double>& c) const {
+    const bool eye = c.column == 3;
+    const double size = way_ == Way::any_frame ? length_of(c.entries) : 1;
+    const dvec3 entries = eye ? c.entries : neat(c.entries, size);
+    const std::string name = eye ? words_.say("name.eye") : axis_name(c.column);
+    Event event{.text = eye ? "eye_column" : "column",
+                .facts = {{"column", std::int64_t{c.column}},
+                          {"x", c.entries.x},
+                          {"y", c.entries.y},
+                          {"z", c.entries.z}},
+                .words = {{"eye", entries}, {"entries", entries}, {"axis", name}},
+                .row = {name, entries.x, entries.y, entries.z, eye ? 1 : 0},
+                .key = eye ? "eye" : axis_id(c.column),
+                .phase = words_.say("phase.matrix")};
+    if (way_ == Way::any_frame && !eye) add_reciprocal(event, c.column);
+    return event;
+  }
+
+  void show(Board& board, const RowMultiplied&) {
+    known_.newest = -1;
+    milestone(board);
+  }
+  Event say(const RowMultiplied& m) const {
+    const glm::dmat4 product = right_ * m.inverse;
+    const dvec3 axis = axis_of(frame_, m.row), column(m.inverse[m.row]);
+    std::vector<Said> row{words_.say("product_name", {{"axis", axis_name(m.row)}})};
+    for (int k = 0; k < 4; ++k)
+      row.push_back(neat(product[k][m.row], length_of(axis) * length_of(dvec3(m.inverse[k]))));
+    return {.text = "product_row",
+            .facts = {{"row", std::int64_t{m.row}},
+                      {"right", product[0][m.row], "product"},
+                      {"up", product[1][m.row], "product"},
+                      {"forward", product[2][m.row], "product"},
+                      {"eye", product[3][m.row], "product"}},
+            .words = {{"axis", axis_name(m.row)},
+                      {"product", product_text(neat(axis, length_of(axis)), neat(column, length_of(column)))},
+                      {"value", row[static_cast<std::size_t>(m.row) + 1]}},
+            .row = row,
+            .key = axis_id(m.row),
+            .phase = words_.say("phase.check")};
+  }
+  void show(Board& board, const Inverted&) {
+    known_.seen = true;
+    milestone(board);
+  }
+  /// What the transposed matrix would give in place of the identity, where it is wrong most.
+  Event say(const Inverted&) const {
+    Event event{.text = "inverted_upright", .key = "product", .ends = true, .level = Level::step};
+    if (is_upright(frame_)) return event;
+    const auto off = [&](int i) {
+      const double wanted = i / 3 == i % 3 ? 1 : 0;
+      return std::abs(glm::dot(axis_of(frame_, i / 3), axis_of(frame_, i % 3)) - wanted);
+    };
+    int worst = 0;
+    for (int i = 1; i < 9; ++i) worst = off(i) > off(worst) ? i : worst;
+    event.text = "inverted";
+    event.words = {{"a", axis_name(worst / 3)},
+                   {"b", axis_name(worst)},
+                   {"value", glm::dot(axis_of(frame_, worst / 3), axis_of(frame_, worst % 3))},
+                   {"wanted", worst / 3 == worst % 3 ? 1 : 0}};
+    return event;
+  }
+
+  /// The matrix is whole: what it makes of the target, then of the letter.
+  void show(Board& board, const Viewed<double>&) {
+    known_.newest = -1;
+    known_.rows = 3;
+    known_.seen = true;
+    milestone(board);
+  }
+  Event say(const Viewed<double>& v) const {
+    const double size = length_of(scene_.eye) + length_of(scene_.target);
+    if (way_ == Way::inverse) {
+      return {.text = "led_back",
+              .facts = fields("world", v.world),
+              .words = {{"view", v.view}, {"target", neat(v.world, size)}},
+              .key = "target",
+              .ends = true,
+              .level = Level::step};
+    }
+    const double sine = sine_between(scene_.target - scene_.eye, scene_.up);
+    const bool by_chance = scene_.along == Along::divided && sine < least_sine<double>;
+    return {.text = by_chance  ? "by_chance"
+                    : faulty() ? "off_the_axis"
+                               : "viewed",
+            .facts = fields("view", v.view),
+            .words = {{"view", neat(v.view, size)},
+                      {"sine", sine},
+                      {"right", neat(frame_.right, 1)},
+                      {"distance", scene_.distance}},
+            .row = {words_.say("last_row"), 0, 0, 0, 1},
+            .key = "target",
+            .ends = true,
+            .level = Level::step};
+  }
+
+ private:
+  bool faulty() const { return way_ == Way::minus_position || way_ == Way::transposed; }
+  std::string axis_name(int number) const { return words_.say("name." + axis_id(number)); }
+  static std::vector<Field> fields(const std::string& name, dvec3 v) {
+    return {{name + ".x", v.x, "x"}, {name + ".y", v.y, "y"}, {name + ".z", v.z, "z"}};
+  }
+  /// A step that finds a vector of the frame.
+  Event of_frame(std::string_view text, const std::string& name, dvec3 found, std::vector<Word> words) const {
+    return {.text = text,
+            .facts = fields(name, found),
+            .words = std::move(words),
+            .key = name,
+            .phase = words_.say("phase.frame")};
+  }
+  Decision hint_along_the_view(bool along) const {
+    return yes_or_no(words_, words_.say("question", {{"up", scene_.up}}), along, along ? "replaced" : "kept");
+  }
+  /// Where a column of the inverse comes from: a cross product, divided by the determinant.
+  void add_reciprocal(Event& event, int column) const {
+    const dvec3 cross = glm::cross(axis_of(frame_, (column + 1) % 3), axis_of(frame_, (column + 2) % 3));
+    event.text = "reciprocal";
+    event.words.insert(event.words.end(), {{"a", axis_name(column + 1)},
+                                           {"b", axis_name(column + 2)},
+                                           {"cross", neat(cross, length_of(cross))},
+                                           {"det", glm::dot(axis_of(frame_, column), cross)}});
+  }
+
+  void learn_axis(Board& board, int axis) {
+    known_.axes[static_cast<std::size_t>(axis)] = true;
+    known_.newest = axis;
+    milestone(board);
+  }
+  void milestone(Board& board) const {
+    View view = way_ == Way::any_frame ? drawing_.given_axes(known_, frame_) : drawing_.world(known_, frame_);
+    if (way_ == Way::any_frame) {
+      drawing_.add_there_and_back(view, known_, frame_);
+    } else if (faulty()) {
+      drawing_.add_view_space(view, known_, wrong_, right_);
+    } else {
+      drawing_.add_picture(view, known_, right_);
+    }
+    board.milestone();
+    board.draw(std::move(view));
+  }
+
+  const Words& words_;
+  const Scene& scene_;
+  const Way way_;
+  const Drawing drawing_;
+  const DFrame frame_;  ///< where axes will be, so that nothing jumps
+  const glm::dmat4 right_, wrong_;
+  Drawing::Known known_;
+  bool replaced_ = false;
+};
+
+// --- The methods
+
+void introduce(Narrator& narrator, Role last, std::string_view its_key) {
+  narrator.legend(
+      {{Role::input, "input"}, {Role::current, "current"}, {Role::accepted, "accepted"}, {last, its_key}});
+  narrator.last_is_telling();
+}
+
+void conclude(Narrator& narrator, const glm::dmat4& matrix) {
+  std::vector<Field> result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+      result.push_back({fmt::format("m{}{}", row, column), matrix[column][row] + 0.0});
+  }
+  narrator.result(std::move(result));
+}
+
+/// Where the matrix is returned.
+int last_line(Narrator& narrator) { return narrator.trace().listing.back().number; }
+
+/// The frame, and the matrix that `make` makes of it.
+template <class Make>
+void tell_view(Narrator& narrator, Along along, Way way, Make make) {
+  const Scene scene = scene_of(narrator.arguments(), along);
+  const bool faulty = way == Way::minus_position || way == Way::transposed;
+  introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
+  narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
+  narrator.paper(36, 27);
+  Story story(narrator.words(), scene, way);
+  const auto watch = narrator.watcher(story);
+  watch(Input{}, 0);
+  // The exhibits' listing has one of the two: the other is told without its lines
+  const auto told_as = [&watch](bool listed) {
+    return [&watch, listed](const auto& step, int line = __builtin_LINE(), const char* = nullptr) {
+      watch(step, listed ? line : 0);
+    };
+  };
+  const DFrame frame = scene.aimed(told_as(!faulty));
+  const glm::dmat4 matrix = make(frame, told_as(along != Along::divided));
+  const dvec3 ahead{0, 0, scene.distance};
+  watch(way == Way::inverse ? Viewed<double>{through(matrix, ahead), ahead}
+                            : Viewed<double>{scene.target, through(matrix, scene.target)},
+        last_line(narrator));
+  conclude(narrator, matrix);
+}
+
+constexpr auto rows = [](const DFrame& frame, const auto& watch) { return world_to_view(frame, watch); };
+
+void tell_world_to_view(Narrator& narrator) {
+  narrator.list_below("world_to_view");
+  tell_view(narrator, Along::refused, Way::rows, rows);
+}
+void tell_view_to_world(Narrator& narrator) {
+  narrator.list_below("view_to_world");
+  tell_view(narrator, Along::refused, Way::inverse,
+            [](const DFrame& frame, const auto& watch) { return view_to_world(frame, watch); });
+}
+void tell_spare_up(Narrator& narrator) {
+  narrator.list_below("spare_up");
+  narrator.list_below("world_to_view");
+  tell_view(narrator, Along::replaced, Way::rows, rows);
+}
+void tell_minus_position(Narrator& narrator) {
+  tell_view(narrator, Along::refused, Way::minus_position,
+            [](const DFrame& frame, const auto& watch) { return minus_position(frame, watch); });
+}
+void tell_transposed(Narrator& narrator) {
+  tell_view(narrator, Along::refused, Way::transposed,
+            [](const DFrame& frame, const auto& watch) { return transposed(frame, watch); });
+}
+void tell_cross_products(Narrator& narrator) { tell_view(narrator, Along::divided, Way::rows, rows); }
+
+void tell_any_frame(Narrator& narrator) {
+  const Scene scene = scene_of_axes(narrator.arguments());
+  introduce(narrator, Role::result, "result_axes");
+  narrator.subtitle("subtitle_axes", {{"eye", scene.eye}});
+  narrator.paper(21, 30);
+  Story story(narrator.words(), scene, Way::any_frame);
+  const auto watch = narrator.watcher(story);
+  watch(Input{}, 0);
+  const glm::dmat4 inverse = inverse_of_any_frame(scene.frame(), watch);
+  for (int row = 0; row < 3; ++row) watch(RowMultiplied{row, inverse}, last_line(narrator));
+  watch(Inverted{}, last_line(narrator));
+  conclude(narrator, inverse);
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  const auto numbers = [](std::string name, std::string value, std::string example, std::string help) {
+    Parameter parameter{std::move(name), ParameterType::numbers, std::move(value), std::move(example),
+                        std::move(help)};
+    parameter.parts = {"x", "y", "z"};
+    parameter.sizes = coordinate_sizes;
+    return parameter;
+  };
+  static const TopicEntry topic = completed<entry>(
+      {.name = "viewing",
+       .chapter = "projection",
+       .aliases = {"look at", "lookat", "view matrix", "world to view", "camera"},
+       .summary = "the frame of a viewer, and the matrix that takes the world to it",
+       .methods =
+           {{.name = "world_to_view",
+             .standing = Standing::taught,
+             .tell = tell_world_to_view,
+             .function = "look_at",
+             .unread = {"axes"}},
+            {.name = "view_to_world", .tell = tell_view_to_world, .function = "look_at", .unread = {"axes"}},
+            {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up"}},
+            {.name = "spare_up", .tell = tell_spare_up, .function = "look_at", .unread = {"axes"}},
+            {.name = "minus_position",
+             .standing = Standing::faulty,
+             .tell = tell_minus_position,
+             .unread = {"axes"}},
+            {.name = "transposed", .standing = Standing::faulty, .tell = tell_transposed, .unread = {"axes"}},
+            {.name = "cross_products",
+             .standing = Standing::faulty,
+             .tell = tell_cross_products,
+             .unread = {"axes"}}},
+       .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
+       .parameters = {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units"),
+                      numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at"),
+                      numbers("up", "0,1,0", "0,0,1",
+                              "what points up in the picture: a direction of any length"),
+                      {.name = "axes",
+                       .type = ParameterType::points,
+                       .default_value = "2,0,0 1,1,0 0,-0.5,-1",
+                       .example = "1,0,0 0,2,0 0.5,0,-1",
+                       .help =
+                           "method inverse_of_any_frame: right, up and forward, of any lengths and angles",
+                       .least = 3,
+                       .most = 3,
+                       .parts = {"x", "y", "z"}}},
+       .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
+                    "--eye 2,3,5 --target 0,0,0 --method transposed",
+                    "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});
+  return topic;
+}
+
+}  // namespace gradus::viewing

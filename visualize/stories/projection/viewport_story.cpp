@@ -1,0 +1,347 @@
+// The story of a window on the camera plane: which pixel of the picture each point gets, or that it gets
+// none.
+
+#include "projection/viewport/viewport.hpp"
+
+#include <algorithm>
+
+#include "projection/viewport/viewport_notes.hpp"
+#include "stories/projection/viewport_drawing.hpp"
+#include "stories/side_by_side.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::viewport {
+namespace {
+
+/// In brackets where a negative number is a factor or taken away.
+std::string factor(double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); }
+std::string difference_text(double a, double b) { return figure_real(a) + " − " + factor(b); }
+
+class Story {
+ public:
+  Story(const Words& words, const Input& input, bool clamps)
+      : words_(words),
+        input_(input),
+        clamps_(clamps),
+        drawing_(input, words),
+        fates_(input.points.size()),
+        current_(input.points.size()) {}
+
+  void turn_to(std::size_t point) { current_ = point; }
+  const Drawing& drawing() const { return drawing_; }
+  const std::vector<Fate>& fates() const { return fates_; }
+  std::int64_t outside() const { return std::ranges::count_if(fates_, &Fate::outside); }
+
+  void show(Board& board, const steps::Started&) { board.milestone(view()); }
+  Event say(const steps::Started&) const {
+    const auto& [lower, upper] = input_.map.window;
+    return {.text = input_.boxed ? "input_boxed" : "input",
+            .words = {{"lower", lower},
+                      {"upper", upper},
+                      {"width", input_.map.picture.x},
+                      {"height", input_.map.picture.y},
+                      {"side", words_.say(rows_down() ? "top" : "bottom")}},
+            .type = "Input"};
+  }
+
+  void show(Board& board, const Measured<double>& m) {
+    fates_[current_].fraction = m.fraction;
+    board.detail(view());
+  }
+  Event say(const Measured<double>& m) const {
+    const auto& [lower, upper] = input_.map.window;
+    const dvec2 p = m.point;
+    return {.text = rows_down() ? "measured_from_top" : "measured_from_bottom",
+            .facts = {{"u", m.fraction.x}, {"v", m.fraction.y}},
+            .words = {{"name", name()},
+                      {"across", difference_text(p.x, lower.x)},
+                      {"width", upper.x - lower.x},
+                      {"along", rows_down() ? difference_text(upper.y, p.y) : difference_text(p.y, lower.y)},
+                      {"height", upper.y - lower.y}},
+            .key = name()};
+  }
+
+  void show(Board& board, const Placed<double>& p) {
+    fates_[current_].place = p.place;
+    board.detail(view());
+  }
+  Event say(const Placed<double>& p) const {
+    Event event{
+        .text = "placed",
+        .facts = {{"x", p.place.x}, {"y", p.place.y}},
+        .words = {{"across", along(0, p)}, {"along", along(1, p)}, {"name", name()}, {"place", p.place}},
+        .key = name()};
+    if (!clamps_) event.decides = lies_inside();
+    return event;
+  }
+
+  void show(Board& board, const Outside<double>&) {
+    fates_[current_].outside = true;
+    board.milestone(view());
+  }
+  Event say(const Outside<double>&) const {
+    return landed(input_.boxed ? "not_in_viewport" : "not_in_picture", lies_inside());
+  }
+
+  void show(Board& board, const Rounded<double>& r) {
+    Fate& fate = fates_[current_];
+    fate.nearest = r.pixel;
+    if (clamps_) return;
+    fate.outside = !r.there;
+    if (r.there) fate.pixel = r.pixel;
+    board.milestone(view());
+  }
+  Event say(const Rounded<double>& r) const {
+    return landed(r.there ? rounded_text() : "no_pixel", input_.rounding == Rounding::floor
+                                                             ? lies_inside()
+                                                             : has_pixel(r.there ? "inside" : "outside"));
+  }
+
+  void show(Board& board, const Clamped& c) {
+    fates_[current_].pixel = c.pixel;
+    board.milestone(view());
+  }
+  Event say(const Clamped& c) const {
+    const bool moved = c.pixel != c.nearest;
+    return landed(moved ? "clamped" : rounded_text(), has_pixel(moved ? "clamped" : "inside"));
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    turn_to(fates_.size());
+    done_ = true;
+    board.detail(view());
+  }
+  Event say(const steps::Finished&) const {
+    return {.text = clamps_ ? "done_clamped" : "done",
+            .facts = {{"outside", outside()}},
+            .words = {{"points", fates_.size()}},
+            .count = clamps_ ? std::ranges::count_if(fates_, &Fate::moved) : outside()};
+  }
+
+ private:
+  View view() const { return drawing_.view(fates_, current_, done_, clamps_); }
+  bool rows_down() const { return input_.map.row_zero == RowZero::top; }
+  std::string name() const { return name_of(current_); }
+
+  /// "1 + 0.25·6 = 2.5"
+  std::string along(int axis, const Placed<double>& p) const {
+    const auto& [lower, upper] = input_.map.viewport;
+    const std::string start = lower[axis] == 0 ? "" : figure_real(lower[axis]) + " + ";
+    return fmt::format("{}{}·{} = {}", start, factor(p.fraction[axis]),
+                       figure_real(upper[axis] - lower[axis]), figure_real(p.place[axis]));
+  }
+
+  Decision decision(std::string_view question, bool yes, std::string branch) const {
+    const Fate& now = fates_[current_];
+    const ivec2 size = input_.map.picture;
+    return yes_or_no(words_,
+                     words_.say(question, {{"place", *now.place},
+                                           {"pixel", now.nearest.value_or(ivec2{})},
+                                           {"width", size.x},
+                                           {"height", size.y}}),
+                     yes, std::move(branch));
+  }
+  Decision lies_inside() const {
+    const bool inside = holds(input_.map.viewport, *fates_[current_].place);
+    return decision(input_.boxed ? "question.viewport" : "question.picture", inside,
+                    inside ? "inside" : "outside");
+  }
+  Decision has_pixel(std::string branch) const {
+    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), std::move(branch));
+  }
+
+  /// Whether the nearest integers are those of the pixel that the point lies in.
+  std::string_view rounded_text() const {
+    if (input_.rounding == Rounding::floor) return "floored";
+    return own_pixel() == fates_[current_].nearest ? "rounded_to_own" : "rounded_away";
+  }
+  ivec2 own_pixel() const { return rounded(*fates_[current_].place, Rounding::floor); }
+
+  /// The point has its pixel or is known to be outside.
+  Event landed(std::string_view text, Decision decision) const {
+    const Fate& now = fates_[current_];
+    const dvec2 place = *now.place;
+    const ivec2 nearest = now.nearest.value_or(ivec2{}), pixel = now.pixel.value_or(nearest);
+    Event event{.text = text,
+                .facts = {{"outside", now.outside}},
+                .words = {{"name", name()},
+                          {"place", place},
+                          {"px", place.x},
+                          {"py", place.y},
+                          {"nearest", nearest},
+                          {"pixel", pixel},
+                          {"column", pixel.x},
+                          {"row", pixel.y},
+                          {"width", input_.map.picture.x},
+                          {"height", input_.map.picture.y}},
+                .row = {name(), place.x, place.y, now.pixel ? Said(pixel) : words_.say("outside")},
+                .key = name(),
+                .decides = std::move(decision),
+                .type = now.outside ? "Outside" : "Rounded"};
+    if (now.pixel) event.facts.push_back({"pixel", pixel});
+    if (text == "rounded_away") event.words.push_back({"own", own_pixel()});
+    return event;
+  }
+
+  const Words& words_;
+  const Input& input_;
+  const bool clamps_;
+  Drawing drawing_;
+  std::vector<Fate> fates_;
+  std::size_t current_;
+  bool done_ = false;
+};
+
+// --- The methods
+
+Input input_of(const Arguments& arguments, Rounding rounding) {
+  const std::vector<double> bounds = arguments.numbers("window");
+  const Rectangle<double> window{{bounds[0], bounds[1]}, {bounds[2], bounds[3]}};
+  if (!(window.lower.x < window.upper.x && window.lower.y < window.upper.y)) {
+    refuse("window", "a window with an inside expected, found {}", arguments.text("window"));
+  }
+  const RowZero row_zero = arguments.text("row_zero") == "top" ? RowZero::top : RowZero::bottom;
+  const bool boxed = arguments.text("fit") == "letterbox";
+  const ivec2 picture = arguments.cell("resolution");
+  Input input{boxed ? letterboxed(window, picture, row_zero) : stretched(window, picture, row_zero),
+              arguments.points("points"), rounding, boxed};
+  const dvec2 room = input.map.viewport.upper - input.map.viewport.lower;
+  if (std::min(room.x, room.y) < 1e-3) {
+    refuse(arguments, {"window", "resolution", "fit"},
+           fmt::format("expected a window of a shape that leaves more than a thousandth of a pixel between "
+                       "the bars, found {}",
+                       arguments.text("window")));
+  }
+  return input;
+}
+
+/// take(point, observer): what the method does with a point.
+template <class Take>
+void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take& take) {
+  const Words& words = narrator.words();
+  Story story(words, input, clamps);
+  require_scale(story.drawing().plane(), narrator.arguments(), {"window"});
+  const auto count = static_cast<std::int64_t>(input.points.size());
+  narrator.trace().subtitle =
+      words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
+  narrator.paper(36, 27);
+  narrator.legend({{Role::input, "input"},
+                   {Role::current, "current"},
+                   {Role::measure, "measure"},
+                   {Role::rejected, clamps ? "moved" : "rejected"},
+                   {Role::result, "result"}});
+  if (clamps) narrator.trace().legend[2].text = words.say("true_line");
+  narrator.tell_each(story, input.points.size(),
+                     [&](std::size_t i, const auto& watch) { take(input.points[i], watch); });
+  for (const Fate& fate : story.fates()) {
+    if (fate.pixel) narrator.trace().pixels.push_back(*fate.pixel);
+  }
+  narrator.result({{"points", count}, {"pixels", count - story.outside()}});
+}
+
+/// What the steps of rasterize hold.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>& to, const Measured<T>& m) const {
+    to.point("fraction", m.fraction);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Placed<T>& p) const {
+    to.point("place", p.place);
+  }
+  template <class T>
+  void operator()(NumericStep<T>&, const Outside<T>&) const {}
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rounded<T>& r) const {
+    to.decision(r.pixel.x);
+    to.decision(r.pixel.y);
+  }
+};
+
+template <Rounding rounding>
+void tell_rounding(Narrator& narrator) {
+  const Input input = input_of(narrator.arguments(), rounding);
+  tell_points(narrator, input, false,
+              [&](dvec2 point, const auto& watch) { rasterize(input.map, point, rounding, watch); });
+  tell_side_by_side<Numbers>(narrator, [input]<class T>(T, const auto& observer) {
+    const auto rectangle = [](const Rectangle<double>& r) {
+      return Rectangle<T>{in_scalar<T>(r.lower), in_scalar<T>(r.upper)};
+    };
+    const auto& [window, viewport, picture, row_zero] = input.map;
+    const Mapping<T> map{rectangle(window), rectangle(viewport), picture, row_zero};
+    for (const dvec2 point : input.points) rasterize(map, in_scalar<T>(point), rounding, observer);
+  });
+}
+
+void tell_clamped(Narrator& narrator) {
+  const Input input = input_of(narrator.arguments(), Rounding::half_even);
+  tell_points(narrator, input, true,
+              [&](dvec2 point, const auto& watch) { clamped(input.map, point, input.rounding, watch); });
+  narrator.last_is_telling();
+}
+
+/// Of points and windows: then fractions of the one in the other neither overflow nor underflow.
+constexpr Sizes sizes{1e-100, 1e100};
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  static const TopicEntry topic = completed<entry>(
+      {.name = "viewport",
+       .chapter = "projection",
+       .aliases = {"window to viewport", "rasterize", "screen coordinates"},
+       .summary = "from a window on the camera plane to the pixels of a picture",
+       .methods = {{.name = "floor",
+                    .standing = Standing::taught,
+                    .tell = tell_rounding<Rounding::floor>,
+                    .function = "rasterize",
+                    .exact = true},
+                   {.name = "half_up",
+                    .tell = tell_rounding<Rounding::half_up>,
+                    .function = "rasterize",
+                    .exact = true},
+                   {.name = "half_even",
+                    .tell = tell_rounding<Rounding::half_even>,
+                    .function = "rasterize",
+                    .exact = true},
+                   {.name = "clamped", .standing = Standing::faulty, .tell = tell_clamped}},
+       .columns = {{"point", false}, {"px"}, {"py"}, {"pixel", false}},
+       .parameters = {{.name = "points",
+                       .type = ParameterType::points,
+                       .default_value = "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5",
+                       .example = "0,0 0.5,0.3 2,1",
+                       .help = "points on the camera plane: x,y in its units, y up",
+                       .least = 1,
+                       .most = 26,
+                       .parts = {"x", "y"},
+                       .sizes = sizes},
+                      {.name = "window",
+                       .type = ParameterType::bounds,
+                       .default_value = "-1,-0.75,1,0.75",
+                       .example = "-1,-1,1,1",
+                       .help = "what is seen of the plane: xmin,ymin,xmax,ymax",
+                       .parts = {"xmin", "ymin", "xmax", "ymax"},
+                       .sizes = sizes},
+                      {"resolution", ParameterType::cell, "8,6", "640,480",
+                       "width and height of the picture in pixels", 1, 10'000},
+                      {.name = "fit",
+                       .type = ParameterType::choice,
+                       .default_value = "stretch",
+                       .example = "letterbox",
+                       .help = "fill the picture, or keep the window's shape and leave bars",
+                       .choices = {"stretch", "letterbox"}},
+                      {.name = "row_zero",
+                       .type = ParameterType::choice,
+                       .default_value = "top",
+                       .example = "bottom",
+                       .help = "where row 0 is: at the top, as in picture files, or at the bottom",
+                       .choices = {"top", "bottom"}},
+                      exact_parameter()},
+       .examples = {"--points '0.3,0.4 1.3,0.5' --resolution 8,6",
+                    "--window -1,-1,1,1 --resolution 8,6 --fit letterbox",
+                    "--points '0,0 2,1' --method clamped"}});
+  return topic;
+}
+
+}  // namespace gradus::viewport

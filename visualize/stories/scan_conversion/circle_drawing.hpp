@@ -1,0 +1,115 @@
+#pragma once
+// The circle itself, as the stories of circles draw it behind all steps.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::bresenham_circle {
+
+struct Circle {
+  ivec2 center;
+  int radius;
+  std::optional<Window> window;  ///< only what lies in it is drawn
+  std::int64_t first = 0;        ///< the first column that is told, when the run starts in the middle
+};
+
+/// A point of an octant, between pixels too.
+inline dvec2 point_of(ivec2 center, const Octant& octant, dvec2 at) {
+  return dvec2(center) + at.x * dvec2(octant.right) + at.y * dvec2(octant.up);
+}
+
+/// Adds the ideal arc of an octant over columns `from` to `to`, its first point included, its last one not.
+/// Chords this short leave it by less than 1/50 pixel.
+inline void add_arc(Path& path, const Circle& circle, const Octant& octant, double from, double to) {
+  const double r = circle.radius;
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) * 6 / std::sqrt(r))));
+  for (int i = 0; i < chords; ++i) {
+    const double x = from + (to - from) * i / chords;
+    path.points.push_back(point_of(circle.center, octant, {x, std::sqrt((r - x) * (r + x))}));
+  }
+}
+
+/// The columns of an octant, and a little more, as a chain of points.
+inline Path ideal_arc(const Circle& circle, const Octant& octant, Stretch shown) {
+  const double r = circle.radius, end = r * std::sqrt(0.5);
+  const double from = std::clamp(static_cast<double>(shown.first) - 1, 0.0, end);
+  const double to = std::clamp(static_cast<double>(shown.last) + 1, from, end);
+  Path path;
+  add_arc(path, circle, octant, from, to);
+  path.points.push_back(point_of(circle.center, octant, {to, std::sqrt((r - to) * (r + to))}));
+  return path;
+}
+
+/// The whole circle, clockwise: every second octant runs back from its diagonal.
+inline Path ideal_circle(const Circle& circle) {
+  const double end = circle.radius * std::sqrt(0.5);
+  Path path{.points = {}, .closed = true};
+  for (const Octant& octant : octants) {
+    add_arc(path, circle, octant, octant.has_borders() ? 0 : end, octant.has_borders() ? end : 0);
+  }
+  return path;
+}
+
+inline void draw_ideal(Narrator& narrator, const Circle& circle, int longest_watched) {
+  std::optional<dvec2> named;
+  if (circle.window) {
+    for (const auto& [octant, shown] : visible(circle.center, circle.radius, *circle.window)) {
+      if (shown.count() == 0) continue;
+      Path arc = ideal_arc(circle, octant, shown);
+      if (!named) named = arc.points[arc.points.size() / 2];
+      narrator.backdrop(fmt::format("ideal circle, octant {}", octant.number), Role::boundary, arc);
+    }
+  } else if (circle.radius > longest_watched) {
+    const Stretch told{std::max<std::int64_t>(0, circle.first - 100), circle.first + longest_watched};
+    narrator.backdrop("ideal circle", Role::boundary, ideal_arc(circle, octants[0], told));
+  } else {
+    narrator.backdrop("ideal circle", Role::boundary, ideal_circle(circle));
+    named = point_of(circle.center, octants[4], dvec2(circle.radius * std::sqrt(0.5)));
+  }
+  if (named)
+    narrator.backdrop("ideal circle name", Role::boundary, Label{*named, narrator.words().say("ideal")});
+}
+
+/// The centre as a cross, the radius, and the diagonal that ends the octant.
+inline void draw_octant(Narrator& narrator, const Circle& circle) {
+  const Words& words = narrator.words();
+  const dvec2 center(circle.center), across{0.3, 0}, up{0, 0.3};
+  narrator.backdrop("centre, across", Role::input, Stroke{center - across, center + across});
+  narrator.backdrop("centre, up", Role::input, Stroke{center - up, center + up});
+  if (circle.radius < 2) return;
+  const dvec2 top = center + dvec2{0, circle.radius}, corner = center + circle.radius * std::sqrt(0.5);
+  narrator.backdrop("radius", Role::input, Stroke{center, top});
+  narrator.backdrop("diagonal", Role::boundary, Stroke{center, corner});
+  if (circle.radius < 4) return;
+  narrator.backdrop("radius name", Role::input,
+                    Label{0.5 * (center + top), words.say("radius", {{"radius", circle.radius}})});
+  narrator.backdrop("diagonal name", Role::boundary,
+                    Label{center + 0.45 * (corner - center), words.say("diagonal")});
+}
+
+/// What stands unchanged behind all steps.
+inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_watched, bool late) {
+  narrator.grid(circle.window ? *circle.window
+                              : Window{circle.center - circle.radius, circle.center + circle.radius});
+  narrator.subtitle("subtitle", {{"center", circle.center}, {"radius", circle.radius}});
+  if (circle.window) {
+    narrator.retitle("in_window");
+  } else if (circle.radius > longest_watched) {
+    narrator.retitle("jumped_to_part");
+  }
+  if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
+  if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
+  narrator.legend({{Role::past, "past"},
+                   {Role::current, "current"},
+                   {Role::accepted, late ? "right" : "mirrored"},
+                   {Role::candidate, "candidate"},
+                   {Role::rejected, "rejected"},
+                   {Role::result, "result"},
+                   {Role::measure, "error"}});
+}
+
+}  // namespace gradus::bresenham_circle

@@ -1,0 +1,300 @@
+#pragma once
+// Telling a run: what all stories do alike, once. Of each step a story says what changes in the drawing
+// (`show`, for every step) and what is to be told (`say`, for the steps that are kept).
+//
+//   class Story {
+//    public:
+//     void show(Board& board, const Stepped& s);  // one of milestone, detail or neither; then what is drawn
+//     Event say(const Stepped& s) const;
+//   };
+//   decision_parameter(from, to, drop, narrator.watcher(story));
+
+#include <concepts>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "figure/recording.hpp"
+#include "stories/paper.hpp"
+#include "stories/topic.hpp"
+#include "stories/words.hpp"
+
+namespace gradus {
+
+/// A value as the reader sees it: whole numbers with the typographic minus, real ones with four digits or so,
+/// points in brackets, texts as they are.
+struct Said {
+  std::string text;
+
+  Said(std::string words) : text(std::move(words)) {}
+  Said(std::string_view words) : text(words) {}
+  Said(const char* words) : text(words) {}
+  template <std::integral Whole>
+  Said(Whole number) : text(figure_number(static_cast<std::int64_t>(number))) {}
+  Said(bool) = delete;
+  Said(double number) : text(figure_real(number)) {}
+  Said(ivec2 pixel) : text(figure_point(pixel)) {}
+  Said(dvec2 place) : text(figure_place(place)) {}
+  Said(dvec3 place) : text(figure_place(place)) {}
+  Said(glm::dvec4 place) : text(figure_place(place)) {}
+};
+
+/// A value under the name by which a sentence's text asks for it: {name}.
+struct Word {
+  std::string_view name;
+  Said said;
+};
+
+/// The texts of one topic in the reader's language: `say("started")` is the text "<topic>.started".
+class Words {
+ public:
+  Words(const Wording& wording, std::string topic) : wording_(wording), topic_(std::move(topic)) {}
+
+  std::string say(std::string_view key, std::initializer_list<Word> words = {}) const {
+    return of(topic_, key, {words.begin(), words.size()});
+  }
+  std::string say(std::string_view key, std::span<const Word> words) const { return of(topic_, key, words); }
+  /// "<key>.one" for 1, "<key>.many" for all others; {n} is the number.
+  std::string count(std::string_view key, std::int64_t n, std::initializer_list<Word> words = {}) const {
+    return counted(key, n, {words.begin(), words.size()});
+  }
+  std::string counted(std::string_view key, std::int64_t n, std::span<const Word> words) const;
+  /// A text of a section that several topics share: shared("words", "yes").
+  std::string shared(std::string_view section, std::string_view key,
+                     std::initializer_list<Word> words = {}) const {
+    return of(section, key, {words.begin(), words.size()});
+  }
+  /// What the reader calls this symbol.
+  std::string symbol(std::string_view name) const { return wording_.symbol(name); }
+  /// What the reader calls a move to a neighbouring pixel: "NE".
+  std::string move(ivec2 move) const { return move_name(wording_, move); }
+  const Wording& wording() const { return wording_; }
+
+ private:
+  std::string of(std::string_view section, std::string_view key, std::span<const Word> words) const;
+
+  const Wording& wording_;
+  std::string topic_;
+};
+
+/// What is told of one step. Sentences may take the words and the facts; of one name, the word.
+struct Event {
+  std::string_view text{};              ///< the sentence's key in the topic's section, written out
+  std::vector<Field> facts{};           ///< the step's data, for programs
+  std::vector<Word> words{};            ///< what the sentence needs besides
+  std::optional<std::int64_t> count{};  ///< the sentence is that of a number: "<text>.one", "<text>.many"
+  std::string sentence{};               ///< a sentence that is put together; then there is no text
+  std::vector<Said> row{};              ///< the row that the step produced, from the first column on
+  std::vector<Said> read{};             ///< the last row, completed
+  std::string key{};                    ///< what it is about: "4,2" for a pixel
+  std::string phase{};  ///< without it: set up for Started, result for Finished, main loop for others
+  bool begins = false, ends = false;  ///< then it is told as Started and Finished are, whatever its type
+  std::optional<Level> level{};       ///< without it: a step, arithmetic for a detail, idea for Finished
+  std::optional<Decision> decides{};  ///< what this step decides, if it does
+  std::string_view type{};            ///< the type it is told as, where that is not the step's own
+  std::optional<int> line{};          ///< the source line to show, where the step's own is not listed
+};
+
+/// What is decided by yes or no.
+Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch);
+
+/// Steps of the run as a whole, for stories of algorithms that report none: told without a source line.
+namespace steps {
+struct Started {};
+struct Finished {};
+}  // namespace steps
+
+/// The drawing, and how long what is drawn stays: what an event points at goes with the next one; a pixel
+/// that was plotted is a past one from the next milestone on. On paper the whole drawing is given instead.
+class Board {
+ public:
+  explicit Board(TraceWriter& writer) : writer_(writer) {}
+
+  /// The event that is shown is the next whole number, or a finer one behind it. Neither: nothing is told.
+  void milestone(ivec2 focus = {});
+  void detail(ivec2 focus = {});
+  /// The next milestone gets this number: those before are not told.
+  void skip_to(std::int64_t number) { writer_.skip_to(number); }
+  /// Whether nothing more is kept: milestones are only counted from now on.
+  bool full() const { return writer_.full(); }
+  void count_milestone() { writer_.count_step(); }
+
+  // On a grid
+
+  void plot(ivec2 pixel, Role role);
+  void all_plotted(Role role);
+  /// Pixels plotted so far, each once; the last one of them.
+  std::int64_t plotted() const;
+  ivec2 last_plotted(ivec2 without) const;
+  /// Whether the grid's cells reach as far.
+  bool holds(dvec2 point) const;
+  /// From now on the cell looks so, and is no pixel that was plotted.
+  void put(ivec2 cell, Role role, std::string text = "");
+  /// For this event alone the cell looks so; then as before.
+  void look_at(ivec2 pixel, Role role);
+  /// For this event alone.
+  void mark(std::string id, Role role, decltype(Mark::shape) shape);
+  /// From now on, until it is removed.
+  void keep(std::string id, Role role, decltype(Mark::shape) shape);
+  void remove(std::string id) { delta_.removed.push_back(std::move(id)); }
+
+  // On paper
+
+  /// The whole drawing from now on.
+  void draw(View view) { delta_ = shown_.change_to(std::move(view)); }
+  /// The event that shows this drawing.
+  void milestone(View view) {
+    milestone();
+    draw(std::move(view));
+  }
+  void detail(View view) {
+    detail();
+    draw(std::move(view));
+  }
+
+ private:
+  friend class Narrator;
+  enum class Kind { none, milestone, detail };
+  void clear();
+
+  TraceWriter& writer_;
+  Kind kind_ = Kind::none;
+  ivec2 focus_{};
+  Delta delta_;
+  std::vector<std::string> marks_;      ///< of the last event
+  std::vector<ivec2> pointed_, fresh_;  ///< cells that will look otherwise with the next event, or milestone
+  std::unordered_set<std::uint64_t> plotted_;
+  Shown shown_;
+};
+
+/// One run of one method, told.
+class Narrator {
+ public:
+  Narrator(const TopicEntry& topic, const Arguments& arguments, Recording recording);
+  Narrator(const Narrator&) = delete;
+  Narrator& operator=(const Narrator&) = delete;
+
+  const Arguments& arguments() const { return arguments_; }
+  const Recording& recording() const { return recording_; }
+  const Words& words() const { return words_; }
+  const Method& method() const { return method_; }
+  Board& board() { return board_; }
+  /// What is said of the run as a whole; what has no function here is set there.
+  Trace& trace() { return writer_.trace(); }
+
+  /// Cells with the axes x and y, y up.
+  void grid(const Window& cells);
+  void paper(int width, int height);
+  void columns(std::vector<Column> columns) { trace().columns = std::move(columns); }
+  void subtitle(std::string_view key, std::initializer_list<Word> words) {
+    trace().subtitle = words_.say(key, words);
+  }
+  /// The method's title becomes this text, which asks for {method}.
+  void retitle(std::string_view key);
+  void legend(std::initializer_list<std::pair<Role, std::string_view>> entries);
+  /// Stands unchanged behind all steps.
+  void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
+  /// The lines shown are another function's: of this file in the topic's folder, or of the method's own.
+  void list(std::string_view function, std::string_view file = {});
+  /// Below them those of another function of the same file.
+  void list_below(std::string_view function);
+  void result(std::vector<Field> fields) { result_ = std::move(fields); }
+  /// The step whose drawing tells most. Without it: the last one of a faulty method that was kept whole, else
+  /// the milestone in the middle.
+  void telling(StepNumber number) { telling_ = number; }
+  void last_is_telling() { last_is_telling_ = true; }
+  /// The same where the run was kept whole.
+  void last_of_whole_is_telling() { last_of_whole_is_telling_ = true; }
+  void skip_to(std::int64_t number) { writer_.skip_to(number); }
+  /// Steps that name no key are about what their type says: on paper there is no pixel to name.
+  void key_by_type() { key_by_type_ = true; }
+
+  /// The observer for a method. `Story` has show(Board&, step) and say(step) for each of its steps; a
+  /// forgotten one does not compile. A story of very long runs may have count(Board&, step), too: what
+  /// remains to be done of a step when the recording is full.
+  template <class Story>
+  auto watcher(Story& story) {
+    return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(), const char* = nullptr) {
+      if constexpr (requires { story.count(board_, step); }) {
+        if (board_.full()) return story.count(board_, step);
+      }
+      story.show(board_, step);
+      tell(step_name<Step>(), line, [&] { return story.say(step); });
+    };
+  }
+  /// The same for what no step tells: an input, a whole curve.
+  void tell(std::string_view type, int line, const std::function<Event()>& say);
+  /// A run that is the same algorithm for many inputs: from Started to Finished, take(i, observer) for each
+  /// of them after story.turn_to(i).
+  template <class Story, class Take>
+  void tell_each(Story& story, std::size_t count, const Take& take) {
+    const auto watch = watcher(story);
+    watch(steps::Started{}, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      story.turn_to(i);
+      take(i, watch);
+    }
+    watch(steps::Finished{}, 0);
+  }
+  /// The source line that reported the last step.
+  int line() const { return line_; }
+
+  /// What is done with the trace once all is told.
+  void afterwards(std::function<void(Trace&)> change) { afterwards_ = std::move(change); }
+  Trace finish() &&;
+
+  /// "Stepped" of gradus::bresenham_line::Stepped, "Cut" of Cut<double>.
+  template <class Step>
+  static constexpr std::string_view step_name() {
+    return name_in(__PRETTY_FUNCTION__);
+  }
+
+ private:
+  static constexpr std::string_view name_in(std::string_view function) {
+    std::string_view name = function.substr(function.find("Step = ") + 7);
+    name = name.substr(0, name.find_first_of("<;],"));
+    return name.substr(name.rfind(':') + 1);
+  }
+  void describe(TraceStep& step, std::string_view type, Event event);
+
+  const Arguments& arguments_;
+  const Recording recording_;
+  const TopicEntry& topic_;
+  const Method& method_;
+  TraceWriter writer_;
+  const Words words_;
+  Board board_;
+  bool key_by_type_ = false;
+  std::vector<Field> result_;
+  std::optional<StepNumber> telling_;
+  bool last_is_telling_ = false, last_of_whole_is_telling_ = false;
+  int line_ = 0;
+  std::function<void(Trace&)> afterwards_;
+};
+
+/// Runs a topic: refuses what its method can't take, then has the method tell itself.
+Trace tell(const TopicEntry& topic, const Arguments& arguments, Recording recording);
+
+/// What stands in TopicEntry::run of a topic whose methods tell themselves.
+template <const TopicEntry& (*entry)()>
+Trace told(const Arguments& arguments, Recording recording) {
+  return tell(entry(), arguments, std::move(recording));
+}
+
+/// Fills in what can be derived: the title and the methods' titles and notes from the English texts, and the
+/// default method (the first).
+void complete_texts(TopicEntry& topic);
+/// The entry with all that, and with `run`.
+template <const TopicEntry& (*entry)()>
+TopicEntry completed(TopicEntry topic) {
+  complete_texts(topic);
+  topic.run = told<entry>;
+  return topic;
+}
+
+}  // namespace gradus

@@ -1,0 +1,322 @@
+// The stories of transformations in space: a product and its reverse side by side, a turn round any axis by
+// parts, and the same by vectors.
+
+#include <algorithm>
+#include <array>
+
+#include "stories/side_by_side.hpp"
+#include "stories/transformation/turn_story.hpp"
+
+namespace gradus::affine_3d {
+namespace {
+
+using Chain = std::span<const Mat>;
+
+// --- A product, and its reverse beside it
+
+class ProductStory {
+ public:
+  /// rows: points as rows, and beside them as columns.
+  ProductStory(const Words& words, const Task& task, bool rows)
+      : words_(words), task_(task), by_rows_(rows), stages_(stages(task.factors, rows)) {
+    if (rows) {
+      others_ = stages(task.factors, false);
+    } else if (task.compare) {
+      others_ = stages({task.factors.rbegin(), task.factors.rend()}, false);
+    }
+    Extent world = world_of_axes(reach_of(task.size));
+    for (const auto* list : {&stages_, &others_}) {
+      for (const Shape& shape : *list) add_to(world, shape);
+    }
+    const double top = 15.8;
+    panels_.emplace_back(Extent{{0.6, 2.2}, {others_.empty() ? 25.4 : 12.6, top}}, widened(world, 0.03));
+    if (!others_.empty()) panels_.emplace_back(Extent{{13.4, 2.2}, {25.4, top}}, widened(world, 0.03));
+  }
+  const Panel& panel() const { return panels_[0]; }
+
+  void show(Board& board, const Started<double>&) { milestone(board, Role::input); }
+  Event say(const Started<double>&) const {
+    return standing({.text = by_rows_ ? "started_rows" : "started",
+                     .words = {{"product", product_name(words_.wording(), task_.factors.size())}}});
+  }
+
+  void show(Board& board, const Multiplied<double>& m) {
+    done_ = m.factor + 1;
+    product_ = m.product;
+    milestone(board, Role::current);
+  }
+  Event say(const Multiplied<double>& m) const {
+    return standing({.text = "multiplied",
+                     .words = {{"factor", factor_words(words_.wording(), task_.texts[m.factor])},
+                               {"name", factor_name(words_.wording(), m.factor)},
+                               {"from", stages_[done_ - 1][corner_a]},
+                               {"to", stages_[done_][corner_a]}}});
+  }
+
+  // The corners are drawn with each factor
+  void show(Board&, const Transformed<double>&) {}
+  void show(Board&, const RowTransformed<double>&) {}
+  Event say(const Transformed<double>&) const { return {}; }
+  Event say(const RowTransformed<double>&) const { return {}; }
+
+  void show(Board& board, const steps::Finished&) { milestone(board, Role::result); }
+  Event say(const steps::Finished&) const {
+    const dvec3 to = stages_.back()[corner_a];
+    Event event{.text = "done", .facts = fields_of(to), .words = {{"to", to}}, .level = Level::step};
+    if (others_.empty()) return event;
+    const dvec3 other = others_.back()[corner_a];
+    event.text = by_rows_ ? "rows" : same_place(to, other) ? "same" : "orders";
+    event.words.insert(
+        event.words.end(),
+        {{"w", transform_row(stages_[0][corner_a], product_).w}, {"right", other}, {"other", other}});
+    return event;
+  }
+
+ private:
+  /// The box after each factor.
+  std::vector<Shape> stages(const std::vector<Mat>& factors, bool rows) const {
+    const Shape box = box_of(task_.size);
+    std::vector<Shape> list{box};
+    Mat product(1);
+    for (const Mat& m : factors) {
+      product = m * product;
+      list.push_back(rows ? Shape{} : moved(product, box));
+      if (!rows) continue;
+      for (const dvec3 p : box) list.back().emplace_back(transform_row(p, product));
+    }
+    return list;
+  }
+  /// But for rounding, as far as A comes in either order.
+  bool same_place(dvec3 a, dvec3 b) const {
+    double size = 0;
+    for (const auto* list : {&stages_, &others_}) {
+      for (const Shape& shape : *list) size = std::max(size, length_between(shape[corner_a], dvec3(0)));
+    }
+    return length_between(a, b) <= 1e-9 * size;
+  }
+  Event standing(Event event) const {
+    const dvec3 a = stages_[done_][corner_a];
+    event.facts = fields_of(a);
+    event.row = row_of(done_, a);
+    return event;
+  }
+
+  void milestone(Board& board, Role role) const {
+    View view;
+    half(view, 0, stages_, role);
+    if (!others_.empty()) half(view, 1, others_, role);
+    add_product(view, product_, done_ ? role : Role::guide, words_);
+    board.milestone();
+    board.draw(std::move(view));
+  }
+  void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
+    const std::string id = i == 0 ? "left" : "right";
+    const Panel& panel = panels_[i];
+    add_axes_of_space(view, panel, id, reach_of(task_.size), words_);
+    add_box(view, panel, id + " 0", Role::input, list[0], false);
+    if (done_ > 1) add_box(view, panel, id + " 1", Role::past, list[done_ - 1], false);
+    if (done_ > 0) add_box(view, panel, id + " 2", role, list[done_], true);
+    add_dot(view, panel, id + " corner", done_ ? role : Role::input, list[done_][corner_a], "A");
+    view.add({"l " + id + " caption", Role::guide, Text{{panel.place().centre().x, 0.9}, caption(i)}});
+  }
+  std::string caption(std::size_t half) const {
+    if (by_rows_) return words_.say(half == 0 ? "as_row" : "as_column");
+    const std::size_t n = task_.factors.size();
+    if (half == 0) return product_name(words_.wording(), n);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
+    return chained(names);
+  }
+
+  const Words& words_;
+  const Task& task_;
+  const bool by_rows_;
+  std::vector<Shape> stages_, others_;
+  std::vector<Panel> panels_;
+  std::size_t done_ = 0;
+  Mat product_{1};
+};
+
+// --- Side by side with exact numbers
+
+/// What the steps of turn_vector hold, and of products of matrices.
+struct Numbers {
+  template <class T>
+  void operator()(NumericStep<T>&, const Started<T>&) const {}
+  template <class T>
+  void operator()(NumericStep<T>& to, const Multiplied<T>& m) const {
+    constexpr std::array<std::string_view, 4> columns{"x", "y", "z", "0"};
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        to.number(fmt::format("{}{}", "xyz"[row], columns[static_cast<std::size_t>(column)]),
+                  m.product[column][row]);
+      }
+    }
+  }
+  template <class T>
+  void operator()(NumericStep<T>&, const Transformed<T>&) const {}  // told with each factor, none alone
+  template <class T>
+  void operator()(NumericStep<T>& to, const Projected<T>& p) const {
+    to.point("r", p.r);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Rejected<T>& r) const {
+    to.point("s", r.s);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Crossed<T>& c) const {
+    to.point("v", c.v);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& to, const Turned<T>& t) const {
+    to.point("P′", t.to);
+  }
+};
+
+template <class T>
+Matrix<T> matrix_in(const Mat& m) {
+  Matrix<T> result(T(1));
+  for (int column = 0; column < 4; ++column) result[column] = in_scalar<T>(m[column]);
+  return result;
+}
+
+/// The factors are the doubles' in all three.
+template <class T>
+void one_matrix_in(const Task& task, const auto& observer) {
+  std::vector<Matrix<T>> factors;
+  for (const Mat& m : task.factors) factors.push_back(matrix_in<T>(m));
+  std::vector<Point<T>> corners;
+  for (const dvec3 p : box_of(task.size)) corners.push_back(in_scalar<T>(p));
+  one_matrix(std::span<const Matrix<T>>(factors), std::span(corners), observer);
+}
+/// The axis of length 1 and the turn are.
+template <class T>
+void turn_vector_in(const Task& task, const auto& observer) {
+  const Turn<double> turn = turn_degrees(task.angle);
+  turn_vector(in_scalar<T>(direction_of(task.axis)), in_scalar<T>(task.through),
+              Turn<T>{T(turn.sin), T(turn.cos), T(turn.versine)}, in_scalar<T>(task.point), observer);
+}
+
+// --- The methods
+
+/// What stands around the steps.
+void introduce(Narrator& narrator) {
+  narrator.paper(26, 26);
+  narrator.legend(
+      {{Role::input, "input"}, {Role::past, "past"}, {Role::current, "current"}, {Role::result, "result"}});
+  narrator.last_is_telling();
+}
+void introduce_turn(Narrator& narrator, const Task& task) {
+  introduce(narrator);
+  narrator.subtitle("subtitle", {{"angle", task.angle}, {"axis", task.axis}, {"through", task.through}});
+}
+
+void tell_product(Narrator& narrator, const Task& task, bool rows) {
+  introduce(narrator);
+  narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
+  ProductStory story(narrator.words(), task, rows);
+  require_scale(story.panel(), narrator.arguments(), {"box", "factors"});
+  const auto watch = narrator.watcher(story);
+  Shape box = box_of(task.size);
+  rows ? row_vectors(Chain(task.factors), std::span(box), watch)
+       : one_matrix(Chain(task.factors), std::span(box), watch);
+  watch(steps::Finished{}, 0);
+  narrator.result(fields_of(box[corner_a]));
+}
+void tell_one_matrix(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
+  tell_product(narrator, task, false);
+  tell_side_by_side<Numbers>(narrator,
+                             [task]<class T>(T, const auto& watch) { one_matrix_in<T>(task, watch); });
+}
+void tell_row_vectors(Narrator& narrator) { tell_product(narrator, task_of(narrator.arguments()), true); }
+
+void tell_decomposition(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
+  introduce_turn(narrator, task);
+  PartsStory story(narrator.words(), task);
+  const auto watch = narrator.watcher(story);
+  watch(Input{}, 0);
+  require_scale(story.panel(), narrator.arguments(), {"box", "through"});
+  const Mat m = decomposition(task.through, alignment(task.axis), turn_degrees(task.angle), watch);
+  watch(steps::Finished{}, 0);
+  narrator.result(fields_of(transform(m, box_of(task.size)[corner_a])));
+}
+
+void tell_vectors(Narrator& narrator, const Task& task, bool constant) {
+  introduce_turn(narrator, task);
+  narrator.columns({{"vector", false}, {"x"}, {"y"}, {"z"}});
+  VectorStory story(narrator.words(), task, constant);
+  const auto watch = narrator.watcher(story);
+  watch(Input{}, 0);
+  require_scale(story.panel(), narrator.arguments(), {"point", "through"});
+  const dvec3 n = direction_of(task.axis);
+  const Turn<double> turn = turn_degrees(task.angle);
+  narrator.result(fields_of(constant ? constant_offset(n, task.through, turn, task.point, watch)
+                                     : turn_vector(n, task.through, turn, task.point, watch)));
+}
+void tell_turn_vector(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
+  tell_vectors(narrator, task, false);
+  tell_side_by_side<Numbers>(narrator,
+                             [task]<class T>(T, const auto& watch) { turn_vector_in<T>(task, watch); });
+}
+void tell_constant_offset(Narrator& narrator) {
+  tell_vectors(narrator, task_of(narrator.arguments()), true);
+  narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.rejected")});
+}
+
+Parameter triple(std::string name, std::string value, std::string help) {
+  return {.name = std::move(name),
+          .type = ParameterType::numbers,
+          .default_value = value,
+          .example = value,
+          .help = std::move(help),
+          .parts = coordinates,
+          .sizes = {1e-100, 1e100}};
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  static const TopicEntry topic = completed<entry>(
+      {.name = "affine_3d",
+       .chapter = "transformation",
+       .aliases = {"3d transformation", "rodrigues", "rotation about an axis", "4x4 matrices"},
+       .summary = "move, scale and turn in space; turns round any axis, by parts and by vectors",
+       .methods =
+           {{.name = "one_matrix", .standing = Standing::taught, .tell = tell_one_matrix, .exact = true},
+            {.name = "decomposition", .tell = tell_decomposition},
+            {.name = "turn_vector", .tell = tell_turn_vector, .exact = true},
+            {.name = "row_vectors", .standing = Standing::faulty, .tell = tell_row_vectors},
+            {.name = "constant_offset", .standing = Standing::faulty, .tell = tell_constant_offset}},
+       .columns = {{"k"}, {"x"}, {"y"}, {"z"}},
+       .parameters =
+           {{.name = "factors",
+             .type = ParameterType::factors,
+             .default_value = "rotate 90 about x; rotate 90 about y",
+             .example = "rotate 30 about 0,1,1 through 1,1,0; translate 0,0,1",
+             .help = "one_matrix, row_vectors: what is done, in the order of doing; angles in degrees",
+             .parts = coordinates},
+            {.name = "compare",
+             .type = ParameterType::choice,
+             .default_value = "reversed",
+             .example = "none",
+             .help = "one_matrix: the factors in the reverse order beside it",
+             .choices = {"none", "reversed"}},
+            triple("axis", "0,1,1",
+                   "decomposition, turn_vector, constant_offset: the direction of the axis, not 0,0,0"),
+            triple("through", "1,1,0", "decomposition, turn_vector, constant_offset: a point on the axis"),
+            {"angle", ParameterType::number, "30", "60",
+             "decomposition, turn_vector, constant_offset: the turn in degrees", -1'000'000, 1'000'000},
+            triple("point", "3,1,1", "turn_vector, constant_offset: the point that turns"),
+            triple("box", "2,3,1", "width, height and depth of the box with the F, one corner in the origin"),
+            exact_parameter()},
+       .examples = {"--factors 'rotate 90 about x; rotate 90 about y'",
+                    "--method decomposition --axis 0,1,1 --through 1,1,0 --angle 30",
+                    "--method turn_vector --axis 1,2,3 --angle 60"}});
+  return topic;
+}
+
+}  // namespace gradus::affine_3d
