@@ -50,7 +50,25 @@ def package_lists(bootstrap):
             for body in re.findall(r"^\w+_packages=\((.*?)\) *(?:#[^\n]*)?$", bootstrap, re.DOTALL | re.MULTILINE)]
 
 
+def golden_ids(text):
+    return set(re.findall(r"\bG0\d\d-\d+\b", text))
+
+
 class Docs(unittest.TestCase):
+    def test_goldens_are_listed_where_tests_name_them(self):
+        rows = [line for line in (project.ROOT / "docs/goldens.md").read_text(encoding="utf-8").splitlines()
+                if line.startswith("| G")]
+        self.assertGreater(len(rows), 90)
+        listed = {}
+        for row in rows:
+            files = re.findall(r"\]\(\.\./(tests/[^)]+)\)", row)
+            self.assertTrue(files, row)
+            for file in files:
+                listed.setdefault(file, set()).update(golden_ids(row.split("|")[1]))
+        tests = {file.relative_to(project.ROOT).as_posix(): golden_ids(file.read_text(encoding="utf-8"))
+                 for kind in ("cpp", "hpp") for file in (project.ROOT / "tests").rglob("*." + kind)}
+        self.assertEqual(listed, {file: ids for file, ids in tests.items() if ids})
+
     def test_relative_links_lead_somewhere(self):
         self.assertGreater(len(pages(project.ROOT)), 3)
         found = broken_links(project.ROOT)

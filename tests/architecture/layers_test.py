@@ -132,7 +132,7 @@ def mirror_violations(root):
     found = []
     topics = project.topics(root)
     for topic in topics:
-        for path in (f"algorithms/{topic.path}/{topic.name}.hpp", f"visualize/stories/{topic.path}.cpp",
+        for path in (f"algorithms/{topic.path}/{topic.name}.hpp", f"visualize/stories/{topic.path}_story.cpp",
                      f"tests/unit/{topic.path}_test.cpp", f"examples/{topic.path}.cpp",
                      f"docs/topics/{topic.path}.md"):
             if not topic.partial and not (root / path).is_file():
@@ -140,10 +140,10 @@ def mirror_violations(root):
     known = {topic.path for topic in topics}
     alone = project.stories(root)
     for path in alone:
-        if not (root / f"visualize/stories/{path}.cpp").is_file():
-            found.append(f"visualize/stories/{path}.cpp is missing: gradus_add_story names it")
+        if not (root / f"visualize/stories/{path}_story.cpp").is_file():
+            found.append(f"visualize/stories/{path}_story.cpp is missing: gradus_add_story names it")
     chapters = {path.split("/")[0] for path in alone}  # their folders hold what such a story needs beside it
-    for pattern, name in (("algorithms/*/*/", r"algorithms/(.+)"), ("visualize/stories/*/*.cpp", r"visualize/stories/(.+)\.cpp"),
+    for pattern, name in (("algorithms/*/*/", r"algorithms/(.+)"), ("visualize/stories/*/*_story.cpp", r"visualize/stories/(.+)_story\.cpp"),
                           ("examples/*/*.cpp", r"examples/(.+)\.cpp"), ("docs/topics/*/*.md", r"docs/topics/(.+)\.md")):
         for file in sorted(root.glob(pattern)):
             path = file.relative_to(root).as_posix()
@@ -185,7 +185,7 @@ def width_violations(root):
     trailing comments."""
     found = []
     for topic in project.topics(root):
-        story = root / f"visualize/stories/{topic.path}.cpp"
+        story = root / f"visualize/stories/{topic.path}_story.cpp"
         named = set(re.findall(r'"(\w+)"', story.read_text(encoding="utf-8"))) if story.is_file() else None
         for file in project.topic_headers(topic, root):
             text = file.read_text(encoding="utf-8")
@@ -258,7 +258,7 @@ class Planted(unittest.TestCase):
                 "visualize/figure/figure.hpp": '#include "core/observe.hpp"\n',
                 "visualize/theme/theme.hpp": '#include "figure/figure.hpp"\n',
                 "visualize/stories/topic.hpp": '#include "figure/figure.hpp"\n',
-                "visualize/stories/lines/a_line.cpp": '#include "lines/a_line/a_line.hpp"\n#include "stories/topic.hpp"\nauto listed = "draw";\n',
+                "visualize/stories/lines/a_line_story.cpp": '#include "lines/a_line/a_line.hpp"\n#include "stories/topic.hpp"\nauto listed = "draw";\n',
                 "visualize/cairo/out.cpp": '#include <cairo.h>\n#include "theme/theme.hpp"\n',
                 "visualize/web/json.cpp": '#include <nlohmann/json.hpp>\n#include "stories/topic.hpp"\n',
                 "visualize/cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "stories/topic.hpp"\n',
@@ -302,7 +302,7 @@ class Planted(unittest.TestCase):
         self.caught("figure may not include theme")
 
     def test_a_story_includes_a_theme(self):
-        self.append("visualize/stories/lines/a_line.cpp", '#include "theme/theme.hpp"\n')
+        self.append("visualize/stories/lines/a_line_story.cpp", '#include "theme/theme.hpp"\n')
         self.caught("stories may not include theme")
 
     def test_cairo_includes_stories(self):
@@ -337,7 +337,7 @@ class Planted(unittest.TestCase):
         self.caught("one .cpp only")
 
     def test_json_library_in_a_story(self):
-        self.append("visualize/stories/lines/a_line.cpp", "#include <nlohmann/json.hpp>\n")
+        self.append("visualize/stories/lines/a_line_story.cpp", "#include <nlohmann/json.hpp>\n")
         self.caught("belongs into visualize/web/json.cpp")
 
     def test_markdown_library_in_the_command(self):
@@ -345,7 +345,7 @@ class Planted(unittest.TestCase):
         self.caught("belongs into visualize/web/topic_page.cpp")
 
     def test_zip_library_in_a_page(self):
-        self.append("visualize/stories/lines/a_line.cpp", "#include <archive_entry.h>\n")
+        self.append("visualize/stories/lines/a_line_story.cpp", "#include <archive_entry.h>\n")
         self.caught("belongs into visualize/cli/zip.cpp")
 
     def test_command_line_library_in_a_test(self):
@@ -369,7 +369,7 @@ class Planted(unittest.TestCase):
         self.caught("glm::lookAtLH differs")
 
     def test_one_of_the_five_is_missing(self):
-        for path in ("visualize/stories/lines/a_line.cpp", "tests/unit/lines/a_line_test.cpp",
+        for path in ("visualize/stories/lines/a_line_story.cpp", "tests/unit/lines/a_line_test.cpp",
                      "examples/lines/a_line.cpp", "docs/topics/lines/a_line.md"):
             with self.subTest(path):
                 text = (self.root / path).read_text(encoding="utf-8")
@@ -378,13 +378,13 @@ class Planted(unittest.TestCase):
                 self.write(path, text)
 
     def test_a_story_without_a_topic(self):
-        self.write("visualize/stories/lines/c_line.cpp", "")
-        self.caught("lines/c_line.cpp: no gradus_add_topic line")
+        self.write("visualize/stories/lines/c_line_story.cpp", "")
+        self.caught("lines/c_line_story.cpp: no gradus_add_topic line")
 
     def test_a_story_of_the_visualizer_alone(self):
         self.append("CMakeLists.txt", "gradus_add_story(chains/a_chain)\n")
-        self.caught("visualize/stories/chains/a_chain.cpp is missing")
-        self.write("visualize/stories/chains/a_chain.cpp", "")
+        self.caught("visualize/stories/chains/a_chain_story.cpp is missing")
+        self.write("visualize/stories/chains/a_chain_story.cpp", "")
         self.write("visualize/stories/chains/its_views.cpp", "")
         self.test_the_small_project_is_without_fault()
 
