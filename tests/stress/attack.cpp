@@ -60,12 +60,17 @@ Finding attack(const Property& property, std::uint64_t seed, const std::function
     look_at(trap.input, [&] { return trap.name; });
   }
   const std::uint64_t stream = number_of(property.name);
+  finding.by_share.resize(property.shares.size());
   for (std::uint64_t i = 0; more(i) && !std::isinf(finding.worst); ++i) {
     const Kind kind = property.kinds[i % property.kinds.size()];
     Random random(seed, stream);
     random.seek(i << 8);
     ++finding.by_kind[kind];
-    look_at(property.generate(kind, random), [&] { return fmt::format("{}, case {}", name_of(kind), i); });
+    Input input = property.generate(kind, random);
+    for (std::size_t s = 0; s < property.shares.size(); ++s) {
+      finding.by_share[s] += property.shares[s].holds(input) ? 1u : 0u;
+    }
+    look_at(std::move(input), [&] { return fmt::format("{}, case {}", name_of(kind), i); });
   }
   return finding;
 }

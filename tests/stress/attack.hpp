@@ -14,6 +14,7 @@ struct Finding {
   const Property* property = nullptr;
   std::uint64_t cases = 0;
   std::map<Kind, std::uint64_t> by_kind;
+  std::vector<std::uint64_t> by_share;  ///< generated cases in each of the property's shares
   double worst = 0;
   Input input;         ///< with the worst error; empty when every error was 0
   std::string origin;  ///< "grazing, case 1234", or a trap's name

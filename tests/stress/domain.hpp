@@ -1,6 +1,7 @@
 #pragma once
 // What a topic promises, as something to attack: a generator of hard inputs, the oracle's error of an input,
-// and the bound that the header's Accuracy line states. gradus-stress attacks all of them the same way.
+// and the bound that the header's Accuracy line states. The test promises_T keeps each with seeded cases,
+// gradus-stress attacks them for as long as one likes, and the fuzz driver feeds them bytes.
 
 #include <array>
 #include <cstdint>
@@ -48,7 +49,15 @@ struct Trap {
   Input input;
 };
 
-/// One promise.
+/// A situation that at least this share of the cases must be in: a promise that is never put to the test is
+/// kept easily.
+struct Share {
+  std::string of;  ///< "needs exact arithmetic"
+  double least = 0;
+  std::function<bool(const Input&)> holds;
+};
+
+/// One promise, or a relation that always holds (its error is 0 or `wrong`).
 struct Property {
   std::string name;         ///< "correctly_rounded"
   std::string states;       ///< "every end is the nearest double"
@@ -58,11 +67,13 @@ struct Property {
   std::vector<Kind> kinds{all_kinds.begin(), all_kinds.end()};
   /// An input of a kind.
   std::function<Input(Kind, Random&)> generate;
-  /// The error of an input; never throws what the contract does not.
+  /// The error of any numbers at all; 0 where the promise says nothing of them. Throws only what shows a fault.
   std::function<double(const Input&)> error;
   /// The flags with which `gradus figure TOPIC` draws the input; empty where it can't.
   std::function<std::vector<std::pair<std::string, std::string>>(const Input&)> arguments{};
   std::vector<Trap> traps{};
+  std::vector<Share> shares{};
+  std::int64_t cases = 10'000;  ///< seeded ones in every run of the tests; fewer where one takes milliseconds
 };
 
 /// A topic's promises.

@@ -1,5 +1,5 @@
-// Every promise that gradus stress attacks, attacked here as well: its traps, and some seeded cases of each
-// kind.
+// The promises of a topic, each kept: its traps, and seeded cases of each kind. Part of every program
+// promises_T.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class Promises : public ::testing::TestWithParam<Promise> {};
 
 TEST_P(Promises, AreKept) {
   const auto& [topic, property] = GetParam();
-  const auto wanted = static_cast<std::uint64_t>(test::cases(450, 45'000));
+  const auto wanted = static_cast<std::uint64_t>(test::cases(property->cases, 100 * property->cases));
   const Finding finding = attack(*property, test::seed(), [&](std::uint64_t i) { return i < wanted; });
   EXPECT_LE(finding.worst, property->bound)
       << finding.origin << ", GRADUS_SEED=" << test::seed() << ": gradus stress " << topic << " --replay '"
@@ -38,10 +38,15 @@ TEST_P(Promises, AreKept) {
   if (finding.broken()) return;
   EXPECT_EQ(finding.cases, wanted + property->traps.size());
   EXPECT_EQ(finding.by_kind.size(), property->kinds.size());
+  for (std::size_t i = 0; i < property->shares.size(); ++i) {
+    EXPECT_GE(static_cast<double>(finding.by_share[i]),
+              property->shares[i].least * static_cast<double>(wanted))
+        << property->shares[i].of;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Promises, ::testing::ValuesIn(promises()),
-                         [](const auto& of) { return of.param.topic + "_" + of.param.property->name; });
+                         [](const auto& of) { return of.param.property->name; });
 
 }  // namespace
 }  // namespace gradus::stress

@@ -1,0 +1,85 @@
+# How everything is compiled: precompiled headers, optimisation, headers alone.
+
+# Compiles each of these headers (paths from `root`, its include folder) as the only include of a file. Built with
+# the tests, and by the target headers_alone.
+add_custom_target(headers_alone)
+function(gradus_check_headers target root link)
+  set(sources)
+  foreach(header IN LISTS ARGN)
+    string(MAKE_C_IDENTIFIER "${header}" name)
+    set(source ${PROJECT_BINARY_DIR}/headers_alone/${name}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"  // IWYU pragma: keep\n")
+    list(APPEND sources ${source})
+  endforeach()
+  if(sources)
+    add_library(${target} OBJECT ${sources})
+    target_include_directories(${target} PRIVATE ${root})
+    target_link_libraries(${target} PRIVATE ${link})
+    if(NOT GRADUS_TESTS)
+      set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+    add_dependencies(headers_alone ${target})
+  endif()
+endfunction()
+
+# What takes longer to optimise than to run is compiled with -O1 in a release build: the programs of tests, and of the
+# visualizer all but cairo/ (drawing the gallery, 84 % of the time are zlib's, Cairo's and the C library's, with -O1, too).
+set(quickly)
+if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O[23]")
+  set(quickly $<$<CONFIG:Release>:-O1>)
+endif()
+
+# The standard library's and the packages' headers, compiled once for libraries and once, with GoogleTest's and Boost's,
+# for the programs of tests. What a header of ours lacks still shows: headers_alone goes without.
+if(GRADUS_PRECOMPILE)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/empty.cpp CONTENT "")
+  add_library(gradus_precompiled OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/generated/empty.cpp)
+  target_compile_options(gradus_precompiled PRIVATE ${quickly})
+  target_link_libraries(gradus_precompiled PRIVATE glm::glm fmt::fmt)
+  target_precompile_headers(gradus_precompiled PRIVATE
+    <algorithm> <array> <atomic> <bit> <cmath> <compare> <concepts> <cstdint> <cstdio> <cstdlib> <filesystem> <fstream>
+    <functional> <limits> <map> <memory> <mutex> <numeric> <optional> <ranges> <set> <span> <sstream> <string>
+    <string_view> <tuple> <unordered_map> <utility> <variant> <vector>
+    <fmt/format.h> <fmt/ranges.h> <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp> <glm/mat4x4.hpp> <glm/geometric.hpp>)
+  if(GRADUS_TESTS)
+    add_library(gradus_precompiled_tests OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/generated/empty.cpp)
+    target_compile_options(gradus_precompiled_tests PRIVATE ${quickly})
+    target_link_libraries(gradus_precompiled_tests PRIVATE glm::glm fmt::fmt Boost::headers GTest::gmock)
+    get_target_property(headers gradus_precompiled PRECOMPILE_HEADERS)
+    target_precompile_headers(gradus_precompiled_tests PRIVATE ${headers} <random> <gmock/gmock.h> <gtest/gtest.h>
+      <boost/multiprecision/cpp_bin_float.hpp> <boost/multiprecision/cpp_int.hpp>)
+  endif()
+endif()
+
+# gradus_compile_quickly(target [_tests]): with -O1 in a release build, and with the precompiled headers (of tests).
+function(gradus_compile_quickly target)
+  target_compile_options(${target} PRIVATE ${quickly})
+  # GCC 12 warns of its own std::string once its header is precompiled
+  if(GRADUS_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+  endif()
+  # Clang warns of what GCC's headers use themselves once they are precompiled
+  if(GRADUS_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -Wno-deprecated-declarations)
+  endif()
+  if(TARGET gradus_precompiled${ARGN})
+    set(from gradus_precompiled${ARGN})
+  else()
+    set(from gradus_precompiled)  # a build without tests
+  endif()
+  if(TARGET ${from})
+    target_precompile_headers(${target} REUSE_FROM ${from})
+    if(from STREQUAL "gradus_precompiled_tests")
+      # They serve only whoever defines what they were compiled with
+      target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_OPTIONS>)
+      target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:Boost::headers,INTERFACE_COMPILE_DEFINITIONS>)
+    endif()
+  endif()
+endfunction()
+
+# The precompiled headers for what is optimised, where they were compiled with the same options.
+function(gradus_precompile target)
+  if(TARGET gradus_precompiled AND NOT quickly)
+    target_precompile_headers(${target} REUSE_FROM gradus_precompiled)
+  endif()
+endfunction()

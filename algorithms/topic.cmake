@@ -1,0 +1,67 @@
+# What makes a topic, and what installs it.
+
+# Makes a target installable and usable as gradus::<name>, here and after find_package(gradus).
+function(gradus_export target name set)
+  add_library(gradus::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT ${set})
+endfunction()
+
+# gradus_add_topic(F/T [DEPENDS topic...] [PARTIAL]): all that belongs to the topic in algorithms/F/T/: the target
+#   gradus::T, a check that its headers compile alone, the story visualize/stories/F/T_story.cpp and what it says beside
+#   it. Its tests and its example are found by tests/CMakeLists.txt.
+#   DEPENDS: other topics whose headers it may include. PARTIAL: not all of its five files exist yet.
+# tests/architecture reads these calls too: keep each on one line.
+function(gradus_add_topic path)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PARTIAL" "" "DEPENDS")
+  get_filename_component(topic ${path} NAME)
+  file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR}/algorithms CONFIGURE_DEPENDS algorithms/${path}/*.hpp)
+  if(NOT headers)
+    message(FATAL_ERROR "gradus_add_topic(${path}): there is no header in algorithms/${path}/")
+  endif()
+  file(GLOB batch CONFIGURE_DEPENDS algorithms/${path}/${topic}_batch.cpp)
+  # A batch that needs Highway is a target of its own, gradus::T_batch: a topic alone needs GLM and fmt only
+  set(highway_batch)
+  if(batch)
+    file(STRINGS ${batch} highway REGEX "#include <hwy/")
+    if(highway)
+      set(highway_batch ${batch})
+      set(batch)
+    endif()
+  endif()
+  if(batch)
+    add_library(gradus_${topic} STATIC ${batch})
+    set(scope PUBLIC)
+  else()
+    add_library(gradus_${topic} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  list(TRANSFORM arg_DEPENDS PREPEND gradus::)
+  target_link_libraries(gradus_${topic} ${scope} gradus::core ${arg_DEPENDS})
+  gradus_export(gradus_${topic} ${topic} gradusTargets)
+  if(highway_batch AND TARGET hwy::hwy)
+    add_library(gradus_${topic}_batch STATIC ${highway_batch})
+    target_link_libraries(gradus_${topic}_batch PUBLIC gradus::${topic} PRIVATE hwy::hwy)
+    gradus_export(gradus_${topic}_batch ${topic}_batch gradusBatchTargets)
+    set_property(GLOBAL APPEND PROPERTY gradus_batches gradus::${topic}_batch)
+  endif()
+  gradus_check_headers(headers_alone_${topic} algorithms gradus::${topic} ${headers})
+  set_property(GLOBAL APPEND PROPERTY gradus_topics ${path})
+  list(TRANSFORM headers PREPEND algorithms/)
+  set_property(GLOBAL APPEND PROPERTY gradus_topic_headers ${headers})
+
+  file(GLOB story CONFIGURE_DEPENDS visualize/stories/${path}_story.cpp)
+  if(story)
+    set_property(GLOBAL APPEND PROPERTY gradus_story_topics ${topic})
+  endif()
+endfunction()
+
+# gradus_add_story(C/N): a topic of the visualizer alone, with no folder of its own in algorithms/: the story
+#   visualize/stories/C/N_story.cpp, which ends in gradus::N::entry() like any other.
+function(gradus_add_story path)
+  get_filename_component(topic ${path} NAME)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/visualize/stories/${path}_story.cpp)
+    message(FATAL_ERROR "gradus_add_story(${path}): there is no visualize/stories/${path}_story.cpp")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY gradus_story_topics ${topic})
+endfunction()

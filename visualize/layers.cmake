@@ -1,0 +1,38 @@
+# What makes a layer of the visualizer, and what puts texts into the program.
+
+# A C++ file with the contents of these files (paths from `root`), looked up by `std::string_view function(path)`.
+function(gradus_embed output function root)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "JOIN")
+  set(files ${arg_UNPARSED_ARGUMENTS})
+  list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE inputs)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D FUNCTION=${function} -D ROOT=${root} "-DFILES=${files}"
+            "-DJOIN=${arg_JOIN}" -P ${PROJECT_SOURCE_DIR}/visualize/embed.cmake
+    DEPENDS ${inputs} visualize/embed.cmake
+    COMMENT "Embedding for ${function}()" VERBATIM)
+endfunction()
+
+# A layer of the visualizer: the static library gradus_<name> from visualize/<name>/*.cpp and more sources.
+function(gradus_add_layer name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
+  file(GLOB sources CONFIGURE_DEPENDS visualize/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
+  list(APPEND sources ${arg_SOURCES})
+  if(sources)
+    add_library(gradus_${name} STATIC ${sources})
+    if(name STREQUAL "cairo")
+      gradus_precompile(gradus_${name})
+    else()
+      gradus_compile_quickly(gradus_${name})
+    endif()
+    target_include_directories(gradus_${name} PUBLIC visualize)
+    target_link_libraries(gradus_${name} PUBLIC ${arg_LINK} PRIVATE fmt::fmt ${arg_PRIVATE_LINK})
+  else()
+    add_library(gradus_${name} INTERFACE)
+    target_include_directories(gradus_${name} INTERFACE visualize)
+    target_link_libraries(gradus_${name} INTERFACE ${arg_LINK})
+  endif()
+  file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR}/visualize CONFIGURE_DEPENDS visualize/${name}/*.hpp)
+  gradus_check_headers(headers_alone_${name} visualize "gradus_${name};${arg_PRIVATE_LINK}" ${headers})
+endfunction()
