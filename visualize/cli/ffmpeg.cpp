@@ -62,10 +62,6 @@ struct SpawnSettings {
 
 }  // namespace
 
-void Descriptor::close() {
-  if (number_ >= 0) ::close(std::exchange(number_, -1));
-}
-
 Descriptor nameless_file(std::string_view contents) {
   std::FILE* file = std::tmpfile();
   if (!file) cannot("make a temporary file");

@@ -7,27 +7,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "cli/descriptor.hpp"
+
 namespace gradus::cli {
-
-/// An open file, or none, that is closed with this object.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() { close(); }
-  int number() const { return number_; }
-  void close();
-
- private:
-  int number_;
-};
 
 /// A file without a name: it is gone with the last program that has it open, however that ends.
 Descriptor nameless_file(std::string_view contents = {});

@@ -19,10 +19,6 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-[[noreturn]] void refuse(std::string_view flag, const std::string& expected, std::string_view found) {
-  throw UsageError(fmt::format("--{}: expected {}, found {}", flag, expected, shown(found)));
-}
-
 /// The one of these names that is meant.
 std::size_t chosen(std::string_view flag, std::string_view text, const Texts& names) {
   return choose_name(fmt::format("--{}", flag), trimmed(text), names);
@@ -31,10 +27,10 @@ std::size_t chosen(std::string_view flag, std::string_view text, const Texts& na
 /// A text that figures will show: not empty, no line ends, and letters that the fonts have.
 std::string drawable(std::string_view flag, std::string_view text, Face face) {
   const std::string_view word = trimmed(text);
-  if (word.empty()) refuse(flag, "a text", text);
-  if (word.find('\n') != std::string_view::npos) refuse(flag, "a text on one line", text);
+  if (word.empty()) refuse_flag(flag, "a text", shown(text));
+  if (word.find('\n') != std::string_view::npos) refuse_flag(flag, "a text on one line", shown(text));
   if (const auto missing = missing_glyph(word, face)) {
-    refuse(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), text);
+    refuse_flag(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), shown(text));
   }
   return std::string(word);
 }
@@ -124,12 +120,13 @@ std::string read_size(FigureSpec& spec, const std::string& text) {
                                  : std::pair{0.0, 0.0};
   const auto fits = [](double side) { return least_side <= side && side <= most_side; };
   if (!fits(size.first) || !fits(size.second)) {
-    refuse("size",
-           fmt::format(
-               "a width and a height like 1280x720 or 12cmx8cm ({} to {} pixels, 96 an inch), or a ratio "
-               "like 4:3",
-               least_side, most_side),
-           text);
+    refuse_flag(
+        "size",
+        fmt::format(
+            "a width and a height like 1280x720 or 12cmx8cm ({} to {} pixels, 96 an inch), or a ratio "
+            "like 4:3",
+            least_side, most_side),
+        shown(text));
   }
   std::tie(spec.look.width, spec.look.height) = size;
   const std::string canonical = ratio ? word : fmt::format("{}x{}", sides->first.text, sides->second.text);
@@ -138,7 +135,7 @@ std::string read_size(FigureSpec& spec, const std::string& text) {
 
 std::string read_scale(FigureSpec& spec, const std::string& text) {
   const auto value = decimal(text, 0.1, 8);
-  if (!value) refuse("scale", "a number from 0.1 to 8", text);
+  if (!value) refuse_flag("scale", "a number from 0.1 to 8", shown(text));
   spec.scale = *value;
   return *value == 1 ? "" : fmt::format("{}", *value);
 }
@@ -167,7 +164,7 @@ std::string read_slots(FigureSpec& spec, const std::string& text) {
 
 std::string read_no_title(FigureSpec& spec, const std::string&) {
   spec.look.slots.erase(Slot::title);
-  if (spec.look.slots.empty()) refuse("no-title", "another slot beside the title", "none");
+  if (spec.look.slots.empty()) refuse_flag("no-title", "another slot beside the title", "none");
   spec.said["slots"] = slots_text(spec.look.slots);
   return "";
 }
@@ -250,10 +247,10 @@ std::string read_handout(FigureSpec& spec, const std::string& text) {
       cross == std::string::npos ? std::nullopt : whole_number(std::string_view(word).substr(cross + 1));
   const auto fits = [](const auto& n, int most) { return n && 1 <= *n && *n <= most; };
   if (!fits(columns, PageGrid::most_columns) || !fits(rows, PageGrid::most_rows)) {
-    refuse("handout",
-           fmt::format("columns and rows of a page like 2x3, at most {}x{}", PageGrid::most_columns,
-                       PageGrid::most_rows),
-           text);
+    refuse_flag("handout",
+                fmt::format("columns and rows of a page like 2x3, at most {}x{}", PageGrid::most_columns,
+                            PageGrid::most_rows),
+                shown(text));
   }
   spec.handout = {static_cast<int>(*columns), static_cast<int>(*rows)};
   return fmt::format("{}x{}", *columns, *rows);
@@ -270,7 +267,7 @@ std::string read_paper(FigureSpec& spec, const std::string& text) {
 std::string read_seconds(std::string_view flag, double& seconds, double standard, double most,
                          const std::string& text) {
   const auto value = decimal(text, 0.04, most);
-  if (!value) refuse(flag, fmt::format("seconds from 0.04 to {}", most), text);
+  if (!value) refuse_flag(flag, fmt::format("seconds from 0.04 to {}", most), shown(text));
   seconds = *value;
   return *value == standard ? "" : fmt::format("{}", *value);
 }
@@ -287,7 +284,7 @@ std::string read_hold_last(FigureSpec& spec, const std::string& text) {
 std::string read_count(std::string_view flag, int& count, int least, int most, const std::string& text) {
   const auto value = whole_number(text);
   if (!value || *value < least || *value > most) {
-    refuse(flag, fmt::format("a whole number from {} to {}", least, most), text);
+    refuse_flag(flag, fmt::format("a whole number from {} to {}", least, most), shown(text));
   }
   const int standard = count;
   count = static_cast<int>(*value);
@@ -327,7 +324,7 @@ std::string read_language(FigureSpec& spec, const std::string& text) {
 /// "p=d": the topic's symbol and what the reader calls it.
 SymbolLabel label_in(const std::string& text, const Texts& symbols) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) refuse("label", "a symbol and a name for it like p=d", text);
+  if (equals == std::string::npos) refuse_flag("label", "a symbol and a name for it like p=d", shown(text));
   const std::string symbol(trimmed(std::string_view(text).substr(0, equals)));
   if (!symbols.empty() && std::ranges::find(symbols, symbol) == symbols.end()) {
     throw UsageError(fmt::format("--label: expected one of the symbols {}, found {}{}",

@@ -230,7 +230,7 @@ fs::path folder_name(const Request& request) {
   return name;
 }
 
-void make_folder(const fs::path& folder) {
+void make_gallery_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -305,7 +305,7 @@ std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, 
   std::vector<ManifestFile> written;
   for (const TopicPage& page : topic_pages(figures)) {
     const fs::path path = out / page.path;
-    make_folder(path.parent_path());
+    make_gallery_folder(path.parent_path());
     write_output(path.string(), page.html, Replace::anything);
     written.push_back(file_state(out, page.path));
   }
@@ -432,7 +432,7 @@ int figures(const Request& request) {
     check_pages(page_paths(lecture, built_in), out);
     if (request.has("zip")) check_replaced(zip_beside(out), "--zip");
   }
-  make_folder(out);
+  make_gallery_folder(out);
   album.give_to(file.owner);
   const std::size_t removed = album.keep_only(lecture.parts());
   std::vector<Job> due;

@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/descriptor.hpp"
 #include "cli/errors.hpp"
 #include "cli/leftovers.hpp"
 #include "cli/own_files.hpp"
@@ -23,22 +24,6 @@
 
 namespace gradus::cli {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-  /// Closing may be the moment when a network folder reports a full disk.
-  bool close_now() { return close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
 
 /// False with errno set when not everything could be written.
 bool write_all(int descriptor, std::string_view bytes) {
@@ -137,7 +122,7 @@ int open_beside(const std::string& path, std::string& temporary) {
 
 void write_in_place(const std::string& path, std::string_view bytes) {
   Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.number() < 0 || !write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
+  if (file.number() < 0 || !write_all(file.number(), bytes) || !file.close()) cannot_write(path);
 }
 
 std::string read_standard_input(std::string_view what) {
@@ -259,7 +244,7 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
   remember(temporary);
   pending_.push_back({temporary, *target});
   if (exists) static_cast<void>(fchmod(file.number(), known.st_mode & 07777));
-  if (!write_all(file.number(), bytes) || !file.close_now()) cannot_write(path);
+  if (!write_all(file.number(), bytes) || !file.close()) cannot_write(path);
 }
 
 void NewFiles::commit() {

@@ -15,13 +15,14 @@
 namespace gradus::cli {
 namespace {
 
-bool holds(std::string_view text, std::string_view word) {
+bool mentions(std::string_view text, std::string_view word) {
   return folded(text).find(folded(word)) != std::string::npos;
 }
 
 bool is_about(const TopicEntry& topic, std::string_view word) {
-  return holds(topic.name, word) || holds(topic.title, word) ||
-         std::ranges::any_of(topic.aliases, [word](const std::string& alias) { return holds(alias, word); });
+  return mentions(topic.name, word) || mentions(topic.title, word) ||
+         std::ranges::any_of(topic.aliases,
+                             [word](const std::string& alias) { return mentions(alias, word); });
 }
 
 std::vector<const TopicEntry*> topics_about(std::string_view word) {

@@ -38,9 +38,9 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-class Reader {
+class JsonReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {
+  JsonReader(std::string_view text, const std::string& file) : text_(text), file_(file) {
     if (text.starts_with("\xef\xbb\xbf")) at_ = 3;
   }
 
@@ -302,7 +302,7 @@ const JsonMember* JsonNode::member(std::string_view key) const {
   return found == members.end() ? nullptr : &*found;
 }
 
-JsonNode read_json(std::string_view text, const std::string& file) { return Reader(text, file).whole(); }
+JsonNode read_json(std::string_view text, const std::string& file) { return JsonReader(text, file).whole(); }
 
 std::string described(const JsonNode& node) {
   switch (node.kind) {

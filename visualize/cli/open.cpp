@@ -14,6 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/names.hpp"
+#include "cli/terminal.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -21,11 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
 
 Texts parts_of(const std::string& text, char separator) {
   Texts parts;

@@ -29,13 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(std::string_view flag, const std::string& expected, std::string_view found) {
-  throw UsageError(fmt::format("--{}: expected {}, found {}", flag, expected, found));
-}
-
 // --- The flags ---------------------------------------------------------------------------------------------
 
-constexpr std::int64_t most_side = 8192, most_pixels = 1 << 25;
+constexpr std::int64_t most_pixels_a_side = 8192, most_pixels = 1 << 25;
 constexpr double least_degrees = 0.001, most_degrees = 179.999;
 constexpr double largest_coordinate = 1e30;  // as in models
 
@@ -77,7 +73,7 @@ class WishReader {
     wish_.view.eye = vector("eye");
     wish_.view.target = vector("target");
     wish_.view.up = vector("up");
-    if (wish_.view.up == dvec3{0}) refuse("up", "a direction like 0,1,0", "0,0,0");
+    if (wish_.view.up == dvec3{0}) refuse_flag("up", "a direction like 0,1,0", "0,0,0");
     read_fov();
     wish_.light = vector("light");
     read_background();
@@ -101,14 +97,15 @@ class WishReader {
     const std::size_t cross = std::min(word.find('x'), word.size());
     const auto width = whole_number(word.substr(0, cross)),
                height = whole_number(word.substr(std::min(cross + 1, word.size())));
-    const auto fits = [](const auto& side) { return side && 1 <= *side && *side <= most_side; };
+    const auto fits = [](const auto& side) { return side && 1 <= *side && *side <= most_pixels_a_side; };
     if (!fits(width) || !fits(height)) {
-      refuse("size", fmt::format("a width and a height like 800x600, of 1 to {} pixels", most_side),
-             shown(*text));
+      refuse_flag("size",
+                  fmt::format("a width and a height like 800x600, of 1 to {} pixels", most_pixels_a_side),
+                  shown(*text));
     }
     if (*width * *height > most_pixels) {
-      refuse("size", fmt::format("at most {} pixels in all", most_pixels),
-             fmt::format("{} with {}", shown(*text), *width * *height));
+      refuse_flag("size", fmt::format("at most {} pixels in all", most_pixels),
+                  fmt::format("{} with {}", shown(*text), *width * *height));
     }
     wish_.size = {static_cast<int>(*width), static_cast<int>(*height)};
     const std::string canonical = fmt::format("{}x{}", *width, *height);
@@ -121,7 +118,7 @@ class WishReader {
     const auto numbers = triple_in(*text);
     const auto fits = [](const Number& n) { return std::abs(n.value) <= largest_coordinate; };
     if (!numbers || !std::ranges::all_of(*numbers, fits)) {
-      refuse(flag, "three numbers like 3,2,4, none larger than 1e30", shown(*text));
+      refuse_flag(flag, "three numbers like 3,2,4, none larger than 1e30", shown(*text));
     }
     const auto& [x, y, z] = *numbers;
     say(flag, fmt::format("{},{},{}", x.text, y.text, z.text));
@@ -133,8 +130,9 @@ class WishReader {
     if (!text) return;
     const auto degrees = number_in(*text);
     if (!degrees || !(least_degrees <= degrees->value && degrees->value <= most_degrees)) {
-      refuse("fov", fmt::format("the vertical angle of view, {} to {} degrees", least_degrees, most_degrees),
-             shown(*text));
+      refuse_flag("fov",
+                  fmt::format("the vertical angle of view, {} to {} degrees", least_degrees, most_degrees),
+                  shown(*text));
     }
     if (degrees->value == 40) return;
     wish_.view.vertical_radians = degrees->value * 3.141592653589793 / 180;
@@ -197,17 +195,19 @@ std::string text_of(dvec3 v) { return fmt::format("{:.4g},{:.4g},{:.4g}", v.x, v
 Camera camera_for(const pipeline::Object& object, const pipeline::View& view, double aspect) {
   const pipeline::Aim aim = pipeline::aim_of(object, view, aspect);
   if (!leads_somewhere(aim)) {
-    if (view.target) refuse("target", "another point than the eye " + text_of(aim.eye), text_of(aim.target));
-    if (view.eye) refuse("eye", "another point than the target, the middle of the model", text_of(aim.eye));
+    if (view.target)
+      refuse_flag("target", "another point than the eye " + text_of(aim.eye), text_of(aim.target));
+    if (view.eye)
+      refuse_flag("eye", "another point than the target, the middle of the model", text_of(aim.eye));
     throw UsageError(
         fmt::format("MODEL: expected points that are told apart from an eye beside them, found all near {}",
                     text_of(aim.target)));
   }
   if (!tells_upright(aim)) {
-    refuse("up",
-           fmt::format("a direction that is not along the view from {} to {}", text_of(aim.eye),
-                       text_of(aim.target)),
-           text_of(aim.up));
+    refuse_flag("up",
+                fmt::format("a direction that is not along the view from {} to {}", text_of(aim.eye),
+                            text_of(aim.target)),
+                text_of(aim.up));
   }
   return camera_of(aim, view.vertical_radians, object);
 }

@@ -122,9 +122,9 @@ const Known& flag_meant(const std::vector<Known>& known, const FlagWord& word, c
 }
 
 /// The names of one command line are written out here, word by word.
-class Writer {
+class LongNames {
  public:
-  Writer(const std::vector<std::string>& words, Spelled& spelled)
+  LongNames(const std::vector<std::string>& words, Spelled& spelled)
       : words_(words), spelled_(spelled), known_(known_flags(spelled.command, spelled.topic)) {}
 
   void write(std::size_t command_at, std::size_t topic_at) {
@@ -191,7 +191,7 @@ Spelled spelled_out(const std::vector<std::string>& words) {
     topic_at = next_operand(words, command_at + 1, spelled.command);
     if (topic_at < words.size()) spelled.topic = &find_topic(words[topic_at]);
   }
-  Writer(words, spelled).write(command_at, topic_at);
+  LongNames(words, spelled).write(command_at, topic_at);
   return spelled;
 }
 

@@ -14,12 +14,13 @@
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
-namespace {
 
-std::string_view environment(const char* name) {
+std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
 }
+
+namespace {
 
 bool dumb() { return environment("TERM") == "dumb"; }
 

@@ -13,6 +13,9 @@ enum class Color { automatic, always, never };
 /// "auto", "always", "never", or a unique beginning. Throws UsageError.
 Color read_color(std::string_view text);
 
+/// Empty: there is none of this name.
+std::string environment(const char* name);
+
 enum class Stream { out = 1, err = 2 };
 bool is_terminal(Stream stream);
 

@@ -11,6 +11,7 @@
 
 #include "core/shown.hpp"
 #include "figure/metrics.hpp"
+#include "web/html.hpp"
 
 namespace gradus {
 namespace {
@@ -265,22 +266,6 @@ Json before_json(const Trace& trace) {
   for (const auto& [id, mark] : trace.before.marks()) marks.push_back(mark_json(mark));
   Json out{{"cells", std::move(runs).finish()}, {"set", std::move(marks)}};
   if (trace.before.plane()) out["plane"] = true;
-  return out;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-  }
   return out;
 }
 
