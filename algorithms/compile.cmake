@@ -83,3 +83,10 @@ function(gradus_precompile target)
     target_precompile_headers(${target} REUSE_FROM gradus_precompiled)
   endif()
 endfunction()
+
+# Compiles several files of the target at once, where that is asked for: quicker from scratch, slower after an edit.
+function(gradus_compile_at_once target)
+  if(GRADUS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

@@ -701,18 +701,6 @@ def put_a_lecture():
         json.dump({"figures": [{"topic": "bresenham_line", "input": {"from": "0,0", "to": "9,4"}}]}, file)
 
 
-def test_examples_of_the_help():
-    put_a_lecture()
-    commands = []
-    for command in ("figure", "again", "figures"):
-        for line in gradus(command, "--help").stdout.splitlines():
-            if line.startswith("  gradus "):
-                commands.append(re.split(r"\s{3,}", line.strip())[0])
-    check(any("--handout" in c for c in commands) and any("--check" in c for c in commands), "examples of all three")
-    figure(to="line.svg")
-    commands_run(commands)
-
-
 def test_commands_of_the_readme():
     put_a_lecture()
     shutil.copytree(SOURCE / "examples/models", "examples/models")
