@@ -118,18 +118,18 @@ def lecture(count, **keys):
 
 def test_figures_take_time_in_proportion():
     times = {}
-    for count in (500, 2000):
+    for count in (250, 1000):
         write(f"{count}.json", lecture(count))
         code, err, times[count], _ = measured("figures", f"{count}.json", "-o", f"out{count}", "-q")
         equal((code, err), (0, ""), f"{count} figures")
-    print(f"gradus figures: {times[500]:.2f} s of user time for 500 figures, {times[2000]:.2f} s for 2000")
-    check(times[2000] < 8 * times[500], f"four times as many are no sixteen times the work: {times}")
-    for count in (2000, 8000):
+    print(f"gradus figures: {times[250]:.2f} s of user time for 250 figures, {times[1000]:.2f} s for 1000")
+    check(times[1000] < 8 * times[250], f"four times as many are no sixteen times the work: {times}")
+    for count in (1250, 5000):
         write(f"{count}.json", lecture(count, steps="0"))
         code, err, times[count], _ = measured("figures", f"{count}.json", "--check")
         equal(code, 0, f"{count} figures without names: {err[:200]}")
-    print(f"gradus figures --check: {times[2000]:.2f} s for 2000 figures without names, {times[8000]:.2f} s for 8000")
-    check(times[8000] < 8 * times[2000], f"giving names, too: {times}")
+    print(f"gradus figures --check: {times[1250]:.2f} s for 1250 figures without names, {times[5000]:.2f} s for 5000")
+    check(times[5000] < 8 * times[1250], f"giving names, too: {times}")
 
 
 def test_a_stopped_run_of_figures_is_not_done_again():
