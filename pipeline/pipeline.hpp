@@ -3,7 +3,6 @@
 
 #include "core/image.hpp"
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "scene/scene.hpp"
 #include "stages/1_input.hpp"
 #include "stages/2_world.hpp"
@@ -13,6 +12,7 @@
 #include "stages/6_rasterization.hpp"
 #include "stages/7_visibility_and_shading.hpp"
 #include "stages/8_output.hpp"
+#include "stages/points.hpp"
 
 namespace gradus::pipeline {
 

@@ -131,4 +131,17 @@ std::vector<Light> default_lights(const Camera& camera) {
   return {key, fill};
 }
 
+Scene scene_of(Mesh mesh, double aspect, std::string name) {
+  expects(!mesh.faces.empty(), "a scene needs a model with at least one face");
+  Scene scene;
+  scene.objects.push_back(object_of(std::move(mesh), std::move(name)));
+  const Object& object = scene.objects[0];
+  std::vector<dvec3> points;
+  points.reserve(object.mesh.corners.size());
+  for (const Corner& corner : object.mesh.corners) points.push_back(position_of(object.mesh, corner));
+  scene.camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object));
+  scene.lights = default_lights(scene.camera);
+  return scene;
+}
+
 }  // namespace gradus::pipeline

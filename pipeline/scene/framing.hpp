@@ -2,10 +2,12 @@
 // A camera and lights for whoever names none: placed from the bounds of what is to be seen.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/camera.hpp"
 #include "core/geometry.hpp"
+#include "core/mesh.hpp"
 #include "core/surface.hpp"
 #include "scene/scene.hpp"
 
@@ -46,5 +48,9 @@ Camera with_depths(Camera camera, const Bounds& bounds);
 /// The lights of whoever names none: a strong one behind the viewer's left shoulder and a weak one from the
 /// right. They are directional, so the size of the model makes no difference.
 std::vector<Light> default_lights(const Camera& camera);
+
+/// A scene of one mesh with the camera and the lights that are placed for it.
+/// aspect: width / height of the picture. Errors: ContractViolation for a mesh without faces.
+Scene scene_of(Mesh mesh, double aspect, std::string name = {});
 
 }  // namespace gradus::pipeline

@@ -37,10 +37,6 @@ inline const Object& object_at(const Scene& scene, int number) {
 /// (closed_outward).
 Object object_of(Mesh mesh, std::string name = {});
 
-/// A scene of one mesh with the camera and the lights that are placed for it (scene/framing.hpp).
-/// aspect: width / height of the picture. Errors: ContractViolation for a mesh without faces.
-Scene scene_of(Mesh mesh, double aspect, std::string name = {});
-
 /// The box that holds all objects, in world space.
 Bounds bounds_of(const Scene& scene);
 

@@ -9,8 +9,8 @@
 #include "core/mesh.hpp"
 #include "core/observe.hpp"
 #include "modeling/ear_clipping/ear_clipping.hpp"
-#include "points.hpp"
 #include "scene/scene.hpp"
+#include "stages/points.hpp"
 
 namespace gradus::pipeline {
 

@@ -5,8 +5,8 @@
 
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "scene/scene.hpp"
+#include "stages/points.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline {

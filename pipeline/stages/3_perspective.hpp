@@ -4,9 +4,9 @@
 
 #include "core/camera.hpp"
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
+#include "stages/points.hpp"
 
 namespace gradus::pipeline {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "scene/scene.hpp"
+#include "stages/points.hpp"
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
 namespace gradus::pipeline {

@@ -10,8 +10,8 @@
 
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "projection/perspective/perspective.hpp"
+#include "stages/points.hpp"
 
 namespace gradus::pipeline {
 

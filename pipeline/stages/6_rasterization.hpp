@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/observe.hpp"
-#include "points.hpp"
 #include "projection/viewport/viewport.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "stages/points.hpp"
 
 namespace gradus::pipeline {
 

@@ -8,9 +8,9 @@
 
 #include "core/observe.hpp"
 #include "core/raster.hpp"
-#include "points.hpp"
 #include "scene/scene.hpp"
 #include "shading/illumination/illumination.hpp"
+#include "stages/points.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
 namespace gradus::pipeline {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/figure_file.hpp"

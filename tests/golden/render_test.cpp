@@ -10,6 +10,7 @@
 
 #include "core/image.hpp"
 #include "pipeline.hpp"
+#include "scene/framing.hpp"
 #include "scene/obj.hpp"
 
 namespace gradus::pipeline {

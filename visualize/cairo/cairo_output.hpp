@@ -3,9 +3,7 @@
 // Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
 
 #include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/image.hpp"
 #include "figure/colophon.hpp"
@@ -41,15 +39,5 @@ std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& col
 /// held at a time.
 std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon);
-
-/// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
-double drawn_width(const std::string& text, Face face, double size);
-
-/// The colophon as an XML element, for other files that hold a text: `colophon_in` finds it there.
-std::string markup_of(const Colophon& colophon);
-
-/// What a file made by the functions above, a player page or a film, says of itself; nothing when it says
-/// nothing.
-std::optional<Colophon> colophon_in(std::string_view file_bytes);
 
 }  // namespace gradus

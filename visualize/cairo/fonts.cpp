@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "cairo/cairo_output.hpp"
 #include "cairo/handles.hpp"
 #include "figure/metrics.hpp"
 

@@ -23,4 +23,7 @@ const std::string& outline_of(char32_t character, Face face);
 
 inline constexpr double units_per_em = 2048;
 
+/// The width in pixels that Cairo draws a text with: what the layout's own table must agree with.
+double drawn_width(const std::string& text, Face face, double size);
+
 }  // namespace gradus

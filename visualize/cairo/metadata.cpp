@@ -10,7 +10,7 @@
 #include <map>
 #include <span>
 
-#include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "core/shown.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"

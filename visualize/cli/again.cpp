@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "cli/errors.hpp"
 #include "cli/figure.hpp"
 #include "cli/files.hpp"

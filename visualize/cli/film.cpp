@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "cli/errors.hpp"
 #include "cli/ffmpeg.hpp"
 

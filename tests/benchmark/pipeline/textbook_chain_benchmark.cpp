@@ -11,6 +11,7 @@
 #include "benchmark/subject.hpp"
 #include "core/elementary.hpp"
 #include "pipeline.hpp"
+#include "scene/framing.hpp"
 #include "scene/obj.hpp"
 
 namespace gradus::bench {

@@ -1,6 +1,8 @@
 // Files: the same bytes every time, whole, and able to say how they were made.
 
 #include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
+#include "cairo/fonts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "cli/errors.hpp"
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
