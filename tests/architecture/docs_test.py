@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import house
 import project
 
 SKIPPED = {".git", "build", "out"}
@@ -83,6 +84,23 @@ class Docs(unittest.TestCase):
             self.assertEqual(broken_links(root), [])
             (root / "b.md").write_text("[a](a.md#another) [c](c.md)\n", encoding="utf-8")
             self.assertEqual(len(broken_links(root)), 2)
+
+    def test_the_picture_of_the_house_is_that_of_the_includes(self):
+        rooms = set(house.includes())
+        self.assertEqual(set(house.COLUMNS), rooms, "tests/support/house.py gives each room its column")
+        drawn = (project.ROOT / "docs/house.svg").read_text(encoding="utf-8")
+        self.assertEqual(drawn, house.picture(), "tests/support/house.py > docs/house.svg draws it anew")
+
+    def test_rooms_that_include_each_other_are_named(self):
+        with self.assertRaisesRegex(ValueError, "^a includes b includes a$"):
+            house.floors({"a": {"b"}, "b": {"a"}})
+        self.assertEqual(house.reduced({"a": {"b", "c"}, "b": {"c"}, "c": set()})["a"], {"b"})
+
+    def test_files_of_the_walk_are_there(self):
+        walk = (project.ROOT / "docs/README.md").read_text(encoding="utf-8").split("**One datum")[1].split("\n## ")[0]
+        files = re.findall(r"`((?:algorithms|visualize)/[\w/.]+)`", walk)
+        self.assertGreater(len(files), 8)
+        self.assertEqual([f for f in files if not (project.ROOT / f).is_file()], [])
 
     def test_one_version(self):
         cmake = (project.ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
