@@ -43,6 +43,14 @@ def stories(root=ROOT):
                       re.MULTILINE)
 
 
+def gallery():
+    """The folder of the gallery that this build has drawn (the test browser/make_gallery); drawn here if it has not."""
+    folder = BUILD / "browser/gallery"
+    if not (folder / "index.html").is_file():
+        run(COMMAND, "figures", "-o", folder, "--quiet", cwd=ROOT)
+    return folder
+
+
 def sources(root, *folders):
     """The C++ files of these folders, sorted."""
     return sorted(f for folder in folders for f in (root / folder).rglob("*")
