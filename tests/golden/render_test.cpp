@@ -10,7 +10,7 @@
 
 #include "core/image.hpp"
 #include "pipeline.hpp"
-#include "scene/obj.hpp"
+#include "scene/files.hpp"
 
 namespace gradus::pipeline {
 namespace {

@@ -12,11 +12,7 @@
 namespace gradus {
 
 void refuse(std::string_view parameter, const std::string& what) {
-#if defined(__cpp_exceptions)
-  throw ArgumentError(std::string(parameter), what);
-#else
-  contract_violated(std::string_view(std::string(parameter) + ": " + what));
-#endif
+  refuse({Refusal::Kind::argument, what, std::string(parameter)});
 }
 
 namespace {

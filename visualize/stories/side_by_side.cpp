@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 #include "figure/recording.hpp"
 
@@ -285,7 +284,7 @@ class Retelling {
       const auto seen = seen_.find(type);
       const std::size_t told = seen == seen_.end() ? 0 : seen->second;
       if (told < places.size() && !run.steps[places[told]].numbers.empty()) {
-        throw std::logic_error(fmt::format("{}: no trace step tells the numbers of {}", trace_.topic, type));
+        contract_violated(fmt::format("{}: no trace step tells the numbers of {}", trace_.topic, type));
       }
     }
   }
@@ -319,12 +318,9 @@ class Retelling {
 }  // namespace
 
 void put_side_by_side(Trace& trace, const NumericRuns& runs, ToldIn told_in) {
-  if (runs.exact.refused) {
-    throw ArgumentError("exact", "expected input that the method takes in every arithmetic");
-  }
+  if (runs.exact.refused) refuse("exact", "expected input that the method takes in every arithmetic");
   if (!trace.whole()) {
-    throw ArgumentError("exact", fmt::format("expected a run of at most {} events, found a longer one",
-                                             Recording::default_most));
+    refuse("exact", "expected a run of at most {} events, found a longer one", Recording::default_most);
   }
   Retelling(trace, runs, told_in).retell();
 }

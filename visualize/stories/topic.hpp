@@ -18,6 +18,7 @@
 
 #include "core/geometry.hpp"
 #include "core/image.hpp"
+#include "core/refusal.hpp"
 #include "figure/recording.hpp"
 #include "figure/trace.hpp"
 
@@ -142,14 +143,6 @@ class Arguments {
 
  private:
   std::vector<Entry> entries_;  ///< in the order of the topic's parameters; "method" first
-};
-
-/// An argument a topic can't take: the parameter's flag is put in front by whoever shows it.
-class ArgumentError : public std::runtime_error {
- public:
-  ArgumentError(std::string name, const std::string& what_was_expected)
-      : std::runtime_error(what_was_expected), parameter(std::move(name)) {}
-  std::string parameter;
 };
 
 /// Ends a run that can't be with these arguments. What was expected is said of the first of the parameters
