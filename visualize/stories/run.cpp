@@ -44,9 +44,11 @@ Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given)
   arguments.set({"method", method_of(topic, given)});
   for (const Parameter& parameter : topic.parameters) {
     const auto found = std::ranges::find(given, parameter.name, &Argument::name);
-    Arguments::Entry entry{parameter.name, parameter.default_value};
-    if (found != given.end()) entry.text = canonical(parameter, found->value);
-    entry.given = found != given.end();
+    const bool is_given = found != given.end();
+    const std::string& text = is_given ? found->value : parameter.default_value;
+    Arguments::Entry entry{.name = parameter.name, .text = ""};
+    if (is_given || !text.empty()) entry = read_argument(parameter, text);
+    entry.given = is_given;
     if (parameter.type == ParameterType::maze) {
       entry.content = entry.text;
       std::ranges::replace(entry.content, '/', '\n');
