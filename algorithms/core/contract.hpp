@@ -3,27 +3,15 @@
 
 #include <fmt/core.h>
 
-#include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include "core/language.hpp"
+#include "core/refusal.hpp"  // IWYU pragma: export
 
 namespace gradus {
 
-/// Thrown when an argument lies outside a function's documented domain.
-class ContractViolation : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
-
-/// Ends the call with this text: throws ContractViolation, or, built without exceptions, hands the text to
-/// the handler (see set_violation_handler) and does not return.
+/// Refuses the call with this text (core/refusal.hpp): a ContractViolation.
 [[noreturn]] void contract_violated(std::string_view text);
-
-/// What a build without exceptions calls with the text before it stops. Default: writes it to stderr.
-using ViolationHandler = void (*)(std::string_view text);
-ViolationHandler set_violation_handler(ViolationHandler handler) noexcept;
 
 /// Formats out of line, so that a check costs one branch where it stands.
 [[noreturn]] void contract_violated(fmt::string_view format, fmt::format_args values);
@@ -34,6 +22,22 @@ constexpr void expects(bool condition, fmt::format_string<Values...> format, Val
   if (!condition) [[unlikely]] {
     contract_violated(fmt::string_view(format), fmt::make_format_args(values...));
   }
+}
+
+/// Whether `work` comes to its end without a ContractViolation. Built without exceptions, a violation is
+/// refused here as anywhere.
+template <class Work>
+bool keeps_contracts(Work&& work) {
+#if defined(__cpp_exceptions)
+  try {
+    work();
+  } catch (const ContractViolation&) {
+    return false;
+  }
+#else
+  work();
+#endif
+  return true;
 }
 
 }  // namespace gradus

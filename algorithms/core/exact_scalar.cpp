@@ -9,6 +9,14 @@
 
 #include "core/contract.hpp"
 
+#if !defined(__cpp_exceptions)
+// Boost leaves it to us how its calls end then
+namespace boost {
+void throw_exception(const std::exception& error) { gradus::contract_violated(error.what()); }
+void throw_exception(const std::exception& error, const source_location&) { throw_exception(error); }
+}  // namespace boost
+#endif
+
 namespace gradus {
 
 using Integer = boost::multiprecision::cpp_int;

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/raster.hpp"
+#include "core/refusal.hpp"  // IWYU pragma: export
 
 namespace gradus {
 
@@ -19,12 +19,6 @@ struct Rgba8 {
 };
 
 using Image = Raster<Rgba8>;
-
-/// What is wrong with a file the user gave: "name: what was found, what was expected".
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// A key and its text, stored with a picture (PNG iTXt).
 struct PngText {

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/refusal.hpp"
 #include "core/shown.hpp"
 
 namespace gradus::pipeline {
@@ -103,6 +104,12 @@ FileReader libraries_beside(const std::string& model, Took took) {
     }
     return std::nullopt;
   };
+}
+
+ModelFile load_obj(const std::string& path) {
+  const FileRead file = read_regular_file(path);
+  if (!file.problem.empty()) refuse_input(file.problem);
+  return parse_obj(file.bytes, path, libraries_beside(path));
 }
 
 }  // namespace gradus::pipeline

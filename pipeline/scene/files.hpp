@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
+
+#include "scene/obj.hpp"
 
 namespace gradus::pipeline {
 
@@ -26,20 +27,6 @@ FileRead read_regular_file(const std::string& path, std::size_t most = most_file
 /// Whether a file lies in a folder or deeper, wherever links lead. folder: "" is the current one.
 bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-/// A file that a model names, as a FileReader finds it.
-struct LibraryText {
-  std::string text;
-  bool quotable = true;  ///< whether messages may show what stands in it
-  std::string problem;   ///< why it can't be read, "expected …, found …"; empty when it was
-
-  LibraryText() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): most libraries are just their text
-  LibraryText(std::string contents) : text(std::move(contents)) {}
-};
-
-/// Gives the file that a model names, or nothing when there is none.
-using FileReader = std::function<std::optional<LibraryText>(const std::string& name)>;
-
 /// Reads what a model names from where the model lies: where the name says, with / or, as on Windows,
 /// \ between folders; else, for a path on another disk, under its last part. A folder of that name is no
 /// file. What lies outside of the model's folder is read but not quotable.
@@ -47,5 +34,11 @@ using FileReader = std::function<std::optional<LibraryText>(const std::string& n
 /// model: path of its file; "" for one in the current folder. took: is told of each file that was read.
 using Took = std::function<void(const std::string& name, const std::string& path, const LibraryText& file)>;
 FileReader libraries_beside(const std::string& model, Took took = {});
+
+/// Reads an OBJ file and the material libraries it names.
+///
+/// path: of the file; libraries are looked for beside it (libraries_beside). Domain and errors: as parse_obj;
+/// InputError also for what read_regular_file refuses.
+ModelFile load_obj(const std::string& path);
 
 }  // namespace gradus::pipeline

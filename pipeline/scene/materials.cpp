@@ -88,9 +88,9 @@ bool other_map(std::string_view key) {
   return key.substr(0, 4) == "map_" || std::ranges::find(maps, key) != maps.end();
 }
 
-class Reader {
+class MtlReader {
  public:
-  Reader(std::vector<std::string>& notes) : notes_(notes) {}
+  MtlReader(std::vector<std::string>& notes) : notes_(notes) {}
 
   void read(Statement& s) {
     const std::string_view key = s.word();
@@ -166,7 +166,7 @@ class Reader {
 std::vector<Material> parse_mtl(std::string_view text, const TextFile& file,
                                 std::vector<std::string>& notes) {
   Statements statements(text, file);
-  Reader reader(notes);
+  MtlReader reader(notes);
   while (std::optional<Statement> s = statements.next()) reader.read(*s);
   return reader.finish();
 }

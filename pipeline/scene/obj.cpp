@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/image.hpp"
+#include "core/refusal.hpp"
 #include "core/shown.hpp"
 #include "scene/materials.hpp"
 #include "scene/statements.hpp"
@@ -25,9 +25,9 @@ enum Array { position, texture, normal };
 constexpr std::array<const char*, 3> array_name{"vertex", "texture coordinate", "normal"};
 constexpr std::array<const char*, 3> statement_name{"v", "vt", "vn"};
 
-class Reader {
+class ObjReader {
  public:
-  Reader(const TextFile& file, const FileReader& open) : file_(file), open_(open) {
+  ObjReader(const TextFile& file, const FileReader& open) : file_(file), open_(open) {
     model_.mesh.files.push_back(file.name);
     material_of_[""] = 0;
   }
@@ -65,7 +65,7 @@ class Reader {
   ModelFile finish() {
     Mesh& mesh = model_.mesh;
     if (mesh.faces.empty()) {
-      throw InputError(
+      refuse_input(
           fmt::format("{}: expected at least one face, found none ({} vertices, {} points, {} lines)",
                       shown_name(file_.name), mesh.positions.size(), model_.points, model_.lines));
     }
@@ -159,7 +159,7 @@ class Reader {
           s.place(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
                               statement_name[array], s.quoted(number), s.quoted(word)));
       // Of what the whole file has none, no index can be meant
-      if (size > 0 || array == position) throw InputError(problem);
+      if (size > 0 || array == position) refuse_input(problem);
       if (too_early_[array].empty()) too_early_[array] = problem;
       return 0;
     }
@@ -331,7 +331,7 @@ class Reader {
   /// Indices into data of which the file has none at all mean nothing.
   void leave_out(Array array, int Corner::* member) {
     if (size_of(array) > 0) {
-      if (!too_early_[array].empty()) throw InputError(too_early_[array]);
+      if (!too_early_[array].empty()) refuse_input(too_early_[array]);
       return;
     }
     int first_line = 0;
@@ -363,10 +363,10 @@ class Reader {
 
   void check_index(int index, Array array, int line) const {
     if (index < static_cast<std::int64_t>(size_of(array))) return;
-    throw InputError(
-        fmt::format("{}:{}: expected one of the {} of the file ({}), found {}", shown_name(file_.name), line,
-                    counted(array, static_cast<std::int64_t>(size_of(array))), statement_name[array],
-                    file_.quotable ? fmt::format("{}", index + 1) : "another"));
+    refuse_input(fmt::format("{}:{}: expected one of the {} of the file ({}), found {}",
+                             shown_name(file_.name), line,
+                             counted(array, static_cast<std::int64_t>(size_of(array))), statement_name[array],
+                             file_.quotable ? fmt::format("{}", index + 1) : "another"));
   }
 
   const TextFile& file_;
@@ -390,15 +390,9 @@ class Reader {
 
 ModelFile parse_obj(std::string_view text, const TextFile& file, const FileReader& open) {
   Statements statements(text, file);
-  Reader reader(file, open);
+  ObjReader reader(file, open);
   while (std::optional<Statement> s = statements.next()) reader.read(*s);
   return reader.finish();
-}
-
-ModelFile load_obj(const std::string& path) {
-  const FileRead file = read_regular_file(path);
-  if (!file.problem.empty()) throw InputError(file.problem);
-  return parse_obj(file.bytes, path, libraries_beside(path));
 }
 
 }  // namespace gradus::pipeline

@@ -1,14 +1,16 @@
 #pragma once
-// Models from OBJ files.
+// Models from the text of OBJ files. Files themselves are read elsewhere (scene/files.hpp): a page has none.
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/mesh.hpp"
-#include "scene/files.hpp"
 #include "scene/statements.hpp"
 
 namespace gradus::pipeline {
@@ -24,11 +26,19 @@ struct ModelFile {
 /// A model may name so many material libraries.
 inline constexpr std::size_t most_libraries = 100;
 
-/// Reads an OBJ file and the material libraries it names.
-///
-/// path: of the file; libraries are looked for beside it (libraries_beside). Domain and errors: as parse_obj;
-/// InputError also for what read_regular_file refuses.
-ModelFile load_obj(const std::string& path);
+/// A file that a model names, as a FileReader finds it.
+struct LibraryText {
+  std::string text;
+  bool quotable = true;  ///< whether messages may show what stands in it
+  std::string problem;   ///< why it can't be read, "expected …, found …"; empty when it was
+
+  LibraryText() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): most libraries are just their text
+  LibraryText(std::string contents) : text(std::move(contents)) {}
+};
+
+/// Gives the file that a model names, or nothing when there is none.
+using FileReader = std::function<std::optional<LibraryText>(const std::string& name)>;
 
 /// The model in the text of an OBJ file: faces of any size, in file order.
 /// Source: Wavefront, The Advanced Visualizer, Object files (.obj), version 3.0, 1995.

@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <system_error>
 
-#include "core/image.hpp"
+#include "core/refusal.hpp"
 #include "core/shown.hpp"
+#include "scene/decimal.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -70,7 +71,7 @@ double Statement::number(std::string_view what, std::string_view text) {
   const char* end = begin + text.size();
   if (text.size() > 1 && *begin == '+' && begin[1] != '-') ++begin;
   double value = 0;
-  const auto [stopped, error] = std::from_chars(begin, end, value);
+  const auto [stopped, error] = read_decimal(begin, end, value);
   if (error == std::errc::result_out_of_range && vanishes({begin, end})) return *begin == '-' ? -0.0 : 0.0;
   if (error == std::errc::result_out_of_range)
     fail(fmt::format("expected a number of at most {} for {}, found {}", largest, what, quoted(text)));
@@ -101,16 +102,16 @@ std::string Statement::place(std::string_view text) const {
   return fmt::format("{}:{}: {}", shown_name(file_.name), line_, text);
 }
 
-void Statement::fail(std::string_view text) const { throw InputError(place(text)); }
+void Statement::fail(std::string_view text) const { refuse_input(place(text)); }
 
 Statements::Statements(std::string_view text, const TextFile& file) : text_(text), file_(file) {
   const auto begins = [text](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
   if (begins("\xFF\xFE") || begins("\xFE\xFF")) {
-    throw InputError(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", shown_name(file.name)));
+    refuse_input(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", shown_name(file.name)));
   }
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    throw InputError(fmt::format("{}: expected text, found a zero at byte {}", shown_name(file.name), zero));
+    refuse_input(fmt::format("{}: expected text, found a zero at byte {}", shown_name(file.name), zero));
   }
   if (begins("\xEF\xBB\xBF")) at_ = 3;
 }

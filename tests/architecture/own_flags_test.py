@@ -19,7 +19,7 @@ import project
 
 PROGRAMS = pathlib.Path(__file__).resolve().parent
 ALGORITHMS = project.ROOT / "algorithms"
-CORE = ("axis_cut", "contract", "elementary", "exact", "form")
+CORE = ("axis_cut", "contract", "elementary", "exact", "form", "refusal")
 NEEDS_MORE = {"image.cpp", "exact_scalar.cpp"}  # libpng, Boost: no topic needs them
 SECONDS = 60
 # In the ordinary build; wherever it is computed, it has the same bits

@@ -36,7 +36,7 @@ const std::vector<const Parameter*>& parameters() {
 /// What topics do with a canonical value.
 void use(const Parameter& parameter, const std::string& text) {
   Arguments arguments;
-  arguments.set({.name = parameter.name, .text = text});
+  arguments.set(read_argument(parameter, text));
   switch (parameter.type) {
     case ParameterType::cell:
       static_cast<void>(arguments.cell(parameter.name));
@@ -82,7 +82,7 @@ void use(const Parameter& parameter, const std::string& text) {
       break;
     }
     case ParameterType::order:
-      require(arguments.order(parameter).size() == parameter.choices.size(), "an order has all of them");
+      require(arguments.order(parameter.name).size() == parameter.choices.size(), "an order has all of them");
       break;
     case ParameterType::color:
       static_cast<void>(arguments.color(parameter.name));

@@ -10,8 +10,8 @@
 
 #include "core/image.hpp"
 #include "pipeline.hpp"
+#include "scene/files.hpp"
 #include "scene/framing.hpp"
-#include "scene/obj.hpp"
 
 namespace gradus::pipeline {
 namespace {

@@ -27,7 +27,11 @@ inline Arguments complete(const TopicEntry& entry, const std::map<std::string, s
   arguments.set({"method", method == given.end() ? entry.default_method : method->second});
   for (const Parameter& parameter : entry.parameters) {
     const auto found = given.find(parameter.name);
-    Arguments::Entry argument{parameter.name, found == given.end() ? parameter.default_value : found->second};
+    const std::string& text = found == given.end() ? parameter.default_value : found->second;
+    Arguments::Entry argument{.name = parameter.name, .text = text};
+    const bool is_file = parameter.type == ParameterType::maze || parameter.type == ParameterType::picture ||
+                         parameter.type == ParameterType::model;
+    if (!text.empty() && !is_file) argument = read_argument(parameter, text);
     argument.given = found != given.end();
     if (parameter.type == ParameterType::maze) {
       argument.content = argument.text;

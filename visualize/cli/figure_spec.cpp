@@ -187,11 +187,9 @@ std::string read_y(FigureSpec& spec, const std::string& text) {
 
 std::string read_view(FigureSpec& spec, const std::string& text) {
   const Parameter window{"view", ParameterType::window, "", "", ""};
-  std::string cells = canonical(window, text);
-  Arguments read;
-  read.set({.name = "view", .text = cells});
-  spec.look.view = read.window("view");
-  return cells;
+  const Arguments::Entry read = read_argument(window, text);
+  spec.look.view = std::get<Window>(read.value);
+  return read.text;
 }
 
 // --- Its colours -----------------------------------------------------------------------------------------

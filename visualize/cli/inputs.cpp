@@ -85,7 +85,7 @@ class Reader {
         return {.name = parameter.name, .text = parameter.choices[chosen]};
       }
       default:
-        return {.name = parameter.name, .text = canonical(parameter, text)};
+        return read_argument(parameter, text);
     }
   }
 

@@ -145,10 +145,9 @@ class WishReader {
     wish_.transparent = folded(trimmed(*text)) == "none";
     if (wish_.transparent) return say("background", "none");
     const Parameter parameter{"background", ParameterType::color, "", "", ""};
-    Arguments read;
-    read.set({.name = "background", .text = canonical(parameter, *text)});
-    wish_.background = read.color("background");
-    if (wish_.background != Rgba8{255, 255, 255}) say("background", read.text("background"));
+    const Arguments::Entry read = read_argument(parameter, *text);
+    wish_.background = std::get<Rgba8>(read.value);
+    if (wish_.background != Rgba8{255, 255, 255}) say("background", read.text);
   }
 
   const std::map<std::string, std::string>& flags_;

@@ -58,7 +58,7 @@ Figure figure_of(const Trace& trace, Playhead& playhead, StepNumber number);
 
 /// Puts the slots in their places. What does not fit is shortened (elided rows, a window of lines, a view
 /// that follows the step), never shrunk. Places depend on the trace and the look only, not on the step.
-/// Throws std::invalid_argument, saying what was expected and found, when the look's view misses the grid or
+/// Throws ContractViolation, saying what was expected and found, when the look's view misses the grid or
 /// has more cells than fit.
 Sheet lay_out(const Figure& figure, const Look& look);
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
+#include "core/contract.hpp"
 #include "figure/layout.hpp"
 #include "figure/metrics.hpp"
 
@@ -22,13 +22,10 @@ constexpr double margin = 48, header = 40, footer = 26, gap = 16;
 constexpr double heading_letters = 17, small_letters = 10;
 
 void require_possible(const PageGrid& grid) {
-  if (grid.columns >= 1 && grid.rows >= 1 && grid.columns <= PageGrid::most_columns &&
-      grid.rows <= PageGrid::most_rows) {
-    return;
-  }
-  throw std::invalid_argument(fmt::format("expected 1x1 to {}x{} figures on a page, found {}x{}",
-                                          PageGrid::most_columns, PageGrid::most_rows, grid.columns,
-                                          grid.rows));
+  expects(grid.columns >= 1 && grid.rows >= 1 && grid.columns <= PageGrid::most_columns &&
+              grid.rows <= PageGrid::most_rows,
+          "expected 1x1 to {}x{} figures on a page, found {}x{}", PageGrid::most_columns, PageGrid::most_rows,
+          grid.columns, grid.rows);
 }
 
 /// Where the i-th figure of a page stands, caption included.

@@ -62,7 +62,7 @@ struct Stage {
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
 };
-/// Throws std::invalid_argument when the look's view misses the grid.
+/// Throws ContractViolation when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);
 
 /// How a drawing of some size shows its stage.
@@ -139,7 +139,7 @@ struct Places {
   int sentence_lines = 2, footer_lines = 1;
   Heading heading;
 };
-/// Throws std::invalid_argument when the look's view has more cells than fit.
+/// Throws ContractViolation when the look's view has more cells than fit.
 Places places_of(const Trace& trace, const Look& look, const Stage& stage);
 
 /// What the columns of the table ask for, in units: the widest text and some air, of which they can spare

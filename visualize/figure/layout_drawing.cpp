@@ -7,8 +7,8 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
+#include "core/contract.hpp"
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
 
@@ -681,9 +681,9 @@ Stage stage_of(const Trace& trace, const Look& look) {
   if (look.view) stage.cells = intersection(*look.view, grid.cells);
   if (look.view && stage.cells.empty()) {
     const Window &all = grid.cells, &view = *look.view;
-    throw std::invalid_argument(fmt::format("expected cells of the grid {},{} to {},{}, found {},{} to {},{}",
-                                            all.lower.x, all.lower.y, all.upper.x, all.upper.y, view.lower.x,
-                                            view.lower.y, view.upper.x, view.upper.y));
+    contract_violated(fmt::format("expected cells of the grid {},{} to {},{}, found {},{} to {},{}",
+                                  all.lower.x, all.lower.y, all.upper.x, all.upper.y, view.lower.x,
+                                  view.lower.y, view.upper.x, view.upper.y));
   }
   const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
   if (grid.axes) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/contract.hpp"
 #include "figure/layout.hpp"
 
 namespace gradus::layout {
@@ -343,8 +343,8 @@ Body body_of(const Box& area, Wants wants, const Look& look, const Stage& stage)
   if (choice) return choice->body;
   if (!stage.fixed) return without_drawing(area, wants);
   const ivec2 most = largest_in(area, wants, look, stage);
-  throw std::invalid_argument(fmt::format("expected at most {} x {} cells for this size, found {} x {}",
-                                          most.x, most.y, stage.cells.width(), stage.cells.height()));
+  contract_violated(fmt::format("expected at most {} x {} cells for this size, found {} x {}", most.x, most.y,
+                                stage.cells.width(), stage.cells.height()));
 }
 
 // --- The bands above and below -------------------------------------------------------------------

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <stdexcept>
+
+#include "core/contract.hpp"
 
 namespace gradus {
 
@@ -48,6 +49,35 @@ void add_new(std::vector<std::string>& names, std::string_view name) {
   if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
 }
 
+/// Calls see(name) for every {name} of a template. What is wrong with its braces, in fmt's words; nothing
+/// where they are in order.
+template <class See>
+std::string_view for_each_value(std::string_view text, See see) {
+  for (std::size_t at = text.find_first_of("{}"); at != text.npos; at = text.find_first_of("{}", at)) {
+    if (text.substr(at, 2) == "{{" || text.substr(at, 2) == "}}") {  // a brace that stands for itself
+      at += 2;
+      continue;
+    }
+    if (text[at] == '}') return "unmatched '}' in format string";
+    const std::size_t end = text.find('}', at);
+    if (end == text.npos) return "invalid format string";
+    const std::string_view place = text.substr(at + 1, end - at - 1);
+    see(place.substr(0, place.find(':')));
+    at = end + 1;
+  }
+  return {};
+}
+
+/// What keeps the values from being put into a text; nothing where all is in order.
+std::string_view mistake_in(std::string_view text, fmt::format_args values) {
+  bool known = true;
+  const auto check = [&](std::string_view name) {
+    known = known && values.get(fmt::string_view(name.data(), name.size()));
+  };
+  const std::string_view wrong = for_each_value(text, check);
+  return !wrong.empty() ? wrong : known ? std::string_view() : "argument not found";
+}
+
 /// A label's braces stand for themselves.
 std::string without_places(std::string_view text) {
   std::string safe;
@@ -71,16 +101,14 @@ Language::Language(std::string code, std::string_view catalogue) : code_(std::mo
     const std::size_t equals = line.find('=');
     const std::string key = section + std::string(stripped(line.substr(0, equals)));
     const bool readable = equals != std::string_view::npos && equals > 0;
-    if (!readable || !texts_.emplace(key, stripped(line.substr(equals + 1))).second) {
-      throw std::logic_error(
-          fmt::format("language {}, line {}: expected a new \"key = text\", found {}", code_, number, line));
-    }
+    const bool is_new = readable && texts_.emplace(key, stripped(line.substr(equals + 1))).second;
+    expects(is_new, "language {}, line {}: expected a new \"key = text\", found {}", code_, number, line);
   }
 }
 
 const std::string& Language::text(std::string_view key) const {
   const auto found = texts_.find(key);
-  if (found == texts_.end()) throw std::logic_error(fmt::format("language {} has no text {}", code_, key));
+  expects(found != texts_.end(), "language {} has no text {}", code_, key);
   return found->second;
 }
 
@@ -116,11 +144,9 @@ std::string Wording::filled(std::string_view key, fmt::format_args values) const
         text += without_places(symbol(name));
       });
   text += rest;
-  try {
-    return fmt::vformat(text, values);
-  } catch (const fmt::format_error& error) {
-    throw std::logic_error(fmt::format("language {}, text {}: {}", language_->code(), key, error.what()));
-  }
+  const std::string_view mistake = mistake_in(text, values);
+  expects(mistake.empty(), "language {}, text {}: {}", language_->code(), key, mistake);
+  return fmt::vformat(text, values);
 }
 
 std::vector<std::string> symbols_in(std::string_view text) {
@@ -131,14 +157,7 @@ std::vector<std::string> symbols_in(std::string_view text) {
 
 std::vector<std::string> values_in(std::string_view text) {
   std::vector<std::string> names;
-  for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{')) {
-    text.remove_prefix(open + 1);
-    if (text.starts_with('{')) {  // a brace that stands for itself
-      text.remove_prefix(1);
-    } else {
-      add_new(names, text.substr(0, text.find_first_of(":}")));
-    }
-  }
+  for_each_value(text, [&names](std::string_view name) { add_new(names, name); });
   return names;
 }
 

@@ -25,12 +25,12 @@ class Language {
  public:
   using Texts = std::map<std::string, std::string, std::less<>>;  ///< by key
 
-  /// Reads a catalogue. Throws std::logic_error naming the line that is wrong.
+  /// Reads a catalogue. Throws ContractViolation naming the line that is wrong.
   Language(std::string code, std::string_view catalogue);
 
   const std::string& code() const { return code_; }             ///< "en", as in HTML's lang
   const std::string& name() const { return text("language"); }  ///< "English", in the language itself
-  /// The template of this key. Throws std::logic_error when there is none: keys stand in our own code.
+  /// The template of this key. Throws ContractViolation when there is none: keys stand in our own code.
   const std::string& text(std::string_view key) const;
   bool has(std::string_view key) const { return texts_.contains(key); }
   const Texts& texts() const { return texts_; }
@@ -70,8 +70,8 @@ class Wording {
   std::string symbol(std::string_view name) const;
 
   /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
-  /// labels are taken as they are, whatever they hold. Throws std::logic_error for a key that there is not or
-  /// a text that asks for another value.
+  /// labels are taken as they are, whatever they hold. Throws ContractViolation for a key that there is not
+  /// or a text that asks for another value.
   template <class... Values>
   std::string say(std::string_view key, const Values&... values) const {
     return filled(key, fmt::make_format_args(values...));

@@ -124,12 +124,6 @@ std::optional<FactorText> factor_in(Kind kind, std::string_view rest, std::span<
   return read ? std::optional(factor) : std::nullopt;
 }
 
-std::string lowered(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return word;
-}
-
 /// One factor, or what is wrong with it.
 Read<FactorText> read_factor(std::string_view text, std::span<const std::string> names) {
   const bool space = names.size() == 3;

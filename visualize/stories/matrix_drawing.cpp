@@ -149,14 +149,6 @@ std::string sum_text(const std::vector<double>& factors, const std::vector<doubl
   return sum;
 }
 
-std::vector<FactorText> factors_of(const Arguments& arguments, std::string_view name,
-                                   const std::vector<std::string>& parts) {
-  Read<std::vector<FactorText>> read = read_factors(arguments.text(name), parts);
-  expects(std::holds_alternative<std::vector<FactorText>>(read),
-          "{} has factors in their canonical spelling, not '{}'", name, arguments.text(name));
-  return std::get<std::vector<FactorText>>(std::move(read));
-}
-
 std::vector<FactorText> split_at_pivots(const std::vector<FactorText>& factors) {
   std::vector<FactorText> split;
   for (const FactorText& factor : factors) {

@@ -41,10 +41,6 @@ std::string chained(const std::vector<std::string>& names);
 /// Sums as they are computed: "1.732·2 + (−1)·1 + 0.268".
 std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values);
 
-/// The factors of a parameter of that type, read again from its canonical spelling.
-std::vector<FactorText> factors_of(const Arguments& arguments, std::string_view name,
-                                   const std::vector<std::string>& parts);
-
 /// Every factor with a pivot as three: there, the factor about the origin, and back.
 std::vector<FactorText> split_at_pivots(const std::vector<FactorText>& factors);
 

@@ -16,6 +16,9 @@ namespace gradus {
 /// The text without white space at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// The letters A to Z as a to z.
+std::string lowered(std::string_view text);
+
 /// A whole number, nothing before or after it but white space; nothing when it is none or beyond int64.
 std::optional<std::int64_t> whole_number(std::string_view text);
 

@@ -1,7 +1,5 @@
 // Running a topic from code, without a command line.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "stories/topic.hpp"
@@ -13,7 +11,7 @@ std::string method_of(const TopicEntry& topic, std::span<const Argument> given) 
   const auto found = std::ranges::find(given, "method", &Argument::name);
   if (found == given.end()) return topic.default_method;
   if (std::ranges::find(topic.methods, found->value, &Method::name) == topic.methods.end()) {
-    throw ArgumentError("method", fmt::format("{} has no method {}", topic.name, found->value));
+    refuse("method", "{} has no method {}", topic.name, found->value);
   }
   return found->value;
 }
@@ -22,7 +20,7 @@ void require_known(const TopicEntry& topic, std::span<const Argument> given) {
   for (const Argument& argument : given) {
     if (argument.name != "method" &&
         std::ranges::find(topic.parameters, argument.name, &Parameter::name) == topic.parameters.end()) {
-      throw ArgumentError(argument.name, fmt::format("{} has no such parameter", topic.name));
+      refuse(argument.name, "{} has no such parameter", topic.name);
     }
   }
 }
@@ -46,9 +44,11 @@ Arguments arguments_of(const TopicEntry& topic, std::span<const Argument> given)
   arguments.set({"method", method_of(topic, given)});
   for (const Parameter& parameter : topic.parameters) {
     const auto found = std::ranges::find(given, parameter.name, &Argument::name);
-    Arguments::Entry entry{parameter.name, parameter.default_value};
-    if (found != given.end()) entry.text = canonical(parameter, found->value);
-    entry.given = found != given.end();
+    const bool is_given = found != given.end();
+    const std::string& text = is_given ? found->value : parameter.default_value;
+    Arguments::Entry entry{.name = parameter.name, .text = ""};
+    if (is_given || !text.empty()) entry = read_argument(parameter, text);
+    entry.given = is_given;
     if (parameter.type == ParameterType::maze) {
       entry.content = entry.text;
       std::ranges::replace(entry.content, '/', '\n');

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 #include "figure/recording.hpp"
 
@@ -66,7 +65,7 @@ std::string ulp_text(double ulp) {
 }
 
 /// A number in one of the arithmetics, beside the exact one.
-struct Rounded {
+struct Inexact {
   double value, error;
   bool in_range() const { return std::isfinite(value); }
 };
@@ -91,10 +90,10 @@ class Beside {
   bool together(std::size_t step) const { return step < together_; }
 
   /// The n-th number of a step; nothing where the two have parted before.
-  std::optional<Rounded> number(std::size_t step, std::size_t n) const {
+  std::optional<Inexact> number(std::size_t step, std::size_t n) const {
     if (!together(step)) return std::nullopt;
     const T value = run_.steps[step].numbers[n].second;
-    return Rounded{double{value}, error_in_ulp(value, exact_.steps[step].numbers[n].second)};
+    return Inexact{double{value}, error_in_ulp(value, exact_.steps[step].numbers[n].second)};
   }
 
  private:
@@ -241,11 +240,11 @@ class Retelling {
   }
 
   void put_number(TraceStep& step, const std::pair<std::string, Exact>& number,
-                  const std::optional<Rounded>& in_float, const std::optional<Rounded>& in_double) const {
-    const auto value = [](const std::optional<Rounded>& r, Room room) {
+                  const std::optional<Inexact>& in_float, const std::optional<Inexact>& in_double) const {
+    const auto value = [](const std::optional<Inexact>& r, Room room) {
       return r && r->in_range() ? fitted(r->value, room) : "–";
     };
-    const auto error = [](const std::optional<Rounded>& r) {
+    const auto error = [](const std::optional<Inexact>& r) {
       return r && r->in_range() ? ulp_text(r->error) : "–";
     };
     step.row = {named(number.first), value(in_float, float_room),
@@ -263,9 +262,9 @@ class Retelling {
     step.fields.push_back({"exactly", to_string(number.second)});
   }
 
-  std::string sentence_of(const std::pair<std::string, Exact>& number, const std::optional<Rounded>& in_float,
-                          const std::optional<Rounded>& in_double) const {
-    const auto said = [&](const std::string& key, const std::optional<Rounded>& r, int digits) {
+  std::string sentence_of(const std::pair<std::string, Exact>& number, const std::optional<Inexact>& in_float,
+                          const std::optional<Inexact>& in_double) const {
+    const auto said = [&](const std::string& key, const std::optional<Inexact>& r, int digits) {
       if (!r) return words_.say(key + "parted");
       if (!r->in_range()) return words_.say(key + "beyond");
       if (r->error == 0) return words_.say(key + "right");
@@ -285,7 +284,7 @@ class Retelling {
       const auto seen = seen_.find(type);
       const std::size_t told = seen == seen_.end() ? 0 : seen->second;
       if (told < places.size() && !run.steps[places[told]].numbers.empty()) {
-        throw std::logic_error(fmt::format("{}: no trace step tells the numbers of {}", trace_.topic, type));
+        contract_violated(fmt::format("{}: no trace step tells the numbers of {}", trace_.topic, type));
       }
     }
   }
@@ -319,12 +318,9 @@ class Retelling {
 }  // namespace
 
 void put_side_by_side(Trace& trace, const NumericRuns& runs, ToldIn told_in) {
-  if (runs.exact.refused) {
-    throw ArgumentError("exact", "expected input that the method takes in every arithmetic");
-  }
+  if (runs.exact.refused) refuse("exact", "expected input that the method takes in every arithmetic");
   if (!trace.whole()) {
-    throw ArgumentError("exact", fmt::format("expected a run of at most {} events, found a longer one",
-                                             Recording::default_most));
+    refuse("exact", "expected a run of at most {} events, found a longer one", Recording::default_most);
   }
   Retelling(trace, runs, told_in).retell();
 }

@@ -71,11 +71,7 @@ void show_side_by_side(Trace& trace, Method method, ToldIn told_in = ToldIn::dou
       run.steps.push_back({.type = std::string(Narrator::step_name<Step>()), .line = line});
       Numbers{}(run.steps.back(), step);
     };
-    try {
-      method(T{}, observer);
-    } catch (const ContractViolation&) {
-      run.refused = true;
-    }
+    run.refused = !keeps_contracts([&] { method(T{}, observer); });
   };
   NumericRuns runs;
   watch(runs.in_float);

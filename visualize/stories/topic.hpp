@@ -14,12 +14,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/geometry.hpp"
 #include "core/image.hpp"
+#include "core/refusal.hpp"
 #include "figure/recording.hpp"
 #include "figure/trace.hpp"
+#include "stories/factor_text.hpp"
+#include "stories/point_text.hpp"
 
 namespace gradus {
 
@@ -98,12 +102,37 @@ struct Method {
   bool exact = false;                 ///< its numbers can be told in three arithmetics side by side
 };
 
-/// The arguments of a run, complete (defaults filled in) and canonical. Files have already been read.
+/// All of several things, each once: their positions among the choices, or, `numbered`, among 1, 2, 3, …
+struct Order {
+  std::vector<std::size_t> places{};
+  bool numbered = false;
+};
+
+/// What an argument was read as, by its parameter's type. Nothing where none was given, and where the text is
+/// all there is to it: a choice, a paint's letter, a file's name, the rows of a maze.
+using ArgumentValue = std::variant<std::monostate,
+                                   bool,                             // flag
+                                   std::int64_t,                     // integer
+                                   ivec2,                            // cell
+                                   Window,                           // window
+                                   Rgba8,                            // color, paint
+                                   Number,                           // number
+                                   Tuple,                            // numbers, bounds
+                                   std::vector<Tuple>,               // points
+                                   std::vector<std::vector<Tuple>>,  // rings
+                                   Order,                            // order
+                                   std::vector<FactorText>>;         // factors
+
+/// Whether the sizes hold each real number of a value.
+bool all_hold(const Sizes& sizes, const ArgumentValue& value);
+
+/// The arguments of a run, complete (defaults filled in), each read once. Files have already been read, too.
 class Arguments {
  public:
   struct Entry {
     std::string name;
     std::string text;                      ///< canonical spelling
+    ArgumentValue value{};                 ///< what that says (see read_argument)
     std::shared_ptr<const Image> image{};  ///< picture parameters: what the file holds; copies share it
     std::string content{};  ///< mazes: the rows, one a line, wherever they came from; models: the file
     std::map<std::string, std::string> libraries{};  ///< models: what the material files it names hold
@@ -127,29 +156,29 @@ class Arguments {
   std::optional<dvec3> place(std::string_view name) const;
   /// Points of two numbers; empty where none was given.
   std::vector<dvec2> points(std::string_view name) const;
+  /// Points of as many numbers as the parameter has parts; empty where none was given.
+  std::vector<Tuple> tuples(std::string_view name) const;
   /// Points of three numbers; empty where none was given.
   std::vector<dvec3> places(std::string_view name) const;
   /// Lists of points of two numbers; empty where none was given.
   std::vector<std::vector<dvec2>> rings(std::string_view name) const;
   /// For each place in the order wanted, the position among the parameter's choices.
-  std::vector<std::size_t> order(const Parameter& parameter) const;
+  std::vector<std::size_t> order(std::string_view name) const;
   /// The same where the order is one of numbers, 1 at position 0; nothing where it is one of choices.
   std::optional<std::vector<std::size_t>> numbered_order(std::string_view name) const;
+  std::vector<FactorText> factors(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
   /// Whether a flag was given; not, too, where the topic has none of this name.
   bool flag(std::string_view name) const { return has(name) && text(name) == "yes"; }
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
-  std::vector<Entry> entries_;  ///< in the order of the topic's parameters; "method" first
-};
+  template <class T>
+  const T& value(std::string_view name, std::string_view kind) const;
+  template <class T>
+  const T* value_if_given(std::string_view name, std::string_view kind) const;
 
-/// An argument a topic can't take: the parameter's flag is put in front by whoever shows it.
-class ArgumentError : public std::runtime_error {
- public:
-  ArgumentError(std::string name, const std::string& what_was_expected)
-      : std::runtime_error(what_was_expected), parameter(std::move(name)) {}
-  std::string parameter;
+  std::vector<Entry> entries_;  ///< in the order of the topic's parameters; "method" first
 };
 
 /// Ends a run that can't be with these arguments. What was expected is said of the first of the parameters
@@ -168,8 +197,10 @@ template <class First, class... Rest>
 /// Refuses a parameter's numbers beyond these sizes, for the sake of a method that takes less than others.
 void require_sizes(const Arguments& arguments, std::string_view parameter, const Sizes& sizes);
 
-/// Reads one argument as the user wrote it into its canonical spelling: "(3, 4)" -> "3,4".
+/// Reads one argument as the user wrote it: "(3, 4)" is the cell 3,4 with the canonical spelling "3,4".
 /// Throws ArgumentError saying what was expected and what was found. Does not read files.
+Arguments::Entry read_argument(const Parameter& parameter, std::string_view text);
+/// The canonical spelling alone.
 std::string canonical(const Parameter& parameter, std::string_view text);
 
 /// Whether a maze argument is the rows themselves, with "/" or line ends between them, rather than a file's

@@ -12,8 +12,8 @@
 #include "core/random.hpp"
 #include "core/record.hpp"
 #include "pipeline.hpp"
+#include "scene/files.hpp"
 #include "scene/framing.hpp"
-#include "scene/obj.hpp"
 #include "support/seed.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 

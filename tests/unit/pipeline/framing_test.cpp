@@ -11,7 +11,7 @@
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewport/viewport.hpp"
-#include "scene/obj.hpp"
+#include "scene/files.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::pipeline {

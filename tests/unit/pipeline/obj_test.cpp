@@ -20,7 +20,8 @@
 #include <map>
 #include <sstream>
 
-#include "core/image.hpp"
+#include "core/refusal.hpp"
+#include "scene/files.hpp"
 #include "scene/materials.hpp"
 
 namespace gradus::pipeline {

@@ -130,12 +130,18 @@ TEST(Canonical, MazeRows) {
 // --- Arguments
 // ---------------------------------------------------------------------------------------------------
 
+/// What the user wrote for a parameter of this type.
+Arguments::Entry written(std::string name, Parameter parameter, std::string_view text) {
+  parameter.name = std::move(name);
+  return read_argument(parameter, text);
+}
+
 TEST(Arguments, AreReadByType) {
   Arguments arguments;
   arguments.set({.name = "method", .text = "dda"});
-  arguments.set({.name = "from", .text = "-2147483648,7"});
-  arguments.set({.name = "tolerance", .text = "12"});
-  arguments.set({.name = "color", .text = "#0072b2"});
+  arguments.set(written("from", parameter(ParameterType::cell), "-2147483648,7"));
+  arguments.set(written("tolerance", parameter(ParameterType::integer), "12"));
+  arguments.set(written("color", parameter(ParameterType::color), "#0072b2"));
   EXPECT_EQ(arguments.cell("from"), ivec2(INT32_MIN, 7));
   EXPECT_EQ(arguments.integer("tolerance"), 12);
   EXPECT_EQ(arguments.color("color"), (Rgba8{0x00, 0x72, 0xb2, 255}));
@@ -165,12 +171,20 @@ TEST(Arguments, AMissingOneIsTheUsersMistake) {
   }
 }
 
-TEST(Arguments, ASpellingNotCanonicalIsTheProgramsMistake) {
+TEST(Arguments, AnotherTypeIsTheProgramsMistake) {
+  Parameter pair = parameter(ParameterType::numbers);
+  pair.parts = {"x", "y"};
   Arguments arguments;
-  arguments.set({.name = "v", .text = "1/3,2"});
+  arguments.set(written("v", pair, "1/3,2"));
+  arguments.set({.name = "unread", .text = "1"});
+  EXPECT_EQ(arguments.numbers("v"), (std::vector<double>{1.0 / 3, 2}));
   EXPECT_THROW(arguments.cell("v"), ContractViolation);
   EXPECT_THROW(arguments.integer("v"), ContractViolation);
+  EXPECT_THROW(arguments.number("v"), ContractViolation);
+  EXPECT_THROW(arguments.place("v"), ContractViolation) << "two numbers are no place in space";
+  EXPECT_THROW(arguments.points("v"), ContractViolation);
   EXPECT_THROW(arguments.color("v"), ContractViolation);
+  EXPECT_THROW(arguments.integer("unread"), ContractViolation) << "set without having been read";
 }
 
 // --- Texts inside messages
@@ -398,8 +412,8 @@ TEST(Canonical, RingsAreListsOfPoints) {
     EXPECT_EQ(complaint(holes, text),
               "value: expected rings of points x,y, with ; between rings, found " + shown(text));
   Arguments arguments;
-  arguments.set({"holes", "0,0 6,0 6,3; 1,1 2,1 1/2,2"});
-  arguments.set({"none", ""});
+  arguments.set(written("holes", holes, "0,0 6,0 6,3; 1,1 2,1 1/2,2"));
+  arguments.set({.name = "none", .text = ""});
   EXPECT_EQ(arguments.rings("holes"),
             (std::vector<std::vector<dvec2>>{{{0, 0}, {6, 0}, {6, 3}}, {{1, 1}, {2, 1}, {0.5, 2}}}));
   EXPECT_TRUE(arguments.rings("none").empty());
@@ -419,33 +433,36 @@ TEST(Canonical, AnOrderMayBeOneOfNumbers) {
         "found " +
             shown(text));
   Arguments arguments;
-  arguments.set({"order", "3,1,2"});
-  arguments.set({"names", "top,left,right,bottom"});
+  arguments.set(written("order", order, "3,1,2"));
+  arguments.set(written("names", order, "top,left,right,bottom"));
   EXPECT_EQ(arguments.numbered_order("order"), (std::vector<std::size_t>{2, 0, 1}));
   EXPECT_EQ(arguments.numbered_order("names"), std::nullopt);
+  EXPECT_THROW(arguments.order("order"), ContractViolation) << "numbers, not choices";
 }
 
 TEST(Arguments, ReadWhatTheirTypesSay) {
   Parameter order = parameter(ParameterType::order);
-  order.name = "order";
   order.choices = {"left", "right", "bottom", "top"};
   Arguments arguments;
-  arguments.set({"line", "1/2,-3"});
-  arguments.set({"polygon", "0,0 6,0 6,3"});
-  arguments.set({"corners", "0,0,1 6,0,2"});
-  arguments.set({"eye", "1,2,3"});
-  arguments.set({"fov", "100/3"});
-  arguments.set({"none", ""});
-  arguments.set({"order", "top,left,right,bottom"});
+  arguments.set(written("line", with_parts(ParameterType::numbers, xy), "1/2,-3"));
+  arguments.set(written("polygon", with_parts(ParameterType::points, xy), "0,0 6,0 6,3"));
+  arguments.set(written("corners", with_parts(ParameterType::points, xyz), "0,0,1 6,0,2"));
+  arguments.set(written("eye", with_parts(ParameterType::numbers, xyz), "1,2,3"));
+  arguments.set(written("fov", parameter(ParameterType::number), "100/3"));
+  arguments.set({.name = "none", .text = ""});
+  arguments.set(written("order", order, "top,left,right,bottom"));
+  arguments.set(written("factors", with_parts(ParameterType::factors, xy), "rotate 30 about 1,1; scale 2"));
   EXPECT_EQ(arguments.numbers("line"), (std::vector<double>{0.5, -3}));
   EXPECT_EQ(arguments.points("polygon"), (std::vector<dvec2>{{0, 0}, {6, 0}, {6, 3}}));
   EXPECT_EQ(arguments.places("corners"), (std::vector<dvec3>{{0, 0, 1}, {6, 0, 2}}));
   EXPECT_EQ(arguments.place("eye"), (dvec3{1, 2, 3}));
-  EXPECT_EQ(arguments.order(order), (std::vector<std::size_t>{3, 0, 1, 2}));
+  EXPECT_EQ(arguments.order("order"), (std::vector<std::size_t>{3, 0, 1, 2}));
   EXPECT_TRUE(arguments.numbers("none").empty() && arguments.points("none").empty());
   EXPECT_EQ(arguments.place("none"), std::nullopt);
   EXPECT_EQ(arguments.number("fov"), std::optional(100.0 / 3));
   EXPECT_EQ(arguments.number("none"), std::nullopt);
+  ASSERT_EQ(arguments.factors("factors").size(), 2u);
+  EXPECT_EQ(text_of(arguments.factors("factors")[0].pivot), "1,1");
 }
 
 TEST(Canonical, PaintIsAColourOrALetter) {
@@ -466,7 +483,7 @@ TEST(Canonical, WindowsAreFourNumbersTheRightWayRound) {
     EXPECT_THROW(canonical(window, wrong), ArgumentError) << wrong;
   }
   Arguments arguments;
-  arguments.set({"window", "0,-5,10,3"});
+  arguments.set(written("window", window, "0,-5,10,3"));
   EXPECT_EQ(arguments.window("window"), (Window{{0, -5}, {10, 3}}));
   EXPECT_FALSE(arguments.window("another"));
 }

@@ -54,7 +54,7 @@ Parameter order_parameter(std::string example, std::string help) {
 }
 template <int N>
 BorderOrder<N> order_in(const Arguments& arguments) {
-  const auto places = arguments.order(order_parameter<N>("", ""));
+  const auto places = arguments.order("order");
   BorderOrder<N> order{};
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Border>(places[i]);
   return order;

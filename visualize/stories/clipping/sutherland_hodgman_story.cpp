@@ -120,18 +120,14 @@ Given given_of(const Arguments& arguments, Takes takes) {
         "--window-polygon",
         arguments.text("order"));
   }
-  for (const std::size_t border : arguments.order(order_parameter()))
-    given.order.push_back(static_cast<int>(border));
+  for (const std::size_t border : arguments.order("order")) given.order.push_back(static_cast<int>(border));
   return given;
 }
 
 /// Corners in clip space, as they were given.
 std::vector<Point<double>> homogeneous_of(const Arguments& arguments) {
-  const std::vector<std::string> parts{"x", "y", "z", "w"};
-  const auto read = read_tuples(arguments.text("homogeneous"), parts);
-  expects(!std::holds_alternative<Misread>(read), "points in their canonical spelling");
   std::vector<Point<double>> corners;
-  for (const Tuple& p : std::get<std::vector<Tuple>>(read)) {
+  for (const Tuple& p : arguments.tuples("homogeneous")) {
     corners.push_back({{p[0].value, p[1].value, p[2].value, p[3].value}});
     const auto& at = corners.back().at;
     if (at == dvec4(0)) refuse("homogeneous", "point {}: 0,0,0,0 is no point", corners.size());

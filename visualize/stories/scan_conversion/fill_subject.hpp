@@ -50,7 +50,7 @@ inline std::string filled_maze(const Image& image) {
 inline Maze maze_of(const Arguments::Entry& entry) {
   const std::string name = entry.hash.empty() ? "--maze" : shown_name(entry.text);
   auto parsed = parse_maze(entry.content, name, entry.quotable);
-  if (const MazeError* error = std::get_if<MazeError>(&parsed)) throw InputError(error->what);
+  if (const MazeError* error = std::get_if<MazeError>(&parsed)) refuse_input(error->what);
   return std::get<Maze>(std::move(parsed));
 }
 

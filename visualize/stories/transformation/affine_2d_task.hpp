@@ -70,7 +70,7 @@ struct Task {
 
 inline Task task_of(const Arguments& arguments) {
   Task task;
-  task.texts = factors_of(arguments, "factors", coordinates);
+  task.texts = arguments.factors("factors");
   if (arguments.text("pivots") == "split") task.texts = split_at_pivots(task.texts);
   for (const FactorText& text : task.texts) task.factors.push_back(factor_of(text));
   task.shape = arguments.points("polygon");

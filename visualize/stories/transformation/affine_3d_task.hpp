@@ -35,7 +35,7 @@ struct Task {
 };
 
 inline Task task_of(const Arguments& arguments) {
-  Task task{.texts = factors_of(arguments, "factors", coordinates),
+  Task task{.texts = arguments.factors("factors"),
             .factors = {},
             .axis = *arguments.place("axis"),
             .through = *arguments.place("through"),

@@ -1,0 +1,38 @@
+#include "core/refusal.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace gradus {
+namespace {
+
+void write_to_stderr(const Refusal& refusal) {
+  const char* const separator = refusal.parameter.empty() ? "" : ": ";
+  std::fprintf(stderr, "%s%s%s\n", refusal.parameter.c_str(), separator, refusal.text.c_str());
+}
+
+RefusalHandler host = write_to_stderr;
+
+}  // namespace
+
+RefusalHandler set_refusal_handler(RefusalHandler handler) noexcept {
+  return std::exchange(host, handler ? handler : write_to_stderr);
+}
+
+void refuse(const Refusal& refusal) {
+#if defined(__cpp_exceptions)
+  switch (refusal.kind) {
+    case Refusal::Kind::contract:
+      throw ContractViolation(refusal.text);
+    case Refusal::Kind::input:
+      throw InputError(refusal.text);
+    case Refusal::Kind::argument:
+      throw ArgumentError(refusal.parameter, refusal.text);
+  }
+#else
+  host(refusal);
+#endif
+  std::abort();
+}
+
+}  // namespace gradus
