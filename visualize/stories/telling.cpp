@@ -1,6 +1,5 @@
 #include "stories/telling.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 namespace gradus {
@@ -81,11 +80,12 @@ std::string Words::counted(std::string_view key, std::int64_t n, std::span<const
   return of(topic_, fmt::format("{}.{}", key, n == 1 ? "one" : "many"), all);
 }
 
-Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch) {
-  return {std::move(question),
+Decision yes_or_no(const Words& words, std::string_view question, std::initializer_list<Word> values,
+                   bool yes, std::string_view if_yes, std::string_view if_no) {
+  return {words.say(question, values),
           {words.shared("words", "yes"), words.shared("words", "no")},
           yes ? 0u : 1u,
-          std::move(branch)};
+          std::string(yes ? if_yes : if_no)};
 }
 
 // --- The board
@@ -185,10 +185,13 @@ void Narrator::retitle(std::string_view key) {
   trace().method_title = words_.say(key, {{"method", trace().method_title}});
 }
 
-void Narrator::legend(std::initializer_list<std::pair<Role, std::string_view>> entries) {
+void Narrator::legend(std::initializer_list<LegendKey> entries) {
   trace().legend.clear();
-  for (const auto& [role, key] : entries)
-    trace().legend.push_back({role, words_.say(fmt::format("legend.{}", key))});
+  for (const auto& [role, key] : entries) add_to_legend(role, key);
+}
+
+void Narrator::add_to_legend(Role role, std::string_view key) {
+  trace().legend.push_back({role, words_.say(fmt::format("legend.{}", key))});
 }
 
 void Narrator::backdrop(std::string id, Role role, decltype(Mark::shape) shape) {
@@ -199,7 +202,9 @@ void Narrator::list(std::string_view function, std::string_view file) {
   std::string name = topic_.name + (method_.standing == Standing::faulty ? "_notes.hpp" : ".hpp");
   if (!method_.file.empty()) name = method_.file;
   if (!file.empty()) name = file;
-  trace().source_file = fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
+  const bool from_root = name.find('/') != std::string::npos;
+  trace().source_file =
+      from_root ? name : fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
   trace().listing = listing_of(source_text(trace().source_file), function);
 }
 

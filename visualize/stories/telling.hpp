@@ -8,7 +8,11 @@
 //     Event say(const Stepped& s) const;
 //   };
 //   decision_parameter(from, to, drop, narrator.watcher(story));
+//
+// With it comes what stories are written with: topics, words, paper, strings, containers and algorithms.
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
 #include <initializer_list>
@@ -71,6 +75,10 @@ class Words {
   }
   /// What the reader calls this symbol.
   std::string symbol(std::string_view name) const { return wording_.symbol(name); }
+  /// The same of an axis: x, y, z, w.
+  std::string axis(int number) const {
+    return symbol(std::string_view("xyzw").substr(static_cast<std::size_t>(number), 1));
+  }
   /// What the reader calls a move to a neighbouring pixel: "NE".
   std::string move(ivec2 move) const { return move_name(wording_, move); }
   const Wording& wording() const { return wording_; }
@@ -100,8 +108,17 @@ struct Event {
   std::optional<int> line{};          ///< the source line to show, where the step's own is not listed
 };
 
-/// What is decided by yes or no.
-Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch);
+/// A point's coordinates as facts: x, y, z, w.
+template <int N>
+std::vector<Field> fields_of(const glm::vec<N, double>& p) {
+  std::vector<Field> fields;
+  for (int i = 0; i < N; ++i) fields.push_back({std::string(1, "xyzw"[i]), p[i]});
+  return fields;
+}
+
+/// What is decided by yes or no, and the branch that follows.
+Decision yes_or_no(const Words& words, std::string_view question, std::initializer_list<Word> values,
+                   bool yes, std::string_view if_yes, std::string_view if_no = {});
 
 /// Steps of the run as a whole, for stories of algorithms that report none: told without a source line.
 namespace steps {
@@ -172,6 +189,15 @@ class Board {
   Shown shown_;
 };
 
+/// A role of the drawing and the key of what it stands for: the text "<topic>.legend.<key>".
+struct LegendKey {
+  LegendKey(Role its_role) : LegendKey(its_role, name_of(its_role)) {}
+  LegendKey(Role its_role, std::string_view its_key) : role(its_role), key(its_key) {}
+
+  Role role;
+  std::string_view key;
+};
+
 /// One run of one method, told.
 class Narrator {
  public:
@@ -196,10 +222,12 @@ class Narrator {
   }
   /// The method's title becomes this text, which asks for {method}.
   void retitle(std::string_view key);
-  void legend(std::initializer_list<std::pair<Role, std::string_view>> entries);
+  void legend(std::initializer_list<LegendKey> entries);
+  void add_to_legend(Role role, std::string_view key);
   /// Stands unchanged behind all steps.
   void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
-  /// The lines shown are another function's: of this file in the topic's folder, or of the method's own.
+  /// The lines shown are another function's: of this file, in the topic's folder or by its path from the
+  /// project's root, or of the method's own.
   void list(std::string_view function, std::string_view file = {});
   /// Below them those of another function of the same file.
   void list_below(std::string_view function);

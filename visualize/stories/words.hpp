@@ -1,8 +1,7 @@
 #pragma once
 // Words and numbers that stories share.
 
-#include <fmt/format.h>
-
+#include <concepts>
 #include <numeric>
 #include <string>
 
@@ -13,7 +12,8 @@
 namespace gradus {
 
 /// The same as a later term of a sum or a factor: "(−4)" when negative.
-inline std::string figure_factor(std::int64_t value) {
+template <std::integral Whole>
+std::string figure_factor(Whole value) {
   return value < 0 ? "(" + figure_number(value) + ")" : figure_number(value);
 }
 
@@ -27,6 +27,12 @@ inline std::string figure_fraction(std::int64_t numerator, std::int64_t denomina
   const std::int64_t common = std::gcd(numerator, denominator);
   if (common == denominator) return fmt::format("{}", numerator / denominator);
   return fmt::format("{}/{}", numerator / common, denominator / common);
+}
+
+/// A, B … Z, A1, B1 …
+inline std::string letter(std::size_t n) {
+  const char letter = static_cast<char>('A' + n % 26);
+  return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
 }
 
 /// The key of a pixel in a trace: "4,-2".
@@ -54,13 +60,6 @@ inline void introduce(Trace& trace, const std::string& topic, const Arguments& a
     if (!entry.hash.empty()) trace.input_hash = entry.hash;
     if (!entry.text.empty()) trace.arguments.push_back({entry.name, entry.text});
   }
-}
-
-/// A method with its texts from the English catalogue: "<topic>.method.<name>" and "<topic>.note.<name>".
-inline Method method_in_english(std::string_view topic, std::string name, Standing standing) {
-  const Wording english;
-  return {name, english.say(fmt::format("{}.method.{}", topic, name)), standing,
-          english.say(fmt::format("{}.note.{}", topic, name))};
 }
 
 }  // namespace gradus

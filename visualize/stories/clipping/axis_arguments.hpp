@@ -3,10 +3,6 @@
 
 #include <fmt/ranges.h>
 
-#include <array>
-#include <string>
-#include <string_view>
-
 #include "core/axis_cut.hpp"
 #include "stories/telling.hpp"
 
@@ -15,11 +11,6 @@ namespace gradus {
 inline constexpr std::array<std::string_view, 6> border_names{"left", "right", "bottom",
                                                               "top",  "near",  "far"};
 constexpr std::string_view name_of(Border border) { return border_names[static_cast<std::size_t>(border)]; }
-
-/// What the reader calls an axis: x, y, z.
-inline std::string axis_name(const Words& words, int axis) {
-  return words.symbol(std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
-}
 
 /// Both ends, one after the other.
 template <int N>

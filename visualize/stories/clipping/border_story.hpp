@@ -1,13 +1,6 @@
 #pragma once
 // Sutherland and Hodgman's passes: at each border corner after corner is tested, and edges are cut.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stories/clipping/clipped_polygon.hpp"
 
 namespace gradus::sutherland_hodgman {
@@ -34,14 +27,10 @@ class BorderStory : public PlaneDrawing {
   Event say(const VertexTested<double>& t) {
     const std::size_t answer = t.side > 0 ? 0 : t.side == 0 ? 1 : 2;
     constexpr std::array<const char*, 3> branches{"inside", "on", "outside"};
+    constexpr std::array<std::string_view, 3> texts{"tested.inside", "tested.on", "tested.outside"};
     return {
-        .text = t.side > 0   ? "tested.inside"
-                : t.side < 0 ? "tested.outside"
-                             : "tested.on",
-        .facts = {{"border", std::int64_t{t.border}},
-                  {"side", std::int64_t{t.side}},
-                  {"x", t.vertex.at.x},
-                  {"y", t.vertex.at.y}},
+        .text = texts[answer],
+        .facts = {{"border", t.border}, {"side", t.side}, {"x", t.vertex.at.x}, {"y", t.vertex.at.y}},
         .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", name_of_border(t.border)}},
         .row = row_of(t),
         .phase = phase_of(t.border),
@@ -75,16 +64,12 @@ class BorderStory : public PlaneDrawing {
         .text = c.vertex.edge.of_window() ? "cut.corner"
                 : c.leaves                ? "cut.leaves"
                                           : "cut.enters",
-        .facts = {{"border", std::int64_t{c.border}},
-                  {"leaves", c.leaves},
-                  {"x", c.vertex.at.x},
-                  {"y", c.vertex.at.y}},
+        .facts = {{"border", c.border}, {"leaves", c.leaves}, {"x", c.vertex.at.x}, {"y", c.vertex.at.y}},
         .words = {{"from", from}, {"to", to}, {"border", border}, {"name", name}, {"at", c.vertex.at}},
         .row = {border, name, words_.say("side.cut"), name},
         .phase = phase_of(c.border),
-        .decides =
-            yes_or_no(words_, words_.say("question.cut", {{"from", from}, {"to", to}, {"border", border}}),
-                      true, c.leaves ? "leaves" : "enters")};
+        .decides = yes_or_no(words_, "question.cut", {{"from", from}, {"to", to}, {"border", border}}, true,
+                             c.leaves ? "leaves" : "enters")};
     if (before_kept_) {
       // In the table, too: the cut's row takes over the corner that stays
       event.read = row_of(*tested_);
@@ -102,14 +87,13 @@ class BorderStory : public PlaneDrawing {
     leave_border();
   }
   Event say(const BorderPassed<double>& p) const {
-    const auto corners = static_cast<std::int64_t>(p.polygon.size());
+    const auto corners = std::ssize(p.polygon);
     Event event{.text = "passed_empty",
-                .facts = {{"border", std::int64_t{p.border}}, {"corners", corners}},
+                .facts = {{"border", p.border}, {"corners", corners}},
                 .words = {{"border", name_of_border(p.border)}},
                 .phase = phase_of(p.border),
                 .level = Level::idea,
-                .decides = yes_or_no(words_, words_.say("question.left"), corners > 0,
-                                     corners > 0 ? "accepted" : "rejected")};
+                .decides = yes_or_no(words_, "question.left", {}, corners > 0, "accepted", "rejected")};
     if (corners == 0) return event;
     event.text = "passed";
     event.count = corners;
@@ -151,7 +135,7 @@ class BorderStory : public PlaneDrawing {
   }
   Event say(const BridgeFound<double>& b) {
     return {.text = "bridge",
-            .facts = {{"border", std::int64_t{b.border}},
+            .facts = {{"border", b.border},
                       {"from_x", b.from.at.x, "x"},
                       {"from_y", b.from.at.y, "y"},
                       {"to_x", b.to.at.x, "x"},
@@ -172,7 +156,7 @@ class BorderStory : public PlaneDrawing {
       event.words.push_back({"right", *right_});
     } else if (!bridges_.empty()) {
       event.text = "done_bridges";
-      event.count = static_cast<std::int64_t>(bridges_.size());
+      event.count = std::ssize(bridges_);
     } else if (!result_.empty()) {
       event.text = "done";
     }

@@ -1,15 +1,8 @@
 #pragma once
 // A segment in a circle as it is drawn: in the plane, and below it what t is on the segment's line.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 #include "stories/clipping/circle_drawing.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::liang_barsky_circle {
@@ -109,7 +102,7 @@ class ChordDrawing {
     view_.marks.erase("b line");
     add_stroke("b line", Role::guide, middle - 1.4 * half * d, middle + 1.4 * half * d, false, true);
     add_stroke("e half", Role::measure, middle, middle + half * d);
-    if (const dvec2 name = middle + 0.5 * half * d; circle_drawing::shows(scene_.panel, name)) {
+    if (const dvec2 name = middle + 0.5 * half * d; scene_.panel.shown().holds(name)) {
       view_.add({"e half name", Role::measure, Label{scene_.panel.at(name), words_.say("half")}});
     }
     if (shown(foot)) add_t("foot", Role::measure, foot, words_.say("foot"), true);

@@ -1,8 +1,6 @@
 #pragma once
 // What the stories of circles draw alike.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -47,17 +45,7 @@ inline dvec2 nearest_on(const Segment<2, double>& s, dvec2 to) {
 
 /// The part of the way from a to b that a rectangle holds, as far as doubles have it near a; or nothing.
 inline std::optional<std::pair<dvec2, dvec2>> part_in(const Extent& box, dvec2 a, dvec2 b) {
-  double first = 0, last = 1;
-  for (const int axis : {0, 1}) {
-    const double d = b[axis] - a[axis];
-    if (d == 0) {
-      if (a[axis] < box.lower[axis] || box.upper[axis] < a[axis]) return std::nullopt;
-      continue;
-    }
-    const double low = (box.lower[axis] - a[axis]) / d, high = (box.upper[axis] - a[axis]) / d;
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
+  const auto [first, last] = span_in(box, a, b - a, 0, 1);
   if (first > last) return std::nullopt;
   const auto at = [&](double t) { return t == 0 ? a : t == 1 ? b : a + t * (b - a); };
   return std::pair{at(first), at(last)};
@@ -76,12 +64,6 @@ inline std::optional<std::pair<dvec2, dvec2>> shown_part(const Panel& panel, dve
   return to_b;
 }
 
-/// Whether the panel shows a point.
-inline bool shows(const Panel& panel, dvec2 p) {
-  const Extent box = panel.shown();
-  return box.lower.x <= p.x && p.x <= box.upper.x && box.lower.y <= p.y && p.y <= box.upper.y;
-}
-
 inline void add_stroke(View& view, const Panel& panel, std::string id, Role role, dvec2 a, dvec2 b,
                        bool arrow = false, bool dashed = false) {
   const auto part = shown_part(panel, a, b);
@@ -93,9 +75,7 @@ inline void add_stroke(View& view, const Panel& panel, std::string id, Role role
 /// A dot with a name beside it.
 inline void add_point(View& view, const Panel& panel, const std::string& id, Role role, dvec2 at,
                       const std::string& name, bool ring = false) {
-  if (!shows(panel, at)) return;
-  view.add({id, role, Dot{panel.at(at), ring}});
-  if (!name.empty()) view.add({id + " name", role, Label{panel.at(at), name}});
+  if (panel.shown().holds(at)) view.add_named(id, role, panel.at(at), name, ring);
 }
 
 /// Coordinates that a figure can show: differences and their sums are finite.

@@ -3,18 +3,8 @@
 // of polygon clipping. Above, the plane of w and the coordinate that is cut, where the sides of the view
 // volume are lines through the eye; below it what the division makes of what is left.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "stories/clipping/clipped_polygon.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {
@@ -24,8 +14,7 @@ using glm::dvec4;
 /// A point's coordinates, what rounding has left where exact arithmetic says 0 as 0.
 inline std::string place_text(const dvec4& p) {
   const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
-  const auto number = [size](double c) { return figure_real(std::abs(c) < 0x1p-40 * size ? 0 : c); };
-  return fmt::format("({},\u00a0{},\u00a0{},\u00a0{})", number(p.x), number(p.y), number(p.z), number(p.w));
+  return figure_place(p, [size](double number) { return figure_real(number, 0x1p-40 * size); });
 }
 
 /// A corner with what it is called.
@@ -80,9 +69,8 @@ class ClipSpaceStory {
                       {"plane", plane_text(t.plane)}},
             .row = row_of(t),
             .phase = phase_of(t.plane),
-            .decides = yes_or_no(
-                words_, words_.say("question.plane", {{"test", test_text(t.plane)}, {"value", value}}),
-                t.inside, t.inside ? "inside" : "outside")};
+            .decides = yes_or_no(words_, "question.plane", {{"test", test_text(t.plane)}, {"value", value}},
+                                 t.inside, "inside", "outside")};
   }
 
   void show(Board& board, const Cut<double>& c) {
@@ -99,23 +87,21 @@ class ClipSpaceStory {
     const std::size_t n = rest_.size();
     const std::string before = rest_[(tested_->corner + n - 1) % n].name, now = rest_[tested_->corner].name;
     const double to = distance(c.plane, c.outside);
-    Event event{
-        .text = "plane_cut",
-        .facts = fields(c.plane, c.at),
-        .words = {{"from", enters ? now : before},
-                  {"to", enters ? before : now},
-                  {"a", distance(c.plane, c.inside)},
-                  {"b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)},
-                  {"t", c.t},
-                  {"name", made_.name},
-                  {"at", place_text(c.at)},
-                  {"plane", plane_text(c.plane)}},
-        .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
-        .phase = phase_of(c.plane),
-        .decides = yes_or_no(
-            words_,
-            words_.say("question.plane_cut", {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}),
-            true, enters ? "enters" : "leaves")};
+    Event event{.text = "plane_cut",
+                .facts = fields(c.plane, c.at),
+                .words = {{"from", enters ? now : before},
+                          {"to", enters ? before : now},
+                          {"a", distance(c.plane, c.inside)},
+                          {"b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)},
+                          {"t", c.t},
+                          {"name", made_.name},
+                          {"at", place_text(c.at)},
+                          {"plane", plane_text(c.plane)}},
+                .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
+                .phase = phase_of(c.plane),
+                .decides = yes_or_no(words_, "question.plane_cut",
+                                     {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}, true,
+                                     enters ? "enters" : "leaves")};
     if (enters) {
       event.read = row_of(*tested_);
       event.row.back() = made_.name + ", " + std::exchange(event.read.back().text, "");
@@ -139,8 +125,7 @@ class ClipSpaceStory {
                 .words = {{"plane", plane_text(p.plane)}},
                 .phase = phase_of(p.plane),
                 .level = Level::idea,
-                .decides = yes_or_no(words_, words_.say("question.left"), left > 0,
-                                     left > 0 ? "accepted" : "rejected")};
+                .decides = yes_or_no(words_, "question.left", {}, left > 0, "accepted", "rejected")};
     if (left == 0) return event;
     event.text = came_to_front_ ? "plane_passed_front" : "plane_passed";
     event.count = left;
@@ -161,7 +146,7 @@ class ClipSpaceStory {
     return {.text = any_behind(rest_)                  ? "divided_eye"
                     : any_behind(given_) && all_divide ? "divided_last"
                                                        : "divided",
-            .count = static_cast<std::int64_t>(rest_.size())};
+            .count = std::ssize(rest_)};
   }
 
  private:
@@ -212,25 +197,21 @@ class ClipSpaceStory {
 
   // --- Words
 
-  std::string symbol(int axis) const {
-    return words_.symbol(std::array<std::string_view, 3>{"x", "y", "z"}[static_cast<std::size_t>(axis)]);
-  }
   /// "x = −w", "z = 0".
   std::string plane_text(const Plane<double>& plane) const {
     const std::string limit = plane.bound == 0 ? "0" : (plane.sign > 0 ? "−" : "") + words_.symbol("w");
-    return fmt::format("{} = {}", symbol(plane.axis), limit);
+    return fmt::format("{} = {}", words_.axis(plane.axis), limit);
   }
   /// "w + x", "z".
   std::string test_text(const Plane<double>& plane) const {
-    if (plane.bound == 0) return symbol(plane.axis);
-    return fmt::format("{} {} {}", words_.symbol("w"), plane.sign > 0 ? "+" : "−", symbol(plane.axis));
+    if (plane.bound == 0) return words_.axis(plane.axis);
+    return fmt::format("{} {} {}", words_.symbol("w"), plane.sign > 0 ? "+" : "−", words_.axis(plane.axis));
   }
   /// " = −1 − 0.5" of "w − x = −1 − 0.5 = −1.5"; nothing where there is nothing to compute.
   std::string numbers_text(const Plane<double>& plane, const dvec4& p) const {
     if (plane.bound == 0) return "";
-    const double c = p[plane.axis];
-    const std::string number = c < 0 ? fmt::format("({})", figure_real(c)) : figure_real(c);
-    return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−", number);
+    return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−",
+                       figure_factor(p[plane.axis]));
   }
   std::string phase_of(const Plane<double>& plane) const {
     return words_.say("phase.plane", {{"plane", plane_text(plane)}});
@@ -240,12 +221,8 @@ class ClipSpaceStory {
     return {plane_text(t.plane), name, distance(t.plane, t.at), t.inside ? name : ""};
   }
   static std::vector<Field> fields(const Plane<double>& plane, const dvec4& p) {
-    return {{"axis", std::int64_t{plane.axis}},
-            {"value", distance(plane, p)},
-            {"x", p.x},
-            {"y", p.y},
-            {"z", p.z},
-            {"w", p.w}};
+    return {
+        {"axis", plane.axis}, {"value", distance(plane, p)}, {"x", p.x}, {"y", p.y}, {"z", p.z}, {"w", p.w}};
   }
 
   // --- Drawing
@@ -260,8 +237,7 @@ class ClipSpaceStory {
     View view;
     add_side(view);
     add_picture(view);
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
@@ -275,10 +251,9 @@ class ClipSpaceStory {
   void add_side(View& view) const {
     const Extent shown = side_.shown();
     const dvec2 eye = side_.at({0, 0}), lower = side_place.lower, upper = side_place.upper;
-    const std::string w = words_.symbol("w"), name = symbol(axis_);
+    const std::string w = words_.symbol("w"), name = words_.axis(axis_);
     if (lower.x < eye.x) {
-      view.add({"a behind", Role::rejected,
-                Area{{{lower, {eye.x, lower.y}, {eye.x, upper.y}, {lower.x, upper.y}}}}});
+      view.add({"a behind", Role::rejected, Area{{Extent{lower, {eye.x, upper.y}}.corners()}}});
       view.add(
           {"a behind name", Role::rejected, Text{{0.4, lower.y - 1}, words_.say("behind"), Align::left}});
     }
@@ -361,11 +336,8 @@ class ClipSpaceStory {
               Text{{0.5 * (picture_place.lower.x + picture_place.upper.x), picture_place.upper.y + 1.5},
                    words_.say("picture")}});
     const std::string w = words_.symbol("w");
-    add_axes(view, picture_, "p axes", {symbol(0) + "/" + w, symbol(1) + "/" + w}, 4);
-    std::vector<dvec2> window;
-    for (const dvec2 c : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
-      window.push_back(picture_.at(c));
-    view.add({"p window", Role::boundary, Path{window, true}});
+    add_axes(view, picture_, "p axes", {words_.axis(0) + "/" + w, words_.axis(1) + "/" + w}, 4);
+    view.add({"p window", Role::boundary, Path{picture_.at(Extent{{-1, -1}, {1, 1}}.corners()), true}});
     if (plane_ && !passed_ && plane_->axis < 2) {
       const Extent shown = picture_.shown();
       const int axis = plane_->axis;
@@ -386,16 +358,15 @@ class ClipSpaceStory {
       view.add({"p seen", role, Area{{seen}}});
       const bool all_shown = std::ranges::all_of(rest_, [&shown](const NamedPoint& p) {
         const dvec2 at = dvec2(p.at) / p.at.w;
-        return p.at.w > 0 && at == glm::clamp(at, shown.lower, shown.upper);
+        return p.at.w > 0 && shown.holds(at);
       });
       if (all_shown) view.add({"p outline", role, Path{seen, true}});
     }
     for (const NamedPoint& p : rest_) {
       if (p.at.w <= 0 || rest_.size() > 24) continue;
       const dvec2 at = dvec2(p.at) / p.at.w;
-      if (at != glm::clamp(at, shown.lower, shown.upper)) continue;
-      view.add({"q dot " + p.name, role, Dot{picture_.at(at)}});
-      view.add({"q name " + p.name, role, Label{picture_.at(at), p.name}});
+      if (shown.holds(at))
+        view.add_named("q dot " + p.name, "q name " + p.name, role, picture_.at(at), p.name);
     }
   }
 
@@ -407,10 +378,9 @@ class ClipSpaceStory {
       if (p.at.w == 0) return;
       const dvec2 at = dvec2(p.at) / p.at.w;
       wrong.push_back(picture_.at(glm::clamp(at, shown.lower, shown.upper)));
-      if (p.at.w > 0 || at != glm::clamp(at, shown.lower, shown.upper)) continue;
-      view.add({"r wrong " + p.name, Role::rejected, Dot{wrong.back(), true}});
-      view.add({"r wrong name " + p.name, Role::rejected,
-                Label{wrong.back(), words_.say("divided_first", {{"corner", p.name}})}});
+      if (p.at.w > 0 || !shown.holds(at)) continue;
+      view.add_named("r wrong " + p.name, "r wrong name " + p.name, Role::rejected, wrong.back(),
+                     words_.say("divided_first", {{"corner", p.name}}), true);
     }
     view.add({"r wrong", Role::rejected, Path{wrong, true, true}});
   }

@@ -1,18 +1,10 @@
 #pragma once
 // A polygon and a convex window in the plane: what is given, and what all stories of it draw alike.
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {
@@ -31,8 +23,7 @@ struct Given {
   const Points& outline() const { return rings[0]; }
   Points window() const {
     if (oblique) return oblique->corners;
-    const dvec2 low = rectangle.lower, high = rectangle.upper;
-    return {low, {high.x, low.y}, high, {low.x, high.y}};
+    return Extent{rectangle.lower, rectangle.upper}.corners();
   }
   Segment<2, double> border(int number) const {
     return oblique ? line_of(*oblique, number) : line_of(rectangle, number);
@@ -71,23 +62,9 @@ inline Panel panel_of(const Given& given) {
 
 /// The part of a line that a rectangle of the plane shows.
 inline std::optional<Stroke> across(const Segment<2, double>& line, const Extent& shown) {
-  double first = -1e300, last = 1e300;
-  for (const int axis : {0, 1}) {
-    const double way = line.b[axis] - line.a[axis];
-    if (way == 0) continue;
-    const double low = (shown.lower[axis] - line.a[axis]) / way;
-    const double high = (shown.upper[axis] - line.a[axis]) / way;
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
+  const auto [first, last] = span_in(shown, line.a, line.b - line.a, -1e300, 1e300);
   if (!(first < last)) return std::nullopt;
   return Stroke{line.a + first * (line.b - line.a), line.a + last * (line.b - line.a), false, true};
-}
-
-/// A, B … Z, A1, B1 …
-inline std::string letter(std::size_t n) {
-  const char letter = static_cast<char>('A' + n % 26);
-  return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
 }
 
 /// Names of vertices: those given by their numbers, those made by letters as they come.
@@ -168,10 +145,7 @@ class PlaneDrawing {
     view_.add({"e side " + names_(v), role, Dot{panel_.at(v.at), side < 0}});
   }
 
-  void put(Board& board) const {
-    board.milestone();
-    board.draw(view_);
-  }
+  void put(Board& board) const { board.milestone(view_); }
   /// Takes away what the last step pointed at.
   void quiet() { erase("f "); }
   void erase(std::string_view start) {

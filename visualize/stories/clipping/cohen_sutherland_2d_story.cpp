@@ -5,6 +5,7 @@
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
 #include "stories/clipping/region_codes.hpp"
 #include "stories/clipping/window_view.hpp"
+#include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::cohen_sutherland_2d {
@@ -52,7 +53,7 @@ class Story {
   }
   Event say(const Classified<double>& c) const {
     return {.text = "classified",
-            .facts = {{"code_a", std::int64_t{c.code_a}, "code"}, {"code_b", std::int64_t{c.code_b}, "code"}},
+            .facts = {{"code_a", c.code_a, "code"}, {"code_b", c.code_b, "code"}},
             .words = {{"a", c.line.a},
                       {"b", c.line.b},
                       {"code_a", digits(codes_.a)},
@@ -77,14 +78,14 @@ class Story {
                       {"border", std::string(name_of(c.border))},
                       {"x", c.to().x},
                       {"y", c.to().y},
-                      {"code_a", std::int64_t{c.code_a}, "code"},
-                      {"code_b", std::int64_t{c.code_b}, "code"}},
+                      {"code_a", c.code_a, "code"},
+                      {"code_b", c.code_b, "code"}},
             .words = {{"end", end(c.of_a)},
                       {"border", beyond(c.border)},
                       {"code", digits(c.before)},
-                      {"axis", axis_name(words_, axis)},
+                      {"axis", words_.axis(axis)},
                       {"at", coordinate(task_.window, c.border)},
-                      {"other", axis_name(words_, 1 - axis)},
+                      {"other", words_.axis(1 - axis)},
                       {"formula", formula(c)},
                       {"value", c.to()[1 - axis]},
                       {"after", digits(c.after())}},
@@ -141,7 +142,7 @@ class Story {
     return {.text = !settled ? "unsettled"
                     : whole_ ? "dropped"
                              : "rejected",
-            .facts = {{"common", std::int64_t{r.common}, "code"}},
+            .facts = {{"common", r.common, "code"}},
             .words = {{"code_a", digits(codes_.a)},
                       {"code_b", digits(codes_.b)},
                       {"border", beyond(first_of(task_.order, r.common))}},
@@ -153,10 +154,10 @@ class Story {
     View view = drawing(Role::rejected);
     add_right(view);
     board.milestone(std::move(view));
-    result_ = {{"accepted", false}, {"rounds", std::int64_t{g.rounds}}};
+    result_ = {{"accepted", false}, {"rounds", g.rounds}};
   }
   static Event say(const GaveUp& g) {
-    return {.text = "gave_up", .facts = {{"rounds", std::int64_t{g.rounds}}}, .ends = true};
+    return {.text = "gave_up", .facts = {{"rounds", g.rounds}}, .ends = true};
   }
 
   const std::vector<Field>& result() const { return result_; }
@@ -180,9 +181,9 @@ class Story {
     Line line = task_.line;
     if (way_ != Way::correctly_rounded) line = c.of_a ? Line{c.from, c.line.b} : Line{c.line.a, c.from};
     const int i = axis_of(c.border), j = 1 - i;
-    return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), window_view::factor(line.b[j] - line.a[j]),
-                       window_view::factor(coordinate(task_.window, c.border) - line.a[i]),
-                       window_view::factor(line.b[i] - line.a[i]));
+    return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), figure_factor(line.b[j] - line.a[j]),
+                       figure_factor(coordinate(task_.window, c.border) - line.a[i]),
+                       figure_factor(line.b[i] - line.a[i]));
   }
 
   std::string verdict() const {
@@ -194,11 +195,10 @@ class Story {
     const std::string a = digits(read_.a), b = digits(read_.b);
     if (!whole_) return decided_by_codes(words_, read_.a, a, read_.b, b);
     const bool set = (read_.a | read_.b) != 0;
-    return yes_or_no(words_, words_.say("question_whole", {{"code_a", a}, {"code_b", b}}), set,
-                     set ? "rejected" : "accepted");
+    return yes_or_no(words_, "question_whole", {{"code_a", a}, {"code_b", b}}, set, "rejected", "accepted");
   }
 
-  std::int64_t count_of_cuts() const { return static_cast<std::int64_t>(cuts_.size()); }
+  std::int64_t count_of_cuts() const { return std::ssize(cuts_); }
   void add_right(View& view) const {
     if (task_.right) scene_.add_line(view, "right", Role::accepted, *task_.right);
   }
@@ -281,15 +281,10 @@ void tell(Narrator& narrator) {
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::past, "past"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::current, Role::past, Role::rejected, Role::result});
   if (narrator.method().standing == Standing::faulty) {
-    narrator.trace().legend.push_back({Role::accepted, words.say("legend.right")});
-    narrator.trace().legend.push_back({Role::candidate, words.say("legend.candidate")});
+    narrator.add_to_legend(Role::accepted, "right");
+    narrator.add_to_legend(Role::candidate, "candidate");
   }
   Story story(words, task, way);
   const auto watcher = narrator.watcher(story);
@@ -306,8 +301,8 @@ void tell(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
   const std::vector<SizesOf> rounded{{"line", window_view::rounded_sizes},
                                      {"window", window_view::rounded_sizes}};
   static const TopicEntry topic = completed<entry>(
@@ -333,16 +328,11 @@ const TopicEntry& entry() {
                     .sizes = rounded}},
        .columns =
            {{"cut"}, {"end", false}, {"border", false}, {"x"}, {"y"}, {"code_a", false}, {"code_b", false}},
-       .parameters = {window_view::line_parameter("-3,-8,13,16"),
-                      window_view::window_parameter(),
+       .parameters = {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
                       window_view::order_parameter(),
-                      {.name = "code_bits",
-                       .type = ParameterType::choice,
-                       .default_value = "TBRL",
-                       .example = "LRBT",
-                       .help =
-                           "which border each digit of a code stands for: T top, B bottom, R right, L left",
-                       .choices = {"TBRL", "LRBT"}},
+                      choice(
+                          "code_bits", {"TBRL", "LRBT"}, "TBRL", "LRBT",
+                          "which border each digit of a code stands for: T top, B bottom, R right, L left"),
                       exact_parameter()},
        .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
                     "--line 5,5,-5,5 --method codes_only"}});

@@ -2,17 +2,16 @@
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 
-#include <cmath>
-
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "stories/clipping/chord_drawing.hpp"
+#include "stories/parameters.hpp"
 
 namespace gradus::liang_barsky_circle {
 namespace {
 
 using circle_drawing::real;
 
-std::string factor(double x) { return x < 0 ? "(" + real(x) + ")" : real(x); }
+std::string factor(double x) { return figure_factor(real(x)); }
 std::string range_text(double a, double b) { return real(a) + " … " + real(b); }
 std::string number_text(double x) { return std::isfinite(x) ? real(x) : "0/0"; }
 
@@ -38,8 +37,7 @@ class Story {
   template <class Step>
   void show(Board& board, const Step& step) {
     draw(step);
-    board.milestone();
-    board.draw(drawing_.view());
+    board.milestone(drawing_.view());
   }
 
   Event say(const Started<double>& s) const {
@@ -128,7 +126,7 @@ class Story {
     const std::size_t outside = (p.from > 0 ? 1u : 0u) + (p.to > 0 ? 1u : 0u);
     constexpr std::array<const char*, 3> branches{"inside", "cut", "outside"};
     return {.text = "placed",
-            .facts = {{"from", std::int64_t{p.from}, "side"}, {"to", std::int64_t{p.to}, "side"}},
+            .facts = {{"from", p.from, "side"}, {"to", p.to, "side"}},
             .words = {{"from", side_text(p.from)}, {"to", side_text(p.to)}},
             .row = {words_.say("ends"), figure_number(p.from) + ", " + figure_number(p.to),
                     side_text(p.from) + ", " + side_text(p.to)},
@@ -141,7 +139,7 @@ class Story {
                     : r.sign < 0  ? "reached.misses"
                     : r.sign == 0 ? "reached.touches"
                                   : "reached.crosses",
-            .facts = {{"between", r.between}, {"sign", std::int64_t{r.sign}}},
+            .facts = {{"between", r.between}, {"sign", r.sign}},
             .row = {words_.say("sign_of_D"), r.between ? figure_number(r.sign) : "",
                     r.between ? test_of(r.sign) : words_.say("test.beside")},
             .phase = words_.say("phase.decision"),
@@ -254,20 +252,15 @@ void set_up(Narrator& narrator, const Scene& scene) {
                                  {"to", scene.segment.b},
                                  {"centre", scene.circle.centre},
                                  {"radius", real(scene.circle.radius)}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::measure, "measure"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::current, Role::measure, Role::accepted, Role::result});
   narrator.key_by_type();
   narrator.last_is_telling();
 }
 
 enum class Numbers { rounded, none };  ///< of t: whether the method computes them
 
-template <class Clip>
-void tell(Narrator& narrator, Numbers numbers, bool asks_for_rest, Clip clip) {
+template <Numbers numbers, bool asks_for_rest, auto clip>
+void tell(Narrator& narrator) {
   const std::vector<double> line = narrator.arguments().numbers("line");
   const Disc circle = circle_drawing::circle_in(narrator.arguments());
   const Ends segment{{line[0], line[1]}, {line[2], line[3]}};
@@ -285,53 +278,34 @@ void tell(Narrator& narrator, Numbers numbers, bool asks_for_rest, Clip clip) {
                    {"to_y", kept->b.y, "y"}});
 }
 
-void tell_half_chord(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, true,
-       [](const Ends& s, const Disc& c, auto watch) { return half_chord(s, c, watch); });
-}
-void tell_exact_decision(Narrator& narrator) {
-  tell(narrator, Numbers::none, false,
-       [](const Ends& s, const Disc& c, auto watch) { return exact_decision(s, c, watch); });
-}
-void tell_without_empty_test(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, false,
-       [](const Ends& s, const Disc& c, auto watch) { return without_empty_test(s, c, watch); });
-}
-void tell_discriminant_equals_zero(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, true,
-       [](const Ends& s, const Disc& c, auto watch) { return discriminant_equals_zero(s, c, watch); });
-}
-
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "liang_barsky_circle",
        .chapter = "clipping",
        .aliases = {"segment circle", "line circle", "circle clipping"},
        .summary = "the part of a segment that lies in a circle, decided exactly",
-       .methods = {{.name = "half_chord", .standing = Standing::taught, .tell = tell_half_chord},
-                   {.name = "exact_decision", .standing = Standing::fast, .tell = tell_exact_decision},
-                   {.name = "without_empty_test",
-                    .standing = Standing::faulty,
-                    .tell = tell_without_empty_test},
-                   {.name = "discriminant_equals_zero",
-                    .standing = Standing::faulty,
-                    .tell = tell_discriminant_equals_zero}},
+       .methods =
+           {{.name = "half_chord",
+             .standing = Standing::taught,
+             .tell = tell<Numbers::rounded, true, [](auto... run) { return half_chord(run...); }>},
+            {.name = "exact_decision",
+             .standing = Standing::fast,
+             .tell = tell<Numbers::none, false, [](auto... run) { return exact_decision(run...); }>},
+            {.name = "without_empty_test",
+             .standing = Standing::faulty,
+             .tell = tell<Numbers::rounded, false, [](auto... run) { return without_empty_test(run...); }>},
+            {.name = "discriminant_equals_zero",
+             .standing = Standing::faulty,
+             .tell =
+                 tell<Numbers::rounded, true, [](auto... run) { return discriminant_equals_zero(run...); }>}},
        .columns = {{"number", false}, {"value"}, {"test", false}},
-       .parameters = {{.name = "line",
-                       .type = ParameterType::numbers,
-                       .default_value = "-9,-3,-1,3",
-                       .example = "-9,-3,-1,3",
-                       .help = "the segment's ends",
-                       .parts = {"x0", "y0", "x1", "y1"}},
-                      {.name = "circle",
-                       .type = ParameterType::numbers,
-                       .default_value = "0,0,5",
-                       .example = "0,0,5",
-                       .help = "the circle: centre and radius",
-                       .parts = {"cx", "cy", "r"}}},
+       .parameters = {numbers("line", "-9,-3,-1,3", "-9,-3,-1,3", "the segment's ends",
+                              {"x0", "y0", "x1", "y1"}),
+                      numbers("circle", "0,0,5", "0,0,5", "the circle: centre and radius",
+                              {"cx", "cy", "r"})},
        .examples = {"--line=-9,-3,-1,3 --circle 0,0,5",
                     "--line=-3,4,9,4 --circle 0,0,5 --method exact_decision",
                     "--line=-100000000,0.5,100000000,0.5 --circle 0,0,1 --method discriminant_equals_zero"}});

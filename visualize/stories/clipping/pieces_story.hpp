@@ -1,11 +1,6 @@
 #pragma once
 // Pieces without bridges: the crossings of each border are joined in their order along it.
 
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stories/clipping/clipped_polygon.hpp"
 
 namespace gradus::sutherland_hodgman {
@@ -29,7 +24,7 @@ class PiecesStory : public PlaneDrawing {
     constexpr std::array<const char*, 3> branches{"inside", "cut", "outside"};
     const std::string border = name_of_border(t.border);
     return {.text = "ring_tested",
-            .facts = {{"border", std::int64_t{t.border}}, {"inside", inside}},
+            .facts = {{"border", t.border}, {"inside", inside}},
             .words = {{"corners", t.ring.size()}, {"border", border}},
             .phase = phase_of(t.border),
             .decides = Decision{
@@ -45,18 +40,16 @@ class PiecesStory : public PlaneDrawing {
     std::size_t number = 0;
     for (const BorderCrossing<double>& c : o.crossings) {
       const std::string id = fmt::format("g crossing {:03}", number++);
-      const dvec2 at = panel_.at(c.vertex.at);
       numbers_[{c.chain, c.enters}] = number;
-      view_.add({id, Role::current, Dot{at, !c.enters}});
-      view_.add({id + " name", Role::current,
-                 Label{at, words_.say(c.enters ? "in" : "out", {{"number", number}})}});
+      view_.add_named(id, Role::current, panel_.at(c.vertex.at),
+                      words_.say(c.enters ? "in" : "out", {{"number", number}}), !c.enters);
     }
     put(board);
   }
   Event say(const CrossingsOrdered<double>& o) const {
-    const auto crossings = static_cast<std::int64_t>(o.crossings.size());
+    const auto crossings = std::ssize(o.crossings);
     return {.text = crossings == 0 ? "ordered_none" : "ordered",
-            .facts = {{"border", std::int64_t{o.border}}, {"crossings", crossings}},
+            .facts = {{"border", o.border}, {"crossings", crossings}},
             .words = {{"border", name_of_border(o.border)}},
             .phase = phase_of(o.border)};
   }
@@ -86,17 +79,16 @@ class PiecesStory : public PlaneDrawing {
     leave_border();
   }
   Event say(const BorderSplit<double>& s) const {
-    const auto rings = static_cast<std::int64_t>(s.rings.size());
+    const auto rings = std::ssize(s.rings);
     const std::string border = name_of_border(s.border);
     return {.text = "split",
-            .facts = {{"border", std::int64_t{s.border}}, {"rings", rings}},
+            .facts = {{"border", s.border}, {"rings", rings}},
             .words = {{"border", border}},
             .count = rings,
             .row = {border, "", "", rings},
             .phase = phase_of(s.border),
             .level = Level::idea,
-            .decides = yes_or_no(words_, words_.say("question.left"), rings > 0,
-                                 rings > 0 ? "accepted" : "rejected")};
+            .decides = yes_or_no(words_, "question.left", {}, rings > 0, "accepted", "rejected")};
   }
 
   void show(Board& board, const PieceTraced<double>& p) {

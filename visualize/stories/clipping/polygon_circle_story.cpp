@@ -4,6 +4,7 @@
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "stories/clipping/covered_area.hpp"
+#include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::polygon_circle {
@@ -46,6 +47,19 @@ Way way_of(const Looked& l) {
   return l.to_inside ? Way::enters : Way::outside;
 }
 
+/// The branch that a way is, and how it is told: by the method, by the notes' listing, and what that keeps.
+struct WayTexts {
+  std::string_view branch, tested, looked, puts;
+};
+constexpr WayTexts texts_of(Way way) {
+  constexpr std::array<WayTexts, 5> all{{{"outside", "tested.outside", "looked.outside", "none"},
+                                         {"inside", "tested.inside", "looked.inside", "puts.end"},
+                                         {"enters", "tested.enters", "looked.enters", "puts.both"},
+                                         {"leaves", "tested.leaves", "looked.leaves", "puts.start"},
+                                         {"both", "tested.both", "looked.skipped", "none"}}};
+  return all[static_cast<std::size_t>(way)];
+}
+
 // --- The steps
 
 class Story {
@@ -55,8 +69,7 @@ class Story {
   template <class Step>
   void show(Board& board, const Step& step) {
     draw(step);
-    board.milestone();
-    board.draw(view_);
+    board.milestone(view_);
   }
   void draw(const Oriented& o) { add_input(o.corners); }
   Event say(const Oriented& o) const {
@@ -76,13 +89,11 @@ class Story {
   Event say(const Tested& t) const {
     const Way way = way_of(t);
     const bool crosses = t.enters || t.leaves;
-    constexpr std::array<std::string_view, 5> texts{"tested.outside", "tested.inside", "tested.enters",
-                                                    "tested.leaves", "tested.both"};
-    return {.text = texts[static_cast<std::size_t>(way)],
+    return {.text = texts_of(way).tested,
             .facts = {{"edge", count(t.edge)},
                       {"inside", t.run.inside},
-                      {"from", std::int64_t{t.run.from}, "side"},
-                      {"to", std::int64_t{t.run.to}, "side"}},
+                      {"from", t.run.from, "side"},
+                      {"to", t.run.to, "side"}},
             .words = {{"edge", t.edge + 1},
                       {"at", t.enters ? *t.enters : t.leaves.value_or(dvec2{})},
                       {"enters", t.enters.value_or(dvec2{})},
@@ -107,7 +118,7 @@ class Story {
     return {.text = any ? "sorted" : "sorted_none",
             .facts = {{"crossings", count(s.crossings.size())}},
             .phase = words_.say("phase.order"),
-            .decides = yes_or_no(words_, words_.say("question.any"), any, any ? "crosses" : "misses")};
+            .decides = yes_or_no(words_, "question.any", {}, any, "crosses", "misses")};
   }
 
   void draw(const Entered& e) {
@@ -131,7 +142,7 @@ class Story {
             .facts = {{"ring", count(w.ring)}, {"corner", count(w.corner)}},
             .words = {{"corner", w.corner + 1}, {"at", w.at}},
             .phase = words_.say("phase.rings"),
-            .decides = yes_or_no(words_, words_.say("question.walk"), true, "inside")};
+            .decides = yes_or_no(words_, "question.walk", {}, true, "inside")};
   }
 
   void draw(const Bent& b) {
@@ -147,7 +158,7 @@ class Story {
                       {"more_than_half", b.more_than_half}},
             .words = {{"exit", b.exit + 1}, {"from", b.from}, {"entry", b.entry + 1}, {"at", b.from}},
             .phase = words_.say("phase.rings"),
-            .decides = yes_or_no(words_, words_.say("question.walk"), false, "leaves")};
+            .decides = yes_or_no(words_, "question.walk", {}, false, "", "leaves")};
   }
 
   void draw(const Closed& c) {
@@ -194,22 +205,15 @@ class Story {
   }
   Event say(const Looked& l) const {
     const Way way = way_of(l);
-    const bool crosses = run_of({l.from, l.to}, scene_.circle).inside;
+    // The listing takes an edge that passes in and out for one outside
+    const bool skipped = way == Way::outside && run_of({l.from, l.to}, scene_.circle).inside;
     const auto side = [&](bool inside) { return words_.say(inside ? "inside" : "outside"); };
-    return {.text = way == Way::inside   ? "looked.inside"
-                    : way == Way::leaves ? "looked.leaves"
-                    : way == Way::enters ? "looked.enters"
-                    : crosses            ? "looked.skipped"
-                                         : "looked.outside",
+    return {.text = texts_of(skipped ? Way::both : way).looked,
             .facts = {{"edge", count(l.edge)},
                       {"from_inside", l.from_inside, "inside"},
                       {"to_inside", l.to_inside, "inside"}},
             .words = {{"edge", l.edge + 1}},
-            .row = {l.edge + 1, side(l.from_inside), side(l.to_inside),
-                    words_.say(way == Way::inside   ? "puts.end"
-                               : way == Way::enters ? "puts.both"
-                               : way == Way::leaves ? "puts.start"
-                                                    : "none")},
+            .row = {l.edge + 1, side(l.from_inside), side(l.to_inside), words_.say(texts_of(way).puts)},
             .phase = words_.say("phase.edges"),
             .decides = run_of_edge("question.looked", l.edge, way)};
   }
@@ -259,14 +263,11 @@ class Story {
   }
 
   Decision run_of_edge(std::string_view question, std::size_t edge, Way way) const {
-    constexpr std::array<std::string_view, 5> branches{"outside", "inside", "enters", "leaves", "both"};
-    const std::size_t answer = static_cast<std::size_t>(way);
-    return {words_.say(question, {{"edge", edge + 1}}),
-            {words_.say("question.edge.outside"), words_.say("question.edge.inside"),
-             words_.say("question.edge.enters"), words_.say("question.edge.leaves"),
-             words_.say("question.edge.both")},
-            answer,
-            std::string(branches[answer])};
+    Decision decision{words_.say(question, {{"edge", edge + 1}}), {}, static_cast<std::size_t>(way)};
+    for (const Way each : {Way::outside, Way::inside, Way::enters, Way::leaves, Way::both})
+      decision.answers.push_back(words_.say(fmt::format("question.edge.{}", texts_of(each).branch)));
+    decision.branch = texts_of(way).branch;
+    return decision;
   }
 
   // --- Drawing
@@ -414,12 +415,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
   narrator.subtitle(
       "subtitle",
       {{"corners", scene.polygon.size()}, {"centre", scene.circle.centre}, {"radius", scene.circle.radius}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::past, Role::current, Role::accepted, Role::result});
   narrator.key_by_type();
   narrator.last_is_telling();
 }
@@ -443,8 +439,8 @@ void tell_first_crossing(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "polygon_circle",
        .chapter = "clipping",
@@ -453,25 +449,11 @@ const TopicEntry& entry() {
        .methods = {{.name = "arcs", .standing = Standing::taught, .tell = tell_arcs},
                    {.name = "first_crossing", .standing = Standing::faulty, .tell = tell_first_crossing}},
        .columns = {{"edge"}, {"from", false}, {"to", false}, {"crossings", false}, {"kept", false}},
-       .parameters = {{.name = "polygon",
-                       .type = ParameterType::points,
-                       .default_value = "-7,-2 7,-3 2,0 6,6 -2,2 -3,7",
-                       .example = "0,0 8,0 8,8 0,8",
-                       .help = "the polygon's corners; simple, convex or not, in either direction",
-                       .least = 3,
-                       .most = 1000,
-                       .parts = {"x", "y"}},
-                      {.name = "circle",
-                       .type = ParameterType::numbers,
-                       .default_value = "0,0,5",
-                       .example = "0,0,5",
-                       .help = "the circle: centre and radius",
-                       .parts = {"cx", "cy", "r"}},
-                      {.name = "tolerance",
-                       .type = ParameterType::number,
-                       .default_value = "",
-                       .example = "0.1",
-                       .help = "show chords for the arcs too, nowhere farther from them than this"}},
+       .parameters = {points(3, 1000, "polygon", "-7,-2 7,-3 2,0 6,6 -2,2 -3,7", "0,0 8,0 8,8 0,8",
+                             "the polygon's corners; simple, convex or not, in either direction", xy),
+                      numbers("circle", "0,0,5", "0,0,5", "the circle: centre and radius", {"cx", "cy", "r"}),
+                      number("tolerance", "", "0.1",
+                             "show chords for the arcs too, nowhere farther from them than this")},
        .examples = {"--polygon '-7,-2 7,-3 2,0 6,6 -2,2 -3,7' --circle 0,0,5",
                     "--polygon '-4,-4 4,-4 4,4 -4,4' --circle 0,0,5 --tolerance 0.2",
                     "--polygon '0,0 8,0 8,8 0,8' --circle 0,0,5 --method first_crossing"}});

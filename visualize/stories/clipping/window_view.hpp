@@ -1,17 +1,12 @@
 #pragma once
 // What stories of segments in a window draw alike: the plane round the window, the segment, its parts.
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <utility>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "stories/clipping/axis_arguments.hpp"
-#include "stories/paper.hpp"
+#include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::window_view {
@@ -63,10 +58,8 @@ class Scene {
   /// Axes, the window, and its borders on and on.
   void add_window(View& view, const Words& words) const {
     add_axes(view, panel_, "plane", {words.symbol("x"), words.symbol("y")});
-    const auto [lower, upper] = window_;
-    const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
-                                     panel_.at({lower.x, upper.y})};
-    view.add({"window", Role::boundary, Path{corners, true}});
+    const std::vector<dvec2> corners = Extent{window_.lower, window_.upper}.corners();
+    view.add({"window", Role::boundary, Path{panel_.at(corners), true}});
     for (const Border border : usual_order<2>()) {
       dvec2 from = shown_.lower, to = shown_.upper;
       from[axis_of(border)] = to[axis_of(border)] = coordinate(window_, border);
@@ -145,29 +138,14 @@ inline Event accepted(const Line& piece, const Off& off) {
   return event;
 }
 
-/// "(−4)" for a negative number, as a later term.
-inline std::string factor(double value) {
-  return value < 0 ? "(" + figure_real(value) + ")" : figure_real(value);
-}
-
 /// The parameters that both topics have.
 inline Parameter line_parameter(std::string line) {
-  return {.name = "line",
-          .type = ParameterType::numbers,
-          .default_value = line,
-          .example = "-5,8,3,20",
-          .help = "the segment, from (x0, y0) to (x1, y1); y points up",
-          .parts = {"x0", "y0", "x1", "y1"},
-          .sizes = line_sizes};
+  return parameters::numbers("line", line, "-5,8,3,20", "the segment, from (x0, y0) to (x1, y1); y points up",
+                             {"x0", "y0", "x1", "y1"}, line_sizes);
 }
 inline Parameter window_parameter() {
-  return {.name = "window",
-          .type = ParameterType::bounds,
-          .default_value = "0,0,10,10",
-          .example = "0,0,10,8",
-          .help = "the window, its borders included",
-          .parts = {"xmin", "ymin", "xmax", "ymax"},
-          .sizes = window_sizes};
+  return parameters::bounds("window", "0,0,10,10", "0,0,10,8", "the window, its borders included",
+                            {"xmin", "ymin", "xmax", "ymax"}, window_sizes);
 }
 inline Parameter order_parameter() {
   return gradus::order_parameter<2>("top,bottom,right,left", "in which order the borders are taken");

@@ -10,7 +10,6 @@ namespace {
 enum class Way { tested, untested, zoom_minus_z };
 
 bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
-std::string name_of(std::size_t i) { return std::string(1, static_cast<char>('A' + i)); }
 
 struct Task {
   Way way;
@@ -116,8 +115,8 @@ class Story {
     std::vector<Field> result;
     for (std::size_t i = 0; i < images_.size(); ++i) {
       if (!has_image(i)) continue;
-      result.push_back({name_of(i) + ".x", images_[i]->x, "x"});
-      result.push_back({name_of(i) + ".y", images_[i]->y, "y"});
+      result.push_back({letter(i) + ".x", images_[i]->x, "x"});
+      result.push_back({letter(i) + ".y", images_[i]->y, "y"});
     }
     return result;
   }
@@ -126,7 +125,7 @@ class Story {
   std::string_view by_way(std::string_view tested, std::string_view untested, std::string_view zoom) const {
     return task_.way == Way::tested ? tested : task_.way == Way::untested ? untested : zoom;
   }
-  std::string name() const { return name_of(current_); }
+  std::string name() const { return letter(current_); }
   std::string point_text() const { return name() + " " + figure_place(task_.points[current_]); }
   std::string image_text(dvec2 p) const { return finite(p) ? place_text(p) : words_.say("no_number"); }
   bool has_image(std::size_t i) const { return images_[i] && finite(*images_[i]); }
@@ -163,11 +162,11 @@ class Story {
 
   std::optional<Decision> divisible(double w) const {
     if (task_.way != Way::tested) return std::nullopt;  // it isn't asked
-    return yes_or_no(words_, words_.say("question.before_w", {{"w", w}}), w > 0, w > 0 ? "before" : "behind");
+    return yes_or_no(words_, "question.before_w", {{"w", w}}, w > 0, "before", "behind");
   }
   Decision has_no_depth(bool yes) const {
-    return yes_or_no(words_, words_.say("question.left_alone", {{"z", task_.points[current_].z}}), yes,
-                     yes ? "left alone" : "divided");
+    return yes_or_no(words_, "question.left_alone", {{"z", task_.points[current_].z}}, yes, "left alone",
+                     "divided");
   }
 
   // --- The drawing
@@ -219,7 +218,7 @@ class Story {
     } else {
       view.add({id, role, Stroke{picture_.at(centre + away * (0.85 * half_ / most)), end, true}});
     }
-    view.add({fmt::format("f image name {}", i), role, Label{end, name_of(i) + "′"}});
+    view.add({fmt::format("f image name {}", i), role, Label{end, letter(i) + "′"}});
   }
 
   /// The picture of the line between a point and the next.
@@ -250,9 +249,8 @@ class Story {
     add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
     const double middle = task_.centre.x, plane = task_.plane();
     add_stroke(view, space_, "a plane", Role::boundary, {middle - half_, plane}, {middle + half_, plane});
-    const dvec2 eye = space_.at(task_.eye());
-    view.add({"e eye", Role::input, Dot{eye}});
-    view.add({"f eye name", Role::input, Label{eye, words_.shared("projection", "eye")}});
+    view.add_named("e eye", "f eye name", Role::input, space_.at(task_.eye()),
+                   words_.shared("projection", "eye"));
     for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
       add_stroke(view, space_, fmt::format("c line {}", i), Role::input, from_above(i), from_above(i + 1));
     for (std::size_t i = 0; i < task_.points.size(); ++i) add_point(view, i, Role::input);
@@ -260,9 +258,8 @@ class Story {
     return view;
   }
   void add_point(View& view, std::size_t i, Role role) const {
-    const dvec2 at = space_.at(from_above(i));
-    view.add({fmt::format("e point {}", i), role, Dot{at}});
-    view.add({fmt::format("f point name {}", i), role, Label{at, name_of(i)}});
+    view.add_named(fmt::format("e point {}", i), fmt::format("f point name {}", i), role,
+                   space_.at(from_above(i)), letter(i));
   }
   void add_images(View& view) const {
     const auto wrong = [&](std::size_t i) {
@@ -298,14 +295,13 @@ template <class Take>
 void tell_points(Narrator& narrator, const Task& task, std::optional<int> multiplied_line, const Take& take) {
   std::string list;
   for (const dvec3 p : task.points) list += (list.empty() ? "" : ", ") + figure_place(p);
-  narrator.trace().subtitle = narrator.words().count(
-      "subtitle.points", static_cast<std::int64_t>(task.points.size()), {{"points", list}});
+  narrator.trace().subtitle =
+      narrator.words().count("subtitle.points", std::ssize(task.points), {{"points", list}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"w"}, {"image", false}});
   if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});
-  narrator.legend({{Role::input, "points"}, {Role::current, "point"}, {Role::result, "result"}});
-  if (task.way != Way::tested)
-    narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.wrong")});
+  narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
+  if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
   narrator.last_of_whole_is_telling();
   Story story(narrator.words(), task, multiplied_line);
   narrator.tell_each(story, task.points.size(),

@@ -1,8 +1,6 @@
 #pragma once
 // What the stories of perspective share; each tells its methods in a file of its own.
 
-#include <algorithm>
-
 #include "projection/perspective/perspective.hpp"
 #include "stories/projection/solids.hpp"
 #include "stories/telling.hpp"
@@ -50,17 +48,12 @@ inline void say_turn(Narrator& narrator, std::string_view subtitle) {
 
 /// Where the ray from a point of a rectangle leaves it.
 inline dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
-  double t = 1e300;
-  for (const int i : {0, 1}) {
-    if (way[i] > 0) t = std::min(t, (box.upper[i] - a[i]) / way[i]);
-    if (way[i] < 0) t = std::min(t, (box.lower[i] - a[i]) / way[i]);
-  }
-  return a + std::max(0.0, t) * way;
+  return a + std::max(0.0, span_in(box, a, way, 0, 1e300).second) * way;
 }
 
 /// What says whether a point of this depth has an image.
 inline Decision before_eye(const Words& words, double z) {
-  return yes_or_no(words, words.say("question.before_eye", {{"z", z}}), z > 0, z > 0 ? "before" : "behind");
+  return yes_or_no(words, "question.before_eye", {{"z", z}}, z > 0, "before", "behind");
 }
 
 }  // namespace gradus::perspective

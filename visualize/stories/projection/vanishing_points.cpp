@@ -86,10 +86,6 @@ Lines lines_inside(const Box& box) {
   return lines;
 }
 
-bool within(const Extent& extent, dvec2 p) {
-  return glm::all(glm::lessThanEqual(extent.lower, p)) && glm::all(glm::lessThanEqual(p, extent.upper));
-}
-
 class Story {
  public:
   /// by_plane: the line of the rule's listing that calls vanishing_point, of which it lists no more.
@@ -174,7 +170,7 @@ class Story {
                 .row = {lines().name, place_text(s.direction), by_rule ? Said("") : w_, words_.say("none")},
                 .key = lines().id};
     if (by_rule) {
-      event.decides = yes_or_no(words_, words_.say("question.by_plane"), true, "parallel");
+      event.decides = yes_or_no(words_, "question.by_plane", {}, true, "parallel");
       return event;
     }
     event.decides = divisible();
@@ -203,8 +199,7 @@ class Story {
 
  private:
   Decision divisible() const {
-    return yes_or_no(words_, words_.say("question.divisible", {{"w", w_}}), w_ != 0,
-                     w_ != 0 ? "vanishes" : "parallel");
+    return yes_or_no(words_, "question.divisible", {{"w", w_}}, w_ != 0, "vanishes", "parallel");
   }
   /// Where lines vanish although the rule has them stay parallel.
   std::optional<dvec2> missed(const Lines& lines) const {
@@ -241,7 +236,7 @@ class Story {
     const Lines& lines = lines_[at];
     if (!lines.point) return;
     const dvec2 point = *lines.point;
-    const bool current = role == Role::current, inside = within(panel_.shown(), point);
+    const bool current = role == Role::current, inside = panel_.shown().holds(point);
     for (const Line& line : lines.all) {
       const dvec2 from = glm::distance(line.a, point) < glm::distance(line.b, point) ? line.a : line.b;
       const dvec2 to = inside ? point : last_inside(panel_.shown(), from, point - from);
@@ -251,10 +246,8 @@ class Story {
     if (!current && lines.id == "direction") add_lines(view, lines, Role::past);
     if (!inside) return;
     const std::string id = fmt::format("e point {}", at);
-    const Role of_point = current ? Role::current : Role::result;
-    view.add({id, of_point, Dot{panel_.at(point)}});
-    view.add({"f name " + id, of_point,
-              Label{panel_.at(point), words_.say("vanishing_point_of", {{"axis", lines.name}})}});
+    view.add_named(id, "f name " + id, current ? Role::current : Role::result, panel_.at(point),
+                   words_.say("vanishing_point_of", {{"axis", lines.name}}));
   }
 
   const Words& words_;
@@ -274,7 +267,7 @@ void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find
   say_turn(narrator, "subtitle.box");
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
-  narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, {Role::result, "result"}});
+  narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, Role::result});
   narrator.last_of_whole_is_telling();
   Story story(narrator.words(), box, by_plane);
   narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
@@ -298,7 +291,7 @@ void tell_parallel_by_plane(Narrator& narrator) {
   tell_directions(narrator, call, [](const glm::dmat4& matrix, dvec3 direction, const auto& watch) {
     parallel_by_plane(matrix, direction, watch);
   });
-  narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.missed")});
+  narrator.add_to_legend(Role::rejected, "missed");
 }
 
 }  // namespace gradus::perspective

@@ -1,13 +1,6 @@
 #pragma once
 // What a view is about, and how it is drawn: the world with the viewer's axes, and beside it what they see.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
@@ -139,15 +132,13 @@ class Drawing {
         [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
     const double size = 0.3 * scene_.distance;
     hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
-    if (!known.axes[1]) {
-      arrow(view, "hint", Role::candidate, scene_.eye, scene_.eye + size * unit_vector(scene_.up),
-            words_.say("hint"), true);
-    }
+    if (!known.axes[1])
+      arrow(view, "hint", Role::candidate, size * unit_vector(scene_.up), words_.say("hint"), true);
     for (int i = 0; i < 3; ++i) {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
-            scene_.eye + size * axis_of(frame, i), words_.say("name." + name), false);
+      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted,
+            size * axis_of(frame, i), words_.say("name." + name), false);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     point(view, "target", Role::input, scene_.target, words_.say("name.target"));
@@ -160,17 +151,14 @@ class Drawing {
     frame_of(view);
     const Panel panel(seen_place, picture_extent(matrix));
     const dvec2 middle = seen_place.centre();
-    if (known.rows >= 1) {
+    if (known.rows >= 1)
       guide_line(view, "no right", {middle.x, seen_place.lower.y}, {middle.x, seen_place.upper.y});
-    }
-    if (known.rows >= 2) {
+    if (known.rows >= 2)
       guide_line(view, "no up", {seen_place.lower.x, middle.y}, {seen_place.upper.x, middle.y});
-    }
     if (known.rows >= 3) {
       const dvec3 target = through(matrix, scene_.target);
-      view.add({"seen target", Role::accepted, Dot{panel.at(dvec2(target) / target.z)}});
-      view.add({"seen target name", Role::accepted,
-                Label{panel.at(dvec2(target) / target.z), words_.say("name.target")}});
+      view.add_named("seen target", Role::accepted, panel.at(dvec2(target) / target.z),
+                     words_.say("name.target"));
     }
     if (!known.seen) return;
     const auto seen = [&](dvec3 p) -> std::optional<dvec2> {
@@ -208,14 +196,10 @@ class Drawing {
     const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
     const dvec3 eye = through(wrong, scene_.eye);
     view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
-    if (length_of(eye) > 1e-9 * scene_.distance) {
-      view.add({"eye there", Role::rejected, Dot{at(eye)}});
-      view.add({"eye there name", Role::rejected, Label{at(eye), words_.say("name.eye")}});
-    }
-    view.add({"target here", Role::accepted, Dot{at(here), true}});
-    view.add({"target here name", Role::accepted, Label{at(here), words_.say("belongs")}});
-    view.add({"target there", Role::rejected, Dot{at(there)}});
-    view.add({"target there name", Role::rejected, Label{at(there), words_.say("name.target")}});
+    if (length_of(eye) > 1e-9 * scene_.distance)
+      view.add_named("eye there", Role::rejected, at(eye), words_.say("name.eye"));
+    view.add_named("target here", Role::accepted, at(here), words_.say("belongs"), true);
+    view.add_named("target there", Role::rejected, at(there), words_.say("name.target"));
   }
 
   /// Given axes at the eye, and as many columns of the inverse as are known.
@@ -225,12 +209,11 @@ class Drawing {
     const double unit = arrow_unit(frame);
     for (int i = 0; i < 3; ++i) {
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, Role::input, scene_.eye, scene_.eye + unit * axis_of(frame, i),
-            words_.say("name." + name), false);
+      arrow(view, "axis " + name, Role::input, unit * axis_of(frame, i), words_.say("name." + name), false);
       if (i >= known.rows) continue;
-      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
-            scene_.eye + unit * dvec3(inverse[i]),
-            words_.say("column_name", {{"axis", words_.say("name." + name)}}), true);
+      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted,
+            unit * dvec3(inverse[i]), words_.say("column_name", {{"axis", words_.say("name." + name)}}),
+            true);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     return view;
@@ -327,9 +310,7 @@ class Drawing {
         {fmt::format("caption {}", key), Role::guide, Text{at, words_.say("caption." + std::string(key))}});
   }
   void frame_of(View& view) const {
-    const auto& [lower, upper] = seen_place;
-    view.add({"picture frame", Role::boundary,
-              Path{{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}, true}});
+    view.add({"picture frame", Role::boundary, Path{seen_place.corners(), true}});
   }
   static void guide_line(View& view, std::string id, dvec2 a, dvec2 b) {
     view.add({std::move(id), Role::guide, Stroke{a, b, false, true}});
@@ -343,13 +324,13 @@ class Drawing {
     }
   }
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
-    view.add({id, role, Dot{world_.at(oblique(at))}});
-    view.add({id + " name", role, Label{world_.at(oblique(at)), std::move(name)}});
+    view.add_named(id, role, world_.at(oblique(at)), std::move(name));
   }
-  void arrow(View& view, const std::string& id, Role role, dvec3 from, dvec3 to, std::string name,
-             bool dashed) const {
-    view.add({id, role, Stroke{world_.at(oblique(from)), world_.at(oblique(to)), true, dashed}});
-    view.add({id + " name", role, Label{world_.at(oblique(to)), std::move(name)}});
+  /// From the eye.
+  void arrow(View& view, const std::string& id, Role role, dvec3 way, std::string name, bool dashed) const {
+    const dvec2 from = world_.at(oblique(scene_.eye)), to = world_.at(oblique(scene_.eye + way));
+    view.add({id, role, Stroke{from, to, true, dashed}});
+    view.add({id + " name", role, Label{to, std::move(name)}});
   }
   /// A segment of the world, dashed where the letter hides it.
   void hidden_aware(View& view, const std::string& id, Role role, dvec3 a, dvec3 b) const {

@@ -1,9 +1,6 @@
 // The story of a view: three axes at the eye, the matrix made of them, and what the viewer sees.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
+#include "stories/parameters.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 
 namespace gradus::viewing {
@@ -20,9 +17,9 @@ double largest_product(dvec3 a, dvec3 b) {
 
 /// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
 std::string product_text(dvec3 a, dvec3 b) {
-  const auto factor = [](double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); };
-  return fmt::format("{}·{} + {}·{} + {}·{}", factor(a.x), factor(b.x), factor(a.y), factor(b.y), factor(a.z),
-                     factor(b.z));
+  std::string text;
+  for (int i = 0; i < 3; ++i) text += (i > 0 ? " + " : "") + figure_factor(a[i]) + "·" + figure_factor(b[i]);
+  return text;
 }
 
 /// "right", "up", "forward", and again.
@@ -106,19 +103,16 @@ class Story {
     // The sum of the products as they are shown
     const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
     const double shift = faulty() ? r.shift : along;
-    Event event{.text = way_ == Way::minus_position ? "position_row" : "row",
-                .facts = {{"row", std::int64_t{r.row}},
-                          {"x", r.axis.x},
-                          {"y", r.axis.y},
-                          {"z", r.axis.z},
-                          {"shift", r.shift}},
-                .words = {{"axis", axis_name(r.row)},
-                          {"product", product_text(axis, scene_.eye)},
-                          {"shift", shift},
-                          {"right", along}},
-                .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
-                .key = axis_id(r.row),
-                .phase = words_.say("phase.matrix")};
+    Event event{
+        .text = way_ == Way::minus_position ? "position_row" : "row",
+        .facts = {{"row", r.row}, {"x", r.axis.x}, {"y", r.axis.y}, {"z", r.axis.z}, {"shift", r.shift}},
+        .words = {{"axis", axis_name(r.row)},
+                  {"product", product_text(axis, scene_.eye)},
+                  {"shift", shift},
+                  {"right", along}},
+        .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
+        .key = axis_id(r.row),
+        .phase = words_.say("phase.matrix")};
     if (way_ == Way::transposed) {
       event.text = "transposed_row";
       event.words = {{"entries", axis}, {"axis", neat(axis_of(frame_, r.row), 1)}};
@@ -138,10 +132,7 @@ class Story {
     const dvec3 entries = eye ? c.entries : neat(c.entries, size);
     const std::string name = eye ? words_.say("name.eye") : axis_name(c.column);
     Event event{.text = eye ? "eye_column" : "column",
-                .facts = {{"column", std::int64_t{c.column}},
-                          {"x", c.entries.x},
-                          {"y", c.entries.y},
-                          {"z", c.entries.z}},
+                .facts = {{"column", c.column}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
                 .words = {{"eye", entries}, {"entries", entries}, {"axis", name}},
                 .row = {name, entries.x, entries.y, entries.z, eye ? 1 : 0},
                 .key = eye ? "eye" : axis_id(c.column),
@@ -161,7 +152,7 @@ class Story {
     for (int k = 0; k < 4; ++k)
       row.push_back(neat(product[k][m.row], length_of(axis) * length_of(dvec3(m.inverse[k]))));
     return {.text = "product_row",
-            .facts = {{"row", std::int64_t{m.row}},
+            .facts = {{"row", m.row},
                       {"right", product[0][m.row], "product"},
                       {"up", product[1][m.row], "product"},
                       {"forward", product[2][m.row], "product"},
@@ -243,7 +234,7 @@ class Story {
             .phase = words_.say("phase.frame")};
   }
   Decision hint_along_the_view(bool along) const {
-    return yes_or_no(words_, words_.say("question", {{"up", scene_.up}}), along, along ? "replaced" : "kept");
+    return yes_or_no(words_, "question", {{"up", scene_.up}}, along, "replaced", "kept");
   }
   /// Where a column of the inverse comes from: a cross product, divided by the determinant.
   void add_reciprocal(Event& event, int column) const {
@@ -269,8 +260,7 @@ class Story {
     } else {
       drawing_.add_picture(view, known_, right_);
     }
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   const Words& words_;
@@ -286,8 +276,7 @@ class Story {
 // --- The methods
 
 void introduce(Narrator& narrator, Role last, std::string_view its_key) {
-  narrator.legend(
-      {{Role::input, "input"}, {Role::current, "current"}, {Role::accepted, "accepted"}, {last, its_key}});
+  narrator.legend({Role::input, Role::current, Role::accepted, {last, its_key}});
   narrator.last_is_telling();
 }
 
@@ -304,10 +293,13 @@ void conclude(Narrator& narrator, const glm::dmat4& matrix) {
 int last_line(Narrator& narrator) { return narrator.trace().listing.back().number; }
 
 /// The frame, and the matrix that `make` makes of it.
-template <class Make>
-void tell_view(Narrator& narrator, Along along, Way way, Make make) {
+template <Along along, Way way, auto make>
+void tell_view(Narrator& narrator) {
   const Scene scene = scene_of(narrator.arguments(), along);
-  const bool faulty = way == Way::minus_position || way == Way::transposed;
+  constexpr bool faulty = way == Way::minus_position || way == Way::transposed;
+  if (along == Along::replaced) narrator.list_below("spare_up");
+  if (way == Way::rows && along != Along::divided) narrator.list_below("world_to_view");
+  if (way == Way::inverse) narrator.list_below("view_to_world");
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
   narrator.paper(36, 27);
@@ -329,31 +321,11 @@ void tell_view(Narrator& narrator, Along along, Way way, Make make) {
   conclude(narrator, matrix);
 }
 
-constexpr auto rows = [](const DFrame& frame, const auto& watch) { return world_to_view(frame, watch); };
-
-void tell_world_to_view(Narrator& narrator) {
-  narrator.list_below("world_to_view");
-  tell_view(narrator, Along::refused, Way::rows, rows);
-}
-void tell_view_to_world(Narrator& narrator) {
-  narrator.list_below("view_to_world");
-  tell_view(narrator, Along::refused, Way::inverse,
-            [](const DFrame& frame, const auto& watch) { return view_to_world(frame, watch); });
-}
-void tell_spare_up(Narrator& narrator) {
-  narrator.list_below("spare_up");
-  narrator.list_below("world_to_view");
-  tell_view(narrator, Along::replaced, Way::rows, rows);
-}
-void tell_minus_position(Narrator& narrator) {
-  tell_view(narrator, Along::refused, Way::minus_position,
-            [](const DFrame& frame, const auto& watch) { return minus_position(frame, watch); });
-}
-void tell_transposed(Narrator& narrator) {
-  tell_view(narrator, Along::refused, Way::transposed,
-            [](const DFrame& frame, const auto& watch) { return transposed(frame, watch); });
-}
-void tell_cross_products(Narrator& narrator) { tell_view(narrator, Along::divided, Way::rows, rows); }
+/// What makes the matrix of the frame.
+constexpr auto rows = [](auto... run) { return world_to_view(run...); };
+constexpr auto columns = [](auto... run) { return view_to_world(run...); };
+constexpr auto moved = [](auto... run) { return minus_position(run...); };
+constexpr auto turned = [](auto... run) { return transposed(run...); };
 
 void tell_any_frame(Narrator& narrator) {
   const Scene scene = scene_of_axes(narrator.arguments());
@@ -371,14 +343,15 @@ void tell_any_frame(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
-  const auto numbers = [](std::string name, std::string value, std::string example, std::string help) {
-    Parameter parameter{std::move(name), ParameterType::numbers, std::move(value), std::move(example),
-                        std::move(help)};
-    parameter.parts = {"x", "y", "z"};
-    parameter.sizes = coordinate_sizes;
-    return parameter;
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
+  const auto looking = [](std::string name, Standing standing, void (*tell)(Narrator&),
+                          std::string function = {}) {
+    return Method{.name = std::move(name),
+                  .standing = standing,
+                  .tell = tell,
+                  .function = std::move(function),
+                  .unread = {"axes"}};
   };
   static const TopicEntry topic = completed<entry>(
       {.name = "viewing",
@@ -386,37 +359,24 @@ const TopicEntry& entry() {
        .aliases = {"look at", "lookat", "view matrix", "world to view", "camera"},
        .summary = "the frame of a viewer, and the matrix that takes the world to it",
        .methods =
-           {{.name = "world_to_view",
-             .standing = Standing::taught,
-             .tell = tell_world_to_view,
-             .function = "look_at",
-             .unread = {"axes"}},
-            {.name = "view_to_world", .tell = tell_view_to_world, .function = "look_at", .unread = {"axes"}},
+           {looking("world_to_view", Standing::taught, tell_view<Along::refused, Way::rows, rows>, "look_at"),
+            looking("view_to_world", Standing::plain, tell_view<Along::refused, Way::inverse, columns>,
+                    "look_at"),
             {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up"}},
-            {.name = "spare_up", .tell = tell_spare_up, .function = "look_at", .unread = {"axes"}},
-            {.name = "minus_position",
-             .standing = Standing::faulty,
-             .tell = tell_minus_position,
-             .unread = {"axes"}},
-            {.name = "transposed", .standing = Standing::faulty, .tell = tell_transposed, .unread = {"axes"}},
-            {.name = "cross_products",
-             .standing = Standing::faulty,
-             .tell = tell_cross_products,
-             .unread = {"axes"}}},
+            looking("spare_up", Standing::plain, tell_view<Along::replaced, Way::rows, rows>, "look_at"),
+            looking("minus_position", Standing::faulty,
+                    tell_view<Along::refused, Way::minus_position, moved>),
+            looking("transposed", Standing::faulty, tell_view<Along::refused, Way::transposed, turned>),
+            looking("cross_products", Standing::faulty, tell_view<Along::divided, Way::rows, rows>)},
        .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
-       .parameters = {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units"),
-                      numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at"),
-                      numbers("up", "0,1,0", "0,0,1",
-                              "what points up in the picture: a direction of any length"),
-                      {.name = "axes",
-                       .type = ParameterType::points,
-                       .default_value = "2,0,0 1,1,0 0,-0.5,-1",
-                       .example = "1,0,0 0,2,0 0.5,0,-1",
-                       .help =
-                           "method inverse_of_any_frame: right, up and forward, of any lengths and angles",
-                       .least = 3,
-                       .most = 3,
-                       .parts = {"x", "y", "z"}}},
+       .parameters =
+           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
+                    coordinate_sizes),
+            numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at", xyz, coordinate_sizes),
+            numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length",
+                    xyz, coordinate_sizes),
+            points(3, 3, "axes", "2,0,0 1,1,0 0,-0.5,-1", "1,0,0 0,2,0 0.5,0,-1",
+                   "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz)},
        .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                     "--eye 2,3,5 --target 0,0,0 --method transposed",
                     "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});

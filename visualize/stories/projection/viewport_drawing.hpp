@@ -2,15 +2,7 @@
 // The drawing of a window's way into a picture: the camera plane to the left, the picture with its pixels to
 // the right.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "projection/viewport/viewport.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::viewport {
@@ -32,11 +24,7 @@ struct Fate {
   bool moved() const { return nearest && pixel != nearest; }
 };
 
-inline std::string name_of(std::size_t point) { return std::string(1, static_cast<char>('A' + point)); }
 inline dvec2 centre(ivec2 pixel) { return dvec2(pixel) + 0.5; }
-inline bool within(const Extent& extent, dvec2 p) {
-  return extent.lower.x <= p.x && p.x <= extent.upper.x && extent.lower.y <= p.y && p.y <= extent.upper.y;
-}
 
 class Drawing {
  public:
@@ -54,8 +42,8 @@ class Drawing {
     add_grid(view);
     if (clamped) add_lines(view, fates);
     for (std::size_t i = 0; i < fates.size(); ++i) {
-      if (fates[i].pixel) add_pixel(view, fates[i], name_of(i), i == current, done);
-      if (fates[i].place) add_place(view, fates[i], name_of(i), i == current);
+      if (fates[i].pixel) add_pixel(view, fates[i], letter(i), i == current, done);
+      if (fates[i].place) add_place(view, fates[i], letter(i), i == current);
     }
     return view;
   }
@@ -90,7 +78,7 @@ class Drawing {
   /// Whether the panel shows this place, and where; of others the nearest place that it shows.
   std::pair<bool, dvec2> shown_at(dvec2 place) const {
     const dvec2 at = on_paper(place);
-    return {within(inner_picture, at), glm::clamp(at, inner_picture.lower, inner_picture.upper)};
+    return {inner_picture.holds(at), glm::clamp(at, inner_picture.lower, inner_picture.upper)};
   }
 
   void add_caption(View& view, std::string_view id, std::string text, const Extent& place) const {
@@ -107,16 +95,15 @@ class Drawing {
     add_caption(view, "plane", words_.say("caption.plane"), plane_place);
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
     const auto& [lower, upper] = input_.map.window;
-    const std::vector<dvec2> corners{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
-    view.add({"window", Role::boundary, Path{plane_.at(corners), true}});
+    view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
     const Extent shown = plane_.shown();
     for (std::size_t i = 0; i < input_.points.size(); ++i) {
       const dvec2 p = input_.points[i];
-      const bool here = within(shown, p);
+      const bool here = shown.holds(p);
       const dvec2 at = plane_.at(here ? p : glm::clamp(p, shown.lower, shown.upper));
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
-      add_point(view, "point " + name_of(i), role, plane_place, here, at);
-      view.add({"point name " + name_of(i), role, Label{at, name_of(i)}});
+      add_point(view, "point " + letter(i), role, plane_place, here, at);
+      view.add({"point name " + letter(i), role, Label{at, letter(i)}});
     }
   }
 
@@ -135,11 +122,8 @@ class Drawing {
   }
 
   void add_grid(View& view) const {
-    if (rows_down()) {
-      add_caption(view, "rows_down", words_.say("caption.rows_down"), picture_place);
-    } else {
-      add_caption(view, "rows_up", words_.say("caption.rows_up"), picture_place);
-    }
+    const std::string rows = rows_down() ? "rows_down" : "rows_up";
+    add_caption(view, rows, words_.say("caption." + rows), picture_place);
     add_grid_lines(view, 0, "column");
     add_grid_lines(view, 1, "row");
     view.add({"picture", Role::boundary, box_on_paper({0, 0}, dvec2(input_.map.picture))});
@@ -198,12 +182,8 @@ class Drawing {
       const auto [in, a] = shown_at(*fates[i - 1].place);
       const dvec2 way = on_paper(*fates[i].place) - a;
       // Only as far as the panel shows it
-      double most = 1;
-      for (const int axis : {0, 1}) {
-        if (way[axis] > 0) most = std::min(most, (inner_picture.upper[axis] - a[axis]) / way[axis]);
-        if (way[axis] < 0) most = std::min(most, (inner_picture.lower[axis] - a[axis]) / way[axis]);
-      }
-      const std::string names = name_of(i - 1) + name_of(i);
+      const double most = span_in(inner_picture, a, way, 0, 1).second;
+      const std::string names = letter(i - 1) + letter(i);
       if (in && most > 0) {
         view.add({"line " + names, Role::measure, Stroke{a, a + most * way, false, true}});
       }

@@ -3,9 +3,8 @@
 
 #include "projection/viewport/viewport.hpp"
 
-#include <algorithm>
-
 #include "projection/viewport/viewport_notes.hpp"
+#include "stories/parameters.hpp"
 #include "stories/projection/viewport_drawing.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/telling.hpp"
@@ -13,9 +12,7 @@
 namespace gradus::viewport {
 namespace {
 
-/// In brackets where a negative number is a factor or taken away.
-std::string factor(double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); }
-std::string difference_text(double a, double b) { return figure_real(a) + " − " + factor(b); }
+std::string difference_text(double a, double b) { return figure_real(a) + " − " + figure_factor(b); }
 
 class Story {
  public:
@@ -121,33 +118,33 @@ class Story {
  private:
   View view() const { return drawing_.view(fates_, current_, done_, clamps_); }
   bool rows_down() const { return input_.map.row_zero == RowZero::top; }
-  std::string name() const { return name_of(current_); }
+  std::string name() const { return letter(current_); }
 
   /// "1 + 0.25·6 = 2.5"
   std::string along(int axis, const Placed<double>& p) const {
     const auto& [lower, upper] = input_.map.viewport;
     const std::string start = lower[axis] == 0 ? "" : figure_real(lower[axis]) + " + ";
-    return fmt::format("{}{}·{} = {}", start, factor(p.fraction[axis]),
+    return fmt::format("{}{}·{} = {}", start, figure_factor(p.fraction[axis]),
                        figure_real(upper[axis] - lower[axis]), figure_real(p.place[axis]));
   }
 
-  Decision decision(std::string_view question, bool yes, std::string branch) const {
+  Decision decision(std::string_view question, bool yes, std::string_view branch) const {
     const Fate& now = fates_[current_];
     const ivec2 size = input_.map.picture;
-    return yes_or_no(words_,
-                     words_.say(question, {{"place", *now.place},
-                                           {"pixel", now.nearest.value_or(ivec2{})},
-                                           {"width", size.x},
-                                           {"height", size.y}}),
-                     yes, std::move(branch));
+    return yes_or_no(words_, question,
+                     {{"place", *now.place},
+                      {"pixel", now.nearest.value_or(ivec2{})},
+                      {"width", size.x},
+                      {"height", size.y}},
+                     yes, branch, branch);
   }
   Decision lies_inside() const {
     const bool inside = holds(input_.map.viewport, *fates_[current_].place);
     return decision(input_.boxed ? "question.viewport" : "question.picture", inside,
                     inside ? "inside" : "outside");
   }
-  Decision has_pixel(std::string branch) const {
-    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), std::move(branch));
+  Decision has_pixel(std::string_view branch) const {
+    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), branch);
   }
 
   /// Whether the nearest integers are those of the pixel that the point lies in.
@@ -221,15 +218,15 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
   const Words& words = narrator.words();
   Story story(words, input, clamps);
   require_scale(story.drawing().plane(), narrator.arguments(), {"window"});
-  const auto count = static_cast<std::int64_t>(input.points.size());
+  const auto count = std::ssize(input.points);
   narrator.trace().subtitle =
       words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
   narrator.paper(36, 27);
-  narrator.legend({{Role::input, "input"},
-                   {Role::current, "current"},
-                   {Role::measure, "measure"},
+  narrator.legend({Role::input,
+                   Role::current,
+                   Role::measure,
                    {Role::rejected, clamps ? "moved" : "rejected"},
-                   {Role::result, "result"}});
+                   Role::result});
   if (clamps) narrator.trace().legend[2].text = words.say("true_line");
   narrator.tell_each(story, input.points.size(),
                      [&](std::size_t i, const auto& watch) { take(input.points[i], watch); });
@@ -285,58 +282,33 @@ constexpr Sizes sizes{1e-100, 1e100};
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
+  const auto rounding = [](std::string name, Standing standing, void (*tell)(Narrator&)) {
+    return Method{
+        .name = std::move(name), .standing = standing, .tell = tell, .function = "rasterize", .exact = true};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "viewport",
        .chapter = "projection",
        .aliases = {"window to viewport", "rasterize", "screen coordinates"},
        .summary = "from a window on the camera plane to the pixels of a picture",
-       .methods = {{.name = "floor",
-                    .standing = Standing::taught,
-                    .tell = tell_rounding<Rounding::floor>,
-                    .function = "rasterize",
-                    .exact = true},
-                   {.name = "half_up",
-                    .tell = tell_rounding<Rounding::half_up>,
-                    .function = "rasterize",
-                    .exact = true},
-                   {.name = "half_even",
-                    .tell = tell_rounding<Rounding::half_even>,
-                    .function = "rasterize",
-                    .exact = true},
+       .methods = {rounding("floor", Standing::taught, tell_rounding<Rounding::floor>),
+                   rounding("half_up", Standing::plain, tell_rounding<Rounding::half_up>),
+                   rounding("half_even", Standing::plain, tell_rounding<Rounding::half_even>),
                    {.name = "clamped", .standing = Standing::faulty, .tell = tell_clamped}},
        .columns = {{"point", false}, {"px"}, {"py"}, {"pixel", false}},
-       .parameters = {{.name = "points",
-                       .type = ParameterType::points,
-                       .default_value = "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5",
-                       .example = "0,0 0.5,0.3 2,1",
-                       .help = "points on the camera plane: x,y in its units, y up",
-                       .least = 1,
-                       .most = 26,
-                       .parts = {"x", "y"},
-                       .sizes = sizes},
-                      {.name = "window",
-                       .type = ParameterType::bounds,
-                       .default_value = "-1,-0.75,1,0.75",
-                       .example = "-1,-1,1,1",
-                       .help = "what is seen of the plane: xmin,ymin,xmax,ymax",
-                       .parts = {"xmin", "ymin", "xmax", "ymax"},
-                       .sizes = sizes},
+       .parameters = {points(1, 26, "points", "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5", "0,0 0.5,0.3 2,1",
+                             "points on the camera plane: x,y in its units, y up", xy, sizes),
+                      bounds("window", "-1,-0.75,1,0.75", "-1,-1,1,1",
+                             "what is seen of the plane: xmin,ymin,xmax,ymax",
+                             {"xmin", "ymin", "xmax", "ymax"}, sizes),
                       {"resolution", ParameterType::cell, "8,6", "640,480",
                        "width and height of the picture in pixels", 1, 10'000},
-                      {.name = "fit",
-                       .type = ParameterType::choice,
-                       .default_value = "stretch",
-                       .example = "letterbox",
-                       .help = "fill the picture, or keep the window's shape and leave bars",
-                       .choices = {"stretch", "letterbox"}},
-                      {.name = "row_zero",
-                       .type = ParameterType::choice,
-                       .default_value = "top",
-                       .example = "bottom",
-                       .help = "where row 0 is: at the top, as in picture files, or at the bottom",
-                       .choices = {"top", "bottom"}},
+                      choice("fit", {"stretch", "letterbox"}, "stretch", "letterbox",
+                             "fill the picture, or keep the window's shape and leave bars"),
+                      choice("row_zero", {"top", "bottom"}, "top", "bottom",
+                             "where row 0 is: at the top, as in picture files, or at the bottom"),
                       exact_parameter()},
        .examples = {"--points '0.3,0.4 1.3,0.5' --resolution 8,6",
                     "--window -1,-1,1,1 --resolution 8,6 --fit letterbox",

@@ -2,9 +2,6 @@
 
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
 #include "stories/scan_conversion/circle_drawing.hpp"
 
@@ -53,7 +50,7 @@ class Story {
     Event event{.text = windowed_       ? "started_in_window"
                         : s.radius == 0 ? "started_at_centre"
                                         : "started",
-                .facts = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}}};
+                .facts = {{"center", s.center}, {"radius", s.radius}, {"p", s.p}}};
     return windowed_ ? event : standing(event, {0, s.radius}, s.p);
   }
 
@@ -69,7 +66,7 @@ class Story {
     Event event{.text = "jumped", .facts = {{"at", j.at}, {"p", j.p}}};
     if (windowed_) {
       event.text = "entered";
-      event.facts.insert(event.facts.begin(), {"octant", std::int64_t{octant_.number}});
+      event.facts.insert(event.facts.begin(), {"octant", octant_.number});
     }
     return standing(event, j.at, j.p);
   }
@@ -327,8 +324,7 @@ void tell_late(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   static const TopicEntry topic = completed<entry>(
       {.name = "bresenham_circle",
        .chapter = "scan_conversion",
@@ -342,12 +338,7 @@ const TopicEntry& entry() {
                     .within = {{"radius", longest_watched}}}},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
        .parameters = {{"center", ParameterType::cell, "0,0", "0,0", "middle pixel: column,row; y points up"},
-                      {.name = "radius",
-                       .type = ParameterType::integer,
-                       .default_value = "8",
-                       .example = "10",
-                       .help = "in pixels",
-                       .least = 0},
+                      {"radius", ParameterType::integer, "8", "10", "in pixels", 0},
                       {"window", ParameterType::window, "", "0,0,15,9",
                        "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
        .examples = {"--center 0,0 --radius 10", "--radius 7 --method late_update",

@@ -2,9 +2,6 @@
 
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 
-#include <algorithm>
-#include <optional>
-
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
 #include "stories/scan_conversion/dda_story.hpp"
@@ -317,11 +314,7 @@ void tell_runs(Narrator& narrator) {
 void tell_dda(Narrator& narrator) {
   const Line line = walked(narrator);
   narrator.columns({{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right", false}});
-  narrator.legend({{Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"},
-                   {Role::measure, "sum"}});
+  narrator.legend({Role::past, Role::current, Role::accepted, Role::result, {Role::measure, "sum"}});
   DdaStory story(narrator.words(), line);
   dda<float>(line.from, line.to, drop, narrator.watcher(story));
   const auto wrong = story.first_wrong();
@@ -336,28 +329,20 @@ void tell_dda(Narrator& narrator) {
       ToldIn::floats);
 }
 
-void tell_first_octant(Narrator& narrator) {
+/// A listing of the notes.
+template <Way way, auto listing>
+void tell_notes(Narrator& narrator) {
   const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::faulty);
-  first_octant(line.from, line.to, drop, narrator.watcher(story));
-}
-
-void tell_swapped_ends(Narrator& narrator) {
-  const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::faulty);
-  swapped_ends(line.from, line.to, drop, narrator.watcher(story));
-}
-
-void tell_misprinted(Narrator& narrator) {
-  const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::misprinted);
-  misprinted_derivation(line.from, line.to, drop, narrator.watcher(story));
+  DecisionStory story(narrator.words(), line, way);
+  listing(line.from, line.to, drop, narrator.watcher(story));
 }
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  const auto faulty = [](std::string name, void (*tell)(Narrator&)) {
+    return Method{.name = std::move(name), .standing = Standing::faulty, .tell = tell, .without = {"window"}};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "bresenham_line",
        .chapter = "scan_conversion",
@@ -371,18 +356,10 @@ const TopicEntry& entry() {
                     .file = "bresenham_line_batch.hpp",
                     .without = {"window"}},
                    {.name = "dda", .tell = tell_dda, .without = {"window"}, .exact = true},
-                   {.name = "first_octant",
-                    .standing = Standing::faulty,
-                    .tell = tell_first_octant,
-                    .without = {"window"}},
-                   {.name = "swapped_ends",
-                    .standing = Standing::faulty,
-                    .tell = tell_swapped_ends,
-                    .without = {"window"}},
-                   {.name = "misprinted_derivation",
-                    .standing = Standing::faulty,
-                    .tell = tell_misprinted,
-                    .without = {"window"}}},
+                   faulty("first_octant", tell_notes<Way::faulty, [](auto... run) { first_octant(run...); }>),
+                   faulty("swapped_ends", tell_notes<Way::faulty, [](auto... run) { swapped_ends(run...); }>),
+                   faulty("misprinted_derivation",
+                          tell_notes<Way::misprinted, [](auto... run) { misprinted_derivation(run...); }>)},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
        .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
                       {"to", ParameterType::cell, "7,3", "7,3", "last pixel"},

@@ -1,10 +1,6 @@
 #pragma once
 // The circle itself, as the stories of circles draw it behind all steps.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "stories/telling.hpp"
 
@@ -103,12 +99,12 @@ inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_wa
   }
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
   if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
-  narrator.legend({{Role::past, "past"},
-                   {Role::current, "current"},
+  narrator.legend({Role::past,
+                   Role::current,
                    {Role::accepted, late ? "right" : "mirrored"},
-                   {Role::candidate, "candidate"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"},
+                   Role::candidate,
+                   Role::rejected,
+                   Role::result,
                    {Role::measure, "error"}});
 }
 

@@ -1,12 +1,6 @@
 #pragma once
 // The steps of a fill: which pixel is painted next, and what still waits.
 
-#include <initializer_list>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "stories/scan_conversion/fill_subject.hpp"
 #include "stories/telling.hpp"
@@ -28,9 +22,7 @@ constexpr Way on_path{"depth_first", "path"}, in_queue{"breadth_first", "queue"}
 
 /// The outline of a window's cells.
 inline Path border(const Window& w) {
-  const double left = w.lower.x - 0.5, right = w.upper.x + 0.5, top = w.lower.y - 0.5,
-               bottom = w.upper.y + 0.5;
-  return {{{left, top}, {right, top}, {right, bottom}, {left, bottom}}, true};
+  return {gradus::Extent{dvec2(w.lower) - 0.5, dvec2(w.upper) + 0.5}.corners(), true};
 }
 
 /// The cells that are drawn: the picture's, and those up to a seed a little outside a maze.
@@ -66,12 +58,11 @@ class Story {
     set_up(board);
   }
   Event say(const Started& s) const {
-    return {.text = s.inside ? "started" : "nothing_to_do",
-            .facts = {{"seed", s.seed},
-                      {"connectivity", std::int64_t{static_cast<int>(s.connectivity)}},
-                      {"inside", s.inside}},
-            .key = pixel_key(s.seed),
-            .decides = is_free(s.seed, s.inside)};
+    return {
+        .text = s.inside ? "started" : "nothing_to_do",
+        .facts = {{"seed", s.seed}, {"connectivity", static_cast<int>(s.connectivity)}, {"inside", s.inside}},
+        .key = pixel_key(s.seed),
+        .decides = is_free(s.seed, s.inside)};
   }
 
   /// The notes' listing reads the seed wherever it lies: the picture's border and what is read are shown.
@@ -150,7 +141,8 @@ class Story {
     return filling(r.pixel, {.text = way_.calls ? "call_returned" : "retreated",
                              .facts = {{"pixel", r.pixel}, waiting(r.waiting)},
                              .words = {{"holds", holds(r.waiting)}},
-                             .decides = decision("question_neighbour", {{"pixel", r.pixel}}, false, "back")});
+                             .decides = yes_or_no(words_, "question_neighbour", {{"pixel", r.pixel}}, false,
+                                                  "", "back")});
   }
 
   void show(Board& board, const Dequeued& d) {
@@ -198,7 +190,7 @@ class Story {
   Event say(const SpanQueued& s) const {
     Event event{.text = "span_queued", .words = {{"holds", holds(s.waiting)}}};
     const bool back = spans_ > 1 && s.span.way != way_filled_;  // to the row that it was reached from
-    if (back) event.decides = decision("question_span", {}, true, "beyond");
+    if (back) event.decides = yes_or_no(words_, "question_span", {}, true, "beyond");
     return beside(s.span, s.waiting, std::move(event));
   }
 
@@ -254,7 +246,7 @@ class Story {
   ivec2 cell_of(ivec2 p) const { return read_ && read_->lands && p == read_->seed ? *read_->lands : p; }
   bool on_grid(ivec2 p) const { return subject_.image().contains(p); }
 
-  bool has_room() const { return static_cast<std::int64_t>(pixels_.size()) < Recording::default_most; }
+  bool has_room() const { return std::ssize(pixels_) < Recording::default_most; }
   void note(ivec2 p) {
     if (has_room()) pixels_.push_back(p);
   }
@@ -269,7 +261,7 @@ class Story {
   /// Of a span whose row beside it is to be looked at.
   Event beside(const Span& s, std::size_t n, Event event) const {
     event.facts = ends_of(s);
-    event.facts.insert(event.facts.end(), {{"way", std::int64_t{s.way}}, waiting(n)});
+    event.facts.insert(event.facts.end(), {{"way", s.way}, waiting(n)});
     event.words.push_back({"row", fmt::format("{}", s.row + s.way)});
     return filling({s.left, s.row}, std::move(event));
   }
@@ -282,15 +274,11 @@ class Story {
     if (!on_grid(p)) return "examined.outside";
     return subject_.is_maze && subject_.maze[p] == wall ? "examined.wall" : "examined.other";
   }
-  Decision decision(std::string_view question, std::initializer_list<Word> words, bool yes,
-                    std::string branch) const {
-    return yes_or_no(words_, words_.say(question, words), yes, std::move(branch));
-  }
   Decision is_free(ivec2 p, bool free) const {
-    return decision("question", {{"pixel", p}}, free, free ? "inside" : "outside");
+    return yes_or_no(words_, "question", {{"pixel", p}}, free, "inside", "outside");
   }
   static std::vector<Field> ends_of(const Span& s) {
-    return {{"row", std::int64_t{s.row}}, {"left", std::int64_t{s.left}}, {"right", std::int64_t{s.right}}};
+    return {{"row", s.row}, {"left", s.left}, {"right", s.right}};
   }
 
   // What is drawn

@@ -1,8 +1,6 @@
 // The story of a product of transformations in the plane: which factor acts first, and where the shape goes.
 
-#include <algorithm>
-#include <cmath>
-
+#include "stories/parameters.hpp"
 #include "stories/transformation/affine_2d_task.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
 
@@ -54,8 +52,8 @@ class Story {
     Event event = acted("multiplied", m.factor);
     if (way_ == Way::centre_added) {
       const bool shear = is_shear(task_.factors[m.factor]);
-      event.decides = yes_or_no(words_, words_.say("question.shear", {{"name", name_of(m.factor)}}), shear,
-                                shear ? "shear" : "other");
+      event.decides =
+          yes_or_no(words_, "question.shear", {{"name", name_of(m.factor)}}, shear, "shear", "other");
     }
     return event;
   }
@@ -74,8 +72,7 @@ class Story {
   }
   Event say(const Undone<double>& u) const {
     Event event = acted("undone", u.factor);
-    event.decides =
-        yes_or_no(words_, words_.say("question.inverse", {{"name", name_of(u.factor)}}), true, "invertible");
+    event.decides = yes_or_no(words_, "question.inverse", {{"name", name_of(u.factor)}}, true, "invertible");
     return event;
   }
 
@@ -84,12 +81,11 @@ class Story {
 
   void show(Board& board, const Moved<double>& m) {
     shown_ = matrix_;
-    board.detail();
     View view = drawing(Role::current, true);
     const dvec2 from = panel_.at(m.from), to = panel_.at(m.to);
     view.add({"h moved", Role::candidate, Stroke{from, to, true}});
     view.add({"i moved", Role::candidate, Dot{to}});
-    board.draw(std::move(view));
+    board.detail(std::move(view));
   }
   Event say(const Moved<double>& m) const {
     const auto sum = [&](int y) {
@@ -103,8 +99,7 @@ class Story {
 
   void show(Board& board, const steps::Finished&) {
     shown_ = matrix_;
-    board.milestone();
-    board.draw(drawing(Role::result, true));
+    board.milestone(drawing(Role::result, true));
   }
   Event say(const steps::Finished&) const {
     Event event = ending();
@@ -114,12 +109,11 @@ class Story {
   }
 
   void show(Board& board, const Reversed&) {
-    board.milestone();
     View view = drawing(Role::result, true);
     const Shape other = task_.reversed();
     view.add({"b reversed", Role::rejected, Path{panel_.at(other), true}});
     view.add({"k reversed", Role::rejected, Label{panel_.at(other[0]), words_.say("reversed.name")}});
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
   Event say(const Reversed&) const {
     const dvec2 other = task_.reversed()[0];
@@ -225,10 +219,7 @@ class Story {
     return {Extent{{3.6, 4.6}, {25, 17.4}}, widened(world, 0.08)};
   }
 
-  void milestone(Board& board, Role role) const {
-    board.milestone();
-    board.draw(drawing(role, false));
-  }
+  void milestone(Board& board, Role role) const { board.milestone(drawing(role, false)); }
   void go_on(Board& board, Shape points) {
     ++done_;
     stages_.push_back(std::move(points));
@@ -241,8 +232,7 @@ class Story {
     add_axes(view, panel_, "plane", {words_.symbol("x"), words_.symbol("y")});
     formula(view, whole);
     view.add({"b stage 00", Role::input, Path{panel_.at(stages_[0]), true}});
-    view.add({"j corner 00", Role::input, Dot{panel_.at(corner(0))}});
-    view.add({"k corner 00", Role::input, Label{panel_.at(corner(0)), letter(0)}});
+    view.add_named("j corner 00", "k corner 00", Role::input, panel_.at(corner(0)), letter(0));
     for (std::size_t k = 1; k < stages_.size(); ++k) {
       const Role its = k + 1 == stages_.size() ? role : Role::past;
       view.add({fmt::format("b stage {:02}", k), its, Path{panel_.at(stages_[k]), true}});
@@ -250,8 +240,7 @@ class Story {
     if (done_ == 0) return view;
     const dvec2 from = panel_.at(corner(done_ - 1)), to = panel_.at(corner(done_));
     view.add({"a inside", role, Area{{panel_.at(stages_[done_])}}});
-    view.add({"j corner", role, Dot{to}});
-    view.add({"k corner", role, Label{to, fmt::format("{}{}", letter(0), done_)}});
+    view.add_named("j corner", "k corner", role, to, fmt::format("{}{}", letter(0), done_));
     if (whole) return view;
     if (from != to) view.add({"h way", Role::measure, Stroke{from, to, true, true}});
     keep_still(view);
@@ -265,10 +254,8 @@ class Story {
   void keep_still(View& view) const {
     const FactorText& text = task_.texts[factor()];
     const auto at = [&](const Tuple& place) { return panel_.at(point_of(place) - origin()); };
-    if (!text.pivot.empty()) {
-      view.add({"j pivot", Role::boundary, Dot{at(text.pivot), true}});
-      view.add({"k pivot", Role::boundary, Label{at(text.pivot), words_.say("pivot")}});
-    }
+    if (!text.pivot.empty())
+      view.add_named("j pivot", "k pivot", Role::boundary, at(text.pivot), words_.say("pivot"), true);
     if (text.line.size() == 2)
       view.add({"d mirror", Role::boundary, Stroke{at(text.line[0]), at(text.line[1])}});
   }
@@ -307,8 +294,7 @@ void introduce(Narrator& narrator, const Task& task, const Panel& panel) {
   require_scale(panel, narrator.arguments(), {"polygon", "factors"});
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   narrator.paper(26, 26);
-  narrator.legend(
-      {{Role::input, "input"}, {Role::past, "past"}, {Role::current, "current"}, {Role::result, "result"}});
+  narrator.legend({Role::input, Role::past, Role::current, Role::result});
   narrator.last_is_telling();
 }
 
@@ -326,8 +312,8 @@ void conclude(Narrator& narrator, Story& story, const Task& task, const Shape& p
 }
 
 /// Tells a method that takes factors and points.
-template <class Act>
-void tell_chain(Narrator& narrator, Way way, Act act) {
+template <Way way, auto act>
+void tell_chain(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   Story story(narrator.words(), task, way);
   introduce(narrator, task, story.panel());
@@ -335,26 +321,12 @@ void tell_chain(Narrator& narrator, Way way, Act act) {
   act(task.chain(), std::span(points), narrator.watcher(story));
   conclude(narrator, story, task, points);
   tell_side_by_side<Numbers>(narrator,
-                             [task, act]<class T>(T, const auto& watch) { run_in<T>(task, act, watch); });
+                             [task]<class T>(T, const auto& watch) { run_in<T>(task, act, watch); });
 }
 
-void tell_one_matrix(Narrator& narrator) {
-  tell_chain(narrator, Way::forwards,
-             [](auto factors, auto points, auto&& observer) { one_matrix(factors, points, observer); });
-}
-void tell_factor_by_factor(Narrator& narrator) {
-  tell_chain(narrator, Way::forwards,
-             [](auto factors, auto points, auto&& observer) { factor_by_factor(factors, points, observer); });
-}
-void tell_local_coordinates(Narrator& narrator) {
-  tell_chain(narrator, Way::local, [](auto factors, auto points, auto&& observer) {
-    local_coordinates(factors[0].pivot, factors, points, observer);
-  });
-}
-void tell_centre_added(Narrator& narrator) {
-  tell_chain(narrator, Way::centre_added,
-             [](auto factors, auto points, auto&& observer) { centre_added(factors, points, observer); });
-}
+constexpr auto from_first_pivot = [](auto factors, auto... run) {
+  local_coordinates(factors[0].pivot, factors, run...);
+};
 
 /// The way back must exist before it is told.
 void require_inverses(const Task& task) {
@@ -381,20 +353,28 @@ void tell_undo(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "affine_2d",
        .chapter = "transformation",
        .aliases = {"2d transformation", "rotation", "scaling", "shear", "reflection",
                    "homogeneous coordinates"},
        .summary = "move, scale, turn, slant and mirror in the plane with one matrix",
-       .methods =
-           {{.name = "one_matrix", .standing = Standing::taught, .tell = tell_one_matrix, .exact = true},
-            {.name = "factor_by_factor", .tell = tell_factor_by_factor, .exact = true},
-            {.name = "local_coordinates", .tell = tell_local_coordinates, .exact = true},
-            {.name = "undo", .tell = tell_undo},
-            {.name = "centre_added", .standing = Standing::faulty, .tell = tell_centre_added}},
+       .methods = {{.name = "one_matrix",
+                    .standing = Standing::taught,
+                    .tell = tell_chain<Way::forwards, [](auto... run) { one_matrix(run...); }>,
+                    .exact = true},
+                   {.name = "factor_by_factor",
+                    .tell = tell_chain<Way::forwards, [](auto... run) { factor_by_factor(run...); }>,
+                    .exact = true},
+                   {.name = "local_coordinates",
+                    .tell = tell_chain<Way::local, from_first_pivot>,
+                    .exact = true},
+                   {.name = "undo", .tell = tell_undo},
+                   {.name = "centre_added",
+                    .standing = Standing::faulty,
+                    .tell = tell_chain<Way::centre_added, [](auto... run) { centre_added(run...); }>}},
        .columns = {{"k"}, {"xx"}, {"xy"}, {"x0"}, {"yx"}, {"yy"}, {"y0"}},
        .parameters = {{.name = "factors",
                        .type = ParameterType::factors,
@@ -402,28 +382,13 @@ const TopicEntry& entry() {
                        .example = "rotate 30 about 1,1; scale 2 about 1,1",
                        .help = "what is done, in the order of doing; angles in degrees",
                        .parts = coordinates},
-                      {.name = "polygon",
-                       .type = ParameterType::points,
-                       .default_value = "3,1 3,2 2,2 2,3 1,3 1,1",
-                       .example = "0,0 2,0 2,1 0,1",
-                       .help = "the shape's corners",
-                       .least = 1,
-                       .most = 40,
-                       .parts = coordinates,
-                       .sizes = {1e-100, 1e100}},
-                      {.name = "pivots",
-                       .type = ParameterType::choice,
-                       .default_value = "whole",
-                       .example = "split",
-                       .help =
-                           "a factor about a point is one step, or three: there, about the origin, and back",
-                       .choices = {"whole", "split"}},
-                      {.name = "compare",
-                       .type = ParameterType::choice,
-                       .default_value = "none",
-                       .example = "reversed",
-                       .help = "a last step shows the factors in the reverse order",
-                       .choices = {"none", "reversed"}},
+                      points(1, 40, "polygon", "3,1 3,2 2,2 2,3 1,3 1,1", "0,0 2,0 2,1 0,1",
+                             "the shape's corners", coordinates, {1e-100, 1e100}),
+                      choice(
+                          "pivots", {"whole", "split"}, "whole", "split",
+                          "a factor about a point is one step, or three: there, about the origin, and back"),
+                      choice("compare", {"none", "reversed"}, "none", "reversed",
+                             "a last step shows the factors in the reverse order"),
                       exact_parameter()},
        .examples = {"--factors 'rotate 30 about 1,1; scale 2 about 1,1'",
                     "--factors 'translate 2,0; rotate 90' --compare reversed",

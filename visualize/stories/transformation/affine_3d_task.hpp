@@ -1,10 +1,6 @@
 #pragma once
 // What a run of transformations in space is about.
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "stories/matrix_drawing.hpp"
 #include "stories/telling.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
@@ -59,7 +55,6 @@ inline dvec3 clean(dvec3 p) {
   return p;
 }
 
-inline std::vector<Field> fields_of(dvec3 p) { return {{"x", p.x}, {"y", p.y}, {"z", p.z}}; }
 inline std::vector<Said> row_of(Said name, dvec3 place) {
   const dvec3 p = clean(place);
   return {std::move(name), p.x, p.y, p.z};

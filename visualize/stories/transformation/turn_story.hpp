@@ -1,13 +1,6 @@
 #pragma once
 // The stories of a turn round any axis: by parts, and by vectors.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/record.hpp"
 #include "stories/transformation/affine_3d_task.hpp"
 #include "stories/transformation/box_drawing.hpp"
@@ -96,7 +89,7 @@ class PartsStory {
   /// What was asked last before this part: whether a turn is needed at all.
   std::optional<Decision> decision(Part part) const {
     const auto asked = [&](std::string_view question, bool needed) {
-      return yes_or_no(words_, words_.say(question), needed, needed ? "turned" : "skipped");
+      return yes_or_no(words_, question, {}, needed, "turned", "skipped");
     };
     const bool x = align_.x.has_value(), y = align_.y.has_value();
     if (part == Part::into_plane || part == Part::out_of_plane || (part == Part::back && !x))
@@ -133,8 +126,7 @@ class PartsStory {
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
     add_product(view, product_, done_ ? role : Role::guide, words_);
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   const Words& words_;
@@ -249,8 +241,7 @@ class VectorStory {
       add_dot(view, panel, "belongs", Role::accepted, turned_by(task_.angle), words_.say("belongs"));
     const std::string formula = constant_ ? "P′ = Q + (P − Q)" : "P′ = Q + r + cos θ · s + sin θ · v";
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula}});
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
   /// As many of r, s and v as are known, and what they make.
   void add_vectors(View& view) const {
