@@ -30,9 +30,9 @@ bool is_flag(const TopicEntry& topic, std::string_view name) {
 
 std::string flag_of(const Parameter& parameter) { return "--" + hyphened(parameter.name); }
 
-class Reader {
+class InputReader {
  public:
-  Reader(const TopicEntry& topic, const std::map<std::string, std::string>& given, const FindFile& find)
+  InputReader(const TopicEntry& topic, const std::map<std::string, std::string>& given, const FindFile& find)
       : topic_(topic), given_(given), find_(find) {}
 
   Inputs read() {
@@ -206,7 +206,7 @@ std::vector<std::string> first_notes(const std::vector<std::string>& notes) {
 
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
                    const FindFile& find) {
-  return Reader(topic, given, find).read();
+  return InputReader(topic, given, find).read();
 }
 
 std::string complaint_of(const ArgumentError& error) {

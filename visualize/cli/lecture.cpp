@@ -124,9 +124,9 @@ std::string way(const std::string& path, const std::string& key) {
   return (path.empty() ? "" : path + ".") + shown_name(key);
 }
 
-class Reader {
+class LectureReader {
  public:
-  Reader(const LectureFile& file, const std::map<std::string, std::string>& instead)
+  LectureReader(const LectureFile& file, const std::map<std::string, std::string>& instead)
       : file_(file), instead_(instead) {
     lecture_.file = file.name;
   }
@@ -403,7 +403,7 @@ class Reader {
     return which ? catalogue()[*which] : nullptr;
   }
 
-  using ReadText = std::optional<std::string> (Reader::*)(const JsonNode&, const Place&);
+  using ReadText = std::optional<std::string> (LectureReader::*)(const JsonNode&, const Place&);
 
   /// The value of a key of this part, its place noted; nothing where there is none, or a wrong one.
   std::optional<std::string> own(const JsonNode& node, LecturePart& part, const char* key, ReadText reader) {
@@ -421,13 +421,13 @@ class Reader {
     } else {
       complain({node.line, path}, "expected the key \"input\" ({} for the topic's defaults), found none");
     }
-    const auto method = own(node, figure, "method", &Reader::text_of);
+    const auto method = own(node, figure, "method", &LectureReader::text_of);
     if (method && figure.request.topic) {
       Texts names;
       for (const Method& known : figure.request.topic->methods) names.push_back(known.name);
       if (whole_name(*method, names, figure.places["method"])) figure.request.arguments["method"] = *method;
     }
-    figure.name = own(node, figure, "name", &Reader::safe_name).value_or("");
+    figure.name = own(node, figure, "name", &LectureReader::safe_name).value_or("");
   }
 
   std::optional<std::string> safe_name(const JsonNode& node, const Place& place) {
@@ -596,10 +596,10 @@ class Reader {
     check_keys(node, path, allowed);
     render.request.command = &*std::ranges::find(commands(), "render", &Command::name);
     if (!node.member("model")) complain(render.place, "expected the key \"model\", found none");
-    const auto model = own(node, render, "model", &Reader::file_name);
-    render.name = own(node, render, "name", &Reader::safe_name).value_or("");
-    render.title = own(node, render, "title", &Reader::line_of_text).value_or("");
-    render.caption = own(node, render, "caption", &Reader::line_of_text).value_or("");
+    const auto model = own(node, render, "model", &LectureReader::file_name);
+    render.name = own(node, render, "name", &LectureReader::safe_name).value_or("");
+    render.title = own(node, render, "title", &LectureReader::line_of_text).value_or("");
+    render.caption = own(node, render, "caption", &LectureReader::line_of_text).value_or("");
     for (const Flag& flag : render.request.command->flags) read_render_flag(node, flag, render);
     if (!model) return;
     render.request.operands = {*model};
@@ -747,7 +747,7 @@ std::string LectureFigure::contents() const {
 }
 
 Lecture read_lecture(const LectureFile& file, const std::map<std::string, std::string>& instead) {
-  return Reader(file, instead).read();
+  return LectureReader(file, instead).read();
 }
 
 bool is_about_input(const std::exception& error) {
