@@ -33,7 +33,7 @@ std::vector<Trace> some_traces() {
   return some;
 }
 
-const Colophon hostile{
+const Colophon hostile_colophon{
     "<b>Title</b> & \"more\"", "caption ]]> </desc> \xc3\xa9",
     "gradus figure flood_fill --maze '#.#/[x]' --paint '#d55e00' --x \"<script>\" %41 \xe2\x88\x92",
     "fnv1a64:0123456789abcdef"};
@@ -55,12 +55,13 @@ TEST(CairoOutput, SameSheetSameBytes) {
   const Trace trace = test::trace_of("bresenham_line");
   const Sheet sheet = sheet_at(trace, {4, 0});
   const Theme& light = themes()[0];
-  const std::string svg = svg_of(sheet, light, hostile), png = png_of(sheet, light, hostile);
+  const std::string svg = svg_of(sheet, light, hostile_colophon),
+                    png = png_of(sheet, light, hostile_colophon);
   const auto same = [&sheet](std::size_t) { return sheet; };
-  const std::string pdf = pdf_of(2, same, light, hostile);
-  EXPECT_EQ(svg_of(sheet, light, hostile), svg);
-  EXPECT_EQ(png_of(sheet, light, hostile), png);
-  EXPECT_EQ(pdf_of(2, same, light, hostile), pdf);
+  const std::string pdf = pdf_of(2, same, light, hostile_colophon);
+  EXPECT_EQ(svg_of(sheet, light, hostile_colophon), svg);
+  EXPECT_EQ(png_of(sheet, light, hostile_colophon), png);
+  EXPECT_EQ(pdf_of(2, same, light, hostile_colophon), pdf);
 }
 
 TEST(CairoOutput, SameImagesSameBytes) {
@@ -68,22 +69,23 @@ TEST(CairoOutput, SameImagesSameBytes) {
       "flood_fill",
       {{"image", std::string(GRADUS_SOURCE_DIR) + "/examples/images/camera.png"}, {"at", "300,60"}}, {0, 50});
   const Sheet sheet = sheet_at(trace, {2, 0});
-  const std::string first = svg_of(sheet, themes()[0], hostile);
+  const std::string first = svg_of(sheet, themes()[0], hostile_colophon);
   EXPECT_NE(first.find("data-id=\"picture\""), std::string::npos);
   EXPECT_NE(first.find("data-id=\"overview\""), std::string::npos);
-  EXPECT_EQ(svg_of(sheet, themes()[0], hostile), first);
+  EXPECT_EQ(svg_of(sheet, themes()[0], hostile_colophon), first);
 }
 
 TEST(CairoOutput, ThreadsGiveTheSameBytes) {
   const Trace trace = test::trace_of("flood_fill");
   const Sheet sheet = sheet_at(trace, {5, 0});
-  const std::string svg = svg_of(sheet, themes()[1], hostile), png = png_of(sheet, themes()[1], hostile);
+  const std::string svg = svg_of(sheet, themes()[1], hostile_colophon),
+                    png = png_of(sheet, themes()[1], hostile_colophon);
   std::vector<std::string> svgs(8), pngs(8);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < 8; ++i) {
     threads.emplace_back([&, i] {
-      svgs[i] = svg_of(sheet, themes()[1], hostile);
-      pngs[i] = png_of(sheet, themes()[1], hostile);
+      svgs[i] = svg_of(sheet, themes()[1], hostile_colophon);
+      pngs[i] = png_of(sheet, themes()[1], hostile_colophon);
     });
   }
   for (std::thread& thread : threads) thread.join();
@@ -96,12 +98,13 @@ TEST(CairoOutput, ThreadsGiveTheSameBytes) {
 TEST(CairoOutput, FilesSayHowTheyWereMade) {
   const Trace trace = test::trace_of("bresenham_line");
   const Sheet sheet = sheet_at(trace, {4, 0});
-  for (const std::string& bytes : {svg_of(sheet, themes()[0], hostile), png_of(sheet, themes()[0], hostile),
-                                   pdf_of(1, [&](std::size_t) { return sheet; }, themes()[0], hostile)}) {
+  for (const std::string& bytes :
+       {svg_of(sheet, themes()[0], hostile_colophon), png_of(sheet, themes()[0], hostile_colophon),
+        pdf_of(1, [&](std::size_t) { return sheet; }, themes()[0], hostile_colophon)}) {
     const auto found = colophon_in(bytes);
     ASSERT_TRUE(found) << bytes.substr(0, 20);
-    EXPECT_EQ(found->command, hostile.command);
-    EXPECT_EQ(found->input_hash, hostile.input_hash);
+    EXPECT_EQ(found->command, hostile_colophon.command);
+    EXPECT_EQ(found->input_hash, hostile_colophon.input_hash);
   }
   EXPECT_FALSE(colophon_in("<svg></svg>"));
   EXPECT_FALSE(colophon_in("%PDF-1.5 nothing"));
@@ -117,7 +120,7 @@ std::vector<std::string> all(const std::string& text, const std::string& pattern
 
 TEST(Svg, SaysWhatItShowsFirst) {
   const Trace trace = test::trace_of("bresenham_line");
-  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
+  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile_colophon);
   EXPECT_EQ(svg.find("<script"), std::string::npos);
   EXPECT_EQ(svg.find("<b>"), std::string::npos);
   EXPECT_NE(svg.find("width=\"1280px\" height=\"720px\" viewBox=\"0 0 1280 720\""), std::string::npos);
@@ -130,7 +133,7 @@ TEST(Svg, SaysWhatItShowsFirst) {
 
 TEST(Svg, EveryIdIsUniqueAndEveryLetterKnown) {
   for (const Trace& trace : some_traces()) {
-    const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), themes()[0], hostile);
+    const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), themes()[0], hostile_colophon);
     const auto ids = all(svg, " id=\"([^\"]*)\"");
     const std::set<std::string> once(ids.begin(), ids.end());
     EXPECT_EQ(once.size(), ids.size()) << trace.subtitle;
@@ -145,7 +148,7 @@ TEST(Svg, EveryIdIsUniqueAndEveryLetterKnown) {
 TEST(Svg, GroupsAreSlotsAndRolesInDrawingOrder) {
   for (const Trace& trace : some_traces()) {
     const Sheet sheet = sheet_at(trace, trace.steps[trace.steps.size() / 2].number);
-    const std::string svg = svg_of(sheet, themes()[0], hostile);
+    const std::string svg = svg_of(sheet, themes()[0], hostile_colophon);
     for (const Slot slot : all_slots) {
       EXPECT_NE(svg.find(std::string("<g id=\"") + std::string(name_of(slot)) + "\" class=\"slot-"),
                 std::string::npos);
@@ -162,7 +165,7 @@ TEST(Svg, GroupsAreSlotsAndRolesInDrawingOrder) {
     EXPECT_EQ(written, drawn) << trace.subtitle;
   }
   const Trace trace = test::trace_of("bresenham_line");
-  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
+  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile_colophon);
   EXPECT_NE(svg.find("<g id=\"drawing-current\" class=\"role-current\">"), std::string::npos);
   EXPECT_NE(svg.find("<g id=\"drawing-rule\" class=\"tone-rule\">"), std::string::npos);
   EXPECT_NE(svg.find("<g id=\"drawing-current-2\" class=\"role-current\">"), std::string::npos)
@@ -171,7 +174,7 @@ TEST(Svg, GroupsAreSlotsAndRolesInDrawingOrder) {
 
 TEST(Svg, NumbersAreShort) {
   const Trace trace = test::trace_of("flood_fill");
-  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
+  const std::string svg = svg_of(sheet_at(trace, {4, 0}), themes()[0], hostile_colophon);
   std::size_t count = 0;
   for (const std::string& number : all(svg, " (?:x|y|width|height|stroke-width|cx|cy|r)=\"(-?[0-9.]+)\"")) {
     EXPECT_TRUE(std::regex_match(number, std::regex("-?(0|[1-9][0-9]*)(\\.[0-9]?[1-9])?"))) << number;
@@ -183,7 +186,7 @@ TEST(Svg, NumbersAreShort) {
 TEST(Svg, NumbersAreRight) {
   const auto x_of = [](double x) {
     const Sheet sheet{100, 100, {{Slot::drawing, "", RectShape{{x, 0, 1, 1}, Paint::of(Tone::ink), {}}}}};
-    return all(svg_of(sheet, themes()[0], hostile), "<rect x=\"([^\"]*)\"").at(0);
+    return all(svg_of(sheet, themes()[0], hostile_colophon), "<rect x=\"([^\"]*)\"").at(0);
   };
   for (const auto& [value, text] : {std::pair{0.0, "0"},
                                     {-0.001, "0"},
@@ -203,7 +206,7 @@ TEST(Svg, TextStaysText) {
   const Sheet sheet = sheet_at(trace, {4, 0});
   Finish finish(themes()[0]);
   finish.svg_text = SvgText::text;
-  const std::string svg = svg_of(sheet, finish, hostile);
+  const std::string svg = svg_of(sheet, finish, hostile_colophon);
   EXPECT_EQ(svg.find("<use"), std::string::npos);
   EXPECT_EQ(svg.find("<defs"), std::string::npos);
   std::size_t texts = 0;
@@ -267,8 +270,8 @@ TEST(Finish, TransparentHasNoGround) {
   const Sheet sheet = sheet_at(trace, {4, 0});
   Finish finish(themes()[0]);
   finish.transparent = true;
-  EXPECT_EQ(svg_of(sheet, finish, hostile).find("id=\"paper\""), std::string::npos);
-  EXPECT_NE(svg_of(sheet, themes()[0], hostile).find("id=\"paper\""), std::string::npos);
+  EXPECT_EQ(svg_of(sheet, finish, hostile_colophon).find("id=\"paper\""), std::string::npos);
+  EXPECT_NE(svg_of(sheet, themes()[0], hostile_colophon).find("id=\"paper\""), std::string::npos);
   // Over white it is the figure on white: what un-premultiplying got wrong would show
   const Image clear = image_of(sheet, finish), opaque = image_of(sheet, themes()[0]);
   ASSERT_EQ(clear.cells().size(), opaque.cells().size());
@@ -306,7 +309,9 @@ TEST(Finish, TransparentEdgesHaveTheInksColour) {
 TEST(Finish, PdfPagesHaveTheirOwnSizes) {
   const std::array<Sheet, 3> sheets{Sheet{1280, 720, {}}, Sheet{794, 1123, {}}, Sheet{400, 300, {}}};
   Finish finish(themes()[1]);
-  const auto pdf = [&] { return pdf_of(3, [&](std::size_t i) { return sheets[i]; }, finish, hostile); };
+  const auto pdf = [&] {
+    return pdf_of(3, [&](std::size_t i) { return sheets[i]; }, finish, hostile_colophon);
+  };
   const std::string opaque = pdf();
   EXPECT_EQ(all(opaque, "/MediaBox \\[ 0 0 ([0-9. ]+) \\]"),
             (std::vector<std::string>{"960 540", "595.5 842.25", "300 225"}));
@@ -352,7 +357,7 @@ TEST(Finish, AnotherPaper) {
 
 TEST(CairoOutput, PngHoldsTheFigure) {
   const Trace trace = test::trace_of("bresenham_line");
-  const std::string png = png_of(sheet_at(trace, {4, 0}), themes()[0], hostile);
+  const std::string png = png_of(sheet_at(trace, {4, 0}), themes()[0], hostile_colophon);
   const Image image = decode_png({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}, "figure");
   EXPECT_EQ(image.width(), 1280);
   EXPECT_EQ(image.height(), 720);
@@ -365,7 +370,7 @@ TEST(CairoOutput, PngHoldsTheFigure) {
 TEST(CairoOutput, EveryThemeDrawsEveryTellingTrace) {
   for (const Trace& trace : some_traces()) {
     for (const Theme& theme : themes()) {
-      const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), theme, hostile);
+      const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), theme, hostile_colophon);
       EXPECT_NE(svg.find("</svg>"), std::string::npos);
       EXPECT_EQ(svg.find("=\"nan"), std::string::npos) << trace.subtitle;
       EXPECT_EQ(svg.find(" nan "), std::string::npos) << trace.subtitle;

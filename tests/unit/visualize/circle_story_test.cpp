@@ -28,11 +28,11 @@ Pixels with_role(const Canvas& canvas, const Window& cells, Role role) {
 }
 
 /// The drawing after a step of a circle.
-struct Shown {
+struct ShownCircle {
   Trace trace;
   Playhead playhead;
 
-  explicit Shown(const Given& given, Recording recording = {})
+  explicit ShownCircle(const Given& given, Recording recording = {})
       : trace(test::trace_of("bresenham_circle", given, std::move(recording))), playhead(trace) {}
 
   const TraceStep& step(StepNumber number) { return trace.steps[index_of(trace, number)]; }
@@ -47,7 +47,7 @@ struct Shown {
 };
 
 TEST(CircleStory, EightPixelsAStep) {
-  Shown shown(Given{{"radius", "8"}});
+  ShownCircle shown(Given{{"radius", "8"}});
   EXPECT_EQ(shown.trace.title, "Bresenham circle");
   EXPECT_TRUE(shown.trace.grid.y_up);
   EXPECT_EQ(shown.trace.last, 6);
@@ -98,7 +98,7 @@ TEST(CircleStory, EverySumOfASentenceIsTrue) {
 }
 
 TEST(CircleStory, AWindowShowsOnlyItsPixels) {
-  Shown shown(Given{{"center", "3,-4"}, {"radius", "10"}, {"window", "0,0,14,6"}});
+  ShownCircle shown(Given{{"center", "3,-4"}, {"radius", "10"}, {"window", "0,0,14,6"}});
   Pixels expected;
   const Window window{{0, 0}, {14, 6}};
   bresenham_circle::decision_parameter({3, -4}, 10, [&](ivec2 p) {
@@ -127,7 +127,7 @@ TEST(CircleStory, AWindowShowsOnlyItsPixels) {
 
 TEST(CircleStory, TheLargestCircleIsJumpedInto) {
   const std::int64_t first = 1'000'000'000;
-  Shown shown(Given{{"radius", "2147483647"}}, {first, 40});
+  ShownCircle shown(Given{{"radius", "2147483647"}}, {first, 40});
   EXPECT_EQ(shown.trace.steps.front().number.step, first);
   EXPECT_EQ(shown.trace.last, bresenham_circle::last_column(2147483647));
   EXPECT_EQ(shown.step({first + 5, 0}).key,
@@ -153,7 +153,7 @@ TEST(CircleStory, TheIdealCircleIsRound) {
 }
 
 TEST(CircleStory, TheLateUpdateSaysSo) {
-  Shown shown(Given{{"radius", "5"}, {"method", "late_update"}});
+  ShownCircle shown(Given{{"radius", "5"}, {"method", "late_update"}});
   EXPECT_EQ(shown.trace.faulty, "x and y move before p is updated: the pixels leave the circle");
   EXPECT_EQ(shown.role({2, 0}, Role::accepted), (Pixels{{2, 5}}));
   EXPECT_EQ(shown.role({2, 0}, Role::current), (Pixels{{2, 4}}));
@@ -166,7 +166,7 @@ TEST(CircleStory, TheLateUpdateSaysSo) {
 TEST(CircleStory, SpeaksInTheReadersNotationAndLanguage) {
   Recording recording;
   recording.wording = Wording(*find_language("de"), {{"p", "d"}, {"SE", "S"}, {"x", "u"}, {"r", "R"}});
-  Shown shown(Given{{"radius", "8"}}, recording);
+  ShownCircle shown(Given{{"radius", "8"}}, recording);
   EXPECT_EQ(shown.trace.title, "Bresenham-Kreis");
   EXPECT_EQ(shown.step({2, 1}).sentence,
             "u² + y² − R² ist 9 bei E und −6 bei S. Die Summe ist d = 3 > 0: S ist näher.");

@@ -51,7 +51,7 @@ class Folder {
   fs::path path_;
 };
 
-void write(const std::string& path, const std::string& bytes) {
+void write_film(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
@@ -84,7 +84,7 @@ std::string film(FilmFormat format, std::size_t frames, const FilmOptions& optio
 /// The film's pictures as ffmpeg decodes them.
 std::vector<Image> decoded(const std::string& film, const std::string& ending, int width, int height) {
   const Folder folder;
-  write(folder / ("film." + ending), film);
+  write_film(folder / ("film." + ending), film);
   const std::string raw = output_of("ffmpeg -v error -i " + (folder / ("film." + ending)) +
                                     " -vsync passthrough -f rawvideo -pix_fmt rgba -");
   std::vector<Image> images;
@@ -175,7 +175,7 @@ bool same_seen(const Image& a, const Image& b) {
 /// "key=value" lines of ffprobe about the only stream.
 std::map<std::string, std::string> probed(const std::string& film, const std::string& ending) {
   const Folder folder;
-  write(folder / ("film." + ending), film);
+  write_film(folder / ("film." + ending), film);
   std::map<std::string, std::string> found;
   std::istringstream lines(
       output_of("ffprobe -v error -count_frames -show_streams " + (folder / ("film." + ending))));
@@ -202,7 +202,7 @@ class OtherPath {
 
 /// A program called ffmpeg that is none.
 void make_ffmpeg(const Folder& folder, const std::string& script) {
-  write(folder / "ffmpeg", "#!/bin/sh\n" + script + "\n");
+  write_film(folder / "ffmpeg", "#!/bin/sh\n" + script + "\n");
   fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
 }
 

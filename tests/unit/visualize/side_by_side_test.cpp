@@ -135,7 +135,7 @@ TEST(SideBySide, TheFirstPixelThatFloatTakesWrongIsMarked) {
 }
 
 /// A story of two steps, each with one number.
-Trace small_trace() {
+Trace trace_of_two() {
   TraceWriter writer({});
   writer.trace().grid.cells = {{0, 0}, {3, 3}};
   for (const char* type : {"Asked", "Answered"}) {
@@ -157,7 +157,7 @@ NumericRun<T> small_run(T number, int decision, int line) {
 
 TEST(SideBySide, ABranchOfItsOwnEndsTheComparison) {
   const ExactScope scope;
-  Trace trace = small_trace();
+  Trace trace = trace_of_two();
   const NumericRuns runs{small_run(1.0F, 0, 9), small_run(1.5, 1, 8), small_run(Exact(3, 2), 1, 8)};
   put_side_by_side(trace, runs, ToldIn::doubles);
   EXPECT_EQ(trace.steps[0].row, (Row{"x", "1", "4.2e+06", "1.5", "0", "1.5"}));  // half of 2^23 ulp
@@ -168,7 +168,7 @@ TEST(SideBySide, ABranchOfItsOwnEndsTheComparison) {
 
 TEST(SideBySide, WhereAllAgreeNothingIsMarked) {
   const ExactScope scope;
-  Trace trace = small_trace();
+  Trace trace = trace_of_two();
   put_side_by_side(trace, {small_run(0.5F, 1, 8), small_run(0.5, 1, 8), small_run(Exact(1, 2), 1, 8)},
                    ToldIn::doubles);
   EXPECT_EQ(result_of(trace, "float_differs_at"), "");
@@ -187,7 +187,7 @@ TEST(SideBySide, ARunThatFloatCannotHoldIsComparedAsFarAsItWent) {
 
 TEST(SideBySide, WhereTheToldRunHasPartedNothingIsCompared) {
   const ExactScope scope;
-  Trace trace = small_trace();
+  Trace trace = trace_of_two();
   put_side_by_side(trace, {small_run(1.5F, 1, 8), small_run(1.5, 0, 9), small_run(Exact(3, 2), 1, 8)},
                    ToldIn::doubles);
   EXPECT_FALSE(trace.steps[0].row.empty());
@@ -197,7 +197,7 @@ TEST(SideBySide, WhereTheToldRunHasPartedNothingIsCompared) {
 
 TEST(SideBySide, NumbersThatNoStepTellsAreAMistake) {
   const ExactScope scope;
-  Trace trace = small_trace();
+  Trace trace = trace_of_two();
   NumericRuns runs{small_run(1.5F, 1, 8), small_run(1.5, 1, 8), small_run(Exact(3, 2), 1, 8)};
   runs.in_double.steps[1].type = "Replied";
   EXPECT_THROW(put_side_by_side(trace, runs, ToldIn::doubles), std::logic_error);

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string hostile = "a_b & 50% of #1 {x} $y ~z ^2 <b> \"q\" 'r' \\end | [l](u) `c` * 1.";
+const std::string hostile_text = "a_b & 50% of #1 {x} $y ~z ^2 <b> \"q\" 'r' \\end | [l](u) `c` * 1.";
 
 TEST(Escape, LatexLeavesNoSpecialCharacterBare) {
   const std::string text = latex_escaped("a_b & 50% #1 {x} $y ~z ^2 \\end");
@@ -45,7 +45,7 @@ TEST(Escape, HtmlMarkupBecomesText) {
 }
 
 TEST(Escape, MarkdownPutsABackslashBeforeEverythingWithAMeaning) {
-  const std::string text = markdown_escaped(hostile);
+  const std::string text = markdown_escaped(hostile_text);
   const std::string special = "\\`*_{}[]()#+-.!|<>~&";
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\\') {
