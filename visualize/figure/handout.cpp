@@ -18,7 +18,7 @@ constexpr std::array<Paper, 2> all_papers{{{"a4", 210 / 25.4 * 96, 297 / 25.4 * 
 
 // CSS pixels; 4/3 of one is a point
 constexpr double least_letters = 7.0 * 4 / 3;
-constexpr double margin = 48, header = 40, footer = 26, gap = 16;
+constexpr double page_margin = 48, header = 40, footer = 26, gap = 16;
 constexpr double heading_letters = 17, small_letters = 10;
 
 void require_possible(const PageGrid& grid) {
@@ -31,12 +31,12 @@ void require_possible(const PageGrid& grid) {
 /// Where the i-th figure of a page stands, caption included.
 Box box_of(const Handout& handout, std::size_t i) {
   const auto columns = static_cast<std::size_t>(handout.grid.columns);
-  const double across = handout.paper.width - 2 * margin;
-  const double down = handout.paper.height - 2 * margin - header - footer;
+  const double across = handout.paper.width - 2 * page_margin;
+  const double down = handout.paper.height - 2 * page_margin - header - footer;
   const double width = (across - gap * (handout.grid.columns - 1)) / handout.grid.columns;
   const double height = (down - gap * (handout.grid.rows - 1)) / handout.grid.rows;
-  return {margin + static_cast<double>(i % columns) * (width + gap),
-          margin + header + static_cast<double>(i / columns) * (height + gap), width, height};
+  return {page_margin + static_cast<double>(i % columns) * (width + gap),
+          page_margin + header + static_cast<double>(i / columns) * (height + gap), width, height};
 }
 
 /// How a figure is laid out in its box: without what stands elsewhere on the page.
@@ -77,28 +77,29 @@ void add_text(Sheet& page, Slot slot, std::string id, dvec2 baseline, std::strin
 
 void add_rule(Sheet& page, Slot slot, std::string id, double y) {
   page.shapes.push_back(
-      {slot, std::move(id), LineShape{{{margin, y}, {page.width - margin, y}}, Paint::of(Tone::rule), 1}});
+      {slot, std::move(id),
+       LineShape{{{page_margin, y}, {page.width - page_margin, y}}, Paint::of(Tone::rule), 1}});
 }
 
 void add_header(Sheet& page, const Handout& handout, const Trace& trace) {
-  const double baseline = margin + 16, right = page.width - margin, room = right - margin;
+  const double baseline = page_margin + 16, right = page.width - page_margin, room = right - page_margin;
   const std::string method = elided(trace.method_title, Face::sans, small_letters, 0.4 * room);
   const double left = room - text_width(method, Face::sans, small_letters) - 20;
   const std::string title = elided(handout.look.title.empty() ? trace.title : handout.look.title, Face::bold,
                                    heading_letters, left);
   const double title_width = text_width(title, Face::bold, heading_letters);
-  add_text(page, Slot::title, "title", {margin, baseline}, title, Face::bold, heading_letters, Align::left,
-           Tone::ink);
+  add_text(page, Slot::title, "title", {page_margin, baseline}, title, Face::bold, heading_letters,
+           Align::left, Tone::ink);
   add_text(page, Slot::title, "method", {right, baseline}, method, Face::sans, small_letters, Align::right,
            Tone::muted);
   if (const double rest = left - title_width - 10; rest > 40) {
-    add_text(page, Slot::title, "input", {margin + title_width + 10, baseline},
+    add_text(page, Slot::title, "input", {page_margin + title_width + 10, baseline},
              elided(trace.subtitle, Face::sans, 11, rest), Face::sans, 11, Align::left, Tone::muted);
   }
   if (!trace.faulty.empty()) {
     page.shapes.push_back(
         {Slot::title, "faulty",
-         TextShape{{margin, baseline + 13},
+         TextShape{{page_margin, baseline + 13},
                    elided(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
                           small_letters, room),
                    Face::bold,
@@ -106,20 +107,20 @@ void add_header(Sheet& page, const Handout& handout, const Trace& trace) {
                    Align::left,
                    Paint::text(Role::measure)}});
   }
-  add_rule(page, Slot::title, "title rule", margin + header - 8);
+  add_rule(page, Slot::title, "title rule", page_margin + header - 8);
 }
 
 void add_footer(Sheet& page, const Handout& handout, const Trace& trace, std::size_t number,
                 std::size_t pages) {
-  const double baseline = page.height - margin;
+  const double baseline = page.height - page_margin;
   const std::string place =
       trace.wording.say("figure.page", fmt::arg("page", number + 1), fmt::arg("pages", pages));
-  const double room = page.width - 2 * margin - text_width(place, Face::sans, small_letters) - 20;
+  const double room = page.width - 2 * page_margin - text_width(place, Face::sans, small_letters) - 20;
   add_rule(page, Slot::footer, "footer rule", baseline - 14);
-  add_text(page, Slot::footer, "source", {margin, baseline},
+  add_text(page, Slot::footer, "source", {page_margin, baseline},
            elided(handout.source, Face::sans, small_letters, room), Face::sans, small_letters, Align::left,
            Tone::muted);
-  add_text(page, Slot::footer, "page", {page.width - margin, baseline}, place, Face::sans, small_letters,
+  add_text(page, Slot::footer, "page", {page.width - page_margin, baseline}, place, Face::sans, small_letters,
            Align::right, Tone::muted);
 }
 

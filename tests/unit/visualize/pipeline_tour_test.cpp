@@ -102,11 +102,11 @@ std::string line_in(const std::string& file, int number) {
 
 TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
   // Stage, file, and for each event that its steps are told as what the reporting line hands over
-  struct Case {
+  struct StageLines {
     std::string stage, file;
     std::map<std::string, std::string> events;
   };
-  const std::vector<Case> cases{
+  const std::vector<StageLines> cases{
       {"input", "1_input", {{"VertexRead", "VertexRead{"}, {"FaceRead", "face_read("}}},
       {"world", "2_world", {{"Placed", "Placed{"}}},
       {"perspective", "3_perspective", {{"Projected", "Projected{"}}},
