@@ -11,6 +11,7 @@ function(gradus_embed output function root)
             "-DJOIN=${arg_JOIN}" -P ${PROJECT_SOURCE_DIR}/visualize/embed.cmake
     DEPENDS ${inputs} visualize/embed.cmake
     COMMENT "Embedding for ${function}()" VERBATIM)
+  set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # each numbers its texts
 endfunction()
 
 # A layer of the visualizer: the static library gradus_<name> from visualize/<name>/*.cpp and more sources.
