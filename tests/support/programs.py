@@ -18,6 +18,7 @@ PACKAGES = {
     "cmake": ("cmake", "ctest"),
     "ninja-build": ("ninja",),
     "clang-19": ("clang++-19",),
+    "clang-format-19": ("clang-format-19",),
     "ffmpeg": ("ffmpeg", "ffprobe"),
     "librsvg2-bin": ("rsvg-convert",),
     "poppler-utils": ("pdfinfo", "pdftocairo", "pdftoppm", "pdftotext"),
