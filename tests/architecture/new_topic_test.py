@@ -91,6 +91,14 @@ class Skeleton(unittest.TestCase):
                 self.assertNotRegex(self.text(path), PLACEHOLDERS, path)
                 self.assertIn(new_topic.MARKER, self.text(path), path)
 
+    def test_the_page_goes_through_every_file_and_list(self):
+        page = self.text(new_topic.PAGE)
+        named = set(re.findall(r"`([^`]+)`", "".join(line for line in page.splitlines() if line.startswith("|"))))
+        _, files, changed = self.made[IN_A_FAMILY]
+        self.assertEqual({path.replace("clipping", "F").replace("hatched_area", "T") for path in files} - named, set())
+        self.assertEqual((changed | {place for place in topics_test.PLACES if (self.root / place).exists()}) - named
+                         - {"tests/stress", "tests/benchmark", "tests/architecture/machine_code"}, set())
+
     def test_its_unit_tests_fail_by_name(self):
         self.assertRegex(self.text("tests/unit/clipping/hatched_area_test.cpp"),
                          r"TEST\(HatchedArea, IsToBeFilledIn\) {\s+FAIL\(\)\s+<< \"[^;}]*; docs/adding_a_topic.md")
