@@ -23,8 +23,8 @@ import topics_test
 # In a family that is there and in a new one; the shortest names and the longest ones, which lines must have room for
 IN_A_FAMILY, SHORTEST = "clipping/hatched_area", "f/zz"
 LONGEST = "f" * new_topic.LONGEST_FAMILY + "/" + "t" * new_topic.LONGEST_TOPIC
-COPIED = ("CMakeLists.txt", "README.md", "LICENSE", ".clang-format", "bootstrap", "algorithms", "cmake", "docs", "examples", "pipeline",
-          "tests", "visualize")
+COPIED = ("CMakeLists.txt", "README.md", "CHANGELOG.md", "LICENSE", ".clang-format", "bootstrap", "algorithms", "cmake", "docs",
+          "examples", "pipeline", "tests", "visualize")
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Werror",
             "-Wno-missing-field-initializers")
 PLACEHOLDERS = re.compile(r"new_family|new_topic\b(?!/)|NewTopic|New topic")

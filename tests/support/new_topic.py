@@ -203,11 +203,13 @@ def put(root, new, changed):
                 before[target] = target.read_bytes()
                 file.chmod(target.stat().st_mode)
                 file.replace(target)
-        except OSError as error:
+        except BaseException as error:
             for path in reversed(made):
                 path.rmdir() if path.is_dir() else path.unlink()
             for path, content in before.items():
                 path.write_bytes(content)
+            if not isinstance(error, OSError):
+                raise
             place = error.filename2 or error.filename  # of a file that can't be put there, where to
             raise Refusal(f"{place}: {error.strerror}; nothing was written") from error
 
