@@ -35,13 +35,13 @@ class Refusal(Exception):
 
 def family_and_topic(words):
     """The two names that the command was given."""
-    found = " ".join(words) or "nothing"
+    found = repr(" ".join(words)) if words else "nothing"
     match = re.fullmatch(f"({NAME})/({NAME})", words[0]) if len(words) == 1 else None
     if not match:
-        raise Refusal(f"expected family/topic, such as clipping/liang_barsky, in small letters, digits and _; found {found!r}")
+        raise Refusal(f"expected family/topic, such as clipping/liang_barsky, in small letters, digits and _; found {found}")
     family, topic = match.groups()
     if len(family) > LONGEST_FAMILY or len(topic) > LONGEST_TOPIC:
-        raise Refusal(f"expected at most {LONGEST_FAMILY} letters for the family and {LONGEST_TOPIC} for the topic, found {found!r}")
+        raise Refusal(f"expected at most {LONGEST_FAMILY} letters for the family and {LONGEST_TOPIC} for the topic, found {found}")
     return family, topic
 
 
