@@ -69,9 +69,9 @@ def targets(root):
 
 
 def check_names(root, family, topic):
-    for known in project.topics(root):
-        if known.name == topic:
-            raise Refusal(f"there is a topic {known.path} already")
+    for path in (*(known.path for known in project.topics(root)), *project.stories(root)):
+        if path.split("/")[1] == topic:
+            raise Refusal(f"there is a topic {path} already")
     parts = folders(root, ".", "visualize", "pipeline", "tests") | KEYWORDS
     if family in parts | {"core"}:
         raise Refusal(f"'{family}' can't be a family: it is a folder of the project or a word of C++")
@@ -187,11 +187,11 @@ def put(root, new, changed):
         if (root / path).exists():
             raise Refusal(f"{path} is there already; nothing was written")
     made, before = [], {}  # files and folders in this order, and what stood in the lists
-    with tempfile.TemporaryDirectory(prefix=".new_topic_", dir=root) as name:
-        staged = [pathlib.Path(name) / str(number) for number in range(len(new) + len(changed))]
-        for file, text in zip(staged, [*new.values(), *changed.values()]):
-            file.write_text(text, encoding="utf-8")
-        try:
+    try:
+        with tempfile.TemporaryDirectory(prefix=".new_topic_", dir=root) as name:
+            staged = [pathlib.Path(name) / str(number) for number in range(len(new) + len(changed))]
+            for file, text in zip(staged, [*new.values(), *changed.values()]):
+                file.write_text(text, encoding="utf-8")
             for file, target in zip(staged, (root / path for path in new)):
                 for folder in reversed(target.parents):
                     if not folder.exists():
@@ -203,15 +203,15 @@ def put(root, new, changed):
                 before[target] = target.read_bytes()
                 file.chmod(target.stat().st_mode)
                 file.replace(target)
-        except BaseException as error:
-            for path in reversed(made):
-                path.rmdir() if path.is_dir() else path.unlink()
-            for path, content in before.items():
-                path.write_bytes(content)
-            if not isinstance(error, OSError):
-                raise
-            place = error.filename2 or error.filename  # of a file that can't be put there, where to
-            raise Refusal(f"{place}: {error.strerror}; nothing was written") from error
+    except BaseException as error:
+        for path in reversed(made):
+            path.rmdir() if path.is_dir() else path.unlink()
+        for path, content in before.items():
+            path.write_bytes(content)
+        if not isinstance(error, OSError):
+            raise
+        place = error.filename2 or error.filename  # of a file that can't be put there, where to
+        raise Refusal(f"{place}: {error.strerror}; nothing was written") from error
 
 
 def write(root, words):
