@@ -80,10 +80,10 @@ PLACES = {
     "tests/architecture/machine_code": (files("tests/architecture/machine_code", ".cpp"),
                                         "write tests/architecture/machine_code/{name}.cpp, a function for each method"),
     "tests/golden/listings": (lambda root: {name.split("-")[0] for name in files("tests/golden/listings", ".txt")(root)},
-                              "run the test golden_listing with GRADUS_UPDATE_GOLDEN=1"),
+                              "run `GRADUS_UPDATE_GOLDEN=1 ctest -R golden/listing/` in the build folder, and look at it"),
     "tests/golden/trace_hashes.txt": (lambda root: {line.split()[2] for line in
                                                     read(root, "tests/golden/trace_hashes.txt").splitlines()},
-                                      "run the test golden_trace_hash with GRADUS_UPDATE_GOLDEN=1"),
+                                      "run `GRADUS_UPDATE_GOLDEN=1 ctest -R golden/trace_hash/` in the build folder"),
 }
 
 
@@ -130,7 +130,8 @@ def left_to_fill_in(root):
 
 class Topics(unittest.TestCase):
     def none(self, found):
-        self.assertEqual(found, [], "\n" + "\n".join(found))
+        if found:
+            self.fail("\n" + "\n".join(found))
 
     def test_every_topic_stands_in_every_place(self):
         self.assertGreater(sum(not topic.partial for topic in project.topics()), 10)
