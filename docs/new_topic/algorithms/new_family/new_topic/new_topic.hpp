@@ -19,10 +19,10 @@ struct Started {
   ivec2 from, to;
 };
 
-/// The test was read, and the walk stands on its next pixel, which has been plotted.
+/// The walk stands on its next pixel, which is about to be plotted.
 struct Stepped {
-  ivec2 from, pixel;    ///< where it stood, where it stands
-  bool column_reached;  ///< what was tested: `from` lies in the column of the end
+  ivec2 pixel;
+  bool column_reached;  ///< what was tested: the pixel before lies in the column of the end
 };
 
 /// The end is reached.
@@ -50,15 +50,15 @@ constexpr void walk(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   plot(pixel);
   while (pixel != to) {
     // To the column first, then to the row
-    const ivec2 last = pixel;
     if (pixel.x != to.x) {
       pixel.x += pixel.x < to.x ? 1 : -1;
+      if constexpr (observed<O>) observer(Stepped{pixel, false});
     } else {
       pixel.y += pixel.y < to.y ? 1 : -1;
+      if constexpr (observed<O>) observer(Stepped{pixel, true});
     }
     plot(pixel);
     ++pixels;
-    if constexpr (observed<O>) observer(Stepped{last, pixel, last.x == to.x});
   }
   if constexpr (observed<O>) observer(Finished{pixels});
 }

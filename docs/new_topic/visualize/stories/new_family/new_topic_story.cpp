@@ -15,29 +15,30 @@ class Story {
   explicit Story(const Words& words) : words_(words) {}
 
   void show(Board& board, const Started& s) {
+    at_ = s.from;
     to_ = s.to;
     board.milestone(s.from);
     board.plot(s.from, Role::current);
   }
   Event say(const Started& s) const {
-    return standing({.text = "started", .facts = {{"from", s.from}, {"to", s.to}}}, s.from);
+    return standing({.text = "started", .facts = {{"from", s.from}, {"to", s.to}}});
   }
 
   void show(Board& board, const Stepped& s) {
     ++k_;
+    before_ = at_;
+    at_ = s.pixel;
     board.milestone(s.pixel);
     board.plot(s.pixel, Role::current);
   }
   Event say(const Stepped& s) const {
-    const std::string_view way = s.column_reached ? "along_y" : "along_x";
+    const bool along_y = s.column_reached;
     return standing(
-        {.text = s.column_reached ? "stepped.along_y" : "stepped.along_x",
-         .facts = {{"from", s.from, "pixel"}, {"pixel", s.pixel}, {"column_reached", s.column_reached}},
-         .words = {{"x", s.from.x}, {"to", to_}},
-         .read = {k_ - 1, s.from.x, s.from.y, words_.say(fmt::format("step.{}", way))},
-         .decides = yes_or_no(words_, words_.say("question", {{"x", s.from.x}, {"to", to_}}),
-                              s.column_reached, s.column_reached ? "along y" : "along x")},
-        s.pixel);
+        {.text = along_y ? "stepped.along_y" : "stepped.along_x",
+         .facts = {{"pixel", s.pixel}, {"column_reached", s.column_reached}},
+         .words = {{"x", before_.x}, {"to", to_}},
+         .read = {k_ - 1, before_.x, before_.y, words_.say(along_y ? "step.along_y" : "step.along_x")},
+         .decides = decision(s)});
   }
 
   void show(Board& board, const Finished&) {
@@ -48,14 +49,18 @@ class Story {
 
  private:
   /// Where the walk stands now: what the step is about, and a row of its own.
-  Event standing(Event event, ivec2 pixel) const {
-    event.key = pixel_key(pixel);
-    event.row = {k_, pixel.x, pixel.y};
+  Event standing(Event event) const {
+    event.key = pixel_key(at_);
+    event.row = {k_, at_.x, at_.y};
     return event;
+  }
+  Decision decision(const Stepped& s) const {
+    return yes_or_no(words_, words_.say("question", {{"x", before_.x}, {"to", to_}}), s.column_reached,
+                     s.column_reached ? "along y" : "along x");
   }
 
   const Words& words_;
-  ivec2 to_{};
+  ivec2 before_{}, at_{}, to_{};
   std::int64_t k_ = 0;
 };
 
