@@ -41,7 +41,7 @@ class Cost:
 def topic_of(path, topics):
     """The topic whose name a path, program or test bears at the start of a part, or behind its family's; of two names the longer one."""
     found = [topic.name for topic in topics
-             if re.search(rf"(?:^|/|example_|libgradus_|{topic.path.split('/')[0]}_){topic.name}(?=$|[/_.])", path)]
+             if re.search(rf"(?:^|/|example_|libgradus_|{topic.path.split('/')[0]}_){topic.name}(?![a-zA-Z0-9])", path)]
     return max(found, key=len, default=NO_TOPIC)
 
 

@@ -37,7 +37,8 @@ class Belonging(unittest.TestCase):
                             ("bin/example_perspective", "perspective"),
                             ("libgradus_liang_barsky_circle_batch.a", "liang_barsky_circle"),
                             ("property/stress/promises_property/Of/Promises.AreKept/liang_barsky_correctly_rounded", "liang_barsky"),
-                            ("property/visualize/strain_property/Topics/Strain.GivesNoWay/perspective", "perspective"),
+                            ("property/visualize/strain_property/Topics/Strain.GivesNoWay/perspective  # GetParam() = 0x5", "perspective"),
+                            ("unit/projection/perspectives/Own.Name", NO_TOPIC),
                             ("example/liang_barsky_circle", "liang_barsky_circle"),
                             ("unit/core/record/Recorder.KeepsSteps", NO_TOPIC)):
             self.assertEqual(topic_costs.topic_of(path, TOPICS), topic, path)
