@@ -17,7 +17,7 @@ import project
 
 # The part of a path, or of a program's name, that tells the kind
 PARTS = {"algorithms": "algorithms", "stories": "stories", "example": "examples", "examples": "examples", "unit": "unit",
-         "property": "property", "stress": "stress", "benchmark": "benchmark"}
+         "property": "property", "stress": "stress", "promises": "stress", "benchmark": "benchmark"}
 KINDS = (*dict.fromkeys(PARTS.values()), "scripts", "others")
 NO_TOPIC = "no topic's own"
 

@@ -53,6 +53,7 @@ class Belonging(unittest.TestCase):
                 ("CMakeFiles/a.dir/tests/benchmark/main.cpp.o", NO_TOPIC, "benchmark"),
                 ("tests/unit_clipping_liang_barsky", "liang_barsky", "unit"),
                 ("bin/example_perspective", "perspective", "examples"),
+                ("tests/promises_clipping_liang_barsky", "liang_barsky", "stress"),
                 ("CMakeFiles/gradus_precompiled.dir/cmake_pch.hxx.gch", NO_TOPIC, "others")):
             self.assertEqual(topic_costs.kind_of_output(path, topic), kind, path)
 
