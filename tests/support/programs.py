@@ -19,6 +19,7 @@ PACKAGES = {
     "ninja-build": ("ninja",),
     "clang-19": ("clang++-19",),
     "lld-19": ("wasm-ld-19",),
+    "clang-format-19": ("clang-format-19",),
     "ffmpeg": ("ffmpeg", "ffprobe"),
     "librsvg2-bin": ("rsvg-convert",),
     "poppler-utils": ("pdfinfo", "pdftocairo", "pdftoppm", "pdftotext"),
