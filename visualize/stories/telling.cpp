@@ -199,7 +199,9 @@ void Narrator::list(std::string_view function, std::string_view file) {
   std::string name = topic_.name + (method_.standing == Standing::faulty ? "_notes.hpp" : ".hpp");
   if (!method_.file.empty()) name = method_.file;
   if (!file.empty()) name = file;
-  trace().source_file = fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
+  const bool from_root = name.find('/') != std::string::npos;
+  trace().source_file =
+      from_root ? name : fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
   trace().listing = listing_of(source_text(trace().source_file), function);
 }
 

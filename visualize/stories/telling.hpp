@@ -199,7 +199,8 @@ class Narrator {
   void legend(std::initializer_list<std::pair<Role, std::string_view>> entries);
   /// Stands unchanged behind all steps.
   void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
-  /// The lines shown are another function's: of this file in the topic's folder, or of the method's own.
+  /// The lines shown are another function's: of this file, in the topic's folder or by its path from the
+  /// project's root, or of the method's own.
   void list(std::string_view function, std::string_view file = {});
   /// Below them those of another function of the same file.
   void list_below(std::string_view function);

@@ -56,11 +56,4 @@ inline void introduce(Trace& trace, const std::string& topic, const Arguments& a
   }
 }
 
-/// A method with its texts from the English catalogue: "<topic>.method.<name>" and "<topic>.note.<name>".
-inline Method method_in_english(std::string_view topic, std::string name, Standing standing) {
-  const Wording english;
-  return {name, english.say(fmt::format("{}.method.{}", topic, name)), standing,
-          english.say(fmt::format("{}.note.{}", topic, name))};
-}
-
 }  // namespace gradus

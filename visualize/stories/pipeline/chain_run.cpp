@@ -51,9 +51,8 @@ Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect) 
   }
   const auto near = arguments.number("near");
   if (near && !(0 < *near && *near < camera.lens.far)) {
-    throw ArgumentError("near",
-                        fmt::format("expected a depth above 0 and before the far plane at {:.4g}, found {}",
-                                    camera.lens.far, arguments.text("near")));
+    refuse("near", "expected a depth above 0 and before the far plane at {:.4g}, found {}", camera.lens.far,
+           arguments.text("near"));
   }
   if (near) camera.lens.near = *near;
   return camera;
@@ -134,10 +133,10 @@ const Shaded* Run::shaded_at(ivec2 pixel) const {
 Scene scene_of(const Arguments& arguments) {
   Mesh mesh = mesh_of(arguments);
   if (const std::int64_t count = triangle_count(mesh); count > most_triangles) {
-    throw ArgumentError("model",
-                        fmt::format("expected a small model of at most {} triangles, for each is drawn "
-                                    "at every stage, found {} (`gradus render` draws large ones)",
-                                    most_triangles, count));
+    refuse("model",
+           "expected a small model of at most {} triangles, for each is drawn "
+           "at every stage, found {} (`gradus render` draws large ones)",
+           most_triangles, count);
   }
   const double aspect =
       static_cast<double>(arguments.integer("columns")) / static_cast<double>(arguments.integer("rows"));
@@ -182,12 +181,11 @@ Followed followed_in(const Run& run, const Arguments& arguments) {
   std::optional<std::int64_t> face;
   if (arguments.has("face") && !arguments.text("face").empty()) face = arguments.integer("face");
   if (face && *face >= static_cast<std::int64_t>(run.faces.size())) {
-    throw ArgumentError("face",
-                        fmt::format("expected a face from 0 to {}, found {}", run.faces.size() - 1, *face));
+    refuse("face", "expected a face from 0 to {}, found {}", run.faces.size() - 1, *face);
   }
   Followed followed{piece_to_follow(run, face), {}};
   if (followed.piece == run.pieces.size()) {
-    throw ArgumentError("face", fmt::format("expected a face with an area, found {}", *face));
+    refuse("face", "expected a face with an area, found {}", *face);
   }
   if (!arguments.has("pixel") || arguments.text("pixel").empty()) {
     followed.pixel = pixel_to_follow(run, run.pieces[followed.piece].id);
@@ -195,8 +193,8 @@ Followed followed_in(const Run& run, const Arguments& arguments) {
   }
   followed.pixel = arguments.cell("pixel");
   if (!run.image.contains(followed.pixel)) {
-    throw ArgumentError("pixel", fmt::format("expected a pixel inside the {} × {} picture, found {}",
-                                             run.size.width, run.size.height, arguments.text("pixel")));
+    refuse("pixel", "expected a pixel inside the {} × {} picture, found {}", run.size.width, run.size.height,
+           arguments.text("pixel"));
   }
   return followed;
 }

@@ -43,7 +43,7 @@ struct Run {
 inline constexpr std::int64_t most_triangles = 2000;
 
 /// The scene that the arguments ask for: the model turned, and the camera that is placed for it or given.
-/// Throws ArgumentError for a model too large, or an eye or near plane that sees nothing.
+/// Refuses a model too large, or an eye or near plane that sees nothing.
 pipeline::Scene scene_of(const Arguments& arguments);
 
 /// Runs the chain.
@@ -56,8 +56,8 @@ struct Followed {
 };
 
 /// The piece of this face that covers most pixels, or of all faces: one that is clipped and seen, else the
-/// one of which most is seen. The pixel: this one, or the piece's pixel at which most pieces meet. Throws
-/// ArgumentError for a face or a pixel that there is not.
+/// one of which most is seen. The pixel: this one, or the piece's pixel at which most pieces meet. Refuses
+/// a face or a pixel that there is not.
 Followed followed_in(const Run& run, const Arguments& arguments);
 
 }  // namespace gradus::textbook_chain

@@ -89,8 +89,7 @@ void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
 
 void Views::caption(View& view, const Panel& panel, const std::string& key) const {
   view.add({"caption " + key, Role::boundary,
-            Label{{(panel.place().lower.x + panel.place().upper.x) / 2, 0.4},
-                  words_.say("pipeline.space." + key)}});
+            Label{{(panel.place().lower.x + panel.place().upper.x) / 2, 0.4}, words_.say("space." + key)}});
 }
 
 /// Faces as outlines; the followed piece over them with its corners named.
@@ -106,10 +105,10 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
   for (const PieceCorner& corner : piece_.corners) own.push_back(at(static_cast<std::size_t>(corner.vertex)));
   polygon(view, panel, "b " + name + " followed", Role::current, own);
   if (!labelled) return;
-  for (int i = 0; i < 3; ++i) {
-    const dvec2 p = panel.at(own[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec2 p = panel.at(own[i]);
     const bool pointed = pointer.corner == i;
-    const int vertex = piece_.corners[static_cast<std::size_t>(i)].vertex;
+    const int vertex = piece_.corners[i].vertex;
     view.add(
         {fmt::format("c {} corner {}", name, i), pointed ? Role::accepted : Role::current, Dot{p, !pointed}});
     view.add({fmt::format("d {} name {}", name, i), pointed ? Role::accepted : Role::current,
@@ -169,8 +168,8 @@ View Views::world(const Pointer& at) const {
     view.add({fmt::format("a world ray {}", i), Role::candidate, Stroke{from, there.at(window[i])}});
   }
   view.add({"c world eye", Role::boundary, Dot{from}});
-  view.add({"d world eye name", Role::boundary, Label{from, words_.say("pipeline.eye")}});
-  model(view, there, "world", after, at, at.corner >= 0);
+  view.add({"d world eye name", Role::boundary, Label{from, words_.say("eye")}});
+  model(view, there, "world", after, at, at.corner.has_value());
   return view;
 }
 
@@ -183,7 +182,7 @@ void Views::wedge(View& view, const Panel& panel, const std::string& name, doubl
   view.add({"c " + name + " eye", Role::boundary, Dot{eye}});
   const dvec2 low = panel.at({near, -slope * near}), high = panel.at({near, slope * near});
   view.add({"a " + name + " near", Role::boundary, Stroke{low, high}});
-  view.add({"d " + name + " near name", Role::boundary, Label{low, words_.say("pipeline.near")}});
+  view.add({"d " + name + " near name", Role::boundary, Label{low, words_.say("near")}});
 }
 
 View Views::clip_space(const Pointer& at) const {
@@ -200,7 +199,7 @@ View Views::clip_space(const Pointer& at) const {
   const Panel there = fitted(after, 1, {{0, 0}, {depth, depth}, {depth, -depth}});
   caption(view, there, "clip");
   wedge(view, there, "clip", 1, depth);
-  model(view, there, "clip", after, at, at.corner >= 0);
+  model(view, there, "clip", after, at, at.corner.has_value());
   return view;
 }
 
@@ -266,7 +265,7 @@ View Views::clipping(const Pointer& at) const {
     for (std::size_t k = 0; k < piece.after.size(); ++k) {
       const bool made =
           std::ranges::none_of(piece.before, [&](const ClipPoint& p) { return p.at == piece.after[k].at; });
-      const bool pointed = at.corner == static_cast<int>(k);
+      const bool pointed = at.corner == k;
       const dvec2 p = here.at(side(piece.after)[k]);
       view.add({fmt::format("e corner {}", k), made || pointed ? Role::accepted : Role::current,
                 Dot{p, !made && !pointed}});
@@ -298,7 +297,7 @@ View Views::raster(int last_row, const Pointer& at) const {
                                   CellLook{f.pixel.y == last_row ? Role::current : Role::accepted, "", {}});
     }
   }
-  int corner = 0;
+  std::size_t corner = 0;
   for (const Snapped& triangle : run_.snapped) {
     if (!follows(triangle.id)) continue;
     Path path{{}, true};

@@ -5,23 +5,23 @@
 #include <vector>
 
 #include "figure/drawing.hpp"
-#include "figure/wording.hpp"
 #include "stories/paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
+#include "stories/telling.hpp"
 
 namespace gradus::textbook_chain {
 
 /// What an event points at: the corner of the followed piece, or of what clipping has left of it, and its
 /// text.
 struct Pointer {
-  int corner = -1;  ///< -1: at none
+  std::optional<std::size_t> corner{};  ///< without: at none
   std::string text{};
 };
 
 /// The drawings of a run.
 class Views {
  public:
-  Views(const Run& run, const Followed& followed, const Wording& words)
+  Views(const Run& run, const Followed& followed, const Words& words)
       : run_(run), piece_(run.pieces[followed.piece]), pixel_(followed.pixel), words_(words) {}
 
   View object(const Pointer& at = {}) const;
@@ -59,12 +59,14 @@ class Views {
   const Run& run_;
   const pipeline::Piece& piece_;
   ivec2 pixel_;
-  const Wording& words_;
+  const Words& words_;
 };
 
+/// Below it a number of a picture, of a depth or of light is a rounding error.
+inline constexpr double small = 1e-6;
 /// A number as the tour shows it: what is smaller than `noise` is a rounding error.
-std::string real_text(double value, double noise = 1e-6);
+std::string real_text(double value, double noise = small);
 /// "(1, −0.5, 2)".
-std::string place_text(dvec3 p, double noise = 1e-6);
+std::string place_text(dvec3 p, double noise = small);
 
 }  // namespace gradus::textbook_chain
