@@ -185,10 +185,13 @@ void Narrator::retitle(std::string_view key) {
   trace().method_title = words_.say(key, {{"method", trace().method_title}});
 }
 
-void Narrator::legend(std::initializer_list<std::pair<Role, std::string_view>> entries) {
+void Narrator::legend(std::initializer_list<LegendKey> entries) {
   trace().legend.clear();
-  for (const auto& [role, key] : entries)
-    trace().legend.push_back({role, words_.say(fmt::format("legend.{}", key))});
+  for (const auto& [role, key] : entries) add_to_legend(role, key);
+}
+
+void Narrator::add_to_legend(Role role, std::string_view key) {
+  trace().legend.push_back({role, words_.say(fmt::format("legend.{}", key))});
 }
 
 void Narrator::backdrop(std::string id, Role role, decltype(Mark::shape) shape) {

@@ -172,6 +172,15 @@ class Board {
   Shown shown_;
 };
 
+/// A role of the drawing and the key of what it stands for: the text "<topic>.legend.<key>".
+struct LegendKey {
+  LegendKey(Role its_role) : LegendKey(its_role, name_of(its_role)) {}
+  LegendKey(Role its_role, std::string_view its_key) : role(its_role), key(its_key) {}
+
+  Role role;
+  std::string_view key;
+};
+
 /// One run of one method, told.
 class Narrator {
  public:
@@ -196,7 +205,8 @@ class Narrator {
   }
   /// The method's title becomes this text, which asks for {method}.
   void retitle(std::string_view key);
-  void legend(std::initializer_list<std::pair<Role, std::string_view>> entries);
+  void legend(std::initializer_list<LegendKey> entries);
+  void add_to_legend(Role role, std::string_view key);
   /// Stands unchanged behind all steps.
   void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
   /// The lines shown are another function's: of this file, in the topic's folder or by its path from the

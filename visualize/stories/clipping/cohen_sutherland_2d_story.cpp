@@ -5,6 +5,7 @@
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
 #include "stories/clipping/region_codes.hpp"
 #include "stories/clipping/window_view.hpp"
+#include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::cohen_sutherland_2d {
@@ -281,15 +282,10 @@ void tell(Narrator& narrator) {
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::past, "past"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::current, Role::past, Role::rejected, Role::result});
   if (narrator.method().standing == Standing::faulty) {
-    narrator.trace().legend.push_back({Role::accepted, words.say("legend.right")});
-    narrator.trace().legend.push_back({Role::candidate, words.say("legend.candidate")});
+    narrator.add_to_legend(Role::accepted, "right");
+    narrator.add_to_legend(Role::candidate, "candidate");
   }
   Story story(words, task, way);
   const auto watcher = narrator.watcher(story);
@@ -308,6 +304,7 @@ void tell(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   const std::vector<SizesOf> rounded{{"line", window_view::rounded_sizes},
                                      {"window", window_view::rounded_sizes}};
   static const TopicEntry topic = completed<entry>(
@@ -333,16 +330,11 @@ const TopicEntry& entry() {
                     .sizes = rounded}},
        .columns =
            {{"cut"}, {"end", false}, {"border", false}, {"x"}, {"y"}, {"code_a", false}, {"code_b", false}},
-       .parameters = {window_view::line_parameter("-3,-8,13,16"),
-                      window_view::window_parameter(),
+       .parameters = {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
                       window_view::order_parameter(),
-                      {.name = "code_bits",
-                       .type = ParameterType::choice,
-                       .default_value = "TBRL",
-                       .example = "LRBT",
-                       .help =
-                           "which border each digit of a code stands for: T top, B bottom, R right, L left",
-                       .choices = {"TBRL", "LRBT"}},
+                      choice(
+                          "code_bits", {"TBRL", "LRBT"}, "TBRL", "LRBT",
+                          "which border each digit of a code stands for: T top, B bottom, R right, L left"),
                       exact_parameter()},
        .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
                     "--line 5,5,-5,5 --method codes_only"}});

@@ -5,6 +5,7 @@
 
 #include "stories/clipping/cohen_sutherland_3d_drawing.hpp"
 #include "stories/clipping/region_codes.hpp"
+#include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::cohen_sutherland_3d {
@@ -193,10 +194,7 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::current, "current"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::current, Role::rejected, Role::result});
   Story<N> story(narrator.words(), task);
   narrator.result({{"inside", clip(narrator.watcher(story)).has_value()}});
 }
@@ -222,6 +220,7 @@ void tell_correctly_rounded(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "cohen_sutherland_3d",
        .chapter = "clipping",
@@ -243,35 +242,18 @@ const TopicEntry& entry() {
                     .unread = {"line", "box"}}},
        .columns = {{"cut"}, {"code_a"}, {"code_b"}, {"and"}, {"decision", false}},
        .parameters =
-           {{.name = "line",
-             .type = ParameterType::numbers,
-             .default_value = "-2,1,2,12,11,9",
-             .example = "-2,1,2,12,11,9",
-             .help = "the segment's ends: x0,y0,z0,x1,y1,z1",
-             .parts = {"x0", "y0", "z0", "x1", "y1", "z1"},
-             .sizes = {1e-300, 1e300}},
-            {.name = "box",
-             .type = ParameterType::bounds,
-             .default_value = "0,0,0,10,8,6",
-             .example = "0,0,0,10,8,6",
-             .help = "the box: xmin,ymin,zmin,xmax,ymax,zmax; its faces belong to it",
-             .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"},
-             .sizes = {1e-300, 1e300}},
-            {.name = "homogeneous",
-             .type = ParameterType::numbers,
-             .default_value = "-2.2,0.5,1.5,2,2,1,-1.5,-1",
-             .example = "-2.2,0.5,1.5,2,2,1,-1.5,-1",
-             .help = "method view_volume: the ends x0,y0,z0,w0,x1,y1,z1,w1, not divided by w yet",
-             .parts = {"x0", "y0", "z0", "w0", "x1", "y1", "z1", "w1"},
-             .sizes = {1e-100, 1e100}},
+           {numbers("line", "-2,1,2,12,11,9", "-2,1,2,12,11,9", "the segment's ends: x0,y0,z0,x1,y1,z1",
+                    {"x0", "y0", "z0", "x1", "y1", "z1"}, {1e-300, 1e300}),
+            bounds("box", "0,0,0,10,8,6", "0,0,0,10,8,6",
+                   "the box: xmin,ymin,zmin,xmax,ymax,zmax; its faces belong to it",
+                   {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}, {1e-300, 1e300}),
+            numbers("homogeneous", "-2.2,0.5,1.5,2,2,1,-1.5,-1", "-2.2,0.5,1.5,2,2,1,-1.5,-1",
+                    "method view_volume: the ends x0,y0,z0,w0,x1,y1,z1,w1, not divided by w yet",
+                    {"x0", "y0", "z0", "w0", "x1", "y1", "z1", "w1"}, {1e-100, 1e100}),
             order_parameter<3>("top,bottom,far,near,right,left",
                                "which face an end beyond several is cut at first"),
-            {.name = "code_bits",
-             .type = ParameterType::choice,
-             .default_value = "FNTBRL",
-             .example = "LRBTNF",
-             .help = "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)",
-             .choices = {"FNTBRL", "LRBTNF"}},
+            choice("code_bits", {"FNTBRL", "LRBTNF"}, "FNTBRL", "LRBTNF",
+                   "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)"),
             exact_parameter()},
        .examples = {"--line -2,1,2,12,11,9", "--line -3,5,1,4,12,2 --order top,bottom,left,right,near,far",
                     "--method view_volume --homogeneous -2.2,0.5,1.5,2,2,1,-1.5,-1"}});

@@ -6,6 +6,7 @@
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "stories/clipping/chord_drawing.hpp"
+#include "stories/parameters.hpp"
 
 namespace gradus::liang_barsky_circle {
 namespace {
@@ -254,12 +255,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
                                  {"to", scene.segment.b},
                                  {"centre", scene.circle.centre},
                                  {"radius", real(scene.circle.radius)}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::measure, "measure"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::current, Role::measure, Role::accepted, Role::result});
   narrator.key_by_type();
   narrator.last_is_telling();
 }
@@ -306,6 +302,7 @@ void tell_discriminant_equals_zero(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "liang_barsky_circle",
        .chapter = "clipping",
@@ -320,18 +317,10 @@ const TopicEntry& entry() {
                     .standing = Standing::faulty,
                     .tell = tell_discriminant_equals_zero}},
        .columns = {{"number", false}, {"value"}, {"test", false}},
-       .parameters = {{.name = "line",
-                       .type = ParameterType::numbers,
-                       .default_value = "-9,-3,-1,3",
-                       .example = "-9,-3,-1,3",
-                       .help = "the segment's ends",
-                       .parts = {"x0", "y0", "x1", "y1"}},
-                      {.name = "circle",
-                       .type = ParameterType::numbers,
-                       .default_value = "0,0,5",
-                       .example = "0,0,5",
-                       .help = "the circle: centre and radius",
-                       .parts = {"cx", "cy", "r"}}},
+       .parameters = {numbers("line", "-9,-3,-1,3", "-9,-3,-1,3", "the segment's ends",
+                              {"x0", "y0", "x1", "y1"}),
+                      numbers("circle", "0,0,5", "0,0,5", "the circle: centre and radius",
+                              {"cx", "cy", "r"})},
        .examples = {"--line=-9,-3,-1,3 --circle 0,0,5",
                     "--line=-3,4,9,4 --circle 0,0,5 --method exact_decision",
                     "--line=-100000000,0.5,100000000,0.5 --circle 0,0,1 --method discriminant_equals_zero"}});

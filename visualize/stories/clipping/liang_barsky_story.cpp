@@ -4,6 +4,7 @@
 
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "stories/clipping/liang_barsky_drawing.hpp"
+#include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 
 namespace gradus::liang_barsky {
@@ -224,13 +225,8 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip clip) {
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::candidate, "candidate"},
-                   {Role::past, "past"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::current, Role::candidate, Role::past, Role::rejected,
+                   Role::result});
   clip();
   narrator.result(story.result());
   narrator.last_of_whole_is_telling();
@@ -276,6 +272,7 @@ void tell_box_parametric(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "liang_barsky",
        .chapter = "clipping",
@@ -297,24 +294,15 @@ const TopicEntry& entry() {
                     .unread = {"line", "window", "order"},
                     .exact = true}},
        .columns = {{"border", false}, {"p"}, {"q"}, {"t"}, {"kind", false}, {"enter"}, {"leave"}},
-       .parameters = {window_view::line_parameter("-4,3,6,15"),
-                      window_view::window_parameter(),
+       .parameters = {window_view::line_parameter("-4,3,6,15"), window_view::window_parameter(),
                       window_view::order_parameter(),
-                      {.name = "space_line",
-                       .type = ParameterType::numbers,
-                       .default_value = "-2,1,2,12,11,9",
-                       .example = "-2,1,2,12,11,9",
-                       .help = "method box_parametric: the segment's ends x0,y0,z0,x1,y1,z1",
-                       .parts = {"x0", "y0", "z0", "x1", "y1", "z1"},
-                       .sizes = window_view::rounded_sizes},
-                      {.name = "box",
-                       .type = ParameterType::bounds,
-                       .default_value = "0,0,0,10,8,6",
-                       .example = "0,0,0,10,8,6",
-                       .help =
-                           "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
-                       .parts = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"},
-                       .sizes = window_view::rounded_sizes},
+                      numbers("space_line", "-2,1,2,12,11,9", "-2,1,2,12,11,9",
+                              "method box_parametric: the segment's ends x0,y0,z0,x1,y1,z1",
+                              {"x0", "y0", "z0", "x1", "y1", "z1"}, window_view::rounded_sizes),
+                      bounds(
+                          "box", "0,0,0,10,8,6", "0,0,0,10,8,6",
+                          "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
+                          {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}, window_view::rounded_sizes),
                       exact_parameter()},
        .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"}});
   return topic;

@@ -4,6 +4,7 @@
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "stories/clipping/covered_area.hpp"
+#include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::polygon_circle {
@@ -414,12 +415,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
   narrator.subtitle(
       "subtitle",
       {{"corners", scene.polygon.size()}, {"centre", scene.circle.centre}, {"radius", scene.circle.radius}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"}});
+  narrator.legend({Role::input, Role::boundary, Role::past, Role::current, Role::accepted, Role::result});
   narrator.key_by_type();
   narrator.last_is_telling();
 }
@@ -445,6 +441,7 @@ void tell_first_crossing(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "polygon_circle",
        .chapter = "clipping",
@@ -453,25 +450,11 @@ const TopicEntry& entry() {
        .methods = {{.name = "arcs", .standing = Standing::taught, .tell = tell_arcs},
                    {.name = "first_crossing", .standing = Standing::faulty, .tell = tell_first_crossing}},
        .columns = {{"edge"}, {"from", false}, {"to", false}, {"crossings", false}, {"kept", false}},
-       .parameters = {{.name = "polygon",
-                       .type = ParameterType::points,
-                       .default_value = "-7,-2 7,-3 2,0 6,6 -2,2 -3,7",
-                       .example = "0,0 8,0 8,8 0,8",
-                       .help = "the polygon's corners; simple, convex or not, in either direction",
-                       .least = 3,
-                       .most = 1000,
-                       .parts = {"x", "y"}},
-                      {.name = "circle",
-                       .type = ParameterType::numbers,
-                       .default_value = "0,0,5",
-                       .example = "0,0,5",
-                       .help = "the circle: centre and radius",
-                       .parts = {"cx", "cy", "r"}},
-                      {.name = "tolerance",
-                       .type = ParameterType::number,
-                       .default_value = "",
-                       .example = "0.1",
-                       .help = "show chords for the arcs too, nowhere farther from them than this"}},
+       .parameters = {points(3, 1000, "polygon", "-7,-2 7,-3 2,0 6,6 -2,2 -3,7", "0,0 8,0 8,8 0,8",
+                             "the polygon's corners; simple, convex or not, in either direction", xy),
+                      numbers("circle", "0,0,5", "0,0,5", "the circle: centre and radius", {"cx", "cy", "r"}),
+                      number("tolerance", "", "0.1",
+                             "show chords for the arcs too, nowhere farther from them than this")},
        .examples = {"--polygon '-7,-2 7,-3 2,0 6,6 -2,2 -3,7' --circle 0,0,5",
                     "--polygon '-4,-4 4,-4 4,4 -4,4' --circle 0,0,5 --tolerance 0.2",
                     "--polygon '0,0 8,0 8,8 0,8' --circle 0,0,5 --method first_crossing"}});

@@ -7,6 +7,7 @@
 #include "stories/clipping/border_story.hpp"
 #include "stories/clipping/clip_space.hpp"
 #include "stories/clipping/pieces_story.hpp"
+#include "stories/parameters.hpp"
 #include "stories/point_text.hpp"
 #include "stories/side_by_side.hpp"
 
@@ -19,16 +20,11 @@ namespace {
 constexpr Sizes plane_sizes{1e-100, 1e100};
 
 const std::vector<Parameter>& parameters() {
+  using namespace parameters;
   static const std::vector<Parameter> all{
-      {.name = "polygon",
-       .type = ParameterType::points,
-       .default_value = "-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
-       .example = "2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4",
-       .help = "the polygon's corners, in either direction",
-       .least = 3,
-       .most = 200,
-       .parts = {"x", "y"},
-       .sizes = plane_sizes},
+      points(3, 200, "polygon", "-4,3 3,-4 6,-3 13,5 7,8 6,-1 4,-1 4,7",
+             "2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4", "the polygon's corners, in either direction", xy,
+             plane_sizes),
       {.name = "hole",
        .type = ParameterType::rings,
        .default_value = "",
@@ -36,33 +32,20 @@ const std::vector<Parameter>& parameters() {
        .help = "holes in it, none in another; they may touch (separate_pieces alone)",
        .least = 3,
        .most = 200,
-       .parts = {"x", "y"},
+       .parts = xy,
        .sizes = plane_sizes},
-      {.name = "window",
-       .type = ParameterType::bounds,
-       .default_value = "0,0,10,10",
-       .example = "0,0,10,10",
-       .help = "the rectangle to clip at, its borders included",
-       .parts = {"xmin", "ymin", "xmax", "ymax"},
-       .sizes = plane_sizes},
-      {.name = "window_polygon",
-       .type = ParameterType::points,
-       .default_value = "",
-       .example = "5,-3 12,3 8,10 -2,7",
-       .help = "a convex window instead: its corners in order; cut at in that order, counter-clockwise",
-       .least = 3,
-       .most = 50,
-       .parts = {"x", "y"},
-       .instead_of = "window",
-       .sizes = plane_sizes},
-      {.name = "homogeneous",
-       .type = ParameterType::points,
-       .default_value = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
-       .example = "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
-       .help = "method homogeneous: the corners in clip space, not divided by w yet",
-       .least = 3,
-       .most = 50,
-       .parts = {"x", "y", "z", "w"}},
+      bounds("window", "0,0,10,10", "0,0,10,10", "the rectangle to clip at, its borders included",
+             {"xmin", "ymin", "xmax", "ymax"}, plane_sizes),
+      instead_of(
+          "window",
+          points(3, 50,
+
+                 "window_polygon", "", "5,-3 12,3 8,10 -2,7",
+                 "a convex window instead: its corners in order; cut at in that order, counter-clockwise", xy,
+                 plane_sizes)),
+      points(3, 50, "homogeneous", "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+             "-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1",
+             "method homogeneous: the corners in clip space, not divided by w yet", {"x", "y", "z", "w"}),
       {.name = "order",
        .type = ParameterType::order,
        .default_value = "left,right,bottom,top",
@@ -167,13 +150,8 @@ void set_up(Narrator& narrator, const Given& given) {
   require_scale(panel_of(given), narrator.arguments(), {"polygon", "window", "window_polygon"});
   narrator.paper(plane_width, plane_height);
   narrator.subtitle("subtitle", {{"corners", given.outline().size()}, {"borders", given.order.size()}});
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"}});
+  narrator.legend(
+      {Role::input, Role::boundary, Role::past, Role::current, Role::accepted, Role::rejected, Role::result});
   narrator.key_by_type();
   narrator.last_is_telling();
   if (!given.oblique) return;
@@ -276,12 +254,12 @@ void tell_homogeneous(Narrator& narrator) {
   narrator.paper(ClipSpaceStory::paper_width, ClipSpaceStory::paper_height);
   narrator.subtitle("subtitle_space", {{"corners", corners.size()}, {"planes", planes.size()}});
   narrator.trace().goal = narrator.words().say("goal_space");
-  narrator.legend({{Role::input, "input"},
+  narrator.legend({Role::input,
                    {Role::past, "past_plane"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
+                   Role::current,
+                   Role::accepted,
                    {Role::rejected, "rejected_space"},
-                   {Role::result, "result"}});
+                   Role::result});
   narrator.columns({{"plane", false}, {"corner", false}, {"value"}, {"kept", false}});
   narrator.key_by_type();
   narrator.last_is_telling();

@@ -12,6 +12,7 @@
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "stories/clipping/axis_arguments.hpp"
 #include "stories/paper.hpp"
+#include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::window_view {
@@ -152,22 +153,12 @@ inline std::string factor(double value) {
 
 /// The parameters that both topics have.
 inline Parameter line_parameter(std::string line) {
-  return {.name = "line",
-          .type = ParameterType::numbers,
-          .default_value = line,
-          .example = "-5,8,3,20",
-          .help = "the segment, from (x0, y0) to (x1, y1); y points up",
-          .parts = {"x0", "y0", "x1", "y1"},
-          .sizes = line_sizes};
+  return parameters::numbers("line", line, "-5,8,3,20", "the segment, from (x0, y0) to (x1, y1); y points up",
+                             {"x0", "y0", "x1", "y1"}, line_sizes);
 }
 inline Parameter window_parameter() {
-  return {.name = "window",
-          .type = ParameterType::bounds,
-          .default_value = "0,0,10,10",
-          .example = "0,0,10,8",
-          .help = "the window, its borders included",
-          .parts = {"xmin", "ymin", "xmax", "ymax"},
-          .sizes = window_sizes};
+  return parameters::bounds("window", "0,0,10,10", "0,0,10,8", "the window, its borders included",
+                            {"xmin", "ymin", "xmax", "ymax"}, window_sizes);
 }
 inline Parameter order_parameter() {
   return gradus::order_parameter<2>("top,bottom,right,left", "in which order the borders are taken");

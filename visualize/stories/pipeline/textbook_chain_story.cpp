@@ -6,6 +6,7 @@
 
 #include "core/exact_scalar.hpp"
 #include "pipeline.hpp"
+#include "stories/parameters.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/pipeline/chain_views.hpp"
 #include "stories/telling.hpp"
@@ -491,13 +492,8 @@ void tell_z_buffer(Narrator& narrator) {
   grid.whole = true;
   grid.x_name = narrator.words().say("column_name");
   grid.y_name = narrator.words().say("row_name");
-  narrator.legend({{Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::rejected, "rejected"},
-                   {Role::past, "past"},
-                   {Role::boundary, "boundary"},
-                   {Role::candidate, "candidate"},
-                   {Role::input, "input"}});
+  narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
+                   Role::input});
   Tour(narrator, run, followed, listed).tell();
   const Rgba8 colour = run.image[followed.pixel];
   narrator.result({{"face", std::int64_t{run.pieces[followed.piece].id.face}},
@@ -521,19 +517,15 @@ Parameter whole(std::string name, std::string value, std::string example, std::s
 constexpr Sizes length_sizes{1e-30, 1e30};
 
 Parameter place(std::string name, std::string example, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::numbers,
-          .default_value = "",
-          .example = std::move(example),
-          .help = std::move(help),
-          .parts = {"x", "y", "z"},
-          .sizes = length_sizes};
+  return parameters::numbers(std::move(name), "", std::move(example), std::move(help), parameters::xyz,
+                             length_sizes);
 }
 
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "pipeline",
        .chapter = "pipeline",
@@ -547,24 +539,15 @@ const TopicEntry& entry() {
        .columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}},
        .parameters =
            {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
-            {.name = "stage",
-             .type = ParameterType::choice,
-             .default_value = std::string(whole_chain),
-             .example = "clipping",
-             .help = "the tour ends with this stage and lists its source; all lists the chain",
-             .choices = stage_names()},
+            choice("stage", stage_names(), std::string(whole_chain), "clipping",
+                   "the tour ends with this stage and lists its source; all lists the chain"),
             whole("columns", "20", "32", "the picture's width in pixels", 8, 64),
             whole("rows", "14", "20", "the picture's height in pixels", 8, 64),
             whole("face", "", "3", "the face that is followed, counted from 0; a telling one if not given", 0,
                   INT32_MAX),
-            {.name = "pixel",
-             .type = ParameterType::cell,
-             .default_value = "",
-             .example = "12,7",
-             .help =
-                 "the pixel that is followed: column,row from the top left; one of the face's if not given",
-             .least = 0,
-             .most = 63},
+            {"pixel", ParameterType::cell, "", "12,7",
+             "the pixel that is followed: column,row from the top left; one of the face's if not given", 0,
+             63},
             place("eye", "1,1,3", "where the viewer stands: x,y,z; placed for the model if not given"),
             place("target", "0,0.5,0", "what the viewer looks at: x,y,z; the model's middle if not given"),
             {"fov", ParameterType::number, "40", "60", "the vertical angle of view in degrees", 1, 170},

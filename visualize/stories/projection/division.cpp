@@ -303,9 +303,8 @@ void tell_points(Narrator& narrator, const Task& task, std::optional<int> multip
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"w"}, {"image", false}});
   if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});
-  narrator.legend({{Role::input, "points"}, {Role::current, "point"}, {Role::result, "result"}});
-  if (task.way != Way::tested)
-    narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.wrong")});
+  narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
+  if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
   narrator.last_of_whole_is_telling();
   Story story(narrator.words(), task, multiplied_line);
   narrator.tell_each(story, task.points.size(),

@@ -4,6 +4,7 @@
 #include "projection/parallel/parallel.hpp"
 
 #include "projection/parallel/parallel_notes.hpp"
+#include "stories/parameters.hpp"
 #include "stories/projection/solids.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/telling.hpp"
@@ -235,11 +236,11 @@ template <class Project>
 void tell_corners(Narrator& narrator, const Task& task, const Project& project) {
   narrator.trace().subtitle = narrator.words().say("subtitle." + narrator.arguments().text("solid"));
   narrator.paper(solids::paper_width, solids::paper_height);
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::current, "current"},
-                   {Role::past, "past"},
-                   {Role::result, "result"},
+  narrator.legend({Role::input,
+                   Role::boundary,
+                   Role::current,
+                   Role::past,
+                   Role::result,
                    {Role::accepted, "right"},
                    {Role::measure, "off"}});
   narrator.last_of_whole_is_telling();
@@ -332,6 +333,7 @@ void tell_keep_x_and_y(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "parallel",
        .chapter = "projection",
@@ -344,66 +346,28 @@ const TopicEntry& entry() {
                    {.name = "keep_x_and_y", .standing = Standing::faulty, .tell = tell_keep_x_and_y}},
        .columns = {{"corner"}, {"point", false}, {"t"}, {"image", false}},
        .parameters =
-           {{.name = "solid",
-             .type = ParameterType::choice,
-             .default_value = "house",
-             .example = "box",
-             .help = "what is projected: 2 wide, 2 high, 3 deep",
-             .choices = {"house", "box"}},
-            {.name = "at",
-             .type = ParameterType::numbers,
-             .default_value = "2,2,4",
-             .example = "0,0,5",
-             .help = "where its middle stands: x right, y up, z forward",
-             .parts = {"x", "y", "z"},
-             .sizes = solids::modest_sizes},
-            {.name = "turn",
-             .type = ParameterType::numbers,
-             .default_value = "0,0",
-             .example = "30,0",
-             .help = "degrees by which it is turned: round the upright, then round x",
-             .parts = {"yaw", "pitch"},
-             .sizes = solids::modest_sizes},
-            {.name = "d",
-             .type = ParameterType::number,
-             .default_value = "0",
-             .example = "1",
-             .help =
-                 "where the picture plane crosses its axis: z = d, for the top view y = d, for the side x "
-                 "= d",
-             .sizes = solids::modest_sizes},
-            {.name = "receding",
-             .type = ParameterType::numbers,
-             .default_value = "45,0.5",
-             .example = "45,1",
-             .help =
-                 "method oblique: the angle of receding edges in degrees, and how long a unit of depth is "
-                 "drawn: 0.5 cabinet, 1 cavalier",
-             .parts = {"angle", "foreshortening"},
-             .sizes = solids::modest_sizes},
-            {.name = "direction",
-             .type = ParameterType::numbers,
-             .default_value = "",
-             .example = "1,-1,2",
-             .help = "methods oblique and along: the projectors' direction instead",
-             .parts = {"x", "y", "z"},
-             .instead_of = "receding",
-             .sizes = solids::modest_sizes},
-            {.name = "from",
-             .type = ParameterType::choice,
-             .default_value = "front",
-             .example = "top",
-             .help = "method orthographic: from where one looks",
-             .choices = {"front", "top", "side"}},
-            {.name = "plane",
-             .type = ParameterType::numbers,
-             .default_value = "1,-1,1,-3",
-             .example = "1,-2,2,-6",
-             .help = "method along: the plane nx x + ny y + nz z = offset; without a direction seen upright, "
-                     "which "
-                     "is isometric for 1,-1,1",
-             .parts = {"nx", "ny", "nz", "offset"},
-             .sizes = solids::modest_sizes},
+           {choice("solid", {"house", "box"}, "house", "box", "what is projected: 2 wide, 2 high, 3 deep"),
+            numbers("at", "2,2,4", "0,0,5", "where its middle stands: x right, y up, z forward", xyz,
+                    solids::modest_sizes),
+            numbers("turn", "0,0", "30,0", "degrees by which it is turned: round the upright, then round x",
+                    {"yaw", "pitch"}, solids::modest_sizes),
+            number(
+                "d", "0", "1",
+                "where the picture plane crosses its axis: z = d, for the top view y = d, for the side x = d",
+                solids::modest_sizes),
+            numbers("receding", "45,0.5", "45,1",
+                    "method oblique: the angle of receding edges in degrees, and how long a unit of depth is "
+                    "drawn: 0.5 cabinet, 1 cavalier",
+                    {"angle", "foreshortening"}, solids::modest_sizes),
+            instead_of("receding", numbers("direction", "", "1,-1,2",
+                                           "methods oblique and along: the projectors' direction instead",
+                                           xyz, solids::modest_sizes)),
+            choice("from", {"front", "top", "side"}, "front", "top",
+                   "method orthographic: from where one looks"),
+            numbers("plane", "1,-1,1,-3", "1,-2,2,-6",
+                    "method along: the plane nx x + ny y + nz z = offset; without a direction seen upright, "
+                    "which is isometric for 1,-1,1",
+                    {"nx", "ny", "nz", "offset"}, solids::modest_sizes),
             exact_parameter()},
        .examples = {"--receding 45,1", "--method orthographic --from top",
                     "--method along --plane 1,-1,1,-3"}});

@@ -113,8 +113,7 @@ void tell_projection(Narrator& narrator) {
   say_turn(narrator, house ? "subtitle.house" : "subtitle.box");
   narrator.paper(solids::paper_width, solids::paper_height);
   narrator.columns({{"corner"}, {"point", false}, {"factor"}, {"image", false}});
-  narrator.legend(
-      {{Role::input, "solid"}, {Role::current, "current"}, {Role::past, "past"}, {Role::result, "result"}});
+  narrator.legend({{Role::input, "solid"}, Role::current, Role::past, Role::result});
   narrator.last_of_whole_is_telling();
   Story story(narrator.words(), d, solid);
   narrator.tell_each(story, solid.corners.size(),

@@ -274,7 +274,7 @@ void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find
   say_turn(narrator, "subtitle.box");
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
-  narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, {Role::result, "result"}});
+  narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, Role::result});
   narrator.last_of_whole_is_telling();
   Story story(narrator.words(), box, by_plane);
   narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
@@ -298,7 +298,7 @@ void tell_parallel_by_plane(Narrator& narrator) {
   tell_directions(narrator, call, [](const glm::dmat4& matrix, dvec3 direction, const auto& watch) {
     parallel_by_plane(matrix, direction, watch);
   });
-  narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.missed")});
+  narrator.add_to_legend(Role::rejected, "missed");
 }
 
 }  // namespace gradus::perspective

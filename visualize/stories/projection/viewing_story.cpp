@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "stories/parameters.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 
 namespace gradus::viewing {
@@ -286,8 +287,7 @@ class Story {
 // --- The methods
 
 void introduce(Narrator& narrator, Role last, std::string_view its_key) {
-  narrator.legend(
-      {{Role::input, "input"}, {Role::current, "current"}, {Role::accepted, "accepted"}, {last, its_key}});
+  narrator.legend({Role::input, Role::current, Role::accepted, {last, its_key}});
   narrator.last_is_telling();
 }
 
@@ -373,13 +373,7 @@ void tell_any_frame(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
-  const auto numbers = [](std::string name, std::string value, std::string example, std::string help) {
-    Parameter parameter{std::move(name), ParameterType::numbers, std::move(value), std::move(example),
-                        std::move(help)};
-    parameter.parts = {"x", "y", "z"};
-    parameter.sizes = coordinate_sizes;
-    return parameter;
-  };
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "viewing",
        .chapter = "projection",
@@ -404,19 +398,14 @@ const TopicEntry& entry() {
              .tell = tell_cross_products,
              .unread = {"axes"}}},
        .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
-       .parameters = {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units"),
-                      numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at"),
-                      numbers("up", "0,1,0", "0,0,1",
-                              "what points up in the picture: a direction of any length"),
-                      {.name = "axes",
-                       .type = ParameterType::points,
-                       .default_value = "2,0,0 1,1,0 0,-0.5,-1",
-                       .example = "1,0,0 0,2,0 0.5,0,-1",
-                       .help =
-                           "method inverse_of_any_frame: right, up and forward, of any lengths and angles",
-                       .least = 3,
-                       .most = 3,
-                       .parts = {"x", "y", "z"}}},
+       .parameters =
+           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
+                    coordinate_sizes),
+            numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at", xyz, coordinate_sizes),
+            numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length", xyz,
+                    coordinate_sizes),
+            points(3, 3, "axes", "2,0,0 1,1,0 0,-0.5,-1", "1,0,0 0,2,0 0.5,0,-1",
+                   "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz)},
        .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                     "--eye 2,3,5 --target 0,0,0 --method transposed",
                     "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});

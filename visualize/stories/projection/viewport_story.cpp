@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "projection/viewport/viewport_notes.hpp"
+#include "stories/parameters.hpp"
 #include "stories/projection/viewport_drawing.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/telling.hpp"
@@ -225,11 +226,11 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
   narrator.trace().subtitle =
       words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
   narrator.paper(36, 27);
-  narrator.legend({{Role::input, "input"},
-                   {Role::current, "current"},
-                   {Role::measure, "measure"},
+  narrator.legend({Role::input,
+                   Role::current,
+                   Role::measure,
                    {Role::rejected, clamps ? "moved" : "rejected"},
-                   {Role::result, "result"}});
+                   Role::result});
   if (clamps) narrator.trace().legend[2].text = words.say("true_line");
   narrator.tell_each(story, input.points.size(),
                      [&](std::size_t i, const auto& watch) { take(input.points[i], watch); });
@@ -287,6 +288,7 @@ constexpr Sizes sizes{1e-100, 1e100};
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "viewport",
        .chapter = "projection",
@@ -307,36 +309,17 @@ const TopicEntry& entry() {
                     .exact = true},
                    {.name = "clamped", .standing = Standing::faulty, .tell = tell_clamped}},
        .columns = {{"point", false}, {"px"}, {"py"}, {"pixel", false}},
-       .parameters = {{.name = "points",
-                       .type = ParameterType::points,
-                       .default_value = "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5",
-                       .example = "0,0 0.5,0.3 2,1",
-                       .help = "points on the camera plane: x,y in its units, y up",
-                       .least = 1,
-                       .most = 26,
-                       .parts = {"x", "y"},
-                       .sizes = sizes},
-                      {.name = "window",
-                       .type = ParameterType::bounds,
-                       .default_value = "-1,-0.75,1,0.75",
-                       .example = "-1,-1,1,1",
-                       .help = "what is seen of the plane: xmin,ymin,xmax,ymax",
-                       .parts = {"xmin", "ymin", "xmax", "ymax"},
-                       .sizes = sizes},
+       .parameters = {points(1, 26, "points", "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5", "0,0 0.5,0.3 2,1",
+                             "points on the camera plane: x,y in its units, y up", xy, sizes),
+                      bounds("window", "-1,-0.75,1,0.75", "-1,-1,1,1",
+                             "what is seen of the plane: xmin,ymin,xmax,ymax",
+                             {"xmin", "ymin", "xmax", "ymax"}, sizes),
                       {"resolution", ParameterType::cell, "8,6", "640,480",
                        "width and height of the picture in pixels", 1, 10'000},
-                      {.name = "fit",
-                       .type = ParameterType::choice,
-                       .default_value = "stretch",
-                       .example = "letterbox",
-                       .help = "fill the picture, or keep the window's shape and leave bars",
-                       .choices = {"stretch", "letterbox"}},
-                      {.name = "row_zero",
-                       .type = ParameterType::choice,
-                       .default_value = "top",
-                       .example = "bottom",
-                       .help = "where row 0 is: at the top, as in picture files, or at the bottom",
-                       .choices = {"top", "bottom"}},
+                      choice("fit", {"stretch", "letterbox"}, "stretch", "letterbox",
+                             "fill the picture, or keep the window's shape and leave bars"),
+                      choice("row_zero", {"top", "bottom"}, "top", "bottom",
+                             "where row 0 is: at the top, as in picture files, or at the bottom"),
                       exact_parameter()},
        .examples = {"--points '0.3,0.4 1.3,0.5' --resolution 8,6",
                     "--window -1,-1,1,1 --resolution 8,6 --fit letterbox",

@@ -317,11 +317,7 @@ void tell_runs(Narrator& narrator) {
 void tell_dda(Narrator& narrator) {
   const Line line = walked(narrator);
   narrator.columns({{"k"}, {"offset"}, {"row"}, {"x"}, {"y"}, {"right", false}});
-  narrator.legend({{Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::accepted, "accepted"},
-                   {Role::result, "result"},
-                   {Role::measure, "sum"}});
+  narrator.legend({Role::past, Role::current, Role::accepted, Role::result, {Role::measure, "sum"}});
   DdaStory story(narrator.words(), line);
   dda<float>(line.from, line.to, drop, narrator.watcher(story));
   const auto wrong = story.first_wrong();

@@ -103,12 +103,12 @@ inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_wa
   }
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
   if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
-  narrator.legend({{Role::past, "past"},
-                   {Role::current, "current"},
+  narrator.legend({Role::past,
+                   Role::current,
                    {Role::accepted, late ? "right" : "mirrored"},
-                   {Role::candidate, "candidate"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"},
+                   Role::candidate,
+                   Role::rejected,
+                   Role::result,
                    {Role::measure, "error"}});
 }
 

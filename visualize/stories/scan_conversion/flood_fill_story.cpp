@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
+#include "stories/parameters.hpp"
 #include "stories/scan_conversion/fill_story.hpp"
 #include "stories/scan_conversion/fill_subject.hpp"
 
@@ -39,13 +40,13 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way) {
   if (!way.column.empty()) {
     narrator.columns({{"n"}, {"column"}, {"row"}, {"from", false}, {std::string(way.column)}, {"painted"}});
   }
-  narrator.legend({{Role::current, "current"},
+  narrator.legend({Role::current,
                    {Role::candidate, fmt::format("candidate.{}", way.waiting)},
-                   {Role::past, "past"},
-                   {Role::accepted, "accepted"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"},
-                   {Role::boundary, "boundary"},
+                   Role::past,
+                   Role::accepted,
+                   Role::rejected,
+                   Role::result,
+                   Role::boundary,
                    {Role::measure, way.framed}});
 }
 
@@ -129,6 +130,7 @@ void tell_unchecked(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "flood_fill",
        .chapter = "scan_conversion",
@@ -163,12 +165,7 @@ const TopicEntry& entry() {
              "what to paint with: a colour, #0072b2 if not given; in a maze a letter, x if not given"},
             {"tolerance", ParameterType::integer, "0", "12",
              "by how much each channel may differ from the seed's, 0 to 255", 0, 255},
-            {.name = "connectivity",
-             .type = ParameterType::choice,
-             .default_value = "4",
-             .example = "8",
-             .help = "neighbours of a pixel: 4 or 8",
-             .choices = {"4", "8"}},
+            choice("connectivity", {"4", "8"}, "4", "8", "neighbours of a pixel: 4 or 8"),
             {"window", ParameterType::window, "", "2,1,6,5",
              "fill only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
        .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",

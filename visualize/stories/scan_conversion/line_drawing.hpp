@@ -84,12 +84,8 @@ inline void draw_line(Narrator& narrator, const Line& line) {
     narrator.backdrop("ideal line name", Role::boundary,
                       Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(narrator.words(), line)});
   }
-  narrator.legend({{Role::past, "past"},
-                   {Role::current, "current"},
-                   {Role::candidate, "candidate"},
-                   {Role::rejected, "rejected"},
-                   {Role::result, "result"},
-                   {Role::measure, "error"}});
+  narrator.legend(
+      {Role::past, Role::current, Role::candidate, Role::rejected, Role::result, {Role::measure, "error"}});
 }
 
 }  // namespace gradus::bresenham_line

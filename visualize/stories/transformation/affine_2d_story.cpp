@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stories/parameters.hpp"
 #include "stories/transformation/affine_2d_task.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
 
@@ -307,8 +308,7 @@ void introduce(Narrator& narrator, const Task& task, const Panel& panel) {
   require_scale(panel, narrator.arguments(), {"polygon", "factors"});
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   narrator.paper(26, 26);
-  narrator.legend(
-      {{Role::input, "input"}, {Role::past, "past"}, {Role::current, "current"}, {Role::result, "result"}});
+  narrator.legend({Role::input, Role::past, Role::current, Role::result});
   narrator.last_is_telling();
 }
 
@@ -383,6 +383,7 @@ void tell_undo(Narrator& narrator) {
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "affine_2d",
        .chapter = "transformation",
@@ -402,28 +403,13 @@ const TopicEntry& entry() {
                        .example = "rotate 30 about 1,1; scale 2 about 1,1",
                        .help = "what is done, in the order of doing; angles in degrees",
                        .parts = coordinates},
-                      {.name = "polygon",
-                       .type = ParameterType::points,
-                       .default_value = "3,1 3,2 2,2 2,3 1,3 1,1",
-                       .example = "0,0 2,0 2,1 0,1",
-                       .help = "the shape's corners",
-                       .least = 1,
-                       .most = 40,
-                       .parts = coordinates,
-                       .sizes = {1e-100, 1e100}},
-                      {.name = "pivots",
-                       .type = ParameterType::choice,
-                       .default_value = "whole",
-                       .example = "split",
-                       .help =
-                           "a factor about a point is one step, or three: there, about the origin, and back",
-                       .choices = {"whole", "split"}},
-                      {.name = "compare",
-                       .type = ParameterType::choice,
-                       .default_value = "none",
-                       .example = "reversed",
-                       .help = "a last step shows the factors in the reverse order",
-                       .choices = {"none", "reversed"}},
+                      points(1, 40, "polygon", "3,1 3,2 2,2 2,3 1,3 1,1", "0,0 2,0 2,1 0,1",
+                             "the shape's corners", coordinates, {1e-100, 1e100}),
+                      choice(
+                          "pivots", {"whole", "split"}, "whole", "split",
+                          "a factor about a point is one step, or three: there, about the origin, and back"),
+                      choice("compare", {"none", "reversed"}, "none", "reversed",
+                             "a last step shows the factors in the reverse order"),
                       exact_parameter()},
        .examples = {"--factors 'rotate 30 about 1,1; scale 2 about 1,1'",
                     "--factors 'translate 2,0; rotate 90' --compare reversed",

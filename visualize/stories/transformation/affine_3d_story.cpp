@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/transformation/turn_story.hpp"
 
@@ -202,8 +203,7 @@ void turn_vector_in(const Task& task, const auto& observer) {
 /// What stands around the steps.
 void introduce(Narrator& narrator) {
   narrator.paper(26, 26);
-  narrator.legend(
-      {{Role::input, "input"}, {Role::past, "past"}, {Role::current, "current"}, {Role::result, "result"}});
+  narrator.legend({Role::input, Role::past, Role::current, Role::result});
   narrator.last_is_telling();
 }
 void introduce_turn(Narrator& narrator, const Task& task) {
@@ -263,23 +263,18 @@ void tell_turn_vector(Narrator& narrator) {
 }
 void tell_constant_offset(Narrator& narrator) {
   tell_vectors(narrator, task_of(narrator.arguments()), true);
-  narrator.trace().legend.push_back({Role::rejected, narrator.words().say("legend.rejected")});
+  narrator.add_to_legend(Role::rejected, "rejected");
 }
 
 Parameter triple(std::string name, std::string value, std::string help) {
-  return {.name = std::move(name),
-          .type = ParameterType::numbers,
-          .default_value = value,
-          .example = value,
-          .help = std::move(help),
-          .parts = coordinates,
-          .sizes = {1e-100, 1e100}};
+  return parameters::numbers(std::move(name), value, value, std::move(help), coordinates, {1e-100, 1e100});
 }
 
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "affine_3d",
        .chapter = "transformation",
@@ -299,12 +294,8 @@ const TopicEntry& entry() {
              .example = "rotate 30 about 0,1,1 through 1,1,0; translate 0,0,1",
              .help = "one_matrix, row_vectors: what is done, in the order of doing; angles in degrees",
              .parts = coordinates},
-            {.name = "compare",
-             .type = ParameterType::choice,
-             .default_value = "reversed",
-             .example = "none",
-             .help = "one_matrix: the factors in the reverse order beside it",
-             .choices = {"none", "reversed"}},
+            choice("compare", {"none", "reversed"}, "reversed", "none",
+                   "one_matrix: the factors in the reverse order beside it"),
             triple("axis", "0,1,1",
                    "decomposition, turn_vector, constant_offset: the direction of the axis, not 0,0,0"),
             triple("through", "1,1,0", "decomposition, turn_vector, constant_offset: a point on the axis"),
