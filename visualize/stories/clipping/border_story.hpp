@@ -38,10 +38,7 @@ class BorderStory : public PlaneDrawing {
         .text = t.side > 0   ? "tested.inside"
                 : t.side < 0 ? "tested.outside"
                              : "tested.on",
-        .facts = {{"border", std::int64_t{t.border}},
-                  {"side", std::int64_t{t.side}},
-                  {"x", t.vertex.at.x},
-                  {"y", t.vertex.at.y}},
+        .facts = {{"border", t.border}, {"side", t.side}, {"x", t.vertex.at.x}, {"y", t.vertex.at.y}},
         .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", name_of_border(t.border)}},
         .row = row_of(t),
         .phase = phase_of(t.border),
@@ -75,10 +72,7 @@ class BorderStory : public PlaneDrawing {
         .text = c.vertex.edge.of_window() ? "cut.corner"
                 : c.leaves                ? "cut.leaves"
                                           : "cut.enters",
-        .facts = {{"border", std::int64_t{c.border}},
-                  {"leaves", c.leaves},
-                  {"x", c.vertex.at.x},
-                  {"y", c.vertex.at.y}},
+        .facts = {{"border", c.border}, {"leaves", c.leaves}, {"x", c.vertex.at.x}, {"y", c.vertex.at.y}},
         .words = {{"from", from}, {"to", to}, {"border", border}, {"name", name}, {"at", c.vertex.at}},
         .row = {border, name, words_.say("side.cut"), name},
         .phase = phase_of(c.border),
@@ -102,9 +96,9 @@ class BorderStory : public PlaneDrawing {
     leave_border();
   }
   Event say(const BorderPassed<double>& p) const {
-    const auto corners = static_cast<std::int64_t>(p.polygon.size());
+    const auto corners = std::ssize(p.polygon);
     Event event{.text = "passed_empty",
-                .facts = {{"border", std::int64_t{p.border}}, {"corners", corners}},
+                .facts = {{"border", p.border}, {"corners", corners}},
                 .words = {{"border", name_of_border(p.border)}},
                 .phase = phase_of(p.border),
                 .level = Level::idea,
@@ -151,7 +145,7 @@ class BorderStory : public PlaneDrawing {
   }
   Event say(const BridgeFound<double>& b) {
     return {.text = "bridge",
-            .facts = {{"border", std::int64_t{b.border}},
+            .facts = {{"border", b.border},
                       {"from_x", b.from.at.x, "x"},
                       {"from_y", b.from.at.y, "y"},
                       {"to_x", b.to.at.x, "x"},
@@ -172,7 +166,7 @@ class BorderStory : public PlaneDrawing {
       event.words.push_back({"right", *right_});
     } else if (!bridges_.empty()) {
       event.text = "done_bridges";
-      event.count = static_cast<std::int64_t>(bridges_.size());
+      event.count = std::ssize(bridges_);
     } else if (!result_.empty()) {
       event.text = "done";
     }

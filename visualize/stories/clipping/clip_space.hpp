@@ -161,7 +161,7 @@ class ClipSpaceStory {
     return {.text = any_behind(rest_)                  ? "divided_eye"
                     : any_behind(given_) && all_divide ? "divided_last"
                                                        : "divided",
-            .count = static_cast<std::int64_t>(rest_.size())};
+            .count = std::ssize(rest_)};
   }
 
  private:
@@ -240,12 +240,8 @@ class ClipSpaceStory {
     return {plane_text(t.plane), name, distance(t.plane, t.at), t.inside ? name : ""};
   }
   static std::vector<Field> fields(const Plane<double>& plane, const dvec4& p) {
-    return {{"axis", std::int64_t{plane.axis}},
-            {"value", distance(plane, p)},
-            {"x", p.x},
-            {"y", p.y},
-            {"z", p.z},
-            {"w", p.w}};
+    return {
+        {"axis", plane.axis}, {"value", distance(plane, p)}, {"x", p.x}, {"y", p.y}, {"z", p.z}, {"w", p.w}};
   }
 
   // --- Drawing

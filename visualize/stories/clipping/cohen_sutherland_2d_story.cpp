@@ -53,7 +53,7 @@ class Story {
   }
   Event say(const Classified<double>& c) const {
     return {.text = "classified",
-            .facts = {{"code_a", std::int64_t{c.code_a}, "code"}, {"code_b", std::int64_t{c.code_b}, "code"}},
+            .facts = {{"code_a", c.code_a, "code"}, {"code_b", c.code_b, "code"}},
             .words = {{"a", c.line.a},
                       {"b", c.line.b},
                       {"code_a", digits(codes_.a)},
@@ -78,8 +78,8 @@ class Story {
                       {"border", std::string(name_of(c.border))},
                       {"x", c.to().x},
                       {"y", c.to().y},
-                      {"code_a", std::int64_t{c.code_a}, "code"},
-                      {"code_b", std::int64_t{c.code_b}, "code"}},
+                      {"code_a", c.code_a, "code"},
+                      {"code_b", c.code_b, "code"}},
             .words = {{"end", end(c.of_a)},
                       {"border", beyond(c.border)},
                       {"code", digits(c.before)},
@@ -142,7 +142,7 @@ class Story {
     return {.text = !settled ? "unsettled"
                     : whole_ ? "dropped"
                              : "rejected",
-            .facts = {{"common", std::int64_t{r.common}, "code"}},
+            .facts = {{"common", r.common, "code"}},
             .words = {{"code_a", digits(codes_.a)},
                       {"code_b", digits(codes_.b)},
                       {"border", beyond(first_of(task_.order, r.common))}},
@@ -154,10 +154,10 @@ class Story {
     View view = drawing(Role::rejected);
     add_right(view);
     board.milestone(std::move(view));
-    result_ = {{"accepted", false}, {"rounds", std::int64_t{g.rounds}}};
+    result_ = {{"accepted", false}, {"rounds", g.rounds}};
   }
   static Event say(const GaveUp& g) {
-    return {.text = "gave_up", .facts = {{"rounds", std::int64_t{g.rounds}}}, .ends = true};
+    return {.text = "gave_up", .facts = {{"rounds", g.rounds}}, .ends = true};
   }
 
   const std::vector<Field>& result() const { return result_; }
@@ -199,7 +199,7 @@ class Story {
                      set ? "rejected" : "accepted");
   }
 
-  std::int64_t count_of_cuts() const { return static_cast<std::int64_t>(cuts_.size()); }
+  std::int64_t count_of_cuts() const { return std::ssize(cuts_); }
   void add_right(View& view) const {
     if (task_.right) scene_.add_line(view, "right", Role::accepted, *task_.right);
   }

@@ -89,7 +89,7 @@ class Story {
                 .words = {{"faces", faces(r.common)}},
                 .read = row(read_, words_.say("decision.reject")),
                 .ends = true};
-    event.facts.push_back({"common", std::int64_t{r.common}, "code"});
+    event.facts.push_back({"common", r.common, "code"});
     if (settled) event.decides = decision();
     return event;
   }
@@ -113,8 +113,7 @@ class Story {
     return {state.moves.size(), text(state.code_a), text(state.code_b), text(both), std::move(decision)};
   }
   std::vector<Field> facts() const {
-    std::vector<Field> facts{{"code_a", std::int64_t{state_.code_a}, "code"},
-                             {"code_b", std::int64_t{state_.code_b}, "code"}};
+    std::vector<Field> facts{{"code_a", state_.code_a, "code"}, {"code_b", state_.code_b, "code"}};
     for (const auto& [end, at] : {std::pair{"a", state_.rest.a}, {"b", state_.rest.b}}) {
       for (int i = 0; i < N; ++i) {
         const std::string axis(1, "xyzw"[i]);

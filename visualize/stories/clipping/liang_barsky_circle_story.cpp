@@ -129,7 +129,7 @@ class Story {
     const std::size_t outside = (p.from > 0 ? 1u : 0u) + (p.to > 0 ? 1u : 0u);
     constexpr std::array<const char*, 3> branches{"inside", "cut", "outside"};
     return {.text = "placed",
-            .facts = {{"from", std::int64_t{p.from}, "side"}, {"to", std::int64_t{p.to}, "side"}},
+            .facts = {{"from", p.from, "side"}, {"to", p.to, "side"}},
             .words = {{"from", side_text(p.from)}, {"to", side_text(p.to)}},
             .row = {words_.say("ends"), figure_number(p.from) + ", " + figure_number(p.to),
                     side_text(p.from) + ", " + side_text(p.to)},
@@ -142,7 +142,7 @@ class Story {
                     : r.sign < 0  ? "reached.misses"
                     : r.sign == 0 ? "reached.touches"
                                   : "reached.crosses",
-            .facts = {{"between", r.between}, {"sign", std::int64_t{r.sign}}},
+            .facts = {{"between", r.between}, {"sign", r.sign}},
             .row = {words_.say("sign_of_D"), r.between ? figure_number(r.sign) : "",
                     r.between ? test_of(r.sign) : words_.say("test.beside")},
             .phase = words_.say("phase.decision"),

@@ -29,7 +29,7 @@ class PiecesStory : public PlaneDrawing {
     constexpr std::array<const char*, 3> branches{"inside", "cut", "outside"};
     const std::string border = name_of_border(t.border);
     return {.text = "ring_tested",
-            .facts = {{"border", std::int64_t{t.border}}, {"inside", inside}},
+            .facts = {{"border", t.border}, {"inside", inside}},
             .words = {{"corners", t.ring.size()}, {"border", border}},
             .phase = phase_of(t.border),
             .decides = Decision{
@@ -54,9 +54,9 @@ class PiecesStory : public PlaneDrawing {
     put(board);
   }
   Event say(const CrossingsOrdered<double>& o) const {
-    const auto crossings = static_cast<std::int64_t>(o.crossings.size());
+    const auto crossings = std::ssize(o.crossings);
     return {.text = crossings == 0 ? "ordered_none" : "ordered",
-            .facts = {{"border", std::int64_t{o.border}}, {"crossings", crossings}},
+            .facts = {{"border", o.border}, {"crossings", crossings}},
             .words = {{"border", name_of_border(o.border)}},
             .phase = phase_of(o.border)};
   }
@@ -86,10 +86,10 @@ class PiecesStory : public PlaneDrawing {
     leave_border();
   }
   Event say(const BorderSplit<double>& s) const {
-    const auto rings = static_cast<std::int64_t>(s.rings.size());
+    const auto rings = std::ssize(s.rings);
     const std::string border = name_of_border(s.border);
     return {.text = "split",
-            .facts = {{"border", std::int64_t{s.border}}, {"rings", rings}},
+            .facts = {{"border", s.border}, {"rings", rings}},
             .words = {{"border", border}},
             .count = rings,
             .row = {border, "", "", rings},

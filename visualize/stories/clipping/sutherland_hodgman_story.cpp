@@ -268,7 +268,7 @@ void tell_homogeneous(Narrator& narrator) {
   watch(steps::Started{}, 0);
   const auto polygon = clip(corners, std::span<const Plane<double>>(planes), watch);
   watch(steps::Finished{}, 0);
-  narrator.result({{"corners", static_cast<std::int64_t>(polygon.size())}});
+  narrator.result({{"corners", std::ssize(polygon)}});
 }
 
 const std::vector<Method>& all_methods() {

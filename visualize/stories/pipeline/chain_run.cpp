@@ -180,7 +180,7 @@ Run run_of(Scene scene, Size size) {
 Followed followed_in(const Run& run, const Arguments& arguments) {
   std::optional<std::int64_t> face;
   if (arguments.has("face") && !arguments.text("face").empty()) face = arguments.integer("face");
-  if (face && *face >= static_cast<std::int64_t>(run.faces.size())) {
+  if (face && *face >= std::ssize(run.faces)) {
     refuse("face", "expected a face from 0 to {}, found {}", run.faces.size() - 1, *face);
   }
   Followed followed{piece_to_follow(run, face), {}};

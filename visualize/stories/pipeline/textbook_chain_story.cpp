@@ -178,9 +178,7 @@ class Tour {
     stage_ = 0;
     milestone(views_.object(), "Started",
               {.text = "started",
-               .facts = {{"face", std::int64_t{face()}},
-                         {"piece", std::int64_t{piece_.id.piece}},
-                         {"pixel", pixel_}},
+               .facts = {{"face", face()}, {"piece", piece_.id.piece}, {"pixel", pixel_}},
                .words = {{"width", run_.size.width}, {"height", run_.size.height}}});
   }
 
@@ -199,9 +197,7 @@ class Tour {
     const bool whole = read.pieces.size() == 1;
     fine(views_.object(), "FaceRead",
          {.text = whole ? "face_read.whole" : "face_read.cut",
-          .facts = {{"face", std::int64_t{read.face}},
-                    {"line", std::int64_t{read.line}},
-                    {"pieces", std::ssize(read.pieces)}},
+          .facts = {{"face", read.face}, {"line", read.line}, {"pieces", std::ssize(read.pieces)}},
           .words = {{"corners", read.vertices.size()}, {"names", corner_names()}},
           .key = figure_number(face()),
           .decides = decided("question.face", {face_word()}, !whole, whole ? "whole" : "cut")});
@@ -363,7 +359,7 @@ class Tour {
                       y = real_text(at.y / 256.0), place = fmt::format("({},\u00a0{})", x, y);
     fine(views_.raster(-1, {corner, name + " " + place}), "Snapped",
          {.text = "snapped",
-          .facts = {{"x", std::int64_t{at.x}}, {"y", std::int64_t{at.y}}},
+          .facts = {{"x", at.x}, {"y", at.y}},
           .words = {{"name", name},
                     {"x", real_text(exact.x)},
                     {"y", real_text(exact.y)},
@@ -390,9 +386,7 @@ class Tour {
     const ivec2 first{covered.first, y};
     fine(views_.raster(y), "Covered",
          {.text = "covered",
-          .facts = {{"row", std::int64_t{y}},
-                    {"first", std::int64_t{covered.first}},
-                    {"last", std::int64_t{covered.last}}},
+          .facts = {{"row", y}, {"first", covered.first}, {"last", covered.last}},
           .count = covered.count,
           .row = row(first, dvec3(dvec2(first) + 0.5, covered.depth)),
           .key = pixel_key(first)});
@@ -428,7 +422,7 @@ class Tour {
   void depth_test(const DepthTested& test) {
     const Fragment& f = test.fragment;
     Event event{.text = "tested.first",
-                .facts = {{"face", std::int64_t{f.id.face}}, {"depth", f.depth}, {"nearer", test.nearer}},
+                .facts = {{"face", f.id.face}, {"depth", f.depth}, {"nearer", test.nearer}},
                 .words = {pixel_word(), {"depth", real_text(f.depth)}},
                 .row = row(words_.say("face", {{"face", f.id.face}}), dvec3(dvec2(f.pixel) + 0.5, f.depth)),
                 .key = pixel_key(f.pixel),
@@ -449,9 +443,7 @@ class Tour {
       const auto [red, green, blue] = std::array{w.colour.r, w.colour.g, w.colour.b};
       fine(views_.output(false), "Written",
            {.text = seen ? "written.lit" : "written.background",
-            .facts = {{"red", std::int64_t{red}},
-                      {"green", std::int64_t{green}},
-                      {"blue", std::int64_t{blue}}},
+            .facts = {{"red", red}, {"green", green}, {"blue", blue}},
             .words = {pixel_word(), {"light", place_text(dvec3(w.light))}},
             .row = row("sRGB", {red, green, blue}),
             .key = pixel_key(pixel_),
@@ -496,7 +488,7 @@ void tell_z_buffer(Narrator& narrator) {
                    Role::input});
   Tour(narrator, run, followed, listed).tell();
   const Rgba8 colour = run.image[followed.pixel];
-  narrator.result({{"face", std::int64_t{run.pieces[followed.piece].id.face}},
+  narrator.result({{"face", run.pieces[followed.piece].id.face},
                    {"pixel", followed.pixel},
                    {"colour", fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b)}});
   narrator.last_is_telling();

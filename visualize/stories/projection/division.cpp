@@ -298,8 +298,8 @@ template <class Take>
 void tell_points(Narrator& narrator, const Task& task, std::optional<int> multiplied_line, const Take& take) {
   std::string list;
   for (const dvec3 p : task.points) list += (list.empty() ? "" : ", ") + figure_place(p);
-  narrator.trace().subtitle = narrator.words().count(
-      "subtitle.points", static_cast<std::int64_t>(task.points.size()), {{"points", list}});
+  narrator.trace().subtitle =
+      narrator.words().count("subtitle.points", std::ssize(task.points), {{"points", list}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"w"}, {"image", false}});
   if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});

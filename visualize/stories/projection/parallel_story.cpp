@@ -249,7 +249,7 @@ void tell_corners(Narrator& narrator, const Task& task, const Project& project) 
   Story story(narrator.words(), task, images);
   narrator.tell_each(story, images.size(),
                      [&](std::size_t i, const auto& watch) { project(task.solid.corners[i], watch); });
-  std::vector<Field> result{{"corners", static_cast<std::int64_t>(images.size())}};
+  std::vector<Field> result{{"corners", std::ssize(images)}};
   if (!task.right.empty()) result.push_back({"largest_error", story.largest_error(), "error"});
   narrator.result(std::move(result));
 }

@@ -118,7 +118,7 @@ void tell_projection(Narrator& narrator) {
   Story story(narrator.words(), d, solid);
   narrator.tell_each(story, solid.corners.size(),
                      [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });
-  narrator.result({{"images", static_cast<std::int64_t>(solid.corners.size()) - story.unseen()}});
+  narrator.result({{"images", std::ssize(solid.corners) - story.unseen()}});
   tell_side_by_side<Numbers>(narrator, [d, solid]<class T>(T, const auto& observer) {
     for (const dvec3 corner : solid.corners) project(T(d), in_scalar<T>(corner), observer);
   });

@@ -107,19 +107,16 @@ class Story {
     // The sum of the products as they are shown
     const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
     const double shift = faulty() ? r.shift : along;
-    Event event{.text = way_ == Way::minus_position ? "position_row" : "row",
-                .facts = {{"row", std::int64_t{r.row}},
-                          {"x", r.axis.x},
-                          {"y", r.axis.y},
-                          {"z", r.axis.z},
-                          {"shift", r.shift}},
-                .words = {{"axis", axis_name(r.row)},
-                          {"product", product_text(axis, scene_.eye)},
-                          {"shift", shift},
-                          {"right", along}},
-                .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
-                .key = axis_id(r.row),
-                .phase = words_.say("phase.matrix")};
+    Event event{
+        .text = way_ == Way::minus_position ? "position_row" : "row",
+        .facts = {{"row", r.row}, {"x", r.axis.x}, {"y", r.axis.y}, {"z", r.axis.z}, {"shift", r.shift}},
+        .words = {{"axis", axis_name(r.row)},
+                  {"product", product_text(axis, scene_.eye)},
+                  {"shift", shift},
+                  {"right", along}},
+        .row = {axis_name(r.row), axis.x, axis.y, axis.z, shift},
+        .key = axis_id(r.row),
+        .phase = words_.say("phase.matrix")};
     if (way_ == Way::transposed) {
       event.text = "transposed_row";
       event.words = {{"entries", axis}, {"axis", neat(axis_of(frame_, r.row), 1)}};
@@ -139,10 +136,7 @@ class Story {
     const dvec3 entries = eye ? c.entries : neat(c.entries, size);
     const std::string name = eye ? words_.say("name.eye") : axis_name(c.column);
     Event event{.text = eye ? "eye_column" : "column",
-                .facts = {{"column", std::int64_t{c.column}},
-                          {"x", c.entries.x},
-                          {"y", c.entries.y},
-                          {"z", c.entries.z}},
+                .facts = {{"column", c.column}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
                 .words = {{"eye", entries}, {"entries", entries}, {"axis", name}},
                 .row = {name, entries.x, entries.y, entries.z, eye ? 1 : 0},
                 .key = eye ? "eye" : axis_id(c.column),
@@ -162,7 +156,7 @@ class Story {
     for (int k = 0; k < 4; ++k)
       row.push_back(neat(product[k][m.row], length_of(axis) * length_of(dvec3(m.inverse[k]))));
     return {.text = "product_row",
-            .facts = {{"row", std::int64_t{m.row}},
+            .facts = {{"row", m.row},
                       {"right", product[0][m.row], "product"},
                       {"up", product[1][m.row], "product"},
                       {"forward", product[2][m.row], "product"},

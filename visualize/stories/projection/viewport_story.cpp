@@ -222,7 +222,7 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
   const Words& words = narrator.words();
   Story story(words, input, clamps);
   require_scale(story.drawing().plane(), narrator.arguments(), {"window"});
-  const auto count = static_cast<std::int64_t>(input.points.size());
+  const auto count = std::ssize(input.points);
   narrator.trace().subtitle =
       words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
   narrator.paper(36, 27);

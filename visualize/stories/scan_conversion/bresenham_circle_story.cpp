@@ -53,7 +53,7 @@ class Story {
     Event event{.text = windowed_       ? "started_in_window"
                         : s.radius == 0 ? "started_at_centre"
                                         : "started",
-                .facts = {{"center", s.center}, {"radius", std::int64_t{s.radius}}, {"p", s.p}}};
+                .facts = {{"center", s.center}, {"radius", s.radius}, {"p", s.p}}};
     return windowed_ ? event : standing(event, {0, s.radius}, s.p);
   }
 
@@ -69,7 +69,7 @@ class Story {
     Event event{.text = "jumped", .facts = {{"at", j.at}, {"p", j.p}}};
     if (windowed_) {
       event.text = "entered";
-      event.facts.insert(event.facts.begin(), {"octant", std::int64_t{octant_.number}});
+      event.facts.insert(event.facts.begin(), {"octant", octant_.number});
     }
     return standing(event, j.at, j.p);
   }

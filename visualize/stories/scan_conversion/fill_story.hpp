@@ -66,12 +66,11 @@ class Story {
     set_up(board);
   }
   Event say(const Started& s) const {
-    return {.text = s.inside ? "started" : "nothing_to_do",
-            .facts = {{"seed", s.seed},
-                      {"connectivity", std::int64_t{static_cast<int>(s.connectivity)}},
-                      {"inside", s.inside}},
-            .key = pixel_key(s.seed),
-            .decides = is_free(s.seed, s.inside)};
+    return {
+        .text = s.inside ? "started" : "nothing_to_do",
+        .facts = {{"seed", s.seed}, {"connectivity", static_cast<int>(s.connectivity)}, {"inside", s.inside}},
+        .key = pixel_key(s.seed),
+        .decides = is_free(s.seed, s.inside)};
   }
 
   /// The notes' listing reads the seed wherever it lies: the picture's border and what is read are shown.
@@ -254,7 +253,7 @@ class Story {
   ivec2 cell_of(ivec2 p) const { return read_ && read_->lands && p == read_->seed ? *read_->lands : p; }
   bool on_grid(ivec2 p) const { return subject_.image().contains(p); }
 
-  bool has_room() const { return static_cast<std::int64_t>(pixels_.size()) < Recording::default_most; }
+  bool has_room() const { return std::ssize(pixels_) < Recording::default_most; }
   void note(ivec2 p) {
     if (has_room()) pixels_.push_back(p);
   }
@@ -269,7 +268,7 @@ class Story {
   /// Of a span whose row beside it is to be looked at.
   Event beside(const Span& s, std::size_t n, Event event) const {
     event.facts = ends_of(s);
-    event.facts.insert(event.facts.end(), {{"way", std::int64_t{s.way}}, waiting(n)});
+    event.facts.insert(event.facts.end(), {{"way", s.way}, waiting(n)});
     event.words.push_back({"row", fmt::format("{}", s.row + s.way)});
     return filling({s.left, s.row}, std::move(event));
   }
@@ -290,7 +289,7 @@ class Story {
     return decision("question", {{"pixel", p}}, free, free ? "inside" : "outside");
   }
   static std::vector<Field> ends_of(const Span& s) {
-    return {{"row", std::int64_t{s.row}}, {"left", std::int64_t{s.left}}, {"right", std::int64_t{s.right}}};
+    return {{"row", s.row}, {"left", s.left}, {"right", s.right}};
   }
 
   // What is drawn
