@@ -85,10 +85,10 @@ std::string factor_words(const Wording& words, const FactorText& factor) {
   const std::string by =
       factor.amount.size() == 1 ? figure_text(factor.amount[0]) : figure_text(factor.amount);
   std::string text;
-  if (factor.kind == Kind::translate) text = words.say("transformation.translate", arg("by", by));
-  if (factor.kind == Kind::scale) text = words.say("transformation.scale", arg("by", by));
-  if (factor.kind == Kind::rotate) text = words.say("transformation.rotate", arg("by", by));
-  if (factor.kind == Kind::shear) text = words.say("transformation.shear", arg("by", by));
+  constexpr std::string_view keys[] = {"transformation.translate", "transformation.scale",
+                                       "transformation.rotate", "transformation.shear"};
+  if (factor.kind != Kind::reflect)
+    text = words.say(keys[static_cast<std::size_t>(factor.kind)], arg("by", by));
   if (factor.kind == Kind::reflect && factor.mirror != Mirror::line) {
     constexpr std::string_view names[] = {"x", "y", "origin", "diagonal"};
     text =
@@ -138,13 +138,8 @@ std::string chained(const std::vector<std::string>& names) {
 std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values) {
   std::string sum;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto term = [](double value) {
-      const std::string text = figure_real(value);
-      return text.starts_with("−") ? "(" + text + ")" : text;
-    };
-    const std::string first = i == 0 ? figure_real(factors[i]) : term(factors[i]);
-    sum += i == 0 ? first : " + " + first;
-    if (i < values.size()) sum += "·" + term(values[i]);
+    sum += i == 0 ? figure_real(factors[i]) : " + " + figure_factor(factors[i]);
+    if (i < values.size()) sum += "·" + figure_factor(values[i]);
   }
   return sum;
 }

@@ -237,15 +237,4 @@ std::string figure_real(double value) {
   return value < 0 && text != "0" ? "−" + text : text;
 }
 
-std::string figure_place(dvec2 p) { return fmt::format("({},\u00a0{})", figure_real(p.x), figure_real(p.y)); }
-
-std::string figure_place(dvec3 p) {
-  return fmt::format("({},\u00a0{},\u00a0{})", figure_real(p.x), figure_real(p.y), figure_real(p.z));
-}
-
-std::string figure_place(glm::dvec4 p) {
-  return fmt::format("({},\u00a0{},\u00a0{},\u00a0{})", figure_real(p.x), figure_real(p.y), figure_real(p.z),
-                     figure_real(p.w));
-}
-
 }  // namespace gradus

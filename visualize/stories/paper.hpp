@@ -27,6 +27,15 @@ struct View {
   bool plane = true;
 
   void add(Mark mark) { marks.insert_or_assign(mark.id, mark); }
+  /// A dot, or a ring, with its name beside it; the name is a mark of its own.
+  void add_named(const std::string& id, std::string name_id, Role role, dvec2 at, std::string name,
+                 bool ring = false) {
+    add({id, role, Dot{at, ring}});
+    add({std::move(name_id), role, Label{at, std::move(name)}});
+  }
+  void add_named(const std::string& id, Role role, dvec2 at, std::string name, bool ring = false) {
+    add_named(id, id + " name", role, at, std::move(name), ring);
+  }
 };
 
 /// What turns one drawing into the other.
@@ -63,6 +72,9 @@ struct Extent {
   }
   dvec2 size() const { return upper - lower; }
   dvec2 centre() const { return (lower + upper) * 0.5; }
+  bool holds(dvec2 p) const { return p == glm::clamp(p, lower, upper); }
+  /// From `lower` on, all round.
+  std::vector<dvec2> corners() const { return {lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}; }
 };
 
 /// Lengths of any size: no square overflows or underflows.
@@ -142,9 +154,26 @@ constexpr dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
 
 /// A number as figures show it: four significant digits or so, the typographic minus.
 std::string figure_real(double value);
-/// "(1, −0.5)" and "(1, −0.5, 2)", with no-break spaces; a homogeneous point's four numbers likewise.
-std::string figure_place(dvec2 p);
-std::string figure_place(dvec3 p);
-std::string figure_place(glm::dvec4 p);
+/// The same of what is no more than a rounding error below `noise`: then it is 0.
+inline std::string figure_real(double value, double noise) {
+  return figure_real(std::abs(value) < noise ? 0 : value);
+}
+/// A number's text as a later term or factor: "(−4)" when negative.
+inline std::string figure_factor(std::string number) {
+  return number.starts_with("−") ? "(" + number + ")" : number;
+}
+inline std::string figure_factor(double value) { return figure_factor(figure_real(value)); }
+
+/// "(1, −0.5)", "(1, −0.5, 2)", with no-break spaces: a point's numbers as `text` has them.
+template <int N, class Text>
+std::string figure_place(const glm::vec<N, double>& p, Text text) {
+  std::string place = "(";
+  for (int i = 0; i < N; ++i) place += (i > 0 ? ",\u00a0" : "") + text(p[i]);
+  return place + ")";
+}
+template <int N>
+std::string figure_place(const glm::vec<N, double>& p) {
+  return figure_place(p, [](double number) { return figure_real(number); });
+}
 
 }  // namespace gradus

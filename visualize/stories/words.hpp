@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <concepts>
 #include <numeric>
 #include <string>
 
@@ -13,7 +14,8 @@
 namespace gradus {
 
 /// The same as a later term of a sum or a factor: "(−4)" when negative.
-inline std::string figure_factor(std::int64_t value) {
+template <std::integral Whole>
+std::string figure_factor(Whole value) {
   return value < 0 ? "(" + figure_number(value) + ")" : figure_number(value);
 }
 

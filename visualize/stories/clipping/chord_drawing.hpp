@@ -109,7 +109,7 @@ class ChordDrawing {
     view_.marks.erase("b line");
     add_stroke("b line", Role::guide, middle - 1.4 * half * d, middle + 1.4 * half * d, false, true);
     add_stroke("e half", Role::measure, middle, middle + half * d);
-    if (const dvec2 name = middle + 0.5 * half * d; circle_drawing::shows(scene_.panel, name)) {
+    if (const dvec2 name = middle + 0.5 * half * d; scene_.panel.shown().holds(name)) {
       view_.add({"e half name", Role::measure, Label{scene_.panel.at(name), words_.say("half")}});
     }
     if (shown(foot)) add_t("foot", Role::measure, foot, words_.say("foot"), true);

@@ -76,12 +76,6 @@ inline std::optional<std::pair<dvec2, dvec2>> shown_part(const Panel& panel, dve
   return to_b;
 }
 
-/// Whether the panel shows a point.
-inline bool shows(const Panel& panel, dvec2 p) {
-  const Extent box = panel.shown();
-  return box.lower.x <= p.x && p.x <= box.upper.x && box.lower.y <= p.y && p.y <= box.upper.y;
-}
-
 inline void add_stroke(View& view, const Panel& panel, std::string id, Role role, dvec2 a, dvec2 b,
                        bool arrow = false, bool dashed = false) {
   const auto part = shown_part(panel, a, b);
@@ -93,9 +87,7 @@ inline void add_stroke(View& view, const Panel& panel, std::string id, Role role
 /// A dot with a name beside it.
 inline void add_point(View& view, const Panel& panel, const std::string& id, Role role, dvec2 at,
                       const std::string& name, bool ring = false) {
-  if (!shows(panel, at)) return;
-  view.add({id, role, Dot{panel.at(at), ring}});
-  if (!name.empty()) view.add({id + " name", role, Label{panel.at(at), name}});
+  if (panel.shown().holds(at)) view.add_named(id, role, panel.at(at), name, ring);
 }
 
 /// Coordinates that a figure can show: differences and their sums are finite.

@@ -24,8 +24,7 @@ using glm::dvec4;
 /// A point's coordinates, what rounding has left where exact arithmetic says 0 as 0.
 inline std::string place_text(const dvec4& p) {
   const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
-  const auto number = [size](double c) { return figure_real(std::abs(c) < 0x1p-40 * size ? 0 : c); };
-  return fmt::format("({},\u00a0{},\u00a0{},\u00a0{})", number(p.x), number(p.y), number(p.z), number(p.w));
+  return figure_place(p, [size](double number) { return figure_real(number, 0x1p-40 * size); });
 }
 
 /// A corner with what it is called.
@@ -212,9 +211,7 @@ class ClipSpaceStory {
 
   // --- Words
 
-  std::string symbol(int axis) const {
-    return words_.symbol(std::array<std::string_view, 3>{"x", "y", "z"}[static_cast<std::size_t>(axis)]);
-  }
+  std::string symbol(int axis) const { return words_.symbol({&"xyz"[axis], 1}); }
   /// "x = −w", "z = 0".
   std::string plane_text(const Plane<double>& plane) const {
     const std::string limit = plane.bound == 0 ? "0" : (plane.sign > 0 ? "−" : "") + words_.symbol("w");
@@ -228,9 +225,8 @@ class ClipSpaceStory {
   /// " = −1 − 0.5" of "w − x = −1 − 0.5 = −1.5"; nothing where there is nothing to compute.
   std::string numbers_text(const Plane<double>& plane, const dvec4& p) const {
     if (plane.bound == 0) return "";
-    const double c = p[plane.axis];
-    const std::string number = c < 0 ? fmt::format("({})", figure_real(c)) : figure_real(c);
-    return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−", number);
+    return fmt::format(" = {} {} {}", figure_real(p.w), plane.sign > 0 ? "+" : "−",
+                       figure_factor(p[plane.axis]));
   }
   std::string phase_of(const Plane<double>& plane) const {
     return words_.say("phase.plane", {{"plane", plane_text(plane)}});
@@ -256,8 +252,7 @@ class ClipSpaceStory {
     View view;
     add_side(view);
     add_picture(view);
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
@@ -273,8 +268,7 @@ class ClipSpaceStory {
     const dvec2 eye = side_.at({0, 0}), lower = side_place.lower, upper = side_place.upper;
     const std::string w = words_.symbol("w"), name = symbol(axis_);
     if (lower.x < eye.x) {
-      view.add({"a behind", Role::rejected,
-                Area{{{lower, {eye.x, lower.y}, {eye.x, upper.y}, {lower.x, upper.y}}}}});
+      view.add({"a behind", Role::rejected, Area{{Extent{lower, {eye.x, upper.y}}.corners()}}});
       view.add(
           {"a behind name", Role::rejected, Text{{0.4, lower.y - 1}, words_.say("behind"), Align::left}});
     }
@@ -358,10 +352,7 @@ class ClipSpaceStory {
                    words_.say("picture")}});
     const std::string w = words_.symbol("w");
     add_axes(view, picture_, "p axes", {symbol(0) + "/" + w, symbol(1) + "/" + w}, 4);
-    std::vector<dvec2> window;
-    for (const dvec2 c : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
-      window.push_back(picture_.at(c));
-    view.add({"p window", Role::boundary, Path{window, true}});
+    view.add({"p window", Role::boundary, Path{picture_.at(Extent{{-1, -1}, {1, 1}}.corners()), true}});
     if (plane_ && !passed_ && plane_->axis < 2) {
       const Extent shown = picture_.shown();
       const int axis = plane_->axis;
@@ -382,16 +373,15 @@ class ClipSpaceStory {
       view.add({"p seen", role, Area{{seen}}});
       const bool all_shown = std::ranges::all_of(rest_, [&shown](const NamedPoint& p) {
         const dvec2 at = dvec2(p.at) / p.at.w;
-        return p.at.w > 0 && at == glm::clamp(at, shown.lower, shown.upper);
+        return p.at.w > 0 && shown.holds(at);
       });
       if (all_shown) view.add({"p outline", role, Path{seen, true}});
     }
     for (const NamedPoint& p : rest_) {
       if (p.at.w <= 0 || rest_.size() > 24) continue;
       const dvec2 at = dvec2(p.at) / p.at.w;
-      if (at != glm::clamp(at, shown.lower, shown.upper)) continue;
-      view.add({"q dot " + p.name, role, Dot{picture_.at(at)}});
-      view.add({"q name " + p.name, role, Label{picture_.at(at), p.name}});
+      if (shown.holds(at))
+        view.add_named("q dot " + p.name, "q name " + p.name, role, picture_.at(at), p.name);
     }
   }
 
@@ -403,10 +393,9 @@ class ClipSpaceStory {
       if (p.at.w == 0) return;
       const dvec2 at = dvec2(p.at) / p.at.w;
       wrong.push_back(picture_.at(glm::clamp(at, shown.lower, shown.upper)));
-      if (p.at.w > 0 || at != glm::clamp(at, shown.lower, shown.upper)) continue;
-      view.add({"r wrong " + p.name, Role::rejected, Dot{wrong.back(), true}});
-      view.add({"r wrong name " + p.name, Role::rejected,
-                Label{wrong.back(), words_.say("divided_first", {{"corner", p.name}})}});
+      if (p.at.w > 0 || !shown.holds(at)) continue;
+      view.add_named("r wrong " + p.name, "r wrong name " + p.name, Role::rejected, wrong.back(),
+                     words_.say("divided_first", {{"corner", p.name}}), true);
     }
     view.add({"r wrong", Role::rejected, Path{wrong, true, true}});
   }

@@ -31,8 +31,7 @@ struct Given {
   const Points& outline() const { return rings[0]; }
   Points window() const {
     if (oblique) return oblique->corners;
-    const dvec2 low = rectangle.lower, high = rectangle.upper;
-    return {low, {high.x, low.y}, high, {low.x, high.y}};
+    return Extent{rectangle.lower, rectangle.upper}.corners();
   }
   Segment<2, double> border(int number) const {
     return oblique ? line_of(*oblique, number) : line_of(rectangle, number);
@@ -168,10 +167,7 @@ class PlaneDrawing {
     view_.add({"e side " + names_(v), role, Dot{panel_.at(v.at), side < 0}});
   }
 
-  void put(Board& board) const {
-    board.milestone();
-    board.draw(view_);
-  }
+  void put(Board& board) const { board.milestone(view_); }
   /// Takes away what the last step pointed at.
   void quiet() { erase("f "); }
   void erase(std::string_view start) {

@@ -181,9 +181,9 @@ class Story {
     Line line = task_.line;
     if (way_ != Way::correctly_rounded) line = c.of_a ? Line{c.from, c.line.b} : Line{c.line.a, c.from};
     const int i = axis_of(c.border), j = 1 - i;
-    return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), window_view::factor(line.b[j] - line.a[j]),
-                       window_view::factor(coordinate(task_.window, c.border) - line.a[i]),
-                       window_view::factor(line.b[i] - line.a[i]));
+    return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), figure_factor(line.b[j] - line.a[j]),
+                       figure_factor(coordinate(task_.window, c.border) - line.a[i]),
+                       figure_factor(line.b[i] - line.a[i]));
   }
 
   std::string verdict() const {

@@ -13,7 +13,7 @@ namespace {
 
 using circle_drawing::real;
 
-std::string factor(double x) { return x < 0 ? "(" + real(x) + ")" : real(x); }
+std::string factor(double x) { return figure_factor(real(x)); }
 std::string range_text(double a, double b) { return real(a) + " … " + real(b); }
 std::string number_text(double x) { return std::isfinite(x) ? real(x) : "0/0"; }
 
@@ -39,8 +39,7 @@ class Story {
   template <class Step>
   void show(Board& board, const Step& step) {
     draw(step);
-    board.milestone();
-    board.draw(drawing_.view());
+    board.milestone(drawing_.view());
   }
 
   Event say(const Started<double>& s) const {

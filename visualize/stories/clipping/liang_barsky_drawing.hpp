@@ -96,10 +96,8 @@ class Ground<3> {
   void add_box_and_ends(View& view, const Words& words) const {
     add_box(view, space_, task_.box);
     add_directions(view, {1.2, 22.4}, {words.symbol("x"), words.symbol("y"), words.symbol("z")});
-    for (const auto& [name, t] : {std::pair{"a", 0.0}, {"b", 1.0}}) {
-      view.add({fmt::format("end {}", name), Role::input, Dot{at(t)}});
-      view.add({fmt::format("end {} name", name), Role::input, Label{at(t), name}});
-    }
+    view.add_named("end a", Role::input, at(0), "a");
+    view.add_named("end b", Role::input, at(1), "b");
   }
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     view.add({std::move(id), role, Stroke{at(from), at(to), false, dashed}});
@@ -108,8 +106,7 @@ class Ground<3> {
                     dvec2 foot) const {
     view.add({c.id() + " text", role, Label{foot, text}});
     if (c.t < 0 || 1 < c.t) return;
-    view.add({c.id(), role, Dot{at(c.t), c.leaves()}});
-    view.add({c.id() + " name", role, Label{at(c.t), name}});
+    view.add_named(c.id(), role, at(c.t), name, c.leaves());
   }
   void add_border(View& view, Border face) const { add_face(view, space_, box_face(task_.box, face)); }
 

@@ -45,11 +45,9 @@ class PiecesStory : public PlaneDrawing {
     std::size_t number = 0;
     for (const BorderCrossing<double>& c : o.crossings) {
       const std::string id = fmt::format("g crossing {:03}", number++);
-      const dvec2 at = panel_.at(c.vertex.at);
       numbers_[{c.chain, c.enters}] = number;
-      view_.add({id, Role::current, Dot{at, !c.enters}});
-      view_.add({id + " name", Role::current,
-                 Label{at, words_.say(c.enters ? "in" : "out", {{"number", number}})}});
+      view_.add_named(id, Role::current, panel_.at(c.vertex.at),
+                      words_.say(c.enters ? "in" : "out", {{"number", number}}), !c.enters);
     }
     put(board);
   }

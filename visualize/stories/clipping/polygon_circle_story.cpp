@@ -56,8 +56,7 @@ class Story {
   template <class Step>
   void show(Board& board, const Step& step) {
     draw(step);
-    board.milestone();
-    board.draw(view_);
+    board.milestone(view_);
   }
   void draw(const Oriented& o) { add_input(o.corners); }
   Event say(const Oriented& o) const {

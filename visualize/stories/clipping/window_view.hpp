@@ -64,10 +64,8 @@ class Scene {
   /// Axes, the window, and its borders on and on.
   void add_window(View& view, const Words& words) const {
     add_axes(view, panel_, "plane", {words.symbol("x"), words.symbol("y")});
-    const auto [lower, upper] = window_;
-    const std::vector<dvec2> corners{panel_.at(lower), panel_.at({upper.x, lower.y}), panel_.at(upper),
-                                     panel_.at({lower.x, upper.y})};
-    view.add({"window", Role::boundary, Path{corners, true}});
+    const std::vector<dvec2> corners = Extent{window_.lower, window_.upper}.corners();
+    view.add({"window", Role::boundary, Path{panel_.at(corners), true}});
     for (const Border border : usual_order<2>()) {
       dvec2 from = shown_.lower, to = shown_.upper;
       from[axis_of(border)] = to[axis_of(border)] = coordinate(window_, border);
@@ -144,11 +142,6 @@ inline Event accepted(const Line& piece, const Off& off) {
   if (off.doubles == 0) event.text = "accepted";
   if (event.text == "accepted_off") event.count = off.doubles;
   return event;
-}
-
-/// "(−4)" for a negative number, as a later term.
-inline std::string factor(double value) {
-  return value < 0 ? "(" + figure_real(value) + ")" : figure_real(value);
 }
 
 /// The parameters that both topics have.

@@ -48,13 +48,6 @@ std::string padded(const char* name, int number) { return fmt::format("{} {:05}"
 
 }  // namespace
 
-std::string real_text(double value, double noise) { return figure_real(std::abs(value) < noise ? 0 : value); }
-
-std::string place_text(dvec3 p, double noise) {
-  return fmt::format("({},\u00a0{},\u00a0{})", real_text(p.x, noise), real_text(p.y, noise),
-                     real_text(p.z, noise));
-}
-
 Panel Views::panel(double x0, double x1, dvec2 lower, dvec2 upper) const {
   // A margin for names; the caption stands above
   return {
@@ -109,10 +102,9 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
     const dvec2 p = panel.at(own[i]);
     const bool pointed = pointer.corner == i;
     const int vertex = piece_.corners[i].vertex;
-    view.add(
-        {fmt::format("c {} corner {}", name, i), pointed ? Role::accepted : Role::current, Dot{p, !pointed}});
-    view.add({fmt::format("d {} name {}", name, i), pointed ? Role::accepted : Role::current,
-              Label{p, fmt::format("v{}", vertex) + (pointed ? " " + pointer.text : "")}});
+    view.add_named(fmt::format("c {} corner {}", name, i), fmt::format("d {} name {}", name, i),
+                   pointed ? Role::accepted : Role::current, p,
+                   fmt::format("v{}", vertex) + (pointed ? " " + pointer.text : ""), !pointed);
   }
 }
 
@@ -167,8 +159,7 @@ View Views::world(const Pointer& at) const {
   for (std::size_t i = 0; i < window.size(); ++i) {
     view.add({fmt::format("a world ray {}", i), Role::candidate, Stroke{from, there.at(window[i])}});
   }
-  view.add({"c world eye", Role::boundary, Dot{from}});
-  view.add({"d world eye name", Role::boundary, Label{from, words_.say("eye")}});
+  view.add_named("c world eye", "d world eye name", Role::boundary, from, words_.say("eye"));
   model(view, there, "world", after, at, at.corner.has_value());
   return view;
 }
@@ -208,7 +199,7 @@ View Views::facing() const {
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
   const Panel panel = whole({-aspect, -1}, {aspect, 1});
   caption(view, panel, "facing");
-  polygon(view, panel, "a window", Role::boundary, {{-aspect, -1}, {aspect, -1}, {aspect, 1}, {-aspect, 1}});
+  polygon(view, panel, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());
   for (std::size_t i = 0; i < run_.pieces.size(); ++i) {
     const Piece& piece = run_.pieces[i];
     std::vector<glm::dvec4> corners;
@@ -225,9 +216,8 @@ View Views::facing() const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (corners[k].w < run_.scene.camera.lens.near) continue;
       const dvec2 p = panel.at({aspect * corners[k].x / corners[k].w, corners[k].y / corners[k].w});
-      view.add({fmt::format("e corner {}", k), Role::current, Dot{p, true}});
-      view.add({fmt::format("f name {}", k), Role::current,
-                Label{p, fmt::format("v{}", piece.corners[k].vertex)}});
+      view.add_named(fmt::format("e corner {}", k), fmt::format("f name {}", k), Role::current, p,
+                     fmt::format("v{}", piece.corners[k].vertex), true);
     }
   }
   return view;
@@ -244,7 +234,7 @@ View Views::clipping(const Pointer& at) const {
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
   const Panel there = right({-aspect, -1}, {aspect, 1});
   caption(view, there, "ndc");
-  polygon(view, there, "a window", Role::boundary, {{-aspect, -1}, {aspect, -1}, {aspect, 1}, {-aspect, 1}});
+  polygon(view, there, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());
   const auto side = [](const std::vector<ClipPoint>& points) {
     std::vector<dvec2> out;
     for (const ClipPoint& p : points) out.push_back(from_side(p.at.w, p.at.y));
@@ -267,23 +257,19 @@ View Views::clipping(const Pointer& at) const {
           std::ranges::none_of(piece.before, [&](const ClipPoint& p) { return p.at == piece.after[k].at; });
       const bool pointed = at.corner == k;
       const dvec2 p = here.at(side(piece.after)[k]);
-      view.add({fmt::format("e corner {}", k), made || pointed ? Role::accepted : Role::current,
-                Dot{p, !made && !pointed}});
-      view.add({fmt::format("f name {}", k), made || pointed ? Role::accepted : Role::current,
-                Label{p, fmt::format("c{}", k)}});
+      const bool loud = made || pointed;
+      view.add_named(fmt::format("e corner {}", k), fmt::format("f name {}", k),
+                     loud ? Role::accepted : Role::current, p, fmt::format("c{}", k), !loud);
       if (!pointed || at.text.empty()) continue;
-      const dvec2 q = there.at(divided[k]);
-      view.add({"e divided corner", Role::accepted, Dot{q}});
-      view.add({"f divided name", Role::accepted, Label{q, fmt::format("c{} {}", k, at.text)}});
+      view.add_named("e divided corner", "f divided name", Role::accepted, there.at(divided[k]),
+                     fmt::format("c{} {}", k, at.text));
     }
   }
   return view;
 }
 
 void Views::mark_pixel(View& view) const {
-  const double x = pixel_.x, y = pixel_.y;
-  view.add({"g pixel", Role::input,
-            Path{{{x - 0.5, y - 0.5}, {x + 0.5, y - 0.5}, {x + 0.5, y + 0.5}, {x - 0.5, y + 0.5}}, true}});
+  view.add({"g pixel", Role::input, Path{Extent{dvec2(pixel_) - 0.5, dvec2(pixel_) + 0.5}.corners(), true}});
 }
 
 View Views::raster(int last_row, const Pointer& at) const {
@@ -304,8 +290,7 @@ View Views::raster(int last_row, const Pointer& at) const {
     for (const SnappedPoint& p : triangle.corners) {
       path.points.push_back({p.at.x / 256.0 - 0.5, p.at.y / 256.0 - 0.5});
       if (at.corner != corner++) continue;
-      view.add({"c corner", Role::boundary, Dot{path.points.back()}});
-      view.add({"d corner name", Role::boundary, Label{path.points.back(), at.text}});
+      view.add_named("c corner", "d corner name", Role::boundary, path.points.back(), at.text);
     }
     view.add({padded("b triangle", triangle.triangle), Role::boundary, std::move(path)});
   }

@@ -65,8 +65,10 @@ class Views {
 /// Below it a number of a picture, of a depth or of light is a rounding error.
 inline constexpr double small = 1e-6;
 /// A number as the tour shows it: what is smaller than `noise` is a rounding error.
-std::string real_text(double value, double noise = small);
+inline std::string real_text(double value, double noise = small) { return figure_real(value, noise); }
 /// "(1, −0.5, 2)".
-std::string place_text(dvec3 p, double noise = small);
+inline std::string place_text(dvec3 p, double noise = small) {
+  return figure_place(p, [noise](double number) { return real_text(number, noise); });
+}
 
 }  // namespace gradus::textbook_chain

@@ -494,24 +494,8 @@ void tell_z_buffer(Narrator& narrator) {
   narrator.last_is_telling();
 }
 
-Parameter whole(std::string name, std::string value, std::string example, std::string help, int least,
-                int most) {
-  return {std::move(name),
-          ParameterType::integer,
-          std::move(value),
-          std::move(example),
-          std::move(help),
-          least,
-          most};
-}
-
 /// Of lengths: what the chain can project, and what its determinants hold.
 constexpr Sizes length_sizes{1e-30, 1e30};
-
-Parameter place(std::string name, std::string example, std::string help) {
-  return parameters::numbers(std::move(name), "", std::move(example), std::move(help), parameters::xyz,
-                             length_sizes);
-}
 
 }  // namespace
 
@@ -533,15 +517,17 @@ const TopicEntry& entry() {
            {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
             choice("stage", stage_names(), std::string(whole_chain), "clipping",
                    "the tour ends with this stage and lists its source; all lists the chain"),
-            whole("columns", "20", "32", "the picture's width in pixels", 8, 64),
-            whole("rows", "14", "20", "the picture's height in pixels", 8, 64),
-            whole("face", "", "3", "the face that is followed, counted from 0; a telling one if not given", 0,
-                  INT32_MAX),
+            {"columns", ParameterType::integer, "20", "32", "the picture's width in pixels", 8, 64},
+            {"rows", ParameterType::integer, "14", "20", "the picture's height in pixels", 8, 64},
+            {"face", ParameterType::integer, "", "3",
+             "the face that is followed, counted from 0; a telling one if not given", 0, INT32_MAX},
             {"pixel", ParameterType::cell, "", "12,7",
              "the pixel that is followed: column,row from the top left; one of the face's if not given", 0,
              63},
-            place("eye", "1,1,3", "where the viewer stands: x,y,z; placed for the model if not given"),
-            place("target", "0,0.5,0", "what the viewer looks at: x,y,z; the model's middle if not given"),
+            numbers("eye", "", "1,1,3", "where the viewer stands: x,y,z; placed for the model if not given",
+                    xyz, length_sizes),
+            numbers("target", "", "0,0.5,0",
+                    "what the viewer looks at: x,y,z; the model's middle if not given", xyz, length_sizes),
             {"fov", ParameterType::number, "40", "60", "the vertical angle of view in degrees", 1, 170},
             {.name = "near",
              .type = ParameterType::number,
@@ -550,8 +536,8 @@ const TopicEntry& entry() {
              .help = "the depth of the near plane; before the model if not given",
              .least = 0,
              .sizes = length_sizes},
-            whole("turn", "0", "30", "degrees by which the model is turned round the y axis, stage 2", -360,
-                  360)},
+            {"turn", ParameterType::integer, "0", "30",
+             "degrees by which the model is turned round the y axis, stage 2", -360, 360}},
        .examples = {"--stage clipping", "--model letter_f.obj --eye 1,1,3",
                     "--turn 30 --face 0 --pixel 12,7"}});
   return topic;

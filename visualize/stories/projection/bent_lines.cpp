@@ -160,8 +160,8 @@ class Story {
       worst_at_ = arrived_.size() - 1;
     }
     View seen = pointed();
-    seen.add({"e image " + now_.name, Role::current, Dot{in_image(image)}});
-    seen.add({"f image name " + now_.name, Role::current, Label{in_image(image), now_.name + "′"}});
+    seen.add_named("e image " + now_.name, "f image name " + now_.name, Role::current, in_image(image),
+                   now_.name + "′");
     if (arrived_.size() > 2) add_error(seen, image);
     board.milestone(std::move(seen));
   }
@@ -226,9 +226,7 @@ class Story {
     view.add({"f wall name in space", Role::boundary,
               Label{space_.at({shown.upper.x - 0.1 * shown.size().x, task_.wall}), words_.say("wall")}});
     view.add({"c line", Role::input, Stroke{in_space(task_.from), in_space(task_.to)}});
-    const dvec2 eye = space_.at({0, 0});
-    view.add({"e eye", Role::input, Dot{eye}});
-    view.add({"f eye name", Role::input, Label{eye, words_.shared("projection", "eye")}});
+    view.add_named("e eye", "f eye name", Role::input, space_.at({0, 0}), words_.shared("projection", "eye"));
   }
 
   void add_wall_in_image(View& view) const {
@@ -257,8 +255,8 @@ class Story {
   View pointed() const {
     View seen = view();
     seen.add({"d ray", Role::current, Stroke{space_.at({0, 0}), in_space(now_.point), false, true}});
-    seen.add({"e space " + now_.name, Role::current, Dot{in_space(now_.point)}});
-    seen.add({"f space name " + now_.name, Role::current, Label{in_space(now_.point), now_.name}});
+    seen.add_named("e space " + now_.name, "f space name " + now_.name, Role::current, in_space(now_.point),
+                   now_.name);
     return seen;
   }
 

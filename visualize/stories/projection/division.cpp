@@ -250,9 +250,8 @@ class Story {
     add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
     const double middle = task_.centre.x, plane = task_.plane();
     add_stroke(view, space_, "a plane", Role::boundary, {middle - half_, plane}, {middle + half_, plane});
-    const dvec2 eye = space_.at(task_.eye());
-    view.add({"e eye", Role::input, Dot{eye}});
-    view.add({"f eye name", Role::input, Label{eye, words_.shared("projection", "eye")}});
+    view.add_named("e eye", "f eye name", Role::input, space_.at(task_.eye()),
+                   words_.shared("projection", "eye"));
     for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
       add_stroke(view, space_, fmt::format("c line {}", i), Role::input, from_above(i), from_above(i + 1));
     for (std::size_t i = 0; i < task_.points.size(); ++i) add_point(view, i, Role::input);
@@ -260,9 +259,8 @@ class Story {
     return view;
   }
   void add_point(View& view, std::size_t i, Role role) const {
-    const dvec2 at = space_.at(from_above(i));
-    view.add({fmt::format("e point {}", i), role, Dot{at}});
-    view.add({fmt::format("f point name {}", i), role, Label{at, name_of(i)}});
+    view.add_named(fmt::format("e point {}", i), fmt::format("f point name {}", i), role,
+                   space_.at(from_above(i)), name_of(i));
   }
   void add_images(View& view) const {
     const auto wrong = [&](std::size_t i) {

@@ -37,7 +37,7 @@ struct Task {
 // --- The steps
 
 /// In brackets where a negative number is a factor or taken away.
-std::string factor(double value) { return value < -1e-9 ? "(" + real(value) + ")" : real(value); }
+std::string factor(double value) { return figure_factor(real(value)); }
 
 class Story {
  public:
@@ -189,17 +189,13 @@ Task upright(const Arguments& arguments) {
   Task task = task_of(arguments);
   const std::string& view = arguments.text("from");
   task.axis = view == "side" ? Axis::x : view == "top" ? Axis::y : Axis::z;
-  if (task.axis == Axis::x) {
-    task.sheet = {{task.d, 0, 0}, {0, 0, 1}, {0, 1, 0}};
-    task.direction = {-1, 0, 0};
-  } else if (task.axis == Axis::y) {
-    task.sheet = {{0, task.d, 0}, {1, 0, 0}, {0, 0, 1}};
-    task.direction = {0, -1, 0};
-  } else {
-    task.sheet = {{0, 0, task.d}, {1, 0, 0}, {0, 1, 0}};
-    task.direction = {0, 0, 1};
-  }
-  task.shown = task.direction;
+  const dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const solids::Sheet sheets[] = {{dvec3(0), z, y}, {dvec3(0), x, z}, {dvec3(0), x, y}};
+  const dvec3 directions[] = {{-1, 0, 0}, {0, -1, 0}, z};
+  const int axis = static_cast<int>(task.axis);
+  task.sheet = sheets[axis];
+  task.sheet.origin[axis] = task.d;
+  task.direction = task.shown = directions[axis];
   return task;
 }
 

@@ -62,29 +62,29 @@ inline Solid with_edges(Solid solid) {
   return solid;
 }
 
-/// 2 wide, 2 high, 3 deep, its middle at the origin. Corners 0 to 3 are the front's, 4 to 7 the back's.
-inline Solid box() {
+/// 3 deep, its middle at the origin: the front's corners, then the back's. Faces: these two, then the sides.
+inline Solid prism(const std::vector<dvec2>& outline) {
   Solid solid;
   for (const double z : {-1.5, 1.5}) {
-    for (const dvec2 p : {dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) solid.corners.push_back({p.x, p.y, z});
+    for (const dvec2 p : outline) solid.corners.emplace_back(p, z);
   }
-  solid.faces = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const std::size_t n = outline.size();
+  solid.faces.resize(2);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    solid.faces[0].push_back(i);
+    solid.faces[1].push_back(n + i);
+    solid.faces.push_back({i, next, n + next, n + i});
+  }
   return with_edges(std::move(solid));
 }
 
+/// 2 wide, 2 high, 3 deep, its middle at the origin. Corners 0 to 3 are the front's, 4 to 7 the back's.
+inline Solid box() { return prism({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}); }
+
 /// The same with a roof: corners 0 to 4 are the front's, counter-clockwise from the lower left, 5 to 9 the
 /// back's.
-inline Solid house() {
-  Solid solid;
-  for (const double z : {-1.5, 1.5}) {
-    for (const dvec2 p : {dvec2{-1, -1}, {1, -1}, {1, 0.2}, {0, 1}, {-1, 0.2}}) {
-      solid.corners.push_back({p.x, p.y, z});
-    }
-  }
-  solid.faces = {{0, 1, 2, 3, 4}, {5, 6, 7, 8, 9}, {0, 1, 6, 5}, {1, 2, 7, 6},
-                 {2, 3, 8, 7},    {3, 4, 9, 8},    {4, 0, 5, 9}};
-  return with_edges(std::move(solid));
-}
+inline Solid house() { return prism({{-1, -1}, {1, -1}, {1, 0.2}, {0, 1}, {-1, 0.2}}); }
 
 /// The directions of a solid's own x, y and z after a turn round the upright, then one round x, in degrees.
 /// Accuracy: multiples of 90 degrees are exact, and the turn round the upright leaves y exactly alone.
@@ -142,26 +142,21 @@ inline constexpr Sizes modest_sizes{1e-6, 1e6};
 
 /// The three numbers of an argument.
 inline dvec3 vector_of(const Arguments& arguments, std::string_view name) {
-  const std::vector<double> v = arguments.numbers(name);
-  return {v[0], v[1], v[2]};
+  return arguments.place(name).value();
 }
 
 /// A number as these stories show it: what is but a rounding error of the figure is 0.
-inline std::string real(double value) { return figure_real(std::abs(value) < 1e-9 ? 0 : value); }
+inline std::string real(double value) { return figure_real(value, 1e-9); }
 /// The same with two decimals, for tables.
 inline std::string short_real(double value) {
   return real(static_cast<double>(std::llround(std::clamp(value, -1e12, 1e12) * 100)) / 100);
 }
-inline std::string place_text(dvec2 p) {
-  return fmt::format("({},\u00a0{})", short_real(p.x), short_real(p.y));
-}
-inline std::string place_text(dvec3 p) {
-  return fmt::format("({},\u00a0{},\u00a0{})", short_real(p.x), short_real(p.y), short_real(p.z));
+template <int N>
+std::string place_text(const glm::vec<N, double>& p) {
+  return figure_place(p, short_real);
 }
 /// With as many decimals as other numbers, for sums that a reader may check.
-inline std::string full_place_text(dvec3 p) {
-  return fmt::format("({},\u00a0{},\u00a0{})", real(p.x), real(p.y), real(p.z));
-}
+inline std::string full_place_text(dvec3 p) { return figure_place(p, real); }
 
 constexpr int paper_width = 36, paper_height = 23;
 
@@ -204,11 +199,12 @@ class Scenery {
     View view;
     view.add({"caption space", Role::guide, Text{{11, 22}, words_.say("projection.space")}});
     view.add({"caption picture", Role::guide, Text{{29, 22}, words_.say("projection.picture")}});
-    std::vector<dvec2> corners;
-    for (const dvec3 p : outline()) corners.push_back(in_space(p));
-    view.add({"a plane", Role::boundary, Path{corners, true}});
-    std::vector<dvec2> frame;
-    for (const dvec3 p : outline()) frame.push_back(in_picture(p));
+    std::vector<dvec2> plane, frame;
+    for (const dvec3 p : outline()) {
+      plane.push_back(in_space(p));
+      frame.push_back(in_picture(p));
+    }
+    view.add({"a plane", Role::boundary, Path{plane, true}});
     view.add({"a picture frame", Role::boundary, Path{frame, true}});
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const auto [a, b, left, right] = solid_.edges[i];
@@ -216,10 +212,8 @@ class Scenery {
           {fmt::format("c solid {:02}", i), Role::input,
            Stroke{in_space(solid_.corners[a]), in_space(solid_.corners[b]), false, hidden_in_space_[i]}});
     }
-    if (eye_) {
-      view.add({"e eye", Role::input, Dot{in_space(*eye_)}});
-      view.add({"f eye name", Role::input, Label{in_space(*eye_), words_.say("projection.eye")}});
-    }
+    if (eye_)
+      view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
     return view;
   }
 
@@ -244,13 +238,11 @@ class Scenery {
   void point_at(View& view, std::size_t corner, std::optional<dvec3> image) const {
     const dvec3 p = solid_.corners[corner];
     const std::string name = fmt::format("{}", corner + 1);
-    view.add({"g corner", Role::current, Dot{in_space(p)}});
-    view.add({"h corner name", Role::current, Label{in_space(p), name}});
+    view.add_named("g corner", "h corner name", Role::current, in_space(p), name);
     if (!image) return;
     projector(view, "g projector", Role::current, p, *image);
     view.add({"g image", Role::current, Dot{in_space(*image)}});
-    view.add({"g picture", Role::current, Dot{in_picture(*image)}});
-    view.add({"h picture name", Role::current, Label{in_picture(*image), name + "′"}});
+    view.add_named("g picture", "h picture name", Role::current, in_picture(*image), name + "′");
   }
 
   /// A point's projector: to its image, or from the eye, through whichever is farther.
@@ -267,11 +259,8 @@ class Scenery {
 
  private:
   std::vector<dvec3> outline() const {
-    const auto [lower, upper] = patch_;
     std::vector<dvec3> corners;
-    for (const dvec2 p : {lower, dvec2{upper.x, lower.y}, upper, dvec2{lower.x, upper.y}}) {
-      corners.push_back(sheet_.place(p));
-    }
+    for (const dvec2 p : patch_.corners()) corners.push_back(sheet_.place(p));
     return corners;
   }
 

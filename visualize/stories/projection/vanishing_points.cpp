@@ -86,10 +86,6 @@ Lines lines_inside(const Box& box) {
   return lines;
 }
 
-bool within(const Extent& extent, dvec2 p) {
-  return glm::all(glm::lessThanEqual(extent.lower, p)) && glm::all(glm::lessThanEqual(p, extent.upper));
-}
-
 class Story {
  public:
   /// by_plane: the line of the rule's listing that calls vanishing_point, of which it lists no more.
@@ -241,7 +237,7 @@ class Story {
     const Lines& lines = lines_[at];
     if (!lines.point) return;
     const dvec2 point = *lines.point;
-    const bool current = role == Role::current, inside = within(panel_.shown(), point);
+    const bool current = role == Role::current, inside = panel_.shown().holds(point);
     for (const Line& line : lines.all) {
       const dvec2 from = glm::distance(line.a, point) < glm::distance(line.b, point) ? line.a : line.b;
       const dvec2 to = inside ? point : last_inside(panel_.shown(), from, point - from);
@@ -251,10 +247,8 @@ class Story {
     if (!current && lines.id == "direction") add_lines(view, lines, Role::past);
     if (!inside) return;
     const std::string id = fmt::format("e point {}", at);
-    const Role of_point = current ? Role::current : Role::result;
-    view.add({id, of_point, Dot{panel_.at(point)}});
-    view.add({"f name " + id, of_point,
-              Label{panel_.at(point), words_.say("vanishing_point_of", {{"axis", lines.name}})}});
+    view.add_named(id, "f name " + id, current ? Role::current : Role::result, panel_.at(point),
+                   words_.say("vanishing_point_of", {{"axis", lines.name}}));
   }
 
   const Words& words_;

@@ -168,9 +168,8 @@ class Drawing {
     }
     if (known.rows >= 3) {
       const dvec3 target = through(matrix, scene_.target);
-      view.add({"seen target", Role::accepted, Dot{panel.at(dvec2(target) / target.z)}});
-      view.add({"seen target name", Role::accepted,
-                Label{panel.at(dvec2(target) / target.z), words_.say("name.target")}});
+      view.add_named("seen target", Role::accepted, panel.at(dvec2(target) / target.z),
+                     words_.say("name.target"));
     }
     if (!known.seen) return;
     const auto seen = [&](dvec3 p) -> std::optional<dvec2> {
@@ -208,14 +207,10 @@ class Drawing {
     const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
     const dvec3 eye = through(wrong, scene_.eye);
     view.add({"sight there", Role::rejected, Stroke{at(eye), at(there), false, true}});
-    if (length_of(eye) > 1e-9 * scene_.distance) {
-      view.add({"eye there", Role::rejected, Dot{at(eye)}});
-      view.add({"eye there name", Role::rejected, Label{at(eye), words_.say("name.eye")}});
-    }
-    view.add({"target here", Role::accepted, Dot{at(here), true}});
-    view.add({"target here name", Role::accepted, Label{at(here), words_.say("belongs")}});
-    view.add({"target there", Role::rejected, Dot{at(there)}});
-    view.add({"target there name", Role::rejected, Label{at(there), words_.say("name.target")}});
+    if (length_of(eye) > 1e-9 * scene_.distance)
+      view.add_named("eye there", Role::rejected, at(eye), words_.say("name.eye"));
+    view.add_named("target here", Role::accepted, at(here), words_.say("belongs"), true);
+    view.add_named("target there", Role::rejected, at(there), words_.say("name.target"));
   }
 
   /// Given axes at the eye, and as many columns of the inverse as are known.
@@ -327,9 +322,7 @@ class Drawing {
         {fmt::format("caption {}", key), Role::guide, Text{at, words_.say("caption." + std::string(key))}});
   }
   void frame_of(View& view) const {
-    const auto& [lower, upper] = seen_place;
-    view.add({"picture frame", Role::boundary,
-              Path{{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}, true}});
+    view.add({"picture frame", Role::boundary, Path{seen_place.corners(), true}});
   }
   static void guide_line(View& view, std::string id, dvec2 a, dvec2 b) {
     view.add({std::move(id), Role::guide, Stroke{a, b, false, true}});
@@ -343,8 +336,7 @@ class Drawing {
     }
   }
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
-    view.add({id, role, Dot{world_.at(oblique(at))}});
-    view.add({id + " name", role, Label{world_.at(oblique(at)), std::move(name)}});
+    view.add_named(id, role, world_.at(oblique(at)), std::move(name));
   }
   void arrow(View& view, const std::string& id, Role role, dvec3 from, dvec3 to, std::string name,
              bool dashed) const {

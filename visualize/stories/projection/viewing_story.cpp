@@ -21,9 +21,9 @@ double largest_product(dvec3 a, dvec3 b) {
 
 /// A product of two vectors with its numbers: "0.8·2.8 + 0·3.6 + (−0.6)·3.2".
 std::string product_text(dvec3 a, dvec3 b) {
-  const auto factor = [](double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); };
-  return fmt::format("{}·{} + {}·{} + {}·{}", factor(a.x), factor(b.x), factor(a.y), factor(b.y), factor(a.z),
-                     factor(b.z));
+  std::string text;
+  for (int i = 0; i < 3; ++i) text += (i > 0 ? " + " : "") + figure_factor(a[i]) + "·" + figure_factor(b[i]);
+  return text;
 }
 
 /// "right", "up", "forward", and again.
@@ -264,8 +264,7 @@ class Story {
     } else {
       drawing_.add_picture(view, known_, right_);
     }
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   const Words& words_;

@@ -34,9 +34,6 @@ struct Fate {
 
 inline std::string name_of(std::size_t point) { return std::string(1, static_cast<char>('A' + point)); }
 inline dvec2 centre(ivec2 pixel) { return dvec2(pixel) + 0.5; }
-inline bool within(const Extent& extent, dvec2 p) {
-  return extent.lower.x <= p.x && p.x <= extent.upper.x && extent.lower.y <= p.y && p.y <= extent.upper.y;
-}
 
 class Drawing {
  public:
@@ -90,7 +87,7 @@ class Drawing {
   /// Whether the panel shows this place, and where; of others the nearest place that it shows.
   std::pair<bool, dvec2> shown_at(dvec2 place) const {
     const dvec2 at = on_paper(place);
-    return {within(inner_picture, at), glm::clamp(at, inner_picture.lower, inner_picture.upper)};
+    return {inner_picture.holds(at), glm::clamp(at, inner_picture.lower, inner_picture.upper)};
   }
 
   void add_caption(View& view, std::string_view id, std::string text, const Extent& place) const {
@@ -107,12 +104,11 @@ class Drawing {
     add_caption(view, "plane", words_.say("caption.plane"), plane_place);
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
     const auto& [lower, upper] = input_.map.window;
-    const std::vector<dvec2> corners{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
-    view.add({"window", Role::boundary, Path{plane_.at(corners), true}});
+    view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
     const Extent shown = plane_.shown();
     for (std::size_t i = 0; i < input_.points.size(); ++i) {
       const dvec2 p = input_.points[i];
-      const bool here = within(shown, p);
+      const bool here = shown.holds(p);
       const dvec2 at = plane_.at(here ? p : glm::clamp(p, shown.lower, shown.upper));
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
       add_point(view, "point " + name_of(i), role, plane_place, here, at);
@@ -135,11 +131,8 @@ class Drawing {
   }
 
   void add_grid(View& view) const {
-    if (rows_down()) {
-      add_caption(view, "rows_down", words_.say("caption.rows_down"), picture_place);
-    } else {
-      add_caption(view, "rows_up", words_.say("caption.rows_up"), picture_place);
-    }
+    const std::string rows = rows_down() ? "rows_down" : "rows_up";
+    add_caption(view, rows, words_.say("caption." + rows), picture_place);
     add_grid_lines(view, 0, "column");
     add_grid_lines(view, 1, "row");
     view.add({"picture", Role::boundary, box_on_paper({0, 0}, dvec2(input_.map.picture))});

@@ -14,9 +14,7 @@
 namespace gradus::viewport {
 namespace {
 
-/// In brackets where a negative number is a factor or taken away.
-std::string factor(double x) { return x < 0 ? "(" + figure_real(x) + ")" : figure_real(x); }
-std::string difference_text(double a, double b) { return figure_real(a) + " − " + factor(b); }
+std::string difference_text(double a, double b) { return figure_real(a) + " − " + figure_factor(b); }
 
 class Story {
  public:
@@ -128,7 +126,7 @@ class Story {
   std::string along(int axis, const Placed<double>& p) const {
     const auto& [lower, upper] = input_.map.viewport;
     const std::string start = lower[axis] == 0 ? "" : figure_real(lower[axis]) + " + ";
-    return fmt::format("{}{}·{} = {}", start, factor(p.fraction[axis]),
+    return fmt::format("{}{}·{} = {}", start, figure_factor(p.fraction[axis]),
                        figure_real(upper[axis] - lower[axis]), figure_real(p.place[axis]));
   }
 

@@ -85,12 +85,11 @@ class Story {
 
   void show(Board& board, const Moved<double>& m) {
     shown_ = matrix_;
-    board.detail();
     View view = drawing(Role::current, true);
     const dvec2 from = panel_.at(m.from), to = panel_.at(m.to);
     view.add({"h moved", Role::candidate, Stroke{from, to, true}});
     view.add({"i moved", Role::candidate, Dot{to}});
-    board.draw(std::move(view));
+    board.detail(std::move(view));
   }
   Event say(const Moved<double>& m) const {
     const auto sum = [&](int y) {
@@ -104,8 +103,7 @@ class Story {
 
   void show(Board& board, const steps::Finished&) {
     shown_ = matrix_;
-    board.milestone();
-    board.draw(drawing(Role::result, true));
+    board.milestone(drawing(Role::result, true));
   }
   Event say(const steps::Finished&) const {
     Event event = ending();
@@ -115,12 +113,11 @@ class Story {
   }
 
   void show(Board& board, const Reversed&) {
-    board.milestone();
     View view = drawing(Role::result, true);
     const Shape other = task_.reversed();
     view.add({"b reversed", Role::rejected, Path{panel_.at(other), true}});
     view.add({"k reversed", Role::rejected, Label{panel_.at(other[0]), words_.say("reversed.name")}});
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
   Event say(const Reversed&) const {
     const dvec2 other = task_.reversed()[0];
@@ -226,10 +223,7 @@ class Story {
     return {Extent{{3.6, 4.6}, {25, 17.4}}, widened(world, 0.08)};
   }
 
-  void milestone(Board& board, Role role) const {
-    board.milestone();
-    board.draw(drawing(role, false));
-  }
+  void milestone(Board& board, Role role) const { board.milestone(drawing(role, false)); }
   void go_on(Board& board, Shape points) {
     ++done_;
     stages_.push_back(std::move(points));
@@ -242,8 +236,7 @@ class Story {
     add_axes(view, panel_, "plane", {words_.symbol("x"), words_.symbol("y")});
     formula(view, whole);
     view.add({"b stage 00", Role::input, Path{panel_.at(stages_[0]), true}});
-    view.add({"j corner 00", Role::input, Dot{panel_.at(corner(0))}});
-    view.add({"k corner 00", Role::input, Label{panel_.at(corner(0)), letter(0)}});
+    view.add_named("j corner 00", "k corner 00", Role::input, panel_.at(corner(0)), letter(0));
     for (std::size_t k = 1; k < stages_.size(); ++k) {
       const Role its = k + 1 == stages_.size() ? role : Role::past;
       view.add({fmt::format("b stage {:02}", k), its, Path{panel_.at(stages_[k]), true}});
@@ -251,8 +244,7 @@ class Story {
     if (done_ == 0) return view;
     const dvec2 from = panel_.at(corner(done_ - 1)), to = panel_.at(corner(done_));
     view.add({"a inside", role, Area{{panel_.at(stages_[done_])}}});
-    view.add({"j corner", role, Dot{to}});
-    view.add({"k corner", role, Label{to, fmt::format("{}{}", letter(0), done_)}});
+    view.add_named("j corner", "k corner", role, to, fmt::format("{}{}", letter(0), done_));
     if (whole) return view;
     if (from != to) view.add({"h way", Role::measure, Stroke{from, to, true, true}});
     keep_still(view);
@@ -266,10 +258,8 @@ class Story {
   void keep_still(View& view) const {
     const FactorText& text = task_.texts[factor()];
     const auto at = [&](const Tuple& place) { return panel_.at(point_of(place) - origin()); };
-    if (!text.pivot.empty()) {
-      view.add({"j pivot", Role::boundary, Dot{at(text.pivot), true}});
-      view.add({"k pivot", Role::boundary, Label{at(text.pivot), words_.say("pivot")}});
-    }
+    if (!text.pivot.empty())
+      view.add_named("j pivot", "k pivot", Role::boundary, at(text.pivot), words_.say("pivot"), true);
     if (text.line.size() == 2)
       view.add({"d mirror", Role::boundary, Stroke{at(text.line[0]), at(text.line[1])}});
   }

@@ -107,8 +107,7 @@ class ProductStory {
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
     add_product(view, product_, done_ ? role : Role::guide, words_);
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
     const std::string id = i == 0 ? "left" : "right";

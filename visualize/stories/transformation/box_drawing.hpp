@@ -93,8 +93,7 @@ inline void add_box(View& view, const Panel& panel, const std::string& id, Role 
 /// A point with its name.
 inline void add_dot(View& view, const Panel& panel, const std::string& id, Role role, dvec3 at,
                     const std::string& name) {
-  view.add({"j " + id, role, Dot{panel.at(oblique(at))}});
-  view.add({"k " + id, role, Label{panel.at(oblique(at)), name}});
+  view.add_named("j " + id, "k " + id, role, panel.at(oblique(at)), name);
 }
 
 /// A straight line of space with a head, named.
@@ -114,12 +113,11 @@ inline Shape tips_of_axes(double reach) { return {{reach, 0, 0}, {0, reach, 0}, 
 inline void add_axes_of_space(View& view, const Panel& panel, const std::string& id, double reach,
                               const Words& words) {
   const std::vector<dvec2> tips = on_paper(panel, tips_of_axes(reach));
-  constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const dvec2 out = unit(tips[i] - panel.at({0, 0}));
+    const dvec2 name = tips[i] + unit(tips[i] - panel.at({0, 0}));
     view.add({fmt::format("0 {} axis {}", id, i), Role::guide, Stroke{panel.at({0, 0}), tips[i], true}});
-    view.add({fmt::format("0 {} axis name {}", id, i), Role::guide,
-              Text{tips[i] + 1.0 * out, words.symbol(names[i])}});
+    view.add(
+        {fmt::format("0 {} axis name {}", id, i), Role::guide, Text{name, words.symbol({&"xyz"[i], 1})}});
   }
 }
 

@@ -133,8 +133,7 @@ class PartsStory {
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
     add_product(view, product_, done_ ? role : Role::guide, words_);
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
 
   const Words& words_;
@@ -249,8 +248,7 @@ class VectorStory {
       add_dot(view, panel, "belongs", Role::accepted, turned_by(task_.angle), words_.say("belongs"));
     const std::string formula = constant_ ? "P′ = Q + (P − Q)" : "P′ = Q + r + cos θ · s + sin θ · v";
     view.add({"l formula", Role::guide, Text{{13, 0.9}, formula}});
-    board.milestone();
-    board.draw(std::move(view));
+    board.milestone(std::move(view));
   }
   /// As many of r, s and v as are known, and what they make.
   void add_vectors(View& view) const {
