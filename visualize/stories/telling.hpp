@@ -71,6 +71,10 @@ class Words {
   }
   /// What the reader calls this symbol.
   std::string symbol(std::string_view name) const { return wording_.symbol(name); }
+  /// The same of an axis: x, y, z, w.
+  std::string axis(int number) const {
+    return symbol(std::string_view("xyzw").substr(static_cast<std::size_t>(number), 1));
+  }
   /// What the reader calls a move to a neighbouring pixel: "NE".
   std::string move(ivec2 move) const { return move_name(wording_, move); }
   const Wording& wording() const { return wording_; }

@@ -16,11 +16,6 @@ inline constexpr std::array<std::string_view, 6> border_names{"left", "right", "
                                                               "top",  "near",  "far"};
 constexpr std::string_view name_of(Border border) { return border_names[static_cast<std::size_t>(border)]; }
 
-/// What the reader calls an axis: x, y, z.
-inline std::string axis_name(const Words& words, int axis) {
-  return words.symbol(std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
-}
-
 /// Both ends, one after the other.
 template <int N>
 Segment<N, double> segment_in(const Arguments& arguments, std::string_view name) {

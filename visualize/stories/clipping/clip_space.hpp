@@ -211,16 +211,15 @@ class ClipSpaceStory {
 
   // --- Words
 
-  std::string symbol(int axis) const { return words_.symbol({&"xyz"[axis], 1}); }
   /// "x = −w", "z = 0".
   std::string plane_text(const Plane<double>& plane) const {
     const std::string limit = plane.bound == 0 ? "0" : (plane.sign > 0 ? "−" : "") + words_.symbol("w");
-    return fmt::format("{} = {}", symbol(plane.axis), limit);
+    return fmt::format("{} = {}", words_.axis(plane.axis), limit);
   }
   /// "w + x", "z".
   std::string test_text(const Plane<double>& plane) const {
-    if (plane.bound == 0) return symbol(plane.axis);
-    return fmt::format("{} {} {}", words_.symbol("w"), plane.sign > 0 ? "+" : "−", symbol(plane.axis));
+    if (plane.bound == 0) return words_.axis(plane.axis);
+    return fmt::format("{} {} {}", words_.symbol("w"), plane.sign > 0 ? "+" : "−", words_.axis(plane.axis));
   }
   /// " = −1 − 0.5" of "w − x = −1 − 0.5 = −1.5"; nothing where there is nothing to compute.
   std::string numbers_text(const Plane<double>& plane, const dvec4& p) const {
@@ -266,7 +265,7 @@ class ClipSpaceStory {
   void add_side(View& view) const {
     const Extent shown = side_.shown();
     const dvec2 eye = side_.at({0, 0}), lower = side_place.lower, upper = side_place.upper;
-    const std::string w = words_.symbol("w"), name = symbol(axis_);
+    const std::string w = words_.symbol("w"), name = words_.axis(axis_);
     if (lower.x < eye.x) {
       view.add({"a behind", Role::rejected, Area{{Extent{lower, {eye.x, upper.y}}.corners()}}});
       view.add(
@@ -351,7 +350,7 @@ class ClipSpaceStory {
               Text{{0.5 * (picture_place.lower.x + picture_place.upper.x), picture_place.upper.y + 1.5},
                    words_.say("picture")}});
     const std::string w = words_.symbol("w");
-    add_axes(view, picture_, "p axes", {symbol(0) + "/" + w, symbol(1) + "/" + w}, 4);
+    add_axes(view, picture_, "p axes", {words_.axis(0) + "/" + w, words_.axis(1) + "/" + w}, 4);
     view.add({"p window", Role::boundary, Path{picture_.at(Extent{{-1, -1}, {1, 1}}.corners()), true}});
     if (plane_ && !passed_ && plane_->axis < 2) {
       const Extent shown = picture_.shown();

@@ -58,12 +58,12 @@ inline std::string code_text(Code code, bool left_first) {
 
 /// The test that sets a face's bit: "x < 0", "y > w".
 inline std::string test_of(const Words& words, const AxisBox<3, double>& box, Border face) {
-  return fmt::format("{} {} {}", axis_name(words, axis_of(face)), is_upper(face) ? ">" : "<",
+  return fmt::format("{} {} {}", words.axis(axis_of(face)), is_upper(face) ? ">" : "<",
                      figure_real(coordinate(box, face)));
 }
 inline std::string test_of(const Words& words, const ViewVolume&, Border face) {
   const std::string w = words.symbol("w"), lower = face == Border::near ? "0" : "−" + w;
-  return fmt::format("{} {} {}", axis_name(words, axis_of(face)), is_upper(face) ? ">" : "<",
+  return fmt::format("{} {} {}", words.axis(axis_of(face)), is_upper(face) ? ">" : "<",
                      is_upper(face) ? w : lower);
 }
 
@@ -153,7 +153,7 @@ inline void add_plane(View& view, const Words& words, const Task<4>& task, const
   const Panel panel({place.lower + dvec2(0.8, 1.6), place.upper - dvec2(0.8, 1.6)}, world);
   const Extent shown = panel.shown();
   const dvec2 eye = panel.at({0, 0});
-  const std::string name = axis_name(words, axis), w = words.symbol("w");
+  const std::string name = words.axis(axis), w = words.symbol("w");
   const std::string id = fmt::format("plane {} ", axis);
   // The axes through the eye
   view.add({id + "w", Role::guide, Stroke{{place.lower.x, eye.y}, {place.upper.x, eye.y}, true}});

@@ -261,8 +261,8 @@ void set_up(Narrator& narrator, const Scene& scene) {
 
 enum class Numbers { rounded, none };  ///< of t: whether the method computes them
 
-template <class Clip>
-void tell(Narrator& narrator, Numbers numbers, bool asks_for_rest, Clip clip) {
+template <Numbers numbers, bool asks_for_rest, auto clip>
+void tell(Narrator& narrator) {
   const std::vector<double> line = narrator.arguments().numbers("line");
   const Disc circle = circle_drawing::circle_in(narrator.arguments());
   const Ends segment{{line[0], line[1]}, {line[2], line[3]}};
@@ -280,23 +280,6 @@ void tell(Narrator& narrator, Numbers numbers, bool asks_for_rest, Clip clip) {
                    {"to_y", kept->b.y, "y"}});
 }
 
-void tell_half_chord(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, true,
-       [](const Ends& s, const Disc& c, auto watch) { return half_chord(s, c, watch); });
-}
-void tell_exact_decision(Narrator& narrator) {
-  tell(narrator, Numbers::none, false,
-       [](const Ends& s, const Disc& c, auto watch) { return exact_decision(s, c, watch); });
-}
-void tell_without_empty_test(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, false,
-       [](const Ends& s, const Disc& c, auto watch) { return without_empty_test(s, c, watch); });
-}
-void tell_discriminant_equals_zero(Narrator& narrator) {
-  tell(narrator, Numbers::rounded, true,
-       [](const Ends& s, const Disc& c, auto watch) { return discriminant_equals_zero(s, c, watch); });
-}
-
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -307,14 +290,20 @@ const TopicEntry& entry() {
        .chapter = "clipping",
        .aliases = {"segment circle", "line circle", "circle clipping"},
        .summary = "the part of a segment that lies in a circle, decided exactly",
-       .methods = {{.name = "half_chord", .standing = Standing::taught, .tell = tell_half_chord},
-                   {.name = "exact_decision", .standing = Standing::fast, .tell = tell_exact_decision},
-                   {.name = "without_empty_test",
-                    .standing = Standing::faulty,
-                    .tell = tell_without_empty_test},
-                   {.name = "discriminant_equals_zero",
-                    .standing = Standing::faulty,
-                    .tell = tell_discriminant_equals_zero}},
+       .methods =
+           {{.name = "half_chord",
+             .standing = Standing::taught,
+             .tell = tell<Numbers::rounded, true, [](auto... run) { return half_chord(run...); }>},
+            {.name = "exact_decision",
+             .standing = Standing::fast,
+             .tell = tell<Numbers::none, false, [](auto... run) { return exact_decision(run...); }>},
+            {.name = "without_empty_test",
+             .standing = Standing::faulty,
+             .tell = tell<Numbers::rounded, false, [](auto... run) { return without_empty_test(run...); }>},
+            {.name = "discriminant_equals_zero",
+             .standing = Standing::faulty,
+             .tell =
+                 tell<Numbers::rounded, true, [](auto... run) { return discriminant_equals_zero(run...); }>}},
        .columns = {{"number", false}, {"value"}, {"test", false}},
        .parameters = {numbers("line", "-9,-3,-1,3", "-9,-3,-1,3", "the segment's ends",
                               {"x0", "y0", "x1", "y1"}),

@@ -193,8 +193,8 @@ void tell_separate_pieces(Narrator& narrator) {
 }
 
 /// The textbook's loop and the notes' listings, in plain arithmetic. clip: of a task.
-template <class Clip>
-void tell_plain(Narrator& narrator, Clip clip) {
+template <auto clip>
+void tell_plain(Narrator& narrator) {
   const Given given = given_of(narrator.arguments(), {});
   set_up(narrator, given);
   std::optional<double> right;
@@ -210,15 +210,15 @@ void tell_plain(Narrator& narrator, Clip clip) {
 }
 
 /// Such a listing for one border, at one after the other.
-template <class Pass>
-void tell_passes(Narrator& narrator, Pass pass) {
-  tell_plain(narrator, [&](const auto& task, const auto& watch) {
+template <auto pass>
+void tell_passes(Narrator& narrator) {
+  tell_plain<[](const auto& task, const auto& watch) {
     return by_passes(task, [&](auto rest, auto border) { return pass(rest, border, watch); });
-  });
+  }>(narrator);
 }
 
 void tell_cut_of_a_cut(Narrator& narrator) {
-  tell_passes(narrator, [](auto... at) { return cut_of_a_cut(at...); });
+  tell_passes<[](auto... at) { return cut_of_a_cut(at...); }>(narrator);
   const auto run = [given = given_of(narrator.arguments(), {})]<class T>(T, const auto& observer) {
     std::vector<glm::vec<2, T>> corners;
     for (const dvec2 p : given.outline()) corners.push_back(in_scalar<T>(p));
@@ -227,19 +227,6 @@ void tell_cut_of_a_cut(Narrator& narrator) {
               [&](auto rest, auto border) { return cut_of_a_cut(rest, border, observer); });
   };
   tell_side_by_side<Numbers>(narrator, run);
-}
-void tell_entering_not_cut(Narrator& narrator) {
-  tell_passes(narrator, [](auto... at) { return entering_not_cut(at...); });
-}
-void tell_previous_left_behind(Narrator& narrator) {
-  tell_passes(narrator, [](auto... at) { return previous_left_behind(at...); });
-}
-void tell_marked_by_window(Narrator& narrator) {
-  tell_passes(narrator, [](auto... at) { return marked_by_window(at...); });
-}
-void tell_containing_left_whole(Narrator& narrator) {
-  tell_plain(narrator,
-             [](const auto& task, const auto& watch) { return containing_left_whole(task, watch); });
 }
 
 // --- The method before the division
@@ -296,10 +283,10 @@ const std::vector<Method>& all_methods() {
        .file = "sutherland_hodgman_notes.hpp",
        .unread = {"homogeneous"},
        .exact = true},
-      faulty("entering_not_cut", tell_entering_not_cut),
-      faulty("previous_left_behind", tell_previous_left_behind),
-      faulty("marked_by_window", tell_marked_by_window),
-      faulty("containing_left_whole", tell_containing_left_whole)};
+      faulty("entering_not_cut", tell_passes<[](auto... at) { return entering_not_cut(at...); }>),
+      faulty("previous_left_behind", tell_passes<[](auto... at) { return previous_left_behind(at...); }>),
+      faulty("marked_by_window", tell_passes<[](auto... at) { return marked_by_window(at...); }>),
+      faulty("containing_left_whole", tell_plain<[](auto... run) { return containing_left_whole(run...); }>)};
   return methods;
 }
 

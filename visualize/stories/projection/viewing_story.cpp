@@ -297,10 +297,13 @@ void conclude(Narrator& narrator, const glm::dmat4& matrix) {
 int last_line(Narrator& narrator) { return narrator.trace().listing.back().number; }
 
 /// The frame, and the matrix that `make` makes of it.
-template <class Make>
-void tell_view(Narrator& narrator, Along along, Way way, Make make) {
+template <Along along, Way way, auto make>
+void tell_view(Narrator& narrator) {
   const Scene scene = scene_of(narrator.arguments(), along);
-  const bool faulty = way == Way::minus_position || way == Way::transposed;
+  constexpr bool faulty = way == Way::minus_position || way == Way::transposed;
+  if (along == Along::replaced) narrator.list_below("spare_up");
+  if (way == Way::rows && along != Along::divided) narrator.list_below("world_to_view");
+  if (way == Way::inverse) narrator.list_below("view_to_world");
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
   narrator.paper(36, 27);
@@ -322,31 +325,7 @@ void tell_view(Narrator& narrator, Along along, Way way, Make make) {
   conclude(narrator, matrix);
 }
 
-constexpr auto rows = [](const DFrame& frame, const auto& watch) { return world_to_view(frame, watch); };
-
-void tell_world_to_view(Narrator& narrator) {
-  narrator.list_below("world_to_view");
-  tell_view(narrator, Along::refused, Way::rows, rows);
-}
-void tell_view_to_world(Narrator& narrator) {
-  narrator.list_below("view_to_world");
-  tell_view(narrator, Along::refused, Way::inverse,
-            [](const DFrame& frame, const auto& watch) { return view_to_world(frame, watch); });
-}
-void tell_spare_up(Narrator& narrator) {
-  narrator.list_below("spare_up");
-  narrator.list_below("world_to_view");
-  tell_view(narrator, Along::replaced, Way::rows, rows);
-}
-void tell_minus_position(Narrator& narrator) {
-  tell_view(narrator, Along::refused, Way::minus_position,
-            [](const DFrame& frame, const auto& watch) { return minus_position(frame, watch); });
-}
-void tell_transposed(Narrator& narrator) {
-  tell_view(narrator, Along::refused, Way::transposed,
-            [](const DFrame& frame, const auto& watch) { return transposed(frame, watch); });
-}
-void tell_cross_products(Narrator& narrator) { tell_view(narrator, Along::divided, Way::rows, rows); }
+constexpr auto rows = [](auto... run) { return world_to_view(run...); };
 
 void tell_any_frame(Narrator& narrator) {
   const Scene scene = scene_of_axes(narrator.arguments());
@@ -375,28 +354,40 @@ const TopicEntry& entry() {
        .methods =
            {{.name = "world_to_view",
              .standing = Standing::taught,
-             .tell = tell_world_to_view,
+             .tell = tell_view<Along::refused, Way::rows, rows>,
              .function = "look_at",
              .unread = {"axes"}},
-            {.name = "view_to_world", .tell = tell_view_to_world, .function = "look_at", .unread = {"axes"}},
+            {.name = "view_to_world",
+             .tell =
+                 tell_view<Along::refused, Way::inverse, [](auto... run) { return view_to_world(run...); }>,
+             .function = "look_at",
+             .unread = {"axes"}},
             {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up"}},
-            {.name = "spare_up", .tell = tell_spare_up, .function = "look_at", .unread = {"axes"}},
+            {.name = "spare_up",
+             .tell = tell_view<Along::replaced, Way::rows, rows>,
+             .function = "look_at",
+             .unread = {"axes"}},
             {.name = "minus_position",
              .standing = Standing::faulty,
-             .tell = tell_minus_position,
+             .tell = tell_view<Along::refused, Way::minus_position,
+                               [](auto... run) { return minus_position(run...); }>,
              .unread = {"axes"}},
-            {.name = "transposed", .standing = Standing::faulty, .tell = tell_transposed, .unread = {"axes"}},
+            {.name = "transposed",
+             .standing = Standing::faulty,
+             .tell =
+                 tell_view<Along::refused, Way::transposed, [](auto... run) { return transposed(run...); }>,
+             .unread = {"axes"}},
             {.name = "cross_products",
              .standing = Standing::faulty,
-             .tell = tell_cross_products,
+             .tell = tell_view<Along::divided, Way::rows, rows>,
              .unread = {"axes"}}},
        .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
        .parameters =
-           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
-                    coordinate_sizes),
+           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units",
+                    xyz, coordinate_sizes),
             numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at", xyz, coordinate_sizes),
-            numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length", xyz,
-                    coordinate_sizes),
+            numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length",
+                    xyz, coordinate_sizes),
             points(3, 3, "axes", "2,0,0 1,1,0 0,-0.5,-1", "1,0,0 0,2,0 0.5,0,-1",
                    "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz)},
        .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",

@@ -332,22 +332,12 @@ void tell_dda(Narrator& narrator) {
       ToldIn::floats);
 }
 
-void tell_first_octant(Narrator& narrator) {
+/// A listing of the notes.
+template <Way way, auto listing>
+void tell_notes(Narrator& narrator) {
   const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::faulty);
-  first_octant(line.from, line.to, drop, narrator.watcher(story));
-}
-
-void tell_swapped_ends(Narrator& narrator) {
-  const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::faulty);
-  swapped_ends(line.from, line.to, drop, narrator.watcher(story));
-}
-
-void tell_misprinted(Narrator& narrator) {
-  const Line line = walked(narrator);
-  DecisionStory story(narrator.words(), line, Way::misprinted);
-  misprinted_derivation(line.from, line.to, drop, narrator.watcher(story));
+  DecisionStory story(narrator.words(), line, way);
+  listing(line.from, line.to, drop, narrator.watcher(story));
 }
 
 }  // namespace
@@ -369,15 +359,15 @@ const TopicEntry& entry() {
                    {.name = "dda", .tell = tell_dda, .without = {"window"}, .exact = true},
                    {.name = "first_octant",
                     .standing = Standing::faulty,
-                    .tell = tell_first_octant,
+                    .tell = tell_notes<Way::faulty, [](auto... run) { first_octant(run...); }>,
                     .without = {"window"}},
                    {.name = "swapped_ends",
                     .standing = Standing::faulty,
-                    .tell = tell_swapped_ends,
+                    .tell = tell_notes<Way::faulty, [](auto... run) { swapped_ends(run...); }>,
                     .without = {"window"}},
                    {.name = "misprinted_derivation",
                     .standing = Standing::faulty,
-                    .tell = tell_misprinted,
+                    .tell = tell_notes<Way::misprinted, [](auto... run) { misprinted_derivation(run...); }>,
                     .without = {"window"}}},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
        .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},

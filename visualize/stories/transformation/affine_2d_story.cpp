@@ -316,8 +316,8 @@ void conclude(Narrator& narrator, Story& story, const Task& task, const Shape& p
 }
 
 /// Tells a method that takes factors and points.
-template <class Act>
-void tell_chain(Narrator& narrator, Way way, Act act) {
+template <Way way, auto act>
+void tell_chain(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   Story story(narrator.words(), task, way);
   introduce(narrator, task, story.panel());
@@ -325,26 +325,12 @@ void tell_chain(Narrator& narrator, Way way, Act act) {
   act(task.chain(), std::span(points), narrator.watcher(story));
   conclude(narrator, story, task, points);
   tell_side_by_side<Numbers>(narrator,
-                             [task, act]<class T>(T, const auto& watch) { run_in<T>(task, act, watch); });
+                             [task]<class T>(T, const auto& watch) { run_in<T>(task, act, watch); });
 }
 
-void tell_one_matrix(Narrator& narrator) {
-  tell_chain(narrator, Way::forwards,
-             [](auto factors, auto points, auto&& observer) { one_matrix(factors, points, observer); });
-}
-void tell_factor_by_factor(Narrator& narrator) {
-  tell_chain(narrator, Way::forwards,
-             [](auto factors, auto points, auto&& observer) { factor_by_factor(factors, points, observer); });
-}
-void tell_local_coordinates(Narrator& narrator) {
-  tell_chain(narrator, Way::local, [](auto factors, auto points, auto&& observer) {
-    local_coordinates(factors[0].pivot, factors, points, observer);
-  });
-}
-void tell_centre_added(Narrator& narrator) {
-  tell_chain(narrator, Way::centre_added,
-             [](auto factors, auto points, auto&& observer) { centre_added(factors, points, observer); });
-}
+constexpr auto from_first_pivot = [](auto factors, auto... run) {
+  local_coordinates(factors[0].pivot, factors, run...);
+};
 
 /// The way back must exist before it is told.
 void require_inverses(const Task& task) {
@@ -380,12 +366,20 @@ const TopicEntry& entry() {
        .aliases = {"2d transformation", "rotation", "scaling", "shear", "reflection",
                    "homogeneous coordinates"},
        .summary = "move, scale, turn, slant and mirror in the plane with one matrix",
-       .methods =
-           {{.name = "one_matrix", .standing = Standing::taught, .tell = tell_one_matrix, .exact = true},
-            {.name = "factor_by_factor", .tell = tell_factor_by_factor, .exact = true},
-            {.name = "local_coordinates", .tell = tell_local_coordinates, .exact = true},
-            {.name = "undo", .tell = tell_undo},
-            {.name = "centre_added", .standing = Standing::faulty, .tell = tell_centre_added}},
+       .methods = {{.name = "one_matrix",
+                    .standing = Standing::taught,
+                    .tell = tell_chain<Way::forwards, [](auto... run) { one_matrix(run...); }>,
+                    .exact = true},
+                   {.name = "factor_by_factor",
+                    .tell = tell_chain<Way::forwards, [](auto... run) { factor_by_factor(run...); }>,
+                    .exact = true},
+                   {.name = "local_coordinates",
+                    .tell = tell_chain<Way::local, from_first_pivot>,
+                    .exact = true},
+                   {.name = "undo", .tell = tell_undo},
+                   {.name = "centre_added",
+                    .standing = Standing::faulty,
+                    .tell = tell_chain<Way::centre_added, [](auto... run) { centre_added(run...); }>}},
        .columns = {{"k"}, {"xx"}, {"xy"}, {"x0"}, {"yx"}, {"yy"}, {"y0"}},
        .parameters = {{.name = "factors",
                        .type = ParameterType::factors,

@@ -117,7 +117,7 @@ inline void add_axes_of_space(View& view, const Panel& panel, const std::string&
     const dvec2 name = tips[i] + unit(tips[i] - panel.at({0, 0}));
     view.add({fmt::format("0 {} axis {}", id, i), Role::guide, Stroke{panel.at({0, 0}), tips[i], true}});
     view.add(
-        {fmt::format("0 {} axis name {}", id, i), Role::guide, Text{name, words.symbol({&"xyz"[i], 1})}});
+        {fmt::format("0 {} axis name {}", id, i), Role::guide, Text{name, words.axis(static_cast<int>(i))}});
   }
 }
 
