@@ -46,18 +46,22 @@ Extent widened(Extent extent, double part) {
   return {extent.lower - margin, extent.upper + margin};
 }
 
-std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
-  double enters = 0, leaves = 1;
+std::pair<double, double> span_in(const Extent& frame, dvec2 a, dvec2 way, double first, double last) {
   for (const int axis : {0, 1}) {
-    const double way = b[axis] - a[axis];
-    if (way == 0) {
-      if (a[axis] < frame.lower[axis] || a[axis] > frame.upper[axis]) return std::nullopt;
+    if (way[axis] == 0) {
+      if (a[axis] < frame.lower[axis] || frame.upper[axis] < a[axis]) return {1, 0};
       continue;
     }
-    const double t0 = (frame.lower[axis] - a[axis]) / way, t1 = (frame.upper[axis] - a[axis]) / way;
-    enters = std::max(enters, std::min(t0, t1));
-    leaves = std::min(leaves, std::max(t0, t1));
+    const double low = (frame.lower[axis] - a[axis]) / way[axis];
+    const double high = (frame.upper[axis] - a[axis]) / way[axis];
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
   }
+  return {first, last};
+}
+
+std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
+  const auto [enters, leaves] = span_in(frame, a, b - a, 0, 1);
   if (enters >= leaves) return std::nullopt;
   return Stroke{a + enters * (b - a), a + leaves * (b - a)};
 }

@@ -84,6 +84,10 @@ inline double length_between(dvec3 a, dvec3 b) { return std::hypot(b.x - a.x, b.
 /// The rectangle with a margin all round, in parts of its larger side.
 Extent widened(Extent extent, double part);
 
+/// The values of t from `first` to `last` for which a rectangle holds a + t way; none where the first of the
+/// two is above the second.
+std::pair<double, double> span_in(const Extent& frame, dvec2 a, dvec2 way, double first, double last);
+
 /// The part of a segment that a rectangle shows, or nothing.
 std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b);
 

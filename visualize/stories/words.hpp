@@ -31,6 +31,12 @@ inline std::string figure_fraction(std::int64_t numerator, std::int64_t denomina
   return fmt::format("{}/{}", numerator / common, denominator / common);
 }
 
+/// A, B … Z, A1, B1 …
+inline std::string letter(std::size_t n) {
+  const char letter = static_cast<char>('A' + n % 26);
+  return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
+}
+
 /// The key of a pixel in a trace: "4,-2".
 inline std::string pixel_key(ivec2 p) { return fmt::format("{},{}", p.x, p.y); }
 

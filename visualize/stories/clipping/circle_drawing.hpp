@@ -47,17 +47,7 @@ inline dvec2 nearest_on(const Segment<2, double>& s, dvec2 to) {
 
 /// The part of the way from a to b that a rectangle holds, as far as doubles have it near a; or nothing.
 inline std::optional<std::pair<dvec2, dvec2>> part_in(const Extent& box, dvec2 a, dvec2 b) {
-  double first = 0, last = 1;
-  for (const int axis : {0, 1}) {
-    const double d = b[axis] - a[axis];
-    if (d == 0) {
-      if (a[axis] < box.lower[axis] || box.upper[axis] < a[axis]) return std::nullopt;
-      continue;
-    }
-    const double low = (box.lower[axis] - a[axis]) / d, high = (box.upper[axis] - a[axis]) / d;
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
+  const auto [first, last] = span_in(box, a, b - a, 0, 1);
   if (first > last) return std::nullopt;
   const auto at = [&](double t) { return t == 0 ? a : t == 1 ? b : a + t * (b - a); };
   return std::pair{at(first), at(last)};

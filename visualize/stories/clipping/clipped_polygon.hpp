@@ -70,23 +70,9 @@ inline Panel panel_of(const Given& given) {
 
 /// The part of a line that a rectangle of the plane shows.
 inline std::optional<Stroke> across(const Segment<2, double>& line, const Extent& shown) {
-  double first = -1e300, last = 1e300;
-  for (const int axis : {0, 1}) {
-    const double way = line.b[axis] - line.a[axis];
-    if (way == 0) continue;
-    const double low = (shown.lower[axis] - line.a[axis]) / way;
-    const double high = (shown.upper[axis] - line.a[axis]) / way;
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
+  const auto [first, last] = span_in(shown, line.a, line.b - line.a, -1e300, 1e300);
   if (!(first < last)) return std::nullopt;
   return Stroke{line.a + first * (line.b - line.a), line.a + last * (line.b - line.a), false, true};
-}
-
-/// A, B … Z, A1, B1 …
-inline std::string letter(std::size_t n) {
-  const char letter = static_cast<char>('A' + n % 26);
-  return n < 26 ? std::string(1, letter) : fmt::format("{}{}", letter, n / 26);
 }
 
 /// Names of vertices: those given by their numbers, those made by letters as they come.

@@ -302,8 +302,7 @@ void tell(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   const std::vector<SizesOf> rounded{{"line", window_view::rounded_sizes},
                                      {"window", window_view::rounded_sizes}};

@@ -438,8 +438,7 @@ void tell_first_crossing(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "polygon_circle",

@@ -292,8 +292,7 @@ const std::vector<Method>& all_methods() {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   static const TopicEntry topic = completed<entry>(
       {.name = "sutherland_hodgman",
        .chapter = "clipping",

@@ -499,8 +499,7 @@ constexpr Sizes length_sizes{1e-30, 1e30};
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "pipeline",

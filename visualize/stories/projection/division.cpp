@@ -10,7 +10,6 @@ namespace {
 enum class Way { tested, untested, zoom_minus_z };
 
 bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
-std::string name_of(std::size_t i) { return std::string(1, static_cast<char>('A' + i)); }
 
 struct Task {
   Way way;
@@ -116,8 +115,8 @@ class Story {
     std::vector<Field> result;
     for (std::size_t i = 0; i < images_.size(); ++i) {
       if (!has_image(i)) continue;
-      result.push_back({name_of(i) + ".x", images_[i]->x, "x"});
-      result.push_back({name_of(i) + ".y", images_[i]->y, "y"});
+      result.push_back({letter(i) + ".x", images_[i]->x, "x"});
+      result.push_back({letter(i) + ".y", images_[i]->y, "y"});
     }
     return result;
   }
@@ -126,7 +125,7 @@ class Story {
   std::string_view by_way(std::string_view tested, std::string_view untested, std::string_view zoom) const {
     return task_.way == Way::tested ? tested : task_.way == Way::untested ? untested : zoom;
   }
-  std::string name() const { return name_of(current_); }
+  std::string name() const { return letter(current_); }
   std::string point_text() const { return name() + " " + figure_place(task_.points[current_]); }
   std::string image_text(dvec2 p) const { return finite(p) ? place_text(p) : words_.say("no_number"); }
   bool has_image(std::size_t i) const { return images_[i] && finite(*images_[i]); }
@@ -219,7 +218,7 @@ class Story {
     } else {
       view.add({id, role, Stroke{picture_.at(centre + away * (0.85 * half_ / most)), end, true}});
     }
-    view.add({fmt::format("f image name {}", i), role, Label{end, name_of(i) + "′"}});
+    view.add({fmt::format("f image name {}", i), role, Label{end, letter(i) + "′"}});
   }
 
   /// The picture of the line between a point and the next.
@@ -260,7 +259,7 @@ class Story {
   }
   void add_point(View& view, std::size_t i, Role role) const {
     view.add_named(fmt::format("e point {}", i), fmt::format("f point name {}", i), role,
-                   space_.at(from_above(i)), name_of(i));
+                   space_.at(from_above(i)), letter(i));
   }
   void add_images(View& view) const {
     const auto wrong = [&](std::size_t i) {

@@ -7,8 +7,7 @@
 #include "stories/side_by_side.hpp"
 
 namespace gradus::perspective {
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   // Parameters that only some methods read, and that only their traces name
   static const std::vector<std::string> of_division{"points", "scales", "centre", "zoom"};

@@ -50,12 +50,7 @@ inline void say_turn(Narrator& narrator, std::string_view subtitle) {
 
 /// Where the ray from a point of a rectangle leaves it.
 inline dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
-  double t = 1e300;
-  for (const int i : {0, 1}) {
-    if (way[i] > 0) t = std::min(t, (box.upper[i] - a[i]) / way[i]);
-    if (way[i] < 0) t = std::min(t, (box.lower[i] - a[i]) / way[i]);
-  }
-  return a + std::max(0.0, t) * way;
+  return a + std::max(0.0, span_in(box, a, way, 0, 1e300).second) * way;
 }
 
 /// What says whether a point of this depth has an image.

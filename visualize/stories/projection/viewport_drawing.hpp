@@ -32,7 +32,6 @@ struct Fate {
   bool moved() const { return nearest && pixel != nearest; }
 };
 
-inline std::string name_of(std::size_t point) { return std::string(1, static_cast<char>('A' + point)); }
 inline dvec2 centre(ivec2 pixel) { return dvec2(pixel) + 0.5; }
 
 class Drawing {
@@ -51,8 +50,8 @@ class Drawing {
     add_grid(view);
     if (clamped) add_lines(view, fates);
     for (std::size_t i = 0; i < fates.size(); ++i) {
-      if (fates[i].pixel) add_pixel(view, fates[i], name_of(i), i == current, done);
-      if (fates[i].place) add_place(view, fates[i], name_of(i), i == current);
+      if (fates[i].pixel) add_pixel(view, fates[i], letter(i), i == current, done);
+      if (fates[i].place) add_place(view, fates[i], letter(i), i == current);
     }
     return view;
   }
@@ -111,8 +110,8 @@ class Drawing {
       const bool here = shown.holds(p);
       const dvec2 at = plane_.at(here ? p : glm::clamp(p, shown.lower, shown.upper));
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
-      add_point(view, "point " + name_of(i), role, plane_place, here, at);
-      view.add({"point name " + name_of(i), role, Label{at, name_of(i)}});
+      add_point(view, "point " + letter(i), role, plane_place, here, at);
+      view.add({"point name " + letter(i), role, Label{at, letter(i)}});
     }
   }
 
@@ -191,12 +190,8 @@ class Drawing {
       const auto [in, a] = shown_at(*fates[i - 1].place);
       const dvec2 way = on_paper(*fates[i].place) - a;
       // Only as far as the panel shows it
-      double most = 1;
-      for (const int axis : {0, 1}) {
-        if (way[axis] > 0) most = std::min(most, (inner_picture.upper[axis] - a[axis]) / way[axis]);
-        if (way[axis] < 0) most = std::min(most, (inner_picture.lower[axis] - a[axis]) / way[axis]);
-      }
-      const std::string names = name_of(i - 1) + name_of(i);
+      const double most = span_in(inner_picture, a, way, 0, 1).second;
+      const std::string names = letter(i - 1) + letter(i);
       if (in && most > 0) {
         view.add({"line " + names, Role::measure, Stroke{a, a + most * way, false, true}});
       }

@@ -120,7 +120,7 @@ class Story {
  private:
   View view() const { return drawing_.view(fates_, current_, done_, clamps_); }
   bool rows_down() const { return input_.map.row_zero == RowZero::top; }
-  std::string name() const { return name_of(current_); }
+  std::string name() const { return letter(current_); }
 
   /// "1 + 0.25·6 = 2.5"
   std::string along(int axis, const Placed<double>& p) const {
@@ -284,8 +284,7 @@ constexpr Sizes sizes{1e-100, 1e100};
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "viewport",

@@ -327,8 +327,7 @@ void tell_late(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   static const TopicEntry topic = completed<entry>(
       {.name = "bresenham_circle",
        .chapter = "scan_conversion",

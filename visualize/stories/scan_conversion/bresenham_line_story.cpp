@@ -342,8 +342,7 @@ void tell_notes(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   static const TopicEntry topic = completed<entry>(
       {.name = "bresenham_line",
        .chapter = "scan_conversion",

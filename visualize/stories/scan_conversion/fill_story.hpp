@@ -28,9 +28,7 @@ constexpr Way on_path{"depth_first", "path"}, in_queue{"breadth_first", "queue"}
 
 /// The outline of a window's cells.
 inline Path border(const Window& w) {
-  const double left = w.lower.x - 0.5, right = w.upper.x + 0.5, top = w.lower.y - 0.5,
-               bottom = w.upper.y + 0.5;
-  return {{{left, top}, {right, top}, {right, bottom}, {left, bottom}}, true};
+  return {gradus::Extent{dvec2(w.lower) - 0.5, dvec2(w.upper) + 0.5}.corners(), true};
 }
 
 /// The cells that are drawn: the picture's, and those up to a seed a little outside a maze.

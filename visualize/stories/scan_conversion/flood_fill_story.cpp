@@ -128,8 +128,7 @@ void tell_unchecked(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "flood_fill",

@@ -357,8 +357,7 @@ void tell_undo(Narrator& narrator) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "affine_2d",

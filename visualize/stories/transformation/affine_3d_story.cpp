@@ -271,8 +271,7 @@ Parameter triple(std::string name, std::string value, std::string help) {
 
 }  // namespace
 
-const TopicEntry& entry();  // the catalogue asks for it by this name
-const TopicEntry& entry() {
+const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   static const TopicEntry topic = completed<entry>(
       {.name = "affine_3d",
