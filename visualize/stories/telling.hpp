@@ -104,6 +104,14 @@ struct Event {
   std::optional<int> line{};          ///< the source line to show, where the step's own is not listed
 };
 
+/// A point's coordinates as facts: x, y, z, w.
+template <int N>
+std::vector<Field> fields_of(const glm::vec<N, double>& p) {
+  std::vector<Field> fields;
+  for (int i = 0; i < N; ++i) fields.push_back({std::string(1, "xyzw"[i]), p[i]});
+  return fields;
+}
+
 /// What is decided by yes or no.
 Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch);
 

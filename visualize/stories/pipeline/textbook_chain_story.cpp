@@ -35,9 +35,9 @@ constexpr std::array<Stage, 8> stages{
 constexpr std::string_view whole_chain = "all";
 
 /// The stage's number from 1; 0 for the whole chain.
-int number_of(std::string_view stage) {
+std::size_t number_of(std::string_view stage) {
   const auto found = std::ranges::find(stages, stage, &Stage::name);
-  return found == stages.end() ? 0 : static_cast<int>(found - stages.begin()) + 1;
+  return found == stages.end() ? 0 : static_cast<std::size_t>(found - stages.begin()) + 1;
 }
 
 std::vector<std::string> stage_names() {
@@ -48,7 +48,7 @@ std::vector<std::string> stage_names() {
 }
 
 /// Lists a stage's own functions, or the chain's eight calls.
-void list(Narrator& narrator, int number) {
+void list(Narrator& narrator, std::size_t number) {
   if (number == 0) {
     // Above the first stage stand the picture's size and its checks
     std::vector<SourceLine>& lines = narrator.trace().listing;
@@ -56,7 +56,7 @@ void list(Narrator& narrator, int number) {
     lines.erase(lines.begin(), std::ranges::find_if(lines, first_stage));
     return;
   }
-  const Stage& stage = stages[static_cast<std::size_t>(number) - 1];
+  const Stage& stage = stages[number - 1];
   narrator.list(stage.function, fmt::format("pipeline/stages/{}.hpp", stage.file));
   if (!stage.function_below.empty()) narrator.list_below(stage.function_below);
 }
@@ -69,17 +69,10 @@ int line_of(const std::vector<SourceLine>& listing, std::string_view call) {
   return found == listing.end() ? 0 : found->number;
 }
 
-template <int N>
-std::vector<Field> fields_of(const glm::vec<N, double>& p) {
-  std::vector<Field> fields;
-  for (int i = 0; i < N; ++i) fields.push_back({std::string(1, "xyzw"[i]), p[i]});
-  return fields;
-}
-
 class Tour {
  public:
   /// listed: the stage whose own source is listed; 0: the chain is.
-  Tour(Narrator& narrator, const Run& run, const Followed& followed, int listed)
+  Tour(Narrator& narrator, const Run& run, const Followed& followed, std::size_t listed)
       : narrator_(narrator),
         listed_(listed),
         words_(narrator.words()),
@@ -93,7 +86,7 @@ class Tour {
   void tell() {
     constexpr std::array tellers{&Tour::input,    &Tour::world,         &Tour::perspective, &Tour::facing,
                                  &Tour::clipping, &Tour::rasterization, &Tour::visibility,  &Tour::output};
-    const std::size_t last = listed_ == 0 ? stages.size() : static_cast<std::size_t>(listed_);
+    const std::size_t last = listed_ == 0 ? stages.size() : listed_;
     goal();
     for (stage_ = 1; stage_ <= last; ++stage_) (this->*tellers[stage_ - 1])();
   }
@@ -102,7 +95,6 @@ class Tour {
   // --- Telling an event
 
   const std::vector<SourceLine>& listing() const { return narrator_.trace().listing; }
-  bool listed_now() const { return static_cast<int>(stage_) == listed_; }
 
   /// The line of the chain that calls the stage, or `call`.
   int chain_line(std::string_view call = {}) const {
@@ -113,13 +105,13 @@ class Tour {
   /// The listed stage's line that reported steps of this type: none of it did in the stages before.
   int own_line(std::string_view type) const {
     const auto reported = run_.lines.find(type);
-    return listed_now() && reported != run_.lines.end() ? reported->second : 0;
+    return stage_ == listed_ && reported != run_.lines.end() ? reported->second : 0;
   }
 
   /// The line with which the listed stage ends: its return, or what it reported last.
   int end_line() const {
     const SourceLine& last = listing().back();
-    return !listed_now() ? 0 : last.text.starts_with("return ") ? last.number : narrator_.line();
+    return stage_ != listed_ ? 0 : last.text.starts_with("return ") ? last.number : narrator_.line();
   }
 
   void tell(View view, std::string_view type, int line, Event event) {
@@ -456,7 +448,7 @@ class Tour {
   }
 
   Narrator& narrator_;
-  const int listed_;
+  const std::size_t listed_;
   const Words& words_;
   const Run& run_;
   const Piece& piece_;
@@ -472,7 +464,7 @@ void tell_z_buffer(Narrator& narrator) {
                   static_cast<int>(arguments.integer("rows"))};
   const Run run = run_of(scene_of(arguments), size);
   const Followed followed = followed_in(run, arguments);
-  const int listed = number_of(arguments.text("stage"));
+  const std::size_t listed = number_of(arguments.text("stage"));
   const std::string model = arguments.has("model") ? arguments.text("model") : "";
   list(narrator, listed);
   narrator.subtitle(

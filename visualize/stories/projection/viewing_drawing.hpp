@@ -139,15 +139,13 @@ class Drawing {
         [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
     const double size = 0.3 * scene_.distance;
     hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
-    if (!known.axes[1]) {
-      arrow(view, "hint", Role::candidate, scene_.eye, scene_.eye + size * unit_vector(scene_.up),
-            words_.say("hint"), true);
-    }
+    if (!known.axes[1])
+      arrow(view, "hint", Role::candidate, size * unit_vector(scene_.up), words_.say("hint"), true);
     for (int i = 0; i < 3; ++i) {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
-            scene_.eye + size * axis_of(frame, i), words_.say("name." + name), false);
+      arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted,
+            size * axis_of(frame, i), words_.say("name." + name), false);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     point(view, "target", Role::input, scene_.target, words_.say("name.target"));
@@ -160,12 +158,10 @@ class Drawing {
     frame_of(view);
     const Panel panel(seen_place, picture_extent(matrix));
     const dvec2 middle = seen_place.centre();
-    if (known.rows >= 1) {
+    if (known.rows >= 1)
       guide_line(view, "no right", {middle.x, seen_place.lower.y}, {middle.x, seen_place.upper.y});
-    }
-    if (known.rows >= 2) {
+    if (known.rows >= 2)
       guide_line(view, "no up", {seen_place.lower.x, middle.y}, {seen_place.upper.x, middle.y});
-    }
     if (known.rows >= 3) {
       const dvec3 target = through(matrix, scene_.target);
       view.add_named("seen target", Role::accepted, panel.at(dvec2(target) / target.z),
@@ -220,12 +216,11 @@ class Drawing {
     const double unit = arrow_unit(frame);
     for (int i = 0; i < 3; ++i) {
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, Role::input, scene_.eye, scene_.eye + unit * axis_of(frame, i),
-            words_.say("name." + name), false);
+      arrow(view, "axis " + name, Role::input, unit * axis_of(frame, i), words_.say("name." + name), false);
       if (i >= known.rows) continue;
-      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted, scene_.eye,
-            scene_.eye + unit * dvec3(inverse[i]),
-            words_.say("column_name", {{"axis", words_.say("name." + name)}}), true);
+      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted,
+            unit * dvec3(inverse[i]), words_.say("column_name", {{"axis", words_.say("name." + name)}}),
+            true);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     return view;
@@ -338,10 +333,11 @@ class Drawing {
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
     view.add_named(id, role, world_.at(oblique(at)), std::move(name));
   }
-  void arrow(View& view, const std::string& id, Role role, dvec3 from, dvec3 to, std::string name,
-             bool dashed) const {
-    view.add({id, role, Stroke{world_.at(oblique(from)), world_.at(oblique(to)), true, dashed}});
-    view.add({id + " name", role, Label{world_.at(oblique(to)), std::move(name)}});
+  /// From the eye.
+  void arrow(View& view, const std::string& id, Role role, dvec3 way, std::string name, bool dashed) const {
+    const dvec2 from = world_.at(oblique(scene_.eye)), to = world_.at(oblique(scene_.eye + way));
+    view.add({id, role, Stroke{from, to, true, dashed}});
+    view.add({id + " name", role, Label{to, std::move(name)}});
   }
   /// A segment of the world, dashed where the letter hides it.
   void hidden_aware(View& view, const std::string& id, Role role, dvec3 a, dvec3 b) const {

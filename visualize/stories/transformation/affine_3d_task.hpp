@@ -59,7 +59,6 @@ inline dvec3 clean(dvec3 p) {
   return p;
 }
 
-inline std::vector<Field> fields_of(dvec3 p) { return {{"x", p.x}, {"y", p.y}, {"z", p.z}}; }
 inline std::vector<Said> row_of(Said name, dvec3 place) {
   const dvec3 p = clean(place);
   return {std::move(name), p.x, p.y, p.z};
