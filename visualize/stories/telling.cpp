@@ -81,11 +81,12 @@ std::string Words::counted(std::string_view key, std::int64_t n, std::span<const
   return of(topic_, fmt::format("{}.{}", key, n == 1 ? "one" : "many"), all);
 }
 
-Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch) {
-  return {std::move(question),
+Decision yes_or_no(const Words& words, std::string_view question, std::initializer_list<Word> values,
+                   bool yes, std::string_view if_yes, std::string_view if_no) {
+  return {words.say(question, values),
           {words.shared("words", "yes"), words.shared("words", "no")},
           yes ? 0u : 1u,
-          std::move(branch)};
+          std::string(yes ? if_yes : if_no)};
 }
 
 // --- The board

@@ -112,8 +112,9 @@ std::vector<Field> fields_of(const glm::vec<N, double>& p) {
   return fields;
 }
 
-/// What is decided by yes or no.
-Decision yes_or_no(const Words& words, std::string question, bool yes, std::string branch);
+/// What is decided by yes or no, and the branch that follows.
+Decision yes_or_no(const Words& words, std::string_view question, std::initializer_list<Word> values,
+                   bool yes, std::string_view if_yes, std::string_view if_no = {});
 
 /// Steps of the run as a whole, for stories of algorithms that report none: told without a source line.
 namespace steps {

@@ -34,10 +34,9 @@ class BorderStory : public PlaneDrawing {
   Event say(const VertexTested<double>& t) {
     const std::size_t answer = t.side > 0 ? 0 : t.side == 0 ? 1 : 2;
     constexpr std::array<const char*, 3> branches{"inside", "on", "outside"};
+    constexpr std::array<std::string_view, 3> texts{"tested.inside", "tested.on", "tested.outside"};
     return {
-        .text = t.side > 0   ? "tested.inside"
-                : t.side < 0 ? "tested.outside"
-                             : "tested.on",
+        .text = texts[answer],
         .facts = {{"border", t.border}, {"side", t.side}, {"x", t.vertex.at.x}, {"y", t.vertex.at.y}},
         .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", name_of_border(t.border)}},
         .row = row_of(t),
@@ -76,9 +75,8 @@ class BorderStory : public PlaneDrawing {
         .words = {{"from", from}, {"to", to}, {"border", border}, {"name", name}, {"at", c.vertex.at}},
         .row = {border, name, words_.say("side.cut"), name},
         .phase = phase_of(c.border),
-        .decides =
-            yes_or_no(words_, words_.say("question.cut", {{"from", from}, {"to", to}, {"border", border}}),
-                      true, c.leaves ? "leaves" : "enters")};
+        .decides = yes_or_no(words_, "question.cut", {{"from", from}, {"to", to}, {"border", border}}, true,
+                             c.leaves ? "leaves" : "enters")};
     if (before_kept_) {
       // In the table, too: the cut's row takes over the corner that stays
       event.read = row_of(*tested_);
@@ -102,8 +100,7 @@ class BorderStory : public PlaneDrawing {
                 .words = {{"border", name_of_border(p.border)}},
                 .phase = phase_of(p.border),
                 .level = Level::idea,
-                .decides = yes_or_no(words_, words_.say("question.left"), corners > 0,
-                                     corners > 0 ? "accepted" : "rejected")};
+                .decides = yes_or_no(words_, "question.left", {}, corners > 0, "accepted", "rejected")};
     if (corners == 0) return event;
     event.text = "passed";
     event.count = corners;

@@ -79,9 +79,8 @@ class ClipSpaceStory {
                       {"plane", plane_text(t.plane)}},
             .row = row_of(t),
             .phase = phase_of(t.plane),
-            .decides = yes_or_no(
-                words_, words_.say("question.plane", {{"test", test_text(t.plane)}, {"value", value}}),
-                t.inside, t.inside ? "inside" : "outside")};
+            .decides = yes_or_no(words_, "question.plane", {{"test", test_text(t.plane)}, {"value", value}},
+                                 t.inside, "inside", "outside")};
   }
 
   void show(Board& board, const Cut<double>& c) {
@@ -98,23 +97,21 @@ class ClipSpaceStory {
     const std::size_t n = rest_.size();
     const std::string before = rest_[(tested_->corner + n - 1) % n].name, now = rest_[tested_->corner].name;
     const double to = distance(c.plane, c.outside);
-    Event event{
-        .text = "plane_cut",
-        .facts = fields(c.plane, c.at),
-        .words = {{"from", enters ? now : before},
-                  {"to", enters ? before : now},
-                  {"a", distance(c.plane, c.inside)},
-                  {"b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)},
-                  {"t", c.t},
-                  {"name", made_.name},
-                  {"at", place_text(c.at)},
-                  {"plane", plane_text(c.plane)}},
-        .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
-        .phase = phase_of(c.plane),
-        .decides = yes_or_no(
-            words_,
-            words_.say("question.plane_cut", {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}),
-            true, enters ? "enters" : "leaves")};
+    Event event{.text = "plane_cut",
+                .facts = fields(c.plane, c.at),
+                .words = {{"from", enters ? now : before},
+                          {"to", enters ? before : now},
+                          {"a", distance(c.plane, c.inside)},
+                          {"b", to < 0 ? fmt::format("({})", figure_real(to)) : figure_real(to)},
+                          {"t", c.t},
+                          {"name", made_.name},
+                          {"at", place_text(c.at)},
+                          {"plane", plane_text(c.plane)}},
+                .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
+                .phase = phase_of(c.plane),
+                .decides = yes_or_no(words_, "question.plane_cut",
+                                     {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}, true,
+                                     enters ? "enters" : "leaves")};
     if (enters) {
       event.read = row_of(*tested_);
       event.row.back() = made_.name + ", " + std::exchange(event.read.back().text, "");
@@ -138,8 +135,7 @@ class ClipSpaceStory {
                 .words = {{"plane", plane_text(p.plane)}},
                 .phase = phase_of(p.plane),
                 .level = Level::idea,
-                .decides = yes_or_no(words_, words_.say("question.left"), left > 0,
-                                     left > 0 ? "accepted" : "rejected")};
+                .decides = yes_or_no(words_, "question.left", {}, left > 0, "accepted", "rejected")};
     if (left == 0) return event;
     event.text = came_to_front_ ? "plane_passed_front" : "plane_passed";
     event.count = left;

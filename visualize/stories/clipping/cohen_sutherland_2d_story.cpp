@@ -195,8 +195,7 @@ class Story {
     const std::string a = digits(read_.a), b = digits(read_.b);
     if (!whole_) return decided_by_codes(words_, read_.a, a, read_.b, b);
     const bool set = (read_.a | read_.b) != 0;
-    return yes_or_no(words_, words_.say("question_whole", {{"code_a", a}, {"code_b", b}}), set,
-                     set ? "rejected" : "accepted");
+    return yes_or_no(words_, "question_whole", {{"code_a", a}, {"code_b", b}}, set, "rejected", "accepted");
   }
 
   std::int64_t count_of_cuts() const { return std::ssize(cuts_); }

@@ -82,8 +82,8 @@ class Story {
     return decision;
   }
   Decision anything_left(bool is) const {
-    return yes_or_no(words_, words_.say("question_left", {{"enter", enter_}, {"leave", leave_}}), is,
-                     is ? "accepted" : "rejected");
+    return yes_or_no(words_, "question_left", {{"enter", enter_}, {"leave", leave_}}, is, "accepted",
+                     "rejected");
   }
 
   void accept(Board& board, const Segment<N, double>& piece) {
@@ -193,8 +193,8 @@ class OrderedStory : public Story<2> {
   std::string first(const Span& span) const { return span.enter ? name(*span.enter) : "a"; }
   std::string last(const Span& span) const { return span.leave ? name(*span.leave) : "b"; }
   Decision anything_between(const Span& span, bool is) const {
-    return yes_or_no(words_, words_.say("question_between", {{"first", first(span)}, {"last", last(span)}}),
-                     is, is ? "accepted" : "rejected");
+    return yes_or_no(words_, "question_between", {{"first", first(span)}, {"last", last(span)}}, is,
+                     "accepted", "rejected");
   }
 };
 

@@ -93,8 +93,7 @@ class PiecesStory : public PlaneDrawing {
             .row = {border, "", "", rings},
             .phase = phase_of(s.border),
             .level = Level::idea,
-            .decides = yes_or_no(words_, words_.say("question.left"), rings > 0,
-                                 rings > 0 ? "accepted" : "rejected")};
+            .decides = yes_or_no(words_, "question.left", {}, rings > 0, "accepted", "rejected")};
   }
 
   void show(Board& board, const PieceTraced<double>& p) {

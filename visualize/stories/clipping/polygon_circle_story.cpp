@@ -47,6 +47,19 @@ Way way_of(const Looked& l) {
   return l.to_inside ? Way::enters : Way::outside;
 }
 
+/// The branch that a way is, and how it is told: by the method, by the notes' listing, and what that keeps.
+struct WayTexts {
+  std::string_view branch, tested, looked, puts;
+};
+constexpr WayTexts texts_of(Way way) {
+  constexpr std::array<WayTexts, 5> all{{{"outside", "tested.outside", "looked.outside", "none"},
+                                         {"inside", "tested.inside", "looked.inside", "puts.end"},
+                                         {"enters", "tested.enters", "looked.enters", "puts.both"},
+                                         {"leaves", "tested.leaves", "looked.leaves", "puts.start"},
+                                         {"both", "tested.both", "looked.skipped", "none"}}};
+  return all[static_cast<std::size_t>(way)];
+}
+
 // --- The steps
 
 class Story {
@@ -76,9 +89,7 @@ class Story {
   Event say(const Tested& t) const {
     const Way way = way_of(t);
     const bool crosses = t.enters || t.leaves;
-    constexpr std::array<std::string_view, 5> texts{"tested.outside", "tested.inside", "tested.enters",
-                                                    "tested.leaves", "tested.both"};
-    return {.text = texts[static_cast<std::size_t>(way)],
+    return {.text = texts_of(way).tested,
             .facts = {{"edge", count(t.edge)},
                       {"inside", t.run.inside},
                       {"from", t.run.from, "side"},
@@ -107,7 +118,7 @@ class Story {
     return {.text = any ? "sorted" : "sorted_none",
             .facts = {{"crossings", count(s.crossings.size())}},
             .phase = words_.say("phase.order"),
-            .decides = yes_or_no(words_, words_.say("question.any"), any, any ? "crosses" : "misses")};
+            .decides = yes_or_no(words_, "question.any", {}, any, "crosses", "misses")};
   }
 
   void draw(const Entered& e) {
@@ -131,7 +142,7 @@ class Story {
             .facts = {{"ring", count(w.ring)}, {"corner", count(w.corner)}},
             .words = {{"corner", w.corner + 1}, {"at", w.at}},
             .phase = words_.say("phase.rings"),
-            .decides = yes_or_no(words_, words_.say("question.walk"), true, "inside")};
+            .decides = yes_or_no(words_, "question.walk", {}, true, "inside")};
   }
 
   void draw(const Bent& b) {
@@ -147,7 +158,7 @@ class Story {
                       {"more_than_half", b.more_than_half}},
             .words = {{"exit", b.exit + 1}, {"from", b.from}, {"entry", b.entry + 1}, {"at", b.from}},
             .phase = words_.say("phase.rings"),
-            .decides = yes_or_no(words_, words_.say("question.walk"), false, "leaves")};
+            .decides = yes_or_no(words_, "question.walk", {}, false, "", "leaves")};
   }
 
   void draw(const Closed& c) {
@@ -194,22 +205,15 @@ class Story {
   }
   Event say(const Looked& l) const {
     const Way way = way_of(l);
-    const bool crosses = run_of({l.from, l.to}, scene_.circle).inside;
+    // The listing takes an edge that passes in and out for one outside
+    const bool skipped = way == Way::outside && run_of({l.from, l.to}, scene_.circle).inside;
     const auto side = [&](bool inside) { return words_.say(inside ? "inside" : "outside"); };
-    return {.text = way == Way::inside   ? "looked.inside"
-                    : way == Way::leaves ? "looked.leaves"
-                    : way == Way::enters ? "looked.enters"
-                    : crosses            ? "looked.skipped"
-                                         : "looked.outside",
+    return {.text = texts_of(skipped ? Way::both : way).looked,
             .facts = {{"edge", count(l.edge)},
                       {"from_inside", l.from_inside, "inside"},
                       {"to_inside", l.to_inside, "inside"}},
             .words = {{"edge", l.edge + 1}},
-            .row = {l.edge + 1, side(l.from_inside), side(l.to_inside),
-                    words_.say(way == Way::inside   ? "puts.end"
-                               : way == Way::enters ? "puts.both"
-                               : way == Way::leaves ? "puts.start"
-                                                    : "none")},
+            .row = {l.edge + 1, side(l.from_inside), side(l.to_inside), words_.say(texts_of(way).puts)},
             .phase = words_.say("phase.edges"),
             .decides = run_of_edge("question.looked", l.edge, way)};
   }
@@ -259,14 +263,11 @@ class Story {
   }
 
   Decision run_of_edge(std::string_view question, std::size_t edge, Way way) const {
-    constexpr std::array<std::string_view, 5> branches{"outside", "inside", "enters", "leaves", "both"};
-    const std::size_t answer = static_cast<std::size_t>(way);
-    return {words_.say(question, {{"edge", edge + 1}}),
-            {words_.say("question.edge.outside"), words_.say("question.edge.inside"),
-             words_.say("question.edge.enters"), words_.say("question.edge.leaves"),
-             words_.say("question.edge.both")},
-            answer,
-            std::string(branches[answer])};
+    Decision decision{words_.say(question, {{"edge", edge + 1}}), {}, static_cast<std::size_t>(way)};
+    for (const Way each : {Way::outside, Way::inside, Way::enters, Way::leaves, Way::both})
+      decision.answers.push_back(words_.say(fmt::format("question.edge.{}", texts_of(each).branch)));
+    decision.branch = texts_of(way).branch;
+    return decision;
   }
 
   // --- Drawing

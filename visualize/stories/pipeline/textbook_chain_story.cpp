@@ -159,10 +159,6 @@ class Tour {
   int face() const { return piece_.id.face; }
   Word face_word() const { return {"face", face()}; }
   Word pixel_word() const { return {"pixel", pixel_}; }
-  Decision decided(std::string_view question, std::initializer_list<Word> words, bool yes,
-                   std::string branch) const {
-    return yes_or_no(words_, words_.say(question, words), yes, std::move(branch));
-  }
 
   // --- The stages
 
@@ -192,7 +188,7 @@ class Tour {
           .facts = {{"face", read.face}, {"line", read.line}, {"pieces", std::ssize(read.pieces)}},
           .words = {{"corners", read.vertices.size()}, {"names", corner_names()}},
           .key = figure_number(face()),
-          .decides = decided("question.face", {face_word()}, !whole, whole ? "whole" : "cut")});
+          .decides = yes_or_no(words_, "question.face", {face_word()}, !whole, "cut", "whole")});
     milestone(views_.object(), "InputModel",
               {.text = "input",
                .facts = {{"vertices", std::ssize(run_.read)},
@@ -255,7 +251,7 @@ class Tour {
   }
 
   /// What is found of the followed piece's side: its text and its branch.
-  std::pair<std::string_view, std::string> verdict() const {
+  std::pair<std::string_view, std::string_view> verdict() const {
     using back_face_culling::Facing;
     if (faced_.facing == Facing::front) return {"faced.front", "front"};
     if (faced_.facing != Facing::back) return {"faced.edge_on", "edge on"};
@@ -271,7 +267,7 @@ class Tour {
           .words = {face_word(), {"names", corner_names()}},
           .row = row("det", {determinant}),
           .key = figure_number(face()),
-          .decides = decided("question.front", {face_word()}, branch == "front", branch)});
+          .decides = yes_or_no(words_, "question.front", {face_word()}, branch == "front", branch, branch)});
     const auto removed = std::ranges::count_if(run_.faced, &Faced::removed);
     milestone(views_.facing(), "BackFaceRemoval",
               {.text = "facing",
@@ -287,7 +283,7 @@ class Tour {
              {.text = "clipped.gone",
               .words = {face_word()},
               .key = figure_number(face()),
-              .decides = decided("question.left", {face_word()}, false, "outside")});
+              .decides = yes_or_no(words_, "question.left", {face_word()}, false, "", "outside")});
       }
     }
     const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
@@ -311,8 +307,8 @@ class Tour {
           .words = {{"name", name}, {"vertex", from}, {"z", length_text(at.z)}, {"w", length_text(at.w)}},
           .row = row(name, at, run_.noise),
           .key = name,
-          .decides = kept ? decided("question.within", {{"vertex", from}}, true, "inside")
-                          : decided("question.edge", {{"name", name}}, true, "cut")});
+          .decides = kept ? yes_or_no(words_, "question.within", {{"vertex", from}}, true, "inside")
+                          : yes_or_no(words_, "question.edge", {{"name", name}}, true, "cut")});
     const std::string place = place_text(ndc);
     fine(views_.clipping({k, place}), "Divided",
          {.text = "divided",
@@ -418,8 +414,8 @@ class Tour {
                 .words = {pixel_word(), {"depth", real_text(f.depth)}},
                 .row = row(words_.say("face", {{"face", f.id.face}}), dvec3(dvec2(f.pixel) + 0.5, f.depth)),
                 .key = pixel_key(f.pixel),
-                .decides = decided("question.nearer", {{"face", f.id.face}, pixel_word()}, test.nearer,
-                                   test.nearer ? "nearer" : "farther")};
+                .decides = yes_or_no(words_, "question.nearer", {{"face", f.id.face}, pixel_word()},
+                                     test.nearer, "nearer", "farther")};
     if (test.before) {
       event.text = test.nearer ? "tested.nearer" : "tested.farther";
       event.words.push_back({"other", test.before->id.face});
@@ -439,7 +435,7 @@ class Tour {
             .words = {pixel_word(), {"light", place_text(dvec3(w.light))}},
             .row = row("sRGB", {red, green, blue}),
             .key = pixel_key(pixel_),
-            .decides = decided("question.seen", {pixel_word()}, seen, seen ? "lit" : "background")});
+            .decides = yes_or_no(words_, "question.seen", {pixel_word()}, seen, "lit", "background")});
     }
     milestone(views_.output(true), "Output",
               {.text = "output",

@@ -188,10 +188,9 @@ class Story {
   /// What whoever draws the scan line reads there.
   Decision before_wall(double guess) const {
     const double wall = task_.depth_of_wall();
-    return yes_or_no(words_,
-                     words_.say("question.before_wall",
-                                {{"name", now_.name}, {"guess", real(guess)}, {"wall", real(wall)}}),
-                     guess < wall, guess < wall ? "nearer" : "farther");
+    return yes_or_no(words_, "question.before_wall",
+                     {{"name", now_.name}, {"guess", real(guess)}, {"wall", real(wall)}}, guess < wall,
+                     "nearer", "farther");
   }
 
   // --- The drawing

@@ -162,11 +162,11 @@ class Story {
 
   std::optional<Decision> divisible(double w) const {
     if (task_.way != Way::tested) return std::nullopt;  // it isn't asked
-    return yes_or_no(words_, words_.say("question.before_w", {{"w", w}}), w > 0, w > 0 ? "before" : "behind");
+    return yes_or_no(words_, "question.before_w", {{"w", w}}, w > 0, "before", "behind");
   }
   Decision has_no_depth(bool yes) const {
-    return yes_or_no(words_, words_.say("question.left_alone", {{"z", task_.points[current_].z}}), yes,
-                     yes ? "left alone" : "divided");
+    return yes_or_no(words_, "question.left_alone", {{"z", task_.points[current_].z}}, yes, "left alone",
+                     "divided");
   }
 
   // --- The drawing

@@ -55,7 +55,7 @@ inline dvec2 last_inside(const Extent& box, dvec2 a, dvec2 way) {
 
 /// What says whether a point of this depth has an image.
 inline Decision before_eye(const Words& words, double z) {
-  return yes_or_no(words, words.say("question.before_eye", {{"z", z}}), z > 0, z > 0 ? "before" : "behind");
+  return yes_or_no(words, "question.before_eye", {{"z", z}}, z > 0, "before", "behind");
 }
 
 }  // namespace gradus::perspective

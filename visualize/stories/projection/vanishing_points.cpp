@@ -170,7 +170,7 @@ class Story {
                 .row = {lines().name, place_text(s.direction), by_rule ? Said("") : w_, words_.say("none")},
                 .key = lines().id};
     if (by_rule) {
-      event.decides = yes_or_no(words_, words_.say("question.by_plane"), true, "parallel");
+      event.decides = yes_or_no(words_, "question.by_plane", {}, true, "parallel");
       return event;
     }
     event.decides = divisible();
@@ -199,8 +199,7 @@ class Story {
 
  private:
   Decision divisible() const {
-    return yes_or_no(words_, words_.say("question.divisible", {{"w", w_}}), w_ != 0,
-                     w_ != 0 ? "vanishes" : "parallel");
+    return yes_or_no(words_, "question.divisible", {{"w", w_}}, w_ != 0, "vanishes", "parallel");
   }
   /// Where lines vanish although the rule has them stay parallel.
   std::optional<dvec2> missed(const Lines& lines) const {

@@ -238,7 +238,7 @@ class Story {
             .phase = words_.say("phase.frame")};
   }
   Decision hint_along_the_view(bool along) const {
-    return yes_or_no(words_, words_.say("question", {{"up", scene_.up}}), along, along ? "replaced" : "kept");
+    return yes_or_no(words_, "question", {{"up", scene_.up}}, along, "replaced", "kept");
   }
   /// Where a column of the inverse comes from: a cross product, divided by the determinant.
   void add_reciprocal(Event& event, int column) const {

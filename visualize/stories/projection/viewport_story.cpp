@@ -130,23 +130,23 @@ class Story {
                        figure_real(upper[axis] - lower[axis]), figure_real(p.place[axis]));
   }
 
-  Decision decision(std::string_view question, bool yes, std::string branch) const {
+  Decision decision(std::string_view question, bool yes, std::string_view branch) const {
     const Fate& now = fates_[current_];
     const ivec2 size = input_.map.picture;
-    return yes_or_no(words_,
-                     words_.say(question, {{"place", *now.place},
-                                           {"pixel", now.nearest.value_or(ivec2{})},
-                                           {"width", size.x},
-                                           {"height", size.y}}),
-                     yes, std::move(branch));
+    return yes_or_no(words_, question,
+                     {{"place", *now.place},
+                      {"pixel", now.nearest.value_or(ivec2{})},
+                      {"width", size.x},
+                      {"height", size.y}},
+                     yes, branch, branch);
   }
   Decision lies_inside() const {
     const bool inside = holds(input_.map.viewport, *fates_[current_].place);
     return decision(input_.boxed ? "question.viewport" : "question.picture", inside,
                     inside ? "inside" : "outside");
   }
-  Decision has_pixel(std::string branch) const {
-    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), std::move(branch));
+  Decision has_pixel(std::string_view branch) const {
+    return decision("question.pixel", input_.map.has(*fates_[current_].nearest), branch);
   }
 
   /// Whether the nearest integers are those of the pixel that the point lies in.

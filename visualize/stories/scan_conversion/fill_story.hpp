@@ -147,7 +147,8 @@ class Story {
     return filling(r.pixel, {.text = way_.calls ? "call_returned" : "retreated",
                              .facts = {{"pixel", r.pixel}, waiting(r.waiting)},
                              .words = {{"holds", holds(r.waiting)}},
-                             .decides = decision("question_neighbour", {{"pixel", r.pixel}}, false, "back")});
+                             .decides = yes_or_no(words_, "question_neighbour", {{"pixel", r.pixel}}, false,
+                                                  "", "back")});
   }
 
   void show(Board& board, const Dequeued& d) {
@@ -195,7 +196,7 @@ class Story {
   Event say(const SpanQueued& s) const {
     Event event{.text = "span_queued", .words = {{"holds", holds(s.waiting)}}};
     const bool back = spans_ > 1 && s.span.way != way_filled_;  // to the row that it was reached from
-    if (back) event.decides = decision("question_span", {}, true, "beyond");
+    if (back) event.decides = yes_or_no(words_, "question_span", {}, true, "beyond");
     return beside(s.span, s.waiting, std::move(event));
   }
 
@@ -279,12 +280,8 @@ class Story {
     if (!on_grid(p)) return "examined.outside";
     return subject_.is_maze && subject_.maze[p] == wall ? "examined.wall" : "examined.other";
   }
-  Decision decision(std::string_view question, std::initializer_list<Word> words, bool yes,
-                    std::string branch) const {
-    return yes_or_no(words_, words_.say(question, words), yes, std::move(branch));
-  }
   Decision is_free(ivec2 p, bool free) const {
-    return decision("question", {{"pixel", p}}, free, free ? "inside" : "outside");
+    return yes_or_no(words_, "question", {{"pixel", p}}, free, "inside", "outside");
   }
   static std::vector<Field> ends_of(const Span& s) {
     return {{"row", s.row}, {"left", s.left}, {"right", s.right}};

@@ -55,8 +55,8 @@ class Story {
     Event event = acted("multiplied", m.factor);
     if (way_ == Way::centre_added) {
       const bool shear = is_shear(task_.factors[m.factor]);
-      event.decides = yes_or_no(words_, words_.say("question.shear", {{"name", name_of(m.factor)}}), shear,
-                                shear ? "shear" : "other");
+      event.decides =
+          yes_or_no(words_, "question.shear", {{"name", name_of(m.factor)}}, shear, "shear", "other");
     }
     return event;
   }
@@ -75,8 +75,7 @@ class Story {
   }
   Event say(const Undone<double>& u) const {
     Event event = acted("undone", u.factor);
-    event.decides =
-        yes_or_no(words_, words_.say("question.inverse", {{"name", name_of(u.factor)}}), true, "invertible");
+    event.decides = yes_or_no(words_, "question.inverse", {{"name", name_of(u.factor)}}, true, "invertible");
     return event;
   }
 

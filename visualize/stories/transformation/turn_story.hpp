@@ -96,7 +96,7 @@ class PartsStory {
   /// What was asked last before this part: whether a turn is needed at all.
   std::optional<Decision> decision(Part part) const {
     const auto asked = [&](std::string_view question, bool needed) {
-      return yes_or_no(words_, words_.say(question), needed, needed ? "turned" : "skipped");
+      return yes_or_no(words_, question, {}, needed, "turned", "skipped");
     };
     const bool x = align_.x.has_value(), y = align_.y.has_value();
     if (part == Part::into_plane || part == Part::out_of_plane || (part == Part::back && !x))
