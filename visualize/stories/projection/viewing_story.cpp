@@ -325,7 +325,11 @@ void tell_view(Narrator& narrator) {
   conclude(narrator, matrix);
 }
 
+/// What makes the matrix of the frame.
 constexpr auto rows = [](auto... run) { return world_to_view(run...); };
+constexpr auto columns = [](auto... run) { return view_to_world(run...); };
+constexpr auto moved = [](auto... run) { return minus_position(run...); };
+constexpr auto turned = [](auto... run) { return transposed(run...); };
 
 void tell_any_frame(Narrator& narrator) {
   const Scene scene = scene_of_axes(narrator.arguments());
@@ -345,45 +349,33 @@ void tell_any_frame(Narrator& narrator) {
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
+  const auto looking = [](std::string name, Standing standing, void (*tell)(Narrator&),
+                          std::string function = {}) {
+    return Method{.name = std::move(name),
+                  .standing = standing,
+                  .tell = tell,
+                  .function = std::move(function),
+                  .unread = {"axes"}};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "viewing",
        .chapter = "projection",
        .aliases = {"look at", "lookat", "view matrix", "world to view", "camera"},
        .summary = "the frame of a viewer, and the matrix that takes the world to it",
        .methods =
-           {{.name = "world_to_view",
-             .standing = Standing::taught,
-             .tell = tell_view<Along::refused, Way::rows, rows>,
-             .function = "look_at",
-             .unread = {"axes"}},
-            {.name = "view_to_world",
-             .tell =
-                 tell_view<Along::refused, Way::inverse, [](auto... run) { return view_to_world(run...); }>,
-             .function = "look_at",
-             .unread = {"axes"}},
+           {looking("world_to_view", Standing::taught, tell_view<Along::refused, Way::rows, rows>, "look_at"),
+            looking("view_to_world", Standing::plain, tell_view<Along::refused, Way::inverse, columns>,
+                    "look_at"),
             {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up"}},
-            {.name = "spare_up",
-             .tell = tell_view<Along::replaced, Way::rows, rows>,
-             .function = "look_at",
-             .unread = {"axes"}},
-            {.name = "minus_position",
-             .standing = Standing::faulty,
-             .tell = tell_view<Along::refused, Way::minus_position,
-                               [](auto... run) { return minus_position(run...); }>,
-             .unread = {"axes"}},
-            {.name = "transposed",
-             .standing = Standing::faulty,
-             .tell =
-                 tell_view<Along::refused, Way::transposed, [](auto... run) { return transposed(run...); }>,
-             .unread = {"axes"}},
-            {.name = "cross_products",
-             .standing = Standing::faulty,
-             .tell = tell_view<Along::divided, Way::rows, rows>,
-             .unread = {"axes"}}},
+            looking("spare_up", Standing::plain, tell_view<Along::replaced, Way::rows, rows>, "look_at"),
+            looking("minus_position", Standing::faulty,
+                    tell_view<Along::refused, Way::minus_position, moved>),
+            looking("transposed", Standing::faulty, tell_view<Along::refused, Way::transposed, turned>),
+            looking("cross_products", Standing::faulty, tell_view<Along::divided, Way::rows, rows>)},
        .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
        .parameters =
-           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units",
-                    xyz, coordinate_sizes),
+           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
+                    coordinate_sizes),
             numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at", xyz, coordinate_sizes),
             numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length",
                     xyz, coordinate_sizes),

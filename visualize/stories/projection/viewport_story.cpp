@@ -286,24 +286,18 @@ constexpr Sizes sizes{1e-100, 1e100};
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
+  const auto rounding = [](std::string name, Standing standing, void (*tell)(Narrator&)) {
+    return Method{
+        .name = std::move(name), .standing = standing, .tell = tell, .function = "rasterize", .exact = true};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "viewport",
        .chapter = "projection",
        .aliases = {"window to viewport", "rasterize", "screen coordinates"},
        .summary = "from a window on the camera plane to the pixels of a picture",
-       .methods = {{.name = "floor",
-                    .standing = Standing::taught,
-                    .tell = tell_rounding<Rounding::floor>,
-                    .function = "rasterize",
-                    .exact = true},
-                   {.name = "half_up",
-                    .tell = tell_rounding<Rounding::half_up>,
-                    .function = "rasterize",
-                    .exact = true},
-                   {.name = "half_even",
-                    .tell = tell_rounding<Rounding::half_even>,
-                    .function = "rasterize",
-                    .exact = true},
+       .methods = {rounding("floor", Standing::taught, tell_rounding<Rounding::floor>),
+                   rounding("half_up", Standing::plain, tell_rounding<Rounding::half_up>),
+                   rounding("half_even", Standing::plain, tell_rounding<Rounding::half_even>),
                    {.name = "clamped", .standing = Standing::faulty, .tell = tell_clamped}},
        .columns = {{"point", false}, {"px"}, {"py"}, {"pixel", false}},
        .parameters = {points(1, 26, "points", "0.3,0.4 -0.6,-0.2 0.95,0.7 1.3,0.5", "0,0 0.5,0.3 2,1",

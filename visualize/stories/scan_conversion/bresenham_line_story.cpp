@@ -343,6 +343,9 @@ void tell_notes(Narrator& narrator) {
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
+  const auto faulty = [](std::string name, void (*tell)(Narrator&)) {
+    return Method{.name = std::move(name), .standing = Standing::faulty, .tell = tell, .without = {"window"}};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "bresenham_line",
        .chapter = "scan_conversion",
@@ -356,18 +359,10 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .file = "bresenham_line_batch.hpp",
                     .without = {"window"}},
                    {.name = "dda", .tell = tell_dda, .without = {"window"}, .exact = true},
-                   {.name = "first_octant",
-                    .standing = Standing::faulty,
-                    .tell = tell_notes<Way::faulty, [](auto... run) { first_octant(run...); }>,
-                    .without = {"window"}},
-                   {.name = "swapped_ends",
-                    .standing = Standing::faulty,
-                    .tell = tell_notes<Way::faulty, [](auto... run) { swapped_ends(run...); }>,
-                    .without = {"window"}},
-                   {.name = "misprinted_derivation",
-                    .standing = Standing::faulty,
-                    .tell = tell_notes<Way::misprinted, [](auto... run) { misprinted_derivation(run...); }>,
-                    .without = {"window"}}},
+                   faulty("first_octant", tell_notes<Way::faulty, [](auto... run) { first_octant(run...); }>),
+                   faulty("swapped_ends", tell_notes<Way::faulty, [](auto... run) { swapped_ends(run...); }>),
+                   faulty("misprinted_derivation",
+                          tell_notes<Way::misprinted, [](auto... run) { misprinted_derivation(run...); }>)},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},
        .parameters = {{"from", ParameterType::cell, "0,0", "0,0", "first pixel: column,row; y points up"},
                       {"to", ParameterType::cell, "7,3", "7,3", "last pixel"},
