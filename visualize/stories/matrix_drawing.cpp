@@ -1,6 +1,5 @@
 #include "stories/matrix_drawing.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

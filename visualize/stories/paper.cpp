@@ -1,7 +1,5 @@
 #include "stories/paper.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,5 @@
 #include "stories/telling.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 namespace gradus {

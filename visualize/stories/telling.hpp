@@ -8,7 +8,11 @@
 //     Event say(const Stepped& s) const;
 //   };
 //   decision_parameter(from, to, drop, narrator.watcher(story));
+//
+// With it comes what stories are written with: topics, words, paper, strings, containers and algorithms.
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
 #include <initializer_list>

@@ -1,8 +1,6 @@
 #pragma once
 // Words and numbers that stories share.
 
-#include <fmt/format.h>
-
 #include <concepts>
 #include <numeric>
 #include <string>

@@ -3,10 +3,6 @@
 
 #include <fmt/ranges.h>
 
-#include <array>
-#include <string>
-#include <string_view>
-
 #include "core/axis_cut.hpp"
 #include "stories/telling.hpp"
 

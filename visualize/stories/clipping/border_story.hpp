@@ -1,13 +1,6 @@
 #pragma once
 // Sutherland and Hodgman's passes: at each border corner after corner is tested, and edges are cut.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stories/clipping/clipped_polygon.hpp"
 
 namespace gradus::sutherland_hodgman {

@@ -1,8 +1,6 @@
 #pragma once
 // Boxes and segments in space on the paper: what the stories of clipping in space share.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,15 +1,8 @@
 #pragma once
 // A segment in a circle as it is drawn: in the plane, and below it what t is on the segment's line.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 #include "stories/clipping/circle_drawing.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::liang_barsky_circle {

@@ -1,8 +1,6 @@
 #pragma once
 // What the stories of circles draw alike.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>

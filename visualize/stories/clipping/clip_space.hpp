@@ -3,18 +3,8 @@
 // of polygon clipping. Above, the plane of w and the coordinate that is cut, where the sides of the view
 // volume are lines through the eye; below it what the division makes of what is left.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "stories/clipping/clipped_polygon.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {

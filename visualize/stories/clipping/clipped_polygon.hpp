@@ -1,18 +1,10 @@
 #pragma once
 // A polygon and a convex window in the plane: what is given, and what all stories of it draw alike.
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {

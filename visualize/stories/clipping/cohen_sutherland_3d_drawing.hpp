@@ -1,12 +1,7 @@
 #pragma once
 // A segment and its codes, drawn in a box, or in the view volume before the division by w.
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"

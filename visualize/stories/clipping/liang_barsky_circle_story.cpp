@@ -2,8 +2,6 @@
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 
-#include <cmath>
-
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "stories/clipping/chord_drawing.hpp"
 #include "stories/parameters.hpp"

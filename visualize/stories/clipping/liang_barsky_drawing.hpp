@@ -1,10 +1,6 @@
 #pragma once
 // A segment a + t d, drawn in a window or in a box: what stands above the scale of t.
 
-#include <algorithm>
-#include <string>
-#include <utility>
-
 #include "clipping/liang_barsky/liang_barsky.hpp"
 #include "stories/clipping/box_view.hpp"
 #include "stories/clipping/window_view.hpp"

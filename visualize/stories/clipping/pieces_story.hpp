@@ -1,11 +1,6 @@
 #pragma once
 // Pieces without bridges: the crossings of each border are joined in their order along it.
 
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stories/clipping/clipped_polygon.hpp"
 
 namespace gradus::sutherland_hodgman {

@@ -1,9 +1,7 @@
 #pragma once
 // What region codes decide, in the window as in space.
 
-#include <array>
 #include <cstdint>
-#include <string>
 
 #include "stories/telling.hpp"
 

@@ -1,17 +1,11 @@
 #pragma once
 // What stories of segments in a window draw alike: the plane round the window, the segment, its parts.
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <utility>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "stories/clipping/axis_arguments.hpp"
-#include "stories/paper.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 

@@ -1,7 +1,5 @@
 #include "stories/pipeline/chain_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 

@@ -1,10 +1,5 @@
 #include "stories/pipeline/chain_views.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "core/colour.hpp"
 #include "figure/number_text.hpp"

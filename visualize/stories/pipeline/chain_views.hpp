@@ -1,11 +1,7 @@
 #pragma once
 // The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
 
-#include <string>
-#include <vector>
-
 #include "figure/drawing.hpp"
-#include "stories/paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/telling.hpp"
 

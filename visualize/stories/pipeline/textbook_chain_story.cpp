@@ -1,9 +1,6 @@
 // The story of the textbook chain: a small model's data before and after each stage, and one triangle and one
 // pixel followed through all eight.
 
-#include <algorithm>
-#include <array>
-
 #include "core/exact_scalar.hpp"
 #include "pipeline.hpp"
 #include "stories/parameters.hpp"

@@ -1,8 +1,6 @@
 #pragma once
 // What the stories of perspective share; each tells its methods in a file of its own.
 
-#include <algorithm>
-
 #include "projection/perspective/perspective.hpp"
 #include "stories/projection/solids.hpp"
 #include "stories/telling.hpp"

@@ -2,8 +2,6 @@
 // The convex solids that the stories of projections show, and how they are drawn: in space with the picture
 // plane, seen from the viewer's right, and beside it in the picture.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

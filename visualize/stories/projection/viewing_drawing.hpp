@@ -1,13 +1,6 @@
 #pragma once
 // What a view is about, and how it is drawn: the world with the viewer's axes, and beside it what they see.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"

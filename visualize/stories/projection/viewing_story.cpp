@@ -1,9 +1,5 @@
 // The story of a view: three axes at the eye, the matrix made of them, and what the viewer sees.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "stories/parameters.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 

@@ -2,15 +2,7 @@
 // The drawing of a window's way into a picture: the camera plane to the left, the picture with its pixels to
 // the right.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "projection/viewport/viewport.hpp"
-#include "stories/paper.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::viewport {

@@ -3,8 +3,6 @@
 
 #include "projection/viewport/viewport.hpp"
 
-#include <algorithm>
-
 #include "projection/viewport/viewport_notes.hpp"
 #include "stories/parameters.hpp"
 #include "stories/projection/viewport_drawing.hpp"

@@ -2,9 +2,6 @@
 
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
 #include "stories/scan_conversion/circle_drawing.hpp"
 

@@ -2,9 +2,6 @@
 
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 
-#include <algorithm>
-#include <optional>
-
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
 #include "stories/scan_conversion/dda_story.hpp"

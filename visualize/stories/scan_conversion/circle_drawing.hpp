@@ -1,10 +1,6 @@
 #pragma once
 // The circle itself, as the stories of circles draw it behind all steps.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "stories/telling.hpp"
 

@@ -1,11 +1,6 @@
 #pragma once
 // The story of a line by adding a rounded slope again and again.
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "stories/scan_conversion/line_drawing.hpp"
 #include "stories/side_by_side.hpp"

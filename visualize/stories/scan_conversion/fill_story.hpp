@@ -1,12 +1,6 @@
 #pragma once
 // The steps of a fill: which pixel is painted next, and what still waits.
 
-#include <initializer_list>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "stories/scan_conversion/fill_subject.hpp"
 #include "stories/telling.hpp"

@@ -2,8 +2,6 @@
 
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
-#include <utility>
-
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "stories/parameters.hpp"
 #include "stories/scan_conversion/fill_story.hpp"

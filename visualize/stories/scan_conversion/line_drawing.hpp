@@ -1,9 +1,6 @@
 #pragma once
 // The line itself, as the stories of lines draw it behind all steps.
 
-#include <optional>
-#include <string>
-
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "stories/telling.hpp"
 

@@ -1,8 +1,5 @@
 // The story of a product of transformations in the plane: which factor acts first, and where the shape goes.
 
-#include <algorithm>
-#include <cmath>
-
 #include "stories/parameters.hpp"
 #include "stories/transformation/affine_2d_task.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"

@@ -1,11 +1,6 @@
 #pragma once
 // What a run of transformations in the plane is about, and its numbers in three arithmetics.
 
-#include <array>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "stories/matrix_drawing.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/telling.hpp"

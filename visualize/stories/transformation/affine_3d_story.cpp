@@ -1,9 +1,6 @@
 // The stories of transformations in space: a product and its reverse side by side, a turn round any axis by
 // parts, and the same by vectors.
 
-#include <algorithm>
-#include <array>
-
 #include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
 #include "stories/transformation/turn_story.hpp"

@@ -1,10 +1,6 @@
 #pragma once
 // What a run of transformations in space is about.
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "stories/matrix_drawing.hpp"
 #include "stories/telling.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"

@@ -1,13 +1,6 @@
 #pragma once
 // A box with an F on its front, and the axes of space, as the stories of space draw them: obliquely.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stories/transformation/affine_3d_task.hpp"
 
 namespace gradus::affine_3d {

@@ -1,13 +1,6 @@
 #pragma once
 // The stories of a turn round any axis: by parts, and by vectors.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/record.hpp"
 #include "stories/transformation/affine_3d_task.hpp"
 #include "stories/transformation/box_drawing.hpp"
