@@ -39,7 +39,11 @@ std::vector<dvec2> near_paper(const std::vector<dvec2>& points) {
   return kept;
 }
 
-std::string padded(const char* name, int number) { return fmt::format("{} {:05}", name, number); }
+std::string padded(std::string_view name, int number) { return fmt::format("{} {:05}", name, number); }
+
+void put(View& view, ivec2 pixel, Role role, std::optional<Rgba8> color = {}) {
+  view.cells.insert_or_assign({pixel.y, pixel.x}, CellLook{role, "", color});
+}
 
 }  // namespace
 
@@ -87,7 +91,7 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
   for (const FaceRead& face : run_.faces) {
     std::vector<dvec2> points;
     for (const int vertex : face.vertices) points.push_back(at(static_cast<std::size_t>(vertex)));
-    polygon(view, panel, padded(("a " + name + " face").c_str(), face.face), Role::past, points);
+    polygon(view, panel, padded("a " + name + " face", face.face), Role::past, points);
   }
   std::vector<dvec2> own;
   for (const PieceCorner& corner : piece_.corners) own.push_back(at(static_cast<std::size_t>(corner.vertex)));
@@ -270,13 +274,9 @@ void Views::mark_pixel(View& view) const {
 View Views::raster(int last_row, const Pointer& at) const {
   View view{.plane = false};
   for (const Fragment& f : run_.covered) {
-    const std::pair key{f.pixel.y, f.pixel.x};
-    if (!follows(f.id)) {
-      view.cells.try_emplace(key, CellLook{Role::past, "", {}});
-    } else if (f.pixel.y <= last_row) {
-      view.cells.insert_or_assign(key,
-                                  CellLook{f.pixel.y == last_row ? Role::current : Role::accepted, "", {}});
-    }
+    if (!follows(f.id)) view.cells.try_emplace({f.pixel.y, f.pixel.x}, CellLook{Role::past, "", {}});
+    if (follows(f.id) && f.pixel.y <= last_row)
+      put(view, f.pixel, f.pixel.y == last_row ? Role::current : Role::accepted);
   }
   std::size_t corner = 0;
   for (const Snapped& triangle : run_.snapped) {
@@ -295,21 +295,15 @@ View Views::raster(int last_row, const Pointer& at) const {
 
 View Views::visible(bool lit) const {
   View view{.plane = false};
-  for (const Fragment& f : run_.covered) {
-    view.cells.try_emplace({f.pixel.y, f.pixel.x}, CellLook{Role::past, "", {}});
-  }
+  for (const Fragment& f : run_.covered) put(view, f.pixel, Role::past);
   for (const Fragment& f : run_.covered) {
     if (!follows(f.id)) continue;
     const Shaded* seen = run_.shaded_at(f.pixel);
-    const bool nearest = seen && follows(seen->fragment.id);
-    view.cells.insert_or_assign({f.pixel.y, f.pixel.x},
-                                CellLook{nearest ? Role::accepted : Role::rejected, "", {}});
+    put(view, f.pixel, seen && follows(seen->fragment.id) ? Role::accepted : Role::rejected);
   }
   if (lit) {
-    for (const Shaded& s : run_.shaded) {
-      view.cells.insert_or_assign({s.fragment.pixel.y, s.fragment.pixel.x},
-                                  CellLook{Role::result, "", srgb8_from_linear(s.colour)});
-    }
+    for (const Shaded& s : run_.shaded)
+      put(view, s.fragment.pixel, Role::result, srgb8_from_linear(s.colour));
   }
   mark_pixel(view);
   return view;
@@ -318,8 +312,7 @@ View Views::visible(bool lit) const {
 View Views::output(bool whole) const {
   View view{.plane = false};
   for (const Written& w : run_.written) {
-    if (!whole && w.pixel != pixel_) continue;
-    view.cells.insert_or_assign({w.pixel.y, w.pixel.x}, CellLook{Role::result, "", w.colour});
+    if (whole || w.pixel == pixel_) put(view, w.pixel, Role::result, w.colour);
   }
   mark_pixel(view);
   return view;

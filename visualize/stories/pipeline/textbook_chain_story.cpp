@@ -458,7 +458,7 @@ void tell_z_buffer(Narrator& narrator) {
   const Run run = run_of(scene_of(arguments), size);
   const Followed followed = followed_in(run, arguments);
   const std::size_t listed = number_of(arguments.text("stage"));
-  const std::string& model = arguments.text("model");
+  const std::string model = arguments.has("model") ? arguments.text("model") : "";
   list(narrator, listed);
   narrator.subtitle(
       "subtitle",
