@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -31,7 +29,7 @@ const AxisBox<3, double> box{{0, 0, 0}, {1000, 1000, 1000}};
 /// Segments, and what exact arithmetic leaves of each.
 struct Lines {
   std::vector<Line> lines;
-  std::vector<std::optional<std::array<test::Rational, 6>>> ends;
+  std::vector<std::optional<test::ExactEnds<3>>> ends;
 };
 
 bool fits(const Line& line, const std::string& mix) {
@@ -56,10 +54,7 @@ const Lines& lines_of(const std::string& mix, std::size_t count) {
     }
     if (!fits(line, mix)) continue;
     set.lines.push_back(line);
-    auto& ends = set.ends.emplace_back();
-    if (const auto exact = test::exact_clip(line, box)) {
-      ends = {exact->a[0], exact->a[1], exact->a[2], exact->b[0], exact->b[1], exact->b[2]};
-    }
+    set.ends.push_back(test::exact_clip(line, box));
   }
   return set;
 }
@@ -77,11 +72,10 @@ Error error_of(const Clipped& found, const Lines& set) {
     if (ends.has_value() != (found.accepted[i] != 0)) sum.wrong_decision();
     if (!ends || !found.accepted[i]) continue;
     const Line& line = found.lines[i];
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double x = (k < 3 ? line.a : line.b)[static_cast<int>(k % 3)];
-      const double near = std::max(std::abs(static_cast<double>((*ends)[k])), 1.0);
-      const test::Rational off = test::Rational(x) - (*ends)[k];
-      sum.add(std::abs(static_cast<double>(off)) / (std::nextafter(near, 1e300) - near));
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      sum.add(test::error_in_ulp(line.a[axis], ends->a[k], 1));
+      sum.add(test::error_in_ulp(line.b[axis], ends->b[k], 1));
     }
   }
   return sum.error();

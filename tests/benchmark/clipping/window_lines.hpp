@@ -2,7 +2,6 @@
 // Segments against a window of whole numbers, in mixes and in numbers of segments, with what exact arithmetic
 // says of each: what the benchmarks of the clippers of segments share.
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,17 +25,10 @@ using Line = Segment<2, double>;
 inline constexpr std::int64_t side = 1 << 20;
 inline const AxisBox<2, double> window{{0, 0}, {side - 1, side - 1}};
 
-/// What exact arithmetic says of a line.
-struct Answer {
-  bool accepted = false;
-  std::array<test::Rational, 4> ends;
-  /// In the last place of a double there, but not of one below 1: an error is then one of 2^-52
-  std::array<double, 4> unit;
-};
-
+/// Lines, and what exact arithmetic leaves of each.
 struct Lines {
   std::vector<Line> lines;
-  std::vector<Answer> answers;
+  std::vector<std::optional<test::ExactEnds<2>>> answers;
 };
 
 enum class Mix : std::uint8_t { inside, crossing, outside, crossing_reals };
@@ -70,17 +62,7 @@ inline const Lines& lines_of(Mix mix, std::size_t count) {
     for (double* x : {&line.a.x, &line.a.y, &line.b.x, &line.b.y}) *x = coordinate();
     if (fits(line, mix)) set.lines.push_back(line);
   }
-  for (const Line& line : set.lines) {
-    Answer answer;
-    if (const auto ends = test::exact_clip(line, window)) {
-      answer = {true, {ends->a[0], ends->a[1], ends->b[0], ends->b[1]}, {}};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double near = std::max(std::abs(static_cast<double>(answer.ends[i])), 1.0);
-        answer.unit[i] = std::nextafter(near, 1e300) - near;
-      }
-    }
-    set.answers.push_back(answer);
-  }
+  for (const Line& line : set.lines) set.answers.push_back(test::exact_clip(line, window));
   return set;
 }
 
@@ -91,17 +73,18 @@ struct Clipped {
   std::vector<std::uint8_t> accepted;
 };
 
+/// In ulp of the exact coordinates, but not of one below 1.
 inline Error error_of(const Clipped& found, const Lines& set) {
   Error::Sum sum;
   for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    const Answer& answer = set.answers[i];
-    if (answer.accepted != (found.accepted[i] != 0)) sum.wrong_decision();
-    if (!answer.accepted || !found.accepted[i]) continue;
+    const auto& right = set.answers[i];
+    if (right.has_value() != (found.accepted[i] != 0)) sum.wrong_decision();
+    if (!right || !found.accepted[i]) continue;
     const Line& line = found.lines[i];
-    const std::array<double, 4> ends{line.a.x, line.a.y, line.b.x, line.b.y};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const test::Rational off = test::Rational(ends[k]) - answer.ends[k];
-      sum.add(std::abs(static_cast<double>(off)) / answer.unit[k]);
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      sum.add(test::error_in_ulp(line.a[axis], right->a[k], 1));
+      sum.add(test::error_in_ulp(line.b[axis], right->b[k], 1));
     }
   }
   return sum.error();
