@@ -7,15 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "benchmark/subject.hpp"
+#include "benchmark/clipping/segments.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "core/elementary.hpp"
@@ -28,14 +26,18 @@ namespace lbc = gradus::liang_barsky_circle;
 using Ends = Segment<2, double>;
 constexpr Circle<double> circle{{0.3, -0.2}, 5};
 
-/// Segments, and what exact arithmetic says of each.
-struct Segments {
-  std::vector<Ends> segments;
-  std::vector<std::optional<stress::EndsInCircle<double>>> right;
-};
+using Right = stress::EndsInCircle<double>;
+using Segments = segments::Set<2, Right>;
+
+/// In ulp of max(|coordinate|, radius); what is no number is as far away as can be, but comparable.
+void add_errors(Error::Sum& sum, const Ends& found, const Right& right) {
+  constexpr double most = 1e18;
+  sum.add(std::min(right.from.error(found.a), most));
+  sum.add(std::min(right.to.error(found.b), most));
+}
 
 /// So many of a mix: wholly inside; cut at one end or both; outside; passing the rim within 1e-12.
-const Segments& segments(const std::string& mix, std::size_t count) {
+const Segments& segments_of(const std::string& mix, std::size_t count) {
   static std::map<std::pair<std::string, std::size_t>, Segments> made;
   const auto [at, added] = made.try_emplace({mix, count});
   Segments& set = at->second;
@@ -46,7 +48,7 @@ const Segments& segments(const std::string& mix, std::size_t count) {
     const double x = 20 * unit() - 10;
     return dvec2(x, 20 * unit() - 10);
   };
-  while (set.segments.size() < count) {
+  while (set.lines.size() < count) {
     Ends s;
     if (mix == "grazing") {
       const SinCos turn = sin_cos(6.2832 * unit());
@@ -63,58 +65,21 @@ const Segments& segments(const std::string& mix, std::size_t count) {
     const bool is_whole = right && right->from_is_given && right->to_is_given;
     const char* is = !right ? "outside" : is_whole ? "inside" : "crossing";
     if (mix != "grazing" && mix != is) continue;
-    set.segments.push_back(s);
+    set.lines.push_back(s);
     set.right.push_back(right);
   }
   return set;
 }
 
-struct Clipped {
-  std::vector<Ends> segments;
-  std::vector<std::uint8_t> accepted;
-};
-
-/// In ulp of max(|coordinate|, radius).
-Error error_of(const Clipped& got, const Segments& set) {
-  Error::Sum sum;
-  for (std::size_t i = 0; i < set.segments.size(); ++i) {
-    const auto& right = set.right[i];
-    if ((got.accepted[i] != 0) != right.has_value()) sum.wrong_decision();
-    if (!got.accepted[i] || !right) continue;
-    // What is no number is as far away as can be, but comparable
-    constexpr double most = 1e18;
-    sum.add(std::min(right->from.error(got.segments[i].a), most));
-    sum.add(std::min(right->to.error(got.segments[i].b), most));
-  }
-  return sum.error();
-}
-
 void add_cases(std::vector<Case>& cases, const Segments& set, const Workload& workload) {
   const auto add = [&](const char* name, Standing standing, auto clip) {
-    const auto out = std::make_shared<Clipped>();
-    out->segments.resize(set.segments.size());
-    out->accepted.resize(set.segments.size());
-    clip(set.segments, *out);
-    cases.push_back({.method = name,
-                     .standing = standing,
-                     .workload = workload,
-                     .items = static_cast<std::int64_t>(set.segments.size()),
-                     .run = [clip, out, &set] { clip(set.segments, *out); },
-                     .error = error_of(*out, set)});
+    cases.push_back(segments::case_of(name, standing, set, clip, workload, add_errors));
   };
-  const auto each = [](auto one) {
-    return [one](const std::vector<Ends>& from, Clipped& out) {
-      for (std::size_t i = 0; i < from.size(); ++i) {
-        const std::optional<Ends> kept = one(from[i]);
-        if (kept) out.segments[i] = *kept;
-        out.accepted[i] = kept.has_value();
-      }
-    };
-  };
+  using segments::each;
   add("half_chord", Standing::taught, each([](const Ends& s) { return lbc::half_chord(s, circle); }));
   add("exact_decision", Standing::robust, each([](const Ends& s) { return lbc::exact_decision(s, circle); }));
-  add("clip_batch", Standing::batch, [](const std::vector<Ends>& from, Clipped& out) {
-    lbc::clip_batch(from, circle, out.segments, out.accepted);
+  add("clip_batch", Standing::batch, [](const std::vector<Ends>& from, segments::Clipped<2>& out) {
+    lbc::clip_batch(from, circle, out.lines, out.accepted);
   });
   add("without_empty_test", Standing::faulty,
       each([](const Ends& s) { return lbc::without_empty_test(s, circle); }));
@@ -125,10 +90,10 @@ void add_cases(std::vector<Case>& cases, const Segments& set, const Workload& wo
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const char* mix : {"inside", "crossing", "outside", "grazing"}) {
-    add_cases(all, segments(mix, 4096), {mix});
+    add_cases(all, segments_of(mix, 4096), {mix});
   }
   for (const std::size_t count : {64u, 512u, 4096u, 32768u}) {
-    add_cases(all, segments("crossing", count),
+    add_cases(all, segments_of("crossing", count),
               {fmt::format("{} crossing", count), static_cast<double>(count)});
   }
   return all;
