@@ -97,9 +97,38 @@ struct TriangleRegion {
     }
     return regions;
   }
+  /// The largest part, by edges or by corners.
+  TriangleRegion largest_part() const {
+    const auto part = parts(true);
+    std::map<int, int> count;
+    for (const int p : part) ++count[p];
+    count.erase(-1);
+    TriangleRegion largest(all.side());
+    if (count.empty()) return largest;
+    const int number = std::ranges::max_element(count, {}, [](const auto& c) { return c.second; })->first;
+    for (std::size_t i = 0; i < part.size(); ++i) largest.there[i] = part[i] == number;
+    return largest;
+  }
+  /// The same in squares of half the side, counted as 1: every triangle becomes four.
+  TriangleRegion refined() const {
+    TriangleRegion fine(2 * all.side());
+    for (std::size_t i = 0; i < fine.there.size(); ++i) {
+      const auto [a, b, c] = fine.all[i];
+      fine.there[i] = at(a + b + c);
+    }
+    return fine;
+  }
   /// How many triangles there are, each of area 1/2.
   int count() const { return static_cast<int>(std::count(there.begin(), there.end(), true)); }
 
+  /// Whether the triangle with this point is there. Sixths of the grid, inside of a triangle.
+  bool at(glm::ivec2 sixth) const {
+    const auto square = static_cast<std::size_t>(sixth.y / 6 * all.side() + sixth.x / 6);
+    const glm::ivec2 inside{sixth.x % 6, sixth.y % 6};
+    const bool rising = (sixth.x / 6 + sixth.y / 6) % 2 == 0;
+    const bool upper = rising ? inside.y > inside.x : inside.x + inside.y > 6;
+    return there[2 * square + (upper ? 1 : 0)];
+  }
   int common_corners(std::size_t a, std::size_t b) const {
     int common = 0;
     for (const glm::ivec2 p : all[a]) {
@@ -114,15 +143,7 @@ inline TriangleRegion random_region(int side, Random& random) {
   TriangleRegion region(side);
   const double density = random.uniform(0.45, 0.9);
   for (std::size_t i = 0; i < region.there.size(); ++i) region.there[i] = random.unit() < density;
-  const auto part = region.parts(true);
-  std::map<int, int> count;
-  for (const int p : part) ++count[p];
-  count.erase(-1);
-  if (count.empty()) return region;
-  const auto largest = std::max_element(count.begin(), count.end(),
-                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  for (std::size_t i = 0; i < part.size(); ++i) region.there[i] = part[i] == largest->first;
-  return region;
+  return region.largest_part();
 }
 
 /// The edges round a region, area on the left, joined to rings.

@@ -5,20 +5,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "benchmark/subject.hpp"
+#include "benchmark/clipping/segments.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_batch.hpp"
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "core/random.hpp"
-#include "support/clip_oracle.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -28,12 +23,6 @@ using Line = Segment<3, double>;
 
 const AxisBox<3, double> box{{0, 0, 0}, {1000, 1000, 1000}};
 
-/// Segments, and what exact arithmetic leaves of each.
-struct Lines {
-  std::vector<Line> lines;
-  std::vector<std::optional<std::array<test::Rational, 6>>> ends;
-};
-
 bool fits(const Line& line, const std::string& mix) {
   const int a = cs::region_code(line.a, box), b = cs::region_code(line.b, box);
   if (mix == "inside") return (a | b) == 0;
@@ -42,10 +31,10 @@ bool fits(const Line& line, const std::string& mix) {
 }
 
 /// So many segments of a mix, always the same.
-const Lines& lines_of(const std::string& mix, std::size_t count) {
-  static std::map<std::pair<std::string, std::size_t>, Lines> made;
+const segments::Set<3>& lines_of(const std::string& mix, std::size_t count) {
+  static std::map<std::pair<std::string, std::size_t>, segments::Set<3>> made;
   const auto [place, added] = made.try_emplace({mix, count});
-  Lines& set = place->second;
+  segments::Set<3>& set = place->second;
   if (!added) return set;
   Random random(1);
   while (set.lines.size() < count) {
@@ -56,59 +45,16 @@ const Lines& lines_of(const std::string& mix, std::size_t count) {
     }
     if (!fits(line, mix)) continue;
     set.lines.push_back(line);
-    auto& ends = set.ends.emplace_back();
-    if (const auto exact = test::exact_clip(line, box)) {
-      ends = {exact->a[0], exact->a[1], exact->a[2], exact->b[0], exact->b[1], exact->b[2]};
-    }
+    set.right.push_back(test::exact_clip(line, box));
   }
   return set;
 }
 
-struct Clipped {
-  std::vector<Line> lines;
-  std::vector<std::uint8_t> accepted;
-};
-
-/// In the last place of a double there, but not of one below 1: an error is then one of 2^-52.
-Error error_of(const Clipped& found, const Lines& set) {
-  Error::Sum sum;
-  for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    const auto& ends = set.ends[i];
-    if (ends.has_value() != (found.accepted[i] != 0)) sum.wrong_decision();
-    if (!ends || !found.accepted[i]) continue;
-    const Line& line = found.lines[i];
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double x = (k < 3 ? line.a : line.b)[static_cast<int>(k % 3)];
-      const double near = std::max(std::abs(static_cast<double>((*ends)[k])), 1.0);
-      const test::Rational off = test::Rational(x) - (*ends)[k];
-      sum.add(std::abs(static_cast<double>(off)) / (std::nextafter(near, 1e300) - near));
-    }
-  }
-  return sum.error();
-}
-
-void add_cases(std::vector<Case>& cases, const Lines& set, const Workload& workload) {
+void add_cases(std::vector<Case>& cases, const segments::Set<3>& set, const Workload& workload) {
   const auto add = [&](const char* name, Standing standing, auto clip) {
-    const auto out = std::make_shared<Clipped>();
-    out->lines.resize(set.lines.size());
-    out->accepted.resize(set.lines.size());
-    clip(set.lines, *out);
-    cases.push_back({.method = name,
-                     .standing = standing,
-                     .workload = workload,
-                     .items = static_cast<std::int64_t>(set.lines.size()),
-                     .run = [clip, out, &set] { clip(set.lines, *out); },
-                     .error = error_of(*out, set)});
+    cases.push_back(segments::case_of(name, standing, set, clip, workload, segments::add_errors<3>));
   };
-  const auto each = [](auto one) {
-    return [one](const std::vector<Line>& from, Clipped& out) {
-      for (std::size_t i = 0; i < from.size(); ++i) {
-        const std::optional<Line> line = one(from[i]);
-        if (line) out.lines[i] = *line;
-        out.accepted[i] = line.has_value();
-      }
-    };
-  };
+  using segments::each;
   add("cut_of_a_cut", Standing::taught, each([](const Line& line) { return cs::cut_of_a_cut(line, box); }));
   add("correctly_rounded", Standing::robust,
       each([](const Line& line) { return cs::correctly_rounded(line, box); }));
@@ -116,7 +62,7 @@ void add_cases(std::vector<Case>& cases, const Lines& set, const Workload& workl
       each([](const Line& line) { return liang_barsky::box_parametric(line, box); }));
   add("box_correctly_rounded", Standing::robust,
       each([](const Line& line) { return liang_barsky::box_correctly_rounded(line, box); }));
-  add("clip_batch", Standing::batch, [](const std::vector<Line>& from, Clipped& out) {
+  add("clip_batch", Standing::batch, [](const std::vector<Line>& from, segments::Clipped<3>& out) {
     cs::clip_batch(from, box, out.lines, out.accepted);
   });
 }

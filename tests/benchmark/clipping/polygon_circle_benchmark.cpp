@@ -7,7 +7,6 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "benchmark/subject.hpp"
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "core/elementary.hpp"
+#include "support/circle_areas.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -67,39 +67,6 @@ double shoelace(const Polygon& polygon) {
   return doubled / 2;
 }
 
-/// The area that polygon and circle share, by adding up an edge after the other: sectors where it is outside,
-/// triangles where it is inside. In 50 digits, and with no step of the methods'.
-double shared_area(const Polygon& polygon) {
-  using Real = boost::multiprecision::cpp_bin_float_50;
-  using boost::multiprecision::atan2, boost::multiprecision::sqrt;
-  const Real r = circle.radius;
-  Real sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const dvec2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
-    const Real ax = Real(p.x) - circle.centre.x, ay = Real(p.y) - circle.centre.y;
-    const Real dx = Real(q.x) - p.x, dy = Real(q.y) - p.y;
-    // Where the edge meets the circle
-    const Real A = dx * dx + dy * dy, B = ax * dx + ay * dy, C = ax * ax + ay * ay - r * r;
-    const Real D = B * B - A * C;
-    Real t[4] = {0, 1, 1, 1};
-    if (D > 0) {
-      const Real root = sqrt(D);
-      t[1] = std::clamp<Real>((-B - root) / A, Real(0), Real(1));
-      t[2] = std::clamp<Real>((-B + root) / A, Real(0), Real(1));
-    }
-    for (int k = 0; k < 3; ++k) {
-      if (t[k] >= t[k + 1]) continue;
-      const Real ux = ax + t[k] * dx, uy = ay + t[k] * dy;
-      const Real vx = ax + t[k + 1] * dx, vy = ay + t[k + 1] * dy;
-      const Real mx = (ux + vx) / 2, my = (uy + vy) / 2, cross = ux * vy - uy * vx;
-      const bool inside = mx * mx + my * my < r * r;
-      sum += inside ? Real(cross / 2) : Real(r * r / 2 * atan2(cross, Real(ux * vx + uy * vy)));
-    }
-  }
-  // What is left of a sum that is nothing
-  return abs(sum) < 1e-30 ? 0 : static_cast<double>(sum);
-}
-
 /// `clip(number of a polygon)` gives something, whose area `area_of` takes.
 template <class Clip, class Area>
 Case case_of(const char* name, Standing standing, const std::vector<Polygon>& set, Clip clip, Area area_of,
@@ -107,7 +74,8 @@ Case case_of(const char* name, Standing standing, const std::vector<Polygon>& se
   Error::Sum sum;
   std::int64_t corners = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
-    const double off = std::abs(area_of(clip(i)) - shared_area(set[i])) / (pi * 25);
+    const auto right = static_cast<double>(test::exact_area(set[i], circle));
+    const double off = std::abs(area_of(clip(i)) - right) / (pi * 25);
     // Farther off than 360 points are allowed to be: another figure
     if (off > 1e-3) sum.wrong_decision();
     sum.add(off * 0x1p52);  // ulp of the circle's area

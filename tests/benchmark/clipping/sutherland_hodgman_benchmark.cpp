@@ -11,6 +11,7 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,8 +22,8 @@
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 #include "core/elementary.hpp"
-#include "core/exact_scalar.hpp"
 #include "core/random.hpp"
+#include "stress/clipping/window_polygons.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -45,21 +46,6 @@ struct Set {
   std::vector<Ring> vertices;
   std::vector<double> areas;
 };
-
-/// Twice the area, from the exact places of the vertices.
-double exact_area(std::span<const dvec2> points) {
-  const ExactScope scope;
-  std::vector<ExactVec2> given;
-  for (const dvec2 p : points) given.push_back({Exact(p.x), Exact(p.y)});
-  const Rectangle<Exact> same{{Exact(0), Exact(0)}, {Exact(1), Exact(1)}};
-  Exact doubled(0);
-  const auto ring = sh::clip_to_window(std::span<const ExactVec2>(given), same);
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const auto &a = ring[i].at, &b = ring[(i + 1) % ring.size()].at;
-    doubled += a.x * b.y - a.y * b.x;
-  }
-  return to_double(doubled / Exact(2));
-}
 
 /// 300 star-shaped polygons of `least` to `most` vertices: inside the window, most of them across its border,
 /// outside, or of all three kinds.
@@ -85,9 +71,10 @@ const Set& set_of(const std::string& mix, int least, int most) {
       points.push_back(centre + size * random.uniform(0.3, 1) * dvec2(at.cos, at.sin));
     }
     set.polygons.add(points);
-    set.areas.push_back(exact_area(points));
-    Ring& right = set.vertices.emplace_back();
-    for (const auto& v : sh::clip_to_window(std::span<const dvec2>(points), window)) right.push_back(v.at);
+    const auto exact = stress::window_polygons::exact_part(points, window, order);
+    std::ranges::transform(exact, std::back_inserter(set.vertices.emplace_back()),
+                           stress::window_polygons::rounded);
+    set.areas.push_back(static_cast<double>(stress::window_polygons::area_in(points, window)));
   }
   return set;
 }

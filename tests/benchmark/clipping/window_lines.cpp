@@ -22,13 +22,15 @@ std::vector<Case> cases_of(const std::vector<Method>& methods) {
     for (const Method& method : methods) {
       // OpenCV knows whole numbers only
       if (mix == Mix::crossing_reals && method.name.starts_with("OpenCV")) continue;
-      cases.push_back(case_of(method, lines_of(mix, 4096), {name_of(mix)}));
+      cases.push_back(segments::case_of(method.name, method.standing, lines_of(mix, 4096), method.clip,
+                                        {name_of(mix)}, segments::add_errors<2>));
     }
   }
   for (const std::size_t count : {64u, 512u, 4096u, 32768u}) {
     for (const Method& method : methods) {
-      cases.push_back(case_of(method, lines_of(Mix::crossing, count),
-                              {fmt::format("{} crossing", count), static_cast<double>(count)}));
+      cases.push_back(segments::case_of(
+          method.name, method.standing, lines_of(Mix::crossing, count), method.clip,
+          {fmt::format("{} crossing", count), static_cast<double>(count)}, segments::add_errors<2>));
     }
   }
   return cases;

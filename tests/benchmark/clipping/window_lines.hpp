@@ -2,21 +2,16 @@
 // Segments against a window of whole numbers, in mixes and in numbers of segments, with what exact arithmetic
 // says of each: what the benchmarks of the clippers of segments share.
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <memory>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "benchmark/subject.hpp"
+#include "benchmark/clipping/segments.hpp"
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
-#include "support/clip_oracle.hpp"
 
 namespace gradus::bench::window_lines {
 
@@ -26,18 +21,9 @@ using Line = Segment<2, double>;
 inline constexpr std::int64_t side = 1 << 20;
 inline const AxisBox<2, double> window{{0, 0}, {side - 1, side - 1}};
 
-/// What exact arithmetic says of a line.
-struct Answer {
-  bool accepted = false;
-  std::array<test::Rational, 4> ends;
-  /// In the last place of a double there, but not of one below 1: an error is then one of 2^-52
-  std::array<double, 4> unit;
-};
-
-struct Lines {
-  std::vector<Line> lines;
-  std::vector<Answer> answers;
-};
+using Lines = segments::Set<2>;
+using Clipped = segments::Clipped<2>;
+using segments::each;
 
 enum class Mix : std::uint8_t { inside, crossing, outside, crossing_reals };
 
@@ -70,57 +56,12 @@ inline const Lines& lines_of(Mix mix, std::size_t count) {
     for (double* x : {&line.a.x, &line.a.y, &line.b.x, &line.b.y}) *x = coordinate();
     if (fits(line, mix)) set.lines.push_back(line);
   }
-  for (const Line& line : set.lines) {
-    Answer answer;
-    if (const auto ends = test::exact_clip(line, window)) {
-      answer = {true, {ends->a[0], ends->a[1], ends->b[0], ends->b[1]}, {}};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double near = std::max(std::abs(static_cast<double>(answer.ends[i])), 1.0);
-        answer.unit[i] = std::nextafter(near, 1e300) - near;
-      }
-    }
-    set.answers.push_back(answer);
-  }
+  for (const Line& line : set.lines) set.right.push_back(test::exact_clip(line, window));
   return set;
-}
-
-/// What a method leaves of every line, and of which lines something is left.
-struct Clipped {
-  explicit Clipped(std::size_t count) : lines(count), accepted(count) {}
-  std::vector<Line> lines;
-  std::vector<std::uint8_t> accepted;
-};
-
-inline Error error_of(const Clipped& found, const Lines& set) {
-  Error::Sum sum;
-  for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    const Answer& answer = set.answers[i];
-    if (answer.accepted != (found.accepted[i] != 0)) sum.wrong_decision();
-    if (!answer.accepted || !found.accepted[i]) continue;
-    const Line& line = found.lines[i];
-    const std::array<double, 4> ends{line.a.x, line.a.y, line.b.x, line.b.y};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const test::Rational off = test::Rational(ends[k]) - answer.ends[k];
-      sum.add(std::abs(static_cast<double>(off)) / answer.unit[k]);
-    }
-  }
-  return sum.error();
 }
 
 /// Clips all lines of a set.
 using Clip = std::function<void(const std::vector<Line>&, Clipped&)>;
-
-/// The same for a method that takes one line; inlined into the loop.
-template <class One>
-Clip each(One one) {
-  return [one](const std::vector<Line>& lines, Clipped& clipped) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const std::optional<Line> line = one(lines[i]);
-      if (line) clipped.lines[i] = *line;
-      clipped.accepted[i] = line.has_value();
-    }
-  };
-}
 
 /// A method and what it is.
 struct Method {
@@ -128,18 +69,6 @@ struct Method {
   Standing standing;
   Clip clip;
 };
-
-inline Case case_of(const Method& method, const Lines& set, Workload workload) {
-  const auto clipped = std::make_shared<Clipped>(set.lines.size());
-  const auto clip = std::make_shared<Clip>(method.clip);  // one of its own for each set
-  (*clip)(set.lines, *clipped);
-  return {.method = method.name,
-          .standing = method.standing,
-          .workload = std::move(workload),
-          .items = static_cast<std::int64_t>(set.lines.size()),
-          .run = [clip, &set, clipped] { (*clip)(set.lines, *clipped); },
-          .error = error_of(*clipped, set)};
-}
 
 /// The methods on every mix, and on a growing number of crossing segments.
 std::vector<Case> cases_of(const std::vector<Method>& methods);

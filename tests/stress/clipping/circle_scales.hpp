@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "stress/clipping/floats.hpp"
 #include "stress/numbers.hpp"
 
 namespace gradus::stress {

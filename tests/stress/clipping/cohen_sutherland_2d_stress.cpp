@@ -8,68 +8,45 @@
 namespace gradus::stress {
 namespace {
 
-using axis_boxes::list;
-using Line = Segment<2, double>;
-using Window = AxisBox<2, double>;
+constexpr auto correctly_rounded = [](const auto& line, const auto& window, const auto& order) {
+  return cohen_sutherland_2d::correctly_rounded(line, window, order);
+};
+constexpr auto cut_of_a_cut = [](const auto& line, const auto& window, const auto& order) {
+  return cohen_sutherland_2d::cut_of_a_cut(line, window, order);
+};
+constexpr auto batch = [](const auto& lines, const auto& window, auto& clipped, auto& accepted) {
+  return cohen_sutherland_2d::clip_batch(lines, window, clipped, accepted);
+};
 
-std::optional<Line> correctly_rounded(const Line& line, const Window& window) {
-  return cohen_sutherland_2d::correctly_rounded(line, window);
-}
-
-void by_batch(std::span<const Line> lines, const Window& window, std::span<Line> clipped,
-              std::span<std::uint8_t> accepted) {
-  cohen_sutherland_2d::clip_batch(lines, window, clipped, accepted);
-}
-
-auto figure_with(const char* method) {
-  return [method](const Input& i) -> std::vector<std::pair<std::string, std::string>> {
-    return {{"method", method}, {"line", list(i, 0, 4)}, {"window", list(i, 4, 4)}};
+/// How often the line is cut; nothing where a watcher changes what is left.
+std::optional<int> cuts_of(const axis_boxes::Clip<2>& of) {
+  int cuts = 0;
+  const auto count = [&]<class Step>(const Step&) {
+    cuts += std::same_as<Step, cohen_sutherland_2d::Cut<double>>;
   };
+  const auto watched = cohen_sutherland_2d::correctly_rounded(of.line, of.box, usual_order<2>(), count);
+  if (!test::same_bits(watched, correctly_rounded(of.line, of.box, usual_order<2>()))) return std::nullopt;
+  return cuts;
+}
+
+Property four_cuts() {
+  Property cuts = axis_boxes::promise<2>(
+      "cuts", "at most four, and watching changes nothing", "correctly_rounded", [](const Input& i) {
+        return !axis_boxes::is_taken<2>(i) || cuts_of(axis_boxes::clip_of<2>(i)).value_or(5) <= 4 ? 0 : wrong;
+      });
+  cuts.shares = {axis_boxes::share<2>("three cuts", 0.003, [](const auto& of) { return cuts_of(of) == 3; }),
+                 axis_boxes::share<2>("four cuts", 0.0003, [](const auto& of) { return cuts_of(of) == 4; })};
+  return cuts;
 }
 
 }  // namespace
 
 Domain cohen_sutherland_2d() {
-  const auto of = [](auto method) {
-    return [method](const Input& input) { return axis_boxes::error<2>(input, method); };
-  };
-  return {"cohen_sutherland_2d",
-          {{.name = "correctly_rounded",
-            .states = "accepts and rejects exactly; every end is the nearest double",
-            .unit = "ulp",
-            .bound = 0.5,
-            .numbers = 8,
-            .generate = axis_boxes::generate<2>,
-            .error = of(correctly_rounded),
-            .arguments = figure_with("correctly_rounded"),
-            .traps = axis_boxes::window_traps()},
-           {.name = "clip_batch",
-            .states = "the bits of correctly_rounded, in every lane",
-            .unit = "ulp",
-            .bound = 0.5,
-            .numbers = 8,
-            .generate = axis_boxes::generate<2>,
-            .error = of(axis_boxes::in_every_lane<2>(by_batch, correctly_rounded)),
-            .arguments = figure_with("correctly_rounded"),
-            .traps = axis_boxes::window_traps()},
-           {.name = "cut_of_a_cut",
-            .states = "no bound: each cut starts from a rounded point; wrong decisions are left out",
-            .unit = "ulp",
-            .bound = wrong,
-            .numbers = 8,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::ties},
-            .generate = axis_boxes::generate<2>,
-            .error =
-                [](const Input& input) {
-                  const double error = axis_boxes::error<2>(
-                      input,
-                      [](const Line& line, const Window& window) {
-                        return cohen_sutherland_2d::cut_of_a_cut(line, window);
-                      },
-                      true);
-                  return std::isinf(error) ? 0 : error;
-                },
-            .arguments = figure_with("cut_of_a_cut")}}};
+  auto all =
+      axis_boxes::promises<2>("", "correctly_rounded", correctly_rounded, "cut_of_a_cut", cut_of_a_cut);
+  all.push_back(axis_boxes::batch_promise<2>(batch, correctly_rounded));
+  all.push_back(four_cuts());
+  return {"cohen_sutherland_2d", all};
 }
 
 }  // namespace gradus::stress

@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
+#include <numeric>
+#include <optional>
 
 #include "clipping/polygon_circle/crossings.hpp"
+#include "core/axis_cut.hpp"
 #include "core/contract.hpp"
 #include "core/elementary.hpp"
+#include "core/geometry.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
 #include "support/polygon_areas.hpp"
@@ -16,84 +21,116 @@ namespace gradus::stress {
 namespace {
 
 using ear_clipping::Triangle;
-using test::Rational;
+using test::Fraction;
 using Points = std::vector<dvec2>;
 using Face = std::vector<dvec3>;
 
-// --- Inputs: polygons of eight corners ---
+// --- Inputs: how many corners, and then the corners ---
 
-constexpr std::size_t corners = 8;
+constexpr std::size_t most_corners = 24;
 
 /// Corners round a middle, near and far in turns, some of them on the line of their neighbours: mostly
 /// simple.
 Points star(Kind kind, Random& random) {
+  const auto corners = random.uniform_int(3, most_corners);
   Points points;
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double turns = (static_cast<double>(i) + random.uniform(0, 0.9)) / corners;
+  for (std::int64_t i = 0; i < corners; ++i) {
+    const double turns = (static_cast<double>(i) + random.uniform(0, 0.9)) / static_cast<double>(corners);
     const SinCos at = sin_cos(0x1.921fb54442d18p2 * turns);
     const double distance = kind == Kind::near_degenerate
                                 ? std::ldexp(8, -static_cast<int>(random.uniform_int(0, 40)))
                                 : random.uniform(0.5, 8);
-    dvec2 p = distance * dvec2(at.cos, at.sin);
-    if (kind == Kind::ties) p = {std::round(p.x), std::round(p.y)};
-    points.push_back(p);
+    const dvec2 p = distance * dvec2(at.cos, at.sin);
+    points.push_back(kind == Kind::ties ? glm::round(8.0 * p) : p);
   }
-  for (std::size_t i = 1; i + 1 < corners && kind == Kind::grazing; i += 2) {
+  for (std::size_t i = 1; i + 1 < points.size() && kind == Kind::grazing; i += 2) {
     // On the line of its neighbours, but for the last places
     const dvec2 on = points[i - 1] + random.unit() * (points[i + 1] - points[i - 1]);
     if (random.unit() < 0.6) points[i] = {nudged(on.x, random), nudged(on.y, random)};
   }
   return points;
 }
-void refuse(Kind kind, Input& input, Random& random) {
-  if (kind != Kind::refused) return;
-  const auto at = random.uniform_int(0, static_cast<std::int64_t>(input.size()) - 1);
-  input[static_cast<std::size_t>(at)] = random.unit() < 0.5 ? std::nan("") : wrong;
+/// A comb on whole numbers: deep notches and straight corners.
+Points comb(Random& random) {
+  const double end = static_cast<double>(2 * random.uniform_int(1, 5));
+  Points points{{0, 0}};
+  for (double x = 1; x <= end; ++x) {
+    if (random.uniform_int(0, 2) == 0) points.emplace_back(2 * x - 1, 0);
+  }
+  points.emplace_back(2 * end, 0);
+  for (double x = end; x >= 0; --x) {
+    points.emplace_back(2 * x, std::fmod(x, 2) == 0 ? 20 : static_cast<double>(2 * random.uniform_int(1, 2)));
+  }
+  return points;
+}
+Points shape(Kind kind, Random& random) {
+  return kind == Kind::ties && random.unit() < 0.5 ? comb(random) : star(kind, random);
 }
 bool is_place_of_several(Kind kind) {
   return kind == Kind::random || kind == Kind::near_degenerate || kind == Kind::grazing ||
          kind == Kind::ties || kind == Kind::refused;
 }
 
+/// Corners of two or three coordinates; of kinds that are about one number's size, any numbers.
+template <class Corners>
+Input input_of(const Corners& corners, Kind kind, Random& random) {
+  constexpr int axes = Corners::value_type::length();
+  Input input{static_cast<double>(corners.size())};
+  for (const auto& corner : corners) {
+    for (int axis = 0; axis < axes; ++axis) {
+      input.push_back(is_place_of_several(kind) ? corner[axis] : number(kind, random));
+    }
+  }
+  if (kind == Kind::refused) {
+    const auto at = random.uniform_int(0, std::ssize(input) - 1);
+    input[static_cast<std::size_t>(at)] = at == 0 ? 2 : random.unit() < 0.5 ? std::nan("") : wrong;
+  }
+  input.resize(1 + axes * most_corners, 0);
+  return input;
+}
 Input flat_input(Kind kind, Random& random) {
-  Input input;
   const dvec2 middle =
       random.unit() < 0.5 ? dvec2(0) : dvec2(random.uniform(-16, 16), random.uniform(-16, 16));
-  for (const dvec2 p : star(kind, random)) {
-    const bool shaped = is_place_of_several(kind);
-    input.push_back(shaped ? middle.x + p.x : number(kind, random));
-    input.push_back(shaped ? middle.y + p.y : number(kind, random));
-  }
-  refuse(kind, input, random);
-  return input;
+  Points points = shape(kind, random);
+  for (dvec2& p : points) p += kind == Kind::ties ? glm::round(middle) : middle;
+  return input_of(points, kind, random);
 }
-
-/// The same on a plane in space, as flat as rounding leaves it.
+/// The same on a plane in space: as flat as rounding leaves it, of ties exactly.
 Input space_input(Kind kind, Random& random) {
   const auto any = [&] {
-    const double x = random.uniform(-2, 2), y = random.uniform(-2, 2), z = random.uniform(-2, 2);
-    return dvec3(random.unit() < 0.3 ? 0 : x, random.unit() < 0.3 ? 0 : y, random.unit() < 0.3 ? 0 : z);
+    dvec3 p;
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = random.unit() < 0.3 ? 0 : random.uniform(-9, 9);
+      if (kind == Kind::ties) p[axis] = std::round(p[axis]);
+    }
+    return p;
   };
   const dvec3 origin = any(), u = any(), v = any();
-  Input input;
-  for (const dvec2 p : star(kind, random)) {
-    const dvec3 at = origin + p.x * u + p.y * v;
-    for (int axis = 0; axis < 3; ++axis)
-      input.push_back(is_place_of_several(kind) ? at[axis] : number(kind, random));
-  }
-  refuse(kind, input, random);
-  return input;
+  Face face;
+  for (const dvec2 p : shape(kind, random)) face.push_back(origin + p.x * u + p.y * v);
+  return input_of(face, kind, random);
+}
+/// All lengths of an input of so many axes: all numbers but the first.
+std::vector<std::size_t> lengths(std::size_t axes) {
+  std::vector<std::size_t> all(axes * most_corners);
+  std::iota(all.begin(), all.end(), std::size_t{1});
+  return all;
 }
 
-Points flat_in(const Input& i) {
-  Points points;
-  for (std::size_t k = 0; k < corners; ++k) points.emplace_back(i[2 * k], i[2 * k + 1]);
-  return points;
+/// The corners; nothing where there is no such number of them.
+template <class Corner>
+std::optional<std::vector<Corner>> corners_in(const Input& i) {
+  if (i[0] != std::floor(i[0]) || !(0 <= i[0] && i[0] <= most_corners)) return std::nullopt;
+  std::vector<Corner> corners(static_cast<std::size_t>(i[0]));
+  std::size_t next = 1;
+  for (Corner& corner : corners) {
+    for (int axis = 0; axis < Corner::length(); ++axis) corner[axis] = i[next++];
+  }
+  return corners;
 }
-Face face_in(const Input& i) {
-  Face face;
-  for (std::size_t k = 0; k < corners; ++k) face.emplace_back(i[3 * k], i[3 * k + 1], i[3 * k + 2]);
-  return face;
+template <class Corner>
+bool is_taken(const std::vector<Corner>& corners) {
+  return corners.size() >= 3 && std::ranges::all_of(corners, [](const Corner& p) { return is_finite(p); });
 }
 
 // --- Promises ---
@@ -114,42 +151,44 @@ std::optional<std::vector<Triangle>> triangles_of(const Polygon& polygon) {
 /// only the number of triangles is promised.
 double cover_error(const Points& polygon, const std::vector<Triangle>& triangles) {
   if (triangles.size() != polygon.size() - 2) return wrong;
-  Rational sum = 0;
+  Fraction sum = 0;
   bool turned_round = false;
   for (const Triangle& t : triangles) {
     Points three;
     for (const int corner : t) three.push_back(polygon[static_cast<std::size_t>(corner)]);
-    const Rational area = test::exact_area(three);
+    const Fraction area = test::exact_area(three);
     turned_round = turned_round || area < 0;
     sum += area;
   }
   // Areas that are none below 0 and add up cover once
-  const Rational whole = test::exact_area(polygon);
+  const Fraction whole = test::exact_area(polygon);
   if (sum != whole) return wrong;
   if (whole <= 0 || polygon_circle::meeting_edges(polygon)) return 0;
   return turned_round ? wrong : 0;
 }
 
 double flat_error(const Input& i) {
-  Points polygon = flat_in(i);
-  if (all_finite(i) && test::exact_area(polygon) < 0) std::ranges::reverse(polygon);
-  const auto triangles = triangles_of(polygon);
-  if (triangles.has_value() != all_finite(i)) return wrong;
-  return triangles ? cover_error(polygon, *triangles) : 0;
+  auto polygon = corners_in<dvec2>(i);
+  if (!polygon) return 0;
+  const bool taken = is_taken(*polygon);
+  if (taken && test::exact_area(*polygon) < 0) std::ranges::reverse(*polygon);
+  const auto triangles = triangles_of(*polygon);
+  if (triangles.has_value() != taken) return wrong;
+  return triangles ? cover_error(*polygon, *triangles) : 0;
 }
 
 /// Twice the area of a shadow, and what its terms add up to, without their signs.
 struct ShadowArea {
-  Rational doubled = 0, sizes = 0;
+  Fraction doubled = 0, sizes = 0;
 };
 ShadowArea shadow_area(const Face& face, int axis) {
   const auto [u, v] = ear_clipping::plane_of(axis);
   ShadowArea area;
   for (std::size_t k = 2; k < face.size(); ++k) {
     const auto way = [&](std::size_t to, int along) {
-      return Rational(face[to][along]) - Rational(face[0][along]);
+      return Fraction(face[to][along]) - Fraction(face[0][along]);
     };
-    const Rational left = way(k - 1, u) * way(k, v), right = way(k - 1, v) * way(k, u);
+    const Fraction left = way(k - 1, u) * way(k, v), right = way(k - 1, v) * way(k, u);
     area.doubled += left - right;
     area.sizes += abs(left) + abs(right);
   }
@@ -159,9 +198,11 @@ ShadowArea shadow_area(const Face& face, int axis) {
 /// How much larger than the chosen shadow another one is, in parts of what rounding may hide; wrong unless
 /// the turn is exact and the triangles cover the shadow once.
 double space_error(const Input& i) {
-  const Face face = face_in(i);
+  const auto given = corners_in<dvec3>(i);
+  if (!given) return 0;
+  const Face& face = *given;
   const auto triangles = triangles_of(face);
-  if (triangles.has_value() != all_finite(i)) return wrong;
+  if (triangles.has_value() != is_taken(face)) return wrong;
   if (!triangles) return 0;
   const ear_clipping::Shadow shadow = ear_clipping::largest_shadow(face);
   const ShadowArea chosen = shadow_area(face, shadow.axis);
@@ -169,46 +210,88 @@ double space_error(const Input& i) {
   double worst = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const ShadowArea other = shadow_area(face, axis);
-    const Rational more = abs(other.doubled) - abs(chosen.doubled);
+    const Fraction more = abs(other.doubled) - abs(chosen.doubled);
     if (more <= 0) continue;
     if (shadow.turn == 0) return wrong;
-    const Rational rounding = Rational(corners * 0x1p-50) * (other.sizes + chosen.sizes) + Rational(0x1p-999);
-    worst = std::max(worst, static_cast<double>(Rational(more / rounding)));
+    const Fraction rounding =
+        Fraction(static_cast<double>(face.size()) * 0x1p-50) * (other.sizes + chosen.sizes) +
+        Fraction(0x1p-999);
+    worst = std::max(worst, static_cast<double>(Fraction(more / rounding)));
   }
   return std::max(worst, cover_error(ear_clipping::flattened(face), *triangles));
+}
+
+/// A trap with its number of corners before them.
+template <std::size_t axes>
+Trap trap(const char* name, Input corners) {
+  corners.insert(corners.begin(), static_cast<double>(corners.size() / axes));
+  corners.resize(1 + axes * most_corners, 0);
+  return {name, corners};
+}
+
+template <class Holds>
+Share flat_share(const char* of, double least, Holds holds) {
+  return {of, least, [holds](const Input& i) {
+            const auto polygon = corners_in<dvec2>(i);
+            return polygon && is_taken(*polygon) && holds(*polygon);
+          }};
+}
+bool has_reflex_corner(const Points& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec2 next = polygon[(i + 1) % polygon.size()], last = polygon[(i + 2) % polygon.size()];
+    if (orient2d(polygon[i], next, last) < 0) return true;
+  }
+  return false;
+}
+template <class Holds>
+Share shadow_share(const char* of, double least, Holds holds) {
+  return {of, least, [holds](const Input& i) {
+            const auto face = corners_in<dvec3>(i);
+            return face && is_taken(*face) && holds(ear_clipping::largest_shadow(*face));
+          }};
 }
 
 }  // namespace
 
 Domain ear_clipping() {
+  using ear_clipping::Shadow;
   return {
       "ear_clipping",
       {{.name = "triangulate",
         .states = "the triangles of a simple polygon cover it exactly once, two fewer than its corners",
         .unit = "wrong",
         .bound = 0,
-        .numbers = 2 * corners,
-        .generate = at_every_scale(flat_input),
+        .numbers = 1 + 2 * most_corners,
+        .generate = at_every_scale(flat_input, lengths(2)),
         .error = flat_error,
-        .traps = {{"corners on a line", {0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 2, 1, 1, 1, 0, 1}},
-                  {"a notch to the opposite edge", {0, 0, 4, 0, 8, 0, 8, 8, 5, 8, 4, 0x1p-52, 3, 8, 0, 8}},
-                  {"corners at one place", {0, 0, 4, 0, 4, 4, 4, 4, 4, 4, 0, 4, 0, 4, 0, 0}},
-                  {"a corner that is no number",
-                   {0, 0, 4, 0, 4, 4, std::nan(""), 4, 3, 4, 2, 4, 1, 4, 0, 4}}}},
+        .traps =
+            {trap<2>("corners on a line", {0, 0, 1, 0, 2, 0, 3, 0, 3, 1, 2, 1, 1, 1, 0, 1}),
+             trap<2>("a notch to the opposite edge", {0, 0, 4, 0, 8, 0, 8, 8, 5, 8, 4, 0x1p-52, 3, 8, 0, 8}),
+             trap<2>("corners at one place", {0, 0, 4, 0, 4, 4, 4, 4, 4, 4, 0, 4, 0, 4, 0, 0}),
+             trap<2>("a corner that is no number", {0, 0, 4, 0, 4, 4, std::nan(""), 4, 3, 4, 2, 4, 1, 4}),
+             trap<2>("two corners", {0, 0, 1, 0})},
+        .shares = {flat_share("simple", 0.5,
+                              [](const Points& p) { return !polygon_circle::meeting_edges(p); }),
+                   flat_share("a reflex corner", 0.5, has_reflex_corner)}},
        {.name = "triangulate_in_space",
         .states = "the same of its largest shadow along an axis, whose turn is exact",
         .unit = "of rounding",
         .bound = 1,
-        .numbers = 3 * corners,
-        .generate = at_every_scale(space_input),
+        .numbers = 1 + 3 * most_corners,
+        .generate = at_every_scale(space_input, lengths(3)),
         .error = space_error,
-        .traps = {{"an arrowhead whose products underflow",
-                   {0,        0, 0,        0x1p-549, 0, 0, 0x1p-548, 0, 0, 0x1p-547, 0x1p-548, 0, 0x1p-547,
-                    0x1p-547, 0, 0x1p-548, 0x1p-549, 0, 0, 0x1p-547, 0, 0, 0x1p-549, 0}},
-                  {"a plane through an axis",
-                   {0, 0, 0, 4, 4, 0, 4, 4, 4, 3, 3, 4, 2, 2, 1, 1, 1, 4, 0, 0, 4, 0, 0, 2}},
-                  {"a corner that is no number", {std::nan(""), 0, 0, 4,  0, 0, 4,  4, 0, 2, 1, 0, 0, 4, 0,
-                                                  -1,           2, 0, -1, 1, 0, -1, 0, 0}}}}}};
+        .traps =
+            {trap<3>("an arrowhead whose products underflow",
+                     {0,        0, 0,        0x1p-549, 0, 0, 0x1p-548, 0, 0, 0x1p-547, 0x1p-548, 0, 0x1p-547,
+                      0x1p-547, 0, 0x1p-548, 0x1p-549, 0, 0, 0x1p-547, 0, 0, 0x1p-549, 0}),
+             trap<3>("a plane through an axis",
+                     {0, 0, 0, 4, 4, 0, 4, 4, 4, 3, 3, 4, 2, 2, 1, 1, 1, 4, 0, 0, 4, 0, 0, 2}),
+             trap<3>("a corner that is no number",
+                     {std::nan(""), 0, 0, 4, 0, 0, 4, 4, 0, 2, 1, 0, 0, 4, 0, -1, 2, 0, -1, 1, 0, -1, 0, 0})},
+        .shares = {shadow_share("along x", 0.1, [](const Shadow& s) { return s.axis == 0; }),
+                   shadow_share("along y", 0.1, [](const Shadow& s) { return s.axis == 1; }),
+                   shadow_share("along z", 0.1, [](const Shadow& s) { return s.axis == 2; }),
+                   shadow_share("turned", 0.1, [](const Shadow& s) { return s.turn < 0; })}}}};
 }
 
 }  // namespace gradus::stress

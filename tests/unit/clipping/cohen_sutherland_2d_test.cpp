@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
-#include "core/exact_scalar.hpp"
 #include "core/record.hpp"
 
 namespace gradus::cohen_sutherland_2d {
@@ -116,27 +114,6 @@ TEST(CohenSutherland2d, ObservedEqualsUnobserved) {
   EXPECT_GT(steps, 15);
 }
 
-template <class T>
-void clip_in() {
-  const ExactScope scope;
-  const Rectangle<T> window{{T(0), T(0)}, {T(10), T(10)}};
-  const Segment<2, T> line{{T(-4), T(3)}, {T(6), T(15)}};
-  const Segment<2, T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
-  EXPECT_EQ(correctly_rounded(line, window), right);
-  EXPECT_FALSE(correctly_rounded(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
-  const auto found = cut_of_a_cut(line, window);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->a, right.a);
-  EXPECT_NEAR(static_cast<double>(found->b.x), 11.0 / 6, 1e-6);
-  if (std::same_as<T, Exact>) EXPECT_EQ(*found, right);
-}
-
-TEST(CohenSutherland2d, FloatDoubleAndExact) {
-  clip_in<float>();
-  clip_in<double>();
-  clip_in<Exact>();
-}
-
 TEST(CohenSutherland2d, MistakesAreNamed) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
   const Rectangle<double> swapped{{10, 0}, {0, 10}};
@@ -157,48 +134,14 @@ TEST(CohenSutherland2d, MistakesAreNamed) {
 
 // --- Numerical traps -----------------------------------------------------------------------------
 
-TEST(CohenSutherland2dTraps, TheDifferenceOverflows) {
-  const Segment<2, double> line{{-1e308, 0}, {1e308, 10}};
-  EXPECT_EQ(exact(line), left_over(0, 5, 10, 5));
-  // The taught form accepts a point that is not a number
-  const Found naive = taught(line);
+TEST(CohenSutherland2dTraps, TheTaughtFormFallsIntoThem) {
+  // A difference overflows: it may accept a point that is no number
+  const Found naive = taught({{-1e308, 0}, {1e308, 10}});
   EXPECT_TRUE(!naive || std::isnan(naive->a.y) || naive->a != glm::dvec2(0, 5));
-}
-
-TEST(CohenSutherland2dTraps, TheProductOverflows) {
-  const Segment<2, double> line{{-1e200, -1e200}, {1e200, 1e200}};
-  EXPECT_EQ(exact(line), left_over(0, 0, 10, 10));
-  EXPECT_NE(taught(line), left_over(0, 0, 10, 10));
-}
-
-TEST(CohenSutherland2dTraps, TheCornerIsTouchedOrMissedByOneStep) {
-  const double below = std::nextafter(-1.0, -2.0), above = std::nextafter(9.0, 10.0);
-  EXPECT_EQ(exact({{-1, 1}, {1, -1}}), left_over(0, 0, 0, 0));
-  EXPECT_EQ(exact({{-1, 1}, {1, below}}), std::nullopt);
-  EXPECT_EQ(exact({{9, 11}, {11, 9}}), left_over(10, 10, 10, 10));
-  EXPECT_EQ(exact({{9, 11}, {11, above}}), std::nullopt);
+  // A product overflows
+  EXPECT_NE(taught({{-1e200, -1e200}, {1e200, 1e200}}), left_over(0, 0, 10, 10));
   // Rounded arithmetic still sees the corner
-  EXPECT_EQ(taught({{-1, 1}, {1, below}}), left_over(0, 0, 0, 0));
-}
-
-TEST(CohenSutherland2dTraps, NearlyParallelToABorder) {
-  // One step in y moves the crossing by a million in x
-  const double under = std::nextafter(10.0, 9.0), over = std::nextafter(10.0, 11.0);
-  const Segment<2, double> line{{-1e6, under}, {1e6, over}};
-  EXPECT_EQ(exact(line, {{-2e6, 0}, {2e6, 10}}), left_over(-1e6, under, 0, 10));
-  EXPECT_EQ(exact(line), left_over(0, 10, 0, 10));
-  // (not symmetric: one step down is half as long as one step up)
-  const Segment<2, double> moved{{-1e6, under}, {1e6, std::nextafter(over, 11.0)}};
-  const Found found = exact(moved, {{-2e6, 0}, {2e6, 10}});
-  ASSERT_TRUE(found);
-  EXPECT_LT(found->b.x, -1e5);
-}
-
-TEST(CohenSutherland2dTraps, WindowsWithoutExtent) {
-  EXPECT_EQ(exact({{-5, 5}, {15, 5}}, {{3, 0}, {3, 10}}), left_over(3, 5, 3, 5));
-  EXPECT_EQ(exact({{0, 0}, {10, 10}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
-  EXPECT_EQ(exact({{0, 0}, {10, 11}}, {{3, 3}, {3, 3}}), std::nullopt);
-  EXPECT_EQ(exact({{3, 3}, {3, 3}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
+  EXPECT_EQ(taught({{-1, 1}, {1, std::nextafter(-1.0, -2.0)}}), left_over(0, 0, 0, 0));
 }
 
 TEST(CohenSutherland2dTraps, SubnormalsAndSignedZeros) {

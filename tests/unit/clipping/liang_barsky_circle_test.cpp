@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
 #include "core/exact_scalar.hpp"
+#include "core/random.hpp"
 #include "core/record.hpp"
 
 namespace gradus::liang_barsky_circle {
@@ -89,22 +92,27 @@ TEST(LiangBarskyCircle, TangentsFromInsideAndOutside) {
   EXPECT_EQ(exact_decision(segment(7, 1, 3, 4), C{{0, 0}, 5}), segment(3, 4, 3, 4));
 }
 
-TEST(LiangBarskyCircle, EndsOnTheCircle) {
-  const C five{{0, 0}, 5};
-  // A chord between points of the circle stays as it is
-  EXPECT_EQ(exact_decision(segment(3, 4, -4, 3), five), segment(3, 4, -4, 3));
-  // From a point of the circle away from it, and to such a point
-  EXPECT_EQ(exact_decision(segment(3, 4, 6, 8), five), segment(3, 4, 3, 4));
-  EXPECT_EQ(exact_decision(segment(6, 8, 3, 4), five), segment(3, 4, 3, 4));
-  // Through it
-  EXPECT_EQ(exact_decision(segment(3, 4, -6, -8), five), segment(3, 4, -3, -4));
-  EXPECT_EQ(exact_decision(segment(3, 4, 3, -8), five), segment(3, 4, 3, -4));
-}
-
-TEST(LiangBarskyCircle, PointsWithRoundCoordinatesComeOutRound) {
-  EXPECT_EQ(exact_decision(segment(-9, -3, 7, 9), C{{0, 0}, 5}), segment(-5, 0, 1.4, 4.8));
-  EXPECT_EQ(exact_decision(segment(-6, -3, 10, 9), C{{3, 0}, 5}), segment(-2, 0, 4.4, 4.8));
-  EXPECT_EQ(exact_decision(segment(-9, 2, 7, 14), C{{0, 5}, 5}), segment(-5, 5, 1.4, 9.8));
+TEST(LiangBarskyCircle, PointsOfFiveByThreeByFour) {
+  const struct {
+    S given;
+    C circle;
+    S kept;
+  } known[] = {
+      // A chord between points of the circle stays as it is
+      {segment(3, 4, -4, 3), {{0, 0}, 5}, segment(3, 4, -4, 3)},
+      // From a point of the circle away from it, to such a point, and through it
+      {segment(3, 4, 6, 8), {{0, 0}, 5}, segment(3, 4, 3, 4)},
+      {segment(6, 8, 3, 4), {{0, 0}, 5}, segment(3, 4, 3, 4)},
+      {segment(3, 4, -6, -8), {{0, 0}, 5}, segment(3, 4, -3, -4)},
+      {segment(3, 4, 3, -8), {{0, 0}, 5}, segment(3, 4, 3, -4)},
+      // Points with round coordinates come out round
+      {segment(-9, -3, 7, 9), {{0, 0}, 5}, segment(-5, 0, 1.4, 4.8)},
+      {segment(-6, -3, 10, 9), {{3, 0}, 5}, segment(-2, 0, 4.4, 4.8)},
+      {segment(-9, 2, 7, 14), {{0, 5}, 5}, segment(-5, 5, 1.4, 9.8)},
+      // At the end of the range, too
+      {segment(-1e300, 3e299, 1e300, 3e299), {{0, 0}, 5e299}, segment(-4e299, 3e299, 4e299, 3e299)},
+  };
+  for (const auto& [given, circle, kept] : known) EXPECT_EQ(exact_decision(given, circle), kept) << given.b.x;
 }
 
 TEST(LiangBarskyCircle, RadiusZeroIsItsCentre) {
@@ -115,102 +123,6 @@ TEST(LiangBarskyCircle, RadiusZeroIsItsCentre) {
   EXPECT_FALSE(exact_decision(segment(0, 0, 4, 2.0000000001), point));
   EXPECT_FALSE(exact_decision(segment(2, 2, 2, 2), point));
   EXPECT_EQ(half_chord(segment(2, 1, 2, 1), point), segment(2, 1, 2, 1));
-}
-
-TEST(LiangBarskyCircle, WholeRangeOfDouble) {
-  const double large = std::numeric_limits<double>::max(), small = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(exact_decision(segment(-large, 0, large, 0), C{{0, 0}, large}), segment(-large, 0, large, 0));
-  EXPECT_EQ(exact_decision(segment(-large, large, large, large), C{{0, 0}, large}),
-            segment(0, large, 0, large));
-  EXPECT_EQ(exact_decision(segment(-large, 0, large, 0), C{{0, 0}, small}), segment(-small, 0, small, 0));
-  EXPECT_EQ(exact_decision(segment(-8 * small, small, 8 * small, small), C{{0, 0}, small}),
-            segment(0, small, 0, small));
-  EXPECT_FALSE(exact_decision(segment(-large, small, large, 2 * small), C{{0, 0}, small}));
-  EXPECT_EQ(exact_decision(segment(-1e300, 3e299, 1e300, 3e299), C{{0, 0}, 5e299}),
-            segment(-4e299, 3e299, 4e299, 3e299));
-}
-
-// The foot and half of the chord were rounded apart: 0.8 units off. Found by tests/fuzz
-TEST(LiangBarskyCircle, TheSmallestCirclesAreRoundedOnce) {
-  constexpr double unit_of_doubles = 0x1p-1074;
-  const auto scaled = [](double x0, double y0, double x1, double y1, double r) {
-    const double u = unit_of_doubles;
-    return exact_decision(S{{x0 * u, y0 * u}, {x1 * u, y1 * u}}, C{{0, 0}, r * u});
-  };
-  // The circle is met at (0.6, -0.8) and (-1, 0)
-  const Kept smallest = scaled(1, -1, -1, 0, 1);
-  ASSERT_TRUE(smallest);
-  EXPECT_EQ(*smallest, (S{{unit_of_doubles, -unit_of_doubles}, {-unit_of_doubles, 0}}));
-  const Kept far = exact_decision(S{{-4 * unit_of_doubles, 0}, {30, -11.5}},
-                                  C{{4 * unit_of_doubles, 0}, 8 * unit_of_doubles});  // met at (9.95, -5.35)
-  ASSERT_TRUE(far);
-  EXPECT_EQ(far->b, dvec2(10 * unit_of_doubles, -5 * unit_of_doubles));
-  const Kept lattice = scaled(10, -5, -11, 2, 5);
-  ASSERT_TRUE(lattice);
-  EXPECT_EQ(*lattice, (S{{4 * unit_of_doubles, -3 * unit_of_doubles}, {-5 * unit_of_doubles, 0}}));
-}
-
-/// Kept of a segment, and of it turned round the same.
-Kept both_ways(const S& given, const C& circle) {
-  const Kept there = exact_decision(given, circle), back = exact_decision(S{given.b, given.a}, circle);
-  EXPECT_EQ(there.has_value(), back.has_value());
-  if (there && back) EXPECT_EQ(*there, (S{back->b, back->a}));
-  return there;
-}
-
-// r^2 was 0, and r^2 A too, while k^2 was not
-TEST(LiangBarskyCircle, ASmallCircleIsMetByALongSegment) {
-  EXPECT_EQ(both_ways(segment(-0x1p200, 0x1p-600, 0x1p200, 0x1p-600), C{{0, 0}, 0x1p-540}),
-            segment(-0x1p-540, 0x1p-600, 0x1p-540, 0x1p-600));
-  // Tangents, and lines one unit beside them
-  for (const int radius : {-1074, -1000, -600, -538, -537}) {
-    for (const int length : {1, 100, 450, 1000}) {
-      const double r = std::ldexp(1, radius), far = std::ldexp(1, length), beside = std::nextafter(r, 1);
-      EXPECT_EQ(both_ways(segment(-far, r, far, r), C{{0, 0}, r}), segment(0, r, 0, r)) << radius;
-      EXPECT_EQ(both_ways(segment(-r, -far, -r, far), C{{0, 0}, r}), segment(-r, 0, -r, 0)) << radius;
-      EXPECT_FALSE(both_ways(segment(-far, beside, far, beside), C{{0, 0}, r})) << radius;
-    }
-  }
-}
-
-// A was 0 instead
-TEST(LiangBarskyCircle, ALargeCircleIsMetByAShortSegment) {
-  for (const int length : {-1074, -700, -538, -537}) {
-    for (const int radius : {1, 150, 450, 1023}) {
-      const double r = std::ldexp(1, radius), near = std::ldexp(1, length),
-                   beside = std::nextafter(r, HUGE_VAL);
-      EXPECT_EQ(both_ways(segment(-near, r, near, r), C{{0, 0}, r}), segment(0, r, 0, r)) << radius;
-      EXPECT_FALSE(both_ways(segment(-near, beside, near, beside), C{{0, 0}, r})) << radius;
-    }
-  }
-}
-
-// 1 was added to whole numbers beyond 2^53, which made 2 of it: up to 0.75 units off
-TEST(LiangBarskyCircle, CirclesOfTheSmallestNormalNumbersAreRoundedOnce) {
-  EXPECT_EQ(both_ways(segment(0x1.0fc67f45a8d9ep-1020, 0x1.b23ad7dbd093p-1023, 0x1.bdb77a3e455cp-1024,
-                              0x1.4d0f4dbedc5dp-1020),
-                      C{{0, 0}, 0x1.f98896254d7f2p-1021}),
-            segment(0x1.d101327ccdea8p-1021, 0x1.8ca8fd566e71bp-1022, 0x1.02540a37ec751p-1021,
-                    0x1.b28be767603c2p-1021));
-}
-
-// Foot and half of the chord were rounded apart, for the centre is far away along the other axis
-TEST(LiangBarskyCircle, TheSmallestCirclesFarAwayAreRoundedOnce) {
-  EXPECT_EQ(both_ways(segment(1, 0x3bp-1074, 0, -1), C{{1, 0}, 0x3ap-1074}),
-            segment(1, 0x3ap-1074, 1, 0x1p-1074));
-  EXPECT_EQ(both_ways(segment(1, -0x1bp-1074, 3, -1), C{{1, 0}, 0x40p-1074}),
-            segment(1, -0x1bp-1074, 1, -0x30p-1074));
-}
-
-// An error-free sum overflowed on its way, and the point was no number
-TEST(LiangBarskyCircle, CirclesBeyondTheLargestNumbersAreCut) {
-  const double large = std::numeric_limits<double>::max(), below = std::nextafter(large, 0);
-  EXPECT_EQ(both_ways(segment(0, 0, large, 0), C{{-0x3p970, 0}, large}), segment(0, 0, below, 0));
-  EXPECT_EQ(both_ways(segment(large, -large, large, large), C{{large / 2, 0}, large / 2}),
-            segment(large, 0, large, 0));
-  // Half of the circle has no doubles
-  EXPECT_EQ(both_ways(segment(-large, 0, large, 0), C{{large, 0}, large / 2}),
-            segment(large / 2, 0, large, 0));
 }
 
 TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
@@ -232,6 +144,18 @@ TEST(LiangBarskyCircle, MistakesAreRefusedByName) {
   }
   // The notes' listings square it
   EXPECT_EQ(without_empty_test(segment(-3, 0, 3, 0), C{{0, 0}, -1}), segment(-1, 0, 1, 0));
+}
+
+TEST(LiangBarskyCircle, BatchesOfOneLength) {
+  const std::vector<S> segments(9, segment(1, 1, 2, 2));
+  std::vector<S> clipped(9);
+  std::vector<std::uint8_t> accepted(9);
+  const C five{{0, 0}, 5};
+  EXPECT_EQ(clip_batch(segments, five, clipped, accepted).accepted, 9u);
+  EXPECT_EQ(clip_batch({}, five, {}, {}).accepted, 0u);
+  EXPECT_THROW(clip_batch({}, C{{0, 0}, -1}, {}, {}), ContractViolation);
+  EXPECT_THROW(clip_batch(segments, five, std::span(clipped).first(8), accepted), ContractViolation);
+  EXPECT_THROW(clip_batch(segments, five, clipped, std::span(accepted).first(8)), ContractViolation);
 }
 
 TEST(LiangBarskyCircle, StepsFollowTheGrammar) {
@@ -328,6 +252,44 @@ TEST(LiangBarskyCircleNotes, StepsAreWatchedOnly) {
     EXPECT_EQ(all<Finished<double>>(a).size(), 1u);
     EXPECT_EQ(all<Finished<double>>(b).size(), 1u);
   }
+}
+
+/// The larger distance between two points along an axis, in ulp of max(|coordinate|, r).
+double off_by(dvec2 found, dvec2 right, double radius) {
+  double most = 0;
+  for (const int axis : {0, 1}) {
+    const double size = std::max(std::abs(right[axis]), radius);
+    most = std::max(most, std::abs(found[axis] - right[axis]) / (std::nextafter(size, infinity) - size));
+  }
+  return most;
+}
+
+/// What the taught form and the notes' make of random segments: the numbers in the header of half_chord and
+/// on the topic's page, of the seed that they name.
+TEST(LiangBarskyCircleNotes, ErrorsOfTheTextbookForms) {
+  Random random(20240611 + 5);
+  int compared = 0, above = 0;
+  double worst_taught = 0, worst_notes = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    double n[7];
+    for (double& x : n) x = random.uniform(-10, 10);
+    const S s = segment(n[0], n[1], n[2], n[3]);
+    const C c{{n[4] / 2, n[5] / 2}, std::abs(n[6])};
+    const Kept right = exact_decision(s, c), taught = half_chord(s, c);
+    ASSERT_EQ(right.has_value(), taught.has_value());
+    if (!right) continue;
+    const auto error = [&](const Kept& got) {
+      return got ? std::max(off_by(got->a, right->a, c.radius), off_by(got->b, right->b, c.radius)) : 0;
+    };
+    ++compared;
+    above += error(taught) > 1;
+    worst_taught = std::max(worst_taught, error(taught));
+    worst_notes = std::max(worst_notes, error(discriminant_equals_zero(s, c)));
+  }
+  EXPECT_EQ(compared, 10'378);
+  EXPECT_EQ(std::lround(100.0 * above / compared), 24);
+  EXPECT_EQ(std::lround(worst_taught), 29);
+  EXPECT_EQ(std::lround(worst_notes), 629);
 }
 
 }  // namespace

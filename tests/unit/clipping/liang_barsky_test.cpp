@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
 
-#include "core/exact_scalar.hpp"
+#include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "core/record.hpp"
 
 namespace gradus::liang_barsky {
@@ -104,28 +103,6 @@ TEST(LiangBarsky, ObservedEqualsUnobserved) {
   EXPECT_GE(steps, 20);
 }
 
-template <class T>
-void clip_in() {
-  const ExactScope scope;
-  const Rectangle<T> window{{T(0), T(0)}, {T(10), T(10)}};
-  const Segment<2, T> line{{T(-4), T(3)}, {T(6), T(15)}};
-  const Segment<2, T> right{{T(0), T(78) / T(10)}, {T(11) / T(6), T(10)}};
-  EXPECT_EQ(correctly_rounded(line, window), right);
-  EXPECT_FALSE(parametric(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
-  EXPECT_FALSE(correctly_rounded(Segment<2, T>{{T(-5), T(8)}, {T(3), T(20)}}, window));
-  const auto found = parametric(line, window);
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(static_cast<double>(found->a.y), 7.8, 1e-6);
-  EXPECT_NEAR(static_cast<double>(found->b.x), 11.0 / 6, 1e-6);
-  if (std::same_as<T, Exact>) EXPECT_EQ(*found, right);
-}
-
-TEST(LiangBarsky, FloatDoubleAndExact) {
-  clip_in<float>();
-  clip_in<double>();
-  clip_in<Exact>();
-}
-
 TEST(LiangBarsky, MistakesAreNamed) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const auto clip : {taught, exact}) {
@@ -138,35 +115,16 @@ TEST(LiangBarsky, MistakesAreNamed) {
 
 // --- Numerical traps -----------------------------------------------------------------------------
 
-TEST(LiangBarskyTraps, TheDifferenceOverflows) {
-  const Segment<2, double> line{{-1e308, 0}, {1e308, 10}};
-  EXPECT_EQ(exact(line), left_over(0, 5, 10, 5));
-  EXPECT_NE(taught(line), left_over(0, 5, 10, 5));
-}
-
-TEST(LiangBarskyTraps, TheProductOverflows) {
-  EXPECT_EQ(exact({{-1e200, -1e200}, {1e200, 1e200}}), left_over(0, 0, 10, 10));
-}
-
-TEST(LiangBarskyTraps, TheCornerIsTouchedOrMissedByOneStep) {
-  const double below = std::nextafter(-1.0, -2.0), above = std::nextafter(9.0, 10.0);
-  EXPECT_EQ(exact({{-1, 1}, {1, -1}}), left_over(0, 0, 0, 0));
-  EXPECT_EQ(exact({{-1, 1}, {1, below}}), std::nullopt);
-  EXPECT_EQ(exact({{9, 11}, {11, 9}}), left_over(10, 10, 10, 10));
-  EXPECT_EQ(exact({{9, 11}, {11, above}}), std::nullopt);
-  EXPECT_TRUE(taught({{-1, 1}, {1, below}}));  // rounded values of t are equal
-}
-
-TEST(LiangBarskyTraps, NearlyParallelToABorder) {
-  const double under = std::nextafter(10.0, 9.0), over = std::nextafter(10.0, 11.0);
-  EXPECT_EQ(exact({{-1e6, under}, {1e6, over}}, {{-2e6, 0}, {2e6, 10}}), left_over(-1e6, under, 0, 10));
-}
-
-TEST(LiangBarskyTraps, WindowsWithoutExtent) {
-  EXPECT_EQ(exact({{-5, 5}, {15, 5}}, {{3, 0}, {3, 10}}), left_over(3, 5, 3, 5));
-  EXPECT_EQ(exact({{0, 0}, {10, 10}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
-  EXPECT_EQ(exact({{3, 3}, {3, 3}}, {{3, 3}, {3, 3}}), left_over(3, 3, 3, 3));
-  EXPECT_EQ(exact({{2, 3}, {2, 3}}, {{3, 3}, {3, 3}}), std::nullopt);
+TEST(LiangBarskyTraps, TheTaughtFormFallsIntoThem) {
+  // A difference overflows
+  EXPECT_NE(taught({{-1e308, 0}, {1e308, 10}}), left_over(0, 5, 10, 5));
+  // The corner is missed by one step, but rounded values of t are equal
+  EXPECT_TRUE(taught({{-1, 1}, {1, std::nextafter(-1.0, -2.0)}}));
+  // -0.9 + t 1.2 with t = 0.75 rounded: the end comes to lie outside of the face that it was cut at
+  const Segment<3, double> tenths{{-0.9, 0.5, 0.5}, {0.3, 0.5, 0.5}};
+  const AxisBox<3, double> unit_box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_LT(box_parametric(tenths, unit_box)->a.x, 0);
+  EXPECT_EQ(box_correctly_rounded(tenths, unit_box)->a.x, 0);
 }
 
 // Putting a rounded t into the line leads beside the border, so that clipping again cuts again
@@ -176,6 +134,106 @@ TEST(LiangBarskyTraps, ARoundedValueMissesTheBorder) {
   ASSERT_TRUE(found);
   EXPECT_NE(found->a.x, 0.1);
   EXPECT_EQ(exact(line, {{0.1, 0}, {1, 1}})->a.x, 0.1);
+}
+
+// --- In space ------------------------------------------------------------------------------------
+
+using Piece = Segment<3, double>;
+using Cube = AxisBox<3, double>;
+using Watcher = Recorder<BoxStarted<double>, Tested<double>, BoxAccepted<double>, Rejected<double>>;
+using ExactWatcher = Recorder<BoxStarted<double>, Ordered<double>, BoxKept<double>, Missed>;
+using TestedFace = Tested<double>;
+using OrderedFace = Ordered<double>;
+
+const Cube unit{{0, 0, 0}, {1, 1, 1}};
+const Cube ten_cubed{{0, 0, 0}, {10, 10, 10}};
+const BoxOrder box_order = usual_order<3>();
+
+TEST(LiangBarskyBox, GoldenSegment) {
+  // G001-53, and its values of t
+  const Piece line{{-1, 0.5, 0.25}, {2, 0.5, 1}};
+  Watcher seen;
+  const auto part = box_parametric(line, unit, box_order, seen);
+  EXPECT_EQ(box_correctly_rounded(line, unit), part);
+  EXPECT_EQ(part, (Piece{{0, 0.5, 0.5}, {1, 0.5, 0.75}}));
+  const auto tested = all<TestedFace>(seen);
+  ASSERT_EQ(tested.size(), 6u);
+  EXPECT_EQ(tested[0].crossing, Crossing::enters);
+  EXPECT_EQ(tested[0].t, 1.0 / 3);
+  EXPECT_EQ(tested[1].crossing, Crossing::leaves);
+  EXPECT_EQ(tested[1].t, 2.0 / 3);
+  EXPECT_EQ(tested[2].crossing, Crossing::inside);
+  EXPECT_EQ(tested[5].leave, 2.0 / 3);  // the far face would let it go on to t = 1
+  EXPECT_EQ(tested[5].t, 1);
+}
+
+TEST(LiangBarskyBox, LeavesBeforeItEnters) {
+  const Piece line{{-5, 8, 5}, {3, 20, 5}};
+  Watcher seen;
+  EXPECT_FALSE(box_parametric(line, ten_cubed, box_order, seen));
+  const auto tested = all<TestedFace>(seen);
+  ASSERT_EQ(tested.size(), 4u);
+  EXPECT_EQ(tested.back().border, Border::top);
+  EXPECT_GT(tested.back().enter, tested.back().leave);
+  ExactWatcher exact;
+  EXPECT_FALSE(box_correctly_rounded(line, ten_cubed, box_order, exact));
+  const auto ordered = all<OrderedFace>(exact);
+  ASSERT_EQ(ordered.size(), 4u);
+  EXPECT_EQ(ordered.back().span.enter, Border::left);
+  EXPECT_EQ(ordered.back().span.leave, Border::top);
+  EXPECT_TRUE(ordered.back().beyond);
+}
+
+TEST(LiangBarskyBox, BesideTheBoxAndPoints) {
+  EXPECT_FALSE(box_parametric(Piece{{1, 11, 1}, {9, 11, 1}}, ten_cubed));
+  EXPECT_FALSE(box_correctly_rounded(Piece{{1, 11, 1}, {9, 11, 1}}, ten_cubed));
+  const Piece point{{5, 10, 0}, {5, 10, 0}};
+  EXPECT_EQ(box_parametric(point, ten_cubed), point);
+  EXPECT_EQ(box_correctly_rounded(point, ten_cubed), point);
+  const Piece through{{1, 1, -1}, {3, 5, 3}};
+  const Piece met{{2, 3, 1}, {2, 3, 1}};
+  EXPECT_EQ(box_correctly_rounded(through, Cube{{0, 0, 1}, {4, 4, 1}}), met);
+  EXPECT_EQ(box_correctly_rounded(through, Cube{{2, 3, 1}, {2, 3, 1}}), met);
+}
+
+TEST(LiangBarskyBox, StepsFollowTheGrammarAndWatchingChangesNothing) {
+  const Piece lines[] = {{{-1, -1.25, -1.5}, {2, 2.25, 2.5}},
+                         {{0.5, 0.5, 0.5}, {0.25, 1, 0}},
+                         {{-1, 5, 5}, {-2, 5, 5}},
+                         {{-0.5, 0.8, 0.5}, {0.3, 2, 0.5}},
+                         {{0.5, 0.5, 0.5}, {0.5, 0.5, 7}}};
+  BoxOrder order = box_order;
+  std::reverse(order.begin(), order.end());
+  for (const Piece& line : lines) {
+    for (const BoxOrder& o : {box_order, order}) {
+      Watcher seen;
+      const auto part = box_parametric(line, unit, o, seen);
+      EXPECT_EQ(part, box_parametric(line, unit, o));
+      EXPECT_EQ(part.has_value(), all<BoxAccepted<double>>(seen).size() == 1);
+      EXPECT_EQ(part.has_value(), all<Rejected<double>>(seen).empty());
+      EXPECT_EQ(seen.events().size(), all<TestedFace>(seen).size() + 2);
+      EXPECT_TRUE(std::holds_alternative<BoxStarted<double>>(seen.events().front().step));
+      ExactWatcher exact;
+      const auto same = box_correctly_rounded(line, unit, o, exact);
+      EXPECT_EQ(same, box_correctly_rounded(line, unit));
+      EXPECT_EQ(same.has_value(), all<BoxKept<double>>(exact).size() == 1);
+      EXPECT_EQ(same.has_value(), all<Missed>(exact).empty());
+      EXPECT_EQ(exact.events().size(), all<OrderedFace>(exact).size() + 2);
+    }
+  }
+}
+
+TEST(LiangBarskyBox, RefusesByName) {
+  const Piece line{{-1, 5, 5}, {11, 5, 5}};
+  const Cube inside_out{{0, 0, 5}, {1, 1, 4}};
+  EXPECT_THROW(box_parametric(line, inside_out), ContractViolation);
+  EXPECT_THROW(box_correctly_rounded(line, inside_out), ContractViolation);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(box_parametric(Piece{{bad, 0, 0}, {1, 1, 1}}, ten_cubed), ContractViolation);
+    EXPECT_THROW(box_correctly_rounded(Piece{{0, 0, 0}, {1, 1, bad}}, ten_cubed), ContractViolation);
+    EXPECT_THROW(box_correctly_rounded(line, Cube{{0, 0, 0}, {1, bad, 1}}), ContractViolation);
+  }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace gradus::stress {
 namespace {
 
-using test::Rational;
+using test::Fraction;
 using Line = Segment<2, double>;
 
 std::optional<test::ExactEnds<2>> in_ten(const Line& line) {
@@ -46,7 +46,7 @@ TEST(Oracles, PolygonsInARectangle) {
       around{{-10, -10}, {30, -10}, {10, 40}}, enters{{-5, 2}, {5, 2}, {5, 8}};
   EXPECT_EQ(test::area_in_rectangle(diamond, {0, 0}, {10, 10}), 100);
   EXPECT_EQ(test::area_in_rectangle(around, {0, 0}, {10, 10}), 100);
-  EXPECT_EQ(test::area_in_rectangle(enters, {0, 0}, {10, 10}), Rational(45) / 2);
+  EXPECT_EQ(test::area_in_rectangle(enters, {0, 0}, {10, 10}), Fraction(45) / 2);
 }
 
 void expect_chord(const Input& i, dvec2 from, dvec2 to) {
@@ -82,7 +82,7 @@ TEST(Oracles, PolygonsInACircle) {
 
 TEST(Oracles, AreasOfTrianglesInDoublesAndExactly) {
   const double u = 0x1p-53;
-  const test::ExactPoint a{Rational(0.5 + 2 * u), Rational(0.5 + u)}, b{12, 12}, c{24, 24};
+  const test::ExactPoint a{Fraction(0.5 + 2 * u), Fraction(0.5 + u)}, b{12, 12}, c{24, 24};
   EXPECT_NEAR(static_cast<double>(test::turn(a, b, c)), -1.33e-15, 0.005e-15);
 }
 
