@@ -310,7 +310,7 @@ T least_span() {
 ///   between 1 and 2 sqrt(3), their determinant is above 1000 ulp of 1; for Exact just not 0. The result's
 ///   columns don't overflow.
 /// Steps: ColumnWritten four times.
-/// Accuracy: against the exact inverse a column is off by at most 32 ulp of 1 times its largest entry,
+/// Accuracy: against the exact inverse a column is off by at most 192 ulp of 1 times its largest entry,
 ///   divided by that determinant.
 /// Cost: three cross products, 3 divisions of a vector.
 /// Errors: ContractViolation when the axes lie in one plane: then nothing leads back.
