@@ -12,11 +12,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "benchmark/subject.hpp"
+#include "core/random.hpp"
 
 namespace gradus::bench::answers {
 
@@ -36,6 +38,21 @@ struct Set {
   std::vector<In> inputs;
   std::vector<std::array<Wide, n>> right;
 };
+
+/// So many inputs of a workload, made once: `make(random)` gives one, `right_of(input)` what is right of it.
+template <class In, std::size_t n, class Key, class Make, class Right>
+const Set<In, n>& made_once(const Key& key, std::size_t count, Make make, Right right_of) {
+  static std::map<std::pair<Key, std::size_t>, Set<In, n>> made;
+  const auto [place, added] = made.try_emplace({key, count});
+  Set<In, n>& set = place->second;
+  if (!added) return set;
+  Random random(1);
+  for (std::size_t i = 0; i < count; ++i) {
+    set.inputs.push_back(make(random));
+    set.right.push_back(right_of(set.inputs.back()));
+  }
+  return set;
+}
 
 /// The worst of each answer's numbers, in the last place of its largest one, but not of one below 1.
 template <class Out, std::size_t n>

@@ -250,7 +250,7 @@ glm::vec<2, T> to_pixel(glm::vec<2, T> ndc, int width, int height, O&& observer 
 ///
 /// T: float, double or Exact. place: continuous, in pixels, also outside the picture.
 ///
-/// Domain: finite.
+/// Domain: finite; the viewport is at least a pixel wide and high, which letterboxes may not be.
 /// Accuracy: for places in the viewport, there and back is within 4 ulp of the window's largest coordinate,
 ///   times picture / viewport where a letterbox leaves bars. Exact: exact.
 /// Cost: two divisions, four multiplications.

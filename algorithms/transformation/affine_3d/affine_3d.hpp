@@ -326,9 +326,9 @@ struct Alignment {
 template <std::floating_point T>
 Alignment<T> alignment(Point<T> axis) {
   const Point<T> n = direction_of(axis);
-  const T d = length_of(Point<T>(T(0), n.y, n.z));
+  const auto [across, d] = directed(Point<T>(T(0), n.y, n.z));
   Alignment<T> found;
-  if (n.y != 0) found.x = turn_of(n.y / d, n.z / d);
+  if (n.y != 0) found.x = turn_of(across.y, across.z);
   const T z = n.y != 0 ? d : n.z;
   if (n.x != 0 || z < 0) found.y = turn_of(T(0) - n.x, z);
   return found;

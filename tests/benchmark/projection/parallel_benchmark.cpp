@@ -2,11 +2,9 @@
 
 #include "projection/parallel/parallel.hpp"
 
-#include <map>
-
 #include "benchmark/answers.hpp"
-#include "core/random.hpp"
 #include "projection/parallel/parallel_notes.hpp"
+#include "stress/projection/parallel.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -18,23 +16,16 @@ constexpr double d = 0.7;
 const dvec3 direction{0.3, -0.2, 0.9};
 
 std::array<Wide, 3> reference(dvec3 p) {
-  const Wide t = (Wide(d) - p.z) / direction.z;
-  return {p.x + t * direction.x, p.y + t * direction.y, Wide(d)};
+  return stress::crossing_of<Wide>({0, 0, 1}, d, {direction.x, direction.y, direction.z}, {p.x, p.y, p.z});
 }
 
 /// So many points within `most` of the origin.
 const Points& points(double most, std::size_t count) {
-  static std::map<std::pair<double, std::size_t>, Points> made;
-  const auto [place, added] = made.try_emplace({most, count});
-  Points& set = place->second;
-  if (!added) return set;
-  Random random(1);
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto make = [most](Random& random) {
     const double x = random.uniform(-most, most), y = random.uniform(-most, most);
-    set.inputs.push_back({x, y, random.uniform(-most, most)});
-    set.right.push_back(reference(set.inputs.back()));
-  }
-  return set;
+    return dvec3(x, y, random.uniform(-most, most));
+  };
+  return made_once<dvec3, 3>(most, count, make, reference);
 }
 
 void add_cases(std::vector<Case>& cases, const Points& set, const Workload& workload) {

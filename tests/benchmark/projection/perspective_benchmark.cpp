@@ -3,10 +3,9 @@
 #include "projection/perspective/perspective.hpp"
 
 #include <glm/ext/matrix_clip_space.hpp>
-#include <map>
 
 #include "benchmark/answers.hpp"
-#include "core/random.hpp"
+#include "stress/projection/perspective.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -18,24 +17,18 @@ const Lens lens{1, 0.1, 100};
 constexpr double aspect = 1.5;
 
 std::array<Wide, 3> reference(dvec3 p) {
-  const Wide half = Wide(lens.vertical_radians) / 2, y_scale = cos(half) / sin(half), z = p.z;
-  const Wide near = lens.near, far = lens.far;
-  return {y_scale / aspect * p.x / z, y_scale * p.y / z, far / (far - near) * (z - near) / z};
+  const Wide half = Wide(lens.vertical_radians) / 2, y_scale = cos(half) / sin(half);
+  const Projection<Wide> exact{.x_scale = y_scale / aspect, .y_scale = y_scale, .z_scale = 0, .z_offset = 0};
+  return stress::place_in_box<Wide>(exact, lens.near, lens.far, {p.x, p.y, p.z});
 }
 
 /// So many points that the camera sees, from `nearest` to `farthest`.
 const Points& points(double nearest, double farthest, std::size_t count) {
-  static std::map<std::tuple<double, double, std::size_t>, Points> made;
-  const auto [place, added] = made.try_emplace({nearest, farthest, count});
-  Points& set = place->second;
-  if (!added) return set;
-  Random random(1);
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto make = [=](Random& random) {
     const double z = random.uniform(nearest, farthest), x = random.uniform(-0.8, 0.8);
-    set.inputs.push_back({z * x, z * random.uniform(-0.5, 0.5), z});
-    set.right.push_back(reference(set.inputs.back()));
-  }
-  return set;
+    return dvec3(z * x, z * random.uniform(-0.5, 0.5), z);
+  };
+  return made_once<dvec3, 3>(std::pair(nearest, farthest), count, make, reference);
 }
 
 void add_cases(std::vector<Case>& cases, const Points& set, const Workload& workload) {

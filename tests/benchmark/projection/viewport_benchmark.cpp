@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,11 +13,11 @@
 #include "benchmark/subject.hpp"
 #include "core/random.hpp"
 #include "projection/viewport/viewport_notes.hpp"
+#include "stress/projection/viewport.hpp"
 
 namespace gradus::bench {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
 using Pixel = std::optional<ivec2>;
 
 constexpr ivec2 picture{640, 480};
@@ -30,20 +29,10 @@ struct Points {
   std::vector<Pixel> right;
 };
 
-int floor_of(const Rational& x) {
-  using boost::multiprecision::cpp_int;
-  const cpp_int top = numerator(x), bottom = denominator(x), down = top / bottom;
-  return static_cast<int>(top < 0 && down * bottom != top ? cpp_int(down - 1) : down);
-}
-
-/// Row 0 is at the top.
 Pixel reference(dvec2 p) {
-  const Rational width = Rational(plane.upper.x) - plane.lower.x;
-  const Rational height = Rational(plane.upper.y) - plane.lower.y;
-  const ivec2 at{floor_of((Rational(p.x) - plane.lower.x) / width * picture.x),
-                 floor_of((Rational(plane.upper.y) - p.y) / height * picture.y)};
-  const bool inside = 0 <= at.x && at.x < picture.x && 0 <= at.y && at.y < picture.y;
-  return inside ? Pixel(at) : std::nullopt;
+  const ExactScope scope;
+  const ExactVec2 place = stress::exact_place(viewport::stretched(plane, picture), p);
+  return stress::exact_pixel(place, picture, viewport::Rounding::floor);
 }
 
 /// So many points within `most` times the window.

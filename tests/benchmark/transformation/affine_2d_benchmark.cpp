@@ -2,13 +2,11 @@
 
 #include "transformation/affine_2d/affine_2d.hpp"
 
-#include <map>
-
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/matrix_transform_2d.hpp>
 
 #include "benchmark/answers.hpp"
-#include "core/random.hpp"
+#include "stress/transformation/affine_2d.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -27,25 +25,22 @@ std::vector<affine_2d::Factor<double>> chain(dvec2 centre) {
 
 /// As seen from the centre.
 std::array<Wide, 2> reference(dvec2 p, dvec2 centre) {
-  const Wide x = (Wide(p.x) - centre.x) * factors_of_scaling.x;
-  const Wide y = (Wide(p.y) - centre.y) * factors_of_scaling.y;
-  const Wide s = Wide(1) / 2, c = sqrt(Wide(3)) / 2;
-  return {c * x - s * y + shift.x, s * x + c * y + shift.y};
+  struct Place {
+    Wide x, y;
+  };
+  const Place from_centre{Wide(p.x) - centre.x, Wide(p.y) - centre.y}, origin{0, 0};
+  const Place larger = stress::scaled(from_centre, {factors_of_scaling.x, factors_of_scaling.y}, origin);
+  const auto [x, y] = stress::turned(larger, Wide(1) / 2, Wide(sqrt(Wide(3)) / 2), origin);
+  return {x + shift.x, y + shift.y};
 }
 
 /// So many points round a centre that lies `away` from the origin.
 const Points& points(double away, std::size_t count) {
-  static std::map<std::pair<double, std::size_t>, Points> made;
-  const auto [place, added] = made.try_emplace({away, count});
-  Points& set = place->second;
-  if (!added) return set;
-  Random random(1);
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto make = [away](Random& random) {
     const double x = random.uniform(-1, 1);
-    set.inputs.push_back(dvec2(away) + dvec2(x, random.uniform(-1, 1)));
-    set.right.push_back(reference(set.inputs.back(), dvec2(away)));
-  }
-  return set;
+    return dvec2(away) + dvec2(x, random.uniform(-1, 1));
+  };
+  return made_once<dvec2, 2>(away, count, make, [away](dvec2 p) { return reference(p, dvec2(away)); });
 }
 
 /// Errors are those of the way from the centre, to which subtracting it adds none.

@@ -3,10 +3,9 @@
 #include "transformation/affine_3d/affine_3d.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
-#include <map>
 
 #include "benchmark/answers.hpp"
-#include "core/random.hpp"
+#include "stress/transformation/affine_3d.hpp"
 
 namespace gradus::bench {
 namespace {
@@ -19,34 +18,14 @@ struct Rotation {
 };
 using Rotations = Set<Rotation, 9>;
 
-/// cos I + (1 - cos) n n^T + sin [n]x, column by column.
-std::array<Wide, 9> reference(const Rotation& r) {
-  const Wide x = r.axis.x, y = r.axis.y, z = r.axis.z, length = sqrt(x * x + y * y + z * z);
-  const Wide n[] = {x / length, y / length, z / length}, s = sin(Wide(r.radians)), c = cos(Wide(r.radians));
-  const Wide across[3][3] = {{0, n[2], -n[1]}, {-n[2], 0, n[0]}, {n[1], -n[0], 0}};
-  std::array<Wide, 9> m;
-  for (std::size_t column = 0; column < 3; ++column) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      m[3 * column + row] =
-          (row == column ? c : Wide(0)) + (1 - c) * n[row] * n[column] + s * across[column][row];
-    }
-  }
-  return m;
-}
-
 /// So many rotations by angles up to `most`.
 const Rotations& rotations(double most, std::size_t count) {
-  static std::map<std::pair<double, std::size_t>, Rotations> made;
-  const auto [place, added] = made.try_emplace({most, count});
-  Rotations& set = place->second;
-  if (!added) return set;
-  Random random(1);
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto make = [most](Random& random) -> Rotation {
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-    set.inputs.push_back({{x, y, random.uniform(-1, 1)}, random.uniform(-most, most)});
-    set.right.push_back(reference(set.inputs.back()));
-  }
-  return set;
+    return {{x, y, random.uniform(-1, 1)}, random.uniform(-most, most)};
+  };
+  return made_once<Rotation, 9>(
+      most, count, make, [](const Rotation& r) { return stress::rotation_about<Wide>(r.axis, r.radians); });
 }
 
 void add_cases(std::vector<Case>& cases, const Rotations& set, const Workload& workload) {

@@ -1,75 +1,61 @@
 // The promises of parallel projections: onto a plane z = d, and onto any.
 
-#include "projection/parallel/parallel.hpp"
+#include "stress/projection/parallel.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <numbers>
 
-#include "core/contract.hpp"
-#include "stress/numbers.hpp"
+#include "projection/parallel/parallel.hpp"
+#include "stress/exactly.hpp"
 #include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-using Vec3 = glm::dvec3;
+using namespace gradus::parallel;
 
-const Rational rounding_unit(0x1p-53);
+std::array<Exact, 3> exactly(const ExactVec3& v) { return {v.x, v.y, v.z}; }
 
-/// Whether a product or a quotient is 0, or a normal number of double.
-bool fits(const Rational& x) {
-  return x == 0 || (Rational(0x1p-1022) <= abs(x) && abs(x) <= Rational(0x1p1022));
-}
-
-double in_units(const Rational& error, const Rational& bound) {
-  if (error == 0) return 0;
-  return bound == 0 ? wrong : static_cast<double>(Rational(error / bound));
-}
-
-// --- Oblique: d, slant, point ---------------------------------------------------------------------------
+// --- Oblique: d, slant, point ----------------------------------------------------------------------------
 
 Input oblique_input(Kind kind, Random& random) {
-  Input input;
-  for (int i = 0; i < 6; ++i) input.push_back(number(kind, random));
+  Input input = numbers_of(kind, random, 6);
   if (kind == Kind::near_degenerate) input[5] = nudged(input[0], random);  // beside the plane
   if (kind == Kind::grazing) input[5] = input[0];
   if (kind == Kind::tiny) input[1] = input[2] = random.uniform(-2, 2);
   return input;
 }
 
-double oblique_error(const Input& i) {
-  const double d = i[0];
-  for (const double slant : {i[1], i[2]}) {
-    const Rational t = Rational(d) - Rational(i[5]), largest(std::numeric_limits<double>::max());
-    if (abs(t) > largest || abs(t * Rational(slant)) > largest / 4) return 0;  // beyond the domain
-  }
-  if (std::max(std::abs(i[3]), std::abs(i[4])) > 0x1p1022) return 0;
-  const Vec3 image = parallel::oblique(d, {i[1], i[2]}, Vec3{i[3], i[4], i[5]});
-  if (image.z != d) return wrong;
-  if (i[5] == d && (image.x != i[3] || image.y != i[4])) return wrong;
-  const Rational t = Rational(d) - Rational(i[5]), smallest(0x1p-1074);
+template <class T>
+double oblique_error(const std::vector<T>& i) {
+  if (!all_finite(i)) return 0;
+  const T d = i[0];
+  const glm::vec<3, T> point = vector_in(i, 3);
+  const Exact t = Exact(d) - Exact(point.z), aside[] = {t * Exact(i[1]), t * Exact(i[2])}, four(4);
+  // Beyond the domain
+  if (overflows<T>(t) || overflows<T>(four * aside[0]) || overflows<T>(four * aside[1])) return 0;
+  if (std::max(std::abs(point.x), std::abs(point.y)) > std::numeric_limits<T>::max() / 4) return 0;
+  const glm::vec<3, T> image = oblique(d, Slant<T>{i[1], i[2]}, point);
+  if (image.z != d || (point.z == d && image != point)) return wrong;
+  const auto right = crossing_of<Exact>({0, 0, 1}, d, {i[1], i[2], 1}, exactly(ExactVec3(point)));
+  const Exact u = rounding_unit<T>(), smallest(std::numeric_limits<T>::denorm_min());
   double worst = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Rational aside = t * Rational(i[1 + k]);
-    const double place = image[static_cast<int>(k)];
-    const Rational bound = rounding_unit * (abs(Rational(place)) + 2 * abs(aside)) + smallest / 2;
-    worst = std::max(worst, in_units(abs(Rational(i[3 + k]) + aside - Rational(place)), bound));
+    const Exact place(image[static_cast<int>(k)]);
+    const Exact bound = u * (abs(place) + Exact(2) * (Exact(1) + u) * abs(aside[k])) + smallest / Exact(2);
+    worst = std::max(worst, in_bounds(abs(right[k] - place), bound));
   }
   return worst;
 }
 
-// --- Along any direction onto any plane: normal, offset, direction, point -------------------------------
+// --- Along any direction onto any plane: normal, offset, direction, point --------------------------------
 
 Input along_input(Kind kind, Random& random) {
-  Input input;
-  for (int i = 0; i < 10; ++i) input.push_back(number(kind, random));
+  Input input = numbers_of(kind, random, 10);
   if (kind == Kind::near_degenerate) {
     // Nearly in the plane: from a right angle to the normal a little aside
-    const Vec3 n{input[0], input[1], input[2]};
-    const Vec3 across = glm::cross(n, Vec3{input[4], input[5], input[6]});
+    const dvec3 n = vector_in(input, 0), across = glm::cross(n, vector_in(input, 4));
     const double share = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.uniform_int(-56, -2)));
     for (int i = 0; i < 3; ++i) input[4 + static_cast<std::size_t>(i)] = across[i] + share * n[i];
   } else if (kind == Kind::grazing) {
@@ -79,46 +65,97 @@ Input along_input(Kind kind, Random& random) {
   return input;
 }
 
-double along_error(const Input& i) {
-  const parallel::Plane<double> plane{{i[0], i[1], i[2]}, i[3]};
-  const Vec3 direction{i[4], i[5], i[6]}, point{i[7], i[8], i[9]};
-  Rational q, sum, far = abs(Rational(i[3]));
-  Rational ahead(i[3]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational n(i[k]), v(i[4 + k]), p(i[7 + k]);
-    q += n * v;
-    sum += abs(Rational(n * v));
-    far += abs(Rational(n * p));
-    ahead -= n * p;
+/// A plane and a direction, and what decides whether they meet: q = normal . direction, and the sum of its
+/// absolute terms.
+template <class T>
+struct Meeting {
+  Plane<T> plane;
+  glm::vec<3, T> direction;
+  Exact q, sum;
+  bool normal = true;  ///< all products are normal numbers of T
+
+  explicit Meeting(const std::vector<T>& i)
+      : plane{vector_in(i, 0), i[3]}, direction(vector_in(i, 4)), q(0), sum(0) {
+    for (int k = 0; k < 3; ++k) {
+      const Exact product = Exact(plane.normal[k]) * Exact(direction[k]);
+      normal = normal && fits<T>(product);
+      q += product;
+      sum += abs(product);
+    }
+    normal = normal && fits<T>(sum);
   }
-  // Beyond the domain
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational n(i[k]), v(i[4 + k]), p(i[7 + k]);
-    if (!fits(n * v) || !fits(n * p) || !fits(sum) || !fits(far)) return 0;
-    if (q != 0 && (!fits(ahead / q) || !fits(ahead / q * v) || !fits(p + ahead / q * v))) return 0;
+  bool surely() const { return abs(q) > Exact(20) * rounding_unit<T>() * sum; }
+};
+
+/// A refusal is right only where rounding could decide whether they meet.
+template <class T>
+double refusal_error(const Meeting<T>& m) {
+  return m.surely() ? wrong : 0;
+}
+
+template <class T>
+double along_error(const std::vector<T>& i) {
+  if (!all_finite(i)) return 0;
+  const Meeting<T> m(i);
+  const glm::vec<3, T> point = vector_in(i, 7);
+  const ExactVec3 n(m.plane.normal), v(m.direction), p(point);
+  const Exact offset(m.plane.offset), ahead = offset - glm::dot(n, p);
+  const Exact t = sign(m.q) == 0 ? m.q : ahead / m.q;
+  Exact far = abs(offset);
+  bool in_domain = m.normal && fits<T>(t);
+  for (int k = 0; k < 3; ++k) {
+    const Exact product = n[k] * p[k], slide = t * v[k];
+    far += abs(product);
+    in_domain = in_domain && fits<T>(product) && fits<T>(far) && fits<T>(slide) && fits<T>(p[k] + slide);
   }
-  Vec3 image;
-  try {
-    image = parallel::along(plane, direction, point);
-  } catch (const ContractViolation&) {
-    return abs(q) > 32 * rounding_unit * sum ? wrong : 0;
-  }
-  if (q == 0) return wrong;
+  if (!in_domain) return 0;
+  const auto image = accepted([&] { return along(m.plane, m.direction, point); });
+  if (image.has_value() != meets(m.plane, m.direction)) return wrong;
+  if (!image) return refusal_error(m);
+  if (sign(m.q) == 0) return wrong;
+  const auto right = crossing_of(exactly(n), offset, exactly(v), exactly(p));
+  const Exact slide = Exact(10) * far * m.sum / (m.q * m.q);
   double worst = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational v(i[4 + k]), p(i[7 + k]);
-    const Rational bound = rounding_unit * (10 * abs(v) * far * sum / (q * q) + 2 * abs(p));
-    worst = std::max(
-        worst, in_units(abs(Rational(p + ahead / q * v - Rational(image[static_cast<int>(k)]))), bound));
+  for (int k = 0; k < 3; ++k) {
+    const Exact bound = rounding_unit<T>() * (slide * abs(v[k]) + Exact(2) * abs(p[k]));
+    worst = std::max(worst, in_bounds(abs(right[static_cast<std::size_t>(k)] - Exact((*image)[k])), bound));
   }
   return worst;
 }
 
-// --- The slant of an angle and a foreshortening ----------------------------------------------------------
+bool is_refused(const Input& i) {
+  return all_finite(i) && !meets(Plane<double>{vector_in(i, 0), i[3]}, vector_in(i, 4));
+}
 
-/// Digits for angles of 1e308, too.
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<1400, boost::multiprecision::digit_base_2>,
+/// The matrix: normal, offset, direction.
+template <class T>
+double matrix_error(const std::vector<T>& i) {
+  if (!all_finite(i)) return 0;
+  const Meeting<T> m(i);
+  if (!m.normal) return 0;
+  const auto found = accepted([&] { return matrix_of(m.plane, m.direction); });
+  if (!found) return refusal_error(m);
+  if (sign(m.q) == 0) return wrong;
+  const Exact u = rounding_unit<T>(), cancels = Exact(7) * m.sum / abs(m.q);
+  const ExactVec3 shares = ExactVec3(m.direction) / m.q;
+  double worst = 0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      const Exact product = shares[row] * Exact(i[static_cast<std::size_t>(column)]);
+      if (!fits<T>(shares[row]) || !fits<T>(product)) continue;
+      const Exact one(column == row ? 1 : 0), exact = column == 3 ? product : one - product;
+      const Exact bound = u * (cancels * abs(product) + one);
+      worst = std::max(worst, in_bounds(abs(exact - Exact((*found)[column][row])), bound));
+    }
+  }
+  return worst;
+}
+
+// --- The slant of an angle and a foreshortening -----------------------------------------------------------
+
+template <unsigned bits>
+using Float = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 
 Input slant_input(Kind kind, Random& random) {
@@ -130,59 +167,47 @@ Input slant_input(Kind kind, Random& random) {
   return input;
 }
 
-double slant_error(const Input& i) {
-  const bool taken = all_finite(i) && i[1] >= 0;
-  parallel::Slant<double> slant{};
-  try {
-    slant = parallel::slant_of(i[0], i[1]);
-  } catch (const ContractViolation&) {
-    return taken ? wrong : 0;
-  }
-  if (!taken) return wrong;
-  const auto ulps = [](double found, const Wide& exact) {
-    if (!std::isfinite(found)) return wrong;
-    const double size = std::abs(static_cast<double>(exact));
-    const double ulp = std::nextafter(size, wrong) - size;
-    return static_cast<double>(Wide(abs(Wide(found) - exact) / ulp));
-  };
-  const Wide length(i[1]), angle(i[0]);
-  return std::max(ulps(slant.a, -(length * cos(angle))), ulps(slant.b, -(length * sin(angle))));
-}
-
-// --- The matrix: normal, offset, direction --------------------------------------------------------------
-
-double matrix_error(const Input& i) {
-  const parallel::Plane<double> plane{{i[0], i[1], i[2]}, i[3]};
-  const Vec3 direction{i[4], i[5], i[6]};
-  Rational q, sum;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational product = Rational(i[k]) * Rational(i[4 + k]);
-    if (!fits(product)) return 0;
-    q += product;
-    sum += abs(product);
-  }
-  if (!fits(sum)) return 0;
-  glm::dmat4 found;
-  try {
-    found = parallel::matrix_of(plane, direction);
-  } catch (const ContractViolation&) {
-    return abs(q) > 32 * rounding_unit * sum ? wrong : 0;
-  }
-  if (q == 0) return wrong;
+template <class Number>
+double slant_ulps(const Input& i, const Slant<double>& found) {
+  const Number length(i[1]), angle(i[0]), exact[] = {-(length * cos(angle)), -(length * sin(angle))};
   double worst = 0;
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      const Rational factor(i[static_cast<std::size_t>(column)]), share = Rational(direction[row]) / q;
-      const Rational product = share * factor;
-      if (!fits(share) || !fits(product)) continue;
-      const bool diagonal = column == row;
-      const Rational exact = column == 3 ? product : Rational((diagonal ? 1 : 0) - product);
-      const Rational bound =
-          7 * rounding_unit * sum / abs(q) * abs(product) + (diagonal ? rounding_unit : Rational(0));
-      worst = std::max(worst, in_units(abs(exact - Rational(found[column][row])), bound));
-    }
+  for (const auto& [slant, right] : {std::pair(found.a, exact[0]), std::pair(found.b, exact[1])}) {
+    if (!std::isfinite(slant)) return wrong;
+    const double size = std::abs(static_cast<double>(right));
+    const double ulp = std::nextafter(size, wrong) - size;
+    worst = std::max(worst, static_cast<double>(Number(abs(Number(slant) - right) / ulp)));
   }
   return worst;
+}
+
+double slant_error(const Input& i) {
+  const auto slant = accepted([&] { return slant_of(i[0], i[1]); });
+  if (slant.has_value() != (all_finite(i) && i[1] >= 0)) return wrong;
+  if (!slant) return 0;
+  // Digits for angles of 1e308, too
+  return std::abs(i[0]) < 0x1p60 ? slant_ulps<Float<340>>(i, *slant) : slant_ulps<Float<1400>>(i, *slant);
+}
+
+// --- What is kept: normal, offset, direction, two points, a move, a share ---------------------------------
+
+bool laws_hold(const Input& i) {
+  const Plane<Exact> plane{ExactVec3(vector_in(i, 0)), Exact(i[3])};
+  const ExactVec3 v(vector_in(i, 4)), a(vector_in(i, 7)), b(vector_in(i, 10)), move(vector_in(i, 13));
+  const Exact share(i[16]);
+  if (!meets(plane, v)) return glm::dot(plane.normal, v) == Exact(0);
+  const auto image = [&](const ExactVec3& p) { return along(plane, v, p); };
+  const ExactVec3 ia = image(a), ib = image(b);
+  const Slant<Exact> slant{v.x, v.y};
+  const Plane<Exact> front{ExactVec3{0, 0, 1}, plane.offset};
+  return glm::dot(plane.normal, ia) == plane.offset && glm::cross(ia - a, v) == ExactVec3(Exact(0)) &&
+         oblique(plane.offset, slant, a) == along(front, ExactVec3{v.x, v.y, Exact(1)}, a) &&
+         // Parallels stay parallel, ratios stay
+         image(a + share * (b - a)) == ia + share * (ib - ia) &&
+         // No diminution with distance: moved anywhere, the same figure
+         image(b + move) - image(a + move) == ib - ia &&
+         // Two depths, one picture
+         image(a + share * v) == ia && image(ia) == ia &&
+         matrix_of(plane, v) * glm::vec<4, Exact>(a, Exact(1)) == glm::vec<4, Exact>(ia, Exact(1));
 }
 
 }  // namespace
@@ -192,28 +217,39 @@ Domain parallel() {
           {{.name = "oblique",
             .states = "x and y within u (|x'| + 2 |t a|) and half the smallest number",
             .unit = "bounds",
-            .bound = 1 + 0x1p-50,
+            .bound = 1,
             .numbers = 6,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                      Kind::denormal, Kind::extremes},
             .generate = at_every_scale(oblique_input),
-            .error = oblique_error,
+            .error = in_both([](const auto& i) { return oblique_error(i); }),
             .traps = {{"in the plane", {0.1, 0.3, 0.7, 0.1, 0.2, 0.1}},
                       {"nearly in the plane", {1, 1, 1, 1, 1, std::nextafter(1, 2)}},
-                      {"products underflow", {1e-200, 1e-200, 1e-200, 0, 0, 0}}}},
+                      {"products underflow", {1e-200, 1e-200, 1e-200, 0, 0, 0}}},
+            .shares = {{"in the plane", 0.05, [](const Input& i) { return i[5] == i[0]; }}}},
            {.name = "along",
             .states = "each coordinate within 10 u |v| N S / q^2 + 2 u |p|; parallel projectors are refused",
             .unit = "bounds",
             .bound = 1,
             .numbers = 10,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                      Kind::denormal, Kind::extremes},
             .generate = at_every_scale(along_input),
-            .error = along_error,
+            .error = in_both([](const auto& i) { return along_error(i); }),
             .traps = {{"in the plane", {1, -1, 1, -3, 1, 1, 0, 2, 2, 4}},
                       {"in the plane but for a rounding", {0.1, 0.2, 0.3, 1, 3, 0, -1, 1, 2, 3}},
                       {"no direction", {0, 0, 1, 1, 0, 0, 0, 1, 2, 3}},
-                      {"no plane", {0, 0, 0, 1, 1, 2, 3, 1, 2, 3}}}},
+                      {"no plane", {0, 0, 0, 1, 1, 2, 3, 1, 2, 3}}},
+            .shares = {{"refused", 0.05, is_refused}}},
+           {.name = "matrix_of",
+            .states = "an entry within 7 u S / |q| of its product, and u where it is taken from 1",
+            .unit = "bounds",
+            .bound = 1,
+            .numbers = 7,
+            .generate = at_every_scale([](Kind kind, Random& random) {
+              Input input = along_input(kind, random);
+              input.resize(7);
+              return input;
+            }),
+            .error = in_both([](const auto& i) { return matrix_error(i); }),
+            .traps = {{"in the plane but for a rounding", {0.1, 0.2, 0.3, 1, 3, 0, -1}},
+                      {"no direction", {0, 0, 1, 1, 0, 0, 0}}}},
            {.name = "slant_of",
             .states = "both numbers within 1.51 ulp, for every angle",
             .unit = "ulp",
@@ -227,21 +263,10 @@ Domain parallel() {
                       {"the product underflows", {1, 0x1p-1074}},
                       {"a negative foreshortening", {1, -0.5}},
                       {"an infinite angle", {wrong, 1}}}},
-           {.name = "matrix_of",
-            .states = "an entry within 7 u S / |q| of its product, and u where it is taken from 1",
-            .unit = "bounds",
-            .bound = 1,
-            .numbers = 7,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                      Kind::denormal, Kind::extremes},
-            .generate = at_every_scale([](Kind kind, Random& random) {
-              Input input = along_input(kind, random);
-              input.resize(7);
-              return input;
-            }),
-            .error = matrix_error,
-            .traps = {{"in the plane but for a rounding", {0.1, 0.2, 0.3, 1, 3, 0, -1}},
-                      {"no direction", {0, 0, 1, 1, 0, 0, 0}}}}}};
+           exact_relation("laws",
+                          "parallels and ratios stay, distance diminishes nothing, and twice is as once, by "
+                          "matrix, too",
+                          17, laws_hold)}};
 }
 
 }  // namespace gradus::stress

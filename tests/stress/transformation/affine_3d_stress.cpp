@@ -1,25 +1,39 @@
 // The promises of transformations in space.
 
-#include "transformation/affine_3d/affine_3d.hpp"
+#include "stress/transformation/affine_3d.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 
-#include "core/contract.hpp"
-#include "stress/numbers.hpp"
+#include "stress/exactly.hpp"
 #include "stress/scales.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-using Float = boost::multiprecision::cpp_bin_float_100;
+using namespace gradus::affine_3d;
+using Float = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<340, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
 
-dvec3 vector_of(const Input& i, std::size_t from) { return {i[from], i[from + 1], i[from + 2]}; }
+/// The largest entry of R^T R - I, exactly, in ulp of 1.
+template <class T>
+double off_orthogonal(const Matrix<T>& m) {
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (!gradus::all_finite(m[i].x, m[i].y, m[i].z)) return wrong;
+    for (int k = 0; k <= i; ++k) {
+      const Exact product = glm::dot(ExactVec3(m[i]), ExactVec3(m[k]));
+      worst = std::max(worst, in_bounds(abs(product - Exact(i == k ? 1 : 0)), ulp_of<T>(Exact(1))));
+    }
+  }
+  return worst;
+}
 
-/// An axis and an angle: x, y, z, radians.
-Input generate(Kind kind, Random& random) {
+// --- Rotations: an axis, radians --------------------------------------------------------------------------
+
+Input axis_and_angle(Kind kind, Random& random) {
   Input input{number(kind, random), number(kind, random), number(kind, random), random.uniform(-7, 7)};
   if (kind == Kind::refused && all_finite(input)) input = {0, 0, 0, 1};
   if (kind == Kind::near_degenerate) {
@@ -35,37 +49,64 @@ Input generate(Kind kind, Random& random) {
   return input;
 }
 
-/// The largest entry of R^T R - I, exactly, in units of 2^-52.
-double off_orthogonal(const glm::dmat4& m) {
+template <class T>
+double rotation_error(const std::vector<T>& i) {
+  const Point<T> axis = vector_in(i, 0);
+  const auto found = accepted([&] { return rotation(axis, i[3]); });
+  if (found.has_value() != (all_finite(i) && axis != Point<T>(0))) return wrong;
+  return found ? off_orthogonal(*found) : 0;
+}
+
+/// The size of the axis makes no difference.
+double size_error(const Input& i) {
+  const dvec3 axis = vector_in(i, 0);
+  const auto moderate = [](double x) {
+    return x == 0 || (0x1p-400 <= std::abs(x) && std::abs(x) <= 0x1p400);
+  };
+  if (!all_finite(i) || axis == dvec3(0) || !std::all_of(i.begin(), i.begin() + 3, moderate)) return 0;
+  const glm::dmat4 m = rotation(axis, i[3]);
+  return rotation(axis * 0x1p600, i[3]) == m && rotation(axis * 0x1p-600, i[3]) == m ? 0 : wrong;
+}
+
+/// In units of 1e-15.
+double entry_error(const Input& i) {
+  const dvec3 axis = vector_in(i, 0);
+  if (!all_finite(i) || axis == dvec3(0) || std::abs(i[3]) > 0x1p100) return 0;
+  const glm::dmat4 found = rotation(axis, i[3]);
+  const auto right = rotation_about<Float>(axis, i[3]);
   double worst = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      Rational sum = i == k ? -1 : 0;
-      for (int r = 0; r < 3; ++r) {
-        if (!std::isfinite(m[i][r])) return wrong;
-        sum += Rational(m[i][r]) * Rational(m[k][r]);
-      }
-      worst = std::max(worst, std::abs(static_cast<double>(sum)) * 0x1p52);
-    }
+  for (int k = 0; k < 9; ++k) {
+    const Float miss = abs(Float(found[k / 3][k % 3]) - right[static_cast<std::size_t>(k)]);
+    worst = std::max(worst, static_cast<double>(miss) * 1e15);
   }
   return worst;
 }
 
-double error(const Input& i) {
-  const bool taken = all_finite(i) && (i[0] != 0 || i[1] != 0 || i[2] != 0);
-  try {
-    const double off = off_orthogonal(affine_3d::rotation({i[0], i[1], i[2]}, i[3]));
-    return taken ? off : wrong;
-  } catch (const ContractViolation&) {
-    return taken ? wrong : 0;
+/// The largest share used up of what is promised of the other ways to turn: an axis, radians, a point of the
+/// axis, a point.
+double other_ways_error(const Input& i) {
+  const ExactScope scope;
+  const dvec3 axis = vector_in(i, 0), through = vector_in(i, 4), p = vector_in(i, 7);
+  const double size = glm::length(through) + glm::length(p - through);
+  if (!all_finite(i) || axis == dvec3(0) || !(0x1p-400 < size && size < 0x1p400)) return 0;
+  const dvec3 n = direction_of(axis);
+  const Turn<double> t = turn(i[3]);
+  const Matrix<double> r = rodrigues(n, t), d = decomposition(dvec3(0), alignment(axis), t);
+  const Matrix<double> k = rodrigues_by_cross_products(n, t), clean = rotation(axis, i[3]);
+  double worst = std::max(off_orthogonal(r), off_orthogonal(d)) / 10;
+  for (int e = 0; e < 9; ++e) {
+    const int x = e / 3, y = e % 3;
+    const double apart = std::max(std::abs(r[x][y] - d[x][y]), std::abs(r[x][y] - k[x][y]));
+    worst = std::max({worst, apart * 0x1p52 / 8, std::abs(r[x][y] - clean[x][y]) * 1e15});
   }
+  const double away = glm::distance(turn_vector(n, through, t, p), transform(about(through, clean), p));
+  return std::max(worst, away / size * 0x1p52 / 8);
 }
 
-// --- A point under a matrix: four columns, then the point -----------------------------------------------
+// --- A point under a matrix: four columns, then the point -------------------------------------------------
 
 Input matrix_and_point(Kind kind, Random& random) {
-  Input input(15);
-  for (double& x : input) x = number(kind, random);
+  Input input = numbers_of(kind, random, 15);
   if (kind == Kind::near_degenerate) {
     // The first row nearly undoes itself
     input[14] = nudged(input[13], random);
@@ -75,34 +116,42 @@ Input matrix_and_point(Kind kind, Random& random) {
   return input;
 }
 
-double transform_error(const Input& i) {
-  const glm::dmat4 m{{vector_of(i, 0), 0}, {vector_of(i, 3), 0}, {vector_of(i, 6), 0}, {vector_of(i, 9), 1}};
-  const dvec3 point = vector_of(i, 12), to = affine_3d::transform(m, point);
+template <class T>
+Matrix<T> columns_in(const std::vector<T>& i, std::size_t count) {
+  Matrix<T> m(T(1));
+  for (std::size_t k = 0; k < count; ++k) {
+    m[static_cast<int>(k)] = glm::vec<4, T>(vector_in(i, 3 * k), T(k == 3 ? 1 : 0));
+  }
+  return m;
+}
+
+template <class T>
+double transform_error(const std::vector<T>& i) {
+  if (!all_finite(i)) return 0;
+  const Matrix<T> m = columns_in(i, 4);
+  const Point<T> point = vector_in(i, 12), to = transform(m, point);
+  const Exact u = rounding_unit<T>(), smallest(std::numeric_limits<T>::denorm_min());
   double worst = 0;
   for (int row = 0; row < 3; ++row) {
-    Rational sum(m[3][row]), size = abs(sum);
-    int underflows = 0;
+    Exact sum(m[3][row]), size = abs(sum), lost(0);
     for (int k = 0; k < 3; ++k) {
-      const Rational product = Rational(m[k][row]) * Rational(point[k]);
+      const Exact product = Exact(m[k][row]) * Exact(point[k]);
       sum += product;
       size += abs(product);
-      underflows += product != 0 && abs(product) < Rational(0x1p-1021);
+      if (!fits<T>(product) && std::abs(to_double(product)) < 1) lost += smallest / Exact(2);
     }
-    if (size > Rational(std::numeric_limits<double>::max())) continue;
+    if (overflows<T>(size)) continue;
     if (!std::isfinite(to[row])) return wrong;
-    const Rational bound =
-        size * Rational(0x1p-51) * (1 + Rational(0x1p-51)) + underflows * Rational(0x1p-1074) / 2;
-    const Rational off = abs(sum - Rational(to[row]));
-    if (off > 0) worst = std::max(worst, bound == 0 ? wrong : static_cast<double>(Rational(off / bound)));
+    const Exact bound = size * Exact(4) * u * (Exact(1) + Exact(4) * u) + lost;
+    worst = std::max(worst, in_bounds(abs(sum - Exact(to[row])), bound));
   }
   return worst;
 }
 
-// --- Normals: three columns -----------------------------------------------------------------------------
+// --- Normals: three columns -------------------------------------------------------------------------------
 
 Input three_columns(Kind kind, Random& random) {
-  Input input(9);
-  for (double& x : input) x = number(kind, random);
+  Input input = numbers_of(kind, random, 9);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // The third column in the plane of the others, but for the last places
     const double s = random.uniform(-2, 2), t = random.uniform(-2, 2);
@@ -112,51 +161,41 @@ Input three_columns(Kind kind, Random& random) {
 }
 
 double normal_error(const Input& i) {
-  const glm::dmat4 m{{vector_of(i, 0), 0}, {vector_of(i, 3), 0}, {vector_of(i, 6), 0}, {0, 0, 0, 1}};
-  const glm::dmat3 found = affine_3d::normal_matrix(m);
+  const ExactScope scope;
+  const Matrix<double> m = columns_in(i, 3);
+  const auto answer = accepted([&] { return normal_matrix(m); });
+  if (answer.has_value() != all_finite(i)) return wrong;
+  if (!answer) return 0;
+  const glm::dmat3& found = *answer;
   double largest = 0;
   for (const double x : i) largest = std::max(largest, std::abs(x));
   if (largest == 0) return found == glm::dmat3(0) ? 0 : wrong;
+  // What may count as 0 may decide the sign
+  if (std::ranges::any_of(i, [&](double x) { return x != 0 && std::abs(x) < 0x1p-499 * largest; })) return 0;
   const int exponent = std::ilogb(largest);
-  const Rational scale =
-      Rational(std::ldexp(1.0, -exponent / 2)) * Rational(std::ldexp(1.0, -exponent + exponent / 2));
-  const auto entry = [&](int column, int row) {
-    const double x = i[static_cast<std::size_t>(3 * (column % 3) + row % 3)];
-    return abs(Rational(x)) < Rational(0x1p-500) * Rational(largest) ? Rational(0) : Rational(x * scale);
-  };
-  Rational det = 0;
-  struct Minor {
-    Rational exact, size;
-  };
-  const auto minor = [&](int column, int row) {
-    const Rational left = entry(column + 1, row + 1) * entry(column + 2, row + 2);
-    const Rational right = entry(column + 1, row + 2) * entry(column + 2, row + 1);
-    return Minor{Rational(left - right), Rational(abs(left) + abs(right))};
-  };
-  for (int row = 0; row < 3; ++row) det += entry(0, row) * minor(0, row).exact;
-  const bool small =
-      std::ranges::any_of(i, [&](double x) { return x != 0 && std::abs(x) < 0x1p-499 * largest; });
-  if (small) return 0;  // what may count as 0 may decide the sign
-  if (affine_3d::mirrors(m) != (det < 0)) return wrong;
+  const Exact scale =
+      Exact(std::ldexp(1.0, -exponent / 2)) * Exact(std::ldexp(1.0, -exponent + exponent / 2));
+  ExactVec3 columns[3];
+  for (int k = 0; k < 3; ++k) columns[k] = ExactVec3(dvec3(m[k])) * scale;
+  const Exact det = glm::dot(columns[0], glm::cross(columns[1], columns[2]));
+  if (mirrors(m) != (det < Exact(0))) return wrong;
+  const Exact side(det < Exact(0) ? -1 : 1), share = Exact(0x1p-52) * (Exact(1) + Exact(0x1p-53));
   double worst = 0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      const Minor right = minor(column, row);
-      const double x = found[column][row];
-      if (!std::isfinite(x)) return wrong;
-      const Rational off = abs((det < 0 ? Rational(-right.exact) : right.exact) - Rational(x));
-      const Rational bound = right.size * Rational(0x1p-52) * (1 + Rational(0x1p-53));
-      if (off > 0) worst = std::max(worst, bound == 0 ? wrong : static_cast<double>(Rational(off / bound)));
-    }
+  for (int k = 0; k < 9; ++k) {
+    const ExactVec3 &a = columns[(k / 3 + 1) % 3], &b = columns[(k / 3 + 2) % 3];
+    const int row = k % 3, next = (row + 1) % 3, last = (row + 2) % 3;
+    const Exact left = a[next] * b[last], right = a[last] * b[next];
+    if (!std::isfinite(found[k / 3][row])) return wrong;
+    const Exact off = abs(side * (left - right) - Exact(found[k / 3][row]));
+    worst = std::max(worst, in_bounds(off, share * (abs(left) + abs(right))));
   }
   return worst;
 }
 
-// --- Drifted rotations: the first two columns -----------------------------------------------------------
+// --- Drifted rotations: the first two columns -------------------------------------------------------------
 
 Input two_columns(Kind kind, Random& random) {
-  Input input(6);
-  for (double& x : input) x = number(kind == Kind::refused ? Kind::random : kind, random);
+  Input input = numbers_of(kind == Kind::refused ? Kind::random : kind, random, 6);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // Nearly along each other, at angles down to the last place; or a little beside a rotation
     const double angle = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.uniform_int(-60, -2)));
@@ -174,84 +213,184 @@ Input two_columns(Kind kind, Random& random) {
   return input;
 }
 
-std::array<Float, 3> unit(const std::array<Rational, 3>& v) {
-  const std::array<Float, 3> wide{Float(v[0]), Float(v[1]), Float(v[2])};
-  const Float length = sqrt(wide[0] * wide[0] + wide[1] * wide[1] + wide[2] * wide[2]);
-  return {wide[0] / length, wide[1] / length, wide[2] / length};
+/// How far a vector is from the direction of another one, in ulp of 1.
+double off_direction(const glm::dvec4& found, const ExactVec3& v) {
+  const Exact largest = std::max({abs(v.x), abs(v.y), abs(v.z)});
+  Float wide[3];
+  for (int k = 0; k < 3; ++k) {
+    // In two parts, for the quotient has more digits than a double
+    const Exact quotient = v[k] / largest;
+    const double high = to_double(quotient);
+    wide[k] = Float(high) + Float(to_double(quotient - Exact(high)));
+  }
+  const Float length = sqrt(Float(wide[0] * wide[0] + wide[1] * wide[1] + wide[2] * wide[2]));
+  double worst = 0;
+  for (int k = 0; k < 3; ++k) {
+    worst = std::max(worst, std::abs(static_cast<double>(Float(found[k] - wide[k] / length))) * 0x1p52);
+  }
+  return worst;
 }
 
 double orthonormal_error(const Input& i) {
-  glm::dmat4 m(1), found;
-  m[0] = {vector_of(i, 0), 0};
-  m[1] = {vector_of(i, 3), 0};
-  bool taken = true;
-  try {
-    found = affine_3d::orthonormalized(m);
-  } catch (const ContractViolation&) {
-    taken = false;
-  }
-  if (!all_finite(i)) return taken ? wrong : 0;
+  const ExactScope scope;
+  const auto found = accepted([&] { return orthonormalized(columns_in(i, 2)); });
+  if (!all_finite(i)) return found ? wrong : 0;
   // As the header has it: what is vanishingly small beside the largest may count as 0
-  std::array<std::array<Rational, 3>, 2> columns;
-  for (int k = 0; k < 2; ++k) {
-    const dvec3 scaled = Scaled<double>(vector_of(i, 3 * static_cast<std::size_t>(k))).vector;
-    columns[static_cast<std::size_t>(k)] = {Rational(scaled.x), Rational(scaled.y), Rational(scaled.z)};
+  const ExactVec3 a(Scaled<double>(vector_in(i, 0)).vector), b(Scaled<double>(vector_in(i, 3)).vector);
+  const ExactVec3 normal = glm::cross(a, b);
+  const Exact sine = std::max({abs(normal.x), abs(normal.y), abs(normal.z)});
+  if (sign(sine) == 0) return found ? wrong : 0;
+  if (sine < Exact(0x1p-900)) return 0;
+  if (!found) return wrong;
+  return std::max(
+      {off_orthogonal(*found), off_direction((*found)[0], a), off_direction((*found)[2], normal)});
+}
+
+// --- In exact arithmetic ----------------------------------------------------------------------------------
+
+/// Tangents of half the angles that align an axis and of the turn, which of the two are made (0: round y
+/// alone, 1: round x alone), a point of the axis, a point, a number; and three vectors.
+constexpr std::size_t turn_numbers = 20;
+
+ExactVec3 exact_vector(const Input& i, std::size_t from) { return ExactVec3(vector_in(i, from)); }
+
+/// The vectors of the drawing obey its laws.
+struct Drawing {
+  ExactVec3 n, p, r, s;
+  int steps = 0;
+  bool right = true;
+
+  template <class Step>
+  void operator()(const Step& step) {
+    ++steps;
+    if constexpr (std::same_as<Step, Projected<Exact>>) {
+      p = step.p, r = step.r;
+      right = right && glm::cross(r, n) == ExactVec3(Exact(0));
+    } else if constexpr (std::same_as<Step, Rejected<Exact>>) {
+      s = step.s;
+      right = right && r + s == p && glm::dot(s, n) == Exact(0);
+    } else if constexpr (std::same_as<Step, Crossed<Exact>>) {
+      right = right && glm::dot(step.v, s) == Exact(0) && glm::dot(step.v, step.v) == glm::dot(s, s);
+    }
   }
-  const auto& [a, b] = columns;
-  const std::array<Rational, 3> normal{Rational(a[1] * b[2] - a[2] * b[1]),
-                                       Rational(a[2] * b[0] - a[0] * b[2]),
-                                       Rational(a[0] * b[1] - a[1] * b[0])};
-  const Rational sine = std::max({abs(normal[0]), abs(normal[1]), abs(normal[2])},
-                                 [](const Rational& p, const Rational& q) { return p < q; });
-  if (sine == 0) return taken ? wrong : 0;
-  if (sine < Rational(0x1p-900)) return 0;
-  if (!taken) return wrong;
-  const auto first = unit(a), third = unit(normal);
-  double worst = off_orthogonal(found);
-  for (int k = 0; k < 3; ++k) {
-    const auto off = [&](double x, const Float& right) {
-      return std::abs(static_cast<double>(Float(x) - right)) * 0x1p52;
-    };
-    worst = std::max({worst, off(found[0][k], first[static_cast<std::size_t>(k)]),
-                      off(found[2][k], third[static_cast<std::size_t>(k)])});
+};
+
+/// The turns that align it make the axis: z, turned back round y, then round x.
+bool turns_agree(const Input& i) {
+  Alignment<Exact> align;
+  if (i[3] != 0) align.x = rational_turn(Exact(i[0]));
+  if (i[3] != 1) align.y = rational_turn(Exact(i[1]));
+  const Turn<Exact> turn = rational_turn(Exact(i[2]));
+  Matrix<Exact> out(Exact(1));
+  if (align.y) out = rotation_y(reversed(*align.y)) * out;
+  if (align.x) out = rotation_x(reversed(*align.x)) * out;
+  const ExactVec3 n(out[2]), through = exact_vector(i, 4), p = exact_vector(i, 7);
+  const Matrix<Exact> by_parts = decomposition(through, align, turn), straight = rodrigues(n, turn);
+  if (glm::dot(n, n) != Exact(1) || rodrigues_by_cross_products(n, turn) != straight) return false;
+  // About a point is there, and back
+  if (by_parts != about(through, straight)) return false;
+  if (by_parts != translation(through) * straight * translation(ExactVec3(-through))) return false;
+  Drawing drawing{.n = n, .p = {}, .r = {}, .s = {}};
+  const ExactVec3 to = transform(by_parts, p), on_axis = through + Exact(i[10]) * n;
+  if (turn_vector(n, through, turn, p, drawing) != to || drawing.steps != 4 || !drawing.right) return false;
+  // The axis stays, point by point; lengths stay
+  const ExactVec3 was = p - through, is = to - through;
+  if (transform(by_parts, on_axis) != on_axis || glm::dot(was, was) != glm::dot(is, is)) return false;
+  const ExactVec3 a = exact_vector(i, 11), b = exact_vector(i, 14), c = exact_vector(i, 17);
+  return glm::cross(a, glm::cross(b, c)) == b * glm::dot(a, c) - c * glm::dot(a, b);
+}
+
+/// Two points, factors of a scaling, a centre, the tangent of half an angle, a way.
+bool chain_is_its_factors(const Input& i) {
+  const std::vector<Matrix<Exact>> factors{scaling(exact_vector(i, 6)),
+                                           about(exact_vector(i, 9), rotation_y(rational_turn(Exact(i[12])))),
+                                           translation(exact_vector(i, 13))};
+  const std::vector<ExactVec3> before{exact_vector(i, 0), exact_vector(i, 3)};
+  std::vector<ExactVec3> points = before;
+  one_matrix(std::span<const Matrix<Exact>>(factors), std::span(points));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    ExactVec3 p = before[k];
+    for (const auto& factor : factors) p = transform(factor, p);
+    if (points[k] != p) return false;
   }
-  return worst;
+  // A translation changes no distance
+  const auto moved = [&](const ExactVec3& p) { return transform(factors[2], p); };
+  return moved(before[1]) - moved(before[0]) == before[1] - before[0];
 }
 
 }  // namespace
 
 Domain affine_3d() {
+  const Generator generate = at_every_scale(axis_and_angle, {0, 1, 2});
+  Property turns = exact_relation(
+      "turns", "decomposition, Rodrigues' matrix and vectors agree, and the vectors obey their drawing",
+      turn_numbers, turns_agree, [](Kind kind, Random& random) {
+        Input input = small_fractions(turn_numbers, kind, random);
+        input[3] = static_cast<double>(random.uniform_int(0, 2));
+        return input;
+      });
+  turns.shares = {{"an axis in general position", 0.2,
+                   [](const Input& i) { return i[3] == 2 && i[0] != 0 && i[1] != 0; }}};
+  turns.cases = 5000;  // each takes a third of a millisecond
+  const std::vector<Trap> traps{{"squares underflow", {1e-200, 0, 0, 1}},
+                                {"squares overflow", {1e200, 1e200, 0, 1}},
+                                {"no axis", {0, 0, 0, 1}},
+                                {"1 - cos is 0", {1, 2, 3, 1e-9}},
+                                {"a full reduction of the angle", {1, 2, 3, 1e22}},
+                                {"an angle that is no number", {1, 2, 3, std::nan("")}}};
   return {"affine_3d",
           {{.name = "rotation",
             .states = "no entry of R^T R - I is above 4 ulp of 1",
             .unit = "ulp",
             .bound = 4,
             .numbers = 4,
-            .generate = at_every_scale(generate, {0, 1, 2}),
-            .error = error,
-            .traps = {{"squares underflow", {1e-200, 0, 0, 1}},
-                      {"squares overflow", {1e200, 1e200, 0, 1}},
-                      {"no axis", {0, 0, 0, 1}},
-                      {"1 - cos is 0", {1, 2, 3, 1e-9}},
-                      {"a full reduction of the angle", {1, 2, 3, 1e22}},
-                      {"an angle that is no number", {1, 2, 3, std::nan("")}}}},
+            .generate = generate,
+            .error = in_both([](const auto& i) { return rotation_error(i); }),
+            .traps = traps},
+           {.name = "rotation_entries",
+            .states = "each entry within 1e-15",
+            .unit = "1e-15",
+            .bound = 1,
+            .numbers = 4,
+            .generate = generate,
+            .error = entry_error,
+            .traps = traps},
+           {.name = "size_of_the_axis",
+            .states = "axes of length 1, 2^-600 and 2^600 give the same bits",
+            .numbers = 4,
+            .kinds = {Kind::random, Kind::near_degenerate, Kind::ties},
+            .generate = axis_and_angle,
+            .error = size_error},
+           {.name = "other_ways",
+            .states = "Rodrigues' matrix and the decomposition orthogonal to 10 ulp of 1, within 8 ulp of "
+                      "each other, 1e-15 of the rotation; the vectors within 8 ulp of theirs",
+            .unit = "bounds",
+            .bound = 1,
+            .numbers = 10,
+            .generate = at_every_scale(
+                [](Kind kind, Random& random) {
+                  Input input = axis_and_angle(kind, random);
+                  for (int k = 0; k < 6; ++k) input.push_back(random.uniform(-3, 3));
+                  return input;
+                },
+                {0, 1, 2}),
+            .error = other_ways_error,
+            .traps = {{"two coordinates vanish beside the third",
+                       {0x1.9aaa06992ce94p+77, 0x1.97ff75249d0dp-951, -0x1.0ff8c02d3941p-948, -3.7, -2.8,
+                        -1.3, -0.7, 1.1, -2.8, -1.2}}}},
            {.name = "transform",
             .states = "within 4 roundings of |xx x| + |xy y| + |xz z| + |x0|, likewise in y and z",
             .unit = "bounds",
             .bound = 1,
             .numbers = 15,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::huge, Kind::tiny, Kind::ties, Kind::denormal,
-                      Kind::extremes},
             .generate = at_every_scale(matrix_and_point),
-            .error = transform_error},
+            .error = in_both([](const auto& i) { return transform_error(i); })},
            {.name = "normal_matrix",
             .states =
                 "cofactors within 2 roundings of their products, on the side that the exact determinant says",
             .unit = "bounds",
             .bound = 1,
             .numbers = 9,
-            .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                      Kind::denormal, Kind::extremes},
             .generate = at_every_scale(three_columns),
             .error = normal_error,
             .traps = {{"products underflow", {1e-200, 0, 0, 0, 1e-200, 0, 0, 0, -1e-200}},
@@ -267,12 +406,18 @@ Domain affine_3d() {
             .error = orthonormal_error,
             .traps = {{"columns 2^-20 apart", {1, 0, 0, 1, 0x1p-20, 0}},
                       {"columns 2^-20 apart, askew", {0.6, 0.48, 0.64, 0.6 + 0x1p-20, 0.48, 0.64}},
+                      {"columns 2^-40 apart, askew", {0.6, 0.48, 0.64, 0.6 + 0x1p-40, 0.48, 0.64}},
+                      {"columns 2^-52 apart, askew", {0.6, 0.48, 0.64, 0.6 + 0x1p-52, 0.48, 0.64}},
+                      {"columns 2^-900 apart", {1, 0, 0, 3, 0x1p-900, 0}},
                       {"columns an ulp apart", {1, 1, 1, 1, 1, 1 + 0x1p-52}},
                       {"products underflow", {1e-200, 0, 0, 0, 1e-200, 0}},
                       {"products overflow", {1e200, 1e200, 0, 1e200, -1e200, 0}},
                       {"the smallest columns", {0x1p-1074, 0, 0, 0x1p-1074, 0x1p-1074, 0}},
                       {"parallel", {1, 2, 3, -2, -4, -6}},
-                      {"no column", {0, 0, 0, 1, 2, 3}}}}}};
+                      {"no column", {0, 0, 0, 1, 2, 3}}}},
+           turns,
+           exact_relation("chains", "one matrix is its factors, and translations change no distance", 16,
+                          chain_is_its_factors)}};
 }
 
 }  // namespace gradus::stress

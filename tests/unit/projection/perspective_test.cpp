@@ -56,29 +56,22 @@ TEST(Perspective, TheLensSaysTheSame) {
   EXPECT_DOUBLE_EQ(p.x_scale, p.y_scale * 3 / 4);
   const glm::dvec4 by_matrix = projection_matrix(p) * glm::dvec4{2, 1, 4, 1};
   EXPECT_EQ(by_matrix, transform(p, dvec3{2, 1, 4}));
-  for (const double near : {0.0, -1.0, 100.0, 200.0, std::numeric_limits<double>::quiet_NaN()}) {
-    Lens wrong = lens;
-    wrong.near = near;
-    EXPECT_THROW(projection_of(wrong, 1), ContractViolation) << near;
-  }
-  for (const double angle : {0.0, 3.15, -1.0}) {
-    Lens wrong = lens;
-    wrong.vertical_radians = angle;
-    EXPECT_THROW(projection_of(wrong, 1), ContractViolation) << angle;
-  }
   EXPECT_THROW(projection_of(lens, 0), ContractViolation);
-}
-
-TEST(Perspective, LinesStayLines) {
-  // E001-38: with z' = z the line from (0,0,1) to (2,0,3) bends; the middle in the picture is not where depth
-  // says
-  const ExactScope scope;
-  const auto p = projection_of(Exact(1), Exact(1), Exact(1, 2), Exact(50));
-  const auto at = [&](int x, int z) { return divide(transform(p, ExactVec3{Exact(x), Exact(0), Exact(z)})); };
-  const ExactVec3 a = at(0, 1), m = at(1, 2), b = at(2, 3);
-  EXPECT_EQ((m.z - a.z) * (b.x - a.x), (b.z - a.z) * (m.x - a.x));
-  // and depth is a function of 1/z
-  EXPECT_EQ(m.z, Exact(50) / (Exact(50) - Exact(1, 2)) * (Exact(1) - Exact(1, 2) / Exact(2)));
+  // Near 0 or behind far, angles of 0 and 180 degrees: E004-04
+  for (const auto& [near, far, angle] : {std::array{0.0, 100.0, 1.0},
+                                         {-1.0, 100.0, 1.0},
+                                         {1.0, 1.0, 1.0},
+                                         {2.0, 1.0, 1.0},
+                                         {not_a_number, 100.0, 1.0},
+                                         {1.0, 100.0, 0.0},
+                                         {1.0, 100.0, -1.0},
+                                         {1.0, 100.0, 3.141592653589793},
+                                         {1.0, 100.0, 3.15}}) {
+    lens.near = near;
+    lens.far = far;
+    lens.vertical_radians = angle;
+    EXPECT_THROW(projection_of(lens, 1), ContractViolation) << near << " " << far << " " << angle;
+  }
 }
 
 TEST(Perspective, DepthsThatTwentyFourBitsCannotTellApart) {
@@ -145,14 +138,6 @@ TEST(PerspectiveProjection, AtOrBehindTheEyeThereIsNoImage) {
   EXPECT_EQ(project(1.0, dvec3{1, 0, 2})->x, 0.5);
   EXPECT_EQ(project(1.0, dvec3{1, 0, 0x1p-40})->x, 0x1p40);
   EXPECT_FALSE(project(1.0, dvec3{1, 0, -2}));
-}
-
-TEST(PerspectiveProjection, PlanesAtOrBehindTheEyeAreRefused) {
-  for (const double d : {0.0, -0.0, -1.0, not_a_number}) {
-    EXPECT_THROW(project(d, dvec3{1, 2, 3}), ContractViolation) << d;
-    EXPECT_THROW(keep_z(d, dvec3{1, 2, 3}), ContractViolation) << d;
-    EXPECT_THROW(matrix_onto(d), ContractViolation) << d;
-  }
 }
 
 TEST(PerspectiveProjection, FartherIsSmaller) {
@@ -318,17 +303,7 @@ TEST(PerspectiveFrustum, WhatTheNotesCallNearIsNear) {
   lens.vertical_radians = radians_from_degrees(60);
   const Projection<double> wide = projection_of(lens, 16.0 / 9);
   EXPECT_NEAR(wide.y_scale / wide.x_scale, 16.0 / 9, 1e-15);
-  // E004-04: degenerate planes and angles
-  for (const auto& [near, far, angle] : {std::array{0.0, 100.0, 1.0},
-                                         {1.0, 1.0, 1.0},
-                                         {2.0, 1.0, 1.0},
-                                         {1.0, 100.0, 0.0},
-                                         {1.0, 100.0, 3.141592653589793}}) {
-    lens.near = near;
-    lens.far = far;
-    lens.vertical_radians = angle;
-    EXPECT_THROW(projection_of(lens, 1), ContractViolation) << near << " " << far << " " << angle;
-  }
+  // E004-04: degenerate planes; as a lens: Perspective.TheLensSaysTheSame
   for (const auto& [near, far] : {std::pair{0.0, 100.0}, {1.0, 1.0}, {2.0, 1.0}, {1.0, infinity}}) {
     EXPECT_THROW(depth_of(DepthCurve::inverse, near, far, 1.0), ContractViolation);
     EXPECT_THROW(separable_step(DepthCurve::inverse, DepthFormat::fixed24, near, far, 1.0),
@@ -394,20 +369,6 @@ TEST(PerspectiveNotes, WhatLiesBehindTheEyeIsMirrored) {
     last = x;
   }
   EXPECT_GT(last, 1e299);
-}
-
-TEST(PerspectiveNotes, BeforeTheEyeTheTestChangesNothing) {
-  const ExactScope scope;
-  const auto lens = projection_of(Exact(2), Exact(3), Exact(1, 2), Exact(7));
-  for (const int z : {1, 2, 5, 100}) {
-    const ExactVec3 point{Exact(3), Exact(-4), Exact(z)};
-    const auto image = divide_tested(lens, point);
-    ASSERT_TRUE(image);
-    EXPECT_EQ(*image, divide(transform(lens, point)));
-    EXPECT_EQ(*image, divide_untested(lens, point));
-    EXPECT_EQ(image->x, Exact(6, z));
-    EXPECT_EQ(image->y, Exact(-12, z));
-  }
 }
 
 // E004-04: the matrix alone refuses no planes and no angle
@@ -502,13 +463,6 @@ TEST(StoredDepth, CurvesRunBetweenNearAndFar) {
     EXPECT_EQ(depth_of(curve, 1.0, 1e6, 1.0), at_near);
     EXPECT_EQ(depth_of(curve, 1.0, 1e6, 1e6), at_far);
   }
-  const ExactScope scope;
-  const auto depth = [](DepthCurve c) { return depth_of(c, Exact(2), Exact(10), Exact(4)); };
-  EXPECT_EQ(depth(DepthCurve::linear), Exact(1, 4));
-  EXPECT_EQ(depth(DepthCurve::inverse), Exact(5, 8));
-  EXPECT_EQ(depth(DepthCurve::reversed), Exact(3, 8));
-  const auto p = projection_of(Exact(1), Exact(1), Exact(2), Exact(10));
-  EXPECT_EQ(divide(transform(p, ExactVec3{Exact(0), Exact(0), Exact(4)})).z, Exact(5, 8));
 }
 
 TEST(StoredDepth, TheSmallestStepGrowsWithTheSquareOfTheDistance) {

@@ -7,33 +7,33 @@
 #include <limits>
 
 #include "core/exact_scalar.hpp"
-#include "core/random.hpp"
 #include "core/record.hpp"
 #include "projection/viewing/viewing_notes.hpp"
-#include "support/seed.hpp"
 
 namespace gradus::viewing {
 namespace {
 
 using DFrame = Frame<double>;
 
+/// G004-01 to G004-03: along x, and what the report looks at.
+const DFrame along_x{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+const DFrame report = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
+
 TEST(Viewing, GoldenFrame) {
   // G000-07, G000-08, G000-09: eye (2,3,5), target 0
-  const DFrame frame = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
-  EXPECT_NEAR(glm::distance(frame.right, dvec3{5, 0, -2} / std::sqrt(29.0)), 0, 1e-15);
-  EXPECT_NEAR(glm::distance(frame.up, dvec3{-6, 29, -15} / std::sqrt(1102.0)), 0, 1e-15);
-  EXPECT_NEAR(glm::distance(frame.forward, dvec3{-2, -3, -5} / std::sqrt(38.0)), 0, 1e-15);
-  EXPECT_NEAR(glm::dot(frame.right, glm::cross(frame.up, frame.forward)), -1, 1e-15);
-  EXPECT_NEAR(glm::distance(to_view(frame, dvec3{0}), dvec3{0, 0, std::sqrt(38.0)}), 0, 1e-14);
+  EXPECT_NEAR(glm::distance(report.right, dvec3{5, 0, -2} / std::sqrt(29.0)), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(report.up, dvec3{-6, 29, -15} / std::sqrt(1102.0)), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(report.forward, dvec3{-2, -3, -5} / std::sqrt(38.0)), 0, 1e-15);
+  EXPECT_NEAR(glm::dot(report.right, glm::cross(report.up, report.forward)), -1, 1e-15);
+  EXPECT_NEAR(glm::distance(to_view(report, dvec3{0}), dvec3{0, 0, std::sqrt(38.0)}), 0, 1e-14);
 }
 
 TEST(Viewing, TheEyeIsTheOriginAndAheadIsDepth) {
   // G004-01, G004-02, G004-03
-  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
-  EXPECT_EQ(to_view(frame, dvec3{1, 2, 3}), (dvec3{0}));
-  EXPECT_EQ(to_view(frame, dvec3{6, 2, 3}), (dvec3{0, 0, 5}));
-  const glm::dmat4 m = world_to_view(frame);
-  EXPECT_EQ(m, view_matrix(frame));
+  EXPECT_EQ(to_view(along_x, dvec3{1, 2, 3}), (dvec3{0}));
+  EXPECT_EQ(to_view(along_x, dvec3{6, 2, 3}), (dvec3{0, 0, 5}));
+  const glm::dmat4 m = world_to_view(along_x);
+  EXPECT_EQ(m, view_matrix(along_x));
   EXPECT_EQ(dvec3(m[3]), (dvec3{3, -2, -1}));
   EXPECT_EQ(dvec3(m * glm::dvec4{6, 2, 3, 1}), (dvec3{0, 0, 5}));
 }
@@ -42,32 +42,6 @@ TEST(Viewing, DefaultFrameReadsASheetOfPaper) {
   const DFrame frame = look_at(dvec3{0, 0, 4}, dvec3{0}, dvec3{0, 1, 0});
   EXPECT_EQ(to_view(frame, dvec3{1, 2, 0}), (dvec3{1, 2, 4}));
   EXPECT_EQ(to_view(DFrame{}, dvec3{1, 2, -3}), (dvec3{1, 2, 3}));
-}
-
-TEST(Viewing, FramesAreUprightForAnyInput) {
-  Random random(test::seed());
-  int cases = 0;
-  for (; cases < 20000; ++cases) {
-    const auto any = [&](double size) {
-      return dvec3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-    };
-    const dvec3 eye = any(10), target = any(10);
-    dvec3 up = any(1e-100);
-    if (random.uniform_int(0, 3) == 0) up = target - eye + any(1e-9);  // nearly parallel
-    if (sine_between(target - eye, up) < 2 * least_sine<double>) continue;
-    const DFrame f = look_at(eye, target, up);
-    for (const dvec3 axis : {f.right, f.up, f.forward}) ASSERT_NEAR(glm::length(axis), 1, 2e-15);
-    ASSERT_NEAR(glm::dot(f.right, f.up), 0, 2e-15);
-    ASSERT_NEAR(glm::dot(f.right, f.forward), 0, 2e-15);
-    ASSERT_NEAR(glm::dot(f.up, f.forward), 0, 2e-15);
-    ASSERT_NEAR(glm::dot(f.right, glm::cross(f.up, f.forward)), -1, 4e-15);
-    ASSERT_GT(glm::dot(f.up, up), 0);
-    const dvec3 seen = to_view(f, target);
-    ASSERT_NEAR(seen.x, 0, 1e-13);
-    ASSERT_NEAR(seen.y, 0, 1e-13);
-    ASSERT_GT(seen.z, 0);
-  }
-  EXPECT_EQ(cases, 20000);
 }
 
 TEST(Viewing, MistakesAreNamed) {
@@ -107,8 +81,7 @@ TEST(Viewing, ATurnedCameraHasItsAxesAsRows) {
 
 TEST(Viewing, TheLastColumnIsNotThePosition) {
   // E000-04, G004-01: what is called a translation is the eye; the column is minus its products
-  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
-  const glm::dmat4 right = world_to_view(frame);
+  const glm::dmat4 right = world_to_view(along_x);
   const glm::dmat4 golden =
       glm::transpose(glm::dmat4{{0, 0, -1, 3}, {0, 1, 0, -2}, {1, 0, 0, -1}, {0, 0, 0, 1}});
   EXPECT_EQ(right, golden);
@@ -116,14 +89,12 @@ TEST(Viewing, TheLastColumnIsNotThePosition) {
 
 TEST(Viewing, TheHandOfTheRowsIsSaid) {
   // E000-02, G000-09: with right = forward x up the rows are no rotation but mirror; -forward would make one
-  const DFrame ours = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
-  EXPECT_NEAR(glm::determinant(world_to_view(ours)), -1, 1e-15);
-  EXPECT_NEAR(glm::determinant(glm::dmat3(ours.right, ours.up, -ours.forward)), 1, 1e-15);
+  EXPECT_NEAR(glm::determinant(world_to_view(report)), -1, 1e-15);
+  EXPECT_NEAR(glm::determinant(glm::dmat3(report.right, report.up, -report.forward)), 1, 1e-15);
   // Notes that draw a left hand: right x up is forward, the determinant +1
-  const DFrame left_handed{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
-  EXPECT_EQ(glm::determinant(world_to_view(left_handed)), 1);
-  EXPECT_EQ(glm::cross(left_handed.right, left_handed.up), left_handed.forward);
-  EXPECT_NEAR(glm::distance(glm::cross(ours.right, ours.up), -ours.forward), 0, 1e-15);
+  EXPECT_EQ(glm::determinant(world_to_view(along_x)), 1);
+  EXPECT_EQ(glm::cross(along_x.right, along_x.up), along_x.forward);
+  EXPECT_NEAR(glm::distance(glm::cross(report.right, report.up), -report.forward), 0, 1e-15);
 }
 
 TEST(Viewing, NothingChangesItsDistances) {
@@ -137,12 +108,11 @@ TEST(Viewing, NothingChangesItsDistances) {
 }
 
 TEST(Viewing, TheInverseIsThePoseOfTheCamera) {
-  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
-  const glm::dmat4 back = view_to_world(frame);
-  EXPECT_EQ(back * world_to_view(frame), glm::dmat4(1));
-  EXPECT_EQ(world_to_view(frame) * back, glm::dmat4(1));
-  EXPECT_EQ(dvec3(back[3]), frame.eye);
-  EXPECT_EQ(back, inverse_of_any_frame(frame));
+  const glm::dmat4 back = view_to_world(along_x);
+  EXPECT_EQ(back * world_to_view(along_x), glm::dmat4(1));
+  EXPECT_EQ(world_to_view(along_x) * back, glm::dmat4(1));
+  EXPECT_EQ(dvec3(back[3]), along_x.eye);
+  EXPECT_EQ(back, inverse_of_any_frame(along_x));
   EXPECT_EQ(glm::determinant(back), 1);
 }
 
@@ -168,17 +138,27 @@ TEST(Viewing, TheTransposedMatrixInvertsOnlyUprightFrames) {
 }
 
 TEST(Viewing, HugeAndTinyViewsHaveTheSameAxes) {
-  const DFrame plain = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
   for (const double size : {0x1p-1060, 0x1p-600, 0x1p600, 0x1p1020}) {
     const DFrame f = look_at(size * dvec3{2, 3, 5}, dvec3{0}, dvec3{0, size, 0});
-    EXPECT_EQ(f.right, plain.right);
-    EXPECT_EQ(f.up, plain.up);
-    EXPECT_EQ(f.forward, plain.forward);
+    EXPECT_EQ(f.right, report.right);
+    EXPECT_EQ(f.up, report.up);
+    EXPECT_EQ(f.forward, report.forward);
   }
   // target - eye overflows
   const DFrame across = look_at(dvec3{-1e308, 0, 0}, dvec3{1e308, 0, 0}, dvec3{0, 1, 0});
   EXPECT_EQ(across.forward, (dvec3{1, 0, 0}));
   EXPECT_EQ(across.right, (dvec3{0, 0, 1}));
+}
+
+TEST(Viewing, FarFromTheOriginTheMatrixLosesWhatThePointKeeps) {
+  // The same view 2^40 away: to_view subtracts the eye first and loses nothing, the matrix afterwards
+  const dvec3 far{0x1p40, -0x1p41, 0x1p40}, p{0.25, 1.5, -0.125};
+  DFrame away = report;
+  away.eye = far + report.eye;
+  EXPECT_EQ(to_view(away, far + p), to_view(report, p));
+  const dvec3 lost = dvec3(world_to_view(away) * glm::dvec4(far + p, 1)) - to_view(report, p);
+  EXPECT_GT(glm::length(lost), 1e-6);
+  EXPECT_LT(glm::length(lost), 0x1p41 * 4 * 0x1p-52);
 }
 
 TEST(Viewing, StepsFollowTheGrammar) {
@@ -211,27 +191,6 @@ TEST(Viewing, StepsFollowTheGrammar) {
   EXPECT_EQ(viewed.seen(), 1u);
 }
 
-TEST(Viewing, OneBodyForEveryScalar) {
-  const Frame<float> f = look_at(glm::vec3{2, 3, 5}, glm::vec3{0}, glm::vec3{0, 1, 0});
-  EXPECT_NEAR(to_view(f, glm::vec3{0}).z, std::sqrt(38.0f), 1e-5f);
-  const ExactScope scope;
-  const Frame<Exact> exact{{Exact(1, 3), Exact(0), Exact(0)},
-                           {Exact(1), Exact(0), Exact(0)},
-                           {Exact(0), Exact(1), Exact(0)},
-                           {Exact(0), Exact(0), Exact(-1)}};
-  EXPECT_EQ(to_view(exact, ExactVec3{Exact(1), Exact(2), Exact(3)}),
-            (ExactVec3{Exact(2, 3), Exact(2), Exact(-3)}));
-  EXPECT_EQ(view_to_world(exact) * world_to_view(exact), Matrix<Exact>(Exact(1)));
-  const Frame<Exact> skewed{{Exact(1, 3), Exact(2), Exact(0)},
-                            {Exact(1), Exact(1), Exact(0)},
-                            {Exact(0), Exact(1), Exact(1, 7)},
-                            {Exact(5), Exact(0), Exact(-1)}};
-  EXPECT_THROW(view_to_world(skewed), ContractViolation);
-  EXPECT_EQ(inverse_of_any_frame(skewed) * world_to_view(skewed), Matrix<Exact>(Exact(1)));
-  const glm::mat4 round = view_to_world(f) * world_to_view(f);
-  for (int i = 0; i < 16; ++i) EXPECT_NEAR(round[i / 4][i % 4], i % 5 == 0, 2e-6f);
-}
-
 TEST(Viewing, ASpareUpForWhoLooksUpAndDown) {
   // As on a map: -z is up, x is right
   for (const dvec3 up : {dvec3{0, 1, 0}, {1e-17, 1, 0}, {0, -3, 0}, {0, 0, 0}}) {
@@ -242,30 +201,6 @@ TEST(Viewing, ASpareUpForWhoLooksUpAndDown) {
     EXPECT_EQ(down.eye, (dvec3{0, 5, 0}));
   }
   EXPECT_EQ(spare_up(dvec3{0}, dvec3{0, 0, -2}, dvec3{0, 0, 1}).up, (dvec3{0, 1, 0}));
-  // Any other hint is look_at's, and what look_at refuses comes out upright
-  Random random(test::seed());
-  int spared = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const auto any = [&] {
-      return dvec3{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
-    };
-    const dvec3 eye = any(), target = any();
-    const dvec3 up = i % 2 ? any() : random.uniform(-2, 2) * (target - eye);
-    const DFrame frame = spare_up(eye, target, up);
-    if (sine_between(target - eye, up) > 2 * least_sine<double>) {
-      const DFrame plain = look_at(eye, target, up);
-      ASSERT_EQ(frame.right, plain.right);
-      ASSERT_EQ(frame.up, plain.up);
-    } else {
-      ++spared;
-    }
-    ASSERT_TRUE(is_upright(frame));
-    ASSERT_NEAR(glm::dot(frame.right, glm::cross(frame.up, frame.forward)), -1, 4e-15);
-    ASSERT_NEAR(glm::dot(frame.forward, target - eye), glm::distance(eye, target), 1e-13);
-    const dvec3 spare = spare_hint(frame.forward);
-    ASSERT_GT(sine_between(frame.forward, spare), 0.7);
-  }
-  EXPECT_GT(spared, 900);
   EXPECT_THROW(spare_up(dvec3{1, 2, 3}, dvec3{1, 2, 3}, dvec3{0, 1, 0}), ContractViolation);
   EXPECT_THROW(spare_up(dvec3{0, 5, 0}, dvec3{0}, dvec3{std::nan(""), 1, 0}), ContractViolation);
   Recorder<HintReplaced<double>, Aimed<double>, Levelled<double>, Framed<double>> seen;
@@ -294,9 +229,8 @@ TEST(ViewingNotes, CrossProductsDivideWhatRoundingLeaves) {
   EXPECT_EQ(look_at(dvec3{0, 5, 0}, dvec3{1, 0, 0}, dvec3{0, 0, 1e-200}).right.z, 0);
   // Far from there it is right
   const DFrame wrong = cross_products(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
-  const DFrame frame = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
-  EXPECT_NEAR(glm::distance(wrong.right, frame.right), 0, 1e-15);
-  EXPECT_NEAR(glm::distance(wrong.up, frame.up), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(wrong.right, report.right), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(wrong.up, report.up), 0, 1e-15);
   Recorder<Aimed<double>, Levelled<double>, Framed<double>> seen;
   cross_products(dvec3{0, 5, 0}, dvec3{0}, dvec3{1e-17, 1, 0}, seen);
   ASSERT_EQ(seen.events().size(), 3u);
@@ -305,34 +239,32 @@ TEST(ViewingNotes, CrossProductsDivideWhatRoundingLeaves) {
 
 TEST(ViewingNotes, MinusPositionSeesTheEyeElsewhere) {
   // E004-01: G004-01, G004-02, G004-03
-  const DFrame frame{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
   const glm::dmat4 printed =
       glm::transpose(glm::dmat4{{0, 0, -1, -1}, {0, 1, 0, -2}, {1, 0, 0, -3}, {0, 0, 0, 1}});
-  EXPECT_EQ(minus_position(frame), printed);
-  EXPECT_EQ(minus_position(frame) * glm::dvec4(1, 2, 3, 1), (glm::dvec4{-4, 0, -2, 1}));
-  EXPECT_EQ(minus_position(frame) * glm::dvec4(6, 2, 3, 1), (glm::dvec4{-4, 0, 3, 1}));
+  EXPECT_EQ(minus_position(along_x), printed);
+  EXPECT_EQ(minus_position(along_x) * glm::dvec4(1, 2, 3, 1), (glm::dvec4{-4, 0, -2, 1}));
+  EXPECT_EQ(minus_position(along_x) * glm::dvec4(6, 2, 3, 1), (glm::dvec4{-4, 0, 3, 1}));
   // Right where nothing is turned, or the eye is the origin
   DFrame unturned{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_EQ(minus_position(unturned), world_to_view(unturned));
   const DFrame home = look_at(dvec3{0}, dvec3{1, 2, 3}, dvec3{0, 1, 0});
   EXPECT_EQ(minus_position(home), world_to_view(home));
   Recorder<RowWritten<double>> rows;
-  EXPECT_EQ(minus_position(frame, rows), printed);
+  EXPECT_EQ(minus_position(along_x, rows), printed);
   EXPECT_EQ(rows.seen(), 3u);
 }
 
 TEST(ViewingNotes, TransposedPutsTheTargetOffTheAxis) {
   // E000-01: the triple that the report prints
-  const DFrame frame = look_at(dvec3{2, 3, 5}, dvec3{0}, dvec3{0, 1, 0});
-  const dvec3 seen = dvec3(transposed(frame) * glm::dvec4(0, 0, 0, 1));
+  const dvec3 seen = dvec3(transposed(report) * glm::dvec4(0, 0, 0, 1));
   EXPECT_NEAR(seen.x, -2.937, 5e-4);
   EXPECT_NEAR(seen.y, -5.054, 5e-4);
   EXPECT_NEAR(seen.z, -1.957, 5e-4);
   EXPECT_NEAR(seen.x, -2.93694, 5e-6);
   EXPECT_NEAR(glm::length(seen), std::sqrt(38.0), 1e-14);  // why nobody noticed
-  EXPECT_NEAR(glm::length(dvec3(transposed(frame) * glm::dvec4(2, 3, 5, 1))), 0, 1e-14);
+  EXPECT_NEAR(glm::length(dvec3(transposed(report) * glm::dvec4(2, 3, 5, 1))), 0, 1e-14);
   Recorder<RowWritten<double>> rows;
-  EXPECT_EQ(transposed(frame, rows), transposed(frame));
+  EXPECT_EQ(transposed(report, rows), transposed(report));
   EXPECT_EQ(rows.seen(), 3u);
   const ExactScope scope;
   const Frame<Exact> exact{{Exact(1), Exact(2), Exact(3)},

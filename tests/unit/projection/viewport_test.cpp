@@ -240,13 +240,8 @@ TEST(Viewport, OneBodyForEveryScalar) {
   EXPECT_NEAR(pixel_centre(single, {1, 0}).x, -5.f / 6, 1e-7f);
   EXPECT_NEAR(pixel_centre(single, {1, 0}).y, 5.f / 6, 1e-7f);
   const ExactScope scope;
-  EXPECT_EQ(to_pixel(ExactVec2{Exact(1, 3), Exact(1, 7)}, 3, 7), (ExactVec2{Exact(2), Exact(3)}));
   const auto exact = stretched(Rectangle<Exact>{{Exact(-1), Exact(-1)}, {Exact(1), Exact(1)}}, {3, 7});
-  EXPECT_EQ(rasterize(exact, ExactVec2{Exact(1, 3), Exact(1, 7)}), Pixel({2, 3}));
-  EXPECT_EQ(rasterize(exact, ExactVec2{Exact(1), Exact(0)}), std::nullopt);
   EXPECT_EQ(clamped(exact, ExactVec2{Exact(1), Exact(0)}, Rounding::half_even), (ivec2{2, 4}));
-  EXPECT_EQ(to_plane(exact, ExactVec2{Exact(2), Exact(3)}), (ExactVec2{Exact(1, 3), Exact(1, 7)}));
-  EXPECT_EQ(rounded(Exact(-7, 2), Rounding::half_even), -4);
 }
 
 TEST(Viewport, MistakesAreNamed) {
