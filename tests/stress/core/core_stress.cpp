@@ -146,6 +146,15 @@ Input cut(Kind kind, Random& random) {
   put_between(input);
   return input;
 }
+/// Numbers of like size, or mixed from 2^-299 to 2^299.
+Input plain_cut(Kind kind, Random& random) {
+  Input input(5);
+  for (double& x : input) x = kind == Kind::random ? random.uniform(-1000, 1000) : sized(random, -299, 299);
+  const double t = random.unit();
+  input[4] = input[0] * (1 - t) + input[1] * t;
+  put_between(input);
+  return input;
+}
 /// Down to where floats underflow, up to where they end; or midway between two of them, a hair beside.
 Input float_cut(Kind kind, Random& random) {
   if (random.unit() < 0.3) return {-1, 1, 0x1.000002p0, 0x1.000004p0, sized(random, -120, -60)};
@@ -294,14 +303,7 @@ std::vector<Property> cuts() {
                       {"half way to -0", {0, 2, -0x1p-149, 0, 1}},
                       {"three quarters of the smallest", {0, 4, -0x1p-149, 0, 1}}}),
       exact_property("fast_cut", "between 2^-299 and 2^299 fast arithmetic is enough, but for ties", 5,
-                     [](Kind kind, Random& random) {
-                       Input input(5);
-                       for (double& x : input)
-                         x = kind == Kind::random ? random.uniform(-1000, 1000) : sized(random, -299, 299);
-                       put_between(input);
-                       return input;
-                     },
-                     cut_error,
+                     plain_cut, cut_error,
                      {{"fast arithmetic is enough", 0.99, [=](const Input& i) { return !needs_exact(i); }}}),
       exact_property("compare_at_cut", "on which side of a border a segment is cut, exactly", 5,
                      at_every_scale(cut, {}, put_between), place_error, {}),

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of 100 digits, and how far a result is from them.
+// Numbers of 50 digits, and how far a result is from them.
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -11,7 +11,7 @@
 
 namespace gradus::stress {
 
-using Digits = boost::multiprecision::cpp_bin_float_100;
+using Digits = boost::multiprecision::cpp_bin_float_50;
 /// Enough of them to reduce the largest double by pi.
 using ManyDigits = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<1500, boost::multiprecision::digit_base_2>>;

@@ -1,4 +1,4 @@
-// The promises of sin ... pow, against 100 digits, and of their special values, against C's.
+// The promises of sin ... pow, against 50 digits, and of their special values, against C's.
 
 #include "core/elementary.hpp"
 
@@ -244,7 +244,7 @@ Domain elementary() {
         .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge},
         .generate = floats,
         .error = float_error,
-        .cases = 4'000}}};  // of ten functions each
+        .cases = 2'000}}};  // of ten functions each
 }
 
 }  // namespace gradus::stress

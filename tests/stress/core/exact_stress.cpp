@@ -241,7 +241,7 @@ double whole_error(const Input& i) {
   const auto error = [](const Integer& n, const Integer& d, auto divide) {
     try {
       const double found = divide();
-      return d != 0 && is_nearest(found, n, times_one(d)) ? 0 : wrong;
+      return d != 0 && is_nearest(found, n, d) ? 0 : wrong;
     } catch (const ContractViolation&) {
       return d == 0 ? 0 : wrong;
     }

@@ -130,26 +130,5 @@ TEST(TriangleCoverage, PerspectiveCorrectMidpoint) {
   EXPECT_NEAR(perspective_correct({1, 1, 0}, {1e8, 1, 1}).x, 1, 1e-7);
 }
 
-TEST(TriangleCoverage, LinearValuesDoNotDependOnTheNumbering) {
-  const Triangle t = pixels({1.3, 3.1}, {14.2, 1.7}, {2.6, 15.4});
-  const dvec3 z{0.1, 0.7, 0.3};
-  int count = 0;
-  cover(t, sheet, [&](ivec2 pixel, const Weights& w) {
-    const double depth = Linear(t, z).at(w);
-    for (const auto& [i, j, k] : {std::array{0, 2, 1}, std::array{1, 0, 2}, std::array{1, 2, 0},
-                                  std::array{2, 0, 1}, std::array{2, 1, 0}}) {
-      const auto at = [](const auto& v, int n) { return v[static_cast<std::size_t>(n)]; };
-      const Triangle other{at(t, i), at(t, j), at(t, k)};
-      ASSERT_EQ(Linear(other, {z[i], z[j], z[k]}).at({at(w, i), at(w, j), at(w, k)}), depth)
-          << pixel.x << ' ' << pixel.y;
-    }
-    EXPECT_EQ(Linear(t, dvec3{0.3}).at(w), 0.3);
-    const dvec3 b = barycentric(w);
-    EXPECT_NEAR(depth, glm::dot(b, z), 1e-15);
-    ++count;
-  });
-  EXPECT_GT(count, 50);
-}
-
 }  // namespace
 }  // namespace gradus::triangle_coverage
