@@ -317,11 +317,11 @@ Domain bresenham_circle() {
         .kinds = with_refused,
         .generate = circle_and_raster,
         .error = drawing_error,
-        .shares = {{"the raster's border cuts the circle", 0.15,
+        .shares = {{"the raster's border cuts the circle", 0.1,
                     [](const Input& i) {
                       return 0 < cells_drawn(i) && cells_drawn(i) < pixel_count(static_cast<int>(i[2]));
                     }},
-                   {"is drawn whole", 0.02,
+                   {"is drawn whole", 0.015,
                     [](const Input& i) {
                       return i[2] >= 0 && cells_drawn(i) == pixel_count(static_cast<int>(i[2]));
                     }}},

@@ -24,6 +24,8 @@ Input generate(Kind kind, Random& random) {
     // The third corner in the plane of the others and the eye, but for the last places
     const double s = random.uniform(-2, 2), t = kind == Kind::grazing ? 1 - s : random.uniform(-2, 2);
     for (std::size_t k = 0; k < 3; ++k) input[6 + k] = nudged(s * input[k] + t * input[3 + k], random);
+  } else if (kind == Kind::ties && random.unit() < 0.5) {
+    for (std::size_t k = 0; k < 3; ++k) input[6 + k] = 2 * input[k] - input[3 + k];
   }
   if (kind == Kind::refused) {
     input[static_cast<std::size_t>(random.uniform_int(0, 8))] = random.unit() < 0.5 ? std::nan("") : wrong;
