@@ -114,9 +114,12 @@ double window_error(const Input& i) {
   std::int64_t told = -1;
   const auto watch = [&]<class Step>(const Step& step) {
     if constexpr (std::same_as<Step, Finished>) told = step.pixels;
-    if constexpr (std::same_as<Step, Compared>) {
-      right = right && step.p == decision_at(radius, step.at.x, step.at.y);
+    if constexpr (std::same_as<Step, Started>) right = right && step.p == 3 - 2 * std::int64_t{radius};
+    if constexpr (std::same_as<Step, Compared> || std::same_as<Step, Jumped>) {
+      right = right && step.p == decision_at(radius, step.at.x, step.at.y) &&
+              is_height(radius, step.at.x, step.at.y);
     }
+    if constexpr (std::same_as<Step, Jumped>) right = right && step.at.x == step.shown.first;
   };
   try {
     in_window(center, radius, window, [&](ivec2 p) { shown.push_back(p); }, watch);
@@ -292,7 +295,8 @@ Domain bresenham_circle() {
         .generate = circle_and_window,
         .error = window_error,
         .traps = {{"the left end of the largest circle", {INT_MAX - 1, 7, INT_MAX, 6, 0, 3, 3, 3, 3}},
-                  {"the middle of the least corner", {INT_MIN, INT_MIN, INT_MAX, 0, 0, 0, 9, 0, 9}}},
+                  {"the middle of the least corner", {INT_MIN, INT_MIN, INT_MAX, 0, 0, 0, 9, 0, 9}},
+                  {"octants of the largest circle meet", {0, 0, INT_MAX, 0, 1, 2, 2, 2, 2}}},
         .shares = {{"leaves the plane", 0.2, leaves_plane}},
         .cases = 40'000},
        {.name = "steps",

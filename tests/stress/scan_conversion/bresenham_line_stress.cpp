@@ -108,26 +108,6 @@ bool has_window(const Input& i) {
   return has_part(i) && std::all_of(i.begin() + 5, i.end(), [](double x) { return is_whole(x, -20, 20); });
 }
 
-double window_error(const Input& i) {
-  if (!has_window(i)) return 0;
-  const Line line = line_of(i);
-  const Window window = window_of(i);
-  Pixels expected, shown, runs;
-  const std::int64_t middle = line.at(i[4]);
-  for (std::int64_t k = std::max<std::int64_t>(0, middle - 60); k <= std::min(line.last(), middle + 60);
-       ++k) {
-    if (window.contains(line.exact(k))) expected.push_back(line.exact(k));
-  }
-  in_window(line.from, line.to, window, [&](ivec2 p) { shown.push_back(p); });
-  run_length_in_window(line.from, line.to, window,
-                       [&](ivec2 start, std::int64_t count) { add_run(runs, line, start, count); });
-  const Stretch stretch = visible(line.from, line.to, window);
-  const auto count = static_cast<std::int64_t>(expected.size());
-  const bool counted = std::max<std::int64_t>(0, stretch.last - stretch.first + 1) == count &&
-                       (count == 0 || line.exact(stretch.first) == expected.front());
-  return shown == expected && runs == expected && counted ? 0 : wrong;
-}
-
 /// Watches a whole line: its grammar, its recurrence, and that p is the exact line's height above the middle
 /// of the two candidates, times 2 dx.
 struct Watch {
@@ -138,24 +118,30 @@ struct Watch {
   bool right = true;
 
   void want(bool holds) { right = right && holds; }
-  /// dx times the height of a pixel above the line, up to the sign.
-  Wide above(ivec2 p) const {
+  /// dx times the height above the line, up to the sign, of the pixel that a move leads to: it may lie beyond
+  /// the plane.
+  Wide above(ivec2 pixel, ivec2 move) const {
     const auto& [from, to] = line;
-    return (Wide{to.x} - from.x) * (Wide{p.y} - from.y) - (Wide{to.y} - from.y) * (Wide{p.x} - from.x);
+    const Wide x = Wide{pixel.x} + move.x - from.x, y = Wide{pixel.y} + move.y - from.y;
+    return (Wide{to.x} - from.x) * y - (Wide{to.y} - from.y) * x;
   }
   void operator()(const Started& s) {
     want(phase == before && plotted.empty() && s.p == 2 * dy - dx);
     phase = between;
   }
+  void operator()(const Jumped& j) {
+    want(phase == between && plotted.empty() && j.pixel == line.exact(j.shown.first));
+    k = j.shown.first;
+  }
   void operator()(const Compared& c) {
     want(phase == between && c.pixel == plotted.back());
     phase = in_step;
-    const ivec2 straight = c.pixel + c.moves.straight, diagonal = c.pixel + c.moves.diagonal;
-    const Wide sum = above(straight) + above(diagonal);
-    want(c.p == (above(diagonal) > above(straight) ? -sum : sum) && 2 * (dy - dx) <= c.p && c.p <= 2 * dy);
+    const auto [straight, diagonal, tie] = c.moves;
+    const Wide near = above(c.pixel, straight), far = above(c.pixel, diagonal);
+    want(c.p == (far > near ? -near - far : near + far) && 2 * (dy - dx) <= c.p && c.p <= 2 * dy);
     // They differ in one coordinate; midway the smaller one wins
     const bool low = straight.x + straight.y < diagonal.x + diagonal.y;
-    want(c.straight == (c.p < 0 || (c.p == 0 && low)));
+    want(tie == low && c.straight == (c.p < 0 || (c.p == 0 && low)));
   }
   void operator()(const Stepped& s) {
     want(phase == in_step && s.from == plotted.back() && s.pixel == line.exact(++k));
@@ -163,10 +149,33 @@ struct Watch {
     want(s.p - s.p_before == (s.straight ? 2 * dy : 2 * (dy - dx)));
   }
   void operator()(const Finished& f) {
-    want(phase == between && f.pixels == static_cast<std::int64_t>(plotted.size()) && f.pixels == dx + 1);
+    want(phase == between && f.pixels == static_cast<std::int64_t>(plotted.size()));
     phase = after;
   }
 };
+
+double window_error(const Input& i) {
+  if (!has_window(i)) return 0;
+  const Line line = line_of(i);
+  const Window window = window_of(i);
+  Pixels expected, shown, runs;
+  const std::int64_t middle = line.at(i[4]);
+  for (std::int64_t k = std::max<std::int64_t>(0, middle - 60); k <= std::min(line.last(), middle + 60);
+       ++k) {
+    if (window.contains(line.exact(k))) expected.push_back(line.exact(k));
+  }
+  Watch watch{line, shown};
+  in_window(line.from, line.to, window, [&](ivec2 p) { shown.push_back(p); }, watch);
+  run_length_in_window(line.from, line.to, window,
+                       [&](ivec2 start, std::int64_t count) { add_run(runs, line, start, count); });
+  const Stretch stretch = visible(line.from, line.to, window);
+  const auto count = static_cast<std::int64_t>(expected.size());
+  const bool counted = std::max<std::int64_t>(0, stretch.last - stretch.first + 1) == count &&
+                       (count == 0 || line.exact(stretch.first) == expected.front());
+  return watch.right && watch.phase == Watch::after && shown == expected && runs == expected && counted
+             ? 0
+             : wrong;
+}
 
 /// All pixels of a short line, watched and not, and of its runs.
 double steps_error(const Input& i) {
@@ -177,9 +186,11 @@ double steps_error(const Input& i) {
   decision_parameter(line.from, line.to, [&](ivec2 p) { pixels.push_back(p); }, watch);
   decision_parameter(line.from, line.to, [&](ivec2 p) { unobserved.push_back(p); });
   run_length(line.from, line.to, [&](ivec2 start, std::int64_t count) { add_run(runs, line, start, count); });
-  const bool ends = pixels.front() == line.from && pixels.back() == line.to;
-  return watch.right && watch.phase == Watch::after && ends && pixels == unobserved && pixels == runs ? 0
-                                                                                                      : wrong;
+  const bool whole = pixels.front() == line.from && pixels.back() == line.to &&
+                     static_cast<std::int64_t>(pixels.size()) == line.last() + 1;
+  return watch.right && watch.phase == Watch::after && whole && pixels == unobserved && pixels == runs
+             ? 0
+             : wrong;
 }
 
 /// The first and the last pixel of every run, of lines that have few.
@@ -286,7 +297,9 @@ std::vector<Trap> traps(const Input& more, bool with_part = true) {
                         {"p is 1", {0, 0, 2'147'483'647, 1'073'741'824, 1}},
                         {"zero length", {3, 4, 3, 4, 0}},
                         {"the most negative integer", {INT_MIN, INT_MIN, INT_MAX, INT_MAX, 0.5}},
-                        {"half way between two pixels", {0, 0, 2, 1, 0.5}}};
+                        {"half way between two pixels", {0, 0, 2, 1, 0.5}},
+                        {"a line 2^32 - 1 wide and 1 high", {INT_MIN, 0, INT_MAX - 1, 1, 0.5}},
+                        {"91 million pixels to jump over", {91'618'510, -54'756'195, 262, 23, 1}}};
   for (Trap& trap : all) {
     if (!with_part) trap.input.pop_back();
     trap.input.insert(trap.input.end(), more.begin(), more.end());
@@ -319,7 +332,8 @@ Domain bresenham_line() {
                    {"is steep", 0.25, [](const Input& i) { return steep(pixel(i, 0), pixel(i, 2)); }},
                    {"is longer than 2^31", 0.1, [](const Input& i) { return line_of(i).last() > INT_MAX; }}}},
        {.name = "in_window",
-        .states = "the pixels of the whole line that lie in the window, in their order, and its runs",
+        .states =
+            "the pixels of the whole line that lie in the window, in their order, step by step and by runs",
         .unit = "pixels",
         .bound = 0,
         .numbers = 9,

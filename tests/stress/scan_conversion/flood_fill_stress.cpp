@@ -124,10 +124,11 @@ Input raster_input(Kind kind, Random& random) {
 }
 
 struct RasterCase {
-  Mask cells;
+  Mask cells;  ///< 1 where the picture is free
   ivec2 seed;
   Connectivity connectivity;
   std::uint8_t value;
+  std::uint8_t least;  ///< what is added to cells and value: bytes of any size
 
   /// The cells of the seed's value that are connected with it.
   Mask area() const {
@@ -142,7 +143,11 @@ std::optional<RasterCase> raster_case(const Input& i) {
     return std::nullopt;
   }
   const ivec2 size = pixel(i, 0);
-  RasterCase c{{size.x, size.y}, pixel(i, 2), connectivity_of(i[4]), static_cast<std::uint8_t>(i[8])};
+  RasterCase c{{size.x, size.y},
+               pixel(i, 2),
+               connectivity_of(i[4]),
+               static_cast<std::uint8_t>(i[8]),
+               static_cast<std::uint8_t>(picture->noise % 254)};
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) c.cells[{x, y}] = picture->free({x, y});
   }
@@ -152,12 +157,13 @@ std::optional<RasterCase> raster_case(const Input& i) {
 /// How many cells the methods get wrong, and by how many their counts are off, on cells of one type.
 template <class Cell>
 double fills_error(const RasterCase& given) {
-  const auto& [bytes, seed, connectivity, byte] = given;
+  const auto& [bytes, seed, connectivity, byte, least] = given;
   Raster<Cell> before(bytes.width(), bytes.height());
-  std::copy(bytes.cells().begin(), bytes.cells().end(), before.cells().begin());
+  std::ranges::transform(bytes.cells(), before.cells().begin(),
+                         [&](int x) { return static_cast<Cell>(least + x); });
   const bool taken = before.contains(seed);
   const Mask area = taken ? given.area() : Mask();
-  const Cell value = byte;
+  const auto value = static_cast<Cell>(least + byte);
   const std::int64_t painted = taken && before[seed] != value ? count(area) : 0;
   const auto judged = [&](auto fill) {
     Raster<Cell> cells = before;
@@ -186,6 +192,7 @@ struct Watch {
   Connectivity connectivity;
   Mask painted{area.width(), area.height()};
   std::int64_t count = 0;
+  std::size_t waiting = 0;  ///< on the stack or in the queue
   bool right = true;
   bool finished = false;
 
@@ -209,7 +216,7 @@ struct Watch {
 
   void operator()(const Started& s) { want(s.seed == seed && s.inside == has(area, seed)); }
   void operator()(const Painted& p) {
-    want(touches(p.pixel) && (p.pixel == seed || has(painted, p.from)));
+    want(touches(p.pixel) && (p.pixel == seed || has(painted, p.from)) && p.waiting == ++waiting);
     paint(p.pixel);
   }
   void operator()(const Examined& e) {
@@ -227,12 +234,18 @@ struct Watch {
       want(!has(area, end) || painted[end]);
     }
   }
-  void operator()(const SpanQueued& q) { all_painted(q.span); }
-  void operator()(const SpanTaken& t) { all_painted(t.span); }
-  void operator()(const Dequeued& d) { want(has(painted, d.pixel)); }
-  void operator()(const Retreated& r) { want(has(painted, r.pixel)); }
+  void operator()(const SpanQueued& q) {
+    all_painted(q.span);
+    want(q.waiting == ++waiting);
+  }
+  void operator()(const SpanTaken& t) {
+    all_painted(t.span);
+    want(t.waiting == --waiting);
+  }
+  void operator()(const Dequeued& d) { want(has(painted, d.pixel) && d.waiting == --waiting); }
+  void operator()(const Retreated& r) { want(has(painted, r.pixel) && r.waiting == --waiting); }
   void operator()(const Finished& f) {
-    want(!finished && f.filled.painted == count && painted == area);
+    want(!finished && waiting == 0 && f.filled.painted == count && painted == area);
     finished = true;
   }
 };
@@ -253,7 +266,7 @@ bool is_small(const Filled& filled, Method method, const RasterCase& c) {
 double steps_error(const Input& input) {
   const std::optional<RasterCase> given = raster_case(input);
   if (!given || !given->cells.contains(given->seed)) return 0;
-  const auto& [cells, seed, connectivity, value] = *given;
+  const auto& [cells, seed, connectivity, value, least] = *given;
   Maze maze(cells.width(), cells.height());
   const char blocked = value == 2 ? wall : 'q', ink = value == 1 ? 'q' : 'x';
   std::ranges::transform(cells.cells(), maze.cells().begin(), [&](int c) { return c ? free_cell : blocked; });
@@ -480,36 +493,6 @@ double image_error(const Input& input) {
   return error;
 }
 
-// --- Words ---
-
-/// The least value, how many there are, which one is looked for, the number of the noise.
-Input word_input(Kind, Random& random) {
-  const std::int64_t values = random.uniform_int(1, 4);
-  return {whole(random, 0, 255), static_cast<double>(values), whole(random, 0, values - 1),
-          whole(random, 0, 1'000'000)};
-}
-
-/// Bytes have a comparison of their own; cells of other types, and fewer than a word, must agree with it.
-double word_error(const Input& i) {
-  if (!are_whole(i, 3, 0, 255) || i[1] < 1 || !is_whole(i[3], 0, 1e9)) return 0;
-  Random random(static_cast<std::uint64_t>(i[3]));
-  std::array<std::uint8_t, word_bits> bytes{};
-  std::array<int, word_bits> others{};
-  const auto value = static_cast<std::uint8_t>(std::llround(i[0] + i[2]));
-  Word right = 0;
-  for (std::size_t k = 0; k < word_bits; ++k) {
-    bytes[k] = static_cast<std::uint8_t>(std::llround(i[0] + whole(random, 0, std::llround(i[1]) - 1)));
-    others[k] = bytes[k];
-    right |= Word{bytes[k] == value} << k;
-  }
-  const std::span<const std::uint8_t, word_bits> all(bytes);
-  const std::span<const int, word_bits> ints(others);
-  const std::span<const std::uint8_t> few(bytes.data(), 17);
-  const bool same = equal_bits(all, value) == right && equal_bits(ints, int{value}) == right &&
-                    equal_bits(few, value) == (right & up_to(16));
-  return same ? 0 : wrong;
-}
-
 }  // namespace
 
 Domain flood_fill() {
@@ -606,15 +589,7 @@ Domain flood_fill() {
                                 const std::optional<ImageCase> given = image_case(input);
                                 return given && given->needs_mask();
                               }}}};
-  Property words{.name = "equal_bits",
-                 .states = "a bit a cell, whatever the cells' type and number",
-                 .unit = "words",
-                 .bound = 0,
-                 .numbers = 4,
-                 .kinds = {Kind::random},
-                 .generate = word_input,
-                 .error = word_error};
-  return {"flood_fill", {fills, steps, noise, windows, images, words}};
+  return {"flood_fill", {fills, steps, noise, windows, images}};
 }
 
 }  // namespace gradus::stress
