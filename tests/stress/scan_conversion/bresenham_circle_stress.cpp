@@ -329,7 +329,7 @@ Domain bresenham_circle() {
                     [](const Input& i) {
                       return i[2] >= 0 && cells_drawn(i) == pixel_count(static_cast<int>(i[2]));
                     }}},
-        .cases = 20'000}}};
+        .cases = 22'000}}};
 }
 
 }  // namespace gradus::stress
