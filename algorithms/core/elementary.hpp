@@ -8,7 +8,7 @@
 //
 // For all of them. Domain: every double; special values as in C (ISO C Annex F), e.g. log(-1) = NaN,
 // log(0) = -infinity, atan2(-0, -1) = -pi; NaN comes out as one canonical NaN; errno is not touched.
-// Accuracy: double: less than 0.501 ulp, subnormal results included (tests/property/core/elementary); float:
+// Accuracy: double: less than 0.501 ulp, subnormal results included (tests/stress/core/elementary); float:
 // less than 0.5001 ulp. So nearly always the nearest number, but not by proof: do not decide signs by them.
 // Cost: 0.1 to 0.3 us a call.
 

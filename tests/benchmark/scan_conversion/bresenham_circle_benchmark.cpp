@@ -8,6 +8,7 @@
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "stress/scan_conversion/nearest_pixels.hpp"
 
 #ifdef GRADUS_HAS_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -35,17 +36,24 @@ std::vector<PixelCircle> circles(int least, int most, bool cut = false) {
   return set;
 }
 
-void reference(Canvas& canvas, const PixelCircle& circle) {
+void taught(Canvas& canvas, const PixelCircle& circle) {
   bresenham_circle::decision_parameter(circle.centre, circle.radius, [&](ivec2 p) {
     if (canvas.contains(p)) canvas[p] = 1;
   });
 }
 
-/// How far a pixel is from the circle.
-double off(const PixelCircle& circle, ivec2 p) {
-  const dvec2 at = dvec2(p - circle.centre);
-  return std::abs(std::hypot(at.x, at.y) - circle.radius);
+/// In every column of the first octant the pixel that the definition takes, and its mirror images.
+void by_definition(Canvas& canvas, const PixelCircle& circle) {
+  const auto& [centre, radius] = circle;
+  for (int x = 0; x <= radius; ++x) {
+    const int y = static_cast<int>(std::lround(std::sqrt(1.0 * radius * radius - 1.0 * x * x)));
+    if (x > y || !stress::is_height(radius, x, y)) continue;
+    for (const ivec2 at : {ivec2{x, y}, {-x, y}, {x, -y}, {-x, -y}, {y, x}, {-y, x}, {y, -x}, {-y, -x}}) {
+      if (canvas.contains(centre + at)) canvas[centre + at] = 1;
+    }
+  }
 }
+double off(const PixelCircle& circle, ivec2 p) { return stress::off_circle(circle.centre, circle.radius, p); }
 
 Window round(const PixelCircle& circle) {
   return {circle.centre - circle.radius - 3, circle.centre + circle.radius + 3};
@@ -53,7 +61,7 @@ Window round(const PixelCircle& circle) {
 
 void add_cases(std::vector<Case>& cases, const std::vector<PixelCircle>& set, const Workload& workload,
                bool cut) {
-  const Figures<PixelCircle> figures{reference, round, off};
+  const Figures<PixelCircle> figures{by_definition, round, off};
   const Window whole{{0, 0}, {side - 1, side - 1}};
   std::int64_t pixels = 0;
   for (const PixelCircle& circle : set) {
@@ -64,7 +72,7 @@ void add_cases(std::vector<Case>& cases, const std::vector<PixelCircle>& set, co
     cases.push_back(case_of(name, standing, draw, set, side, pixels, figures, workload));
   };
   if (cut) {
-    add("decision_parameter, asking each pixel", Standing::taught, reference);
+    add("decision_parameter, asking each pixel", Standing::taught, taught);
   } else {
     add("decision_parameter", Standing::taught, [](Canvas& canvas, const PixelCircle& circle) {
       bresenham_circle::decision_parameter(circle.centre, circle.radius, [&](ivec2 p) { canvas[p] = 1; });

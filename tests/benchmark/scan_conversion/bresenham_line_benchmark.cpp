@@ -1,7 +1,6 @@
 // Lines drawn into a picture by every method, beside those of OpenCV, Cairo, AGG and Mesa.
 
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -10,6 +9,7 @@
 #include "scan_conversion/bresenham_line/bresenham_line.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
+#include "stress/scan_conversion/nearest_pixels.hpp"
 
 #ifdef GRADUS_HAS_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -76,28 +76,27 @@ std::int64_t pixels_of(const std::vector<Line>& lines) {
   return pixels;
 }
 
-/// How far a pixel is from the line along the axis that the line crosses slowly.
-double off(const Line& line, ivec2 p) {
-  const dvec2 way = dvec2(line.b - line.a), at = dvec2(p - line.a);
-  const double longer = std::max(std::abs(way.x), std::abs(way.y));
-  return longer > 0 ? std::abs(way.x * at.y - way.y * at.x) / longer
-                    : std::max(std::abs(at.x), std::abs(at.y));
-}
-
-void reference(Canvas& canvas, const Line& line) {
+void taught(Canvas& canvas, const Line& line) {
   bresenham_line::decision_parameter(line.a, line.b, [&](ivec2 p) { canvas[p] = 1; });
 }
+
+void by_definition(Canvas& canvas, const Line& line) {
+  for (std::int64_t k = 0; k <= stress::last_of_line(line.a, line.b); ++k) {
+    canvas[stress::pixel_of_line(line.a, line.b, k)] = 1;
+  }
+}
+double off(const Line& line, ivec2 p) { return stress::off_line(line.a, line.b, p); }
 
 Window round(const Line& line) { return {glm::min(line.a, line.b) - 2, glm::max(line.a, line.b) + 2}; }
 
 /// Every method on the lines.
 void add_cases(std::vector<Case>& cases, const std::vector<Line>& lines, const Workload& workload) {
-  const Figures<Line> figures{reference, round, off};
+  const Figures<Line> figures{by_definition, round, off};
   const std::int64_t pixels = pixels_of(lines);
   const auto add = [&](const char* name, Standing standing, auto draw) {
     cases.push_back(case_of(name, standing, draw, lines, side, pixels, figures, workload));
   };
-  add("decision_parameter", Standing::taught, reference);
+  add("decision_parameter", Standing::taught, taught);
   add("dda<float>", Standing::taught, [](Canvas& canvas, const Line& line) {
     bresenham_line::dda<float>(line.a, line.b, [&](ivec2 p) { canvas[p] = 1; });
   });

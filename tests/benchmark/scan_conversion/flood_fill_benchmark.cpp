@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <random>
@@ -13,6 +15,7 @@
 #include "benchmark/subject.hpp"
 #include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill_batch.hpp"
+#include "stress/scan_conversion/areas.hpp"
 
 #ifdef GRADUS_HAS_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -25,26 +28,27 @@ using flood_fill::Method;
 using Canvas =
     Raster<std::uint8_t>;  // a byte a cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
 
-/// A picture with a seed in its largest area, and what it should be after the fill.
+/// A picture, its largest area, and a seed there.
 struct Scene {
-  Canvas canvas, filled;
+  Canvas canvas;
+  stress::Mask area;
   ivec2 seed{0, 0};
   std::int64_t cells = 0;  ///< of the area
 };
 
-/// Finds the largest area by filling every one of them breadth first.
-Scene scene_of(Canvas canvas) {
-  Scene scene{canvas, canvas};
-  for (int y = 0; y < canvas.height(); ++y) {
-    for (int x = 0; x < canvas.width(); ++x) {
-      if (canvas[{x, y}] != 0) continue;
-      const std::int64_t cells =
-          flood_fill::fill_raster(canvas, {x, y}, std::uint8_t{2}, Method::breadth_first).painted;
-      if (cells > scene.cells) scene.seed = {x, y}, scene.cells = cells;
-    }
+Scene scene_of(const Canvas& canvas) {
+  const auto is_free = [&](ivec2 p) { return canvas[p] == 0; };
+  const auto connectivity = flood_fill::Connectivity::four;
+  const auto areas = stress::areas_of(canvas.width(), canvas.height(), connectivity, is_free);
+  std::vector<std::int64_t> cells(areas.cells().size());
+  for (const int area : areas.cells()) {
+    if (area != stress::no_area) ++cells[static_cast<std::size_t>(area)];
   }
-  flood_fill::fill_raster(scene.filled, scene.seed, std::uint8_t{2}, Method::breadth_first);
-  return scene;
+  const auto largest = std::ranges::max_element(cells);
+  const int first = static_cast<int>(largest - cells.begin());
+  const ivec2 seed{first % canvas.width(), first / canvas.width()};
+  return {canvas, stress::area_of(canvas.width(), canvas.height(), seed, connectivity, is_free), seed,
+          *largest};
 }
 
 /// Cells walled off at random; with 60 % free just above where one area spans the picture.
@@ -122,16 +126,10 @@ const Scene& scene(const std::string& kind, int side) {
 }
 
 /// Cells painted that should not be, or missed.
-Error error_of(const Canvas& painted, const Canvas& right) {
-  Error::Sum sum;
-  for (int y = 0; y < right.height(); ++y) {
-    for (int x = 0; x < right.width(); ++x) {
-      const bool wrong = painted[{x, y}] != right[{x, y}];
-      sum.add(wrong ? 1 : 0);
-      if (wrong) sum.wrong_decision();
-    }
-  }
-  return sum.error();
+Error error_of(const Canvas& painted, const Scene& scene) {
+  const auto wrong = stress::wrong_cells(painted, scene.canvas, scene.area, std::uint8_t{2});
+  const double all = static_cast<double>(painted.cells().size());
+  return {wrong > 0 ? 1.0 : 0.0, std::sqrt(static_cast<double>(wrong) / all), wrong};
 }
 
 /// Every method on a picture.
@@ -145,7 +143,7 @@ void add_cases(std::vector<Case>& cases, const Scene& scene, const Workload& wor
                      .items = scene.cells,
                      .run = [fill, canvas, &scene] { fill(*canvas, scene.seed); },
                      .prepare = [canvas, &scene] { *canvas = scene.canvas; },
-                     .error = error_of(*canvas, scene.filled)});
+                     .error = error_of(*canvas, scene)});
   };
   const auto by = [](Method method) {
     return [method](Canvas& canvas, ivec2 seed) {

@@ -1,48 +1,21 @@
-// The promises of what all topics stand on: lengths, turns, cuts along the axes, signs and quotients.
+// The promises of what all topics stand on: lengths, turns and cuts along the axes.
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
-#include "core/form.hpp"
 #include "core/geometry.hpp"
 #include "core/turn.hpp"
-#include "stress/numbers.hpp"
-#include "stress/scales.hpp"
-#include "support/clip_oracle.hpp"
+#include "core/unbounded.hpp"
+#include "stress/core/digits.hpp"
+#include "stress/core/exact_property.hpp"
+#include "stress/core/integers.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using test::Rational;
-/// Digits for angles of 1e308, too.
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<1400, boost::multiprecision::digit_base_2>,
-    boost::multiprecision::et_off>;
-
-const std::vector<Kind> all_but_refused{
-    Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny,
-    Kind::ties,   Kind::denormal,        Kind::extremes};
-
-double ulps(double found, const Wide& exact) {
-  if (!std::isfinite(found)) return wrong;
-  const double size =
-      std::min(std::abs(static_cast<double>(exact)), std::nextafter(std::numeric_limits<double>::max(), 0.0));
-  return static_cast<double>(Wide(abs(Wide(found) - exact) / (std::nextafter(size, wrong) - size)));
-}
-int sign_of(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-
-Input any_numbers(std::size_t count, Kind kind, Random& random) {
-  Input input(count);
-  for (double& x : input) x = number(kind, random);
-  return input;
-}
-
-// --- Lengths and directions -----------------------------------------------------------------------------
+// --- Lengths and directions ---
 
 Input vector(Kind kind, Random& random) {
   Input input = any_numbers(3, kind, random);
@@ -51,25 +24,34 @@ Input vector(Kind kind, Random& random) {
   if (kind == Kind::grazing) input[0] = nudged(input[1], random);
   return input;
 }
+Digits exact_length(dvec3 v) {
+  const Digits x(v.x), y(v.y), z(v.z);
+  return sqrt(Digits(x * x + y * y + z * z));
+}
 
 double length_error(const Input& i) {
   const dvec3 v{i[0], i[1], i[2]};
-  const Wide x(v.x), y(v.y), z(v.z), exact = sqrt(Wide(x * x + y * y + z * z));
-  const double found = length_of(v);
+  if (!all_finite(i)) return std::isfinite(length_of(v)) ? wrong : 0;
   const Directed<double> both = directed(v);
   if (both.direction != unit_vector(v)) return wrong;
-  if (exact > Wide(std::numeric_limits<double>::max())) return found > 0x1.ffffffffffffep1023 ? 0 : wrong;
-  return std::max(ulps(found, exact), ulps(both.length, exact));
+  const Digits exact = exact_length(v);
+  // At the end of the range an ulp decides whether it is left
+  const auto error = [&](double found) {
+    return std::isinf(found) && exact >= Digits(0x1.ffffffffffffep1023) ? 0 : ulps(found, exact);
+  };
+  return std::max(error(length_of(v)), error(both.length));
 }
 
 double direction_error(const Input& i) {
   const dvec3 v{i[0], i[1], i[2]}, found = unit_vector(v);
+  if (!all_finite(i)) return 0;
   if (v == dvec3{0}) return found == v ? 0 : wrong;
-  const Wide x(v.x), y(v.y), z(v.z), length = sqrt(Wide(x * x + y * y + z * z));
-  return std::max({ulps(found.x, x / length), ulps(found.y, y / length), ulps(found.z, z / length)});
+  const Digits length = exact_length(v);
+  const auto error = [&](double part, double x) { return ulps(part, Digits(Digits(x) / length)); };
+  return std::max({error(found.x, v.x), error(found.y, v.y), error(found.z, v.z)});
 }
 
-// --- Turns ----------------------------------------------------------------------------------------------
+// --- Turns ---
 
 Input angle(Kind kind, Random& random) {
   Input input{number(kind, random)};
@@ -87,249 +69,267 @@ double turn_error(const Input& i, bool of_versine) {
     return std::isfinite(i[0]) ? wrong : 0;
   }
   if (!std::isfinite(i[0])) return wrong;
-  const Wide radians(i[0]), half = sin(Wide(radians / 2));
-  if (of_versine) return ulps(found.versine, 2 * half * half);
-  return std::max(ulps(found.sin, sin(radians)), ulps(found.cos, cos(radians)));
-}
-
-// --- Signs ----------------------------------------------------------------------------------------------
-
-/// Points in a plane or in space, the last one on the line or the plane of the others, or a little beside.
-template <std::size_t N>
-Input points(Kind kind, Random& random) {
-  Input input = any_numbers(N * (N + 1), kind, random);
-  if (kind == Kind::near_degenerate || kind == Kind::grazing) {
-    std::array<double, N> shares;
-    double rest = 1;
-    for (std::size_t p = 1; p < N; ++p) rest -= shares[p] = std::round(random.uniform(-16, 16)) / 8;
-    shares[0] = rest;
-    for (std::size_t k = 0; k < N; ++k) {
-      double sum = 0;
-      for (std::size_t p = 0; p < N; ++p) sum += shares[p] * input[N * p + k];
-      input[N * N + k] = kind == Kind::grazing ? sum : nudged(sum, random);
-    }
-  } else if (kind == Kind::refused) {
-    input[static_cast<std::size_t>(random.uniform_int(0, static_cast<int>(input.size()) - 1))] = wrong;
+  if (of_versine) {
+    const Digits angle = reduced(i[0]), half = sin(Digits(angle / 2));
+    return ulps(found.versine, Digits(2 * half * half));
   }
-  return input;
+  const Digits angle = reduced(i[0]);
+  return std::max(ulps(found.sin, Digits(sin(angle))), ulps(found.cos, Digits(cos(angle))));
 }
 
-template <class Decide>
-double decision_error(const Input& i, int exact, Decide decide) {
-  try {
-    return decide() == exact && all_finite(i) ? 0 : wrong;
-  } catch (const ContractViolation&) {
-    return all_finite(i) ? wrong : 0;
+// --- Cuts ---
+
+/// A cut to make: the ends along the border's axis, along the other, and the border between the ends.
+template <class T>
+struct Cut {
+  T a, b, from, to, c;
+
+  bool is_one() const {
+    return std::isfinite(a) && std::isfinite(b) && std::isfinite(from) && std::isfinite(to) && a != b &&
+           std::min(a, b) <= c && c <= std::max(a, b);
   }
-}
-
-double orient2d_error(const Input& i) {
-  int exact = 0;
-  if (all_finite(i)) {
-    const auto minus_first = [&](std::size_t k) { return Rational(i[k]) - Rational(i[k % 2]); };
-    exact = sign_of(minus_first(2) * minus_first(5) - minus_first(3) * minus_first(4));
+  bool at_end() const { return c == a || c == b || from == to; }
+  T made() const { return cut_coordinate(a, b, from, to, c); }
+  Cut back() const { return {b, a, to, from, c}; }
+  // from + (c - a) (to - from) / (b - a)
+  Integer above() const {
+    const Integer length = fixed(b) - fixed(a);
+    return fixed(from) * length + (fixed(c) - fixed(a)) * (fixed(to) - fixed(from));
   }
-  return decision_error(i, exact, [&] { return orient2d(dvec2{i[0], i[1]}, {i[2], i[3]}, {i[4], i[5]}); });
-}
-
-double orient3d_error(const Input& i) {
-  int exact = 0;
-  if (all_finite(i)) {
-    const auto minus_first = [&](std::size_t k) { return Rational(Rational(i[k]) - Rational(i[k % 3])); };
-    const auto minor = [&](std::size_t k, std::size_t l) {
-      return Rational(minus_first(3 + k) * minus_first(6 + l) - minus_first(3 + l) * minus_first(6 + k));
-    };
-    exact =
-        sign_of(minor(1, 2) * minus_first(9) + minor(2, 0) * minus_first(10) + minor(0, 1) * minus_first(11));
+  Integer below() const { return times_one(fixed(b) - fixed(a)); }
+  bool needs_exact() const
+    requires std::same_as<T, double>
+  {
+    return is_one() && !at_end() && !cut_coordinate_filtered(a, b, from, to, c);
   }
-  const auto at = [&](std::size_t k) { return dvec3{i[k], i[k + 1], i[k + 2]}; };
-  return decision_error(i, exact, [&] { return orient3d(at(0), at(3), at(6), at(9)); });
+};
+template <class T = double>
+Cut<T> cut_of(const Input& i) {
+  const auto at = [&](std::size_t k) { return static_cast<T>(i[k]); };
+  return {at(0), at(1), at(2), at(3), at(4)};
 }
+bool same_bits(double x, double y) { return x == y && std::signbit(x) == std::signbit(y); }
 
-/// a + b sqrt(c d) and a + b sqrt(c d) + e sqrt(f g), all of degree 2: a, b, c, d, e, f, g.
-Input roots(Kind kind, Random& random) {
-  Input input = any_numbers(7, kind, random);
-  if (kind == Kind::near_degenerate || kind == Kind::grazing) {
-    // a = -b c but for the last places, d = c
-    input[3] = input[2];
-    input[0] = kind == Kind::grazing ? input[1] : nudged(input[1], random);
-    input[1] = -input[1] * (kind == Kind::grazing ? 1 : 1 + 0x1p-50);
-  }
-  for (const std::size_t k : {2U, 3U, 5U, 6U}) input[k] = std::abs(input[k]);
-  return input;
+void put_between(Input& i) { i[4] = std::clamp(i[4], std::min(i[0], i[1]), std::max(i[0], i[1])); }
+
+/// Half way along, from an odd sum: midway between two doubles.
+Input tied_cut(Random& random) {
+  const double a = random.uniform(1, 8),
+               size = std::ldexp(1.0, static_cast<int>(random.uniform_int(-40, 40)));
+  const std::int64_t low = std::int64_t{1} << 52, high = 2 * low - 1;
+  const std::int64_t first = random.uniform_int(low, high), second = random.uniform_int(low, high);
+  const auto odd = static_cast<double>(second - (first + second + 1) % 2);
+  return {-a, a, static_cast<double>(first) * size, odd * size, 0};
 }
-
-/// The sign of a + b sqrt(c), by squares.
-int sign_of_root(const Rational& a, const Rational& b, const Rational& c) {
-  const int left = sign_of(a), right = c == 0 ? 0 : sign_of(b);
-  if (right == 0 || left == right) return left;
-  return left == 0 ? right : left * sign_of(a * a - b * b * c);
+/// The end far away, the cut near zero: all digits of the sum cancel but a few.
+Input cancelling_cut(Random& random) {
+  const double a = -std::ldexp(random.uniform(1, 2), 20), b = std::ldexp(random.uniform(1, 2), 20);
+  const double c = random.uniform(-1, 1), slope = random.uniform(-4, 4);
+  return {a, b, slope * (a - c), slope * (b - c), c};
 }
-
-double form_error(const Input& i) {
-  const Form<1> a(i[0]), b(i[1]), c(i[2]), d(i[3]), e(i[4]), f(i[5]), g(i[6]);
-  const Rational x = Rational(i[0]) * Rational(i[2]), y(i[1]), cd = Rational(i[2]) * Rational(i[3]);
-  if (sign_with_root(a * c, b, c * d) != sign_of_root(x, y, cd)) return wrong;
-  // Two roots of different size: their sum against -a c
-  const Rational z(i[4]), fg = Rational(i[5]) * Rational(i[6]);
-  const int roots = sign_of_root(0, y, cd) == sign_of_root(0, z, fg)
-                        ? sign_of_root(0, y, cd)
-                        : (sign_of_root(0, y, cd) == 0   ? sign_of_root(0, z, fg)
-                           : sign_of_root(0, z, fg) == 0 ? sign_of_root(0, y, cd)
-                                                         : sign_of(y) * sign_of(y * y * cd - z * z * fg));
-  int exact = sign_of(x);
-  if (exact == 0) {
-    exact = roots;
-  } else if (roots != 0 && roots != exact) {
-    // |a c| against the sum of the roots, whose square is a rational and one root
-    exact *= sign_of_root(x * x - y * y * cd - z * z * fg, -2 * y * z, cd * fg);
-  }
-  return sign_with_roots(a * c, b, c * d, e, f * g) == exact ? 0 : wrong;
-}
-
-// --- Cuts -----------------------------------------------------------------------------------------------
-
-/// The ends along the border's axis, along the other, and the border, between the ends.
 Input cut(Kind kind, Random& random) {
   Input input = any_numbers(5, kind, random);
-  if (kind == Kind::near_degenerate) {
+  if (kind == Kind::near_degenerate && random.unit() < 0.5) {
     input[1] = nudged(input[0], random);
     input[3] = nudged(input[2], random);
-  }
-  if (kind == Kind::grazing) {
+  } else if (kind == Kind::near_degenerate) {
+    input = tied_cut(random);
+    input[4] = sized(random, -200, -90);
+  } else if (kind == Kind::grazing && random.unit() < 0.5) {
     // Through 0, but for the last places
     input[1] = -input[0], input[3] = nudged(-input[2], random), input[4] = 0;
+  } else if (kind == Kind::grazing) {
+    input = cancelling_cut(random);
+  } else if (kind == Kind::ties && random.unit() < 0.5) {
+    input = tied_cut(random);
   }
+  put_between(input);
   return input;
 }
-void put_between(Input& i) { i[4] = std::clamp(i[4], std::min(i[0], i[1]), std::max(i[0], i[1])); }
-Input cut_in_order(Kind kind, Random& random) {
+/// Numbers of like size, or mixed from 2^-299 to 2^299.
+Input plain_cut(Kind kind, Random& random) {
+  Input input(5);
+  for (double& x : input) x = kind == Kind::random ? random.uniform(-1000, 1000) : sized(random, -299, 299);
+  const double t = random.unit();
+  input[4] = input[0] * (1 - t) + input[1] * t;
+  put_between(input);
+  return input;
+}
+/// Down to where floats underflow, up to where they end; or midway between two of them, a hair beside.
+Input float_cut(Kind kind, Random& random) {
+  if (random.unit() < 0.3) return {-1, 1, 0x1.000002p0, 0x1.000004p0, sized(random, -120, -60)};
   Input input = cut(kind, random);
+  const auto exponent = static_cast<int>(random.uniform_int(-155, 122));
+  for (double& x : input) {
+    const double scaled = std::ldexp(x, random.unit() < 0.7 ? exponent : 0);
+    constexpr double most = std::numeric_limits<float>::max();
+    x = static_cast<double>(static_cast<float>(std::clamp(scaled, -most, most)));
+  }
   put_between(input);
   return input;
 }
 
-template <class T>
 double cut_error(const Input& i) {
-  std::array<T, 5> k;
-  for (std::size_t n = 0; n < 5; ++n) k[n] = static_cast<T>(i[n]);
-  const auto [a, b, from, to, c] = k;
-  for (const T x : k) {
-    if (!std::isfinite(x)) return 0;
+  const Cut<double> cut = cut_of(i);
+  if (!cut.is_one()) return 0;
+  const double found = cut.made();
+  const auto sure = cut_coordinate_filtered(cut.a, cut.b, cut.from, cut.to, cut.c);
+  const bool same = same_bits(found, cut.back().made()) &&
+                    same_bits(found, cut_coordinate_exact(cut.a, cut.b, cut.from, cut.to, cut.c)) &&
+                    (!sure || *sure == found);
+  const bool between = std::min(cut.from, cut.to) <= found && found <= std::max(cut.from, cut.to);
+  const bool minus_zero = found == 0 && std::signbit(found);
+  return same && between && !minus_zero && is_nearest(found, cut.above(), cut.below()) ? 0 : wrong;
+}
+double float_cut_error(const Input& i) {
+  for (const double x : i) {
+    if (!(std::abs(x) <= double{std::numeric_limits<float>::max()})) return 0;
   }
-  if (a == b || c < std::min(a, b) || c > std::max(a, b)) return 0;
-  const Rational exact = Rational(from) + (Rational(c) - Rational(a)) * (Rational(to) - Rational(from)) /
-                                              (Rational(b) - Rational(a));
-  const T found = cut_coordinate(a, b, from, to, c);
-  if (found == 0 && std::signbit(found)) return wrong;
-  const T back = cut_coordinate(b, a, to, from, c);
-  if (back != found) return wrong;
-  const T largest = std::numeric_limits<T>::max();
-  return (std::abs(found) == largest ? abs(exact) <= Rational(largest) : test::is_nearest(found, exact))
-             ? 0
-             : wrong;
+  const Cut<float> cut = cut_of<float>(i);
+  if (!cut.is_one()) return 0;
+  const float found = cut.made();
+  const bool minus_zero = found == 0 && std::signbit(found);
+  return found == cut.back().made() && !minus_zero && is_nearest(found, cut.above(), cut.below()) ? 0 : wrong;
 }
 
-double order_error(const Input& i) {
-  if (i[0] == i[1] || i[3] == i[4]) return 0;
-  const auto share = [&](std::size_t k) {
-    return Rational((Rational(i[k + 2]) - Rational(i[k])) / (Rational(i[k + 1]) - Rational(i[k])));
-  };
-  const auto order = compare_cuts(i[0], i[1], i[2], i[3], i[4], i[5]);
-  return (order < 0 ? -1 : order > 0 ? 1 : 0) == sign_of(share(0) - share(3)) ? 0 : wrong;
+bool is_tie(const Input& i) {
+  const Cut<double> cut = cut_of(i);
+  if (!cut.is_one()) return false;
+  const Integer at = fixed(cut.made()) * cut.below(), exact = times_one(cut.above());
+  const double next = std::nextafter(cut.made(), exact < at ? -wrong : wrong);
+  return at != exact && at + fixed(next) * cut.below() == 2 * exact;
 }
 
-// --- Products, sums and quotients -----------------------------------------------------------------------
+int sign_of(std::strong_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
 
-/// (a b + c d) / (e f + g).
-Input quotient(Kind kind, Random& random) {
-  Input input = any_numbers(7, kind, random);
-  if (kind == Kind::near_degenerate || kind == Kind::grazing) {
-    input[2] = nudged(-input[0], random);
-    input[3] = nudged(input[1], random);
+/// Where a segment stands where it is cut, against borders there, a few steps beside it, and at its ends.
+double place_error(const Input& i) {
+  const Cut<double> cut = cut_of(i);
+  if (!cut.is_one()) return 0;
+  const Segment<2, double> segment{{cut.a, cut.from}, {cut.b, cut.to}};
+  const double at = cut_point(segment, 0, cut.c).y;
+  for (const double border : {at, std::nextafter(at, wrong), std::nextafter(at, -wrong), cut.from, cut.to}) {
+    const Integer beyond = times_one(cut.above()) - fixed(border) * cut.below();
+    const int right = cut.below() < 0 ? -beyond.sign() : beyond.sign();
+    if (std::isfinite(border) && sign_of(compare_at_cut(segment, 0, cut.c, 1, border, at)) != right)
+      return wrong;
+  }
+  return 0;
+}
+
+/// A segment from a to b and a corner: a.x, b.x, corner's x, then y. Often the corner lies on it or nearly
+/// so.
+Input corner(Kind kind, Random& random) {
+  Input input = any_numbers(6, kind, random);
+  if (kind != Kind::near_degenerate && kind != Kind::grazing) return input;
+  const double t = kind == Kind::grazing ? 0.5 : random.unit();
+  for (const std::size_t k : {0U, 3U}) {
+    const double on = input[k] * (1 - t) + input[k + 1] * t;
+    input[k + 2] = random.unit() < 0.5 ? on : nudged(on, random);
+    if (kind == Kind::grazing) input[k + 1] = 2 * input[k + 2] - input[k];
   }
   return input;
 }
+double order_error(const Input& i) {
+  if (!all_finite(i) || i[0] == i[1] || i[3] == i[4]) return 0;
+  const auto x = [&](std::size_t k, std::size_t l) { return Integer(fixed(i[k]) - fixed(i[l])); };
+  const Integer length = x(1, 0), height = x(4, 3);
+  const int right = Integer(x(2, 0) * height - x(5, 3) * length).sign() * length.sign() * height.sign();
+  const int found = sign_of(compare_cuts(i[0], i[1], i[2], i[3], i[4], i[5]));
+  const int back = sign_of(compare_cuts(i[1], i[0], i[2], i[4], i[3], i[5]));
+  const int other_axis = sign_of(compare_cuts(i[3], i[4], i[5], i[0], i[1], i[2]));
+  return found == right && back == -right && other_axis == -right ? 0 : wrong;
+}
+bool divisions_mislead(const Input& i) {
+  const double u = (i[2] - i[0]) / (i[1] - i[0]), v = (i[5] - i[3]) / (i[4] - i[3]);
+  return (u > v) - (u < v) != sign_of(compare_cuts(i[0], i[1], i[2], i[3], i[4], i[5]));
+}
 
-double quotient_error(const Input& i) {
-  SumOfProducts<2> numerator, denominator;
-  numerator.add(i[0], i[1]);
-  numerator.add(i[2], i[3]);
-  denominator.add(i[4], i[5]);
-  denominator.add(i[6]);
-  const Rational above = Rational(i[0]) * Rational(i[1]) + Rational(i[2]) * Rational(i[3]);
-  const Rational below = Rational(i[4]) * Rational(i[5]) + Rational(i[6]);
-  double found = 0;
-  try {
-    found = rounded_quotient(numerator, denominator);
-  } catch (const ContractViolation&) {
-    return below == 0 ? 0 : wrong;
+// --- Numbers without bounds ---
+
+/// Where plain arithmetic stays in range, numbers without bounds have its bits.
+template <class T>
+double unbounded_error(const Input& i) {
+  constexpr int reach = std::numeric_limits<T>::max_exponent / 2 - 2;
+  const T least = std::ldexp(T{1}, -reach), most = std::ldexp(T{2}, reach);
+  for (const double x : i) {
+    if (x != 0 && !(double{least} <= std::abs(x) && std::abs(x) < double{most})) return 0;
   }
-  if (below == 0) return wrong;
-  const Rational exact = above / below, largest(std::numeric_limits<double>::max());
-  if (abs(exact) >= largest) {
-    // From half an ulp beyond the largest on the result is infinite
-    const bool beyond = abs(exact) >= largest + Rational(0x1p969) * 2;
-    return std::abs(found) == (beyond ? wrong : std::numeric_limits<double>::max()) &&
-                   (found > 0) == (exact > 0)
-               ? 0
-               : wrong;
-  }
-  return test::is_nearest(found, exact) ? 0 : wrong;
+  const T a = static_cast<T>(i[0]), b = static_cast<T>(i[1]);
+  const Unbounded<T> p(a), q(b);
+  const auto same = [](Unbounded<T> x, T y) { return same_bits(double{x.in_range()}, double{y}); };
+  const bool right = same(p + q, a + b) && same(p - q, a - b) && same(p * q, a * b) &&
+                     (b == 0 || same(p / q, a / b)) && (p < q) == (a < b) && (p > q) == (a > b);
+  return right ? 0 : wrong;
+}
+Input unbounded_numbers(Kind kind, Random& random) {
+  const int reach = random.unit() < 0.5 ? 62 : 510;
+  Input input{sized(random, -reach, reach), sized(random, -reach, reach)};
+  if (kind == Kind::ties)
+    input[static_cast<std::size_t>(random.uniform_int(0, 1))] = random.unit() < 0.5 ? 0.0 : -0.0;
+  if (kind == Kind::near_degenerate) input[1] = nudged(-input[0], random);
+  return input;
 }
 
-double product_error(const Input& i) {
-  const Rational exact = Rational(i[0]) * Rational(i[1]);
-  const bool taken = std::max(std::abs(i[0]), std::abs(i[1])) <= 0x1p995 &&
-                     (exact == 0 || (abs(exact) >= Rational(0x1p-968) && abs(exact) < Rational(0x1p1022)));
-  if (!taken) return 0;
-  const Rounded found = two_product(i[0], i[1]);
-  return Rational(found.value) + Rational(found.error) == exact ? 0 : wrong;
-}
-
-double sum_error(const Input& i) {
-  const Rational exact = Rational(i[0]) + Rational(i[1]);
-  if (abs(exact) > Rational(std::numeric_limits<double>::max())) return 0;
-  const Rounded found = two_sum(i[0], i[1]), difference = two_difference(i[0], -i[1]);
-  if (found.value != difference.value || found.error != difference.error) return wrong;
-  return Rational(found.value) + Rational(found.error) == exact ? 0 : wrong;
-}
-
-Property exact_property(std::string name, std::string states, std::size_t numbers, Generator generate,
-                        std::function<double(const Input&)> error, std::vector<Trap> traps = {}) {
-  return {.name = std::move(name),
-          .states = std::move(states),
-          .unit = "decisions",
-          .bound = 0,
-          .numbers = numbers,
-          .kinds = all_but_refused,
-          .generate = std::move(generate),
-          .error = std::move(error),
-          .traps = std::move(traps)};
+/// The promises of cuts, which many stand on: tried more often than others.
+std::vector<Property> cuts() {
+  const auto needs_exact = [](const Input& i) { return cut_of(i).needs_exact(); };
+  const auto is_subnormal = [](const Input& i) {
+    const double x = cut_of(i).is_one() ? cut_of(i).made() : 0;
+    return x != 0 && std::abs(x) < std::numeric_limits<double>::min();
+  };
+  const auto rounds_twice = [](const Input& i) {
+    return cut_of<float>(i).is_one() && static_cast<float>(cut_of(i).made()) != cut_of<float>(i).made();
+  };
+  const auto underflows = [](const Input& i) {
+    return cut_of<float>(i).is_one() && cut_of<float>(i).made() == 0 && cut_of<float>(i).above() != 0;
+  };
+  std::vector<Property> all{
+      exact_property("cut_coordinate",
+                     "the nearest double, in both directions, between the ends; a zero is +0", 5,
+                     at_every_scale(cut, {}, put_between), cut_error,
+                     {{"needs exact arithmetic", 0.1, needs_exact},
+                      {"lies midway", 0.03, is_tie},
+                      {"is subnormal", 0.001, is_subnormal}},
+                     {{"a difference overflows", {-1e308, 1e308, 0, 10, 0}},
+                      {"both differences overflow", {-1e200, 1e200, -1e200, 1e200, 10}},
+                      {"the smallest numbers", {-0x1p-1074, 0x1p-1074, -0x1p-1074, 0x1p-1074, 0}},
+                      {"misses 0 by a hair", {-1, 1.0000000000000002, 1, -1, 0}}}),
+      exact_property("cut_coordinate_float", "the nearest float, in both directions; a zero is +0", 5,
+                     float_cut, float_cut_error,
+                     {{"must not be rounded to double first", 0.03, rounds_twice},
+                      {"underflows to 0", 0.0007, underflows}},
+                     {{"underflows to -0", {0, 4, -0x1p-149, 0, 3}},
+                      {"half way to -0", {0, 2, -0x1p-149, 0, 1}},
+                      {"three quarters of the smallest", {0, 4, -0x1p-149, 0, 1}}}),
+      exact_property("fast_cut", "between 2^-299 and 2^299 fast arithmetic is enough, but for ties", 5,
+                     plain_cut, cut_error,
+                     {{"fast arithmetic is enough", 0.99, [=](const Input& i) { return !needs_exact(i); }}}),
+      exact_property("compare_at_cut", "on which side of a border a segment is cut, exactly", 5,
+                     at_every_scale(cut, {}, put_between), place_error, {}),
+      exact_property("compare_cuts", "which of two borders a segment comes to first, exactly, in every order",
+                     6, at_every_scale(corner), order_error,
+                     {{"is in doubt", 0.1,
+                       [](const Input& i) {
+                         return all_finite(i) && !orient2d_filtered({i[0], i[3]}, {i[1], i[4]}, {i[2], i[5]});
+                       }},
+                      {"misleads quotients", 0.05, divisions_mislead}})};
+  for (Property& each : all) each.cases = 20'000;
+  all[0].cases = all[1].cases = 30'000;
+  all[2].kinds = {Kind::random, Kind::tiny};
+  return all;
 }
 
 }  // namespace
 
 Domain core() {
-  const auto numbers = [](std::size_t count) {
-    return [count](Kind kind, Random& random) { return any_numbers(count, kind, random); };
-  };
-  const std::vector<Kind> all(all_kinds.begin(), all_kinds.end());
-  Property plane =
-      exact_property("orient2d", "the side of a line, exactly", 6, at_every_scale(points<2>), orient2d_error);
-  Property space = exact_property("orient3d", "the side of a plane, exactly", 12, at_every_scale(points<3>),
-                                  orient3d_error,
-                                  {{"a product underflows and a large factor follows",
-                                    {0, 0, 0, 1e-170, 0, 0, 0, 1e-170, 0, 0, 0, 1e300}}});
-  plane.kinds = space.kinds = all;
-  return {
+  Domain domain{
       "core",
       {{.name = "length_of",
         .states = "within 2 ulp, also where squares overflow or vanish",
         .unit = "ulp",
         .bound = 2,
         .numbers = 3,
-        .kinds = all_but_refused,
         .generate = at_every_scale(vector),
         .error = length_error,
         .traps = {{"squares underflow", {1e-200, 1e-200, 0}}, {"squares overflow", {1e200, -1e200, 0}}}},
@@ -357,39 +357,18 @@ Domain core() {
         .generate = at_every_scale(angle),
         .error = [](const Input& i) { return turn_error(i, true); },
         .traps = {{"1 - cos is 0", {1e-9}}, {"underflows", {1e-170}}, {"a whole turn", {6.283185307179586}}}},
-       std::move(plane),
-       std::move(space),
-       exact_property("form_signs", "the signs of a + b sqrt(c), and of a + b sqrt(c) + d sqrt(e), exactly",
-                      7,
-                      at_every_scale(roots, {},
-                                     [](Input& i) {
-                                       for (const std::size_t k : {2U, 3U, 5U, 6U}) i[k] = std::abs(i[k]);
-                                     }),
-                      form_error,
-                      {{"sqrt(2)^2 - 2", {-1, 1, 2, 2, 0, 0, 0}},
-                       {"sqrt(2) + sqrt(8) - sqrt(18)", {0, 1, 2, 1, 2, 2, 1}}}),
-       exact_property("cut_coordinate", "the nearest double, in both directions; a zero is +0", 5,
-                      at_every_scale(cut_in_order, {}, put_between), cut_error<double>),
-       exact_property("cut_coordinate_float", "the nearest float, in both directions; a zero is +0", 5,
-                      [](Kind kind, Random& random) {
-                        Input input = cut_in_order(kind, random);
-                        // Down to where floats underflow, up to where they end
-                        const auto exponent = static_cast<int>(random.uniform_int(-155, 122));
-                        for (double& x : input)
-                          x = static_cast<double>(
-                              static_cast<float>(std::ldexp(x, random.unit() < 0.7 ? exponent : 0)));
-                        put_between(input);
-                        return input;
-                      },
-                      cut_error<float>, {{"underflows to -0", {0, 4, -0x1p-149, 0, 3}}}),
-       exact_property("compare_cuts", "which of two borders a segment comes to first, exactly", 6,
-                      at_every_scale(numbers(6)), order_error),
-       exact_property("rounded_quotient", "(a b + c d) / (e f + g) to the nearest double", 7,
-                      at_every_scale(quotient), quotient_error),
-       exact_property("two_product", "a product and its rounding error, exactly", 2,
-                      at_every_scale(numbers(2)), product_error),
-       exact_property("two_sum", "a sum and its rounding error, exactly", 2, at_every_scale(numbers(2)),
-                      sum_error)}};
+       {.name = "unbounded",
+        .states =
+            "numbers without bounds have the bits of plain arithmetic in its range, of double and float",
+        .unit = "results",
+        .bound = 0,
+        .numbers = 2,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::ties},
+        .generate = unbounded_numbers,
+        .error = [](const Input& i) { return unbounded_error<double>(i) + unbounded_error<float>(i); },
+        .cases = 40'000}}};
+  for (Property& each : cuts()) domain.properties.push_back(std::move(each));
+  return domain;
 }
 
 }  // namespace gradus::stress

@@ -1,4 +1,4 @@
-// The promises of fills: exactly the cells that hang together with the seed, by every method, in a window, by
+// The promises of fills: exactly the cells that are connected with the seed, by every method, in a window, by
 // tolerance, and without more questions than a fill pixel by pixel.
 //
 // A picture is a few numbers: its size, a pattern, how much of the pattern is kept, and the number of the
@@ -7,28 +7,28 @@
 
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
 #include "core/contract.hpp"
 #include "scan_conversion/flood_fill/flood_fill_batch.hpp"
-#include "stress/numbers.hpp"
+#include "scan_conversion/flood_fill/maze.hpp"
+#include "stress/scan_conversion/areas.hpp"
+#include "stress/scan_conversion/whole_numbers.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using flood_fill::Connectivity;
-using flood_fill::Filled;
-using flood_fill::Method;
+using namespace flood_fill;
 
 constexpr std::array methods{Method::depth_first, Method::breadth_first, Method::span};
-constexpr std::int64_t lowest = std::numeric_limits<int>::min(), highest = std::numeric_limits<int>::max();
 
 // --- Pictures ---
 
 /// What a picture is made of where nothing is left to chance.
-enum Pattern { full, checkerboard, upright_comb, level_comb, rings, maze, patterns };
+enum Pattern { full, checkerboard, upright_comb, level_comb, rings, spiral, perfect_maze, patterns };
 
 /// What is drawn, wherever it is looked at.
 struct Picture {
@@ -38,13 +38,14 @@ struct Picture {
 
   bool free(ivec2 p) const {
     const auto bits = static_cast<std::uint64_t>(p.y) << 32 ^ static_cast<std::uint32_t>(p.x);
-    return of_pattern(p) == (Random(noise).unit_at(bits) < kept);
+    return of_pattern(p) == (kept == 1 || Random(noise).unit_at(bits) < kept);
   }
 
  private:
   bool of_pattern(ivec2 p) const {
     // The lowest bit, of negative numbers too
     const int x = p.x & 1, y = p.y & 1;
+    const ivec2 tile{p.x % 32 - 16, p.y % 32 - 16};
     switch (pattern) {
       case checkerboard:
         return x == y;
@@ -53,8 +54,13 @@ struct Picture {
       case level_comb:
         return y == 0 || p.x % 64 == 0;
       case rings:
-        return (std::max(std::abs(p.x % 32 - 16), std::abs(p.y % 32 - 16)) & 1) == 0;
-      case maze: {
+        return (std::max(std::abs(tile.x), std::abs(tile.y)) & 1) == 0;
+      case spiral: {
+        // Half rings round a cell, and below it half rings round its neighbour: each leads on to the next
+        const int below = tile.y > 0;
+        return (std::max(std::abs(tile.x - below), std::abs(tile.y)) & 1) == below;
+      }
+      case perfect_maze: {
         // From each room a door to the right or down
         if (x == y) return x == 1;
         const ivec2 room = p - (x == 0 ? ivec2(1, 0) : ivec2(0, 1));
@@ -67,8 +73,6 @@ struct Picture {
   }
 };
 
-bool is_whole(double x, double least, double most) { return x == std::floor(x) && least <= x && x <= most; }
-
 /// The three numbers from `first` on, if they are a picture's.
 std::optional<Picture> picture_of(const Input& i, std::size_t first) {
   if (!is_whole(i[first], 0, patterns - 1) || !(0 <= i[first + 1] && i[first + 1] <= 1) ||
@@ -78,55 +82,14 @@ std::optional<Picture> picture_of(const Input& i, std::size_t first) {
   return Picture{static_cast<int>(i[first]), i[first + 1], static_cast<std::uint64_t>(i[first + 2])};
 }
 void add_picture(Input& input, Kind kind, Random& random) {
-  input.push_back(kind == Kind::random ? 0 : static_cast<double>(random.uniform_int(0, patterns - 1)));
+  input.push_back(kind == Kind::random ? 0 : whole(random, 0, patterns - 1));
   const double all = kind == Kind::ties || random.unit() < 0.2 ? 1 : random.unit();
   input.push_back(kind == Kind::near_degenerate ? 1 - 0.02 * random.unit() : all);
-  input.push_back(static_cast<double>(random.uniform_int(0, 1'000'000)));
+  input.push_back(whole(random, 0, 1'000'000));
 }
 
-/// Cells next to each other.
-std::vector<ivec2> around(ivec2 p, Connectivity connectivity) {
-  std::vector<ivec2> all;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      const bool beside = (x == 0) != (y == 0), corner = x != 0 && y != 0;
-      if (beside || (corner && connectivity == Connectivity::eight)) all.push_back(p + ivec2(x, y));
-    }
-  }
-  return all;
-}
-
-/// What hangs together with a cell, by the definition: sweeps over all cells until none is added.
-template <class Alike>
-Raster<std::uint8_t> connected(int width, int height, ivec2 seed, Connectivity connectivity, Alike alike) {
-  Raster<std::uint8_t> reached(width, height);
-  if (!reached.contains(seed) || !alike(seed)) return reached;
-  reached[seed] = 1;
-  const auto reach = [&](ivec2 p) {
-    if (reached[p] || !alike(p)) return false;
-    for (const ivec2 q : around(p, connectivity)) {
-      if (reached.contains(q) && reached[q]) {
-        reached[p] = 1;
-        return true;
-      }
-    }
-    return false;
-  };
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) changed |= reach({x, y});
-    }
-    for (int y = height - 1; y >= 0; --y) {
-      for (int x = width - 1; x >= 0; --x) changed |= reach({x, y});
-    }
-  }
-  return reached;
-}
-
-std::int64_t count(const Raster<std::uint8_t>& cells) {
-  return std::count(cells.cells().begin(), cells.cells().end(), 1);
-}
+bool is_connectivity(double x) { return x == 4 || x == 8; }
+Connectivity connectivity_of(double x) { return x == 4 ? Connectivity::four : Connectivity::eight; }
 
 // --- Rasters ---
 
@@ -134,114 +97,215 @@ std::int64_t count(const Raster<std::uint8_t>& cells) {
 constexpr std::size_t raster_numbers = 9;
 
 Input raster_input(Kind kind, Random& random) {
-  const auto whole = [&](std::int64_t least, std::int64_t most) {
-    return static_cast<double>(random.uniform_int(least, most));
-  };
-  double width = whole(1, 24), height = whole(1, 24);
+  double width = whole(random, 1, 24), height = whole(random, 1, 24);
   if (kind == Kind::grazing) {
     // Round whole words
-    width = 64 * whole(1, 3) + whole(-2, 2);
-    height = whole(1, 6);
+    width = 64 * whole(random, 1, 3) + whole(random, -2, 2);
+    height = whole(random, 1, 6);
   } else if (kind == Kind::extremes) {
     (random.unit() < 0.5 ? width : height) = 1;
-    if (random.unit() < 0.5) (width == 1 ? height : width) = whole(1, 300);
+    if (random.unit() < 0.5) (width == 1 ? height : width) = whole(random, 1, 300);
   } else if (kind == Kind::refused && random.unit() < 0.3) {
     (random.unit() < 0.5 ? width : height) = 0;
   }
-  const auto place = [&](double size) { return whole(0, std::max<std::int64_t>(1, std::llround(size)) - 1); };
+  const auto place = [&](double size) {
+    return whole(random, 0, std::max<std::int64_t>(1, std::llround(size)) - 1);
+  };
   Input input{width, height, place(width), place(height), random.unit() < 0.5 ? 4.0 : 8.0};
   const auto side = static_cast<std::size_t>(random.uniform_int(0, 1));
   if (kind == Kind::grazing) input[2 + side] = random.unit() < 0.5 ? 0 : std::max(0.0, input[side] - 1);
   if (kind == Kind::refused && width > 0 && height > 0) {
-    const double outside[] = {-1, input[side], static_cast<double>(lowest), static_cast<double>(highest)};
+    const double outside[] = {-1, input[side], INT_MIN, INT_MAX};
     input[2 + side] = outside[random.uniform_int(0, 3)];
   }
   add_picture(input, kind, random);
-  input.push_back(whole(0, 2));
+  input.push_back(whole(random, 0, 2));
   return input;
 }
 
 struct RasterCase {
-  Raster<std::uint8_t> cells;
+  Mask cells;  ///< 1 where the picture is free
   ivec2 seed;
   Connectivity connectivity;
   std::uint8_t value;
+  std::uint8_t least;  ///< what is added to cells and value: bytes of any size
+
+  /// The cells of the seed's value that are connected with it.
+  Mask area() const {
+    return area_of(cells.width(), cells.height(), seed, connectivity,
+                   [&](ivec2 p) { return cells[p] == cells[seed]; });
+  }
 };
 std::optional<RasterCase> raster_case(const Input& i) {
   const auto picture = picture_of(i, 5);
-  if (!picture || !is_whole(i[0], 0, 4096) || !is_whole(i[1], 0, 4096) || i[0] * i[1] > 8192 ||
-      !is_whole(i[2], static_cast<double>(lowest), static_cast<double>(highest)) ||
-      !is_whole(i[3], static_cast<double>(lowest), static_cast<double>(highest)) ||
-      (i[4] != 4 && i[4] != 8) || !is_whole(i[8], 0, 2)) {
+  if (!picture || !are_whole(i, 2, 0, 4096) || i[0] * i[1] > 8192 || !are_whole(i, 4) ||
+      !is_connectivity(i[4]) || !is_whole(i[8], 0, 2)) {
     return std::nullopt;
   }
-  RasterCase c{Raster<std::uint8_t>(static_cast<int>(i[0]), static_cast<int>(i[1])),
-               {static_cast<int>(i[2]), static_cast<int>(i[3])},
-               i[4] == 4 ? Connectivity::four : Connectivity::eight,
-               static_cast<std::uint8_t>(i[8])};
-  for (int y = 0; y < c.cells.height(); ++y) {
-    for (int x = 0; x < c.cells.width(); ++x) c.cells[{x, y}] = picture->free({x, y});
+  const ivec2 size = pixel(i, 0);
+  RasterCase c{{size.x, size.y},
+               pixel(i, 2),
+               connectivity_of(i[4]),
+               static_cast<std::uint8_t>(i[8]),
+               static_cast<std::uint8_t>(picture->noise % 254)};
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) c.cells[{x, y}] = picture->free({x, y});
   }
   return c;
 }
 
-/// How many cells are wrong after a fill, and by how many its count is.
-template <class Fill>
-double raster_error(const Input& input, Fill fill) {
-  const std::optional<RasterCase> given = raster_case(input);
-  if (!given) return 0;
-  auto [cells, seed, connectivity, value] = *given;
-  const bool taken = cells.contains(seed);
-  Filled filled;
-  try {
-    filled = fill(cells, seed, value, connectivity);
-  } catch (const ContractViolation&) {
-    return taken ? wrong : 0;
-  }
-  if (!taken) return wrong;
-  const Raster<std::uint8_t>& before = given->cells;
-  const std::uint8_t old = before[seed];
-  const auto right =
-      connected(cells.width(), cells.height(), seed, connectivity, [&](ivec2 p) { return before[p] == old; });
-  const std::int64_t painted = old == value ? 0 : count(right);
-  auto error = static_cast<double>(std::abs(filled.painted - painted));
-  for (std::size_t i = 0; i < right.cells().size(); ++i) {
-    error += cells.cells()[i] != (right.cells()[i] ? value : before.cells()[i]);
+/// How many cells the methods get wrong, and by how many their counts are off, on cells of one type.
+template <class Cell>
+double fills_error(const RasterCase& given) {
+  const auto& [bytes, seed, connectivity, byte, least] = given;
+  Raster<Cell> before(bytes.width(), bytes.height());
+  std::ranges::transform(bytes.cells(), before.cells().begin(),
+                         [&](int x) { return static_cast<Cell>(least + x); });
+  const bool taken = before.contains(seed);
+  const Mask area = taken ? given.area() : Mask();
+  const auto value = static_cast<Cell>(least + byte);
+  const std::int64_t painted = taken && before[seed] != value ? count(area) : 0;
+  const auto judged = [&](auto fill) {
+    Raster<Cell> cells = before;
+    try {
+      const Filled filled = fill(cells);
+      if (!taken) return wrong;
+      return static_cast<double>(std::abs(filled.painted - painted) +
+                                 wrong_cells(cells, before, area, value));
+    } catch (const ContractViolation&) {
+      return taken ? wrong : 0;
+    }
+  };
+  double error = judged([&](auto& cells) { return fill_rows(cells, seed, value, connectivity); }) +
+                 judged([&](auto& cells) { return fill_by_labels(cells, seed, value, connectivity); });
+  for (const Method method : methods) {
+    error += judged([&](auto& cells) { return fill_raster(cells, seed, value, method, connectivity); });
   }
   return error;
 }
 
+/// Watches a fill of an area: cells are painted once, beside one that is painted already; an answer is
+/// whether a cell belongs to the area and is not painted.
+struct Watch {
+  const Mask& area;
+  ivec2 seed;
+  Connectivity connectivity;
+  Mask painted{area.width(), area.height()};
+  std::int64_t count = 0;
+  std::size_t waiting = 0;  ///< on the stack or in the queue
+  bool right = true;
+  bool finished = false;
+
+  void want(bool holds) { right = right && holds; }
+  bool neighbours(ivec2 p, ivec2 q) const {
+    const ivec2 d = glm::abs(p - q);
+    return connectivity == Connectivity::four ? d.x + d.y == 1 : std::max(d.x, d.y) == 1;
+  }
+  bool touches(ivec2 p) const {
+    return p == seed || std::ranges::any_of(ways(connectivity), [&](ivec2 d) { return has(painted, p + d); });
+  }
+  void paint(ivec2 p) {
+    want(has(area, p) && !painted[p]);
+    if (area.contains(p)) painted[p] = 1;
+    ++count;
+  }
+  void all_painted(const Span& s) {
+    want(s.left <= s.right);
+    for (int x = s.left; x <= s.right; ++x) want(has(painted, {x, s.row}));
+  }
+
+  void operator()(const Started& s) { want(s.seed == seed && s.inside == has(area, seed)); }
+  void operator()(const Painted& p) {
+    want(touches(p.pixel) && (p.pixel == seed || has(painted, p.from)) && p.waiting == ++waiting);
+    paint(p.pixel);
+  }
+  void operator()(const Examined& e) {
+    want(has(painted, e.from) && neighbours(e.pixel, e.from));
+    want(e.inside == (has(area, e.pixel) && !painted[e.pixel]));
+  }
+  void operator()(const SpanFilled& filled) {
+    const Span& s = filled.span;
+    bool joined = false;
+    for (int x = s.left; x <= s.right; ++x) joined = joined || touches({x, s.row});
+    want(joined && filled.found.y == s.row && s.left <= filled.found.x && filled.found.x <= s.right);
+    for (int x = s.left; x <= s.right; ++x) paint({x, s.row});
+    // Both ends are stopped
+    for (const ivec2 end : {ivec2{s.left - 1, s.row}, ivec2{s.right + 1, s.row}}) {
+      want(!has(area, end) || painted[end]);
+    }
+  }
+  void operator()(const SpanQueued& q) {
+    all_painted(q.span);
+    want(q.waiting == ++waiting);
+  }
+  void operator()(const SpanTaken& t) {
+    all_painted(t.span);
+    want(t.waiting == --waiting);
+  }
+  void operator()(const Dequeued& d) { want(has(painted, d.pixel) && d.waiting == --waiting); }
+  void operator()(const Retreated& r) { want(has(painted, r.pixel) && r.waiting == --waiting); }
+  void operator()(const Finished& f) {
+    want(!finished && waiting == 0 && f.filled.painted == count && painted == area);
+    finished = true;
+  }
+};
+
+/// Whether the stack or queue of a fill stays as small as is promised.
+bool is_small(const Filled& filled, Method method, const RasterCase& c) {
+  if (filled.peak_waiting > static_cast<std::size_t>(2 * filled.painted + 2)) return false;
+  const auto sides = static_cast<std::size_t>(c.cells.width() + c.cells.height());
+  const bool empty_canvas = filled.painted == std::int64_t{c.cells.width()} * c.cells.height();
+  if (!empty_canvas || method == Method::depth_first) return true;
+  if (method == Method::span) return filled.peak_waiting <= 2;
+  return filled.peak_waiting <= (c.connectivity == Connectivity::four ? sides : 3 * sides);
+}
+
 /// The questions that `span` asks, in parts of those that depth_first asks, 1 + 4 (8) a painted cell; wrong
-/// where a method asks or paints what it must not. Beyond the raster nothing is free.
-double questions_error(const Input& input) {
+/// where a method asks or paints what it must not, or a step does not hold. What is not free is wall, or,
+/// with another new value than 2, of colour q.
+double steps_error(const Input& input) {
   const std::optional<RasterCase> given = raster_case(input);
-  if (!given) return 0;
-  const auto& [cells, seed, connectivity, value] = *given;
-  const auto is_free = [&](ivec2 p) { return cells.contains(p) && cells[p] == 1; };
-  const auto right = connected(cells.width(), cells.height(), seed, connectivity, is_free);
-  const auto is_right = [&](ivec2 p) { return right.contains(p) && right[p]; };
+  if (!given || !given->cells.contains(given->seed)) return 0;
+  const auto& [cells, seed, connectivity, value, least] = *given;
+  Maze maze(cells.width(), cells.height());
+  const char blocked = value == 2 ? wall : 'q', ink = value == 1 ? 'q' : 'x';
+  std::ranges::transform(cells.cells(), maze.cells().begin(), [&](int c) { return c ? free_cell : blocked; });
+  const bool paints = maze[seed] != wall && maze[seed] != ink;
+  const Mask area = paints ? given->area() : Mask(cells.width(), cells.height());
   double ratio = 0;
   for (const Method method : methods) {
-    Raster<std::uint8_t> painted(cells.width(), cells.height());
+    Watch watch{area, seed, connectivity};
+    Mask painted(cells.width(), cells.height());
     std::int64_t asked = 0;
-    bool allowed = true;
     const auto inside = [&](ivec2 p) {
       ++asked;
-      const auto near = around(p, connectivity);
-      allowed &= p == seed || is_right(p) || std::any_of(near.begin(), near.end(), is_right);
-      return is_free(p) && !painted[p];
+      watch.want(p == seed || has(area, p) ||
+                 std::ranges::any_of(ways(connectivity), [&](ivec2 way) { return has(area, p + way); }));
+      return has(area, p) && !painted[p];
     };
     const auto paint = [&](ivec2 p) {
-      allowed &= is_right(p) && !painted[p];
+      watch.want(has(area, p) && !painted[p]);
       painted[p] = 1;
     };
-    const Filled filled = flood_fill::fill(method, seed, inside, paint, connectivity);
-    if (!allowed || painted != right || filled.painted != count(right)) return wrong;
+    const Filled filled = fill(method, seed, inside, paint, connectivity, watch);
+    Maze after = maze;
+    const bool same = fill_maze(after, seed, ink, {0, connectivity, method}) == filled;
+    if (!watch.right || !watch.finished || !same || wrong_cells(after, maze, area, ink) > 0 ||
+        !is_small(filled, method, *given)) {
+      return wrong;
+    }
     const std::int64_t by_pixels = 1 + static_cast<int>(connectivity) * filled.painted;
     if (method != Method::span && asked != by_pixels) return wrong;
     if (method == Method::span) ratio = static_cast<double>(asked) / static_cast<double>(by_pixels);
   }
-  return is_right(seed) ? ratio : 0;
+  return paints ? ratio : 0;
+}
+
+/// The questions a cell that `span` asks for an area of more than 1000 cells, in parts of what is promised.
+double noise_error(const Input& input) {
+  const std::optional<RasterCase> given = raster_case(input);
+  if (!given || !given->cells.contains(given->seed) || count(given->area()) <= 1000) return 0;
+  return steps_error(input) * (given->connectivity == Connectivity::four ? 4 / 3.5 : 8 / 4.5);
 }
 
 std::vector<Trap> raster_traps() {
@@ -251,6 +315,7 @@ std::vector<Trap> raster_traps() {
           {"one cell", {1, 1, 0, 0, 4, full, 1, 0, 2}},
           {"the new value is the old one", {5, 4, 2, 2, 4, full, 1, 0, 1}},
           {"a path through every cell", {90, 90, 0, 0, 4, full, 1, 0, 2}},
+          {"one path that winds inwards", {90, 90, 0, 0, 4, spiral, 1, 0, 2}},
           {"corners alone connect", {9, 7, 4, 2, 8, checkerboard, 1, 0, 2}},
           {"corners do not connect", {9, 7, 4, 2, 4, checkerboard, 1, 0, 2}},
           {"a run ends with a word", {128, 3, 63, 1, 4, full, 1, 0, 2}},
@@ -261,95 +326,101 @@ std::vector<Trap> raster_traps() {
 
 /// Lower and upper corner, seed, connectivity, picture.
 Input window_input(Kind kind, Random& random) {
-  const auto whole = [&](std::int64_t least, std::int64_t most) {
-    return static_cast<double>(random.uniform_int(least, most));
-  };
   Input input(7);
+  const bool at_ends = kind == Kind::extremes || kind == Kind::refused;
+  const double most = kind == Kind::refused ? INT_MAX : INT_MAX - 2;
   for (std::size_t k = 0; k < 2; ++k) {
-    const double ends[] = {static_cast<double>(lowest), static_cast<double>(lowest) + 2, -8,
-                           static_cast<double>(highest) - 20, static_cast<double>(highest) - 2};
-    input[k] =
-        kind == Kind::extremes || kind == Kind::refused ? ends[random.uniform_int(0, 4)] : whole(-30, 30);
-    if (kind == Kind::extremes && input[k] < -100) input[k] = ends[1];
-    const double most = static_cast<double>(highest) - (kind == Kind::refused ? 0 : 2);
-    input[2 + k] = std::min(input[k] + whole(kind == Kind::near_degenerate ? -1 : 0, 20), most);
-    input[4 + k] = std::clamp(input[k] + whole(kind == Kind::near_degenerate ? -1 : 0, 12),
-                              static_cast<double>(lowest), static_cast<double>(highest));
+    const double ends[] = {INT_MIN, INT_MIN + 2.0, -8, INT_MAX - 20, INT_MAX - 2};
+    input[k] = at_ends ? ends[random.uniform_int(kind == Kind::extremes ? 1 : 0, 4)] : whole(random, -30, 30);
+    const std::int64_t least = kind == Kind::near_degenerate ? -1 : 0;
+    input[2 + k] = std::min(input[k] + whole(random, least, 30), most);
+    input[4 + k] = std::min(input[k] + whole(random, least, 12), double{INT_MAX});
   }
   input[6] = random.unit() < 0.5 ? 4 : 8;
   add_picture(input, kind, random);
   return input;
 }
 
-double window_error(const Input& i) {
+struct WindowCase {
+  Window window;
+  ivec2 seed;
+  Connectivity connectivity;
+  Picture picture;
+
+  /// As in a picture cut to the window. Domain: p lies in it.
+  ivec2 cut(ivec2 p) const { return p - window.lower; }
+  Mask area() const {
+    if (window.empty()) return {};
+    return area_of(static_cast<int>(window.width()), static_cast<int>(window.height()),
+                   window.contains(seed) ? cut(seed) : ivec2(-1), connectivity,
+                   [&](ivec2 p) { return picture.free(window.lower + p); });
+  }
+};
+std::optional<WindowCase> window_case(const Input& i) {
   const auto picture = picture_of(i, 7);
-  const auto fits = [](double x) {
-    return is_whole(x, static_cast<double>(lowest), static_cast<double>(highest));
-  };
-  if (!picture || !std::all_of(i.begin(), i.begin() + 6, fits) || (i[6] != 4 && i[6] != 8)) return 0;
-  const Window window{{static_cast<int>(i[0]), static_cast<int>(i[1])},
-                      {static_cast<int>(i[2]), static_cast<int>(i[3])}};
-  const ivec2 seed{static_cast<int>(i[4]), static_cast<int>(i[5])};
-  const Connectivity connectivity = i[6] == 4 ? Connectivity::four : Connectivity::eight;
-  const double width = std::max(0.0, i[2] - i[0] + 1), height = std::max(0.0, i[3] - i[1] + 1);
-  if (width > 100 || height > 100) return 0;
-  const bool empty = width == 0 || height == 0;
-  const double first = static_cast<double>(lowest) + 2, last = static_cast<double>(highest) - 2;
-  const bool taken = empty || (i[0] >= first && i[1] >= first && i[2] <= last && i[3] <= last);
-  // The picture cut to the window, as a raster of its own
-  const auto column = static_cast<int>(empty ? 0 : width), row = static_cast<int>(empty ? 0 : height);
-  Raster<std::uint8_t> painted(column, row);
-  const auto at = [&](ivec2 p) {
-    return ivec2{static_cast<int>(std::int64_t{p.x} - window.lower.x),
-                 static_cast<int>(std::int64_t{p.y} - window.lower.y)};
-  };
-  const bool hit = window.contains(seed);
-  const auto right = connected(column, row, hit && taken ? at(seed) : ivec2(-1), connectivity,
-                               [&](ivec2 p) { return picture->free(window.lower + p); });
-  double error = 0;
+  if (!picture || !are_whole(i, 6) || !is_connectivity(i[6])) return std::nullopt;
+  const WindowCase c{{pixel(i, 0), pixel(i, 2)}, pixel(i, 4), connectivity_of(i[6]), *picture};
+  return std::max(c.window.width(), c.window.height()) > 100 ? std::nullopt : std::optional(c);
+}
+
+double window_error(const Input& input) {
+  const std::optional<WindowCase> given = window_case(input);
+  if (!given) return 0;
+  const auto& [window, seed, connectivity, picture] = *given;
+  const bool taken = window.empty() || (room.contains(window.lower) && room.contains(window.upper));
+  const Mask area = taken ? given->area() : Mask();
   for (const Method method : methods) {
-    painted = Raster<std::uint8_t>(column, row);
+    Mask painted(area.width(), area.height());
     bool allowed = true;
     const auto inside = [&](ivec2 p) {
       allowed &= window.contains(p);
-      return window.contains(p) && picture->free(p) && !painted[at(p)];
+      return window.contains(p) && picture.free(p) && !painted[given->cut(p)];
     };
     const auto paint = [&](ivec2 p) {
       allowed &= window.contains(p);
-      if (window.contains(p)) painted[at(p)] = 1;
+      if (window.contains(p)) painted[given->cut(p)] = 1;
     };
+    Filled filled;
     try {
-      const Filled filled = flood_fill::in_window(method, seed, window, inside, paint, connectivity);
-      if (!taken || !allowed || filled.painted != count(right)) return wrong;
+      filled = in_window(method, seed, window, inside, paint, connectivity);
     } catch (const ContractViolation&) {
       if (taken) return wrong;
       continue;
     }
-    for (std::size_t k = 0; k < right.cells().size(); ++k) error += right.cells()[k] != painted.cells()[k];
+    if (!taken || !allowed || painted != area) return wrong;
+    // The fill of the cut picture, step by step
+    if (!window.contains(seed)) continue;
+    Mask cut = area;
+    const auto in_cut = [&](ivec2 p) { return has(cut, p); };
+    if (fill(method, given->cut(seed), in_cut, [&](ivec2 p) { cut[p] = 0; }, connectivity) != filled) {
+      return wrong;
+    }
   }
-  return error;
+  return 0;
+}
+
+/// Whether the seed's area goes on beyond the window.
+bool is_cut(const Input& input) {
+  std::optional<WindowCase> given = window_case(input);
+  if (!given || given->window.empty() || !are_whole(input, 4, -100, 100)) return false;
+  const std::int64_t shown = count(given->area());
+  given->window = {given->window.lower - 1, given->window.upper + 1};
+  return shown < count(given->area());
 }
 
 // --- Images ---
 
 /// Width, height, seed, connectivity, tolerance, how many shades a channel has, noise, shade of the ink.
 Input image_input(Kind kind, Random& random) {
-  const auto whole = [&](std::int64_t least, std::int64_t most) {
-    return static_cast<double>(random.uniform_int(least, most));
-  };
-  const double width = kind == Kind::extremes ? 1 : whole(1, 14), height = whole(1, 14);
-  Input input{width,
-              height,
-              whole(0, static_cast<std::int64_t>(width) - 1),
-              whole(0, static_cast<std::int64_t>(height) - 1),
-              random.unit() < 0.5 ? 4.0 : 8.0,
-              whole(0, 12),
-              whole(1, 12),
-              whole(0, 1'000'000),
-              whole(0, 255)};
-  if (kind == Kind::ties) input[8] = whole(0, static_cast<std::int64_t>(input[6]));
+  const std::int64_t width = kind == Kind::extremes ? 1 : random.uniform_int(1, 14);
+  const std::int64_t height = random.uniform_int(1, 14);
+  Input input{static_cast<double>(width),   static_cast<double>(height),     whole(random, 0, width - 1),
+              whole(random, 0, height - 1), random.unit() < 0.5 ? 4.0 : 8.0, whole(random, 0, 12),
+              whole(random, 1, 12),         whole(random, 0, 1'000'000),     whole(random, 0, 255)};
+  if (kind == Kind::ties) input[8] = whole(random, 0, static_cast<std::int64_t>(input[6]));
+  if (kind == Kind::near_degenerate) input[5] = 0, input[6] = whole(random, 1, 2);
   if (kind == Kind::extremes) {
-    input[5] = random.unit() < 0.5 ? 255 : whole(0, 255);
+    input[5] = random.unit() < 0.5 ? 255 : whole(random, 0, 255);
     input[6] = 256;
   }
   if (kind == Kind::refused) {
@@ -357,57 +428,68 @@ Input image_input(Kind kind, Random& random) {
     if (random.unit() < 0.5)
       input[5] = far[random.uniform_int(0, 3)];
     else
-      input[2] = random.unit() < 0.5 ? -1 : width;
+      input[2] = random.unit() < 0.5 ? -1 : static_cast<double>(width);
   }
   return input;
 }
 
-double image_error(const Input& i) {
-  if (!is_whole(i[0], 0, 64) || !is_whole(i[1], 0, 64) || !is_whole(i[2], -1000, 1000) ||
-      !is_whole(i[3], -1000, 1000) || (i[4] != 4 && i[4] != 8) ||
-      !is_whole(i[5], static_cast<double>(lowest), static_cast<double>(highest)) || !is_whole(i[6], 1, 256) ||
-      !is_whole(i[7], 0, 1e9) || !is_whole(i[8], 0, 255)) {
-    return 0;
+struct ImageCase {
+  Image image;
+  ivec2 seed;
+  Connectivity connectivity;
+  int tolerance;
+  Rgba8 ink;
+
+  bool taken() const { return image.contains(seed) && 0 <= tolerance && tolerance <= 255; }
+  bool near_seed(Rgba8 a) const {
+    const Rgba8 b = image[seed];
+    const auto near = [&](int x, int y) { return std::abs(x - y) <= tolerance; };
+    return near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b) && near(a.a, b.a);
   }
-  Image before(static_cast<int>(i[0]), static_cast<int>(i[1]));
+  bool needs_mask() const { return taken() && tolerance > 0 && near_seed(ink); }
+};
+std::optional<ImageCase> image_case(const Input& i) {
+  if (!are_whole(i, 2, 0, 64) || !are_whole(i, 4) || !is_connectivity(i[4]) || !is_whole(i[5]) ||
+      !is_whole(i[6], 1, 256) || !is_whole(i[7], 0, 1e9) || !is_whole(i[8], 0, 255)) {
+    return std::nullopt;
+  }
+  const ivec2 size = pixel(i, 0);
+  const auto ink = static_cast<std::uint8_t>(i[8]);
+  ImageCase c{
+      {size.x, size.y}, pixel(i, 2), connectivity_of(i[4]), static_cast<int>(i[5]), {ink, ink, ink, ink}};
   Random random(static_cast<std::uint64_t>(i[7]));
-  const auto shades = static_cast<std::int64_t>(i[6]);
-  for (Rgba8& pixel : before.cells()) {
-    const auto shade = [&] { return static_cast<std::uint8_t>(random.uniform_int(0, shades - 1)); };
-    pixel = {shade(), shade(), shade(), shade()};
-  }
-  const auto ink_shade = static_cast<std::uint8_t>(i[8]);
-  const Rgba8 ink{ink_shade, ink_shade, ink_shade, ink_shade};
-  const ivec2 seed{static_cast<int>(i[2]), static_cast<int>(i[3])};
-  const Connectivity connectivity = i[4] == 4 ? Connectivity::four : Connectivity::eight;
-  const int tolerance = static_cast<int>(i[5]);
-  const bool taken = before.contains(seed) && 0 <= tolerance && tolerance <= 255;
-  Raster<std::uint8_t> right;
-  if (taken) {
-    const Rgba8 old = before[seed];
-    const auto near = [&](std::uint8_t a, std::uint8_t b) {
-      return std::max(a, b) - std::min(a, b) <= tolerance;
-    };
-    right = connected(before.width(), before.height(), seed, connectivity, [&](ivec2 p) {
-      const Rgba8 c = before[p];
-      return near(c.r, old.r) && near(c.g, old.g) && near(c.b, old.b) && near(c.a, old.a);
-    });
-    if (tolerance == 0 && old == ink) right = Raster<std::uint8_t>(before.width(), before.height());
-  }
+  const auto shade = [&] { return static_cast<std::uint8_t>(whole(random, 0, std::llround(i[6]) - 1)); };
+  for (Rgba8& pixel : c.image.cells()) pixel = {shade(), shade(), shade(), shade()};
+  return c;
+}
+
+double image_error(const Input& input) {
+  const std::optional<ImageCase> given = image_case(input);
+  if (!given) return 0;
+  const auto& [before, seed, connectivity, tolerance, ink] = *given;
+  const bool taken = given->taken();
+  const Mask area = !taken ? Mask()
+                           : area_of(before.width(), before.height(), seed, connectivity,
+                                     [&](ivec2 p) { return given->near_seed(given->image[p]); });
+  const std::int64_t painted = taken && (tolerance > 0 || before[seed] != ink) ? count(area) : 0;
   double error = 0;
+  const auto judge = [&](const Filled& filled, const Image& image) {
+    error += static_cast<double>(std::abs(filled.painted - painted) + wrong_cells(image, before, area, ink));
+  };
   for (const Method method : methods) {
     Image image = before;
     try {
-      const Filled filled = flood_fill::fill_image(image, seed, ink, {tolerance, connectivity, method});
-      if (!taken || filled.painted != count(right)) return wrong;
+      const Filled filled = fill_image(image, seed, ink, {tolerance, connectivity, method});
+      if (!taken || (filled.mask_bytes > 0) != given->needs_mask()) return wrong;
+      judge(filled, image);
     } catch (const ContractViolation&) {
       if (taken) return wrong;
-      continue;
-    }
-    for (std::size_t k = 0; k < image.cells().size(); ++k) {
-      error += image.cells()[k] != (right.cells()[k] ? ink : before.cells()[k]);
     }
   }
+  if (!taken || tolerance > 0) return error;
+  Image by_rows = before, by_labels = before;
+  judge(fill_rows(by_rows, seed, ink, connectivity), by_rows);
+  judge(fill_by_labels(by_labels, seed, ink, connectivity), by_labels);
   return error;
 }
 
@@ -417,77 +499,97 @@ Domain flood_fill() {
   // Sizes, not magnitudes, make a picture hard
   const std::vector<Kind> kinds{Kind::random, Kind::near_degenerate, Kind::grazing,
                                 Kind::ties,   Kind::extremes,        Kind::refused};
-  const auto fills = [&](const char* name, const char* states, auto fill) {
-    return Property{.name = name,
-                    .states = states,
-                    .unit = "cells",
-                    .bound = 0,
-                    .numbers = raster_numbers,
-                    .kinds = kinds,
-                    .generate = raster_input,
-                    .error = [fill](const Input& i) { return raster_error(i, fill); },
-                    .traps = raster_traps()};
-  };
-  std::vector<Property> properties;
-  for (const auto& [name, method] :
-       {std::pair("depth_first", Method::depth_first), std::pair("breadth_first", Method::breadth_first),
-        std::pair("span", Method::span)}) {
-    properties.push_back(
-        fills(name, "paints the cells that hang together with the seed, no others, and counts them",
-              [method](auto& cells, ivec2 seed, std::uint8_t value, Connectivity connectivity) {
-                return flood_fill::fill_raster(cells, seed, value, method, connectivity);
-              }));
-  }
-  properties.push_back(fills("fill_rows", "the same, by rows in memory",
-                             [](auto& cells, ivec2 seed, std::uint8_t value, Connectivity connectivity) {
-                               return flood_fill::fill_rows(cells, seed, value, connectivity);
-                             }));
-  properties.push_back(fills("fill_by_labels", "the same, by labels of runs, 64 cells at a time",
-                             [](auto& cells, ivec2 seed, std::uint8_t value, Connectivity connectivity) {
-                               return flood_fill::fill_by_labels(cells, seed, value, connectivity);
-                             }));
-  properties.push_back({.name = "questions",
-                        .states = "cells are painted once; only they and their neighbours are asked for, "
-                                  "by span no more often than by depth_first",
-                        .unit = "of depth_first's",
-                        .bound = 1,
-                        .numbers = raster_numbers,
-                        .kinds = kinds,
-                        .generate = raster_input,
-                        .error = questions_error,
-                        .traps = raster_traps()});
-  properties.push_back(
-      {.name = "in_window",
-       .states = "the fill of the picture cut to the window, which may lie anywhere",
-       .unit = "cells",
-       .bound = 0,
-       .numbers = 10,
-       .kinds = kinds,
-       .generate = window_input,
-       .error = window_error,
-       .traps = {
-           {"an empty window", {0, 0, -1, 5, 0, 0, 4, full, 1, 0}},
-           {"the seed beside the window", {0, 0, 5, 5, 6, 0, 4, full, 1, 0}},
-           {"a region that leaves the window and comes back", {0, 1, 9, 3, 0, 1, 4, upright_comb, 1, 0}},
-           {"two cells from the largest integer",
-            {2'147'483'640, 2'147'483'640, 2'147'483'645, 2'147'483'645, 2'147'483'645, 2'147'483'645, 8,
-             full, 1, 0}},
-           {"one cell from the least integer",
-            {-2'147'483'647, 0, -2'147'483'640, 5, -2'147'483'640, 0, 4, full, 1, 0}}}});
-  properties.push_back({.name = "fill_image",
-                        .states = "the pixels like the seed's within the tolerance, whatever the new colour",
-                        .unit = "pixels",
-                        .bound = 0,
-                        .numbers = 9,
-                        .kinds = {Kind::random, Kind::ties, Kind::extremes, Kind::refused},
-                        .generate = image_input,
-                        .error = image_error,
-                        .traps = {{"the new colour is like the old one", {8, 8, 3, 3, 4, 4, 6, 1, 2}},
-                                  {"everything is alike", {9, 9, 0, 0, 8, 255, 256, 1, 77}},
-                                  {"a tolerance below 0", {4, 4, 0, 0, 4, -1, 6, 1, 2}},
-                                  {"a tolerance above 255", {4, 4, 0, 0, 4, 256, 6, 1, 2}},
-                                  {"a click beside the picture", {4, 4, -1, 0, 4, 3, 6, 1, 2}}}});
-  return {"flood_fill", properties};
+  Property fills{
+      .name = "fills",
+      .states =
+          "every method paints the cells that are connected with the seed, no others, and "
+          "counts them; a seed outside is refused",
+      .unit = "cells",
+      .bound = 0,
+      .numbers = raster_numbers,
+      .kinds = kinds,
+      .generate = raster_input,
+      .error =
+          [](const Input& input) {
+            const std::optional<RasterCase> given = raster_case(input);
+            return given ? fills_error<std::uint8_t>(*given) + fills_error<int>(*given) : 0;
+          },
+      .traps = raster_traps(),
+      .shares = {
+          {.of = "neither one cell nor all cells are painted", .least = 0.3, .holds = [](const Input& input) {
+             const std::optional<RasterCase> given = raster_case(input);
+             if (!given || !given->cells.contains(given->seed)) return false;
+             const std::int64_t cells = count(given->area());
+             return 1 < cells && cells < std::llround(input[0] * input[1]);
+           }}}};
+  Property steps{.name = "steps",
+                 .states =
+                     "each step holds, and watching changes nothing; cells are painted once; only they "
+                     "and their neighbours are asked for, by span no more often than by depth_first",
+                 .unit = "of depth_first's questions",
+                 .bound = 1,
+                 .numbers = raster_numbers,
+                 .kinds = kinds,
+                 .generate = raster_input,
+                 .error = steps_error,
+                 .traps = raster_traps()};
+  Property noise{.name = "questions_on_noise",
+                 .states = "span asks at most 3.5 questions a cell, 4.5 where corners connect",
+                 .unit = "of that",
+                 .bound = 1,
+                 .numbers = raster_numbers,
+                 .kinds = {Kind::random},
+                 .generate =
+                     [](Kind, Random& random) {
+                       const double free = random.uniform(0.55, 0.85);
+                       return Input{90,
+                                    90,
+                                    whole(random, 30, 60),
+                                    whole(random, 30, 60),
+                                    random.unit() < 0.5 ? 4.0 : 8.0,
+                                    full,
+                                    free,
+                                    whole(random, 0, 1'000'000),
+                                    2};
+                     },
+                 .error = noise_error,
+                 .cases = 100};  // of some milliseconds each
+  Property windows{
+      .name = "in_window",
+      .states = "the fill of the picture cut to the window, which may lie anywhere",
+      .unit = "cells",
+      .bound = 0,
+      .numbers = 10,
+      .kinds = kinds,
+      .generate = window_input,
+      .error = window_error,
+      .traps = {{"an empty window", {0, 0, -1, 5, 0, 0, 4, full, 1, 0}},
+                {"the seed beside the window", {0, 0, 5, 5, 6, 0, 4, full, 1, 0}},
+                {"a region that leaves the window and comes back", {0, 1, 9, 3, 0, 1, 4, upright_comb, 1, 0}},
+                {"two cells from the largest integer",
+                 {INT_MAX - 7, INT_MAX - 7, INT_MAX - 2, INT_MAX - 2, INT_MAX - 2, INT_MAX - 2, 8, full, 1,
+                  0}},
+                {"one cell from the least integer",
+                 {INT_MIN + 1, 0, INT_MIN + 8, 5, INT_MIN + 8, 0, 4, full, 1, 0}}},
+      .shares = {{"the window cuts the area", 0.15, is_cut}}};
+  Property images{.name = "fill_image",
+                  .states = "the pixels like the seed's within the tolerance, whatever the new colour",
+                  .unit = "pixels",
+                  .bound = 0,
+                  .numbers = 9,
+                  .kinds = {Kind::random, Kind::near_degenerate, Kind::ties, Kind::extremes, Kind::refused},
+                  .generate = image_input,
+                  .error = image_error,
+                  .traps = {{"the new colour is like the old one", {8, 8, 3, 3, 4, 4, 6, 1, 2}},
+                            {"everything is alike", {9, 9, 0, 0, 8, 255, 256, 1, 77}},
+                            {"a tolerance below 0", {4, 4, 0, 0, 4, -1, 6, 1, 2}},
+                            {"a tolerance above 255", {4, 4, 0, 0, 4, 256, 6, 1, 2}},
+                            {"a click beside the picture", {4, 4, -1, 0, 4, 3, 6, 1, 2}}},
+                  .shares = {{.of = "needs a mask", .least = 0.1, .holds = [](const Input& input) {
+                                const std::optional<ImageCase> given = image_case(input);
+                                return given && given->needs_mask();
+                              }}}};
+  return {"flood_fill", {fills, steps, noise, windows, images}};
 }
 
 }  // namespace gradus::stress

@@ -4,27 +4,26 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <span>
 
+#include "stress/core/digits.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using Wide = boost::multiprecision::cpp_bin_float_100;
-using Vec = std::array<Wide, 3>;
+using Vec = std::array<Digits, 3>;
 
-Wide dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Wide length(const Vec& v) { return sqrt(dot(v, v)); }
+Digits dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Digits length(const Vec& v) { return sqrt(dot(v, v)); }
 dvec3 vector_of(const Input& i, std::size_t from) { return {i[from], i[from + 1], i[from + 2]}; }
 Vec way(dvec3 from, dvec3 to) {
-  return {Wide(to.x) - Wide(from.x), Wide(to.y) - Wide(from.y), Wide(to.z) - Wide(from.z)};
+  return {Digits(to.x) - Digits(from.x), Digits(to.y) - Digits(from.y), Digits(to.z) - Digits(from.z)};
 }
 Vec unit(const Vec& v) {
-  const Wide size = length(v);
-  return size == 0 ? v : Vec{Wide(v[0] / size), Wide(v[1] / size), Wide(v[2] / size)};
+  const Digits size = length(v);
+  return size == 0 ? v : Vec{Digits(v[0] / size), Digits(v[1] / size), Digits(v[2] / size)};
 }
 
 /// The place, three numbers along the normal, the eye, the light, its attenuation (3) and the exponent n.
@@ -49,6 +48,7 @@ Input generate(Kind kind, Random& random) {
 
 /// The largest share of what is promised that is used up.
 double error(const Input& i) {
+  if (!all_finite(i)) return 0;
   const dvec3 place = vector_of(i, 0), eye = vector_of(i, 6), position = vector_of(i, 9);
   const dvec3 normal = unit_vector(vector_of(i, 3));
   Light light;
@@ -58,31 +58,31 @@ double error(const Input& i) {
   material.diffuse = LinearRgb{1}, material.specular = LinearRgb{1};
   material.shininess = static_cast<float>(std::clamp(i[15], 0.0, 1e4));
   const Vec to_light = way(place, position), to_eye = way(place, eye);
-  const Wide largest(std::numeric_limits<double>::max());
+  const Digits largest(std::numeric_limits<double>::max());
   for (const Vec& v : {to_light, to_eye}) {
     if (length(v) > largest) return 0;  // beyond the domain
   }
   const auto parts = illumination::phong(place, normal, eye, material, std::span(&light, 1), LinearRgb{0});
 
   const Vec l = unit(to_light), v = unit(to_eye), n{normal.x, normal.y, normal.z};
-  const Wide nl = dot(n, l), distance = length(to_light);
+  const Digits nl = dot(n, l), distance = length(to_light);
   Vec r;
   for (std::size_t k = 0; k < 3; ++k) r[k] = 2 * nl * n[k] - l[k];
-  const Wide rv = dot(r, v), u(0x1p-53), exponent(material.shininess);
-  const Wide weakened =
-      Wide(light.constant) + distance * (Wide(light.linear) + distance * Wide(light.quadratic));
-  const Wide full = weakened > 1 ? Wide(1 / weakened) : Wide(1);
-  if (full < Wide(0x1p-900)) return parts.diffuse.x < 0x1p-899 && parts.specular.x < 0x1p-899 ? 0 : wrong;
-  const auto share = [&](double found, const Wide& right, const Wide& bound) {
+  const Digits rv = dot(r, v), u(0x1p-53), exponent(material.shininess);
+  const Digits weakened =
+      Digits(light.constant) + distance * (Digits(light.linear) + distance * Digits(light.quadratic));
+  const Digits full = weakened > 1 ? Digits(1 / weakened) : Digits(1);
+  if (full < Digits(0x1p-900)) return parts.diffuse.x < 0x1p-899 && parts.specular.x < 0x1p-899 ? 0 : wrong;
+  const auto share = [&](double found, const Digits& right, const Digits& bound) {
     if (!std::isfinite(found)) return wrong;
-    return static_cast<double>(Wide(abs(Wide(found) - right) / bound));
+    return static_cast<double>(Digits(abs(Digits(found) - right) / bound));
   };
-  const Wide diffuse = nl > 0 ? Wide(full * nl) : Wide(0);
+  const Digits diffuse = nl > 0 ? Digits(full * nl) : Digits(0);
   const double worst = share(parts.diffuse.x, diffuse, 30 * u * full);
   // Which side of the horizon, and of the mirror's, is not told nearer
   if (abs(nl) <= 40 * u || abs(rv) <= 40 * u) return worst;
-  const Wide highlight = nl > 0 && rv > 0 ? Wide(full * pow(rv, exponent)) : Wide(0);
-  Wide steep = exponent > 1 ? exponent : Wide(1);
+  const Digits highlight = nl > 0 && rv > 0 ? Digits(full * pow(rv, exponent)) : Digits(0);
+  Digits steep = exponent > 1 ? exponent : Digits(1);
   if (exponent > 0 && exponent < 1 && rv > 0) steep = 1 / rv;
   return std::max(worst, share(parts.specular.x, highlight, 60 * u * steep * full));
 }

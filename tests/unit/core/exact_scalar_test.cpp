@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "core/contract.hpp"
-#include "core/random.hpp"
 
 namespace gradus {
 
@@ -111,31 +110,6 @@ TEST(ExactScalar, RoundsToTheNearestDoubleOnce) {
   EXPECT_EQ(to_double(Exact(5e-324) * 3 / 2), 1e-323);
   EXPECT_EQ(to_double(Exact(1e308) * 10), infinity);
   EXPECT_EQ(to_double(Exact(1e-308) * Exact(1e-308)), 0);
-}
-
-// Two ways to the nearest double that share only the last rounding
-TEST(ExactScalar, RoundsAsRoundedQuotientDoes) {
-  Random random(3);
-  int ran = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const ExactScope scope;
-    std::array<double, 5> x{};
-    for (double& number : x) {
-      const int exponent = static_cast<int>(random.uniform_int(-1074, 1023));
-      number = std::ldexp(random.uniform(-1, 1), exponent);
-    }
-    SumOfProducts<2> above;
-    SumOfProducts<1> below;
-    above.add(x[0], x[1]);
-    above.subtract(x[2], x[3]);
-    below.add(x[4]);
-    if (below.sign() == 0) continue;
-    const Exact numerator = Exact(x[0]) * x[1] - Exact(x[2]) * x[3];
-    ASSERT_EQ(to_double(numerator / x[4]), rounded_quotient(above, below));
-    ASSERT_EQ(sign(numerator), above.sign());
-    ++ran;
-  }
-  EXPECT_GE(ran, 4900);
 }
 
 TEST(ExactScope, FreesWhatWasMadeInside) {

@@ -26,16 +26,6 @@ static_assert(two_product(1 + 0x1p-52, 1 + 0x1p-52).error == 0x1p-104);
 static_assert((exact_product(0.1, 10) - exact_sum(1, 0)).sign() == 1, "0.1 is a little above a tenth");
 static_assert(((exact_sum(0.1, 0.2) - exact_sum(0.3, 0)).sign()) == 1);
 
-TEST(TwoProduct, EqualsTheFusedMultiplyAdd) {
-  double a = 1.1, b = -2.7;
-  for (int i = 0; i < 1000; ++i) {
-    EXPECT_EQ(two_product(a, b).error, std::fma(a, b, -(a * b)));
-    a = a * 1.37 + 1;
-    b = b / 1.19 - 0x1p-30;
-    if (a > 1e100) a = 1.7;
-  }
-}
-
 TEST(Expansion, KeepsOnlyPartsThatAreNotZero) {
   Expansion<4> sum;
   for (const double term : {1.0, 0x1p-80, -1.0}) sum.add(term);
@@ -81,19 +71,6 @@ TEST(SumOfProducts, HoldsTheWholeRange) {
   EXPECT_EQ(sum.sign(), -1);
   sum.add(-largest, -largest);
   EXPECT_EQ(sum.sign(), 1);
-}
-
-TEST(SumOfProducts, TakesUpToThreeFactors) {
-  SumOfProducts<3> sum;
-  sum.add(largest, -largest, largest);
-  sum.add(largest);
-  sum.add(smallest, smallest, smallest);
-  EXPECT_EQ(sum.sign(), -1);
-  sum.subtract(-largest, largest, largest);
-  sum.subtract(largest);
-  EXPECT_EQ(sum.sign(), 1);
-  sum.subtract(smallest, smallest, smallest);
-  EXPECT_EQ(sum.sign(), 0);
 }
 
 TEST(SumOfProducts, TakesFourFactors) {
@@ -174,29 +151,6 @@ TEST(RoundedQuotient, OfExpansions) {
   EXPECT_THROW(rounded_quotient(exact_sum(1, 0), exact_sum(0, 0)), ContractViolation);
 }
 
-// The y at which the line through two points meets the vertical x
-double crossing(glm::dvec2 a, glm::dvec2 b, double x) {
-  SumOfProducts<2> numerator, denominator;
-  numerator.add(a.y, b.x);
-  numerator.subtract(a.y, x);
-  numerator.add(b.y, x);
-  numerator.subtract(b.y, a.x);
-  denominator.add(b.x);
-  denominator.subtract(a.x);
-  return rounded_quotient(numerator, denominator);
-}
-
-TEST(RoundedQuotient, CrossesWindowEdgesWherePlainArithmeticFails) {
-  // x1 - x0 is infinite in double
-  EXPECT_EQ(crossing({-1e308, 0}, {1e308, 10}, 0), 5);
-  EXPECT_EQ(crossing({-1e308, 0}, {1e308, 10}, 10), 5);
-  EXPECT_EQ(crossing({-1e200, -1e200}, {1e200, 1e200}, 10), 10);
-  EXPECT_EQ(crossing({-smallest, -smallest}, {smallest, smallest}, 0), 0);
-  EXPECT_EQ(crossing({-1, 1}, {1, -1}, 0), 0);
-  // A miss by a hair: not exactly 0
-  EXPECT_EQ(crossing({-1, 1}, {1, -1.0000000000000002}, 0), -0x1p-53);
-}
-
 TEST(RoundedQuotient, LeavesTheRangeAsIeee754Says) {
   SumOfProducts<2> square, one;
   SumOfProducts<1> tiny;
@@ -219,37 +173,29 @@ TEST(Orient2d, KnowsLeftFromRight) {
   EXPECT_EQ(orient2d(glm::vec2(0.1f, 0.1f), glm::vec2(0.2f, 0.2f), glm::vec2(0.3f, 0.3f)), 0);
 }
 
-TEST(Orient2d, DecidesWhereRoundingSaysZero) {
-  const double u = 0x1p-53;
-  const glm::dvec2 p(.5 + 2 * u, .5 + u), q(12, 12), r(24, 24);
-  EXPECT_FALSE(orient2d_filtered(p, q, r).has_value());
-  EXPECT_EQ(orient2d(p, q, r), -1);
-  EXPECT_EQ(orient2d({.5 + u, .5 + 2 * u}, q, r), 1);
-  EXPECT_EQ(orient2d({.5 + u, .5 + u}, q, r), 0);
+// Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness problems in geometric
+// computations", 2008, figure 2a: plain arithmetic scatters wrong signs over this grid
+TEST(Orient2d, DecidesTheWholeOfKettnersGrid) {
+  const glm::dvec2 q(12, 12), r(24, 24);
+  int in_doubt = 0, misled = 0;
+  for (int i = 0; i < 256; ++i) {
+    for (int j = 0; j < 256; ++j) {
+      const glm::dvec2 p(.5 + i * 0x1p-53, .5 + j * 0x1p-53);
+      const int expected = (j > i) - (j < i);  // the line is y = x
+      ASSERT_EQ(orient2d(p, q, r), expected) << i << ' ' << j;
+      in_doubt += orient2d_filtered(p, q, r) ? 0 : 1;
+      const double plain = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+      misled += ((plain > 0) - (plain < 0)) != expected ? 1 : 0;
+    }
+  }
+  EXPECT_GE(in_doubt, 50000);
+  EXPECT_GE(misled, 1000);
 }
 
 TEST(Orient2d, DecidesOnGridsWithoutTheSlowPath) {
   EXPECT_EQ(orient2d_filtered({1, 7}, {5, 7}, {9, 7}), 0);
   EXPECT_EQ(orient2d_filtered({3, 3}, {3, 3}, {9, 7}), 0);
   EXPECT_EQ(orient2d_filtered({0, 0}, {4, 0}, {2, 1}), 1);
-}
-
-TEST(Orient2d, HoldsFromSubnormalsToTheLargest) {
-  for (const double s : {smallest, 1e-310, 1e-200, 1.0, 1e200, 1e300, largest / 2, largest}) {
-    EXPECT_EQ(orient2d(glm::dvec2(-s, -s), glm::dvec2(s, -s), glm::dvec2(0, s)), 1) << s;
-    EXPECT_EQ(orient2d(glm::dvec2(-s, -s), glm::dvec2(s, s), glm::dvec2(0, 0)), 0) << s;
-    EXPECT_EQ(orient2d(glm::dvec2(-s, -s), glm::dvec2(s, s), glm::dvec2(0, -smallest)), -1) << s;
-  }
-  EXPECT_EQ(orient2d(glm::dvec2(largest, 0), glm::dvec2(0, smallest), glm::dvec2(-largest, 0)), 1);
-}
-
-TEST(Orient2d, RefusesInfinitiesAndNan) {
-  for (const double bad : {infinity, -infinity, not_a_number}) {
-    EXPECT_THROW(orient2d(glm::dvec2(bad, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)), ContractViolation);
-    EXPECT_THROW(orient2d(glm::dvec2(0, 0), glm::dvec2(1, bad), glm::dvec2(0, 1)), ContractViolation);
-    EXPECT_THROW(orient2d(glm::dvec2(0, 0), glm::dvec2(0, 0), glm::dvec2(bad, 0)), ContractViolation);
-    EXPECT_THROW(orient2d(glm::dvec2(bad, 0), glm::dvec2(0, 0), glm::dvec2(0, 0)), ContractViolation);
-  }
 }
 
 TEST(Orient3d, KnowsAboveFromBelow) {
@@ -260,25 +206,6 @@ TEST(Orient3d, KnowsAboveFromBelow) {
   EXPECT_EQ(orient3d(a, c, b, {0, 0, 1}), -1);
   EXPECT_EQ(orient3d(glm::ivec3(0), glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0), glm::ivec3(0, 0, 1)), 1);
   EXPECT_EQ(orient3d(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(9, 9, 0)), 0);
-}
-
-TEST(Orient3d, HoldsFromSubnormalsToTheLargest) {
-  for (const double s : {smallest, 1e-310, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e300, largest}) {
-    const glm::dvec3 a(-s, -s, -s), b(s, -s, -s), c(-s, s, -s);
-    EXPECT_EQ(orient3d(a, b, c, {0, 0, s}), 1) << s;
-    EXPECT_EQ(orient3d(a, b, c, {s, s, -s}), 0) << s;
-    EXPECT_EQ(orient3d(a, glm::dvec3(s), glm::dvec3(0, s, s), {smallest, 0, 0}), 0) << s;
-    EXPECT_EQ(orient3d(a, glm::dvec3(s), glm::dvec3(0, s, s), {0, smallest, 0}), -1) << s;
-  }
-}
-
-TEST(Orient3d, RefusesInfinitiesAndNan) {
-  for (const double bad : {infinity, -infinity, not_a_number}) {
-    EXPECT_THROW(orient3d(glm::dvec3(bad, 0, 0), glm::dvec3(1), glm::dvec3(2), glm::dvec3(3)),
-                 ContractViolation);
-    EXPECT_THROW(orient3d(glm::dvec3(1), glm::dvec3(1), glm::dvec3(1), glm::dvec3(0, 0, bad)),
-                 ContractViolation);
-  }
 }
 
 }  // namespace

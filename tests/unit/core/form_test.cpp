@@ -58,40 +58,6 @@ TEST(Form, SelfAssignmentAndAliases) {
   EXPECT_EQ(x.sign(), 0);
 }
 
-TEST(Form, SignsWithOneRoot) {
-  // a + b sqrt(c) of degrees 2, 1, 2
-  const auto sign = [](double a, double b, double c) {
-    return sign_with_root(Form<1>(a) * Form<1>(1), Form<1>(b), Form<1>(c) * Form<1>(1));
-  };
-  EXPECT_EQ(sign(3, -1, 9), 0);
-  EXPECT_EQ(sign(3, -1, 8), 1);
-  EXPECT_EQ(sign(3, -1, 10), -1);
-  EXPECT_EQ(sign(-3, 1, 10), 1);
-  EXPECT_EQ(sign(-3, -1, 10), -1);
-  EXPECT_EQ(sign(3, 1, 10), 1);
-  EXPECT_EQ(sign(0, -1, 2), -1);
-  EXPECT_EQ(sign(-1, 5, 0), -1);
-  EXPECT_EQ(sign(0, 5, 0), 0);
-}
-
-TEST(Form, SignsWithTwoRoots) {
-  const auto sign = [](double a, double b, double c, double d, double e) {
-    return sign_with_roots(Form<1>(a) * Form<1>(1), Form<1>(b), Form<1>(c) * Form<1>(1), Form<1>(d),
-                           Form<1>(e) * Form<1>(1));
-  };
-  EXPECT_EQ(sign(-5, 1, 4, 1, 9), 0);
-  EXPECT_EQ(sign(0, 1, 8, -2, 2), 0);  // sqrt(8) = 2 sqrt(2)
-  EXPECT_EQ(sign(1e-300, 1, 8, -2, 2), 1);
-  EXPECT_EQ(sign(-1e-300, 1, 8, -2, 2), -1);
-  EXPECT_EQ(sign(-3, 1, 2, 1, 3), 1);  // 3.146
-  EXPECT_EQ(sign(-3.5, 1, 2, 1, 3), -1);
-  EXPECT_EQ(sign(0, 1, 2, -1, 3), -1);
-  EXPECT_EQ(sign(1, 1, 2, -1, 3), 1);
-  EXPECT_EQ(sign(1, 0, 2, -1, 1), 0);
-  EXPECT_EQ(sign(0.25, 1, 2, -1, 3), -1);  // 0.25 - 0.3178
-  EXPECT_EQ(sign(-0.25, -1, 2, 1, 3), 1);
-}
-
 TEST(TwoDoubles, KnownValues) {
   const Rounded third = quotient_of_pairs({1, 0}, {3, 0});
   EXPECT_EQ(third.value, 1.0 / 3);

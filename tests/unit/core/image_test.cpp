@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -198,20 +199,29 @@ TEST(Png, TextsRoundTrip) {
   }
 }
 
-TEST(Png, Latin1TextsBecomeUtf8) {
-  Bytes bytes = encode_png(Image(1, 1));
-  // tEXt "k\0é" with its checksum, put right behind IHDR
-  const Bytes body{'t', 'E', 'X', 't', 'k', 0, 0xe9};
+void append_number(Bytes& to, std::uint32_t number) {
+  for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::uint8_t>(number >> shift));
+}
+
+/// Of a PNG: its length, its name and body, and their checksum.
+Bytes chunk(const Bytes& name_and_body) {
   std::uint32_t crc = 0xffffffffu;
-  for (const std::uint8_t byte : body) {
+  for (const std::uint8_t byte : name_and_body) {
     crc ^= byte;
     for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xedb88320u : 0u);
   }
-  crc = ~crc;
-  Bytes chunk{0, 0, 0, 3};
-  chunk.insert(chunk.end(), body.begin(), body.end());
-  for (const int shift : {24, 16, 8, 0}) chunk.push_back(static_cast<std::uint8_t>(crc >> shift));
-  bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());
+  Bytes bytes;
+  append_number(bytes, static_cast<std::uint32_t>(name_and_body.size() - 4));
+  bytes.insert(bytes.end(), name_and_body.begin(), name_and_body.end());
+  append_number(bytes, ~crc);
+  return bytes;
+}
+
+TEST(Png, Latin1TextsBecomeUtf8) {
+  Bytes bytes = encode_png(Image(1, 1));
+  // tEXt "k\0é", put right behind IHDR
+  const Bytes text = chunk({'t', 'E', 'X', 't', 'k', 0, 0xe9});
+  bytes.insert(bytes.begin() + 33, text.begin(), text.end());
   const auto texts = png_texts(bytes, "t.png");
   ASSERT_EQ(texts.size(), 1u);
   EXPECT_EQ(texts[0].key, "k");
@@ -258,18 +268,11 @@ TEST(Png, DamageIsRefusedOrHarmless) {
 /// A file of this size in its header, with a right checksum, and no pixels to speak of.
 Bytes with_header(std::uint32_t width, std::uint32_t height) {
   Bytes bytes = encode_png(Image(1, 1));
-  for (int i = 0; i < 4; ++i) {
-    bytes[16 + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(width >> (24 - 8 * i));
-    bytes[20 + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(height >> (24 - 8 * i));
-  }
-  std::uint32_t crc = 0xffffffffu;
-  for (std::size_t i = 12; i < 29; ++i) {
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xedb88320u : 0u);
-  }
-  crc = ~crc;
-  for (int i = 0; i < 4; ++i)
-    bytes[29 + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(crc >> (24 - 8 * i));
+  Bytes header{'I', 'H', 'D', 'R'};
+  append_number(header, width);
+  append_number(header, height);
+  header.insert(header.end(), bytes.begin() + 24, bytes.begin() + 29);
+  std::ranges::copy(chunk(header), bytes.begin() + 8);
   return bytes;
 }
 

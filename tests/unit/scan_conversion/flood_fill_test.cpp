@@ -1,5 +1,6 @@
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -10,8 +11,10 @@
 #include <vector>
 
 #include "core/record.hpp"
+#include "scan_conversion/flood_fill/flood_fill_batch.hpp"
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
 #include "scan_conversion/flood_fill/maze.hpp"
+#include "stress/scan_conversion/areas.hpp"
 
 namespace gradus::flood_fill {
 namespace {
@@ -61,16 +64,6 @@ TEST(FloodFill, CornersConnectOnlyWhenAskedTo) {
     EXPECT_EQ(fill_maze(eight, {3, 3}, 'a', {.connectivity = Connectivity::eight, .method = method}).painted,
               8);
     EXPECT_EQ(maze_text(eight), "aa##\naa##\n##aa\n##aa\n");
-    // A chessboard is one region or 32
-    Maze board(8, 8, wall);
-    for (int y = 0; y < 8; ++y) {
-      for (int x = y % 2; x < 8; x += 2) board[{x, y}] = free_cell;
-    }
-    Maze same = board;
-    EXPECT_EQ(fill_maze(board, {3, 3}, 'a', {.connectivity = Connectivity::four, .method = method}).painted,
-              1);
-    EXPECT_EQ(fill_maze(same, {3, 3}, 'a', {.connectivity = Connectivity::eight, .method = method}).painted,
-              32);
   }
 }
 
@@ -97,39 +90,38 @@ TEST(FloodFill, GoldenDepthsAndQueues) {
   }
 }
 
-TEST(FloodFill, EmptyCanvasTakesMemoryOfItsSidesOnly) {
-  // Every seed of small canvases, the telling seeds of large ones; span never holds more than two spans
-  int cases = 0;
-  const auto check = [&](int width, int height, ivec2 seed, Connectivity connectivity) {
-    Maze m(width, height, free_cell);
-    const auto sides = static_cast<std::size_t>(width + height);
-    const Filled spans = fill_maze(m, seed, 'a', {.connectivity = connectivity, .method = Method::span});
-    const Filled waves =
-        fill_maze(m, seed, 'b', {.connectivity = connectivity, .method = Method::breadth_first});
-    ASSERT_EQ(spans.painted, std::int64_t{width} * height);
-    ASSERT_EQ(waves.painted, std::int64_t{width} * height);
-    ASSERT_LE(spans.peak_waiting, 2u);
-    ASSERT_LE(waves.peak_waiting, connectivity == Connectivity::four ? sides : 3 * sides)
-        << width << 'x' << height;
-    ++cases;
-  };
-  for (const Connectivity c : connectivities) {
-    for (int width = 1; width <= 7; ++width) {
-      for (int height = 1; height <= 7; ++height) {
-        for (int y = 0; y < height; ++y) {
-          for (int x = 0; x < width; ++x) check(width, height, {x, y}, c);
-        }
-      }
+TEST(FloodFill, EveryPictureOfTwelveCells) {
+  // All 4096 pictures of 4 x 3 cells, from every free cell
+  std::int64_t cases = 0;
+  for (int bits = 0; bits < 4096; ++bits) {
+    Maze picture(4, 3, wall);
+    for (int i = 0; i < 12; ++i) {
+      if ((bits >> i) & 1) picture[{i % 4, i / 4}] = free_cell;
     }
-    for (const ivec2 size : {ivec2{300, 200}, ivec2{1, 1000}, ivec2{1000, 1}, ivec2{257, 255}}) {
-      const int w = size.x - 1, h = size.y - 1;
-      for (const ivec2 seed :
-           {ivec2{0, 0}, ivec2{w, 0}, ivec2{0, h}, ivec2{w, h}, ivec2{w / 2, h / 2}, ivec2{w / 3, h}}) {
-        check(size.x, size.y, seed, c);
+    for (int i = 0; i < 24; ++i) {
+      const Connectivity connectivity = connectivities[i / 12];
+      const ivec2 seed{i % 4, i / 4 % 3};
+      if (picture[seed] == wall) continue;
+      const auto area =
+          stress::area_of(4, 3, seed, connectivity, [&](ivec2 p) { return picture[p] != wall; });
+      const auto expect_filled = [&](const Maze& filled) {
+        EXPECT_EQ(stress::wrong_cells(filled, picture, area, 'x'), 0)
+            << maze_text(picture) << maze_text(filled);
+        ++cases;
+      };
+      for (const Method method : methods) {
+        Maze filled = picture;
+        fill_maze(filled, seed, 'x', {.connectivity = connectivity, .method = method});
+        expect_filled(filled);
       }
+      Maze by_rows = picture, by_labels = picture;
+      fill_rows(by_rows, seed, 'x', connectivity);
+      expect_filled(by_rows);
+      fill_by_labels(by_labels, seed, 'x', connectivity);
+      expect_filled(by_labels);
     }
   }
-  EXPECT_EQ(cases, 2 * (28 * 28 + 4 * 6));
+  EXPECT_EQ(cases, 5 * 2 * 12 * 2048);
 }
 
 TEST(FloodFill, StepsOfDepthFirst) {
@@ -137,46 +129,26 @@ TEST(FloodFill, StepsOfDepthFirst) {
   Maze m = maze("..\n#.\n");
   fill_maze(m, {0, 0}, 'a', {.method = Method::depth_first}, seen);
   std::string order;
-  std::vector<ivec2> path;
   for (const auto& event : seen.events()) {
     if (std::get_if<Started>(&event.step)) order += 'S';
+    if (std::get_if<Painted>(&event.step)) order += 'P';
     if (std::get_if<Examined>(&event.step)) order += 'e';
+    if (std::get_if<Retreated>(&event.step)) order += 'r';
     if (std::get_if<Finished>(&event.step)) order += 'F';
-    if (const auto* p = std::get_if<Painted>(&event.step)) {
-      order += 'P';
-      path.push_back(p->pixel);
-      EXPECT_EQ(p->waiting, path.size());
-    }
-    if (const auto* r = std::get_if<Retreated>(&event.step)) {
-      order += 'r';
-      EXPECT_EQ(r->pixel, path.back());
-      path.pop_back();
-      EXPECT_EQ(r->waiting, path.size());
-    }
   }
   // (0,0); right: (1,0); right, left no; down: (1,1), nowhere to go; up no; back at (0,0): left, down, up no
   EXPECT_EQ(order, "SPePeeePeeeerereeerF");
-  EXPECT_TRUE(path.empty());
-  EXPECT_EQ(all<Finished>(seen).at(0).filled.painted, 3);
 }
 
 TEST(FloodFill, StepsOfBreadthFirst) {
   AllSteps seen;
   Maze m = maze("...\n.#.\n...\n");
   fill_maze(m, {0, 0}, 'a', {.method = Method::breadth_first}, seen);
-  std::vector<ivec2> queue, out;
-  for (const auto& event : seen.events()) {
-    if (const auto* p = std::get_if<Painted>(&event.step)) {
-      queue.push_back(p->pixel);
-      EXPECT_EQ(p->waiting, queue.size() - out.size());
-    }
-    if (const auto* d = std::get_if<Dequeued>(&event.step)) {
-      out.push_back(d->pixel);
-      EXPECT_EQ(d->waiting, queue.size() - out.size());
-    }
-  }
-  EXPECT_EQ(queue, out);  // first in, first out
-  EXPECT_EQ(queue, (std::vector<ivec2>{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}}));
+  std::vector<ivec2> in, out;
+  for (const Painted& p : all<Painted>(seen)) in.push_back(p.pixel);
+  for (const Dequeued& d : all<Dequeued>(seen)) out.push_back(d.pixel);
+  EXPECT_EQ(in, out);  // first in, first out
+  EXPECT_EQ(in, (std::vector<ivec2>{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}}));
   EXPECT_EQ(all<Examined>(seen).size(), 4u * 8u);
 }
 
@@ -210,65 +182,6 @@ TEST(FloodFill, StepsOfSpan) {
   EXPECT_TRUE(is(filled[2].span, 2, 0, 3, 1));
   EXPECT_TRUE(is(filled[3].span, 1, 2, 3, -1));  // back up where row 2 sticks out
   EXPECT_TRUE(is(filled[4].span, 0, 3, 3, -1));
-  EXPECT_EQ(all<SpanQueued>(seen).size(), all<SpanTaken>(seen).size());
-  std::size_t waiting = 0;
-  for (const auto& event : seen.events()) {
-    if (const auto* q = std::get_if<SpanQueued>(&event.step)) {
-      EXPECT_EQ(q->waiting, ++waiting);
-    }
-    if (const auto* t = std::get_if<SpanTaken>(&event.step)) {
-      EXPECT_EQ(t->waiting, --waiting);
-    }
-  }
-  EXPECT_EQ(all<Finished>(seen).at(0).filled.painted, 10);
-}
-
-TEST(FloodFill, ASeedThatIsNotInsidePaintsNothing) {
-  for (const Method method : methods) {
-    AllSteps seen;
-    int painted = 0;
-    const auto never = [](ivec2) { return false; };
-    const Filled filled = fill(method, {3, 3}, never, [&](ivec2) { ++painted; }, Connectivity::four, seen);
-    EXPECT_EQ(filled, Filled{});
-    EXPECT_EQ(painted, 0);
-    ASSERT_EQ(seen.events().size(), 2u);
-    EXPECT_FALSE(all<Started>(seen).at(0).inside);
-    // Outside the window, and in an empty one
-    const auto always = [](ivec2) { return true; };
-    const auto paint = [&](ivec2) { ++painted; };
-    EXPECT_EQ(in_window(method, {5, 0}, {{0, 0}, {4, 4}}, always, paint).painted, 0);
-    EXPECT_EQ(in_window(method, {0, 0}, {}, always, paint).painted, 0);
-    EXPECT_EQ(painted, 0);
-    Maze walls(3, 3, wall);
-    EXPECT_EQ(fill_maze(walls, {1, 1}, 'a', {.method = method}).painted, 0);
-    EXPECT_EQ(walls, Maze(3, 3, wall));
-  }
-}
-
-TEST(FloodFill, WindowBoundsWhatIsAskedAndPainted) {
-  const Window window{{-3, -2}, {4, 6}};
-  for (const Method method : methods) {
-    for (const Connectivity connectivity : connectivities) {
-      Raster<char> painted(8, 9);  // inside is true for the whole plane, but for what is painted
-      std::int64_t asked = 0;
-      const auto inside = [&](ivec2 p) {
-        EXPECT_TRUE(window.contains(p));
-        ++asked;
-        return !painted[p - window.lower];
-      };
-      const auto paint = [&](ivec2 p) {
-        EXPECT_TRUE(window.contains(p));
-        painted[p - window.lower] = 1;
-      };
-      const Filled filled = in_window(method, {0, 0}, window, inside, paint, connectivity);
-      EXPECT_EQ(filled.painted, 72);
-      EXPECT_LE(asked, 9 * 72);
-    }
-  }
-  const auto no = [](ivec2) { return false; };
-  const auto nothing = [](ivec2) {};
-  EXPECT_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX, 0}}, no, nothing), ContractViolation);
-  EXPECT_NO_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX - 2, 0}}, no, nothing));
 }
 
 TEST(FloodFill, ImageBySeedColourAndTolerance) {
@@ -307,38 +220,20 @@ TEST(FloodFill, ImageBySeedColourAndTolerance) {
 }
 
 TEST(FloodFill, MistakesAreNamed) {
-  Image image(4, 2);
-  for (const ivec2 seed : {ivec2{4, 0}, ivec2{0, 2}, ivec2{-1, 0}}) {
-    EXPECT_THROW(fill_image(image, seed, {}), ContractViolation);  // E001-08
-  }
-  try {
-    fill_image(image, {4, 0}, {});
-  } catch (const ContractViolation& e) {
-    EXPECT_STREQ(e.what(),
-                 "the seed 4,0 lies outside the image of 4 x 2 pixels (columns 0 to 3, rows 0 to 1)");
-  }
-  EXPECT_THROW(fill_image(image, {0, 0}, {}, {.tolerance = -1}), ContractViolation);
-  EXPECT_THROW(fill_image(image, {0, 0}, {}, {.tolerance = 256}), ContractViolation);
+  Image image(4, 2), none;
   Maze m(2, 2, free_cell);
+  const auto fill_outside = [&] { fill_image(image, {4, 0}, {}); };  // E001-08
+  EXPECT_THAT(fill_outside,
+              testing::ThrowsMessage<ContractViolation>(
+                  "the seed 4,0 lies outside the image of 4 x 2 pixels (columns 0 to 3, rows 0 to "
+                  "1)"));
   EXPECT_THROW(fill_maze(m, {0, 0}, '#'), ContractViolation);
   EXPECT_THROW(fill_maze(m, {2, 0}, 'a'), ContractViolation);
-  Image none;
   EXPECT_THROW(fill_image(none, {0, 0}, {}), ContractViolation);
-}
-
-TEST(FloodFill, ObservedEqualsUnobserved) {
-  for (const Method method : methods) {
-    for (const Connectivity connectivity : connectivities) {
-      const Maze m = maze("..#.b\n.#..b\n....#\n#.##.\n");
-      Maze a = m, b = m;
-      int steps = 0;
-      auto count = [&](const auto&) { ++steps; };
-      const Options options{.connectivity = connectivity, .method = method};
-      EXPECT_EQ(fill_maze(a, {0, 0}, 'a', options), fill_maze(b, {0, 0}, 'a', options, count));
-      EXPECT_EQ(a, b);
-      EXPECT_GT(steps, 20);
-    }
-  }
+  const auto no = [](ivec2) { return false; };
+  const auto nothing = [](ivec2) {};
+  EXPECT_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX, 0}}, no, nothing), ContractViolation);
+  EXPECT_NO_THROW(in_window(Method::span, {0, 0}, {{0, 0}, {INT32_MAX - 2, 0}}, no, nothing));
 }
 
 TEST(FloodFillMaze, ReadsTextAndGivesItBack) {
@@ -355,20 +250,18 @@ TEST(FloodFillMaze, ReadsTextAndGivesItBack) {
 }
 
 TEST(FloodFillMaze, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(error_of(""),
-            "m.txt:1: found nothing, expected rows of # (wall), . (free) and letters (colours)");
-  EXPECT_EQ(error_of("...\n..\n"), "m.txt:2: found 2 cells, expected 3 as in the first line");
-  EXPECT_EQ(error_of("...\n....\n"), "m.txt:2: found 4 cells, expected 3 as in the first line");
-  EXPECT_EQ(error_of("..\n.5\n"),
-            "m.txt:2: found '5' in column 1, expected # (wall), . (free) or a letter (colour)");
-  EXPECT_EQ(error_of(". ."),
-            "m.txt:1: found a space in column 1, expected # (wall), . (free) or a letter (colour)");
-  EXPECT_EQ(error_of(".\t"),
-            "m.txt:1: found a tab in column 1, expected # (wall), . (free) or a letter (colour)");
-  EXPECT_EQ(error_of(".\xC3\xA4"),
-            "m.txt:1: found the byte 195 in column 1, expected # (wall), . (free) or a letter (colour)");
-  EXPECT_EQ(error_of("..\n\n..\n"), "m.txt:2: found an empty line, expected a row of # . and letters");
-  EXPECT_EQ(error_of("..\n\n"), "m.txt:2: found an empty line, expected a row of # . and letters");
+  const std::string cells = "expected # (wall), . (free) or a letter (colour)";
+  const std::pair<std::string, std::string> table[] = {
+      {"", "1: found nothing, expected rows of # (wall), . (free) and letters (colours)"},
+      {"...\n..\n", "2: found 2 cells, expected 3 as in the first line"},
+      {"...\n....\n", "2: found 4 cells, expected 3 as in the first line"},
+      {"..\n.5\n", "2: found '5' in column 1, " + cells},
+      {". .", "1: found a space in column 1, " + cells},
+      {".\t", "1: found a tab in column 1, " + cells},
+      {".\xC3\xA4", "1: found the byte 195 in column 1, " + cells},
+      {"..\n\n..\n", "2: found an empty line, expected a row of # . and letters"},
+      {"..\n\n", "2: found an empty line, expected a row of # . and letters"}};
+  for (const auto& [text, what] : table) EXPECT_EQ(error_of(text), "m.txt:" + what);
 }
 
 TEST(FloodFillNotes, RecursionIsDepthFirst) {

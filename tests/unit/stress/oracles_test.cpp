@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "stress/clipping/circle_ends.hpp"
+#include "stress/core/digits.hpp"
+#include "stress/core/integers.hpp"
 #include "support/circle_areas.hpp"
 #include "support/clip_oracle.hpp"
 #include "support/polygon_areas.hpp"
@@ -84,6 +87,26 @@ TEST(Oracles, AreasOfTrianglesInDoublesAndExactly) {
   const double u = 0x1p-53;
   const test::ExactPoint a{Fraction(0.5 + 2 * u), Fraction(0.5 + u)}, b{12, 12}, c{24, 24};
   EXPECT_NEAR(static_cast<double>(test::turn(a, b, c)), -1.33e-15, 0.005e-15);
+}
+
+TEST(Oracles, TheNearestOfAQuotient) {
+  const double infinity = std::numeric_limits<double>::infinity(),
+               largest = std::numeric_limits<double>::max();
+  const Integer one = fixed(1.0), three = fixed(3.0), beyond = fixed(infinity);
+  EXPECT_TRUE(is_nearest(1.0 / 3, one, three));
+  EXPECT_FALSE(is_nearest(std::nextafter(1.0 / 3, 1), one, three));
+  EXPECT_FALSE(is_nearest(std::nextafter(1.0 / 3, 0), one, three));
+  EXPECT_TRUE(is_nearest(-1.0 / 3, one, -three));
+  EXPECT_FALSE(is_nearest(largest, beyond, one));
+  EXPECT_TRUE(is_nearest(infinity, beyond, one));
+  EXPECT_FALSE(is_nearest(1.0f, one + fixed(0x1.000002p-24), one));
+}
+
+TEST(Oracles, DistancesInUlp) {
+  const Digits third = Digits(1) / 3;
+  EXPECT_LT(ulps(1.0 / 3, third), 0.5);
+  EXPECT_GT(ulps(std::nextafter(1.0 / 3, 1), third), 0.5);
+  EXPECT_NEAR(ulps(1e-323, Digits(5e-324)), 1, 0.01);
 }
 
 }  // namespace

@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <vector>
 
-#include "core/random.hpp"
 #include "core/record.hpp"
-#include "support/seed.hpp"
 
 namespace gradus::z_buffer {
 namespace {
@@ -50,36 +47,6 @@ TEST(ZBuffer, WhatIsNoNumberIsNeverKept) {
   EXPECT_FALSE((buffer[{0, 0}].taken));
   EXPECT_TRUE(keep_nearest(buffer, {0, 0}, std::numeric_limits<double>::infinity(), 0));
   EXPECT_TRUE(keep_nearest(buffer, {0, 0}, 1e300, 5));
-}
-
-TEST(ZBuffer, EqualsTheMinimumOfRandomFragments) {
-  Random random(test::seed());
-  int cases = 0, ties = 0;
-  for (; cases < 300; ++cases) {
-    Buffer buffer(4, 3);
-    std::vector<std::tuple<int, int, double, int>> fragments;
-    for (int i = 0; i < 80; ++i) {
-      fragments.emplace_back(random.uniform_int(0, 3), random.uniform_int(0, 2),
-                             static_cast<double>(random.uniform_int(0, 5)) / 4, random.uniform_int(0, 9));
-    }
-    for (const auto& [x, y, depth, key] : fragments) keep_nearest(buffer, {x, y}, depth, key);
-    for (int x = 0; x < 4; ++x) {
-      for (int y = 0; y < 3; ++y) {
-        std::vector<std::pair<double, int>> here;
-        for (const auto& f : fragments) {
-          if (std::get<0>(f) == x && std::get<1>(f) == y) here.emplace_back(std::get<2>(f), std::get<3>(f));
-        }
-        const auto& cell = buffer[{x, y}];
-        ASSERT_EQ(cell.taken, !here.empty());
-        if (here.empty()) continue;
-        const auto least = *std::ranges::min_element(here);
-        ASSERT_EQ((std::pair{cell.depth, cell.key}), least);
-        ties += std::ranges::count(here, least.first, &std::pair<double, int>::first) > 1;
-      }
-    }
-  }
-  EXPECT_EQ(cases, 300);
-  EXPECT_GT(ties, 300);
 }
 
 TEST(ZBuffer, Steps) {
