@@ -101,7 +101,10 @@ Input spikes(Random& random) {
   for (int i = 0; i < 3; ++i) {
     // Out, and nearly the same way back
     points.push_back(on_circle((i + 0.1) / 3, radius * random.uniform(0.1, 0.4)));
-    const dvec2 tip = on_circle((i + random.uniform(0.3, 0.5)) / 3, radius * random.uniform(1.0000001, 3));
+    // Far out, or hardly beyond the circle: then all four passages lie within some units
+    const int beyond = static_cast<int>(random.uniform_int(40, 53));
+    const double reach = random.unit() < 0.5 ? random.uniform(1, 3) : 1 + std::ldexp(random.unit(), -beyond);
+    const dvec2 tip = on_circle((i + random.uniform(0.3, 0.5)) / 3, radius * reach);
     points.push_back(tip);
     points.push_back({nudged(tip.x, random), nudged(tip.y, random)});
     points.push_back(on_circle((i + 0.9) / 3, radius * random.uniform(0.1, 0.4)));

@@ -340,6 +340,7 @@ Polygons batch_of(const Input& i) {
 
 /// How many vertices of a batch differ from those of clip_to_window.
 double batch_error(const Input& i) {
+  if (!order_in(i.back())) return 0;
   const Polygons given = batch_of(i);
   Polygons clipped;
   BatchClipper clip;
