@@ -13,8 +13,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
 #include "core/geometry.hpp"
 
 namespace gradus {

@@ -8,8 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/arithmetic/elementary.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
 #include "core/geometry.hpp"
 
 namespace gradus {
@@ -59,7 +59,7 @@ glm::mat<4, 4, T> view_matrix(const Frame<T>& frame) {
 /// the picture to x = -w, w and y = -w, w.
 /// near, far: depths with 0 < near < far. x_scale, y_scale: cotangents of half the angles of view.
 /// Accuracy: z = near gives a clip z of exactly 0; where the compiler fuses product and sum (see
-///   core/rounding.hpp) it may be off by 2^-53 |z_offset|.
+///   core/arithmetic/rounding.hpp) it may be off by 2^-53 |z_offset|.
 template <class T>
 Projection<T> projection_of(T x_scale, T y_scale, T near, T far) {
   const T z_scale = far / (far - near);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 
 namespace gradus {
 namespace {

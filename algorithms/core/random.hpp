@@ -11,8 +11,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus {
 

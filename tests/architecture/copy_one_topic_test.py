@@ -45,7 +45,7 @@ class CopyOneTopic(unittest.TestCase):
         self.copy("core")
         self.copy(TOPIC)
         (self.folder / "main.cpp").write_text(PROGRAM, encoding="utf-8")
-        core = sorted(f for f in (self.folder / "core").glob("*.cpp") if f.name not in OUTER)
+        core = sorted(f for f in (self.folder / "core").rglob("*.cpp") if f.name not in OUTER)
         self.assertGreater(len(core), 0)
         self.compile("main.cpp", *core, "-o", "program", "-lfmt")
         self.assertEqual(project.run(self.folder / "program"), EXPECTED)

@@ -190,7 +190,7 @@ class Refusals(unittest.TestCase):
                              ("clipping/template", "'template' can't be a topic"),
                              ("clipping/fmt", "'fmt' can't be a topic"), ("clipping/core", "'core' can't be a topic"),
                              ("clipping/exact_scalar", "'exact_scalar' can't be a topic"),
-                             ("modeling/turn", "algorithms/core/turn.hpp uses that name"),
+                             ("modeling/turn", "algorithms/core/arithmetic/turn.hpp uses that name"),
                              ("modeling/answers", "tests/benchmark/answers.hpp uses that name"),
                              ("modeling/ivec2", "algorithms/core/geometry.hpp uses that name")):
             with self.subTest(name):

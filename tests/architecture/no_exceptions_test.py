@@ -138,7 +138,7 @@ class NoExceptions(unittest.TestCase):
     def test_the_lists_hold_what_they_promise(self):
         files = sum(of_the_program() + of_all_else(), [])
         self.assertEqual(len(files), len(set(files)))
-        for path in ("algorithms/core/exact_scalar.cpp", "visualize/figure/layout.cpp", "visualize/theme/theme.cpp",
+        for path in ("algorithms/core/arithmetic/exact_scalar.cpp", "visualize/figure/layout.cpp", "visualize/theme/theme.cpp",
                      "visualize/stories/telling.cpp", "visualize/web/json.cpp", "pipeline/scene/obj.cpp", "pipeline/pipeline.hpp"):
             self.assertIn(path, files)
         for topic in project.topics():

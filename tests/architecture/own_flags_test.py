@@ -112,7 +112,7 @@ class OwnFlags(unittest.TestCase):
                 with self.subTest(compiler=compiler, flag=flag):
                     # Nothing else is wrong, either: seen once by compiling
                     how = "-fsyntax-only" if flag == NOT_EXACT[0] else "-E"
-                    found = self.errors(compiler, "-std=c++20", flag, how, "-include", "core/exact.hpp")
+                    found = self.errors(compiler, "-std=c++20", flag, how, "-include", "core/arithmetic/exact.hpp")
                     self.assertEqual(len(found), 1, found)
                     self.assertIn(FAST_MATH, found[0])
 
@@ -120,7 +120,7 @@ class OwnFlags(unittest.TestCase):
     def test_x87_is_refused(self):
         if not is_clang(project.COMPILER):
             found = self.errors(project.COMPILER, "-std=c++20", "-mfpmath=387", "-fsyntax-only", "-include",
-                                "core/exact.hpp")
+                                "core/arithmetic/exact.hpp")
             self.assertEqual(len(found), 1, found)
             self.assertIn("not for x87", found[0])
 

@@ -67,7 +67,8 @@ struct Property {
   std::vector<Kind> kinds{all_kinds.begin(), all_kinds.end()};
   /// An input of a kind.
   std::function<Input(Kind, Random&)> generate;
-  /// The error of any numbers at all; 0 where the promise says nothing of them. Throws only what shows a fault.
+  /// The error of any numbers at all; 0 where the promise says nothing of them. Throws only what shows a
+  /// fault.
   std::function<double(const Input&)> error;
   /// The flags with which `gradus figure TOPIC` draws the input; empty where it can't.
   std::function<std::vector<std::pair<std::string, std::string>>(const Input&)> arguments{};

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic/exact_scalar.hpp"
+#include "core/arithmetic/finite.hpp"
+#include "core/arithmetic/turn.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
-#include "core/finite.hpp"
-#include "core/turn.hpp"
 #include "stress/numbers.hpp"
 
 namespace gradus::stress {

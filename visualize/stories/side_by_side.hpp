@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
 #include "stories/telling.hpp"
 #include "stories/topic.hpp"
 

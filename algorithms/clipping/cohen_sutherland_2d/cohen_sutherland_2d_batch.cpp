@@ -13,7 +13,7 @@
 // After it
 #include <hwy/highway.h>
 
-#include "core/certified_lanes-inl.hpp"
+#include "core/arithmetic/certified_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::cohen_sutherland_2d::HWY_NAMESPACE {

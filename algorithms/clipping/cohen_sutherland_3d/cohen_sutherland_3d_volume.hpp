@@ -13,9 +13,9 @@
 #include <optional>
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
+#include "core/arithmetic/exact.hpp"
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
 
 namespace gradus::cohen_sutherland_3d {
 

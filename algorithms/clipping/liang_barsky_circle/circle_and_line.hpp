@@ -9,11 +9,11 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "core/arithmetic/exact.hpp"
+#include "core/arithmetic/exact_polynomial.hpp"
+#include "core/arithmetic/two_doubles.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
-#include "core/form.hpp"
 #include "core/geometry.hpp"
-#include "core/two_doubles.hpp"
 
 namespace gradus::liang_barsky_circle {
 

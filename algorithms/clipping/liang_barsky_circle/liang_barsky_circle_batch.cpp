@@ -13,7 +13,7 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 // After it
 #include <hwy/highway.h>
-#include "core/certified_lanes-inl.hpp"
+#include "core/arithmetic/certified_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::liang_barsky_circle::HWY_NAMESPACE {

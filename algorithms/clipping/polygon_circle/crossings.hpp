@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "clipping/liang_barsky_circle/circle_and_line.hpp"
-#include "core/exact.hpp"
-#include "core/form.hpp"
+#include "core/arithmetic/exact.hpp"
+#include "core/arithmetic/exact_polynomial.hpp"
 #include "core/points.hpp"
 
 namespace gradus::polygon_circle {

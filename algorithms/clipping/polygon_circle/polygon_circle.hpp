@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clipping/polygon_circle/crossings.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/observe.hpp"
 
 namespace gradus::polygon_circle {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <tuple>
 
+#include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
 #include "core/geometry.hpp"
 
 namespace gradus::sutherland_hodgman {

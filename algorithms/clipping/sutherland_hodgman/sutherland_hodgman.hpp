@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "clipping/sutherland_hodgman/convex_window.hpp"
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
 #include "core/observe.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus::sutherland_hodgman {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
-#include "core/exact.hpp"
 #include "core/observe.hpp"
 #include "core/points.hpp"
 

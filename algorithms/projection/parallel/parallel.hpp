@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "core/arithmetic/elementary.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 

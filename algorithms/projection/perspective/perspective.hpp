@@ -183,7 +183,7 @@ struct Divided {
 /// Steps: Multiplied.
 /// Accuracy: u is the rounding unit of T. x and y are within u |x| and u |y|, z is within u |z| and
 ///   u |z_scale view.z|, w is exact; z = near gives exactly 0; where
-///   the compiler fuses product and sum (see core/rounding.hpp) it may be off by 2^-53 |z_offset|.
+///   the compiler fuses product and sum (see core/arithmetic/rounding.hpp) it may be off by 2^-53 |z_offset|.
 /// Cost: 3 multiplications, 1 addition, no division.
 /// Errors: none.
 template <class T, Observer<Multiplied<T>> O = Unobserved>

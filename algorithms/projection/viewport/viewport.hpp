@@ -11,11 +11,11 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "core/arithmetic/finite.hpp"
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
-#include "core/finite.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus::viewport {
 

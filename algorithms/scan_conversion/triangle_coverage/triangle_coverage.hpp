@@ -13,10 +13,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus::triangle_coverage {
 

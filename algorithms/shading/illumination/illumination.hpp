@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "core/surface.hpp"

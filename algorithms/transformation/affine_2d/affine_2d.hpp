@@ -19,14 +19,14 @@
 #include <span>
 #include <vector>
 
+#include "core/arithmetic/elementary.hpp"
+#include "core/arithmetic/exact.hpp"
+#include "core/arithmetic/finite.hpp"
+#include "core/arithmetic/turn.hpp"
+#include "core/arithmetic/unbounded.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
-#include "core/exact.hpp"
-#include "core/finite.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
-#include "core/turn.hpp"
-#include "core/unbounded.hpp"
 
 namespace gradus::affine_2d {
 

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 #include "core/observe.hpp"
 
 namespace gradus::back_face_culling {

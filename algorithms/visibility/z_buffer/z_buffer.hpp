@@ -6,10 +6,10 @@
 #include <limits>
 #include <optional>
 
+#include "core/arithmetic/rounding.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 #include "core/raster.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus::z_buffer {
 

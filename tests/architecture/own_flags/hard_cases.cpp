@@ -13,10 +13,10 @@
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 #include "clipping/sutherland_hodgman/crossing.hpp"
-#include "core/elementary.hpp"
-#include "core/form.hpp"
+#include "core/arithmetic/elementary.hpp"
+#include "core/arithmetic/exact_polynomial.hpp"
+#include "core/arithmetic/two_doubles.hpp"
 #include "core/random.hpp"
-#include "core/two_doubles.hpp"
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
 namespace {

@@ -16,7 +16,7 @@
 #include "benchmark/clipping/segments.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "stress/clipping/circle_ends.hpp"
 
 namespace gradus::bench {

@@ -16,7 +16,7 @@
 
 #include "benchmark/subject.hpp"
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "support/circle_areas.hpp"
 
 namespace gradus::bench {

@@ -21,7 +21,7 @@
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/random.hpp"
 #include "stress/clipping/window_polygons.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "benchmark/subject.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "pipeline.hpp"
 #include "scene/framing.hpp"
 #include "scene/obj.hpp"

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
 #include "stress/clipping/floats.hpp"
 #include "stress/clipping/lanes.hpp"
 #include "stress/numbers.hpp"

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
 #include "stress/clipping/circle_ends.hpp"
 #include "stress/clipping/circle_scales.hpp"
 #include "stress/clipping/lanes.hpp"

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
 #include "core/geometry.hpp"
 #include "core/record.hpp"
 #include "stress/clipping/circle_ends.hpp"

@@ -13,9 +13,9 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
+#include "core/arithmetic/elementary.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
-#include "core/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "stress/clipping/window_polygons.hpp"
 #include "stress/last.hpp"

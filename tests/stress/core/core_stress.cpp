@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/arithmetic/turn.hpp"
+#include "core/arithmetic/unbounded.hpp"
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
-#include "core/turn.hpp"
-#include "core/unbounded.hpp"
 #include "stress/core/digits.hpp"
 #include "stress/core/exact_property.hpp"
 #include "stress/core/integers.hpp"

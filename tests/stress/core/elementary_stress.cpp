@@ -1,6 +1,6 @@
 // The promises of sin ... pow, against 50 digits, and of their special values, against C's.
 
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 
 #include <cmath>
 

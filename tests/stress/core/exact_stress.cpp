@@ -1,16 +1,16 @@
 // The promises of arithmetic without rounding: signs, sums, products and quotients, against whole numbers of
 // any length.
 
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 
 #include <algorithm>
 #include <array>
 
+#include "core/arithmetic/exact_polynomial.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
+#include "core/arithmetic/two_doubles.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
-#include "core/form.hpp"
 #include "core/geometry.hpp"
-#include "core/two_doubles.hpp"
 #include "stress/core/digits.hpp"
 #include "stress/core/exact_property.hpp"
 #include "stress/core/integers.hpp"

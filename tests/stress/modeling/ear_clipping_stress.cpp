@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "clipping/polygon_circle/crossings.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/axis_cut.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
 #include "core/geometry.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "projection/viewport/viewport.hpp"
 
 namespace gradus::stress {

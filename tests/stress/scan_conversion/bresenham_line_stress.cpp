@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
 #include "stress/scan_conversion/whole_numbers.hpp"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/contract.hpp"
-#include "core/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "stress/core/integers.hpp"
 #include "stress/numbers.hpp"

@@ -10,7 +10,7 @@
 
 #include "clipping/liang_barsky_circle/liang_barsky_circle_batch.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle_notes.hpp"
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
 

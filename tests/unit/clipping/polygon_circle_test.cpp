@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/record.hpp"
 
 namespace gradus::polygon_circle {

@@ -4,7 +4,7 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/record.hpp"
 

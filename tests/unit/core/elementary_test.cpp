@@ -1,4 +1,4 @@
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 
 #include <gtest/gtest.h>
 

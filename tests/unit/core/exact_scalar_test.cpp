@@ -1,4 +1,4 @@
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 
 #include <gtest/gtest.h>
 

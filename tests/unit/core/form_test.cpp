@@ -1,13 +1,13 @@
 // Forms of known value, at the ends of the range of double; signs with roots that cancel exactly.
 
-#include "core/form.hpp"
+#include "core/arithmetic/exact_polynomial.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "core/two_doubles.hpp"
+#include "core/arithmetic/two_doubles.hpp"
 
 namespace gradus {
 namespace {

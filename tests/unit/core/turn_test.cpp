@@ -1,6 +1,6 @@
 // Angles of every size, in radians and degrees.
 
-#include "core/turn.hpp"
+#include "core/arithmetic/turn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 
 namespace gradus {
 namespace {

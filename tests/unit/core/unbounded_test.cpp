@@ -1,13 +1,13 @@
 // Numbers without bounds: the bits of plain arithmetic where that stays in range, and the right result where
 // it does not.
 
-#include "core/unbounded.hpp"
+#include "core/arithmetic/unbounded.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 
 namespace gradus {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/record.hpp"
 

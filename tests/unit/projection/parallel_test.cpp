@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "projection/parallel/parallel_notes.hpp"
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "projection/perspective/perspective_notes.hpp"
 

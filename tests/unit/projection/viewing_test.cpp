@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/record.hpp"
 #include "projection/viewport/viewport_notes.hpp"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/record.hpp"
 #include "transformation/affine_3d/affine_3d_notes.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clipping/liang_barsky_circle/circle_and_line.hpp"
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "stories/paper.hpp"
 #include "stories/topic.hpp"
 

@@ -1,7 +1,7 @@
 // The story of the textbook chain: a small model's data before and after each stage, and one triangle and one
 // pixel followed through all eight.
 
-#include "core/exact_scalar.hpp"
+#include "core/arithmetic/exact_scalar.hpp"
 #include "pipeline.hpp"
 #include "stories/parameters.hpp"
 #include "stories/pipeline/chain_run.hpp"

@@ -1,6 +1,6 @@
 // How finely depth is stored: the smallest step that a depth buffer tells apart, against distance.
 
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {

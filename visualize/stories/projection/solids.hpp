@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
 #include "figure/wording.hpp"
 #include "stories/paper.hpp"

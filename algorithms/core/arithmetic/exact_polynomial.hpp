@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 
 namespace gradus {
 

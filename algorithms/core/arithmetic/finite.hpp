@@ -5,7 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "core/rounding.hpp"
+#include "core/arithmetic/rounding.hpp"
 
 namespace gradus {
 

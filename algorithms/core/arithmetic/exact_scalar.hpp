@@ -145,14 +145,15 @@ class std::numeric_limits<gradus::Exact> {
 };
 
 // Only now GLM, and what includes it
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 
 namespace gradus {
 
 using ExactVec2 = glm::vec<2, Exact>;
 using ExactVec3 = glm::vec<3, Exact>;
 
-/// The sign of the doubled area of a, b, c: +1 counter-clockwise, as for double (see core/exact.hpp).
+/// The sign of the doubled area of a, b, c: +1 counter-clockwise, as for double (see
+/// core/arithmetic/exact.hpp).
 inline int orient2d(const ExactVec2& a, const ExactVec2& b, const ExactVec2& c) {
   const ExactVec2 p = b - a, q = c - a;
   return sign(p.x * q.y - p.y * q.x);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <concepts>
 
+#include "core/arithmetic/elementary.hpp"
 #include "core/contract.hpp"
-#include "core/elementary.hpp"
 
 namespace gradus {
 

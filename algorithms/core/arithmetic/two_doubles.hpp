@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/exact.hpp"
+#include "core/arithmetic/exact.hpp"
 
 namespace gradus {
 

@@ -1,4 +1,4 @@
-#include "core/form.hpp"
+#include "core/arithmetic/exact_polynomial.hpp"
 
 #include <bit>
 

@@ -4,7 +4,7 @@
 // The libraries' functions differ in the last place (glibc, musl, …), and a figure or a trace would differ
 // with them. These use nothing but +, -, *, / and sqrt, which IEEE 754 fixes, on pairs of doubles
 // ("double-double", Dekker 1971), and round once at the end. They need round-to-nearest, and have the same
-// bits where the compiler fuses products and sums (see core/rounding.hpp).
+// bits where the compiler fuses products and sums (see core/arithmetic/rounding.hpp).
 //
 // For all of them. Domain: every double; special values as in C (ISO C Annex F), e.g. log(-1) = NaN,
 // log(0) = -infinity, atan2(-0, -1) = -pi; NaN comes out as one canonical NaN; errno is not touched.
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/rounding.hpp"
+#include "core/arithmetic/rounding.hpp"
 
 namespace gradus {
 

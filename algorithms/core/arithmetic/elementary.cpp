@@ -1,4 +1,4 @@
-#include "core/elementary.hpp"
+#include "core/arithmetic/elementary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/exact.hpp"
-#include "core/rounding.hpp"
+#include "core/arithmetic/exact.hpp"
+#include "core/arithmetic/rounding.hpp"
 
 namespace gradus {
 namespace {

@@ -3,8 +3,8 @@
 // of doubles, exact signs of orient2d and orient3d, and correctly rounded quotients.
 //
 // All of it needs round-to-nearest. It stays right where the compiler fuses products and sums (see
-// core/rounding.hpp): what must round alone is guarded, and every bound of an error holds with fewer
-// roundings, too.
+// core/arithmetic/rounding.hpp): what must round alone is guarded, and every bound of an error holds with
+// fewer roundings, too.
 
 #include <array>
 #include <cmath>
@@ -19,8 +19,8 @@
 #include <span>
 #include <type_traits>
 
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
-#include "core/rounding.hpp"
 
 namespace gradus {
 
