@@ -348,6 +348,7 @@ std::vector<Property> promises(const std::string& prefix, const char* careful_na
                  careful_name, [=](const Input& i) { return rounded_error<N, double>(i, careful); });
   rounded.unit = "ulp";
   rounded.bound = 0.5;
+  rounded.cases = 20'000;
   const auto kept = [=](const Clip<N>& of) { return careful(of.line, of.box, usual_order<N>()); };
   rounded.shares = {share<N>("kept", 0.25, [=](const auto& of) { return kept(of).has_value(); }),
                     share<N>("cut", 0.15, [=](const auto& of) { return kept(of) && kept(of) != of.line; }),
@@ -379,6 +380,7 @@ std::vector<Property> promises(const std::string& prefix, const char* careful_na
                  [=](const Input& i) { return std::isinf(off(i)) ? 0 : off(i); });
   measured.unit = "ulp";
   measured.bound = wrong;
+  measured.cases = 30'000;
   measured.kinds = {Kind::random, Kind::grazing};
   measured.traps.clear();
   measured.shares = {

@@ -294,6 +294,7 @@ Property decisions() {
               error<double>);
   it.unit = "ulp";
   it.bound = 0.63;
+  it.cases = 26'000;
   it.shares = {share("inside", 0.05,
                      [](const auto& of) { return exact_decision(of.segment, of.circle) == of.segment; }),
                share("cut", 0.1, is_cut),
@@ -314,6 +315,7 @@ Property floats() {
   });
   it.unit = "ulp";
   it.bound = 0.63;
+  it.cases = 20'000;
   // The ordinary shapes, and those at every scale of floats
   it.generate = [](Kind kind, Random& random) {
     constexpr Kind shapes[] = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::ties};
