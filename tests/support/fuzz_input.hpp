@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <climits>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <limits>
 #include <string_view>
 
@@ -69,26 +65,6 @@ class FuzzInput {
     return bits;
   }
 
-  /// Any int, often small, at the ends of the range, a power of two, or near the one before.
-  int integer() {
-    const int kind = below(8);
-    const int small = static_cast<std::int8_t>(byte());
-    std::int64_t value = small;
-    if (kind == 1) value = small * std::int64_t{100} + static_cast<std::int8_t>(byte());
-    if (kind == 2) value = std::int64_t{INT_MIN} + std::abs(small);
-    if (kind == 3) value = std::int64_t{INT_MAX} - std::abs(small);
-    if (kind == 4) value = (std::int64_t{1} << (small & 31)) * (small < 0 ? -1 : 1) + below(3) - 1;
-    if (kind == 5) value = static_cast<std::int32_t>(static_cast<std::uint32_t>(word()));
-    if (kind == 6) value = std::int64_t{last_integer_} + small / 8;
-    if (kind == 7) value = -std::int64_t{last_integer_} + small / 64;
-    last_integer_ = static_cast<int>(std::clamp<std::int64_t>(value, INT_MIN, INT_MAX));
-    return last_integer_;
-  }
-  glm::ivec2 cell() {
-    const int x = integer();
-    return {x, integer()};
-  }
-
   /// Any finite double whose size is 0 or lies between 2^lowest and 2^highest.
   double number(int lowest = -1074, int highest = 1023) {
     double x = raw_number();
@@ -101,18 +77,6 @@ class FuzzInput {
     }
     earlier_[next_++ % earlier_.size()] = x;
     return x;
-  }
-  glm::dvec2 point(int lowest = -1074, int highest = 1023) {
-    const double x = number(lowest, highest);
-    return {x, number(lowest, highest)};
-  }
-  glm::dvec3 space_point(int lowest = -1074, int highest = 1023) {
-    const glm::dvec2 xy = point(lowest, highest);
-    return {xy, number(lowest, highest)};
-  }
-  glm::dvec4 homogeneous_point(int lowest = -1074, int highest = 1023) {
-    const glm::dvec3 xyz = space_point(lowest, highest);
-    return {xyz, number(lowest, highest)};
   }
   /// NaN and the infinities too, now and then.
   double any_number() {
@@ -210,7 +174,6 @@ class FuzzInput {
   const std::uint8_t* end_;
   std::array<double, 8> earlier_{};
   std::size_t next_ = 0;
-  int last_integer_ = 0;
 };
 
 }  // namespace gradus::test
