@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Promise {
   std::string topic;
   const Property* property;
 };
+
+/// What ctest calls it.
+void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.property->name; }
 
 std::vector<Promise> promises() {
   std::vector<Promise> all;
