@@ -47,8 +47,8 @@ def matching(*patterns):
 def of_the_program():
     """What a page of some topics needs, in units: files that are compiled together."""
     stories = [f"visualize/stories/{topic}_story.cpp" for topic in TOPICS]
-    return [matching("algorithms/core/*.cpp"), matching("visualize/figure/*.cpp"), matching("visualize/stories/*.cpp"),
-            ["visualize/web/json.cpp", *stories]]
+    return [matching("algorithms/core/**/*.cpp"), matching("visualize/figure/*.cpp"), matching("visualize/stories/*.cpp"),
+            ["visualize/web/html.cpp", "visualize/web/json.cpp", *stories]]
 
 
 def of_all_else():

@@ -55,8 +55,8 @@ class Story {
     return event;
   }
   Decision decision(const Stepped& s) const {
-    return yes_or_no(words_, words_.say("question", {{"x", before_.x}, {"to", to_}}), s.column_reached,
-                     s.column_reached ? "along y" : "along x");
+    return yes_or_no(words_, "question", {{"x", before_.x}, {"to", to_}}, s.column_reached, "along y",
+                     "along x");
   }
 
   const Words& words_;
