@@ -164,7 +164,7 @@ std::string read_slots(FigureSpec& spec, const std::string& text) {
 
 std::string read_no_title(FigureSpec& spec, const std::string&) {
   spec.look.slots.erase(Slot::title);
-  if (spec.look.slots.empty()) refuse_flag("no-title", "another slot beside the title", "none");
+  if (spec.look.slots.empty()) refuse_flag("no-title", "another slot beside the title", "'none'");
   spec.said["slots"] = slots_text(spec.look.slots);
   return "";
 }
