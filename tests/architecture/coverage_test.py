@@ -18,7 +18,7 @@ def existing_names():
     """What there is, by kind. A test is known by its ctest name and, without the folder, by its GoogleTest name; unit
     tests also by their sources, for a build may leave them to another one."""
     listed = json.loads(project.run("ctest", "--show-only=json-v1", "--test-dir", project.BUILD))
-    tests = {test["name"] for test in listed["tests"]}
+    tests = {re.sub(r"  # GetParam\(\) = .*", "", test["name"]) for test in listed["tests"]}
     tests |= {re.sub(r"^.*?/(?=[A-Z]\w*[./])", "", name) for name in tests}
     for source in project.sources(project.ROOT, "tests/unit"):
         text = project.without_comments(source.read_text(encoding="utf-8"))
