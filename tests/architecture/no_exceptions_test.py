@@ -21,6 +21,7 @@ import project
 
 PROGRAM = pathlib.Path(__file__).resolve().parent / "no_exceptions/main.cpp"
 TOPICS = ("scan_conversion/bresenham_line", "clipping/liang_barsky")  # those of the program
+ALONE = "visualize/stories/clipping/polygon_circle_story.cpp"
 OUTER = {"algorithms/core/image.cpp", "pipeline/scene/files.cpp"}  # PNG, files
 ROOTS = ("visualize", "algorithms", "pipeline")
 PACKAGES = ("fmt/core.h", "glm/glm.hpp", "nlohmann/json.hpp", "boost/version.hpp")
@@ -52,12 +53,12 @@ def of_the_program():
 
 
 def of_all_else():
-    """What else a page may need, in units. Neighbours among stories may use a name twice: they are dealt out."""
+    """What else a page may need, in units. The last one's algorithm takes over another topic's entry()."""
     headers = matching("visualize/theme/*.cpp", *(f"algorithms/{topic.path}/*.hpp" for topic in project.topics()))
     stories = [path for path in matching("visualize/stories/*/*.cpp") if path not in of_the_program()[-1]]
     return [[path for path in headers if not path.endswith("_batch.hpp")],
             matching("pipeline/*/*.cpp", "pipeline/*.hpp", "pipeline/stages/*.hpp"),
-            *(stories[number::7] for number in range(7))]
+            [path for path in stories if path != ALONE], [ALONE]]
 
 
 def catalogue():

@@ -7,7 +7,7 @@
 namespace gradus::perspective {
 namespace {
 
-struct Task {
+struct BentTask {
   bool bent;  ///< the notes' transformation
   double near, far, wall;
   dvec3 from, to;
@@ -18,14 +18,14 @@ struct Task {
   double depth_of_wall() const { return image_of({0, 0, wall}).z; }
 };
 
-Task task_of(const Arguments& arguments, bool bent) {
-  const Task task{.bent = bent,
-                  .near = distance_of(arguments),
-                  .far = *arguments.number("far"),
-                  .wall = *arguments.number("wall"),
-                  .from = vector_of(arguments, "from"),
-                  .to = vector_of(arguments, "to"),
-                  .samples = static_cast<int>(arguments.integer("samples"))};
+BentTask task_of(const Arguments& arguments, bool bent) {
+  const BentTask task{.bent = bent,
+                      .near = distance_of(arguments),
+                      .far = *arguments.number("far"),
+                      .wall = *arguments.number("wall"),
+                      .from = vector_of(arguments, "from"),
+                      .to = vector_of(arguments, "to"),
+                      .samples = static_cast<int>(arguments.integer("samples"))};
   if (!(task.far > task.near)) {
     refuse(arguments, {"far", "distance"},
            fmt::format("expected a far plane beyond the distance {}, not at {}", task.near, task.far));
@@ -54,7 +54,7 @@ struct Sample {
 };
 
 /// The ends first, for the straight line runs between them.
-std::vector<Sample> samples_of(const Task& task) {
+std::vector<Sample> samples_of(const BentTask& task) {
   std::vector<Sample> samples{{"A", task.from}, {"B", task.to}};
   for (int i = 1; i <= task.samples; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(task.samples + 1);
@@ -63,9 +63,9 @@ std::vector<Sample> samples_of(const Task& task) {
   return samples;
 }
 
-class Story {
+class BentStory {
  public:
-  Story(const Words& words, const Task& task)
+  BentStory(const Words& words, const BentTask& task)
       : words_(words), task_(task), a_(task.image_of(task.from)), b_(task.image_of(task.to)) {
     Extent space, image;
     for (const dvec3 p : {task.from, task.to}) space.add({p.x, p.z});
@@ -270,7 +270,7 @@ class Story {
   }
 
   const Words& words_;
-  const Task& task_;
+  const BentTask& task_;
   const dvec3 a_, b_;  ///< the ends' images
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, image_ = space_;
   const std::vector<Sample> samples_ = samples_of(task_);
@@ -282,8 +282,8 @@ class Story {
 
 /// take(point, observer): what the method does with a point.
 template <class Take>
-void tell_line(Narrator& narrator, const Task& task, const Take& take) {
-  Story story(narrator.words(), task);
+void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
+  BentStory story(narrator.words(), task);
   require_scale(story.image_panel(), narrator.arguments(), {"from", "to", "wall", "distance", "far"});
   narrator.subtitle("subtitle.line", {{"from", place_text(task.from)}, {"to", place_text(task.to)}});
   narrator.paper(solids::paper_width, paper_height);
@@ -301,7 +301,7 @@ void tell_line(Narrator& narrator, const Task& task, const Take& take) {
 }  // namespace
 
 void tell_transformation(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), false);
+  const BentTask task = task_of(narrator.arguments(), false);
   narrator.list_below("divide");
   tell_line(narrator, task, [&task](dvec3 point, const auto& watch) {
     divide(transform(task.projection(), point, watch), watch);
@@ -309,7 +309,7 @@ void tell_transformation(Narrator& narrator) {
 }
 
 void tell_keep_z(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), true);
+  const BentTask task = task_of(narrator.arguments(), true);
   tell_line(narrator, task, [&task](dvec3 point, const auto& watch) { keep_z(task.near, point, watch); });
 }
 

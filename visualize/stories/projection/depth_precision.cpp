@@ -62,9 +62,9 @@ struct Curve {};
 constexpr int fine_points = 7, curve_points = 241;
 constexpr std::array table_places{2, 3, 5, 6};  ///< of the fine points
 
-class Story {
+class DepthStory {
  public:
-  Story(const Words& words, double near, double far) : words_(words), near_(near), far_(far) {
+  DepthStory(const Words& words, double near, double far) : words_(words), near_(near), far_(far) {
     const double left = decade(near_), right = decade(far_);
     // Right at its 0 a float curve is finer than any scale shows
     const double bottom = decade(step_at(kinds[1], near_)), top = decade(step_at(kinds[1], far_));
@@ -220,7 +220,7 @@ void tell_depth_precision(Narrator& narrator) {
     refuse("range", "expected 0 < near and a far plane 10 to 1e12 times as far, not {},{}", near, far);
   }
   const Words& words = narrator.words();
-  Story story(words, near, far);
+  DepthStory story(words, near, far);
   narrator.subtitle("subtitle.range", {{"near", short_depth(near)}, {"far", short_depth(far)}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"stored", false}});

@@ -11,7 +11,7 @@ enum class Way { tested, untested, zoom_minus_z };
 
 bool finite(dvec2 p) { return gradus::perspective::finite(p.x) && gradus::perspective::finite(p.y); }
 
-struct Task {
+struct DivisionTask {
   Way way;
   std::vector<dvec3> points;
   double zoom;
@@ -30,8 +30,8 @@ struct Task {
   double plane() const { return eye().y + (zooms() ? -scales.x : scales.x); }
 };
 
-Task task_of(const Arguments& arguments, Way way) {
-  Task task{.way = way, .points = arguments.places("points"), .zoom = *arguments.number("zoom")};
+DivisionTask task_of(const Arguments& arguments, Way way) {
+  DivisionTask task{.way = way, .points = arguments.places("points"), .zoom = *arguments.number("zoom")};
   const std::vector<double> scales = arguments.numbers("scales");
   const std::vector<double> centre = arguments.numbers("centre");
   const std::vector<double> range = arguments.numbers("range");
@@ -45,10 +45,10 @@ Task task_of(const Arguments& arguments, Way way) {
   return task;
 }
 
-class Story {
+class DivisionStory {
  public:
   /// multiplied_line: of the listing, where it has a call of transform rather than transform itself.
-  Story(const Words& words, const Task& task, std::optional<int> multiplied_line)
+  DivisionStory(const Words& words, const DivisionTask& task, std::optional<int> multiplied_line)
       : words_(words), task_(task), multiplied_line_(multiplied_line) {
     lay_out();
   }
@@ -282,7 +282,7 @@ class Story {
   }
 
   const Words& words_;
-  const Task& task_;
+  const DivisionTask& task_;
   const std::optional<int> multiplied_line_;
   double half_ = 1;  ///< of the picture's side
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
@@ -292,7 +292,8 @@ class Story {
 
 /// take(point, observer): what the method does with a point.
 template <class Take>
-void tell_points(Narrator& narrator, const Task& task, std::optional<int> multiplied_line, const Take& take) {
+void tell_points(Narrator& narrator, const DivisionTask& task, std::optional<int> multiplied_line,
+                 const Take& take) {
   std::string list;
   for (const dvec3 p : task.points) list += (list.empty() ? "" : ", ") + figure_place(p);
   narrator.trace().subtitle =
@@ -303,7 +304,7 @@ void tell_points(Narrator& narrator, const Task& task, std::optional<int> multip
   narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
   if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
   narrator.last_of_whole_is_telling();
-  Story story(narrator.words(), task, multiplied_line);
+  DivisionStory story(narrator.words(), task, multiplied_line);
   narrator.tell_each(story, task.points.size(),
                      [&](std::size_t i, const auto& watch) { take(task.points[i], watch); });
   narrator.result(story.result());
@@ -312,7 +313,7 @@ void tell_points(Narrator& narrator, const Task& task, std::optional<int> multip
 }  // namespace
 
 void tell_divide_tested(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), Way::tested);
+  const DivisionTask task = task_of(narrator.arguments(), Way::tested);
   narrator.list_below("divide");
   narrator.list_below("divide_tested");
   tell_points(narrator, task, std::nullopt, [&](dvec3 point, const auto& watch) {
@@ -321,7 +322,7 @@ void tell_divide_tested(Narrator& narrator) {
 }
 
 void tell_divide_untested(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), Way::untested);
+  const DivisionTask task = task_of(narrator.arguments(), Way::untested);
   const int call = narrator.trace().listing.front().number;
   tell_points(narrator, task, call, [&](dvec3 point, const auto& watch) {
     divide_untested(task.projection, task.in_view(point), watch);
@@ -329,7 +330,7 @@ void tell_divide_untested(Narrator& narrator) {
 }
 
 void tell_zoom_minus_z(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments(), Way::zoom_minus_z);
+  const DivisionTask task = task_of(narrator.arguments(), Way::zoom_minus_z);
   tell_points(narrator, task, std::nullopt,
               [&](dvec3 point, const auto& watch) { zoom_minus_z(task.screen(), point, watch); });
 }

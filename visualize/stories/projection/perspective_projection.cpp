@@ -12,9 +12,9 @@ solids::Scenery::Images images_of(const solids::Solid& solid, double d) {
   return images;
 }
 
-class Story {
+class ProjectionStory {
  public:
-  Story(const Words& words, double d, const solids::Solid& solid)
+  ProjectionStory(const Words& words, double d, const solids::Solid& solid)
       : words_(words),
         d_(d),
         progress_({words.wording(),
@@ -115,7 +115,7 @@ void tell_projection(Narrator& narrator) {
   narrator.columns({{"corner"}, {"point", false}, {"factor"}, {"image", false}});
   narrator.legend({{Role::input, "solid"}, Role::current, Role::past, Role::result});
   narrator.last_of_whole_is_telling();
-  Story story(narrator.words(), d, solid);
+  ProjectionStory story(narrator.words(), d, solid);
   narrator.tell_each(story, solid.corners.size(),
                      [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });
   narrator.result({{"images", std::ssize(solid.corners) - story.unseen()}});

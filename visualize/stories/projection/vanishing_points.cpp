@@ -22,7 +22,7 @@ struct Lines {
 };
 
 /// The box and its picture.
-struct Box {
+struct TurnedBox {
   double d = 1;
   solids::Solid solid{};
   std::vector<dvec2> images{};
@@ -31,8 +31,8 @@ struct Box {
   dvec3 own{0};  ///< a direction along its axes; 0: none
 };
 
-Box box_of(const Arguments& arguments) {
-  Box box{.d = distance_of(arguments)};
+TurnedBox box_of(const Arguments& arguments) {
+  TurnedBox box{.d = distance_of(arguments)};
   box.axes = axes_of(arguments);
   box.solid = placed(solids::box(), box.axes, vector_of(arguments, "at"));
   box.hidden = hidden_from_origin(box.solid);
@@ -53,7 +53,7 @@ int axis_of(const solids::Edge& edge) {
   return level ? 0 : 1;
 }
 
-Lines edges_along(const Words& words, const Box& box, int axis) {
+Lines edges_along(const Words& words, const TurnedBox& box, int axis) {
   constexpr std::string_view names[] = {"x", "y", "z"};
   const auto place = static_cast<std::size_t>(axis);
   Lines lines{std::string(names[place]), words.symbol(names[place]), box.axes[place]};
@@ -68,7 +68,7 @@ Lines edges_along(const Words& words, const Box& box, int axis) {
 
 /// Lines of the direction that is none of the box's: from each corner from where it leads into the box, to
 /// where it leaves it.
-Lines lines_inside(const Box& box) {
+Lines lines_inside(const TurnedBox& box) {
   const dvec3 own = box.own;
   Lines lines{"direction", place_text(own), own.x * box.axes[0] + own.y * box.axes[1] + own.z * box.axes[2]};
   const std::vector<dvec3> own_corners = solids::box().corners;
@@ -86,10 +86,10 @@ Lines lines_inside(const Box& box) {
   return lines;
 }
 
-class Story {
+class VanishingStory {
  public:
   /// by_plane: the line of the rule's listing that calls vanishing_point, of which it lists no more.
-  Story(const Words& words, const Box& box, std::optional<int> by_plane)
+  VanishingStory(const Words& words, const TurnedBox& box, std::optional<int> by_plane)
       : words_(words), box_(box), matrix_(matrix_onto(box.d)), by_plane_(by_plane) {
     for (const int axis : {0, 1, 2}) lines_.push_back(edges_along(words, box, axis));
     if (box.own != dvec3{0}) lines_.push_back(lines_inside(box));
@@ -251,7 +251,7 @@ class Story {
   }
 
   const Words& words_;
-  const Box& box_;
+  const TurnedBox& box_;
   const glm::dmat4 matrix_;
   const std::optional<int> by_plane_;
   std::vector<Lines> lines_;  ///< of x, y, z, and of the direction given
@@ -263,13 +263,13 @@ class Story {
 /// find(matrix, direction, observer): what the method does with a direction.
 template <class Find>
 void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find& find) {
-  const Box box = box_of(narrator.arguments());
+  const TurnedBox box = box_of(narrator.arguments());
   say_turn(narrator, "subtitle.box");
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
   narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, Role::result});
   narrator.last_of_whole_is_telling();
-  Story story(narrator.words(), box, by_plane);
+  VanishingStory story(narrator.words(), box, by_plane);
   narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
     find(story.matrix(), story.lines().direction, watch);
   });
