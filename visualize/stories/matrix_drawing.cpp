@@ -80,20 +80,20 @@ std::string figure_text(const Tuple& point) {
 }
 
 std::string factor_words(const Wording& words, const FactorText& factor) {
-  using Kind = FactorText::Kind;
+  using Verb = FactorText::Kind;
   const std::string by =
       factor.amount.size() == 1 ? figure_text(factor.amount[0]) : figure_text(factor.amount);
   std::string text;
   constexpr std::string_view keys[] = {"transformation.translate", "transformation.scale",
                                        "transformation.rotate", "transformation.shear"};
-  if (factor.kind != Kind::reflect)
+  if (factor.kind != Verb::reflect)
     text = words.say(keys[static_cast<std::size_t>(factor.kind)], arg("by", by));
-  if (factor.kind == Kind::reflect && factor.mirror != Mirror::line) {
+  if (factor.kind == Verb::reflect && factor.mirror != Mirror::line) {
     constexpr std::string_view names[] = {"x", "y", "origin", "diagonal"};
     text =
         words.say(fmt::format("transformation.reflect.{}", names[static_cast<std::size_t>(factor.mirror)]));
   }
-  if (factor.kind == Kind::reflect && factor.mirror == Mirror::line) {
+  if (factor.kind == Verb::reflect && factor.mirror == Mirror::line) {
     text = words.say("transformation.reflect.line", arg("a", figure_text(factor.line[0])),
                      arg("b", figure_text(factor.line[1])));
   }

@@ -287,14 +287,14 @@ TEST(ReadNumber, Refusals) {
             "expected a number like 3, -5, 1/3 or 0.25, found 'two'");
 }
 
-const std::vector<std::string> xy{"x", "y"}, xyz{"x", "y", "z"};
+const std::vector<std::string> parts_of_plane{"x", "y"}, parts_of_space{"x", "y", "z"};
 
 TEST(ReadTuple, Spellings) {
-  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("1/3,2", xy))), "1/3,2");
-  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("(-0.50, 4/2)", xy))), "-0.5,2");
-  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple(" 1e3 ,-0, .25", xyz))), "1000,0,0.25");
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("1/3,2", parts_of_plane))), "1/3,2");
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple("(-0.50, 4/2)", parts_of_plane))), "-0.5,2");
+  EXPECT_EQ(text_of(std::get<Tuple>(read_tuple(" 1e3 ,-0, .25", parts_of_space))), "1000,0,0.25");
   const auto complaint_of = [](std::string_view text) {
-    return std::get<Misread>(read_tuple(text, xy)).what;
+    return std::get<Misread>(read_tuple(text, parts_of_plane)).what;
   };
   EXPECT_EQ(complaint_of("3"), "expected 2 numbers x,y, found '3'");
   EXPECT_EQ(complaint_of("3,y"), "expected a number like 3, -5, 1/3 or 0.25, found 'y'");
@@ -306,16 +306,16 @@ TEST(ReadTuple, Spellings) {
 TEST(ReadTuples, Lists) {
   for (const char* text : {"0,0 6,0 6,3", "(0, 0) (6,0)(6 , 3)", "0,0;6,0;6,3",
                            "# corners\n0,0\n6,0 # right\n\n6,3\n", "0 ,0  6, 0 6 , 3"}) {
-    const auto read = read_tuples(text, xy);
+    const auto read = read_tuples(text, parts_of_plane);
     ASSERT_TRUE(std::holds_alternative<std::vector<Tuple>>(read)) << text << std::get<Misread>(read).what;
     EXPECT_EQ(text_of(std::get<std::vector<Tuple>>(read)), "0,0 6,0 6,3") << text;
   }
 }
 
 TEST(ReadTuples, ErrorsNameThePoint) {
-  EXPECT_EQ(std::get<Misread>(read_tuples("0,0 6 6,3", xy)).what,
+  EXPECT_EQ(std::get<Misread>(read_tuples("0,0 6 6,3", parts_of_plane)).what,
             "point 2: expected 2 numbers x,y, found '6'");
-  EXPECT_EQ(std::get<Misread>(read_tuples(" ", xy)).what,
+  EXPECT_EQ(std::get<Misread>(read_tuples(" ", parts_of_plane)).what,
             "expected points x,y with spaces between them, found ' '");
 }
 
@@ -375,7 +375,7 @@ TEST(Canonical, BoundsNameWhatIsSwapped) {
 }
 
 TEST(Canonical, PointsAreCounted) {
-  Parameter polygon = with_parts(ParameterType::points, xy);
+  Parameter polygon = with_parts(ParameterType::points, parts_of_plane);
   polygon.least = 3;
   polygon.most = 4;
   EXPECT_EQ(canonical(polygon, "0,0; 6,0; 6,3"), "0,0 6,0 6,3");
@@ -395,7 +395,7 @@ TEST(Canonical, OrderHasEveryChoiceOnce) {
 }
 
 TEST(Canonical, RingsAreListsOfPoints) {
-  Parameter holes = with_parts(ParameterType::rings, xy);
+  Parameter holes = with_parts(ParameterType::rings, parts_of_plane);
   holes.least = 3;
   holes.most = 7;
   EXPECT_EQ(canonical(holes, "0,0 6,0 6,3"), "0,0 6,0 6,3");
@@ -444,14 +444,15 @@ TEST(Arguments, ReadWhatTheirTypesSay) {
   Parameter order = parameter(ParameterType::order);
   order.choices = {"left", "right", "bottom", "top"};
   Arguments arguments;
-  arguments.set(written("line", with_parts(ParameterType::numbers, xy), "1/2,-3"));
-  arguments.set(written("polygon", with_parts(ParameterType::points, xy), "0,0 6,0 6,3"));
-  arguments.set(written("corners", with_parts(ParameterType::points, xyz), "0,0,1 6,0,2"));
-  arguments.set(written("eye", with_parts(ParameterType::numbers, xyz), "1,2,3"));
+  arguments.set(written("line", with_parts(ParameterType::numbers, parts_of_plane), "1/2,-3"));
+  arguments.set(written("polygon", with_parts(ParameterType::points, parts_of_plane), "0,0 6,0 6,3"));
+  arguments.set(written("corners", with_parts(ParameterType::points, parts_of_space), "0,0,1 6,0,2"));
+  arguments.set(written("eye", with_parts(ParameterType::numbers, parts_of_space), "1,2,3"));
   arguments.set(written("fov", parameter(ParameterType::number), "100/3"));
   arguments.set({.name = "none", .text = ""});
   arguments.set(written("order", order, "top,left,right,bottom"));
-  arguments.set(written("factors", with_parts(ParameterType::factors, xy), "rotate 30 about 1,1; scale 2"));
+  arguments.set(
+      written("factors", with_parts(ParameterType::factors, parts_of_plane), "rotate 30 about 1,1; scale 2"));
   EXPECT_EQ(arguments.numbers("line"), (std::vector<double>{0.5, -3}));
   EXPECT_EQ(arguments.points("polygon"), (std::vector<dvec2>{{0, 0}, {6, 0}, {6, 3}}));
   EXPECT_EQ(arguments.places("corners"), (std::vector<dvec3>{{0, 0, 1}, {6, 0, 2}}));
