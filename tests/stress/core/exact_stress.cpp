@@ -279,7 +279,7 @@ double polynomial_error(const Input& i) {
   Integer shown = fixed(digits.value) + fixed(digits.error);
   const int shift = exponent + 2 * 1074;
   shift >= 0 ? shown <<= shift : exact <<= -shift;
-  return abs(shown - exact) << 104 <= abs(exact) ? 0 : wrong;
+  return (abs(shown - exact) << 104) <= abs(exact) ? 0 : wrong;
 }
 
 /// a c + b sqrt(c d) + e sqrt(f g): a, b, c, d, e, f, g.

@@ -15,6 +15,7 @@
 #include "scan_conversion/bresenham_circle/bresenham_circle_batch.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
 #include "stress/scan_conversion/nearest_pixels.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus::bresenham_circle {
 namespace {
@@ -127,6 +128,7 @@ TEST(BresenhamCircle, EachPixelOnce) {
 }
 
 TEST(BresenhamCircle, EveryRadiusTo2000IsTheNearestSet) {
+  if (test::sanitized) GTEST_SKIP() << "takes a minute with sanitizers; other builds run it";
   // G001-14: the worst pixel of all, and the worst of the notes
   double worst = 0, notes_worst = 0;
   int worst_radius = 0, notes_radius = 0, past_diagonal = 0;
