@@ -87,8 +87,7 @@ void add_models(Words& words) {
   add_files(words, {".obj"});
 }
 
-// --- Values of flags
-// -----------------------------------------------------------------------------------------
+// --- Values of flags -----------------------------------------------------------------------------
 
 /// A flag that may be given here: a command's, a parameter of the topic, or --method.
 struct Offer {
@@ -159,8 +158,7 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
   }
 }
 
-// --- The line so far
-// -----------------------------------------------------------------------------------------
+// --- The line so far -----------------------------------------------------------------------------
 
 /// A command line as far as it has been typed, read word by word.
 class Line {

@@ -21,8 +21,7 @@
 namespace gradus::cli {
 namespace {
 
-// --- Texts
-// -------------------------------------------------------------------------------------------------------
+// --- Texts ---------------------------------------------------------------------------------------
 
 Colophon colophon_of(const FigureSpec& spec, const Trace& trace, std::span<const StepNumber> steps,
                      const std::string& description) {

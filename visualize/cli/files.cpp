@@ -41,8 +41,7 @@ bool write_all(int descriptor, std::string_view bytes) {
   throw WorkError(fmt::format("can't write {}: {}", shown(path), std::strerror(reason)));
 }
 
-// --- Incomplete files, to be removed when the program is stopped
-// --------------------------------------------------
+// --- Incomplete files, to be removed when the program is stopped ---------------------------------
 
 struct Incomplete {
   std::mutex mutex;

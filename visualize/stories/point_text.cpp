@@ -21,8 +21,7 @@ constexpr std::string_view number_hint = "a number like 3, -5, 1/3 or 0.25";
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-// --- Numbers
-// -----------------------------------------------------------------------------------------------------
+// --- Numbers -------------------------------------------------------------------------------------
 
 std::uint64_t magnitude(std::int64_t v) {
   return v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);

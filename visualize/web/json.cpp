@@ -19,8 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using SortedJson = nlohmann::json;
 
-// -- Text
-// ------------------------------------------------------------------------------------------------------
+// -- Text -----------------------------------------------------------------------------------------
 
 /// Makes JSON safe inside a <script> element too: no "</", "<!" or "<script" is left, no line separator of
 /// JavaScript, and no character that turns the direction of text. All of these can only stand inside string
@@ -80,8 +79,7 @@ class Lines {
   std::string indent_, text_;
 };
 
-// -- Values
-// ----------------------------------------------------------------------------------------------------
+// -- Values ---------------------------------------------------------------------------------------
 
 Json point(ivec2 p) { return Json::array({p.x, p.y}); }
 
@@ -130,8 +128,7 @@ std::string_view name_of(Standing standing) {
   return names[static_cast<std::size_t>(standing)];
 }
 
-// -- The drawing: compact, because a trace has many of these
-// -----------------------------------------------------
+// -- The drawing: compact, because a trace has many of these --------------------------------------
 
 int index_of(Role role) { return static_cast<int>(role); }
 
@@ -306,8 +303,7 @@ Json grid_json(const Grid& grid) {
   return out;
 }
 
-// -- Steps
-// -----------------------------------------------------------------------------------------------------
+// -- Steps ----------------------------------------------------------------------------------------
 
 /// Parts that a step doesn't have are left out, and those that no slot shows. The fields repeat the table's
 /// values: they go with it.

@@ -290,8 +290,7 @@ void boxes_and_view_volumes() {
   }
 }
 
-// --- Crossings and circles
-// ---------------------------------------------------------------------------------------------
+// --- Crossings and circles -----------------------------------------------------------------------
 
 namespace sh = sutherland_hodgman;
 

@@ -82,8 +82,7 @@ void polygons() {
   }
 }
 
-// --- Plain formulas: their bounds count roundings, and a fused operation has one less
-// -----------------------
+// --- Plain formulas: their bounds count roundings, and a fused operation has one less ------------
 
 constexpr double u = 0x1p-53;
 

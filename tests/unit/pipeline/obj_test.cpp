@@ -242,8 +242,7 @@ TEST(Obj, BrokenLibrariesAreToldWithTheirPlace) {
   EXPECT_THROW(load_obj("/"), InputError);
 }
 
-// --- What is forgiven
-// ------------------------------------------------------------------------------------------
+// --- What is forgiven ----------------------------------------------------------------------------
 
 /// The faces of a text as tinyobjloader reads them, as "position/texture/normal" words.
 std::vector<std::string> theirs(const std::string& text) {
@@ -365,8 +364,7 @@ TEST(Obj, UnknownStatementsAreLeftOutWithARemarkAKind) {
                               "l.mtl:4: 'bar' is no known statement of an MTL file and is left out"));
 }
 
-// --- What a model may name
-// --------------------------------------------------------------------------------------
+// --- What a model may name -----------------------------------------------------------------------
 
 /// A folder of its own with a model's folder in it, removed at the end.
 class ObjFiles : public testing::Test {
@@ -540,8 +538,7 @@ TEST(Obj, MessagesSpellOutWhatATerminalWouldActOn) {
   }
 }
 
-// --- The conformance models
-// ---------------------------------------------------------------------------------
+// --- The conformance models ----------------------------------------------------------------------
 
 /// The models that are refused, and a part of the reason. All others are read.
 const std::map<std::string, std::string>& refused() {

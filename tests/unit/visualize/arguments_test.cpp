@@ -19,8 +19,7 @@ std::string complaint(const Parameter& parameter, std::string_view text) {
   }
 }
 
-// --- canonical
-// ---------------------------------------------------------------------------------------------------
+// --- canonical -----------------------------------------------------------------------------------
 
 TEST(Canonical, Cell) {
   const Parameter cell = parameter(ParameterType::cell);
@@ -127,8 +126,7 @@ TEST(Canonical, MazeRows) {
   EXPECT_EQ(complaint(maze, ""), "value: expected a text file or rows like '#.#/...', found ''");
 }
 
-// --- Arguments
-// ---------------------------------------------------------------------------------------------------
+// --- Arguments -----------------------------------------------------------------------------------
 
 /// What the user wrote for a parameter of this type.
 Arguments::Entry written(std::string name, Parameter parameter, std::string_view text) {
@@ -187,8 +185,7 @@ TEST(Arguments, AnotherTypeIsTheProgramsMistake) {
   EXPECT_THROW(arguments.integer("unread"), ContractViolation) << "set without having been read";
 }
 
-// --- Texts inside messages
-// ---------------------------------------------------------------------------------------
+// --- Texts inside messages -----------------------------------------------------------------------
 
 TEST(Shown, PlainTextStays) {
   EXPECT_EQ(shown("3,4"), "'3,4'");
@@ -211,8 +208,7 @@ TEST(Shown, LongTextsAreCut) {
   EXPECT_TRUE(shown(std::string(100'000, 'x')).ends_with("…'"));
 }
 
-// --- Numbers and points
-// ------------------------------------------------------------------------------------------
+// --- Numbers and points --------------------------------------------------------------------------
 
 Number number(std::string_view text) {
   auto read = read_number(text);

@@ -39,8 +39,7 @@ std::string complaint(const std::function<void()>& call) {
   return "(no complaint)";
 }
 
-// --- Names
-// -------------------------------------------------------------------------------------------------------
+// --- Names ---------------------------------------------------------------------------------------
 
 const std::vector<std::string> topics{"bresenham_line", "bresenham_circle", "flood_fill", "bsp_tree"};
 
@@ -135,8 +134,7 @@ TEST(Names, AShellReadsTheQuotingAlike) {
   EXPECT_EQ(std::string(read, size), value);
 }
 
-// --- Steps
-// -------------------------------------------------------------------------------------------------------
+// --- Steps ---------------------------------------------------------------------------------------
 
 TEST(Steps, Numbers) {
   EXPECT_EQ(read_step("4"), (StepNumber{4, 0}));
@@ -174,8 +172,7 @@ TEST(Steps, RangesHoldWhatIsInThem) {
   EXPECT_FALSE(fine.holds({4, 0}));
 }
 
-// --- Files
-// -------------------------------------------------------------------------------------------------------
+// --- Files ---------------------------------------------------------------------------------------
 
 class Files : public testing::Test {
  protected:
@@ -326,8 +323,7 @@ TEST_F(Files, Fingerprints) {
   EXPECT_EQ(fingerprint("foobar"), "fnv1a:85944171f73967e8");
 }
 
-// --- Inputs
-// ------------------------------------------------------------------------------------------------------
+// --- Inputs --------------------------------------------------------------------------------------
 
 Trace no_run(const Arguments&, Recording) { return {}; }
 
@@ -405,8 +401,7 @@ TEST_F(Files, EitherMazeOrImage) {
             "--image: expected either this or --maze, found both");
 }
 
-// --- What a figure is to show
-// -----------------------------------------------------------------------------------
+// --- What a figure is to show --------------------------------------------------------------------
 
 /// "gradus figure bresenham_line --step 4" as the command line gives it.
 FigureSpec spec_of(const std::vector<std::string>& words) {
@@ -585,8 +580,7 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
   EXPECT_GT(kept, test::thinned(2000, 10));
 }
 
-// --- Terminal
-// ----------------------------------------------------------------------------------------------------
+// --- Terminal ------------------------------------------------------------------------------------
 
 // A file of four to seven bytes that begins like a WebP ended in an exception of the library
 TEST(Formats, AreKnownByContentHoweverShortTheFileIs) {

@@ -165,8 +165,7 @@ TEST(Language, EveryTextIsUsed) {
   EXPECT_EQ(unused, std::vector<std::string>());
 }
 
-// --- Filling in
-// ---------------------------------------------------------------------------------------------
+// --- Filling in ----------------------------------------------------------------------------------
 
 TEST(Wording, PutsInValuesSymbolsAndCounts) {
   const Wording plain, own = labelled({{"p", "d"}});
@@ -224,8 +223,7 @@ TEST(Wording, ATopicsSymbolsAreThoseOfItsSection) {
   EXPECT_TRUE(topic_symbols("").empty());
 }
 
-// --- Runs told in other words
-// ---------------------------------------------------------------------------------
+// --- Runs told in other words --------------------------------------------------------------------
 
 /// Words of letters, digits and "_"; letters of other scripts are letters.
 std::vector<std::string> words_in(std::string_view text) {
