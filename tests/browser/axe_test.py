@@ -27,7 +27,7 @@ WAYS = ((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'), (SIZES[0],
 EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 
 # All of axe-core's rules, its best practices too, and the least size of a target that WCAG 2.2 asks for.
-READ = '''return axe.run(document, {rules: {'target-size': {enabled: true}}}).then(
+READ = '''return axe.run(document, {resultTypes: ['violations'], rules: {'target-size': {enabled: true}}}).then(
     (found) => found.violations.flatMap((rule) => rule.nodes.map((node) =>
       `${rule.id}: ${node.target.join(' ')}: ${node.failureSummary.replace(/\\s+/g, ' ')}`)))'''
 
