@@ -128,7 +128,6 @@ TEST(BresenhamCircle, EachPixelOnce) {
 }
 
 TEST(BresenhamCircle, EveryRadiusTo2000IsTheNearestSet) {
-  if (test::sanitized) GTEST_SKIP() << "takes a minute with sanitizers; other builds run it";
   // G001-14: the worst pixel of all, and the worst of the notes
   double worst = 0, notes_worst = 0;
   int worst_radius = 0, notes_radius = 0, past_diagonal = 0;
@@ -136,7 +135,9 @@ TEST(BresenhamCircle, EveryRadiusTo2000IsTheNearestSet) {
     const Pixels circle = sorted(drawn({0, 0}, radius));
     ASSERT_EQ(std::ranges::adjacent_find(circle), circle.end()) << "twice, radius " << radius;
     ASSERT_EQ(static_cast<std::int64_t>(circle.size()), pixel_count(radius));
-    for (const auto& [x, y] : circle) {
+    // Wide integers take most of a sanitizer's minute
+    for (std::size_t i = 0; i < circle.size(); i += test::sanitized ? 50 : 1) {
+      const auto [x, y] = circle[i];
       ASSERT_TRUE(stress::on_circle({0, 0}, radius, {x, y})) << radius << ": " << x << ' ' << y;
     }
     const double off = radial_error(circle, radius);
