@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "stress/last.hpp"
+
 namespace gradus::stress {
 namespace {
 
@@ -37,6 +39,37 @@ TEST(Attack, FindsWhatIsPlanted) {
   EXPECT_EQ(finding.by_kind.at(Kind::huge), 500u);
   EXPECT_TRUE(finding.origin.starts_with("huge, case ")) << finding.origin;
   EXPECT_EQ(property.error(finding.input), 1);
+}
+
+TEST(Attack, CountsTheSharesOfItsCases) {
+  Property property = planted();
+  property.error = [](const Input&) { return 0.0; };
+  property.shares = {{"above 100", 0.1, [](const Input& i) { return i[0] > 100; }},
+                     {"always", 1, [](const Input&) { return true; }},
+                     {"never", 0, [](const Input&) { return false; }}};
+  const Finding finding = attack(property, 1, some);
+  ASSERT_EQ(finding.by_share.size(), 3u);
+  // A huge case's first number is above 100 in nearly every second one, a random case's never; traps do not
+  // count
+  EXPECT_GT(finding.by_share[0], 200u);
+  EXPECT_LT(finding.by_share[0], 300u);
+  EXPECT_EQ(finding.by_share[1], 1000u);
+  EXPECT_EQ(finding.by_share[2], 0u);
+}
+
+int computed = 0;
+bool is_negative(const Input& input) {
+  ++computed;
+  return std::signbit(input[0]);
+}
+
+TEST(Attack, KeepsWhatWasComputedForTheSameBits) {
+  computed = 0;
+  EXPECT_FALSE(last_of<is_negative>({0.0}));
+  EXPECT_TRUE(last_of<is_negative>({-0.0})) << "-0 is another input";
+  EXPECT_FALSE(last_of<is_negative>({std::nan("")}));
+  EXPECT_FALSE(last_of<is_negative>({std::nan("")}));
+  EXPECT_EQ(computed, 3) << "NaN is the same one as before";
 }
 
 TEST(Attack, MakesTheInputSmall) {
