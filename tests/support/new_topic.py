@@ -64,7 +64,8 @@ def place_of(root, name):
 
 def targets(root):
     """What the build calls its parts: the words behind gradus:: and gradus_."""
-    files = [root / "CMakeLists.txt", *root.glob("cmake/*.cmake"), *root.glob("tests/CMakeLists.txt")]
+    files = [file for pattern in ("CMakeLists.txt", "tests/CMakeLists.txt", "algorithms/*.cmake", "visualize/*.cmake")
+             for file in root.glob(pattern)]
     return {name for file in files for name in re.findall(r"\bgradus(?:::|_)(\w+)", file.read_text(encoding="utf-8"))}
 
 
