@@ -362,7 +362,7 @@ std::vector<Property> promises(const std::string& prefix, const char* careful_na
 
   Property floats = promise<N>(prefix + "in_float", "every end is the nearest float, and the same relations",
                                careful_name, [=](const Input& i) {
-                                 const Input as = as_floats(i);
+                                 const Input as = rounded_to_floats(i);
                                  return std::max(rounded_error<N, float>(as, careful),
                                                  relations_error<N, float>(as, careful));
                                });

@@ -168,7 +168,8 @@ Input volume_input(Kind kind, Random& random) {
 
 /// Floats, among them coordinates that lie midway between two, but for less than a double shows.
 Input float_volume_input(Kind kind, Random& random) {
-  if (kind == Kind::denormal && random.unit() < 0.5) return as_floats(input_of(past_nothing(-149, random)));
+  if (kind == Kind::denormal && random.unit() < 0.5)
+    return rounded_to_floats(input_of(past_nothing(-149, random)));
   if (kind == Kind::ties && random.unit() < 0.5) {
     // Depths -2 and 2 - e at the left side: y comes to 1 + (k + 1/2) steps, and e/16 of a step more
     const double e = std::ldexp(whole(random, -3, 3), -40), y = 1 + std::ldexp(whole(random, 0, 1000), -23);
@@ -333,7 +334,7 @@ Property volumes() {
 Property float_volumes() {
   Property promised =
       volume_promise("view_volume_in_float", "the same in float, also midway between two of them",
-                     [](const Input& i) { return volume_error<float>(as_floats(i)); });
+                     [](const Input& i) { return volume_error<float>(rounded_to_floats(i)); });
   promised.generate = float_volume_input;
   return promised;
 }

@@ -11,7 +11,7 @@
 namespace gradus::stress {
 
 /// The numbers as floats, infinite beyond their range.
-inline Input as_floats(Input input) {
+inline Input rounded_to_floats(Input input) {
   for (double& x : input) {
     const bool fits = std::abs(x) <= double{std::numeric_limits<float>::max()};
     x = fits ? double{static_cast<float>(x)} : x * HUGE_VAL;
@@ -30,7 +30,7 @@ inline std::function<Input(Kind, Random&)> at_every_scale_of_floats(std::functio
                          : kind == Kind::huge ? static_cast<int>(random.uniform_int(20, 121))
                                               : static_cast<int>(random.uniform_int(-149, -20));
     for (double& x : input) x = std::ldexp(x, exponent);
-    input = as_floats(input);
+    input = rounded_to_floats(input);
     if (mend) mend(input);
     return input;
   };

@@ -311,7 +311,7 @@ Property decisions() {
 }
 Property floats() {
   Property it = promise("in_float", "the same in float", [](const Input& i) {
-    return std::max(error<float>(as_floats(i)), reversed_error<float>(as_floats(i)));
+    return std::max(error<float>(rounded_to_floats(i)), reversed_error<float>(rounded_to_floats(i)));
   });
   it.unit = "ulp";
   it.bound = 0.63;
@@ -327,7 +327,7 @@ Property floats() {
     if (kind == Kind::huge) scale(input, static_cast<int>(random.uniform_int(20, 120)));
     if (kind == Kind::tiny || kind == Kind::denormal)
       scale(input, -static_cast<int>(random.uniform_int(20, 149)));
-    return as_floats(input);
+    return rounded_to_floats(input);
   };
   it.kinds.pop_back();
   return it;

@@ -640,8 +640,8 @@ Property order() {
 Property floats() {
   Property it = promise("area_in_float", "the same of floats", area_error<float>);
   it.kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::ties};
-  it.generate = [](Kind kind, Random& random) { return as_floats(shape(kind, random)); };
-  it.error = [](const Input& i) { return area_error<float>(as_floats(i)); };
+  it.generate = [](Kind kind, Random& random) { return rounded_to_floats(shape(kind, random)); };
+  it.error = [](const Input& i) { return area_error<float>(rounded_to_floats(i)); };
   it.traps.clear();
   it.cases = 3'000;
   return measured(it, "of that", 1);
