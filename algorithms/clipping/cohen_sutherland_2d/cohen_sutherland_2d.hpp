@@ -32,7 +32,7 @@ Code region_code(glm::vec<2, T> p, const Rectangle<T>& window) {
 }
 
 /// The first border of the order whose bit is set. Domain: code is not 0.
-constexpr Border first_of(const Order& order, Code code) {
+constexpr Border first(const Order& order, Code code) {
   for (const Border border : order) {
     if (code & bit(border)) return border;
   }
@@ -54,8 +54,6 @@ template <class T>
 struct Cut {
   bool of_a;  ///< whether a was moved, not b
   Border border;
-  glm::vec<2, T> from;  ///< where it was,
-  Code before;          ///< and its code there
   Segment<2, T> line;   ///< what is left,
   Code code_a, code_b;  ///< and its codes
 
@@ -75,6 +73,21 @@ struct Rejected {
   Code common;
 };
 
+// --- Ends --------------------------------------------------------
+
+/// An end of what is left: a point, and its code.
+template <class T>
+struct End {
+  glm::vec<2, T> at;
+  Code code;
+};
+
+/// An end that has not moved.
+template <class T = double>
+End<T> end_in(glm::vec<2, T> p, const Rectangle<T>& window) {
+  return {p, region_code(p, window)};
+}
+
 // --- The taught method -------------------------------------------
 
 /// Where the line from a to b meets a border, in the arithmetic of T. Domain: it does.
@@ -85,6 +98,12 @@ glm::vec<2, T> meet(glm::vec<2, T> a, glm::vec<2, T> b, Border border, const Rec
     return {c, a.y + (b.y - a.y) * (c - a.x) / (b.x - a.x)};
   }
   return {a.x + (b.x - a.x) * (c - a.y) / (b.y - a.y), c};
+}
+
+/// The end where what is left from a to b meets a border, rounded, and the code of the rounded point.
+template <class T>
+End<T> cut(const End<T>& a, const End<T>& b, Border border, const Rectangle<T>& window) {
+  return end_in(meet(a.at, b.at, border, window), window);
 }
 
 /// The part of a segment that lies in a window, each cut computed from what the last one left over.
@@ -108,54 +127,35 @@ template <class T = double, Observer<Classified<T>, Cut<T>, Accepted<T>, Rejecte
 std::optional<Segment<2, T>> cut_of_a_cut(Segment<2, T> line, const Rectangle<T>& window,
                                           const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  auto [a, b] = line;
-  Code code_a = region_code(a, window);
-  Code code_b = region_code(b, window);
-  if constexpr (observed<O>) observer(Classified<T>{line, window, code_a, code_b});
+  End<T> a = end_in(line.a, window);
+  End<T> b = end_in(line.b, window);
+  if constexpr (observed<O>) observer(Classified<T>{line, window, a.code, b.code});
   int cuts = 0;
   // Both beyond one border: reject
-  while ((code_a & code_b) == 0) {
+  while ((a.code & b.code) == 0) {
     // Both inside: accept
-    if ((code_a | code_b) == 0) {
-      if constexpr (observed<O>) observer(Accepted<T>{{a, b}});
-      return Segment{a, b};
+    if ((a.code | b.code) == 0) {
+      if constexpr (observed<O>) observer(Accepted<T>{{a.at, b.at}});
+      return Segment{a.at, b.at};
     }
     if (++cuts > 4) break;
     // Move an end that is outside
     // to a border of its code
-    const bool of_a = code_a != 0;
-    auto& end = of_a ? a : b;
-    Code& code = of_a ? code_a : code_b;
-    const auto border = first_of(order, code);
-    const auto from = end;
-    const Code before = code;
-    end = meet(a, b, border, window);
-    code = region_code(end, window);
-    if constexpr (observed<O>) observer(Cut<T>{of_a, border, from, before, {a, b}, code_a, code_b});
+    End<T>& end = a.code ? a : b;
+    auto to = first(order, end.code);
+    end = cut(a, b, to, window);
+    if constexpr (observed<O>) observer(Cut<T>{&end == &a, to, {a.at, b.at}, a.code, b.code});
   }
-  if constexpr (observed<O>) observer(Rejected{static_cast<Code>(code_a & code_b)});
+  if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;
 }
 
 // --- The method without rounding errors --------------------------
 
-/// An end on its way: where it is to the nearest number, and the code of the exact point.
-template <class T>
-struct End {
-  glm::vec<2, T> at;
-  Code code;
-};
-
-/// An end that has not moved.
-template <class T = double>
-End<T> end_in(glm::vec<2, T> p, const Rectangle<T>& window) {
-  return {p, region_code(p, window)};
-}
-
 /// The end where the original line meets a border: correctly rounded, its code exact. Only where the rounded
 /// coordinate falls onto a border is there something to decide.
 template <class T>
-End<T> end_at(const Segment<2, T>& line, Border border, const Rectangle<T>& window) {
+End<T> cut(const Segment<2, T>& line, Border border, const Rectangle<T>& window) {
   const int axis = axis_of(border), other = 1 - axis;
   const T c = coordinate(window, border);
   End<T> end{cut_point(line, axis, c), 0};
@@ -200,14 +200,12 @@ std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectang
     }
     // One cut a border is enough
     if (++cuts > 4) break;
-    // Move an end that is outside to a border
-    // of its code, along the original line
-    const bool of_a = a.code != 0;
-    End<T>& end = of_a ? a : b;
-    auto border = first_of(order, end.code);
-    const End<T> old = end;
-    end = end_at(line, border, window);
-    if constexpr (observed<O>) observer(Cut<T>{of_a, border, old.at, old.code, {a.at, b.at}, a.code, b.code});
+    // Move an end that is outside
+    // along the line as it was given
+    End<T>& end = a.code ? a : b;
+    auto to = first(order, end.code);
+    end = cut(line, to, window);
+    if constexpr (observed<O>) observer(Cut<T>{&end == &a, to, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
   return std::nullopt;

@@ -38,28 +38,26 @@ std::optional<Segment<2, T>> codes_only(Segment<2, T> line, const Rectangle<T>& 
                                         const Order& order = usual_order<2>(), int rounds = 8,
                                         O&& observer = {}) {
   expect_clippable(line, window);
-  const auto [a, b] = line;
-  Code code_a = region_code(a, window);
-  Code code_b = region_code(b, window);
-  if constexpr (observed<O>) observer(Classified<T>{line, window, code_a, code_b});
+  End<T> a = end_in(line.a, window);
+  End<T> b = end_in(line.b, window);
+  if constexpr (observed<O>) observer(Classified<T>{line, window, a.code, b.code});
   for (int i = 0; i < rounds; ++i) {
-    if ((code_a | code_b) == 0) {
+    if ((a.code | b.code) == 0) {
       if constexpr (observed<O>) observer(Accepted<T>{line});
       return line;
     }
-    if ((code_a & code_b) != 0) {
-      if constexpr (observed<O>) observer(Rejected{static_cast<Code>(code_a & code_b)});
+    if ((a.code & b.code) != 0) {
+      if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
       return std::nullopt;
     }
     // Where the line meets a border
-    Code out = code_a ? code_a : code_b;
-    auto border = first_of(order, out);
-    auto at = meet(a, b, border, window);
+    End<T>& out = a.code ? a : b;
+    auto to = first(order, out.code);
+    auto met = cut(a, b, to, window);
     // Only its code goes to an end
-    const bool of_a = border == Border::left;
-    Code& code = of_a ? code_a : code_b;
-    code = region_code(at, window);
-    if constexpr (observed<O>) observer(Recoded<T>{of_a, border, at, code_a, code_b});
+    bool of_a = to == Border::left;
+    (of_a ? a : b).code = met.code;
+    if constexpr (observed<O>) observer(Recoded<T>{of_a, to, met.at, a.code, b.code});
   }
   if constexpr (observed<O>) observer(GaveUp{rounds});
   return std::nullopt;
@@ -83,19 +81,20 @@ template <class T = double, Observer<Classified<T>, Accepted<T>, Rejected> O = U
 std::optional<Segment<2, T>> whole_or_nothing(Segment<2, T> line, const Rectangle<T>& window,
                                               O&& observer = {}) {
   expect_clippable(line, window);
-  const auto code_of = [&](auto node) {
+  const auto [low, high] = window;
+  auto code_of = [=](auto node) {
     Code code = 0;
-    if (node.x < window.lower.x) code |= 1;
-    if (node.x > window.upper.x) code |= 2;
+    if (node.x < low.x) code |= 1;
+    if (node.x > high.x) code |= 2;
     // Misprinted: node.y was meant
-    if (node.x < window.lower.y) code |= 4;
-    if (node.y > window.upper.y) code |= 8;
+    if (node.x < low.y) code |= 4;
+    if (node.y > high.y) code |= 8;
     return code;
   };
   Code code_a = code_of(line.a);
   Code code_b = code_of(line.b);
   if constexpr (observed<O>) observer(Classified<T>{line, window, code_a, code_b});
-  // Both inside: all of it; else nothing
+  // All of it, or nothing
   Code outside = code_a | code_b;
   if (outside != 0) {
     if constexpr (observed<O>) observer(Rejected{outside});

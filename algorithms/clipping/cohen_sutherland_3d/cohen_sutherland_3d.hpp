@@ -3,8 +3,8 @@
 // of six bits that says beyond which faces it lies. Codes without a bit: accept; a bit in common: reject;
 // else an end that is outside moves along the segment to a face of its code, and the question is asked again.
 //
-// The methods take any region of which they know outside, meet, end_at and expect_clippable: a box here, the
-// view volume before the division by w in cohen_sutherland_3d_volume.hpp.
+// The methods take any region of which they know outside, meet, end_at and expect_clippable: a box along the
+// axes here; in cohen_sutherland_3d_volume.hpp the view volume, which is a box once it is divided by w.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -64,8 +64,6 @@ template <int N, class T>
 struct Cut {
   bool of_a;  ///< whether a was moved, not b
   Border face;
-  glm::vec<N, T> from;  ///< where it was,
-  Code before;          ///< and its code there
   Segment<N, T> line;   ///< what is left,
   Code code_a, code_b;  ///< and its codes
 
@@ -85,6 +83,30 @@ struct Rejected {
   Code common;
 };
 
+// --- Ends on their way -------------------------------------------
+
+/// What stands where nothing of a segment lies inside.
+inline constexpr std::nullopt_t nothing = std::nullopt;
+
+/// An end on its way: where it is, to the nearest number, and its code.
+template <int N, class T>
+struct End {
+  glm::vec<N, T> at;
+  Code code;
+};
+
+/// A point with its code.
+template <int N, class T, class Region>
+constexpr End<N, T> coded(const glm::vec<N, T>& p, const Region& region) {
+  return {p, region_code(p, region)};
+}
+
+/// The first face of the order that an end lies beyond. Domain: its code is not 0.
+template <int N, class T>
+constexpr Border first_of(const Order& order, const End<N, T>& end) {
+  return first_of(order, end.code);
+}
+
 // --- The taught method -------------------------------------------
 
 /// Where the way from p, outside of a face, to q, which is not, comes to it, in the arithmetic of T.
@@ -99,10 +121,18 @@ constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, 
   return at;
 }
 
+/// Where the way from one end to the other comes to a face that just one of them lies beyond, in the
+/// arithmetic of T.
+template <int N, class T, class Region>
+constexpr End<N, T> cut(const End<N, T>& a, const End<N, T>& b, Border face, const Region& region) {
+  const bool from_a = (a.code & bit(face)) != 0;
+  return coded(from_a ? meet(a.at, b.at, face, region) : meet(b.at, a.at, face, region), region);
+}
+
 /// The part of a segment that lies in a box or in the view volume, each cut computed from what the last one
 /// left over.
-/// D. Cohen, I. Sutherland, about 1967; in three dimensions J. Foley, A. van Dam, S. Feiner, J. Hughes,
-/// Computer graphics: principles and practice, 2nd edition 1990, section 6.5.3.
+/// Source: D. Cohen, I. Sutherland, about 1967; in three dimensions J. Foley, A. van Dam, S. Feiner,
+/// J. Hughes, Computer graphics: principles and practice, 2nd edition 1990, section 6.5.3.
 ///
 /// T: float, double or gradus::Exact. line: any two points, in any units. region: an AxisBox<3, T>, whose
 ///   faces belong to it, or ViewVolume with a homogeneous line. order: of several faces that an end lies
@@ -117,64 +147,38 @@ constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, 
 ///   needs at most: rounding can put an end back outside of a face that it was cut at.
 /// Cost: six comparisons an end, one division a cut.
 /// Errors: ContractViolation for coordinates that are not finite, boxes that are inside out, and an order
-/// that
-///   leaves out a face.
+///   that leaves out a face.
 template <int N = 3, class T = double, class Region = AxisBox<N, T>,
           Observer<Classified<N, T>, Cut<N, T>, Accepted<N, T>, Rejected> O = Unobserved>
 std::optional<Segment<N, T>> cut_of_a_cut(Segment<N, T> line, const Region& region,
                                           const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
   expects(names_each_face(order), "an order of cutting names each of the six faces once");
-  auto [a, b] = line;
-  Code code_a = region_code(a, region);
-  Code code_b = region_code(b, region);
-  if constexpr (observed<O>) observer(Classified<N, T>{line, code_a, code_b});
+  End a = coded(line.a, region);
+  End b = coded(line.b, region);
+  if constexpr (observed<O>) observer(Classified<N, T>{line, a.code, b.code});
   int cuts = 0;
   // Both beyond one face: reject
-  while ((code_a & code_b) == 0) {
+  while ((a.code & b.code) == 0) {
     // Both inside: accept
-    if ((code_a | code_b) == 0) {
-      if constexpr (observed<O>) observer(Accepted<N, T>{{a, b}});
-      return Segment{a, b};
+    if ((a.code | b.code) == 0) {
+      if constexpr (observed<O>) observer(Accepted<N, T>{{a.at, b.at}});
+      return Segment{a.at, b.at};
     }
+    // Rounding may ask for more
     if (++cuts > 6) break;
-    // Move an end that is outside
+    // An end that is outside moves
     // to a face of its code
-    const bool of_a = code_a != 0;
-    auto& end = of_a ? a : b;
-    Code& code = of_a ? code_a : code_b;
-    auto face = first_of(order, code);
-    const auto from = end;
-    const Code before = code;
-    const auto& other = of_a ? b : a;
-    end = meet(end, other, face, region);
-    code = region_code(end, region);
-    if constexpr (observed<O>) observer(Cut<N, T>{of_a, face, from, before, {a, b}, code_a, code_b});
+    auto& end = a.code != 0 ? a : b;
+    auto face = first_of(order, end);
+    end = cut(a, b, face, region);
+    if constexpr (observed<O>) observer(Cut<N, T>{&end == &a, face, {a.at, b.at}, a.code, b.code});
   }
-  if constexpr (observed<O>) observer(Rejected{static_cast<Code>(code_a & code_b)});
-  return std::nullopt;
+  if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
+  return nothing;
 }
 
 // --- The method without rounding errors --------------------------
-
-/// An end on its way: where it is to the nearest number, and the code of the exact point.
-template <int N, class T>
-struct End {
-  glm::vec<N, T> at;
-  Code code;
-};
-
-/// An end as it came.
-template <int N, class T, class Region>
-End<N, T> coded(const glm::vec<N, T>& p, const Region& region) {
-  return {p, region_code(p, region)};
-}
-
-/// The step that moved an end.
-template <int N, class T>
-Cut<N, T> cut_of(bool of_a, Border face, const End<N, T>& old, const End<N, T>& a, const End<N, T>& b) {
-  return {of_a, face, old.at, old.code, {a.at, b.at}, a.code, b.code};
-}
 
 /// The end where the original line meets a face: correctly rounded, its code exact. Only where a rounded
 /// coordinate falls onto a face is there something to decide.
@@ -199,8 +203,7 @@ End<3, T> end_at(const Segment<3, T>& line, Border face, const AxisBox<3, T>& bo
 ///   gradus::Exact.
 ///
 /// Domain: all finite coordinates, from the subnormals to the largest; a box may be flat. Numbers that are 0
-/// or
-///   of 2^-300 to 2^300 in size take fast arithmetic nearly always.
+///   or of 2^-300 to 2^300 in size take fast arithmetic nearly always.
 /// Steps: Classified Cut* (Accepted | Rejected), at most 6 Cuts; Cut.to() is the rounded point. No face is
 ///   cut at twice: an end that was cut there never is beyond it again, and where both ends are the line is
 ///   rejected.
@@ -217,8 +220,8 @@ std::optional<Segment<N, T>> correctly_rounded(Segment<N, T> line, const Region&
                                                const Order& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, region);
   expects(names_each_face(order), "an order of cutting names each of the six faces once");
-  End<N, T> a = coded(line.a, region);
-  End<N, T> b = coded(line.b, region);
+  End a = coded(line.a, region);
+  End b = coded(line.b, region);
   if constexpr (observed<O>) observer(Classified<N, T>{line, a.code, b.code});
   int cuts = 0;
   // Both beyond one face: reject
@@ -230,17 +233,15 @@ std::optional<Segment<N, T>> correctly_rounded(Segment<N, T> line, const Region&
     }
     // One cut a face is enough
     if (++cuts > 6) break;
-    // Move an end that is outside to a face
-    // of its code, along the original line
-    const bool of_a = a.code != 0;
-    End<N, T>& end = of_a ? a : b;
-    auto face = first_of(order, end.code);
-    const End<N, T> old = end;
+    // An end that is outside moves to
+    // a face, along the original line
+    auto& end = a.code != 0 ? a : b;
+    auto face = first_of(order, end);
     end = end_at(line, face, region);
-    if constexpr (observed<O>) observer(cut_of(of_a, face, old, a, b));
+    if constexpr (observed<O>) observer(Cut<N, T>{&end == &a, face, {a.at, b.at}, a.code, b.code});
   }
   if constexpr (observed<O>) observer(Rejected{static_cast<Code>(a.code & b.code)});
-  return std::nullopt;
+  return nothing;
 }
 
 }  // namespace gradus::cohen_sutherland_3d

@@ -24,8 +24,8 @@ struct ViewVolume {};
 
 // --- Faces -----------------------------------------------------------------------------------------------
 
-/// How far inside of a face a point lies, as two numbers not added yet: w + x, w - x, w + y, w - y, z + 0, w
-/// - z.
+/// How far inside of a face a point lies, as two numbers not added yet: w + x, w - x, w + y, w - y, z + 0,
+/// w - z.
 template <class T>
 struct Depth {
   T base, offset;
@@ -193,8 +193,8 @@ inline float coordinate_at(const Crossing<float>& c, float a, float b) {
   return (other > nearest ? above : below) ? other : nearest;
 }
 
-/// The crossing divided by its w: (x / w, y / w, z / w, 1), each the nearest double. Domain: w is not 0
-/// there.
+/// The crossing divided by its w: (x / w, y / w, z / w, 1), each the nearest double.
+/// Domain: w is not 0 there.
 inline glm::dvec4 divided_at(const Crossing<double>& c, const glm::dvec4& a, const glm::dvec4& b) {
   glm::dvec4 point(1);
   const SumOfProducts<2> w = numerator_at(c, a.w, b.w);

@@ -3,7 +3,9 @@
 // border allows the values of t on one side of the t at which the segment crosses it. What all borders allow
 // is an interval, from the last entering to the first leaving; when it is empty nothing is left.
 
+#include <algorithm>
 #include <compare>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -58,6 +60,24 @@ struct Rejected {
 
 // --- The taught method -------------------------------------------
 
+/// Which way along its axis a border faces: -1 a lower one, 1 an upper one.
+constexpr std::int8_t outward(Border border) { return is_upper(border) ? 1 : -1; }
+
+/// What the step says of a border that allows the values with p t <= q.
+template <class T>
+Tested<T> tested(Border border, T p, T q, T enter, T leave) {
+  using enum Crossing;
+  if (p == 0) return {border, p, q, q < 0 ? outside : inside, T(0), enter, leave};
+  return {border, p, q, p < 0 ? enters : leaves, q / p, enter, leave};
+}
+
+/// The part of a segment a + t d from t = enter to t = leave; ends that are not cut are copied.
+template <int N, class T>
+Segment<N, T> part(const Segment<N, T>& line, T enter, T leave) {
+  const auto d = line.b - line.a;
+  return {enter > 0 ? line.a + enter * d : line.a, leave < 1 ? line.a + leave * d : line.b};
+}
+
 /// The part of a segment that lies in a window, in four divisions at most.
 /// Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, ACM Transactions on Graphics 3(1),
 /// 1984, 1-22.
@@ -77,42 +97,41 @@ template <class T = double, Observer<Started<T>, Tested<T>, Accepted<T>, Rejecte
 std::optional<Segment<2, T>> parametric(Segment<2, T> line, const Rectangle<T>& window,
                                         const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  const auto [a, b] = line;
-  const auto d = b - a;
-  T enter = T(0), leave = T(1);
-  using enum Crossing;
+  auto [a, b] = line;
+  auto d = b - a;
+  T enter = 0, leave = 1;
   if constexpr (observed<O>) observer(Started<T>{line, window, d});
-  for (const Border border : order) {
+  for (Border border : order) {
     // The border allows p t <= q
-    const int axis = axis_of(border);
-    const T c = coordinate(window, border);
-    T p = d[axis], q = c - a[axis];
-    if (!is_upper(border)) p = -p, q = -q;
-    T t = T(0);
-    auto comes = q < T(0) ? outside : inside;
-    // The last entering, the first leaving
-    if (p < T(0)) {
-      t = q / p;
-      comes = enters;
-      if (t > enter) enter = t;
-    } else if (p > T(0)) {
-      t = q / p;
-      comes = leaves;
-      if (t < leave) leave = t;
+    int axis = axis_of(border);
+    T c = coordinate(window, border);
+    T out = outward(border);
+    T p = out * d[axis];
+    T q = out * (c - a[axis]);
+    bool beyond = false;
+    if (p < 0) {
+      // Entering: the last t counts
+      enter = std::max(enter, q / p);
+      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
+    } else if (p > 0) {
+      // Leaving: the first t counts
+      leave = std::min(leave, q / p);
+      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
+    } else {
+      // Parallel: beyond the border?
+      beyond = q < 0;
+      if constexpr (observed<O>) observer(tested(border, p, q, enter, leave));
     }
-    if constexpr (observed<O>) observer(Tested<T>{border, p, q, comes, t, enter, leave});
     // Nothing left: reject
-    if (comes == outside || enter > leave) {
+    if (beyond || enter > leave) {
       if constexpr (observed<O>) observer(Rejected<T>{enter, leave});
       return std::nullopt;
     }
   }
-  // Put both values into the line
-  Segment<2, T> rest = line;
-  if (enter > T(0)) rest.a = a + enter * d;
-  if (leave < T(1)) rest.b = a + leave * d;
-  if constexpr (observed<O>) observer(Accepted<T>{rest, enter, leave});
-  return rest;
+  // Both values of t into the line
+  line = part(line, enter, leave);
+  if constexpr (observed<O>) observer(Accepted<T>{line, enter, leave});
+  return line;
 }
 
 // --- The method without rounding errors --------------------------
@@ -159,6 +178,8 @@ struct Narrowing {
   AxisBox<N, T> window;
   Span span{};
 
+  Narrowing(const Segment<N, T>& given, const AxisBox<N, T>& box) : line(given), window(box) {}
+
   /// The exact order in which the line comes to two borders.
   std::strong_ordering order_of(Border i, Border j) const {
     return compare_cuts(line, axis_of(i), coordinate(window, i), axis_of(j), coordinate(window, j));
@@ -188,6 +209,12 @@ struct Narrowing {
   }
 };
 
+/// What the step says of a border.
+template <class T, int N>
+Ordered<T> ordered(Border border, const Narrowing<N, T>& allowed, bool beyond) {
+  return {border, crossing_of(allowed.line, allowed.window, border), beyond, allowed.span};
+}
+
 /// The part of a segment that lies in a window, decided exactly, its ends correctly rounded: borders are
 /// compared by the exact order in which the line comes to them, and no value of t is ever rounded.
 ///
@@ -204,23 +231,22 @@ template <class T = double, Observer<Started<T>, Ordered<T>, Kept<T>, Missed> O 
 std::optional<Segment<2, T>> correctly_rounded(Segment<2, T> line, const Rectangle<T>& window,
                                                const Order& order = usual_order<2>(), O&& observer = {}) {
   expect_clippable(line, window);
-  Narrowing<2, T> narrowing{line, window};
+  Narrowing allowed(line, window);
   if constexpr (observed<O>) observer(Started<T>{line, window, line.b - line.a});
-  for (const Border border : order) {
-    // The last entering, the first leaving
-    bool left = narrowing.by(border);
-    const auto& span = narrowing.span;
-    if constexpr (observed<O>) observer(Ordered<T>{border, crossing_of(line, window, border), !left, span});
+  for (Border border : order) {
+    // Last entering, first leaving
+    bool left = allowed.by(border);
+    if constexpr (observed<O>) observer(ordered<T>(border, allowed, !left));
     // Nothing left: reject
     if (!left) {
-      if constexpr (observed<O>) observer(Missed{span});
+      if constexpr (observed<O>) observer(Missed{allowed.span});
       return std::nullopt;
     }
   }
   // The points at those two borders
-  Segment<2, T> rest = narrowing.rest();
-  if constexpr (observed<O>) observer(Kept<T>{rest, narrowing.span});
-  return rest;
+  line = allowed.rest();
+  if constexpr (observed<O>) observer(Kept<T>{line, allowed.span});
+  return line;
 }
 
 }  // namespace gradus::liang_barsky

@@ -2,6 +2,7 @@
 // Liang and Barsky's method in space: six faces in place of four borders, and the same two values of t, the
 // last entering and the first leaving.
 
+#include <algorithm>
 #include <glm/vec3.hpp>
 #include <optional>
 
@@ -58,42 +59,41 @@ template <class T = double, Observer<BoxStarted<T>, Tested<T>, BoxAccepted<T>, R
 std::optional<Segment<3, T>> box_parametric(Segment<3, T> line, const AxisBox<3, T>& box,
                                             const BoxOrder& order = usual_order<3>(), O&& observer = {}) {
   expect_clippable(line, box);
-  const auto [a, b] = line;
-  const auto d = b - a;
-  T enter = T(0), leave = T(1);
-  using enum Crossing;
+  auto [a, b] = line;
+  auto d = b - a;
+  T enter = 0, leave = 1;
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, d});
-  for (const Border face : order) {
+  for (Border face : order) {
     // The face allows p t <= q
-    const int axis = axis_of(face);
-    const T c = coordinate(box, face);
-    T p = d[axis], q = c - a[axis];
-    if (!is_upper(face)) p = -p, q = -q;
-    T t = T(0);
-    auto comes = q < T(0) ? outside : inside;
-    // The last entering, the first leaving
-    if (p < T(0)) {
-      t = q / p;
-      comes = enters;
-      if (t > enter) enter = t;
-    } else if (p > T(0)) {
-      t = q / p;
-      comes = leaves;
-      if (t < leave) leave = t;
+    int axis = axis_of(face);
+    T c = coordinate(box, face);
+    T out = outward(face);
+    T p = out * d[axis];
+    T q = out * (c - a[axis]);
+    bool beyond = false;
+    if (p < 0) {
+      // Entering: the last t counts
+      enter = std::max(enter, q / p);
+      if constexpr (observed<O>) observer(tested(face, p, q, enter, leave));
+    } else if (p > 0) {
+      // Leaving: the first t counts
+      leave = std::min(leave, q / p);
+      if constexpr (observed<O>) observer(tested(face, p, q, enter, leave));
+    } else {
+      // Parallel: beyond the face?
+      beyond = q < 0;
+      if constexpr (observed<O>) observer(tested(face, p, q, enter, leave));
     }
-    if constexpr (observed<O>) observer(Tested<T>{face, p, q, comes, t, enter, leave});
     // Nothing left: reject
-    if (comes == outside || enter > leave) {
+    if (beyond || enter > leave) {
       if constexpr (observed<O>) observer(Rejected<T>{enter, leave});
       return std::nullopt;
     }
   }
-  // Put both values into the line
-  Segment<3, T> rest = line;
-  if (enter > T(0)) rest.a = a + enter * d;
-  if (leave < T(1)) rest.b = a + leave * d;
-  if constexpr (observed<O>) observer(BoxAccepted<T>{rest, enter, leave});
-  return rest;
+  // Both values of t into the line
+  line = part(line, enter, leave);
+  if constexpr (observed<O>) observer(BoxAccepted<T>{line, enter, leave});
+  return line;
 }
 
 // --- The method without rounding errors --------------------------
@@ -107,32 +107,30 @@ std::optional<Segment<3, T>> box_parametric(Segment<3, T> line, const AxisBox<3,
 ///   2^300 in size take fast arithmetic nearly always.
 /// Steps: BoxStarted Ordered+ (BoxKept | Missed), at most 6 Ordered; BoxStarted.d is rounded.
 /// Accuracy: as cohen_sutherland_3d::correctly_rounded, and the same numbers: accepted exactly when segment
-/// and
-///   box have a point in common, a face's coordinate copied, the others 1/2 ulp.
-/// Cost: comparisons, five orders of some 3 ns at most, some 30 ns for each end that is cut; in doubt some
-/// us. Errors: as box_parametric.
+///   and box have a point in common, a face's coordinate copied, the others 1/2 ulp.
+/// Cost: comparisons, five orders of some 3 ns at most, some 30 ns for each end that is cut; in doubt 1 us.
+/// Errors: as box_parametric.
 template <class T = double, Observer<BoxStarted<T>, Ordered<T>, BoxKept<T>, Missed> O = Unobserved>
 std::optional<Segment<3, T>> box_correctly_rounded(Segment<3, T> line, const AxisBox<3, T>& box,
                                                    const BoxOrder& order = usual_order<3>(),
                                                    O&& observer = {}) {
   expect_clippable(line, box);
-  Narrowing<3, T> narrowing{line, box};
+  Narrowing allowed(line, box);
   if constexpr (observed<O>) observer(BoxStarted<T>{line, box, line.b - line.a});
-  for (const Border face : order) {
-    // The last entering, the first leaving
-    bool left = narrowing.by(face);
-    const auto& span = narrowing.span;
-    if constexpr (observed<O>) observer(Ordered<T>{face, crossing_of(line, box, face), !left, span});
+  for (Border face : order) {
+    // Last entering, first leaving
+    bool left = allowed.by(face);
+    if constexpr (observed<O>) observer(ordered<T>(face, allowed, !left));
     // Nothing left: reject
     if (!left) {
-      if constexpr (observed<O>) observer(Missed{span});
+      if constexpr (observed<O>) observer(Missed{allowed.span});
       return std::nullopt;
     }
   }
   // The points at those two faces
-  Segment<3, T> rest = narrowing.rest();
-  if constexpr (observed<O>) observer(BoxKept<T>{rest, narrowing.span});
-  return rest;
+  line = allowed.rest();
+  if constexpr (observed<O>) observer(BoxKept<T>{line, allowed.span});
+  return line;
 }
 
 }  // namespace gradus::liang_barsky

@@ -207,8 +207,8 @@ struct Chord {
 };
 
 /// The chord, 2^by times as large.
-/// Domain: two different points, reach >= 0. Accuracy: 2^-56 of the radius. Cost: about 0.1 us, in doubt 1
-/// us.
+/// Domain: two different points, reach >= 0. Accuracy: 2^-56 of the radius.
+/// Cost: about 0.1 us, in doubt 1 us.
 inline Chord chord_of(const Segment<2, double>& s, const Circle<double>& circle, int by) {
   const std::optional<RoundedLine> pairs = line_by_pairs(s, circle);
   const RoundedLine line = pairs ? *pairs : line_by_forms(s, circle);
@@ -219,7 +219,7 @@ inline Chord chord_of(const Segment<2, double>& s, const Circle<double>& circle,
 }
 
 /// x 2^by.
-inline double magnified(double x, int by) { return by == 0 ? x : std::scalbn(x, by); }
+inline double scaled_by(double x, int by) { return by == 0 ? x : std::scalbn(x, by); }
 
 /// The whole number nearest to a pair, as far as a double has it; of two as near either.
 inline double nearest_whole(Rounded x) {
@@ -229,62 +229,64 @@ inline double nearest_whole(Rounded x) {
   return rest > 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
 }
 
-/// The chord of the line in the order of its points' coordinates, so that it does not depend on the
-/// direction. Of the smallest circles it is counted in units of the smallest double, where foot and half
-/// would lose digits else, and of the largest it is made smaller, where sums would overflow.
+/// A segment and its line's chord, which is computed in the order of the ends' coordinates, so that it does
+/// not depend on the direction. Of the smallest circles it is counted in units of the smallest double, where
+/// foot and half would lose digits else, and of the largest it is made smaller, where sums would overflow.
 struct PlacedChord {
+  Segment<2, double> segment;
+  Circle<double> circle;
   Chord chord;
   bool turned;    ///< its direction is that of to -> from
   int magnified;  ///< the chord is 2^magnified times as large
   double radius;  ///< the circle's, as many times as large
+
+  /// The point where the segment enters or leaves the circle; inside the segment's box.
+  /// Domain: the segment does so. Accuracy: 0.63 ulp of max(|coordinate|, radius). Turned round, the segment
+  /// leaves at the same bits where it entered.
+  dvec2 crossing(bool leaves) const {
+    const bool second = leaves != turned;
+    const double x = placed_at(circle.centre.x, chord.x(second));
+    const double y = placed_at(circle.centre.y, chord.y(second));
+    const auto& [a, b] = segment;
+    return {std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x)),
+            std::clamp(y, std::min(a.y, b.y), std::max(a.y, b.y))};
+  }
+  /// Where the segment enters, its first end being outside. `to`: the side of the other end; on the circle,
+  /// and not past the foot, it is the only point the two share. Domain, accuracy: those of crossing.
+  dvec2 entry(int to) const {
+    if (to == 0 && past_foot(segment.b, segment, circle.centre) <= 0) return segment.b;
+    return crossing(false);
+  }
+  /// Where it leaves, its second end being outside. `from`: the side of the other end.
+  dvec2 departure(int from) const {
+    if (from == 0 && past_foot(segment.a, segment, circle.centre) >= 0) return segment.a;
+    return crossing(true);
+  }
+
+  double placed_at(double centre, Rounded offset) const {
+    // So far away the circle's width is nothing
+    if (std::abs(centre) > 0x1p60 * circle.radius) return centre;
+    const Rounded at = sum_of_pairs({scaled_by(centre, magnified), 0}, offset);
+    // What 106 bits can't tell from 0 is 0
+    if (std::abs(at.value) <= 0x1p-96 * radius) return 0.0;
+    if (magnified == 0) return at.value;
+    return std::scalbn(magnified > 0 ? nearest_whole(at) : at.value, -magnified);
+  }
 };
 inline PlacedChord chord_on(const Segment<2, double>& s, const Circle<double>& circle) {
   const bool turned = s.b.x < s.a.x || (s.b.x == s.a.x && s.b.y < s.a.y);
   const int by = circle.radius < 0x1p-900 ? 1074 : circle.radius > 0x1p900 ? -200 : 0;
-  return {chord_of(turned ? Segment<2, double>{s.b, s.a} : s, circle, by), turned, by,
-          magnified(circle.radius, by)};
-}
-
-/// The point where the segment enters or leaves the circle; inside the segment's box.
-/// Domain: the segment does so. Accuracy: 0.63 ulp of max(|coordinate|, radius). Turned round, the segment
-/// leaves at the same bits where it entered.
-inline dvec2 crossing(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& placed,
-                      bool leaves) {
-  const bool second = leaves != placed.turned;
-  const auto placed_at = [&](double centre, Rounded offset) {
-    // So far away the circle's width is nothing
-    if (std::abs(centre) > 0x1p60 * circle.radius) return centre;
-    const Rounded at = sum_of_pairs({magnified(centre, placed.magnified), 0}, offset);
-    // What 106 bits can't tell from 0 is 0
-    if (std::abs(at.value) <= 0x1p-96 * placed.radius) return 0.0;
-    if (placed.magnified == 0) return at.value;
-    return std::scalbn(placed.magnified > 0 ? nearest_whole(at) : at.value, -placed.magnified);
-  };
-  const double x = placed_at(circle.centre.x, placed.chord.x(second));
-  const double y = placed_at(circle.centre.y, placed.chord.y(second));
-  return {std::clamp(x, std::min(s.a.x, s.b.x), std::max(s.a.x, s.b.x)),
-          std::clamp(y, std::min(s.a.y, s.b.y), std::max(s.a.y, s.b.y))};
-}
-
-/// Where a segment with its first end outside enters. `to`: the side of the other end; on the circle, and not
-/// past the foot, it is the only point the two share. Domain, accuracy: those of crossing.
-inline dvec2 entry(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& chord,
-                   int to) {
-  if (to == 0 && past_foot(s.b, s, circle.centre) <= 0) return s.b;
-  return crossing(s, circle, chord, false);
-}
-
-/// Where a segment with its second end outside leaves. `from`: the side of the other end.
-inline dvec2 departure(const Segment<2, double>& s, const Circle<double>& circle, const PlacedChord& chord,
-                       int from) {
-  if (from == 0 && past_foot(s.a, s, circle.centre) >= 0) return s.a;
-  return crossing(s, circle, chord, true);
+  return {s,      circle, chord_of(turned ? Segment<2, double>{s.b, s.a} : s, circle, by),
+          turned, by,     scaled_by(circle.radius, by)};
 }
 
 /// Whether the foot of the perpendicular from the centre lies between the ends and on neither.
 /// Domain: all finite doubles. Accuracy: exact.
 inline bool foot_between(const Segment<2, double>& s, dvec2 centre) {
   return past_foot(s.a, s, centre) < 0 && past_foot(s.b, s, centre) > 0;
+}
+inline bool foot_between(const Segment<2, double>& s, const Circle<double>& circle) {
+  return foot_between(s, circle.centre);
 }
 
 }  // namespace gradus::liang_barsky_circle

@@ -74,9 +74,9 @@ struct Finished {
 
 /// The part of a segment from t = first to t = last; ends that are not cut are copied.
 template <class T>
-constexpr Segment<2, T> part(const Segment<2, T>& segment, T first, T last) {
-  const auto d = segment.b - segment.a;
-  return {first == T(0) ? segment.a : segment.a + first * d, last == T(1) ? segment.b : segment.a + last * d};
+constexpr Segment<2, T> part(glm::vec<2, T> a, glm::vec<2, T> b, T first, T last) {
+  const auto d = b - a;
+  return {first == T(0) ? a : a + first * d, last == T(1) ? b : a + last * d};
 }
 
 /// The part of a segment that lies in a circle, by the foot of the perpendicular and half the chord: on the
@@ -104,22 +104,22 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
   expect_finite(segment.b);
   std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
-  const T r = circle.radius;
-  auto d = segment.b - segment.a;
-  auto f = segment.a - circle.centre;
-  T A = d.x * d.x + d.y * d.y;
+  auto [a, b] = segment;
+  T r = circle.radius;
+  auto d = b - a;
+  auto f = a - circle.centre;
+  T A = dot(d, d);
   T k = d.x * f.y - d.y * f.x;
   // Does the line come as near as r?
   T D = r * r * A - k * k;
   if constexpr (observed<O>) observer(Measured<T>{A, k, D});
   if (A == 0) {
     // A point, inside or not
-    T C = f.x * f.x + f.y * f.y - r * r;
+    T C = dot(f, f) - r * r;
     if (C <= 0) kept = segment;
   } else if (D >= 0) {
-    // The circle reaches equally far to
-    // both sides of the foot
-    T foot = -(f.x * d.x + f.y * d.y) / A;
+    // Equally far from the foot
+    T foot = -dot(f, d) / A;
     T half = std::sqrt(D) / A;
     T enters = foot - half;
     T leaves = foot + half;
@@ -129,7 +129,7 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
     T last = std::min(T(1), leaves);
     if constexpr (observed<O>) observer(Limited<T>{first, last});
     if (first <= last) {
-      kept = part(segment, first, last);
+      kept = part(a, b, first, last);
     }
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});
@@ -147,8 +147,7 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
 /// Domain: all finite coordinates and radii, from subnormals to the largest. A radius of 0 is the centre
 ///   alone.
 /// Steps: Started Placed Reached? Cut* Finished; Reached when both ends are outside, one Cut for each end
-/// outside of
-///   a segment that is kept.
+///   outside of a segment that is kept.
 /// Accuracy: what is kept is decided exactly. Ends inside or on the circle are copied; cut ones lie within
 ///   0.63 ulp of max(|coordinate|, radius) and inside the segment's box. (to, from) gives the reverse, bit
 ///   for bit. A rounded end may lie outside by its last bit, so clipping again may give less.
@@ -160,31 +159,31 @@ std::optional<Segment<2, T>> exact_decision(const Segment<2, T>& segment, const 
   expect_circle(circle);
   expect_finite(segment.a);
   expect_finite(segment.b);
-  const auto s = in_double(segment);
-  const auto c = in_double(circle);
+  auto s = in_double(segment);
+  auto c = in_double(circle);
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
   // On which sides are the ends?
-  const int from = side(s.a, c);
-  const int to = side(s.b, c);
+  int from = side(s.a, c);
+  int to = side(s.b, c);
   if constexpr (observed<O>) observer(Placed{from, to});
-  std::optional<Segment<2, T>> kept = segment;
+  std::optional kept = segment;
   // Both outside: does the line come
   // near enough, between them?
   if (from > 0 && to > 0) {
-    bool between = foot_between(s, c.centre);
-    int sign = between ? reach(s, c) : -1;
-    if constexpr (observed<O>) observer(Reached{between, sign});
-    if (sign < 0) kept.reset();
+    bool foot = foot_between(s, c);
+    int D = foot ? reach(s, c) : -1;
+    if constexpr (observed<O>) observer(Reached{foot, D});
+    if (D < 0) kept.reset();
   }
   // Ends outside move to the circle
   if (kept && (from > 0 || to > 0)) {
-    const auto chord = chord_on(s, c);
+    auto chord = chord_on(s, c);
     if (from > 0) {
-      kept->a = entry(s, c, chord, to);
+      kept->a = chord.entry(to);
       if constexpr (observed<O>) observer(Cut<T>{segment.a, kept->a, false});
     }
     if (to > 0) {
-      kept->b = departure(s, c, chord, from);
+      kept->b = chord.departure(from);
       if constexpr (observed<O>) observer(Cut<T>{segment.b, kept->b, true});
     }
   }

@@ -34,23 +34,26 @@ std::optional<Segment<2, T>> without_empty_test(const Segment<2, T>& segment, co
                                                 O&& observer = {}) {
   std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
-  const T r = circle.radius;
-  auto d = segment.b - segment.a;
-  auto f = segment.a - circle.centre;
-  T A = d.x * d.x + d.y * d.y;
-  T B = 2 * (f.x * d.x + f.y * d.y);
-  T C = f.x * f.x + f.y * f.y - r * r;
+  auto [a, b] = segment;
+  T r = circle.radius;
+  auto d = b - a;
+  auto f = a - circle.centre;
+  T A = dot(d, d);
+  T B = 2 * dot(f, d);
+  T C = dot(f, f) - r * r;
   T D = B * B - 4 * A * C;
   if constexpr (observed<O>) observer(Discriminant<T>{A, B, C, D});
   if (D > 0) {
-    // "The segment meets the circle twice"
-    T t1 = (-B - std::sqrt(D)) / (2 * A);
-    T t2 = (-B + std::sqrt(D)) / (2 * A);
+    // "The segment meets the circle
+    // twice"
+    T root = std::sqrt(D);
+    T t1 = (-B - root) / (2 * A);
+    T t2 = (-B + root) / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t1, t2});
     T first = std::max(T(0), t1);
     T last = std::min(T(1), t2);
     if constexpr (observed<O>) observer(Limited<T>{first, last});
-    kept = part(segment, first, last);
+    kept = part(a, b, first, last);
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});
   return kept;
@@ -73,12 +76,13 @@ std::optional<Segment<2, T>> discriminant_equals_zero(const Segment<2, T>& segme
                                                       O&& observer = {}) {
   std::optional<Segment<2, T>> kept;
   if constexpr (observed<O>) observer(Started<T>{segment, circle});
-  const T r = circle.radius;
-  auto d = segment.b - segment.a;
-  auto f = segment.a - circle.centre;
-  T A = d.x * d.x + d.y * d.y;
-  T B = 2 * (f.x * d.x + f.y * d.y);
-  T C = f.x * f.x + f.y * f.y - r * r;
+  auto [a, b] = segment;
+  T r = circle.radius;
+  auto d = b - a;
+  auto f = a - circle.centre;
+  T A = dot(d, d);
+  T B = 2 * dot(f, d);
+  T C = dot(f, f) - r * r;
   T D = B * B - 4 * A * C;
   if constexpr (observed<O>) observer(Discriminant<T>{A, B, C, D});
   if (D == 0) {
@@ -86,17 +90,18 @@ std::optional<Segment<2, T>> discriminant_equals_zero(const Segment<2, T>& segme
     T t = -B / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t, t});
     if (0 <= t && t <= 1) {
-      kept = part(segment, t, t);
+      kept = part(a, b, t, t);
     }
   } else if (D > 0) {
-    T t1 = (-B - std::sqrt(D)) / (2 * A);
-    T t2 = (-B + std::sqrt(D)) / (2 * A);
+    T root = std::sqrt(D);
+    T t1 = (-B - root) / (2 * A);
+    T t2 = (-B + root) / (2 * A);
     if constexpr (observed<O>) observer(Solved<T>{t1, t2});
     T first = std::max(T(0), t1);
     T last = std::min(T(1), t2);
     if constexpr (observed<O>) observer(Limited<T>{first, last});
     if (first <= last) {
-      kept = part(segment, first, last);
+      kept = part(a, b, first, last);
     }
   }
   if constexpr (observed<O>) observer(Finished<T>{kept});

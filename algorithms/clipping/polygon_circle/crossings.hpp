@@ -18,9 +18,6 @@
 namespace gradus::polygon_circle {
 
 using liang_barsky_circle::chord_on;
-using liang_barsky_circle::crossing;
-using liang_barsky_circle::departure;
-using liang_barsky_circle::entry;
 using liang_barsky_circle::expect_circle;
 using liang_barsky_circle::foot_between;
 using liang_barsky_circle::in_double;
@@ -165,7 +162,7 @@ inline void add_crossings(std::vector<Crossing>& crossings, const Run& run, std:
     const dvec2 end = leaves ? run.edge.b : run.edge.a;
     const std::size_t corner = leaves ? (i + 1) % n : i;
     crossings.push_back({i, leaves, on_circle ? std::optional(corner) : std::nullopt,
-                         on_circle ? end : crossing(run.edge, circle, chord, leaves), direction});
+                         on_circle ? end : chord.crossing(leaves), direction});
   };
   if (run.enters()) add(false);
   if (run.leaves()) add(true);

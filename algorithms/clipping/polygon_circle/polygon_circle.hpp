@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,8 @@ template <class T>
 struct Region {
   Circle<T> circle;
   std::vector<Ring<T>> rings;
+
+  void add(Ring<T> ring) { rings.push_back(std::move(ring)); }
 };
 
 // --- Steps -------------------------------------------------------
@@ -94,20 +97,91 @@ struct Finished {
   Region<T> region;
 };
 
-// --- The method --------------------------------------------------
+// --- The walk ----------------------------------------------------
+
+/// A polygon and a circle, and what a walk along the boundary of their common part knows.
+template <class T>
+class Walk {
+ public:
+  const Circle<T> given;  ///< the circle
+  const Circle<double> circle;
+  const std::vector<dvec2> corners;  ///< counter-clockwise
+  std::vector<Crossing> passes;
+
+  Walk(std::span<const glm::vec<2, T>> polygon, const Circle<T>& c)
+      : given(c), circle(in_double(c)), corners(counter_clockwise(polygon)), order_(corners, circle) {}
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
+
+  /// Edges go by their first corners.
+  auto edges() const { return std::views::iota(std::size_t{0}, corners.size()); }
+  Segment<2, double> edge(std::size_t i) const { return edge_of(corners, i); }
+  /// Whether a point lies in the circle or on it.
+  bool holds(dvec2 p) const { return side(p, circle) <= 0; }
+  Run run(std::size_t i) const { return run_of(edge(i), circle); }
+  std::size_t next(std::size_t i) const { return (i + 1) % corners.size(); }
+
+  /// Finds the passages of an edge.
+  void pass(std::size_t i) { add_crossings(passes, run(i), i, corners.size(), circle); }
+  /// Puts the passages in their order round the circle. From then on they go by their numbers.
+  void sort() {
+    std::sort(passes.begin(), passes.end(), order_);
+    used_.resize(passes.size());
+    exits_.resize(corners.size());
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      if (passes[i].leaves) exits_[passes[i].edge] = i;
+    }
+  }
+
+  dvec2 at(std::size_t pass) const { return passes[pass].at; }
+  std::size_t edge_at(std::size_t pass) const { return passes[pass].edge; }
+
+  /// Where a ring may begin.
+  std::vector<std::size_t> entries() const {
+    std::vector<std::size_t> entries;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      if (!passes[i].leaves) entries.push_back(i);
+    }
+    return entries;
+  }
+  /// Goes in by an entry; false where a ring has done so before.
+  bool enter(std::size_t entry) {
+    const bool first = !used_[entry];
+    used_[entry] = true;
+    return first;
+  }
+  /// Where an edge leaves, if it does.
+  std::optional<std::size_t> exit(std::size_t edge) const { return exits_[edge]; }
+  /// The passage that follows round the circle.
+  std::size_t after(std::size_t pass) const { return (pass + 1) % passes.size(); }
+  /// Whether the way there is longer than half the circle.
+  bool more_than_half(std::size_t exit) const {
+    return order_.more_than_half(passes[exit], passes[after(exit)]);
+  }
+
+ private:
+  CircleOrder order_;
+  std::vector<bool> used_;
+  std::vector<std::optional<std::size_t>> exits_;
+};
+template <class Points, class T>
+Walk(const Points&, const Circle<T>&) -> Walk<T>;
 
 /// What is left where the boundary never passes the circle: all of the polygon, all of the circle or nothing.
+/// Nothing is put in where it does.
 template <class T>
-std::vector<Ring<T>> undivided(std::span<const dvec2> corners, const Circle<T>& circle) {
-  const Circle<double> c = in_double(circle);
-  if (corners.empty() || circle.radius == T(0)) return {};
-  Ring<T> ring;
-  for (const dvec2 p : corners) ring.push_back({glm::vec<2, T>(p)});
-  for (const dvec2 p : corners) {
-    if (side(p, c) < 0) return {ring};
+Region<T> undivided(const Walk<T>& walk) {
+  Region<T> region{walk.given, {}};
+  if (!walk.passes.empty() || walk.corners.empty() || walk.given.radius == T(0)) return region;
+  Ring<T> polygon;
+  for (const dvec2 p : walk.corners) polygon.push_back({glm::vec<2, T>(p)});
+  const auto inside = [&walk](dvec2 p) { return side(p, walk.circle) < 0; };
+  if (std::any_of(walk.corners.begin(), walk.corners.end(), inside)) {
+    region.add(polygon);
+  } else if (contains(walk.corners, walk.circle.centre)) {
+    region.add({{walk.given.centre + glm::vec<2, T>(walk.given.radius, 0), true, true}});
   }
-  if (!contains(corners, c.centre)) return {};
-  return {{{circle.centre + glm::vec<2, T>(circle.radius, 0), true, true}}};
+  return region;
 }
 
 /// The boundary goes straight to a point; what rounds to the corner before it is no new one.
@@ -120,41 +194,22 @@ void append(Ring<T>& ring, dvec2 at) {
 /// The boundary goes straight to passage number `exit`, and from there by an arc to the next one. Where the
 /// two are one point with nothing between them, there is no arc.
 template <class T>
-void add_arc(Ring<T>& ring, std::span<const Crossing> passes, std::size_t exit, const CircleOrder& order) {
-  const Crossing &from = passes[exit], &to = passes[(exit + 1) % passes.size()];
-  const bool more_than_half = order.more_than_half(from, to);
-  if (glm::vec<2, T>(from.at) == glm::vec<2, T>(to.at) && !more_than_half) return;
-  append(ring, from.at);
+void add_arc(Ring<T>& ring, const Walk<T>& walk, std::size_t exit) {
+  const dvec2 from = walk.passes[exit].at, to = walk.passes[walk.after(exit)].at;
+  const bool more_than_half = walk.more_than_half(exit);
+  if (glm::vec<2, T>(from) == glm::vec<2, T>(to) && !more_than_half) return;
+  append(ring, from);
   ring.back().arc = true;
   ring.back().more_than_half = more_than_half;
 }
 
-/// For every edge the number of the passage where it leaves, if it does.
-inline std::vector<std::optional<std::size_t>> exits_of(std::span<const Crossing> passes, std::size_t edges) {
-  std::vector<std::optional<std::size_t>> exits(edges);
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    if (passes[i].leaves) exits[passes[i].edge] = i;
-  }
-  return exits;
-}
-
-/// The numbers of the passages at which a ring may begin.
-inline std::vector<std::size_t> entries_of(std::span<const Crossing> passes) {
-  std::vector<std::size_t> entries;
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    if (!passes[i].leaves) entries.push_back(i);
-  }
-  return entries;
-}
-
-inline void sort_round(std::vector<Crossing>& passes, const CircleOrder& order) {
-  std::sort(passes.begin(), passes.end(), order);
-}
-
-/// What the step says of edge number `edge`, whose passages stand last.
-inline Tested tested(std::span<const Crossing> passes, const Run& run, std::size_t edge) {
+/// What the step says of an edge, whose passages stand last.
+template <class T>
+Tested tested(const Walk<T>& walk, std::size_t edge) {
+  const Run run = walk.run(edge);
   Tested step{edge, run, std::nullopt, std::nullopt};
-  for (const Crossing& pass : passes.subspan(passes.size() - run.enters() - run.leaves())) {
+  const std::size_t passes = std::size_t{run.enters()} + std::size_t{run.leaves()};
+  for (const Crossing& pass : std::span(walk.passes).last(passes)) {
     (pass.leaves ? step.leaves : step.enters) = pass.at;
   }
   return step;
@@ -170,16 +225,11 @@ inline void expect_alternating(std::span<const Crossing> passes) {
   }
 }
 
-/// What the step says of the arc from passage number `exit`.
-inline Bent bent(std::size_t ring, std::span<const Crossing> passes, std::size_t exit,
-                 const CircleOrder& order) {
-  const std::size_t entry = (exit + 1) % passes.size();
-  return {ring,
-          exit,
-          entry,
-          passes[exit].at,
-          passes[entry].at,
-          order.more_than_half(passes[exit], passes[entry])};
+/// What the step says of the arc from a passage.
+template <class T>
+Bent bent(std::size_t ring, const Walk<T>& walk, std::size_t exit) {
+  const std::size_t entry = walk.after(exit);
+  return {ring, exit, entry, walk.passes[exit].at, walk.passes[entry].at, walk.more_than_half(exit)};
 }
 
 /// The ring without a last corner that is its first.
@@ -188,6 +238,8 @@ Ring<T> closed(Ring<T> ring) {
   while (ring.size() > 1 && !ring.back().arc && ring.back().at == ring.front().at) ring.pop_back();
   return ring;
 }
+
+// --- The method --------------------------------------------------
 
 /// The part of a polygon that lies in a circle, bounded by the polygon's edges and by arcs of the circle.
 /// The walk is that of K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, Computer
@@ -199,64 +251,50 @@ Ring<T> closed(Ring<T> ring) {
 ///   circle or inside: all are decided exactly. What has no area, a tangent's point or radius 0, gives
 ///   nothing. A polygon that crosses itself is refused or gives rings without meaning (see meeting_edges).
 /// Steps: Oriented Tested* Sorted ((Entered Walked* Bent)+ Closed)* Finished; Tested once an edge, Closed
-/// once
-///   for every ring that has a passage.
+///   once for every ring that has a passage.
 /// Accuracy: which edges are cut, how often, and the order round the circle are exact. Corners inside or on
 ///   the circle are copied; cut ones lie within 0.63 ulp of max(|coordinate|, radius). The area of what the
 ///   rings describe is right to 4 (r + length of the boundary) ulp(max(|coordinate|, r)).
 /// Cost: O(n + m log m) for n edges and m passages.
 /// Errors: ContractViolation when the radius is negative, NaN or infinite, a coordinate not finite, or
-/// entries
-///   and exits do not alternate, which only happens when edges cross or touch each other.
+///   entries and exits do not alternate, which only happens when edges cross or touch each other.
 template <std::floating_point T,
           Observer<Oriented, Tested, Sorted, Entered, Walked, Bent, Closed, Finished<T>> O = Unobserved>
 Region<T> arcs(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle, O&& observer = {}) {
   expect_circle(circle);
-  const auto c = in_double(circle);
-  auto corners = counter_clockwise(polygon);
-  const std::size_t n = corners.size();
-  if constexpr (observed<O>) observer(Oriented{corners, c});
+  Walk walk(polygon, circle);
+  if constexpr (observed<O>) observer(Oriented{walk.corners, walk.circle});
   // Where does the boundary pass?
-  std::vector<Crossing> passes;
-  for (std::size_t i = 0; i < n; ++i) {
-    auto run = run_of(edge_of(corners, i), c);
-    add_crossings(passes, run, i, n, c);
-    if constexpr (observed<O>) observer(tested(passes, run, i));
+  for (auto i : walk.edges()) {
+    walk.pass(i);
+    if constexpr (observed<O>) observer(tested(walk, i));
   }
-  Region<T> region{circle, {}};
-  if (passes.empty()) {
-    region.rings = undivided(corners, circle);
-  }
-  // Sort them round the circle
-  const CircleOrder order(corners, c);
-  sort_round(passes, order);
-  if constexpr (observed<O>) observer(Sorted{passes});
-  expect_alternating(passes);
-  const auto exits = exits_of(passes, n);
-  std::vector<bool> done(passes.size());
-  for (auto start : entries_of(passes)) {
-    if (done[start]) continue;
-    // A ring begins at each entry left
+  // Order that round the circle
+  walk.sort();
+  if constexpr (observed<O>) observer(Sorted{walk.passes});
+  expect_alternating(walk.passes);
+  Region<T> region = undivided(walk);
+  // A ring begins at each entry left
+  for (auto entry : walk.entries()) {
     Ring<T> ring;
-    auto entry = start;
-    do {
-      done[entry] = true;
-      append(ring, passes[entry].at);
-      if constexpr (observed<O>) observer(Entered{region.rings.size(), entry, passes[entry].at});
+    while (walk.enter(entry)) {
+      append(ring, walk.at(entry));
+      if constexpr (observed<O>) observer(Entered{region.rings.size(), entry, walk.at(entry)});
       // Along the polygon to the exit
-      auto i = passes[entry].edge;
-      while (!exits[i]) {
-        i = (i + 1) % n;
-        append(ring, corners[i]);
-        if constexpr (observed<O>) observer(Walked{region.rings.size(), i, corners[i]});
+      auto i = walk.edge_at(entry);
+      while (!walk.exit(i)) {
+        i = walk.next(i);
+        append(ring, walk.corners[i]);
+        if constexpr (observed<O>) observer(Walked{region.rings.size(), i, walk.corners[i]});
       }
-      // Along the circle to the next entry
-      auto exit = *exits[i];
-      add_arc<T>(ring, passes, exit, order);
-      if constexpr (observed<O>) observer(bent(region.rings.size(), passes, exit, order));
-      entry = (exit + 1) % passes.size();
-    } while (!done[entry]);
-    region.rings.push_back(closed(ring));
+      // Along the circle to an entry
+      auto exit = *walk.exit(i);
+      add_arc(ring, walk, exit);
+      if constexpr (observed<O>) observer(bent(region.rings.size(), walk, exit));
+      entry = walk.after(exit);
+    }
+    if (ring.empty()) continue;
+    region.add(closed(ring));
     if constexpr (observed<O>) observer(Closed{region.rings.size() - 1, region.rings.back().size()});
   }
   if constexpr (observed<O>) observer(Finished<T>{region});

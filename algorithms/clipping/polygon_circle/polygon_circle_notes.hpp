@@ -26,9 +26,10 @@ struct Joined {
 
 /// The first point of what the circle leaves of an edge, which has an end inside: its start, when that is
 /// inside, else the entry.
-inline dvec2 first_of(const Segment<2, double>& edge, bool from_inside, const Circle<double>& circle) {
-  if (from_inside) return edge.a;
-  return entry(edge, circle, chord_on(edge, circle), side(edge.b, circle));
+template <class T>
+dvec2 first_of(const Segment<2, double>& edge, const Walk<T>& walk) {
+  if (side(edge.a, walk.circle) <= 0) return edge.a;
+  return chord_on(edge, walk.circle).entry(side(edge.b, walk.circle));
 }
 
 /// FAULTY: of the clipped edge it takes the first point also where the edge leaves, which is the edge's own
@@ -46,25 +47,23 @@ template <std::floating_point T, Observer<Oriented, Looked, Kept, Joined<T>> O =
 std::vector<glm::vec<2, T>> first_crossing(std::span<const glm::vec<2, T>> polygon, const Circle<T>& circle,
                                            O&& observer = {}) {
   expect_circle(circle);
+  Walk walk(polygon, circle);
+  if constexpr (observed<O>) observer(Oriented{walk.corners, walk.circle});
   std::vector<glm::vec<2, T>> kept;
-  const auto c = in_double(circle);
-  auto corners = counter_clockwise(polygon);
-  if constexpr (observed<O>) observer(Oriented{corners, c});
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto edge = edge_of(corners, i);
-    bool from_in = side(edge.a, c) <= 0;
-    bool to_in = side(edge.b, c) <= 0;
+  for (auto i : walk.edges()) {
+    auto edge = walk.edge(i);
+    bool from_in = walk.holds(edge.a);
+    bool to_in = walk.holds(edge.b);
     if constexpr (observed<O>) observer(Looked{i, edge.a, edge.b, from_in, to_in});
     // One end inside: "the crossing"
     if (from_in != to_in) {
-      auto cut = first_of(edge, from_in, c);
-      kept.push_back(glm::vec<2, T>(cut));
+      auto cut = first_of(edge, walk);
+      kept.push_back(cut);
       if constexpr (observed<O>) observer(Kept{cut, true});
     }
     // The second end, if it is inside
     if (to_in) {
-      kept.push_back(glm::vec<2, T>(edge.b));
+      kept.push_back(edge.b);
       if constexpr (observed<O>) observer(Kept{edge.b, false});
     }
   }

@@ -133,9 +133,11 @@ class BorderCut {
     return sides;
   }
 
+  /// A ring inside stays as it is.
+  void keep(const Ring<T>& ring) { kept_.push_back(ring); }
   /// Takes the chains of a ring that lie inside, each from where it enters to where it leaves. A vertex on
   /// the border is not inside: a chain ends there, and the next one may begin there.
-  void cut(const Ring<T>& ring, std::span<const int> sides) {
+  void split(const Ring<T>& ring, std::span<const int> sides) {
     const std::size_t n = ring.size();
     // Begin at a vertex that isn't inside
     std::size_t i = 0;
@@ -194,8 +196,9 @@ class BorderCut {
     successor_[pair.leaves.chain] = pair.enters.chain;
   }
 
-  /// Adds the rings that the chains make, each followed by its successor.
-  void trace(std::vector<Ring<T>>& rings) const {
+  /// The rings that stay, and those that the chains make, each followed by its successor.
+  std::vector<Ring<T>> traced() {
+    std::vector<Ring<T>> rings = std::move(kept_);
     std::vector<bool> used(chains_.size());
     for (std::size_t first = 0; first < chains_.size(); ++first) {
       if (used[first]) continue;
@@ -212,6 +215,7 @@ class BorderCut {
       } while (!used[chain]);  // each chain has one successor and is that of one: it comes back to the first
       if (ring.size() >= 3) rings.push_back(std::move(ring));
     }
+    return rings;
   }
 
  private:
@@ -226,7 +230,7 @@ class BorderCut {
 
   const Scene<T, Window>& scene_;
   int border_;
-  std::vector<Ring<T>> chains_;
+  std::vector<Ring<T>> kept_, chains_;
   std::vector<BorderCrossing<T>> crossings_;
   std::vector<std::size_t> successor_;
 };
@@ -336,30 +340,27 @@ Scene<T, Window> scene_of(const Rings<T>& rings, const Window& window) {
 template <class T, class Window,
           Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>> O = Unobserved>
 void split_at(int border, std::vector<Ring<T>>& rings, const Scene<T, Window>& scene, O&& observer = {}) {
-  std::vector<Ring<T>> kept;
-  BorderCut<T, Window> cut(scene, border);
-  // Cut each ring into chains that lie inside
+  BorderCut cut(scene, border);
+  // Split rings into chains inside
   for (const Ring<T>& ring : rings) {
-    const auto sides = cut.sides(ring);
+    auto sides = cut.sides(ring);
     if constexpr (observed<O>) observer(RingTested<T>{border, ring, sides});
     if (all_inside(sides)) {
-      kept.push_back(ring);
+      cut.keep(ring);
     } else {
-      cut.cut(ring, sides);
+      cut.split(ring, sides);
     }
   }
-  // Order the crossings along the border
+  // Order crossings along the border
   cut.order();
   if constexpr (observed<O>) observer(CrossingsOrdered<T>{border, cut.crossings()});
-  // Where one leaves go on to where the next
-  // one enters
-  for (const auto& pair : cut.pairs()) {
+  // Each exit leads to the next entry
+  for (auto& pair : cut.pairs()) {
     cut.join(pair);
     if constexpr (observed<O>) observer(CrossingsJoined<T>{border, pair.leaves, pair.enters});
   }
   // Trace the rings that this makes
-  cut.trace(kept);
-  rings = std::move(kept);
+  rings = cut.traced();
   if constexpr (observed<O>) observer(BorderSplit<T>{border, rings});
 }
 
@@ -463,16 +464,14 @@ std::vector<Piece<T>> grouped(std::vector<Ring<T>>& rings, const Scene<T, Window
 /// Steps: (RingTested* CrossingsOrdered CrossingsJoined* BorderSplit)* PieceTraced*, a BorderSplit for every
 ///   border until nothing is left. Rings come to the first border joined where they touch.
 /// Accuracy: decisions and orders exact; vertices as clip_to_window. The pieces are the connected parts of
-/// the
-///   polygon's inside in the window: two that meet in points alone are two pieces, as in OGC Simple Feature
-///   Access 1.2.1, 6.1.11.1, and what touches the window in points or edges alone gives nothing. Before
-///   vertices are rounded, no ring passes a point twice, and two of a piece have at most one in common. A
-///   part so small that its vertices round to fewer than three places is left out.
+///   the polygon's inside in the window: two that meet in points alone are two pieces, as in OGC Simple
+///   Feature Access 1.2.1, 6.1.11.1, and what touches the window in points or edges alone gives nothing.
+///   Before vertices are rounded, no ring passes a point twice, and two of a piece have at most one in
+///   common. A part so small that its vertices round to fewer than three places is left out.
 /// Cost: to know whether rings touch, when Rings are made: for n vertices O(n) where one goes round a point
-/// as
-///   convex polygons and stars do, or where boxes round runs of edges mostly lie apart; else, and where they
-///   do touch, O(n log n), with O(n^2) bytes moved at worst (see touching_rings.hpp). Then one test a vertex
-///   and border; O(k log k) for k crossings on one border; O(h n) for h holes that no border met.
+///   as convex polygons and stars do, or where boxes round runs of edges mostly lie apart; else, and where
+///   they do touch, O(n log n), with O(n^2) bytes moved at worst (see touching_rings.hpp). Then one test a
+///   vertex and border; O(k log k) for k crossings on one border; O(h n) for h holes that no border met.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
 template <class T, class Window,
           Observer<RingTested<T>, CrossingsOrdered<T>, CrossingsJoined<T>, BorderSplit<T>, PieceTraced<T>> O =

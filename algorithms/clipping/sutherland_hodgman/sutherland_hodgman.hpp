@@ -1,25 +1,21 @@
 #pragma once
 // Cutting a polygon off at the borders of a convex window, one after the other: at a rectangle or any convex
-// polygon in the plane, and at the planes of clip space in homogeneous coordinates, before the division, so
-// that what lies behind the eye is gone when it comes.
+// polygon in the plane. sutherland_hodgman_homogeneous.hpp does so at the planes of clip space.
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <glm/vec4.hpp>
 #include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "clipping/sutherland_hodgman/convex_window.hpp"
-#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
 #include "core/observe.hpp"
 
 namespace gradus::sutherland_hodgman {
 
-// --- In the plane: steps -----------------------------------------
+// --- Steps -------------------------------------------------------
 
 /// A vertex was tested against a border.
 template <class T>
@@ -27,7 +23,9 @@ struct VertexTested {
   int border;
   std::size_t number;  ///< in the polygon as it came to this border
   Vertex<T> vertex;
-  int side;  ///< 1 inside, 0 on the border, -1 outside
+  int side;        ///< 1 inside, 0 on the border, -1 outside
+  Vertex<T> last;  ///< the one before it, and the side of that
+  int was;
 };
 
 /// The edge between two vertices leaves or enters through the border, and was cut there.
@@ -53,7 +51,7 @@ struct BridgeFound {
   Vertex<T> from, to;  ///< in the direction of the border
 };
 
-// --- In the plane ------------------------------------------------
+// --- One border --------------------------------------------------
 
 /// The place of a corner in its polygon.
 template <class V>
@@ -65,65 +63,88 @@ constexpr std::size_t number_in(std::span<const V> polygon, const V& corner) {
 template <class T>
 class Kept {
  public:
-  /// room: memory to use again; what stood there is gone.
-  Kept(int border, std::vector<Vertex<T>> room)
-      : polygon(std::move(room)), border_(EdgeName::window(border)) {
+  /// Forgets what stood there, for one border more.
+  void start(int border) {
     polygon.clear();
+    border_ = EdgeName::window(border);
+    first_on_ = last_on_ = false;
   }
-  void add(const Vertex<T>& vertex, bool on_border) {
-    if (on_border && last_on_ && !polygon.empty()) polygon.back().after = border_;
-    if (polygon.empty()) first_on_ = on_border;
+  /// side: of the border; 0 on it.
+  void add(const Vertex<T>& vertex, int side) {
+    const bool on = side == 0;
+    if (on && last_on_ && !polygon.empty()) polygon.back().after = border_;
+    if (polygon.empty()) first_on_ = on;
     polygon.push_back(vertex);
-    last_on_ = on_border;
+    last_on_ = on;
   }
+  void add(const Vertex<T>& cut) { add(cut, 0); }
   void close() {
     if (!polygon.empty() && first_on_ && last_on_) polygon.back().after = border_;
   }
   std::vector<Vertex<T>> polygon;
 
  private:
-  EdgeName border_;
+  EdgeName border_{};
   bool first_on_ = false, last_on_ = false;
 };
+
+/// A border, and what the vertices were made of that come to it.
+template <class T, class Window>
+struct ExactBorder {
+  const Scene<T, Window>& scene;
+  int number;
+
+  /// 1 inside, 0 on the border, -1 outside.
+  int side(const Vertex<T>& v) const { return scene.side(number, v); }
+  /// The vertex at which the edge after `from` crosses the border.
+  Vertex<T> cut(const Vertex<T>& from) const { return scene.cut(number, from); }
+};
+template <class T, class Window>
+ExactBorder(const Scene<T, Window>&, int) -> ExactBorder<T, Window>;
+
+/// What the step says of a vertex and the one before it.
+template <class T, class Window>
+VertexTested<T> tested(const ExactBorder<T, Window>& border, std::span<const Vertex<T>> polygon,
+                       const Vertex<T>& last, int was, const Vertex<T>& now, int is) {
+  return {border.number, number_in(polygon, now), now, is, last, was};
+}
 
 /// The part of a polygon that lies inside of one border.
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
 ///
-/// polygon: the vertices in order. scene: what they were made of. border: its own points are inside. room:
-///   memory to use again.
+/// polygon: the vertices in order, not empty. border: its own points are inside. kept: what stays; what stood
+///   there is gone, its memory is used again.
 ///
 /// Domain: finite coordinates.
 /// Steps: (VertexTested EdgeCut?)* BorderPassed, VertexTested once for every vertex. The edge is cut after
-/// its
-///   second end was tested.
+///   its second end was tested.
 /// Accuracy: exact decisions; a made vertex is the nearest to the exact one.
 /// Cost: one test a vertex, one division a cut.
 /// Errors: none.
 template <class T, class Window, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
-std::vector<Vertex<T>> cut_at_border(std::span<const Vertex<T>> polygon, int border,
-                                     const Scene<T, Window>& scene, std::vector<Vertex<T>> room = {},
-                                     O&& observer = {}) {
-  Kept<T> kept(border, std::move(room));
-  const Vertex<T>* last = &polygon.back();
-  int was = scene.side(border, *last);
-  for (const Vertex<T>& now : polygon) {
-    const int is = scene.side(border, now);
-    if constexpr (observed<O>) observer(VertexTested<T>{border, number_in(polygon, now), now, is});
-    // Cut the edge that crosses the border
+void cut_at_border(std::span<const Vertex<T>> polygon, const ExactBorder<T, Window>& border, Kept<T>& kept,
+                   O&& observer = {}) {
+  kept.start(border.number);
+  Vertex<T> last = polygon.back();
+  int was = border.side(last);
+  for (const auto& now : polygon) {
+    int is = border.side(now);
+    if constexpr (observed<O>) observer(tested(border, polygon, last, was, now, is));
+    // The edge crosses: cut it
     if (was * is < 0) {
-      auto cut = scene.cut(border, *last);
-      kept.add(cut, true);
-      if constexpr (observed<O>) observer(EdgeCut<T>{border, *last, now, cut, was > 0});
+      kept.add(border.cut(last));
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, kept.polygon.back(), was > 0});
     }
-    // What is inside or on the border stays
-    if (is >= 0) kept.add(now, is == 0);
-    last = &now;
+    // What is inside or on it stays
+    if (is >= 0) kept.add(now, is);
+    last = now;
     was = is;
   }
   kept.close();
-  if constexpr (observed<O>) observer(BorderPassed<T>{border, kept.polygon});
-  return std::move(kept.polygon);
+  if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept.polygon});
 }
+
+// --- All borders -------------------------------------------------
 
 /// The vertices of a polygon as it is given, before anything is cut.
 template <class T>
@@ -216,12 +237,12 @@ std::vector<Vertex<T>> clip_to_window(std::span<const glm::vec<2, T>> points, co
   expect_finite(points);
   expect_window(window);
   const Scene<T, Window> scene{{points}, window};
-  std::vector<Vertex<T>> polygon = vertices_of(points), room;
+  std::vector<Vertex<T>> polygon = vertices_of(points);
+  Kept<T> kept;
   for (const int border : order) {
     if (polygon.empty()) break;
-    const std::span<const Vertex<T>> rest(polygon);
-    room = cut_at_border(rest, border, scene, std::move(room), observer);
-    std::swap(polygon, room);
+    cut_at_border(std::span<const Vertex<T>>(polygon), ExactBorder{scene, border}, kept, observer);
+    std::swap(polygon, kept.polygon);
   }
   leave_out_repeated(polygon);
   return polygon;
@@ -304,170 +325,6 @@ template <class T, PointRow<2> Points = PointsInBraces<2>, class Window = Rectan
 auto bridges(const std::vector<Vertex<T>>& polygon, const Points& points, const Window& window,
              Observed&&... observer) {
   return bridges(span_of(polygon), span_of(points), window, std::forward<Observed>(observer)...);
-}
-
-// --- In clip space -----------------------------------------------
-
-/// A plane of clip space that goes with an axis: inside is sign * p[axis] + bound * p.w >= 0. So {2, 1, 0} is
-/// z >= 0, {0, -1, 1} is x <= w and {0, -1, 64} is x <= 64 w.
-template <class T>
-struct Plane {
-  int axis;  ///< 0 x, 1 y, 2 z
-  T sign;    ///< 1 or -1
-  T bound;   ///< the limit in units of w
-};
-
-/// How far inside of the plane a point lies; its sign is that of the exact comparison of the coordinate with
-/// the rounded bound * w.
-template <class T>
-constexpr T distance(const Plane<T>& plane, const glm::vec<4, T>& p) {
-  return unfused(plane.bound * p.w) + plane.sign * p[plane.axis];
-}
-
-/// A corner was tested against a plane.
-template <class T>
-struct Tested {
-  Plane<T> plane;
-  std::size_t corner;  ///< its number in the polygon as it came to this plane
-  glm::vec<4, T> at;
-  bool inside;
-};
-
-/// An edge leaves or enters through a plane, and gets a corner there.
-template <class T>
-struct Cut {
-  Plane<T> plane;
-  glm::vec<4, T> inside, outside;  ///< the ends of the edge
-  T t;                             ///< the share of the way from the inside to the outside, in (0, 1)
-  glm::vec<4, T> at;
-};
-
-/// One plane is done with.
-template <class T>
-struct Passed {
-  Plane<T> plane;
-  std::size_t corners;  ///< that are left
-};
-
-/// Whether an edge has its ends strictly on the two sides.
-template <class T>
-constexpr bool crosses(T was, T is) {
-  return (was > T(0) && is < T(0)) || (was < T(0) && is > T(0));
-}
-
-/// A new corner, on the edge between two others.
-template <class T, class Vertex>
-struct Crossing {
-  Vertex vertex;
-  glm::vec<4, T> inside, outside;  ///< the ends of the edge
-  T t;                             ///< the share of the way from the inside to the outside
-};
-
-/// The corner where the edge between a and b meets the plane. It is computed from the end with the smaller
-/// |w|, whichever way the edge runs: both faces at an edge get the same corner, and an end that is very far
-/// away leaves no rounding errors of its size. The coordinate across the plane is not computed but copied
-/// from bound * w, so that the corner lies on the plane and not beside it. Vertex: has a vec<4, T> `at`, and
-/// mix(a, b, t) makes the vertex t of the way from a to b. Domain: a and b lie on the two sides of the plane.
-template <class T, class Vertex>
-constexpr Crossing<T, Vertex> crossing(const Plane<T>& plane, const Vertex& a, const Vertex& b) {
-  const bool leaves = distance(plane, a.at) > T(0);
-  const Vertex &inside = leaves ? a : b, &outside = leaves ? b : a;
-  const T from = distance(plane, inside.at), to = distance(plane, outside.at);
-  const T t = from / (from - to);
-  const auto size = [](T w) { return w < T(0) ? -w : w; };
-  Vertex vertex = size(outside.at.w) < size(inside.at.w) ? mix(outside, inside, to / (to - from))
-                                                         : mix(inside, outside, t);
-  vertex.at[plane.axis] = T(0) - plane.sign * plane.bound * vertex.at.w;
-  return {vertex, inside.at, outside.at, t};
-}
-
-/// A corner with a place and nothing else.
-template <class T>
-struct Point {
-  glm::vec<4, T> at;
-};
-
-template <class T>
-constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
-  return {a.at + t * (b.at - a.at)};
-}
-
-/// The part of a polygon that lies inside of a plane.
-/// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
-///
-/// polygon: the corners in order. Vertex: see crossing. plane: the border itself is inside.
-///
-/// Domain: finite coordinates up to 2^1020 / (1 + bound), so that no difference overflows. Of a concave
-///   polygon pieces may hang together by edges that run along the plane.
-/// Steps: (Tested Cut?)* Passed, Tested once for every corner.
-/// Accuracy: corners inside are copied; a cut lies on the plane to the rounding of bound * w, and along it is
-///   within 6 ulp of the edge's largest coordinate (bound: 0 or 2^k). A corner on it gives no second one.
-/// Cost: one test a corner, one division a cut.
-/// Errors: none.
-template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
-std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane, O&& observer = {}) {
-  std::vector<Vertex> kept;
-  kept.reserve(polygon.size() + 1);
-  if (polygon.empty()) return kept;
-  const Vertex* last = &polygon.back();
-  for (const Vertex& now : polygon) {
-    const T was = distance(plane, last->at);
-    const T is = distance(plane, now.at);
-    if constexpr (observed<O>) observer(Tested<T>{plane, number_in(polygon, now), now.at, is >= T(0)});
-    // Cut the edge that crosses the plane
-    if (crosses(was, is)) {
-      auto c = crossing(plane, *last, now);
-      kept.push_back(c.vertex);
-      if constexpr (observed<O>) observer(Cut<T>{plane, c.inside, c.outside, c.t, c.vertex.at});
-    }
-    // What is inside stays
-    if (is >= T(0)) kept.push_back(now);
-    last = &now;
-  }
-  if constexpr (observed<O>) observer(Passed<T>{plane, kept.size()});
-  return kept;
-}
-
-/// The part of a polygon that lies inside of all planes, cut at one after the other.
-///
-/// polygon: the corners in order; the parts of a convex one are convex. planes: in the order of cutting.
-///
-/// Domain: finite coordinates; no plane leaves the polygon as it is.
-/// Steps: ((Tested Cut?)* Passed)*, a Passed for every plane until nothing is left.
-/// Accuracy: that of one plane, for each.
-/// Cost: one test a corner and plane; a convex polygon gains at most one corner a plane.
-/// Errors: none.
-template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
-std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> planes, O&& observer = {}) {
-  for (const Plane<T>& plane : planes) {
-    if (polygon.empty()) break;
-    std::span<const Vertex> rest = polygon;
-    polygon = clip(rest, plane, observer);
-  }
-  return polygon;
-}
-
-/// Both for corners in a vector or an array, and for planes such as view_volume gives.
-template <OtherRow Corners, class T, class... Observed>
-auto clip(const Corners& polygon, const Plane<T>& plane, Observed&&... observer) {
-  return clip(span_of(polygon), plane, std::forward<Observed>(observer)...);
-}
-template <ContiguousRow Corners, OtherRow Planes, class... Observed>
-auto clip(const Corners& polygon, const Planes& planes, Observed&&... observer) {
-  std::vector<ItemOf<Corners>> corners(std::begin(polygon), std::end(polygon));
-  return clip(std::move(corners), span_of(planes), std::forward<Observed>(observer)...);
-}
-
-/// The six planes of clip space in the order of cutting: far, then the sides, `x` and `y` times as far out as
-/// the picture's, near at the end. By then nothing is larger than the far plane allows; a cut near the eye of
-/// an edge that comes from very far away would otherwise be all rounding error. x, y: 1 cuts at the sides of
-/// the picture; larger ones are guard planes, for those who discard pixels. Errors: ContractViolation unless
-/// x, y >= 1.
-template <class T>
-constexpr std::array<Plane<T>, 6> view_volume(T x, T y) {
-  expects(x >= T(1) && y >= T(1), "guard planes lie at the sides of the picture or outside");
-  const T one = T(1);
-  return {{{2, -one, one}, {0, one, x}, {0, -one, x}, {1, one, y}, {1, -one, y}, {2, one, T(0)}}};
 }
 
 }  // namespace gradus::sutherland_hodgman

@@ -61,9 +61,8 @@ BatchCount BatchClipper::operator()(const Polygons& polygons, const Rectangle<do
     }
     for (int border = 0; border < 4 && !polygon_.empty(); ++border) {
       if (!crosses_border[static_cast<std::size_t>(border)]) continue;
-      const std::span<const Vertex<double>> rest(polygon_);
-      room_ = cut_at_border(rest, border, scene, std::move(room_));
-      std::swap(polygon_, room_);
+      cut_at_border(std::span<const Vertex<double>>(polygon_), ExactBorder{scene, border}, kept_);
+      std::swap(polygon_, kept_.polygon);
     }
     leave_out_repeated(polygon_);
     for (const Vertex<double>& v : polygon_) result.points.push_back(v.at);

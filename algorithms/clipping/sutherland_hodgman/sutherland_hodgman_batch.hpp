@@ -44,7 +44,8 @@ class BatchClipper {
   BatchCount operator()(const Polygons& polygons, const Rectangle<double>& window, Polygons& result);
 
  private:
-  std::vector<Vertex<double>> polygon_, room_;
+  std::vector<Vertex<double>> polygon_;
+  Kept<double> kept_;
 };
 
 }  // namespace gradus::sutherland_hodgman

@@ -57,6 +57,13 @@ std::vector<Vertex<T>> by_passes(const Task<T>& task, Pass pass) {
   return polygon;
 }
 
+/// What the step says of a vertex and the one before it.
+template <class T>
+VertexTested<T> tested(const PlainBorder<T>& border, std::span<const Vertex<T>> polygon,
+                       const Vertex<T>& last, const Vertex<T>& now) {
+  return {border.number, number_in(polygon, now), now, border.side(now), last, border.side(last)};
+}
+
 /// One pass of the textbook's loop in plain arithmetic: each cut is computed from the ends of the edge as the
 /// cuts before left them, and tested where it was rounded to.
 /// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17(1), 1974, 32-42.
@@ -73,19 +80,20 @@ template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Un
 std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                     O&& observer = {}) {
   std::vector<Vertex<T>> kept;
-  const Vertex<T>* last = &polygon.back();
-  for (const Vertex<T>& now : polygon) {
-    const int was = border.side(*last);
-    const int is = border.side(now);
-    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, is});
-    // Cut the edge that crosses the border
+  Vertex<T> last = polygon.back();
+  for (const auto& now : polygon) {
+    int was = border.side(last);
+    int is = border.side(now);
+    if constexpr (observed<O>) observer(tested(border, polygon, last, now));
+    // The edge crosses: cut it
     if (was * is < 0) {
-      kept.push_back(border.cut(*last, now));
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, *last, now, kept.back(), was > 0});
+      auto c = border.cut(last, now);
+      kept.push_back(c);
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was > 0});
     }
-    // What is inside or on the border stays
+    // What is inside or on it stays
     if (is >= 0) kept.push_back(now);
-    last = &now;
+    last = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
   return kept;
@@ -98,20 +106,20 @@ template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Un
 std::vector<Vertex<T>> entering_not_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                         O&& observer = {}) {
   std::vector<Vertex<T>> kept;
-  const Vertex<T>* last = &polygon.back();
-  for (const Vertex<T>& now : polygon) {
-    const bool was = border.inside(*last);
-    const int side = border.side(now);
-    const bool is = side >= 0;
-    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, side});
+  Vertex<T> last = polygon.back();
+  for (const auto& now : polygon) {
+    bool was = border.inside(last);
+    bool is = border.inside(now);
+    if constexpr (observed<O>) observer(tested(border, polygon, last, now));
     if (is) {
       // Missing: a cut if it enters
       kept.push_back(now);
     } else if (was) {
-      kept.push_back(border.cut(*last, now));
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, *last, now, kept.back(), true});
+      auto c = border.cut(last, now);
+      kept.push_back(c);
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, true});
     }
-    last = &now;
+    last = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
   return kept;
@@ -125,25 +133,33 @@ template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Un
 std::vector<Vertex<T>> previous_left_behind(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                             O&& observer = {}) {
   std::vector<Vertex<T>> kept;
-  const Vertex<T>* last = &polygon.back();
-  for (const Vertex<T>& now : polygon) {
-    const bool was = border.inside(*last);
-    const int side = border.side(now);
-    const bool is = side >= 0;
-    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, side});
+  Vertex<T> last = polygon.back();
+  for (const auto& now : polygon) {
+    bool was = border.inside(last);
+    bool is = border.inside(now);
+    if constexpr (observed<O>) observer(tested(border, polygon, last, now));
     if (was != is) {
-      kept.push_back(border.cut(*last, now));
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, *last, now, kept.back(), was});
+      auto c = border.cut(last, now);
+      kept.push_back(c);
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was});
     }
     if (is) {
       kept.push_back(now);
     } else {
       // Should be done in both cases
-      last = &now;
+      last = now;
     }
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
   return kept;
+}
+
+/// What the step says of vertices that were marked so.
+template <class T>
+VertexTested<T> marked(const PlainBorder<T>& border, std::span<const Vertex<T>> polygon,
+                       const Vertex<T>& last, const Vertex<T>& now) {
+  const auto mark = [&](const Vertex<T>& v) { return border.in_window(v) ? 1 : -1; };
+  return {border.number, number_in(polygon, now), now, mark(now), last, mark(last)};
 }
 
 /// FAULTY: vertices are marked inside or outside of the whole window instead of one border, and edges with
@@ -154,24 +170,30 @@ template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Un
 std::vector<Vertex<T>> marked_by_window(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                         O&& observer = {}) {
   std::vector<Vertex<T>> kept;
-  const Vertex<T>* last = &polygon.back();
-  for (const Vertex<T>& now : polygon) {
-    // Should ask for this border alone
-    const bool was = border.in_window(*last);
-    const bool is = border.in_window(now);
-    const int mark = is ? 1 : -1;
-    if constexpr (observed<O>) observer(VertexTested<T>{border.number, number_in(polygon, now), now, mark});
-    const int from = border.side(*last);
-    const int to = border.side(now);
+  Vertex<T> last = polygon.back();
+  for (const auto& now : polygon) {
+    // Should ask this border alone
+    bool was = border.in_window(last);
+    bool is = border.in_window(now);
+    if constexpr (observed<O>) observer(marked(border, polygon, last, now));
+    int from = border.side(last);
+    int to = border.side(now);
     if (was != is && from * to < 0) {
-      kept.push_back(border.cut(*last, now));
-      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, *last, now, kept.back(), was});
+      auto c = border.cut(last, now);
+      kept.push_back(c);
+      if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was});
     }
     if (is) kept.push_back(now);
-    last = &now;
+    last = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
   return kept;
+}
+
+/// The polygon of a task, before anything is cut.
+template <class T>
+std::vector<Vertex<T>> vertices_of(const Task<T>& task) {
+  return vertices_of(task.points);
 }
 
 /// Whether a polygon holds a point, or has it on an edge. Domain: finite. Cost: O(n).
@@ -202,16 +224,17 @@ bool contains_window(const Task<T>& task) {
 ///   of 100.
 template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> containing_left_whole(const Task<T>& task, O&& observer = {}) {
-  // Wrong: it is the window that remains
+  // Wrong: the window should stay
   if (contains_window(task)) {
-    auto polygon = vertices_of(task.points);
-    if constexpr (observed<O>) observer(BorderPassed<T>{task.order[0], polygon});
-    return polygon;
+    auto whole = vertices_of(task);
+    if constexpr (observed<O>) observer(BorderPassed<T>{task.order[0], whole});
+    return whole;
   }
-  return by_passes(task, [&](auto v, auto b) {
+  auto pass = [&](auto v, auto b) {
     // The textbook's loop
     return cut_of_a_cut(v, b, observer);
-  });
+  };
+  return by_passes(task, pass);
 }
 
 }  // namespace gradus::sutherland_hodgman

@@ -16,18 +16,24 @@
 
 namespace gradus::parallel {
 
+template <class T>
+using Point = glm::vec<3, T>;
+
 // --- Planes and directions ---------------------------------------
 
 /// A picture plane: all points p with normal · p = offset.
 template <class T>
 struct Plane {
-  glm::vec<3, T> normal;  ///< any length but 0
-  T offset;               ///< its distance from the origin times the normal's length
+  Point<T> normal;  ///< any length but 0
+  T offset;         ///< its distance from the origin times the normal's length
 };
 
 /// The coordinate that an orthographic projection gives up: x for the side view, y for the top view, z for
 /// the front view.
 enum class Axis { x, y, z };
+
+/// The place of an axis among a point's coordinates.
+constexpr int index_of(Axis axis) { return static_cast<int>(axis); }
 
 /// How far a projector moves aside while it goes one unit forward: the projectors' direction is (a, b, 1).
 /// a = b = 0 is orthographic.
@@ -57,7 +63,7 @@ inline Slant<double> slant_of(double radians, double foreshortening) {
 /// Errors: ContractViolation for a direction that is parallel to the plane z = d, or that leans so far that
 ///   its slant is beyond T, as (1, 0, 1e-310) does.
 template <class T>
-Slant<T> slant_of(glm::vec<3, T> direction) {
+Slant<T> slant_of(Point<T> direction) {
   expects(direction.z < T(0) || T(0) < direction.z,
           "projectors meet the plane, these are parallel to it: the direction's z is 0");
   const Slant<T> slant{direction.x / direction.z, direction.y / direction.z};
@@ -69,9 +75,9 @@ Slant<T> slant_of(glm::vec<3, T> direction) {
 /// Whether a direction is so clearly not parallel to a plane that its crossings can be computed in T: |n · v|
 /// exceeds 16 rounding errors of its own sum. With T = Exact, whether it is not parallel at all.
 template <class T>
-bool meets(const Plane<T>& plane, glm::vec<3, T> direction) {
+bool meets(const Plane<T>& plane, Point<T> direction) {
   const auto size = [](T a) { return a < T(0) ? -a : a; };
-  const glm::vec<3, T> product = plane.normal * direction;
+  const Point<T> product = plane.normal * direction;
   const T sum = size(product.x + product.y + product.z);
   const T least = T(8) * std::numeric_limits<T>::epsilon();
   return sum > least * (size(product.x) + size(product.y) + size(product.z));
@@ -82,14 +88,14 @@ bool meets(const Plane<T>& plane, glm::vec<3, T> direction) {
 /// The projector through a point is known to reach the plane after `t` times the direction.
 template <class T>
 struct Cast {
-  glm::vec<3, T> point;
+  Point<T> point;
   T t;  ///< negative when the point lies behind the plane
 };
 
 /// The projector has met the plane.
 template <class T>
 struct Projected {
-  glm::vec<3, T> point, image;
+  Point<T> point, image;
 };
 
 // --- The methods -------------------------------------------------
@@ -99,7 +105,7 @@ struct Projected {
 /// I. Carlbom, J. Paciorek, Planar geometric projections and viewing transformations, ACM Computing Surveys
 /// 10(4), 1978, 465-502.
 ///
-/// axis: the coordinate that is given up. d: where the plane crosses that axis. point: any.
+/// axis: the coordinate that is given up. d: where the plane crosses that axis. p: any point.
 ///
 /// Domain: everything.
 /// Steps: Cast Projected.
@@ -107,23 +113,23 @@ struct Projected {
 /// Cost: one subtraction.
 /// Errors: none.
 template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
-glm::vec<3, T> orthographic(Axis axis, T d, glm::vec<3, T> point, O&& observer = {}) {
-  const int i = static_cast<int>(axis);
+Point<T> orthographic(Axis axis, T d, Point<T> p, O&& observer = {}) {
+  const int i = index_of(axis);
   // How far ahead along the axis
   // the plane is
-  const T t = d - point[i];
-  if constexpr (observed<O>) observer(Cast<T>{point, t});
-  // The projector runs along the axis
-  glm::vec<3, T> image = point;
+  const T t = d - p[i];
+  if constexpr (observed<O>) observer(Cast<T>{p, t});
+  // The others stay what they are
+  Point<T> image = p;
   image[i] = d;
-  if constexpr (observed<O>) observer(Projected<T>{point, image});
+  if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;
 }
 
 /// Oblique projection onto the plane z = d: the projectors lean by the slant, so that receding edges show.
 /// Carlbom and Paciorek 1978, section 2.2.
 ///
-/// d: the plane's depth. slant: see slant_of. point: any.
+/// d: the plane's depth. slant: see slant_of. p: any point.
 ///
 /// Domain: where nothing overflows T and t a doesn't underflow. A point of the plane stays there, exactly.
 /// Steps: Cast Projected.
@@ -131,16 +137,17 @@ glm::vec<3, T> orthographic(Axis axis, T d, glm::vec<3, T> point, O&& observer =
 /// Cost: 2 multiplications, 3 additions.
 /// Errors: none; slant_of refuses projectors that never meet the plane.
 template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
-glm::vec<3, T> oblique(T d, Slant<T> slant, glm::vec<3, T> point, O&& observer = {}) {
+Point<T> oblique(T d, Slant<T> slant, Point<T> p, O&& observer = {}) {
   const auto [a, b] = slant;
-  // How far forward the plane is
-  const T t = d - point.z;
-  if constexpr (observed<O>) observer(Cast<T>{point, t});
-  // As far as that, it leans aside
-  const T x = point.x + t * a;
-  const T y = point.y + t * b;
-  const glm::vec<3, T> image{x, y, d};
-  if constexpr (observed<O>) observer(Projected<T>{point, image});
+  // How far ahead the plane is
+  const T t = d - p.z;
+  if constexpr (observed<O>) observer(Cast<T>{p, t});
+  // On the way there the projector
+  // leans by a and b a unit of depth
+  const T x = p.x + t * a;
+  const T y = p.y + t * b;
+  const Point<T> image{x, y, d};
+  if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;
 }
 
@@ -148,26 +155,26 @@ glm::vec<3, T> oblique(T d, Slant<T> slant, glm::vec<3, T> point, O&& observer =
 /// Carlbom and Paciorek 1978, section 2: planes that no axis is normal to give the axonometric views when the
 /// direction is the normal.
 ///
-/// plane, direction: any that meet, of any length; direction may point either way. point: any.
+/// plane, v: any plane and direction that meet, of any length; v may point either way. p: any point.
 ///
 /// Domain: what neither overflows nor underflows T in a product, sum or quotient.
 /// Steps: Cast Projected.
-/// Accuracy: with N = |offset| + sum |normal_i point_i|, S = sum |normal_i direction_i| and q = normal ·
-///   direction, each coordinate lies within 10 u |direction_i| N S / q^2 + 2 u |point_i|; Exact is exact.
+/// Accuracy: with N = |offset| + sum |normal_i p_i|, S = sum |normal_i v_i| and q = normal · v, each
+///   coordinate lies within 10 u |v_i| N S / q^2 + 2 u |p_i|, u as for oblique; Exact is exact.
 /// Cost: 9 multiplications, a division, 8 additions, and the test of the direction.
 /// Errors: ContractViolation when the direction does not meet the plane (see meets), or is not finite.
 template <class T, Observer<Cast<T>, Projected<T>> O = Unobserved>
-glm::vec<3, T> along(const Plane<T>& plane, glm::vec<3, T> v, glm::vec<3, T> point, O&& observer = {}) {
+Point<T> along(const Plane<T>& plane, Point<T> v, Point<T> p, O&& observer = {}) {
   expects(meets(plane, v), "projectors meet the plane, these are parallel to it");
   const auto [n, offset] = plane;
-  // The projector is point + t v, and
-  // n · (point + t v) = offset
-  const T ahead = offset - glm::dot(n, point);
-  const T t = ahead / glm::dot(n, v);
-  if constexpr (observed<O>) observer(Cast<T>{point, t});
+  // The projector is p + t v, and
+  // n · (p + t v) = offset
+  const T ahead = offset - dot(n, p);
+  const T t = ahead / dot(n, v);
+  if constexpr (observed<O>) observer(Cast<T>{p, t});
   // There it meets the plane
-  const glm::vec<3, T> image = point + t * v;
-  if constexpr (observed<O>) observer(Projected<T>{point, image});
+  const Point<T> image = p + t * v;
+  if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;
 }
 
@@ -181,9 +188,9 @@ glm::vec<3, T> along(const Plane<T>& plane, glm::vec<3, T> v, glm::vec<3, T> poi
 ///   normal_k / q or direction_i offset / q, and where the product is taken from 1, u more; Exact is exact.
 ///   For z = d, a power of two in the direction's z and products that fit also double is.
 template <class T>
-glm::mat<4, 4, T> matrix_of(const Plane<T>& plane, glm::vec<3, T> direction) {
+glm::mat<4, 4, T> matrix_of(const Plane<T>& plane, Point<T> direction) {
   expects(meets(plane, direction), "projectors meet the plane, these are parallel to it");
-  const glm::vec<3, T> v = direction / glm::dot(plane.normal, direction);
+  const Point<T> v = direction / glm::dot(plane.normal, direction);
   glm::mat<4, 4, T> m(T(1));
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) m[column][row] -= v[row] * plane.normal[column];
@@ -195,7 +202,7 @@ glm::mat<4, 4, T> matrix_of(const Plane<T>& plane, glm::vec<3, T> direction) {
 /// Where a projected point is drawn: x to the right and y up in the front view, x and depth in the top view
 /// (seen from above), depth and y in the side view (seen from the right).
 template <class T>
-glm::vec<2, T> picture_of(Axis axis, glm::vec<3, T> image) {
+glm::vec<2, T> picture_of(Axis axis, Point<T> image) {
   if (axis == Axis::x) return {image.z, image.y};
   if (axis == Axis::y) return {image.x, image.z};
   return {image.x, image.y};

@@ -24,10 +24,31 @@
 
 namespace gradus::perspective {
 
-/// Whether a number is one: neither infinite nor NaN. (Every Exact is.)
 template <class T>
-constexpr bool finite(const T& x) {
-  return x - x == T(0);
+using Point2 = glm::vec<2, T>;
+template <class T>
+using Point3 = glm::vec<3, T>;
+template <class T>
+using Point4 = glm::vec<4, T>;
+
+/// What stands where a point has no image.
+inline constexpr std::nullopt_t no_image = std::nullopt;
+
+/// Whether numbers are numbers: neither infinite nor NaN. (Every Exact is.)
+template <class... T>
+constexpr bool finite(const T&... numbers) {
+  return (... && (numbers - numbers == T(0)));
+}
+
+/// Whether a point of view space, or one of clip space, lies before the eye: at a depth above 0. NaN does
+/// not.
+template <class T>
+constexpr bool before_eye(const Point3<T>& view) {
+  return view.z > T(0);
+}
+template <class T>
+constexpr bool before_eye(const Point4<T>& clip) {
+  return clip.w > T(0);
 }
 
 // --- The projection: to the plane z = d --------------------------
@@ -36,29 +57,29 @@ constexpr bool finite(const T& x) {
 /// plane.
 template <class T>
 struct Scaled {
-  glm::vec<3, T> point;
+  Point3<T> point;
   T factor;  ///< d / z
 };
 
 /// The projector has met the plane.
 template <class T>
 struct Projected {
-  glm::vec<3, T> point, image;
+  Point3<T> point, image;
 };
 
 /// No projector leads from the point through the plane to the eye: it lies at or behind the eye, or so near
 /// it that its image is beyond T.
 template <class T>
 struct Unseen {
-  glm::vec<3, T> point;
+  Point3<T> point;
 };
 
 /// Perspective projection of one point: where the line from the eye to it meets the plane z = d. Similar
 /// triangles: x' : d = x : z.
-/// I. Carlbom, J. Paciorek, Planar geometric projections and viewing transformations, ACM Computing Surveys
-/// 10(4), 1978, 465-502.
+/// Source: I. Carlbom, J. Paciorek, Planar geometric projections and viewing transformations, ACM Computing
+/// Surveys 10(4), 1978, 465-502.
 ///
-/// d: the plane's distance from the eye, > 0. point: any.
+/// d: the plane's distance from the eye, > 0. p: any point.
 ///
 /// Domain: z > 0, before or behind the plane; for z <= 0, -0 and NaN there is no image, for the formula would
 ///   mirror the point, and none where d / z or the image is beyond T (z = 1e-310). A point of the plane
@@ -69,23 +90,24 @@ struct Unseen {
 /// Cost: 1 division, 2 multiplications.
 /// Errors: ContractViolation when d <= 0 or NaN.
 template <class T, Observer<Scaled<T>, Projected<T>, Unseen<T>> O = Unobserved>
-std::optional<glm::vec<3, T>> project(T d, glm::vec<3, T> point, O&& observer = {}) {
+std::optional<Point3<T>> project(T d, Point3<T> p, O&& observer = {}) {
   expects(d > T(0), "the picture plane lies before the eye, at a distance above 0");
-  if (!(point.z > T(0))) {
-    if constexpr (observed<O>) observer(Unseen<T>{point});
-    return std::nullopt;
+  if (!before_eye(p)) {
+    if constexpr (observed<O>) observer(Unseen<T>{p});
+    return no_image;
   }
   // x' : d = x : z
-  const T factor = d / point.z;
-  if constexpr (observed<O>) observer(Scaled<T>{point, factor});
-  const T x = point.x * factor;
-  const T y = point.y * factor;
-  if (!finite(x) || !finite(y)) {
-    if constexpr (observed<O>) observer(Unseen<T>{point});
-    return std::nullopt;
+  const T factor = d / p.z;
+  if constexpr (observed<O>) observer(Scaled<T>{p, factor});
+  const T x = p.x * factor;
+  const T y = p.y * factor;
+  // Too near the eye for numbers
+  if (!finite(x, y)) {
+    if constexpr (observed<O>) observer(Unseen<T>{p});
+    return no_image;
   }
-  const glm::vec<3, T> image{x, y, d};
-  if constexpr (observed<O>) observer(Projected<T>{point, image});
+  const Point3<T> image{x, y, d};
+  if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;
 }
 
@@ -105,28 +127,29 @@ glm::mat<4, 4, T> matrix_onto(T d) {
 /// The point at infinity of a direction was taken through the matrix.
 template <class T>
 struct TakenToInfinity {
-  glm::vec<3, T> direction;
-  glm::vec<4, T> image;  ///< w is 0 for a direction parallel to the picture plane
+  Point3<T> direction;
+  Point4<T> image;  ///< w is 0 for a direction parallel to the picture plane
 };
 
 /// All lines of this direction run to one point of the picture.
 template <class T>
 struct Vanished {
-  glm::vec<3, T> direction;
-  glm::vec<2, T> point;
+  Point3<T> direction;
+  Point2<T> point;
 };
 
 /// Lines of this direction have no point in common in the picture: they stay parallel.
 template <class T>
 struct StaysParallel {
-  glm::vec<3, T> direction;
+  Point3<T> direction;
 };
 
-/// Where all lines of one direction seem to meet: the image of their common point at infinity, (direction,
-/// 0). How many of an object's three axes have one is what one-, two- and three-point perspective count. B.
-/// Taylor, New principles of linear perspective, 1719.
+/// Where all lines of one direction seem to meet: the image of their common point at infinity, (v, 0). How
+/// many of an object's three axes have one is what one-, two- and three-point perspective count.
+/// Source: B. Taylor, New principles of linear perspective, 1719.
 ///
-/// matrix: of a projection, or of a projection after a view matrix: see matrix_onto. direction: any but 0.
+/// m: matrix of a projection, or of a projection after a view matrix: see matrix_onto. v: any direction but
+/// 0.
 ///
 /// Domain: every direction; nothing for one that is parallel to the picture plane, and for one whose point
 ///   would be beyond T: (1, 0, 1e-310) has no finite one.
@@ -136,24 +159,27 @@ struct StaysParallel {
 /// Cost: a product of matrix and vector, 2 divisions.
 /// Errors: ContractViolation for the direction 0.
 template <class T, Observer<TakenToInfinity<T>, Vanished<T>, StaysParallel<T>> O = Unobserved>
-std::optional<glm::vec<2, T>> vanishing_point(const glm::mat<4, 4, T>& matrix, glm::vec<3, T> direction,
-                                              O&& observer = {}) {
-  expects(direction != glm::vec<3, T>(T(0)), "a line has a direction, not the zero vector");
-  // A direction is a point at infinity
-  const glm::vec<4, T> v(direction, T(0));
-  const glm::vec<4, T> image = matrix * v;
-  if constexpr (observed<O>) observer(TakenToInfinity<T>{direction, image});
-  if (image.w != T(0)) {
-    const T x = image.x / image.w;
-    const T y = image.y / image.w;
-    if (finite(x) && finite(y)) {
-      const glm::vec<2, T> point{x, y};
-      if constexpr (observed<O>) observer(Vanished<T>{direction, point});
-      return point;
-    }
+std::optional<Point2<T>> vanishing_point(const glm::mat<4, 4, T>& m, Point3<T> v, O&& observer = {}) {
+  expects(v != Point3<T>(T(0)), "a line has a direction, not the zero vector");
+  // The lines' point at infinity
+  const Point4<T> infinite(v, 0);
+  const auto image = m * infinite;
+  if constexpr (observed<O>) observer(TakenToInfinity<T>{v, image});
+  // Parallel to the picture plane
+  if (image.w == T(0)) {
+    if constexpr (observed<O>) observer(StaysParallel<T>{v});
+    return no_image;
   }
-  if constexpr (observed<O>) observer(StaysParallel<T>{direction});
-  return std::nullopt;
+  const T x = image.x / image.w;
+  const T y = image.y / image.w;
+  // As good as parallel
+  if (!finite(x, y)) {
+    if constexpr (observed<O>) observer(StaysParallel<T>{v});
+    return no_image;
+  }
+  const Point2<T> point{x, y};
+  if constexpr (observed<O>) observer(Vanished<T>{v, point});
+  return point;
 }
 
 // --- The transformation: depth is kept ---------------------------
@@ -161,15 +187,15 @@ std::optional<glm::vec<2, T>> vanishing_point(const glm::mat<4, 4, T>& matrix, g
 /// A point of view space stands in clip space: -w <= x, y <= w and 0 <= z <= w is what the picture shows.
 template <class T>
 struct Multiplied {
-  glm::vec<3, T> view;
-  glm::vec<4, T> clip;  ///< w is the depth
+  Point3<T> view;
+  Point4<T> clip;  ///< w is the depth
 };
 
 /// A point of clip space was divided by its w.
 template <class T>
 struct Divided {
-  glm::vec<4, T> clip;
-  glm::vec<3, T> ndc;
+  Point4<T> clip;
+  Point3<T> ndc;
 };
 
 /// The perspective transformation of one point: x and y by the cotangents of half the angles of view, z so
@@ -177,24 +203,25 @@ struct Divided {
 /// planes, which they would not with z' = z.
 /// Source: J. F. Blinn, A trip down the graphics pipeline, 1996, chapter 18 (the matrix with 0 <= z <= w).
 ///
-/// projection: see projection_of. view: any point, also at or behind the eye.
+/// p: see projection_of. v: any point of view space, also at or behind the eye.
 ///
 /// Domain: products that neither overflow nor underflow.
 /// Steps: Multiplied.
 /// Accuracy: u is the rounding unit of T. x and y are within u |x| and u |y|, z is within u |z| and
-///   u |z_scale view.z|, w is exact; z = near gives exactly 0; where
-///   the compiler fuses product and sum (see core/arithmetic/rounding.hpp) it may be off by 2^-53 |z_offset|.
+///   u |z_scale v.z|, w is exact; z = near gives exactly 0; where the compiler fuses product and sum (see
+///   core/arithmetic/rounding.hpp) it may be off by 2^-53 |z_offset|.
 /// Cost: 3 multiplications, 1 addition, no division.
 /// Errors: none.
 template <class T, Observer<Multiplied<T>> O = Unobserved>
-glm::vec<4, T> transform(const Projection<T>& projection, glm::vec<3, T> view, O&& observer = {}) {
-  const auto [sx, sy, sz, shift] = projection;
-  const T x = sx * view.x;
-  const T y = sy * view.y;
-  const T z = sz * view.z + shift;
-  const T w = view.z;
-  const glm::vec<4, T> clip{x, y, z, w};
-  if constexpr (observed<O>) observer(Multiplied<T>{view, clip});
+Point4<T> transform(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
+  // The matrix, row by row
+  const auto [sx, sy, sz, shift] = p;
+  const T x = sx * v.x;
+  const T y = sy * v.y;
+  const T z = sz * v.z + shift;
+  const T w = v.z;
+  const Point4<T> clip{x, y, z, w};
+  if constexpr (observed<O>) observer(Multiplied<T>{v, clip});
   return clip;
 }
 
@@ -207,12 +234,13 @@ glm::vec<4, T> transform(const Projection<T>& projection, glm::vec<3, T> view, O
 /// Cost: 3 divisions.
 /// Errors: ContractViolation when w <= 0 or NaN.
 template <class T, Observer<Divided<T>> O = Unobserved>
-glm::vec<3, T> divide(glm::vec<4, T> clip, O&& observer = {}) {
-  expects(clip.w > T(0), "only points before the eye can be divided, this one has a w of 0 or less");
+Point3<T> divide(Point4<T> clip, O&& observer = {}) {
+  expects(before_eye(clip), "only points before the eye can be divided, this one has a w of 0 or less");
+  // The division
   const T x = clip.x / clip.w;
   const T y = clip.y / clip.w;
   const T z = clip.z / clip.w;
-  const glm::vec<3, T> ndc{x, y, z};
+  const Point3<T> ndc{x, y, z};
   if constexpr (observed<O>) observer(Divided<T>{clip, ndc});
   return ndc;
 }
@@ -220,10 +248,10 @@ glm::vec<3, T> divide(glm::vec<4, T> clip, O&& observer = {}) {
 /// A point at or behind the eye was left as it is: there is no image of it.
 template <class T>
 struct LeftUndivided {
-  glm::vec<4, T> clip;  ///< w <= 0
+  Point4<T> clip;  ///< w <= 0
 };
 
-/// The image of one point, of any: multiplied, looked at, and divided only where it lies before the eye.
+/// The image of any point: multiplied, tested, and divided only where it lies before the eye.
 ///
 /// p: see projection_of. v: any point of view space.
 ///
@@ -234,12 +262,12 @@ struct LeftUndivided {
 /// Cost: as transform and divide.
 /// Errors: none.
 template <class T, Observer<Multiplied<T>, Divided<T>, LeftUndivided<T>> O = Unobserved>
-std::optional<glm::vec<3, T>> divide_tested(const Projection<T>& p, glm::vec<3, T> v, O&& observer = {}) {
+std::optional<Point3<T>> divide_tested(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
+  // The test comes between the two
   const auto clip = transform(p, v, observer);
-  // At or behind the eye there is no image
-  if (!(clip.w > T(0))) {
+  if (!before_eye(clip)) {
     if constexpr (observed<O>) observer(LeftUndivided<T>{clip});
-    return std::nullopt;
+    return no_image;
   }
   return divide(clip, observer);
 }
@@ -250,7 +278,7 @@ std::optional<glm::vec<3, T>> divide_tested(const Projection<T>& p, glm::vec<3, 
 /// two corners.
 /// Domain: a.x != b.x.
 template <class T>
-T interpolated_depth(glm::vec<3, T> a, glm::vec<3, T> b, T x) {
+T interpolated_depth(Point3<T> a, Point3<T> b, T x) {
   const T share = (x - a.x) / (b.x - a.x);
   return a.z + share * (b.z - a.z);
 }
@@ -308,7 +336,8 @@ struct Resolved {
 
 /// The smallest separable step at depth z: the spacing of what can be stored, divided by how fast the stored
 /// depth changes.
-/// E. Lapidous, G. Jiao, Optimal depth buffer for low-cost graphics hardware, Graphics Hardware 1999, 67-73.
+/// Source: E. Lapidous, G. Jiao, Optimal depth buffer for low-cost graphics hardware, Graphics Hardware 1999,
+/// 67-73.
 ///
 /// n, f: depths of the near and the far plane, 0 < n < f. z: n <= z <= f.
 ///
@@ -321,15 +350,17 @@ struct Resolved {
 template <Observer<Resolved> O = Unobserved>
 double separable_step(DepthCurve curve, DepthFormat format, double n, double f, double z, O&& observer = {}) {
   expects(n <= z && z <= f, "depths lie between {} and {}, not at {}", n, f, z);
-  const auto depth = depth_of(curve, n, f, z);
-  const double gap = spacing(format, depth);
+  // The gap between stored depths
+  double d = depth_of(curve, n, f, z);
+  double gap = spacing(format, d);
+  // How steep the curve is there
   double slope = 1 / (f - n);
   if (curve != DepthCurve::linear) {
     // d/dz of a + b / z
     slope *= n / z * (f / z);
   }
   const double step = gap / slope;
-  if constexpr (observed<O>) observer(Resolved{z, depth, gap, slope, step});
+  if constexpr (observed<O>) observer(Resolved{z, d, gap, slope, step});
   return step;
 }
 

@@ -12,7 +12,7 @@ namespace gradus::perspective {
 /// that is not parallel to the picture: between its corners, depth on the screen is no straight line, and
 /// whoever interpolates it there sees the wrong surface (errata E001-38).
 ///
-/// d: the plane's distance, > 0. point: any.
+/// d: the plane's distance, > 0. p: any point.
 ///
 /// Domain: as project; nothing for z <= 0.
 /// Steps: Scaled Projected | Scaled? Unseen.
@@ -22,23 +22,24 @@ namespace gradus::perspective {
 /// Cost: as project.
 /// Errors: ContractViolation when d <= 0 or NaN.
 template <class T, Observer<Scaled<T>, Projected<T>, Unseen<T>> O = Unobserved>
-std::optional<glm::vec<3, T>> keep_z(T d, glm::vec<3, T> point, O&& observer = {}) {
+std::optional<Point3<T>> keep_z(T d, Point3<T> p, O&& observer = {}) {
   expects(d > T(0), "the picture plane lies before the eye, at a distance above 0");
-  if (!(point.z > T(0))) {
-    if constexpr (observed<O>) observer(Unseen<T>{point});
-    return std::nullopt;
+  if (!before_eye(p)) {
+    if constexpr (observed<O>) observer(Unseen<T>{p});
+    return no_image;
   }
-  const T factor = d / point.z;
-  if constexpr (observed<O>) observer(Scaled<T>{point, factor});
-  const T x = point.x * factor;
-  const T y = point.y * factor;
-  if (!finite(x) || !finite(y)) {
-    if constexpr (observed<O>) observer(Unseen<T>{point});
-    return std::nullopt;
+  const T factor = d / p.z;
+  if constexpr (observed<O>) observer(Scaled<T>{p, factor});
+  const T x = p.x * factor;
+  const T y = p.y * factor;
+  if (!finite(x, y)) {
+    if constexpr (observed<O>) observer(Unseen<T>{p});
+    return no_image;
   }
-  const T z = point.z;
-  const glm::vec<3, T> image{x, y, z};
-  if constexpr (observed<O>) observer(Projected<T>{point, image});
+  // The depth stays as it is
+  const T z = p.z;
+  const Point3<T> image{x, y, z};
+  if constexpr (observed<O>) observer(Projected<T>{p, image});
   return image;
 }
 
@@ -53,13 +54,13 @@ std::optional<glm::vec<3, T>> keep_z(T d, glm::vec<3, T> point, O&& observer = {
 /// Cost: as transform and divide.
 /// Errors: none, where there should be one.
 template <class T, Observer<Multiplied<T>, Divided<T>> O = Unobserved>
-glm::vec<3, T> divide_untested(const Projection<T>& p, glm::vec<3, T> v, O&& observer = {}) {
+Point3<T> divide_untested(const Projection<T>& p, Point3<T> v, O&& observer = {}) {
   const auto clip = transform(p, v, observer);
   // Divided whatever w is
   const T x = clip.x / clip.w;
   const T y = clip.y / clip.w;
   const T z = clip.z / clip.w;
-  const glm::vec<3, T> ndc{x, y, z};
+  const Point3<T> ndc{x, y, z};
   if constexpr (observed<O>) observer(Divided<T>{clip, ndc});
   return ndc;
 }
@@ -67,21 +68,21 @@ glm::vec<3, T> divide_untested(const Projection<T>& p, glm::vec<3, T> v, O&& obs
 /// The screen of a wireframe program: the eye is meant to stand `zoom` before the plane z = 0.
 template <class T>
 struct WireScreen {
-  glm::vec<2, T> centre;  ///< of the screen, straight ahead of the eye
-  T fov;                  ///< the screen's distance from the eye
+  Point2<T> centre;  ///< of the screen, straight ahead of the eye
+  T fov;             ///< the screen's distance from the eye
   T zoom;
 };
 
 /// A point was left where it stands, its depth dropped.
 template <class T>
 struct LeftAlone {
-  glm::vec<3, T> node;
+  Point3<T> node;
 };
 
 /// FAULTY: the screen coordinates of a wireframe report, which says that larger z is farther away and divides
 /// by zoom - z, but for points with z = 0 (errata E002-03, E002-04, E002-05).
 ///
-/// screen: finite. node: any point.
+/// s: a finite screen. p: any point.
 ///
 /// Domain: right nowhere but by chance: that z is farther takes zoom + z. With centre 400, fov 500, zoom 1000
 ///   x = 600 goes to 450, 600, 1400 for z = -1000, 500, 900; to 500 for z = 1e-9, but it stays at 600 for
@@ -91,28 +92,27 @@ struct LeftAlone {
 /// Cost: 2 divisions.
 /// Errors: none, where there should be one: z = zoom divides by 0.
 template <class T, Observer<LeftAlone<T>, Divided<T>> O = Unobserved>
-glm::vec<2, T> zoom_minus_z(const WireScreen<T>& screen, glm::vec<3, T> node, O&& observer = {}) {
-  const auto [centre, fov, zoom] = screen;
+Point2<T> zoom_minus_z(const WireScreen<T>& s, Point3<T> p, O&& observer = {}) {
+  const auto [centre, fov, zoom] = s;
   // Nothing to do where z is 0
-  if (node.z == T(0)) {
-    if constexpr (observed<O>) observer(LeftAlone<T>{node});
-    return glm::vec<2, T>(node);
+  if (p.z == T(0)) {
+    if constexpr (observed<O>) observer(LeftAlone<T>{p});
+    return Point2<T>(p);
   }
-  const T w = zoom - node.z;
-  const T x = fov * (node.x - centre.x);
-  const T y = fov * (node.y - centre.y);
-  const glm::vec<2, T> image{
-      x / w + centre.x,
-      y / w + centre.y,
-  };
-  if constexpr (observed<O>) observer(Divided<T>{{x, y, node.z, w}, {image, node.z}});
+  const T w = zoom - p.z;
+  const T x = fov * (p.x - centre.x);
+  const T y = fov * (p.y - centre.y);
+  const T column = x / w + centre.x;
+  const T row = y / w + centre.y;
+  const Point2<T> image{column, row};
+  if constexpr (observed<O>) observer(Divided<T>{{x, y, p.z, w}, {image, p.z}});
   return image;
 }
 
 /// FAULTY: the vanishing point by the notes' rule for two-point perspective, "what is parallel to the y-plane
 /// stays parallel" (errata E001-21).
 ///
-/// m, v: as matrix and direction of vanishing_point.
+/// m, v: as for vanishing_point.
 ///
 /// Domain: right for directions that are not parallel to the xz-plane, and for those that are parallel to the
 ///   picture plane. All others of the xz-plane do vanish: seen along (1,0,1) the direction (1,0,1) at (0,0).
@@ -122,13 +122,12 @@ glm::vec<2, T> zoom_minus_z(const WireScreen<T>& screen, glm::vec<3, T> node, O&
 /// Cost: as vanishing_point.
 /// Errors: ContractViolation for the direction 0.
 template <class T, Observer<TakenToInfinity<T>, Vanished<T>, StaysParallel<T>> O = Unobserved>
-std::optional<glm::vec<2, T>> parallel_by_plane(const glm::mat<4, 4, T>& m, glm::vec<3, T> v,
-                                                O&& observer = {}) {
-  expects(v != glm::vec<3, T>(T(0)), "a line has a direction, not the zero vector");
+std::optional<Point2<T>> parallel_by_plane(const glm::mat<4, 4, T>& m, Point3<T> v, O&& observer = {}) {
+  expects(v != Point3<T>(T(0)), "a line has a direction, not the zero vector");
   // "Parallel to the y-plane"
   if (v.y == T(0)) {
     if constexpr (observed<O>) observer(StaysParallel<T>{v});
-    return std::nullopt;
+    return no_image;
   }
   return vanishing_point(m, v, observer);
 }

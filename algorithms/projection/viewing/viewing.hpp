@@ -5,8 +5,10 @@
 // right = forward x up, so the rows right, up, forward have determinant -1: seen along forward, the world is
 // not turned alone but mirrored too, which is what makes depth positive (docs/conventions.md).
 
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -32,7 +34,7 @@ struct HintReplaced {
   glm::vec<3, T> up_hint, spare;
 };
 
-/// right stands at right angles on the view direction and on the hint for up.
+/// right stands at right angles to the view direction and to the hint for up.
 template <class T>
 struct Levelled {
   glm::vec<3, T> up_hint;
@@ -117,31 +119,25 @@ inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 ///   has length 0, and when up is parallel to the view direction (their sine is below least_sine).
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> look_at(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
-  using Vec = glm::vec<3, T>;
   expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
-  // Forward: from the eye to the target
-  const Vec along = way(eye, target);
-  const Vec ahead = unit_vector(along);
-  expects(ahead != Vec{T(0)}, "the eye and the target are the same point ({}, {}, {})", eye.x, eye.y, eye.z);
+  // Forward: from eye to target
+  const auto d = way(eye, target);
+  const auto ahead = unit_vector(d);
+  expects(ahead != glm::vec<3, T>{T(0)}, "the eye and the target are the same point ({}, {}, {})", eye.x,
+          eye.y, eye.z);
   if constexpr (observed<O>) observer(Aimed<T>{eye, target, ahead});
-  // Right: at right angles on ahead and up
-  const Vec hint = unit_vector(up);
-  expects(hint != Vec{T(0)}, "up is the zero vector, which points nowhere");
-  const Vec across = glm::cross(ahead, hint);
-  const T sine = glm::length(across);
-  expects(sine >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
-  const Vec right = upright_on(ahead, across);
-  if constexpr (observed<O>) observer(Levelled<T>{up, right, sine});
-  // Up: at right angles on both
-  const Vec above = glm::cross(right, ahead);
-  const Frame<T> frame{
-      eye,
-      right,
-      above,
-      ahead,
-  };
-  if constexpr (observed<O>) observer(Framed<T>{frame});
-  return frame;
+  // Right: at right angles to both
+  const auto hint = unit_vector(up);
+  expects(hint != glm::vec<3, T>{T(0)}, "up is the zero vector, which points nowhere");
+  const auto r = cross(ahead, hint);
+  expects(length(r) >= least_sine<T>, "up ({}, {}, {}) is parallel to the view direction", up.x, up.y, up.z);
+  auto right = upright_on(ahead, r);
+  if constexpr (observed<O>) observer(Levelled<T>{up, right, length(r)});
+  // Up: at right angles to these two
+  auto above = cross(right, ahead);
+  Frame f{eye, right, above, ahead};
+  if constexpr (observed<O>) observer(Framed<T>{f});
+  return f;
 }
 
 /// What points up for a viewer whose own hint says nothing: -z for who looks up or down, as on a map of the
@@ -167,15 +163,14 @@ glm::vec<3, T> spare_hint(glm::vec<3, T> ahead) {
 template <std::floating_point T, Observer<HintReplaced<T>, Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> spare_up(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
   expects(is_finite(eye) && is_finite(target) && is_finite(up), "eye, target and up have finite coordinates");
-  const auto along = way(eye, target);
-  const auto ahead = unit_vector(along);
   // Does up say what is right?
-  const auto hint = unit_vector(up);
-  const auto across = glm::cross(ahead, hint);
-  const T sine = glm::length(across);
-  if (!(sine < least_sine<T>)) {
+  const auto d = way(eye, target);
+  const T sine = sine_between(d, up);
+  if (sine >= least_sine<T>) {
     return look_at(eye, target, up, observer);
   }
+  // It doesn't: take another up
+  const auto ahead = unit_vector(d);
   const auto top = spare_hint(ahead);
   if constexpr (observed<O>) observer(HintReplaced<T>{up, top});
   return look_at(eye, target, top, observer);
@@ -220,15 +215,16 @@ void write_column(Matrix<T>& matrix, int column, glm::vec<3, T> entries) {
 /// Errors: none.
 template <class T, Observer<RowWritten<T>> O = Unobserved>
 Matrix<T> world_to_view(const Frame<T>& frame, O&& observer = {}) {
-  Matrix<T> matrix(T(1));
+  const auto& eye = frame.eye;
+  Matrix<T> m(T(1));
   for (int row = 0; row < 3; ++row) {
-    // An axis, and minus its product with eye
-    const auto axis = axis_of(frame, row);
-    const T shift = -dot(axis, frame.eye);
-    write_row(matrix, row, axis, shift);
+    auto axis = axis_of(frame, row);
+    // So that the eye goes to 0
+    const T shift = -dot(axis, eye);
+    write_row(m, row, axis, shift);
     if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
   }
-  return matrix;
+  return m;
 }
 
 /// Whether the axes have length 1 and stand at right angles, but for rounding (for Exact: exactly).
@@ -257,37 +253,41 @@ bool is_upright(const Frame<T>& frame) {
 template <class T, Observer<ColumnWritten<T>> O = Unobserved>
 Matrix<T> view_to_world(const Frame<T>& frame, O&& observer = {}) {
   expects(is_upright(frame),
-          "the axes have length 1 and stand at right angles; of others the transposed "
-          "matrix is no inverse");
-  Matrix<T> matrix(T(1));
-  for (int column = 0; column < 3; ++column) {
-    // A unit along an axis leads along it
-    const auto axis = axis_of(frame, column);
-    write_column(matrix, column, axis);
-    if constexpr (observed<O>) observer(ColumnWritten<T>{column, axis});
+          "the axes have length 1 and stand at right angles; of others the transposed matrix is no inverse");
+  Matrix<T> m(T(1));
+  for (int i = 0; i < 3; ++i) {
+    // A unit of view, in the world
+    auto axis = axis_of(frame, i);
+    write_column(m, i, axis);
+    if constexpr (observed<O>) observer(ColumnWritten<T>{i, axis});
   }
-  // The origin is the eye
-  write_column(matrix, 3, frame.eye);
+  // The origin goes to the eye
+  write_column(m, 3, frame.eye);
   if constexpr (observed<O>) observer(ColumnWritten<T>{3, frame.eye});
-  return matrix;
+  return m;
 }
 
-/// An axis times a power of two that makes its largest component at least 1 and less than 2, so that products
-/// neither overflow nor vanish; a vector that was divided by it can be brought back. Exact needs no scaling.
+/// The axes of a frame, each times a power of two that makes its largest component at least 1 and less than
+/// 2, so that products neither overflow nor vanish. Exact needs no scaling.
 template <class T>
 struct Rescaled {
-  glm::vec<3, T> axis;
-  int exponent = 0;
+  std::array<glm::vec<3, T>, 3> scaled;
+  std::array<int, 3> exponents{};
 
-  explicit Rescaled(glm::vec<3, T> v) : axis(v) {
+  explicit Rescaled(const Frame<T>& frame) : scaled{frame.right, frame.up, frame.forward} {
     if constexpr (std::floating_point<T>) {
-      axis = Scaled<T>(v).vector;
-      exponent = Scaled<T>(v).exponent;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Scaled<T> axis(scaled[i]);
+        scaled[i] = axis.vector;
+        exponents[i] = axis.exponent;
+      }
     }
   }
-  glm::vec<3, T> undone(glm::vec<3, T> v) const {
+  /// A vector that was divided by the i-th scaled axis, as if divided by the axis itself.
+  glm::vec<3, T> undo(glm::vec<3, T> v, int i) const {
     if constexpr (std::floating_point<T>) {
-      return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+      const int exponent = -exponents[static_cast<std::size_t>(i)];
+      return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
     } else {
       return v;
     }
@@ -301,8 +301,8 @@ T least_span() {
 }
 
 /// The inverse of world_to_view for axes of any lengths and any angles: column i is the cross product of the
-/// two other axes, divided by the determinant.
-/// Cramer's rule; the columns are the reciprocal basis of the axes.
+/// two other axes, divided by the determinant (Cramer's rule; the columns are the reciprocal basis of the
+/// axes).
 ///
 /// T: float, double or Exact. frame: three axes that don't lie in one plane.
 ///
@@ -316,31 +316,30 @@ T least_span() {
 /// Errors: ContractViolation when the axes lie in one plane: then nothing leads back.
 template <class T, Observer<ColumnWritten<T>> O = Unobserved>
 Matrix<T> inverse_of_any_frame(const Frame<T>& frame, O&& observer = {}) {
-  using Vec = glm::vec<3, T>;
-  const Rescaled<T> right(frame.right);
-  const Rescaled<T> up(frame.up);
-  const Rescaled<T> forward(frame.forward);
-  const Vec x = right.axis;
-  const Vec y = up.axis;
-  const Vec z = forward.axis;
+  // Each axis about 1 long
+  const Rescaled<T> axes(frame);
+  const auto& [x, y, z] = axes.scaled;
   // What the three axes span
-  const T det = glm::dot(x, glm::cross(y, z));
+  const T det = dot(x, cross(y, z));
   expects(det > least_span<T>() || det < -least_span<T>(),
           "the axes lie in one plane, so no point can be told from those beside it");
-  // Columns at right angles on the
-  // two other axes
-  const Vec columns[]{
-      right.undone(glm::cross(y, z) / det),
-      up.undone(glm::cross(z, x) / det),
-      forward.undone(glm::cross(x, y) / det),
-      frame.eye,
+  // At right angles to the other two
+  const glm::vec<3, T> normals[]{
+      cross(y, z),
+      cross(z, x),
+      cross(x, y),
   };
-  Matrix<T> matrix(T(1));
-  for (int i = 0; i < 4; ++i) {
-    write_column(matrix, i, columns[i]);
-    if constexpr (observed<O>) observer(ColumnWritten<T>{i, columns[i]});
+  Matrix<T> m(T(1));
+  for (int i = 0; i < 3; ++i) {
+    const auto n = normals[i] / det;
+    const auto c = axes.undo(n, i);
+    write_column(m, i, c);
+    if constexpr (observed<O>) observer(ColumnWritten<T>{i, c});
   }
-  return matrix;
+  // The origin goes to the eye
+  write_column(m, 3, frame.eye);
+  if constexpr (observed<O>) observer(ColumnWritten<T>{3, frame.eye});
+  return m;
 }
 
 /// The coordinates of a point for the viewer: how far right, how far up, how deep.

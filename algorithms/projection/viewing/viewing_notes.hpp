@@ -1,7 +1,12 @@
 #pragma once
 // Exhibits: two view matrices of lecture notes that look elsewhere, kept so that a figure can show where, and
-// a frame made without a look at what it divides by. Never use them to look; viewing.hpp has the right ones.
+// a frame made without a look at what it divides by, and a block of points that is read by its shape. Never
+// use them to look; viewing.hpp has the right ones.
 
+#include <cstddef>
+#include <vector>
+
+#include "core/contract.hpp"
 #include "projection/viewing/viewing.hpp"
 
 namespace gradus::viewing {
@@ -18,15 +23,15 @@ namespace gradus::viewing {
 /// Cost: none but moving numbers.
 template <class T, Observer<RowWritten<T>> O = Unobserved>
 Matrix<T> minus_position(const Frame<T>& frame, O&& observer = {}) {
-  Matrix<T> matrix(T(1));
+  Matrix<T> m(T(1));
   for (int row = 0; row < 3; ++row) {
-    // An axis, and minus the eye itself
-    const auto axis = axis_of(frame, row);
+    auto axis = axis_of(frame, row);
+    // Minus the eye itself
     const T shift = -frame.eye[row];
-    write_row(matrix, row, axis, shift);
+    write_row(m, row, axis, shift);
     if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
   }
-  return matrix;
+  return m;
 }
 
 /// FAULTY: the axes right, up, -forward as columns where rows belong, so that view coordinates are taken for
@@ -42,22 +47,23 @@ Matrix<T> minus_position(const Frame<T>& frame, O&& observer = {}) {
 /// Cost: 9 multiplications, 6 additions.
 template <class T, Observer<RowWritten<T>> O = Unobserved>
 Matrix<T> transposed(const Frame<T>& frame, O&& observer = {}) {
-  Matrix<T> matrix(T(1));
+  const auto& eye = frame.eye;
   const auto right = frame.right;
   const auto up = frame.up;
   const auto back = -frame.forward;
+  Matrix<T> m(T(1));
   for (int row = 0; row < 3; ++row) {
-    // A column of the right matrix, as a row
+    // A column, where a row belongs
     const glm::vec<3, T> axis{
         right[row],
         up[row],
         back[row],
     };
-    const T shift = -dot(axis, frame.eye);
-    write_row(matrix, row, axis, shift);
+    const T shift = -dot(axis, eye);
+    write_row(m, row, axis, shift);
     if constexpr (observed<O>) observer(RowWritten<T>{row, axis, shift});
   }
-  return matrix;
+  return m;
 }
 
 /// FAULTY where up lies along the view: the frame by two cross products, without a look at what they divide
@@ -72,24 +78,44 @@ Matrix<T> transposed(const Frame<T>& frame, O&& observer = {}) {
 /// Cost: two square roots, two cross products. Errors: none, where there should be one.
 template <std::floating_point T, Observer<Aimed<T>, Levelled<T>, Framed<T>> O = Unobserved>
 Frame<T> cross_products(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T> up, O&& observer = {}) {
-  const auto along = target - eye;
-  const T distance = glm::length(along);
-  const auto ahead = along / distance;
+  const auto d = target - eye;
+  const T distance = length(d);
+  const auto ahead = d / distance;
   if constexpr (observed<O>) observer(Aimed<T>{eye, target, ahead});
   // However little is left of up
-  const auto across = glm::cross(ahead, up);
-  const T length = glm::length(across);
-  const auto right = across / length;
-  if constexpr (observed<O>) observer(Levelled<T>{up, right, length});
-  const auto above = glm::cross(right, ahead);
-  const Frame<T> frame{
-      eye,
-      right,
-      above,
-      ahead,
-  };
-  if constexpr (observed<O>) observer(Framed<T>{frame});
-  return frame;
+  const auto r = cross(ahead, up);
+  const T size = length(r);
+  const auto right = r / size;
+  if constexpr (observed<O>) observer(Levelled<T>{up, right, size});
+  auto above = cross(right, ahead);
+  Frame f{eye, right, above, ahead};
+  if constexpr (observed<O>) observer(Framed<T>{f});
+  return f;
+}
+
+/// FAULTY: the points of a block of numbers, as 3 x N or as N x 3 (errata E000-06): three rows are taken for
+/// x, y and z of all points, else every row for a point. Three points in rows come out with their x, y and z
+/// mixed up, and nothing can tell.
+///
+/// block: rows of equal length; 3 rows, or rows of 3.
+///
+/// Domain: right for every 3 x N, and for N x 3 unless N = 3.
+/// Accuracy: numbers are copied.
+/// Cost: none but moving numbers.
+/// Errors: ContractViolation for a block that is neither.
+template <class T>
+std::vector<glm::vec<3, T>> points_of_block(const std::vector<std::vector<T>>& block) {
+  const std::size_t columns = block.empty() ? 0 : block[0].size();
+  expects(block.size() == 3 || columns == 3, "a block of 3 x N or N x 3 expected, found {} x {}",
+          block.size(), columns);
+  for (const auto& row : block) expects(row.size() == columns, "rows of equal length expected");
+  std::vector<glm::vec<3, T>> points;
+  if (block.size() == 3) {
+    for (std::size_t i = 0; i < columns; ++i) points.push_back({block[0][i], block[1][i], block[2][i]});
+  } else {
+    for (const auto& row : block) points.push_back({row[0], row[1], row[2]});
+  }
+  return points;
 }
 
 }  // namespace gradus::viewing

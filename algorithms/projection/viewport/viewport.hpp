@@ -155,6 +155,12 @@ glm::vec<2, T> place_at(const Rectangle<T>& viewport, glm::vec<2, T> fraction) {
           along(viewport.lower.y, viewport.upper.y, fraction.y)};
 }
 
+/// The same in the viewport of a mapping.
+template <class T>
+glm::vec<2, T> place_at(const Mapping<T>& map, glm::vec<2, T> fraction) {
+  return place_at(map.viewport, fraction);
+}
+
 /// Whether a place lies in the viewport, its lower sides included, its upper ones not: so that viewports side
 /// by side share no place. False for what is not a number.
 template <class T>
@@ -186,7 +192,7 @@ ivec2 rounded(glm::vec<2, T> place, Rounding rounding) {
 /// 5.4), then a rounding by name.
 ///
 /// T: float, double or Exact. map: from stretched or letterboxed. point: any.
-/// rounding: floor gives the pixel that the place lies in. The two others name the nearest corner of pixels:
+/// rule: floor gives the pixel that the place lies in. The two others name the nearest corner of pixels:
 ///   up to half a pixel away, column and row 0 get half a pixel's points and the last half pixel none, for
 ///   there is no pixel `width`.
 ///
@@ -198,22 +204,21 @@ ivec2 rounded(glm::vec<2, T> place, Rounding rounding) {
 /// Cost: two divisions, four multiplications.
 /// Errors: none.
 template <class T, Observer<Measured<T>, Placed<T>, Outside<T>, Rounded<T>> O = Unobserved>
-std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point,
-                               Rounding rounding = Rounding::floor, O&& observer = {}) {
-  // How far across the window is the point?
-  const auto part = fraction_of(map, point);
+std::optional<ivec2> rasterize(const Mapping<T>& map, glm::vec<2, T> point, Rounding rule = Rounding::floor,
+                               O&& observer = {}) {
+  // How far across the window?
+  auto part = fraction_of(map, point);
   if constexpr (observed<O>) observer(Measured<T>{point, part});
-  // As far across the viewport, in pixels
-  const Rectangle<T>& viewport = map.viewport;
-  const auto place = place_at(viewport, part);
+  // As far across the viewport
+  auto place = place_at(map, part);
   if constexpr (observed<O>) observer(Placed<T>{part, place});
   // Outside: say so, move nothing
-  if (!holds(viewport, place)) {
+  if (!holds(map.viewport, place)) {
     if constexpr (observed<O>) observer(Outside<T>{place});
     return std::nullopt;
   }
   // The pixel, unless there is none
-  const auto pixel = rounded(place, rounding);
+  auto pixel = rounded(place, rule);
   const bool there = map.has(pixel);
   if constexpr (observed<O>) observer(Rounded<T>{place, pixel, there});
   if (!there) return std::nullopt;

@@ -31,7 +31,7 @@ ivec2 integers(glm::vec<2, T> place, Rounding rounding) {
 /// moves column and row, each for itself, into the picture.
 /// The report's rasterize (errata E000-09, E000-10).
 ///
-/// map, point: as for rasterize. rounding: half_even as the report's language has it.
+/// map, point: as for rasterize. rule: half_even as the report's language has it.
 ///
 /// Domain: right to half a pixel for points whose nearest integers are in the picture. With 640 x 480 pixels
 ///   for a plane of 2 x 1.5 the point (2, 1) comes out at (639, 0), where the line from the middle to it
@@ -42,23 +42,21 @@ ivec2 integers(glm::vec<2, T> place, Rounding rounding) {
 /// Cost: as rasterize.
 /// Errors: none.
 template <class T, Observer<Measured<T>, Placed<T>, Rounded<T>, Clamped> O = Unobserved>
-ivec2 clamped(const Mapping<T>& map, glm::vec<2, T> point, Rounding rounding, O&& observer = {}) {
-  // How far across the window is the point?
-  const auto part = fraction_of(map, point);
+ivec2 clamped(const Mapping<T>& map, glm::vec<2, T> point, Rounding rule, O&& observer = {}) {
+  // How far across the window?
+  auto part = fraction_of(map, point);
   if constexpr (observed<O>) observer(Measured<T>{point, part});
-  // As far across the viewport, in pixels
-  const Rectangle<T>& viewport = map.viewport;
-  const auto place = place_at(viewport, part);
+  // As far across the viewport
+  auto place = place_at(map, part);
   if constexpr (observed<O>) observer(Placed<T>{part, place});
   // The nearest integers
-  const auto near = integers(place, rounding);
+  auto near = integers(place, rule);
   const bool there = map.has(near);
   if constexpr (observed<O>) observer(Rounded<T>{place, near, there});
   // Each for itself into the picture
   const ivec2 last = map.picture - 1;
-  const int x = std::clamp(near.x, 0, last.x);
-  const int y = std::clamp(near.y, 0, last.y);
-  const ivec2 pixel{x, y};
+  ivec2 pixel = min(near, last);
+  pixel = max(pixel, ivec2(0));
   if constexpr (observed<O>) observer(Clamped{near, pixel});
   return pixel;
 }

@@ -20,10 +20,13 @@
 
 namespace gradus::bresenham_circle {
 
+/// Whole numbers that int may be too short for: places of a large circle, the decision parameter.
+using Whole = std::int64_t;
+
 // --- The circle and its eight octants ----------------------------
 
-/// One eighth of a circle: where its own x and y point. Its pixels are center + x * right + y * up with
-/// 0 <= x <= y, so that they start on an axis and end at a diagonal.
+/// One eighth of a circle: where its own x and y point. Its pixels are center + x * right + y * up,
+/// with 0 <= x <= y, so that they start on an axis and end at a diagonal.
 struct Octant {
   int number;  ///< 1: from (0, r) to the right; on clockwise to 8
   ivec2 right, up;
@@ -43,7 +46,7 @@ inline constexpr std::array<Octant, 8> octants{{{1, {1, 0}, {0, 1}},
                                                 {8, {-1, 0}, {0, 1}}}};
 
 /// The pixel at (x, y) of an octant. Domain: it lies in the int32 plane.
-constexpr ivec2 pixel_of(ivec2 center, const Octant& octant, std::int64_t x, std::int64_t y) {
+constexpr ivec2 pixel_of(ivec2 center, const Octant& octant, Whole x, Whole y) {
   return {static_cast<int>(center.x + x * octant.right.x + y * octant.up.x),
           static_cast<int>(center.y + x * octant.right.y + y * octant.up.y)};
 }
@@ -51,7 +54,7 @@ constexpr ivec2 pixel_of(ivec2 center, const Octant& octant, std::int64_t x, std
 /// Whether the whole circle lies in the int32 plane.
 constexpr bool fits_plane(ivec2 center, int radius) {
   const auto fits = [radius](int c) {
-    return std::int64_t{INT32_MIN} <= std::int64_t{c} - radius && std::int64_t{c} + radius <= INT32_MAX;
+    return Whole{INT32_MIN} <= Whole{c} - radius && Whole{c} + radius <= INT32_MAX;
   };
   return fits(center.x) && fits(center.y);
 }
@@ -59,7 +62,7 @@ constexpr bool fits_plane(ivec2 center, int radius) {
 /// Plots the mirror images of (x, y), each pixel once: on an axis and on a diagonal two of the eight are one,
 /// and a circle of radius 0 is its centre.
 template <class Plot>
-constexpr void plot_mirrored(ivec2 center, std::int64_t x, std::int64_t y, Plot& plot) {
+constexpr void plot_mirrored(ivec2 center, Whole x, Whole y, Plot& plot) {
   for (const Octant& octant : octants) {
     if (!octant.has_borders() && (x == 0 || x == y)) continue;
     plot(pixel_of(center, octant, x, y));
@@ -69,27 +72,27 @@ constexpr void plot_mirrored(ivec2 center, std::int64_t x, std::int64_t y, Plot&
 
 // --- Steps -------------------------------------------------------
 
-// Places are told as (x, y) of the first octant, seen from the centre.
+// Steps give places as (x, y) of the first octant, seen from the centre.
 
 /// The decision parameter has its first value; (0, radius) and its mirror images are about to be plotted.
 struct Started {
   ivec2 center;
   int radius;
-  std::int64_t p;  ///< 3 - 2 radius
+  Whole p;  ///< 3 - 2 radius
 };
 
 /// The test was read: is at + (1, 0) nearer to the circle, or at + (1, -1)?
 struct Compared {
-  ivec2 at;        ///< where the octant stands
-  std::int64_t p;  ///< the value tested: < 0 E, > 0 SE; it is odd, so never 0
-  bool east;       ///< what the test decided
+  ivec2 at;   ///< where the octant stands
+  Whole p;    ///< the value tested: < 0 E, > 0 SE; it is odd, so never 0
+  bool east;  ///< what the test decided
 };
 
 /// The octant stands on its next place and p is ready for the next test. The place is about to be plotted,
 /// with its mirror images, unless it lies past the diagonal.
 struct Stepped {
-  ivec2 at;                  ///< where it stands
-  std::int64_t p_before, p;  ///< the value that was tested, the value that will be
+  ivec2 at;           ///< where it stands
+  Whole p_before, p;  ///< the value that was tested, the value that will be
   bool east;
 
   constexpr ivec2 from() const { return {at.x - 1, east ? at.y : at.y + 1}; }  ///< where it stood
@@ -97,69 +100,69 @@ struct Stepped {
 
 /// Every pixel is plotted.
 struct Finished {
-  std::int64_t pixels;  ///< how many
+  Whole pixels;  ///< how many
 };
 
-/// (x, y) as steps tell it.
-constexpr ivec2 place(std::int64_t x, std::int64_t y) { return {static_cast<int>(x), static_cast<int>(y)}; }
+/// (x, y) as steps give it.
+constexpr ivec2 place(Whole x, Whole y) { return {static_cast<int>(x), static_cast<int>(y)}; }
 
 // --- Any part of a circle, without the ones before it ------------
 
 /// The square root, rounded down. Domain: 0 <= n. Cost: about six divisions.
-constexpr std::int64_t square_root(std::int64_t n) {
+constexpr Whole square_root(Whole n) {
   if (n == 0) return 0;
   // Newton's iteration, from above
-  std::int64_t root = std::int64_t{1} << (std::bit_width(static_cast<std::uint64_t>(n)) + 1) / 2;
-  for (std::int64_t next = (root + n / root) / 2; next < root; next = (root + n / root) / 2) root = next;
+  Whole root = Whole{1} << (std::bit_width(static_cast<std::uint64_t>(n)) + 1) / 2;
+  for (Whole next = (root + n / root) / 2; next < root; next = (root + n / root) / 2) root = next;
   return root;
 }
 
 /// The circle's height in a column, rounded to the nearest pixel: y of the place that decision_parameter
 /// reaches after x steps. Domain: 0 <= x <= radius.
-constexpr std::int64_t height_at(int radius, std::int64_t x) {
-  const std::int64_t squared = std::int64_t{radius} * radius - x * x, root = square_root(squared);
+constexpr Whole height_at(int radius, Whole x) {
+  const Whole squared = Whole{radius} * radius - x * x, root = square_root(squared);
   return root + (squared > root * root + root);
 }
 
-/// The first column whose pixel is at this height or lower: the inverse of height_at. 0 when all are,
-/// radius + 1 when none is.
-constexpr std::int64_t first_at_most(int radius, std::int64_t height) {
+/// The first column whose pixel is at this height or lower: the inverse of height_at. 0 when
+/// all are, radius + 1 when none is.
+constexpr Whole first_at_most(int radius, Whole height) {
   if (height >= radius) return 0;
-  if (height < 0) return std::int64_t{radius} + 1;
-  const std::int64_t squared = std::int64_t{radius} * radius - height * (height + 1);
-  const std::int64_t root = square_root(squared);
+  if (height < 0) return Whole{radius} + 1;
+  const Whole squared = Whole{radius} * radius - height * (height + 1);
+  const Whole root = square_root(squared);
   return root + (root * root < squared);
 }
 
 /// The value of p that the test at (x, y) reads. Domain: (x, y) is less than a pixel off the circle.
-constexpr std::int64_t decision_at(int radius, std::int64_t x, std::int64_t y) {
-  const std::int64_t outside = x * x + y * y - std::int64_t{radius} * radius;
+constexpr Whole decision_at(int radius, Whole x, Whole y) {
+  const Whole outside = x * x + y * y - Whole{radius} * radius;
   return 2 * (outside + 2 * x - y) + 3;
 }
 
 /// Columns first .. last of an octant. Empty when last < first.
 struct Stretch {
-  std::int64_t first = 0, last = -1;
-  constexpr std::int64_t count() const { return std::max<std::int64_t>(0, last - first + 1); }
+  Whole first = 0, last = -1;
+  constexpr Whole count() const { return std::max<Whole>(0, last - first + 1); }
 };
 
 /// The last column of an octant: the greatest x that is not greater than the height there.
-constexpr std::int64_t last_column(int radius) {
-  const std::int64_t squared = std::int64_t{radius} * radius, x = square_root(squared / 2);
+constexpr Whole last_column(int radius) {
+  const Whole squared = Whole{radius} * radius, x = square_root(squared / 2);
   return x < radius && height_at(radius, x + 1) > x ? x + 1 : x;
 }
 
 /// The columns whose pixels belong to this octant and to no other.
 constexpr Stretch columns_of(int radius, const Octant& octant) {
-  const std::int64_t last = last_column(radius);
+  const Whole last = last_column(radius);
   if (radius == 0) return octant.number == 1 ? Stretch{0, 0} : Stretch{};
   if (octant.has_borders()) return {0, last};
   return {1, height_at(radius, last) == last ? last - 1 : last};
 }
 
 /// How many pixels a circle has. Domain: radius >= 0. Cost: O(1).
-constexpr std::int64_t pixel_count(int radius) {
-  std::int64_t count = 0;
+constexpr Whole pixel_count(int radius) {
+  Whole count = 0;
   for (const Octant& octant : octants) count += columns_of(radius, octant).count();
   return count;
 }
@@ -189,9 +192,9 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
   expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
   expects(fits_plane(center, radius), "the circle round ({}, {}) with radius {} leaves int32", center.x,
           center.y, radius);
-  std::int64_t x = 0, y = radius;
+  Whole x = 0, y = radius;
   // Is E nearer to the circle, or SE?
-  std::int64_t p = 3 - 2 * y;
+  Whole p = 3 - 2 * y;
   if constexpr (observed<O>) observer(Started{center, radius, p});
   plot_mirrored(center, x, y, plot);
   while (x < y) {
@@ -207,7 +210,7 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
       --y;  // SE
       if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * (x - y) - 2, p, false});
     }
-    // Past the diagonal: drawn already
+    // Past the diagonal: drawn before
     if (x > y) break;
     plot_mirrored(center, x, y, plot);
   }
@@ -219,8 +222,8 @@ constexpr void decision_parameter(ivec2 center, int radius, Plot&& plot, O&& obs
 /// How far a window reaches from the centre in one of the four directions of an axis, in pixels.
 constexpr Stretch reach(const Window& window, ivec2 center, ivec2 direction) {
   const int axis = direction.x == 0 ? 1 : 0;
-  const std::int64_t lower = std::int64_t{window.lower[axis]} - center[axis];
-  const std::int64_t upper = std::int64_t{window.upper[axis]} - center[axis];
+  const Whole lower = Whole{window.lower[axis]} - center[axis];
+  const Whole upper = Whole{window.upper[axis]} - center[axis];
   return direction[axis] > 0 ? Stretch{lower, upper} : Stretch{-upper, -lower};
 }
 
@@ -237,6 +240,11 @@ constexpr Stretch visible_columns(ivec2 center, int radius, const Octant& octant
 struct Arc {
   Octant octant;
   Stretch shown;  ///< its columns
+  Circle<int> circle;
+
+  constexpr ivec2 pixel(Whole x, Whole y) const { return pixel_of(circle.centre, octant, x, y); }
+  constexpr Whole height(Whole x) const { return height_at(circle.radius, x); }
+  constexpr Whole decision(Whole x, Whole y) const { return decision_at(circle.radius, x, y); }
 };
 
 /// What a window shows of a circle, octant by octant.
@@ -244,10 +252,12 @@ struct Arc {
 /// Domain: radius >= 0; an empty window, or an octant that misses it, gives an empty stretch.
 /// Accuracy: exact, for all int32 centres and windows and every radius.
 /// Cost: O(1), about 40 square roots.
-constexpr std::array<Arc, 8> visible(ivec2 center, int radius, const Window& window) {
+constexpr std::array<Arc, 8> visible(const Circle<int>& circle, const Window& window) {
+  const auto& [center, radius] = circle;
   std::array<Arc, 8> arcs{};
   for (std::size_t i = 0; i < octants.size(); ++i) {
-    arcs[i] = {octants[i], window.empty() ? Stretch{} : visible_columns(center, radius, octants[i], window)};
+    const Octant& octant = octants[i];
+    arcs[i] = {octant, window.empty() ? Stretch{} : visible_columns(center, radius, octant, window), circle};
   }
   return arcs;
 }
@@ -256,16 +266,16 @@ constexpr std::array<Arc, 8> visible(ivec2 center, int radius, const Window& win
 struct Jumped {
   Octant octant;
   Stretch shown;
-  ivec2 at;        ///< the first place in the window, about to be plotted
-  std::int64_t p;  ///< the value for the next test
+  ivec2 at;  ///< the first place in the window, about to be plotted
+  Whole p;   ///< the value for the next test
 };
 
 /// Draws the part of a circle that lies in a window: the very pixels that decision_parameter plots there, or
 /// would plot on a larger plane, found by jumping to the first one of each octant.
 ///
-/// center, radius: any int32 centre, 0 to 2^31 - 1. window: any, both corners included; nothing outside it is
-///   ever plotted. Pixels come octant by octant, clockwise from (0, radius), each from its axis to its
-///   diagonal.
+/// center, radius: any int32 centre, 0 to 2^31 - 1. window: any, both corners included;
+///   nothing outside it is ever plotted. Pixels come octant by octant, clockwise from (0, radius),
+///   each from its axis to its diagonal.
 ///
 /// Domain: radius >= 0; a circle that misses the window plots nothing, be it all outside or all inside.
 /// Steps: Started (Jumped (Compared Stepped)*)* Finished; Jumped once for every octant that shows any pixel.
@@ -275,17 +285,19 @@ struct Jumped {
 template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O = Unobserved>
 constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& plot, O&& observer = {}) {
   expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
-  std::int64_t pixels = 0;
-  if constexpr (observed<O>) observer(Started{center, radius, 3 - 2 * std::int64_t{radius}});
-  auto arcs = visible(center, radius, window);
-  for (const auto& [octant, shown] : arcs) {
+  const Circle circle{center, radius};
+  if constexpr (observed<O>) observer(Started{center, radius, 3 - 2 * Whole{radius}});
+  Whole pixels = 0;
+  auto arcs = visible(circle, window);
+  for (const Arc& arc : arcs) {
+    const Stretch shown = arc.shown;
     if (shown.count() == 0) continue;
-    // Jump to its first pixel in the window
-    auto x = shown.first;
-    auto y = height_at(radius, x);
-    auto p = decision_at(radius, x, y);
-    if constexpr (observed<O>) observer(Jumped{octant, shown, place(x, y), p});
-    plot(pixel_of(center, octant, x, y));
+    // Jump to its first pixel shown
+    Whole x = shown.first;
+    Whole y = arc.height(x);
+    Whole p = arc.decision(x, y);
+    if constexpr (observed<O>) observer(Jumped{arc.octant, shown, place(x, y), p});
+    plot(arc.pixel(x, y));
     while (x < shown.last) {
       if (p < 0) {
         if constexpr (observed<O>) observer(Compared{place(x, y), p, true});
@@ -299,7 +311,7 @@ constexpr void in_window(ivec2 center, int radius, const Window& window, Plot&& 
         --y;  // SE
         if constexpr (observed<O>) observer(Stepped{place(x, y), p - 4 * (x - y) - 2, p, false});
       }
-      plot(pixel_of(center, octant, x, y));
+      plot(arc.pixel(x, y));
     }
     pixels += shown.count();
   }

@@ -2,7 +2,6 @@
 // Circles for speed: the pixels of bresenham_circle.hpp, written straight into memory.
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "core/raster.hpp"
@@ -39,12 +38,13 @@ void draw_whole(Raster<Cell>& raster, ivec2 center, int radius, const Cell& valu
 
 /// A part of an octant. Domain: it lies in the raster and is not empty.
 template <class Cell>
-void draw_arc(Raster<Cell>& raster, ivec2 center, int radius, const Arc& arc, const Cell& value) {
-  const auto& [octant, shown] = arc;
-  std::int64_t x = shown.first, y = height_at(radius, x), p = decision_at(radius, x, y);
+void draw_arc(Raster<Cell>& raster, const Arc& arc, const Cell& value) {
+  const Octant& octant = arc.octant;
+  const Stretch& shown = arc.shown;
+  Whole x = shown.first, y = arc.height(x), p = arc.decision(x, y);
   const std::ptrdiff_t right = octant.right.x + octant.right.y * std::ptrdiff_t{raster.width()};
   const std::ptrdiff_t up = octant.up.x + octant.up.y * std::ptrdiff_t{raster.width()};
-  Cell* cell = &raster[pixel_of(center, octant, x, y)];
+  Cell* cell = &raster[arc.pixel(x, y)];
   *cell = value;
   while (x < shown.last) {
     const bool east = p < 0;
@@ -65,13 +65,13 @@ void draw_arc(Raster<Cell>& raster, ivec2 center, int radius, const Arc& arc, co
 template <class Cell>
 void draw(Raster<Cell>& raster, ivec2 center, int radius, const Cell& value) {
   expects(radius >= 0, "a circle has a radius of 0 or more, not {}", radius);
-  const auto within = [radius](int c, int size) { return radius <= c && std::int64_t{c} + radius < size; };
+  const auto within = [radius](int c, int size) { return radius <= c && Whole{c} + radius < size; };
   if (within(center.x, raster.width()) && within(center.y, raster.height())) {
     draw_whole(raster, center, radius, value);
     return;
   }
-  for (const Arc& arc : visible(center, radius, raster.window())) {
-    if (arc.shown.count() > 0) draw_arc(raster, center, radius, arc, value);
+  for (const Arc& arc : visible({center, radius}, raster.window())) {
+    if (arc.shown.count() > 0) draw_arc(raster, arc, value);
   }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // Straight lines on a pixel grid: which pixels lie nearest to the line from one pixel centre to another.
 //
-// Seen along its leading axis (the one it covers more of; x when both are equal) a line advances by one pixel
-// a step and either goes straight on or one pixel aside too. In the first octant those are the textbook's E
-// and NE.
+// Seen along its leading axis (the one it covers more of; x when both are equal) a line advances
+// by one pixel a step and either goes straight on or one pixel aside too. In the first octant
+// those are the textbook's E and NE.
 //
 // Where the exact line passes midway between two pixels the one with the smaller y is taken, for steep lines
 // the one with the smaller x. The rule looks at places, never at directions, so both directions of a line are
@@ -21,6 +21,8 @@
 
 namespace gradus::bresenham_line {
 
+/// Whole numbers that int may be too short for: lengths, numbers of pixels, the decision parameter.
+using Whole = std::int64_t;
 __extension__ typedef __int128 int128_t;
 
 // --- What every method knows about a line before it starts -------
@@ -28,29 +30,29 @@ __extension__ typedef __int128 int128_t;
 /// How far a line goes, in pixels: dx along its leading axis, dy along the other. 0 <= dy <= dx < 2^32.
 /// (For a steep line dx is counted along y: the names are those of the first octant.)
 struct Extent {
-  std::int64_t dx, dy;
+  Whole dx, dy;
 };
 
 /// The two moves a line is made of, each one pixel long.
 struct Moves {
-  ivec2 straight;     ///< one pixel along the leading axis (E in the first octant)
-  ivec2 diagonal;     ///< the same, and one pixel aside (NE in the first octant)
-  bool tie_straight;  ///< midway, `straight` leads to the pixel with the smaller coordinate aside
+  ivec2 straight;  ///< one pixel along the leading axis (E in the first octant)
+  ivec2 diagonal;  ///< the same, and one pixel aside (NE in the first octant)
+  bool tie;  ///< whether it is `straight` when the line passes midway: it has the smaller coordinate aside
 };
 
 /// |to.x - from.x| and |to.y - from.y|, exact for all int32 coordinates.
-constexpr std::int64_t distance_x(ivec2 from, ivec2 to) {
-  return from.x < to.x ? std::int64_t{to.x} - from.x : std::int64_t{from.x} - to.x;
+constexpr Whole distance_x(ivec2 from, ivec2 to) {
+  return from.x < to.x ? Whole{to.x} - from.x : Whole{from.x} - to.x;
 }
-constexpr std::int64_t distance_y(ivec2 from, ivec2 to) {
-  return from.y < to.y ? std::int64_t{to.y} - from.y : std::int64_t{from.y} - to.y;
+constexpr Whole distance_y(ivec2 from, ivec2 to) {
+  return from.y < to.y ? Whole{to.y} - from.y : Whole{from.y} - to.y;
 }
 
 /// Whether y leads: the line covers more of y than of x.
 constexpr bool steep(ivec2 from, ivec2 to) { return distance_y(from, to) > distance_x(from, to); }
 
 constexpr Extent extent(ivec2 from, ivec2 to) {
-  const std::int64_t x = distance_x(from, to), y = distance_y(from, to);
+  const Whole x = distance_x(from, to), y = distance_y(from, to);
   return {std::max(x, y), std::min(x, y)};
 }
 
@@ -62,15 +64,15 @@ constexpr Moves moves(ivec2 from, ivec2 to) {
 }
 
 /// How many pixels a line has: max(|dx|, |dy|) + 1, at most 2^32. Cost: O(1).
-constexpr std::int64_t pixel_count(ivec2 from, ivec2 to) { return extent(from, to).dx + 1; }
+constexpr Whole pixel_count(ivec2 from, ivec2 to) { return extent(from, to).dx + 1; }
 
 // --- Steps -------------------------------------------------------
 
 /// The decision parameter has its first value; `from` is about to be plotted.
 struct Started {
   ivec2 from, to;
-  std::int64_t dx, dy;  ///< lengths along the leading axis and aside, in pixels
-  std::int64_t p;       ///< 2 dy - dx
+  Whole dx, dy;  ///< lengths along the leading axis and aside, in pixels
+  Whole p;       ///< 2 dy - dx
   Moves moves;
 };
 
@@ -79,55 +81,52 @@ struct Started {
 struct Compared {
   ivec2 pixel;  ///< where the line stands
   Moves moves;
-  std::int64_t p;  ///< the value tested: < 0 straight, > 0 diagonal, 0 as moves.tie_straight says
-  bool straight;   ///< what the test decided
+  Whole p;        ///< the value tested: < 0 straight, > 0 diagonal, 0 straight if moves.tie
+  bool straight;  ///< what the test decided
 };
 
 /// The line stands on its next pixel, which is about to be plotted, and p is ready for the next test.
 struct Stepped {
-  ivec2 from, pixel;         ///< where it stood, where it stands
-  std::int64_t p_before, p;  ///< the value that was tested, the value that will be
+  ivec2 from, pixel;  ///< where it stood, where it stands
+  Whole p_before, p;  ///< the value that was tested, the value that will be
   bool straight;
 };
 
 /// Every pixel is plotted.
 struct Finished {
-  std::int64_t pixels;  ///< how many
+  Whole pixels;  ///< how many
 };
 
 // --- The taught method -------------------------------------------
 
-/// Draws a line with an integer decision parameter. p is 2 dx times the height by which the exact line
-/// passes above the middle between the two next pixels, so its sign alone decides, and one addition
-/// keeps it up to date.
-/// J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM Systems Journal 4(1), 1965,
-/// 25-30.
+/// Draws a line with an integer decision parameter. p is 2 dx times the height by which the exact
+/// line passes above the middle between the two next pixels, so its sign alone decides, and
+/// one addition keeps it up to date.
+/// J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM
+/// Systems Journal 4(1), 1965, 25-30.
 ///
 /// from, to: the centres of the end pixels, any int32 coordinates. plot(ivec2) is called once a pixel,
 ///   in order from `from` to `to`, both included.
 ///
-/// Domain: everything; from == to gives one pixel. |p| < 2^33, so 64 bits hold it for every line (32 do
-///   not).
+/// Domain: everything; from == to gives one pixel. |p| < 2^33, so 64 bits hold it for every line (32 do not).
 /// Steps: Started (Compared Stepped)* Finished; Compared and Stepped once for every pixel but the first.
-/// Accuracy: every pixel lies within 1/2 pixel of the exact line, measured along the axis that does not
-///   lead; the same pixels whichever end comes first (midway: the smaller y, on steep lines the smaller
-///   x).
-/// Cost: max(|dx|, |dy|) steps of two additions and two or three tests; no multiplication or division in
-///   the loop, no memory.
+/// Accuracy: every pixel lies within 1/2 pixel of the exact line, measured along the axis that does not lead;
+///   the same pixels whichever end comes first (midway: the smaller y, on steep lines the smaller x).
+/// Cost: max(|dx|, |dy|) steps of two additions and two or three tests; no multiplication or
+///   division in the loop, no memory.
 /// Errors: none.
 template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
 constexpr void decision_parameter(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  const auto [dx, dy] = extent(from, to);
+  auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
-  const bool tie_straight = go.tie_straight;
-  // Does the line pass above the middle
-  // between the two next pixels?
-  std::int64_t p = 2 * dy - dx;
+  // Does the line pass above the
+  // midpoint of the two next pixels?
+  Whole p = 2 * dy - dx;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
   ivec2 pixel = from;
   plot(pixel);
   while (pixel != to) {
-    if (p < 0 || (p == 0 && tie_straight)) {
+    if (p < 0 || (p == 0 && go.tie)) {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
       pixel += go.straight;  // E
       p += 2 * dy;
@@ -147,12 +146,11 @@ constexpr void decision_parameter(ivec2 from, ivec2 to, Plot&& plot, O&& observe
 
 /// Pixel numbers first .. last of a line; `from` has number 0. Empty when last < first.
 struct Stretch {
-  std::int64_t first = 0, last = -1;
+  Whole first = 0, last = -1;
 };
 
-/// The pixel `k` steps along the leading axis and `row` pixels aside. Domain: it lies in the int32
-/// plane.
-constexpr ivec2 place(ivec2 from, const Moves& go, std::int64_t k, std::int64_t row) {
+/// The pixel `k` steps along the leading axis and `row` pixels aside. Domain: it lies in the int32 plane.
+constexpr ivec2 place(ivec2 from, const Moves& go, Whole k, Whole row) {
   const ivec2 aside = go.diagonal - go.straight;
   return {static_cast<int>(from.x + k * go.straight.x + row * aside.x),
           static_cast<int>(from.y + k * go.straight.y + row * aside.y)};
@@ -161,24 +159,23 @@ constexpr ivec2 place(ivec2 from, const Moves& go, std::int64_t k, std::int64_t 
 /// a / b rounded down. Domain: b > 0.
 constexpr int128_t floor_quotient(int128_t a, int128_t b) { return a / b - (a % b < 0); }
 
-/// How many pixels aside pixel number k lies: k dy / dx, rounded to the nearest, midway by the rule for
-/// ties.
+/// How many pixels aside pixel number k lies: k dy / dx, rounded to the nearest, midway by the rule for ties.
 /// Domain: 0 <= k <= dx.
-constexpr std::int64_t row_at(Extent size, bool tie_straight, std::int64_t k) {
+constexpr Whole row_at(Extent size, bool tie_straight, Whole k) {
   if (size.dx == 0) return 0;
   const int128_t twice = 2 * int128_t{k} * size.dy;
   const int128_t row = tie_straight ? -floor_quotient(size.dx - twice, 2 * int128_t{size.dx})
                                     : floor_quotient(size.dx + twice, 2 * int128_t{size.dx});
-  return static_cast<std::int64_t>(row);
+  return static_cast<Whole>(row);
 }
 
-/// The number of the first pixel that lies `row` pixels aside or more: the inverse of row_at. 0 when all
-/// do, dx + 1 when none does.
-constexpr std::int64_t first_in_row(Extent size, bool tie_straight, std::int64_t row) {
+/// The number of the first pixel that lies `row` pixels aside or more: the inverse of row_at. 0
+/// when all do, dx + 1 when none does.
+constexpr Whole first_in_row(Extent size, bool tie_straight, Whole row) {
   if (row <= 0) return 0;
   if (row > size.dy) return size.dx + 1;
   const int128_t a = (2 * int128_t{row} - 1) * size.dx, b = 2 * int128_t{size.dy};
-  return static_cast<std::int64_t>(tie_straight ? floor_quotient(a, b) + 1 : -floor_quotient(-a, b));
+  return static_cast<Whole>(tie_straight ? floor_quotient(a, b) + 1 : -floor_quotient(-a, b));
 }
 
 /// Pixel number k of the line from `from` to `to`, the one that decision_parameter plots after k steps.
@@ -187,24 +184,24 @@ constexpr std::int64_t first_in_row(Extent size, bool tie_straight, std::int64_t
 /// Accuracy: exact, for all int32 end points.
 /// Cost: O(1), one 128-bit division.
 /// Errors: ContractViolation when k is not the number of a pixel.
-constexpr ivec2 pixel_at(ivec2 from, ivec2 to, std::int64_t k) {
+constexpr ivec2 pixel_at(ivec2 from, ivec2 to, Whole k) {
   const Extent size = extent(from, to);
   expects(0 <= k && k <= size.dx, "this line has pixels 0 to {}, there is no pixel {}", size.dx, k);
   const Moves go = moves(from, to);
-  return place(from, go, k, row_at(size, go.tie_straight, k));
+  return place(from, go, k, row_at(size, go.tie, k));
 }
 
 /// The value of p that the test after pixel k reads, 2 (k + 1) dy - (2 row + 1) dx; |p| < 2^33.
 /// Domain: 0 <= k <= dx.
-constexpr std::int64_t decision_at(ivec2 from, ivec2 to, std::int64_t k) {
+constexpr Whole decision_at(ivec2 from, ivec2 to, Whole k) {
   const Extent size = extent(from, to);
-  const bool tie_straight = moves(from, to).tie_straight;
+  const bool tie_straight = moves(from, to).tie;
   const int128_t row = row_at(size, tie_straight, k);
-  return static_cast<std::int64_t>(2 * (int128_t{k} + 1) * size.dy - (2 * row + 1) * size.dx);
+  return static_cast<Whole>(2 * (int128_t{k} + 1) * size.dy - (2 * row + 1) * size.dx);
 }
 
-/// Which pixels of a line lie in a window: always one unbroken stretch, for the pixels go one way in x
-/// and in y.
+/// Which pixels of a line lie in a window: always one unbroken stretch, for the
+/// pixels go one way in x and in y.
 ///
 /// Domain: everything; an empty window or a line that misses it gives an empty stretch.
 /// Accuracy: exact, for all int32 end points and windows.
@@ -215,32 +212,29 @@ constexpr Stretch visible(ivec2 from, ivec2 to, const Window& window) {
   const Moves go = moves(from, to);
   // How far the window reaches from `from`, counted in the direction of the line.
   const bool right = from.x <= to.x, up = from.y <= to.y;
-  const Stretch x =
-      right ? Stretch{std::int64_t{window.lower.x} - from.x, std::int64_t{window.upper.x} - from.x}
-            : Stretch{std::int64_t{from.x} - window.upper.x, std::int64_t{from.x} - window.lower.x};
-  const Stretch y =
-      up ? Stretch{std::int64_t{window.lower.y} - from.y, std::int64_t{window.upper.y} - from.y}
-         : Stretch{std::int64_t{from.y} - window.upper.y, std::int64_t{from.y} - window.lower.y};
+  const Stretch x = right ? Stretch{Whole{window.lower.x} - from.x, Whole{window.upper.x} - from.x}
+                          : Stretch{Whole{from.x} - window.upper.x, Whole{from.x} - window.lower.x};
+  const Stretch y = up ? Stretch{Whole{window.lower.y} - from.y, Whole{window.upper.y} - from.y}
+                       : Stretch{Whole{from.y} - window.upper.y, Whole{from.y} - window.lower.y};
   const Stretch along = steep(from, to) ? y : x;
   const Stretch rows = steep(from, to) ? x : y;
-  const std::int64_t enters = first_in_row(size, go.tie_straight, rows.first);
-  const std::int64_t leaves = first_in_row(size, go.tie_straight, rows.last + 1);
-  return {std::max({std::int64_t{0}, along.first, enters}), std::min({size.dx, along.last, leaves - 1})};
+  const Whole enters = first_in_row(size, go.tie, rows.first);
+  const Whole leaves = first_in_row(size, go.tie, rows.last + 1);
+  return {std::max({Whole{0}, along.first, enters}), std::min({size.dx, along.last, leaves - 1})};
 }
 
 /// The line is known to enter the window at pixel `first` and to leave it after pixel `last`.
 struct Jumped {
-  Stretch shown;   ///< numbers of the first and the last pixel in the window
-  ivec2 pixel;     ///< the first of them, about to be plotted
-  std::int64_t p;  ///< the value for the next test
+  Stretch shown;  ///< numbers of the first and the last pixel in the window
+  ivec2 pixel;    ///< the first of them, about to be plotted
+  Whole p;        ///< the value for the next test
 };
 
 /// Draws the part of a line that lies in a window: the very pixels that decision_parameter plots there,
 /// in the same order, found by jumping to the first of them. (Clipping the end points and drawing the
 /// shorter line would give another line: its slope is rounded.)
 ///
-/// from, to: any int32 coordinates. window: any, both corners included; nothing outside it is ever
-///   plotted.
+/// from, to: any int32 coordinates. window: any, both corners included; nothing outside it is ever plotted.
 ///
 /// Domain: everything; a line that misses the window plots nothing.
 /// Steps: Started (Jumped (Compared Stepped)*)? Finished; Jumped when the window shows any pixel.
@@ -249,23 +243,22 @@ struct Jumped {
 /// Errors: none.
 template <class Plot, Observer<Started, Jumped, Compared, Stepped, Finished> O = Unobserved>
 constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot, O&& observer = {}) {
-  const auto [dx, dy] = extent(from, to);
+  auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
-  const bool tie_straight = go.tie_straight;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, 2 * dy - dx, go});
-  auto shown = visible(from, to, window);
-  if (shown.last < shown.first) {
+  auto in = visible(from, to, window);
+  if (in.last < in.first) {
     if constexpr (observed<O>) observer(Finished{0});
     return;
   }
-  // Jump to the first pixel in the window
-  std::int64_t k = shown.first;
+  // Jump to the first pixel in it
+  Whole k = in.first;
   ivec2 pixel = pixel_at(from, to, k);
-  std::int64_t p = decision_at(from, to, k);
-  if constexpr (observed<O>) observer(Jumped{shown, pixel, p});
+  Whole p = decision_at(from, to, k);
+  if constexpr (observed<O>) observer(Jumped{in, pixel, p});
   plot(pixel);
-  while (k++ < shown.last) {
-    if (p < 0 || (p == 0 && tie_straight)) {
+  while (k++ < in.last) {
+    if (p < 0 || (p == 0 && go.tie)) {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
       pixel += go.straight;  // E
       p += 2 * dy;
@@ -278,7 +271,7 @@ constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot
     }
     plot(pixel);
   }
-  if constexpr (observed<O>) observer(Finished{shown.last - shown.first + 1});
+  if constexpr (observed<O>) observer(Finished{in.last - in.first + 1});
 }
 
 // --- The rival with fractions ------------------------------------
@@ -287,7 +280,7 @@ constexpr void in_window(ivec2 from, ivec2 to, const Window& window, Plot&& plot
 template <class T>
 struct Divided {
   ivec2 from, to;
-  std::int64_t dx, dy;
+  Whole dx, dy;
   T slope;  ///< dy / dx in T; 0 for a line of one pixel
   Moves moves;
 };
@@ -295,26 +288,32 @@ struct Divided {
 /// The slope was added once more.
 template <class T>
 struct Added {
-  std::int64_t k;    ///< how often by now, which is the number of the pixel to come; exactly, k dy / dx
+  Whole k;           ///< how often by now, which is the number of the pixel to come; exactly, k dy / dx
   T before, offset;  ///< how far aside the line lay and lies, in pixels, as T adds it up
 };
 
 /// The offset was rounded to a pixel, which is about to be plotted.
 template <class T>
 struct Rounded {
-  std::int64_t k;    ///< number of the pixel
-  T offset;          ///< what was rounded
-  std::int64_t row;  ///< to what: pixels aside of `from`
+  Whole k;    ///< number of the pixel
+  T offset;   ///< what was rounded
+  Whole row;  ///< to what: pixels aside of `from`
   ivec2 pixel;
 };
 
-/// The integer nearest to offset, looked for from `row` upwards; midway the lower one when tie_low.
+/// dy / dx in T; 0 for a line of one pixel.
+template <class T>
+constexpr T ratio(Whole dy, Whole dx) {
+  return dx == 0 ? T(0) : T(dy) / T(dx);
+}
+
+/// The integer nearest to offset, looked for from `row` upwards; midway the one of the straight move.
 /// Exact in every T: the differences it takes are representable. It ends: T(row) grows until it is offset.
 /// Domain: offset finite.
 template <class T>
-constexpr std::int64_t nearest(const T& offset, std::int64_t row, bool tie_low) {
+constexpr Whole nearest(const T& offset, Whole row, const Moves& go) {
   const T half = T(1) / T(2);
-  while (half < offset - T(row) || (!tie_low && half == offset - T(row))) ++row;
+  while (half < offset - T(row) || (!go.tie && half == offset - T(row))) ++row;
   return row;
 }
 
@@ -322,14 +321,14 @@ constexpr std::int64_t nearest(const T& offset, std::int64_t row, bool tie_low) 
 constexpr bool room_to_stray(ivec2 from, ivec2 to) {
   if (extent(from, to).dy == 0) return true;
   const ivec2 way = moves(from, to).diagonal;
-  const std::int64_t far = extent(from, to).dx;
-  const std::int64_t aside = steep(from, to) ? from.x + far * way.x : from.y + far * way.y;
-  return std::int64_t{INT32_MIN} <= aside && aside <= INT32_MAX;
+  const Whole far = extent(from, to).dx;
+  const Whole aside = steep(from, to) ? from.x + far * way.x : from.y + far * way.y;
+  return Whole{INT32_MIN} <= aside && aside <= INT32_MAX;
 }
 
-/// Draws a line with a digital differential analyser: adds the slope once a step and rounds the sum to a
-/// pixel. The slope is rounded to T, and so is every sum, hence the pixels drift off the exact line;
-/// with T = Exact they do not.
+/// Draws a line with a digital differential analyser: adds the slope once a step and rounds the sum
+/// to a pixel. The slope is rounded to T, and so is every sum, hence the pixels drift off the exact
+/// line; with T = Exact they do not.
 /// The textbook forerunner; see D. F. Rogers, Procedural elements for computer graphics, 1985, section 2-3.
 ///
 /// T: float, double or gradus::Exact; it needs T(std::int64_t), + - / and comparisons.
@@ -341,30 +340,29 @@ constexpr bool room_to_stray(ivec2 from, ivec2 to) {
 ///   is no such room is refused, not bent back into the plane.
 /// Steps: Divided (Added Rounded)* Finished, with Added and Rounded once for every pixel but the first.
 /// Accuracy: T = Exact gives the pixels of decision_parameter. Otherwise, with e the rounding unit of T
-///   (2^-24 for float, 2^-53 for double), pixel k lies within 1/2 + e k (k + 3) of the exact line. The
-///   first wrong pixels are in docs/topics/scan_conversion/bresenham_line.md.
+///   (2^-24 for float, 2^-53 for double), pixel k lies within 1/2 + e k (k + 3) of the exact line. The first
+///   wrong pixels are in docs/topics/scan_conversion/bresenham_line.md.
 /// Cost: one division, then one addition and one rounding in T a pixel.
 /// Errors: ContractViolation outside the domain.
 template <class T = float, class Plot, Observer<Divided<T>, Added<T>, Rounded<T>, Finished> O = Unobserved>
 constexpr void dda(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
   expects(room_to_stray(from, to), "dda may stray by max(|dx|, |dy|) = {} and leave int32",
           extent(from, to).dx);
-  const auto [dx, dy] = extent(from, to);
+  auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
-  const T slope = dx ? T(dy) / T(dx) : T(0);
+  const T slope = ratio<T>(dy, dx);
   if constexpr (observed<O>) observer(Divided<T>{from, to, dx, dy, slope, go});
-  const bool tie_low = go.tie_straight;
   T offset = T(0);
-  std::int64_t row = 0;
+  Whole row = 0;
   ivec2 pixel = from;
   plot(pixel);
-  for (std::int64_t k = 1; k <= dx; ++k) {
+  for (Whole k = 1; k <= dx; ++k) {
     // The next sum, rounded to T
     const T before = offset;
     offset = before + slope;
     if constexpr (observed<O>) observer(Added<T>{k, before, offset});
     // The nearest pixel
-    row = nearest(offset, row, tie_low);
+    row = nearest(offset, row, go);
     pixel = place(from, go, k, row);
     if constexpr (observed<O>) observer(Rounded<T>{k, offset, row, pixel});
     plot(pixel);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "core/raster.hpp"
@@ -11,75 +10,87 @@
 
 namespace gradus::bresenham_line {
 
-/// The lengths are divided: all runs but the first and the last have `shortest` or `shortest` + 1 pixels.
+/// What a line's lengths divided say of its runs: all but the first and the last have
+/// `shortest` pixels, or one more.
+struct Division {
+  Whole shortest;  ///< dx / dy, rounded down; dx + 1 when dy is 0 (one run)
+  Whole rest;      ///< by which a run is too short for the line, times 2 dy
+};
+constexpr Division divide(Whole dx, Whole dy) {
+  if (dy == 0) return {dx + 1, 0};
+  return {dx / dy, 2 * (dx % dy)};
+}
+
+/// The lengths are divided.
 struct RunsStarted {
   ivec2 from, to;
-  std::int64_t dx, dy;
-  std::int64_t shortest;  ///< dx / dy, rounded down; dx + 1 when dy is 0 (one run)
+  Whole dx, dy;
+  Whole shortest;  ///< as in Division
 };
 
 /// A run was given out: `count` pixels in a straight line.
 struct RunEmitted {
   ivec2 start;
   Moves moves;  ///< the run goes on by moves.straight; the next one starts moves.diagonal after its end
-  std::int64_t count;
+  Whole count;
 };
 
 /// A run to come: its first pixel and that one's number, the number of the first pixel after it, and what the
 /// division that gave `next` left over (of 2 dy).
 struct Run {
   ivec2 start;
-  std::int64_t k, next, rest;
+  Whole k, next, rest;
+
+  constexpr Whole pixels() const { return next - k; }
 };
 
 /// The run that pixel number k of a line lies in, from that pixel on. Domain: 0 <= k <= dx.
-constexpr Run run_from(ivec2 from, ivec2 to, std::int64_t k) {
+constexpr Run run_from(ivec2 from, ivec2 to, Whole k) {
   const auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
   if (dy == 0) return {place(from, go, k, 0), k, dx + 1, 0};
   // The line passes the middle of rows `row` and `row` + 1 at (2 row + 1) dx / (2 dy)
   if (k == 0) {
-    const std::int64_t passed = dx - !go.tie_straight;
+    const Whole passed = dx - !go.tie;
     return {from, 0, passed / (2 * dy) + 1, passed % (2 * dy)};
   }
-  const std::int64_t row = row_at({dx, dy}, go.tie_straight, k);
-  const int128_t passed = (2 * int128_t{row} + 1) * dx - !go.tie_straight;
-  return {place(from, go, k, row), k, static_cast<std::int64_t>(passed / (2 * dy)) + 1,
-          static_cast<std::int64_t>(passed % (2 * dy))};
+  const Whole row = row_at({dx, dy}, go.tie, k);
+  const int128_t passed = (2 * int128_t{row} + 1) * dx - !go.tie;
+  return {place(from, go, k, row), k, static_cast<Whole>(passed / (2 * dy)) + 1,
+          static_cast<Whole>(passed % (2 * dy))};
 }
 
-/// Where the next run starts: `count` pixels on and one aside.
-constexpr ivec2 after(ivec2 start, const Moves& go, std::int64_t count) { return place(start, go, count, 1); }
+/// Where the next run starts: after all pixels of this one, and one aside.
+constexpr ivec2 after(const Run& run, const Moves& go) { return place(run.start, go, run.pixels(), 1); }
 
-/// The part `shown` of a line as runs. Domain: 0 <= shown.first <= shown.last <= dx.
+/// Pixels number first .. last of a line as runs. Domain: 0 <= first <= last <= dx.
 template <class Emit, Observer<RunsStarted, RunEmitted, Finished> O>
 constexpr void emit_runs(ivec2 from, ivec2 to, Stretch shown, Emit& emit, O& observer) {
-  const auto [dx, dy] = extent(from, to);
+  auto [dx, dy] = extent(from, to);
   const Moves go = moves(from, to);
-  // Divide once: dx / dy pixels, or one more
-  auto shortest = dy ? dx / dy : dx + 1;
-  auto step = dy ? 2 * (dx % dy) : 0;
-  if constexpr (observed<O>) observer(RunsStarted{from, to, dx, dy, shortest});
-  Run run = run_from(from, to, shown.first);
-  while (run.next <= shown.last) {
-    const auto count = run.next - run.k;
-    emit(run.start, count);
-    if constexpr (observed<O>) observer(RunEmitted{run.start, go, count});
-    run.start = after(run.start, go, count);
+  // dx / dy pixels each, or one more
+  Division each = divide(dx, dy);
+  if constexpr (observed<O>) observer(RunsStarted{from, to, dx, dy, each.shortest});
+  auto [first, last] = shown;
+  Run run = run_from(from, to, first);
+  while (run.next <= last) {
+    emit(run.start, run.pixels());
+    if constexpr (observed<O>) observer(RunEmitted{run.start, go, run.pixels()});
+    run.start = after(run, go);
     run.k = run.next;
-    // The remainder says when it is one more
-    run.next += shortest;
-    run.rest += step;
+    run.next += each.shortest;
+    // One more when the rest fills up
+    run.rest += each.rest;
     if (run.rest >= 2 * dy) {
       ++run.next;
       run.rest -= 2 * dy;
     }
   }
-  // The last run stops at the end point
-  const auto count = shown.last - run.k + 1;
-  emit(run.start, count);
-  if constexpr (observed<O>) observer(RunEmitted{run.start, go, count});
-  if constexpr (observed<O>) observer(Finished{shown.last - shown.first + 1});
+  // The last run stops at the end
+  run.next = last + 1;
+  emit(run.start, run.pixels());
+  if constexpr (observed<O>) observer(RunEmitted{run.start, go, run.pixels()});
+  if constexpr (observed<O>) observer(Finished{last - first + 1});
 }
 
 /// Gives out a line as runs of pixels along its leading axis, in order from `from` to `to`: the same pixels
@@ -116,14 +127,14 @@ constexpr void run_length_in_window(ivec2 from, ivec2 to, const Window& window, 
 template <class Cell>
 struct Pen {
   Cell* cell;
-  std::int64_t p;  ///< decision_parameter's value there, less 1 where a tie goes straight: straight when < 0
+  Whole p;  ///< decision_parameter's value there, less 1 where a tie goes straight: straight when < 0
 };
 
 /// On pixel number k of the line. Domain: it lies in the raster.
 template <class Cell>
-Pen<Cell> pen_at(Raster<Cell>& raster, ivec2 from, ivec2 to, std::int64_t k) {
+Pen<Cell> pen_at(Raster<Cell>& raster, ivec2 from, ivec2 to, Whole k) {
   const auto [dx, dy] = extent(from, to);
-  const std::int64_t tie = moves(from, to).tie_straight ? 1 : 0;
+  const Whole tie = moves(from, to).tie ? 1 : 0;
   if (k == 0) return {&raster[from], 2 * dy - dx - tie};  // nothing has to be divided
   return {&raster[pixel_at(from, to, k)], decision_at(from, to, k) - tie};
 }
@@ -144,12 +155,12 @@ void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
     if (shown.last < shown.first) return;
   }
   // Long runs within a row: whole runs at once
-  constexpr std::int64_t long_run = 8;
+  constexpr Whole long_run = 8;
   const Moves go = moves(from, to);
   if (go.straight.y == 0 && dx >= long_run * dy) {
     const bool right = go.straight.x > 0;
     Unobserved nobody;
-    auto fill = [&](ivec2 first, std::int64_t count) {
+    auto fill = [&](ivec2 first, Whole count) {
       Cell* cell = &raster[first];
       std::fill_n(right ? cell : cell - (count - 1), count, ink);
     };
@@ -164,7 +175,7 @@ void draw(Raster<Cell>& raster, ivec2 from, ivec2 to, const Cell& value) {
   auto [there, p] = pen_at(raster, from, to, shown.first);
   auto [back, q] = pen_at(raster, to, from, dx - shown.last);
   *there = *back = ink;
-  for (std::int64_t left = (shown.last - shown.first) / 2; left > 0; --left) {
+  for (Whole left = (shown.last - shown.first) / 2; left > 0; --left) {
     there += p < 0 ? straight : diagonal;
     p += p < 0 ? 2 * dy : 2 * (dy - dx);
     back -= q < 0 ? straight : diagonal;

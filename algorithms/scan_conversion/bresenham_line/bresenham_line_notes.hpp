@@ -11,9 +11,10 @@
 namespace gradus::bresenham_line {
 
 /// to - from, with its signs.
-constexpr Extent offset(ivec2 from, ivec2 to) {
-  return {std::int64_t{to.x} - from.x, std::int64_t{to.y} - from.y};
-}
+constexpr Extent offset(ivec2 from, ivec2 to) { return {Whole{to.x} - from.x, Whole{to.y} - from.y}; }
+
+/// E and NE as they are in the first octant; midway NE.
+inline constexpr Moves e_and_ne{{1, 0}, {1, 1}, false};
 
 /// FAULTY outside the first octant: Bresenham's loop for slopes 0 <= m <= 1, with the end points swapped to
 /// go from left to right, and nothing done about any other slope.
@@ -29,10 +30,12 @@ constexpr Extent offset(ivec2 from, ivec2 to) {
 /// Cost: |to.x - from.x| steps.
 template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
 constexpr void first_octant(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  constexpr Moves go{{1, 0}, {1, 1}, false};
-  if (from.x > to.x) std::swap(from, to);
-  const auto [dx, dy] = offset(from, to);
-  std::int64_t p = 2 * dy - dx;
+  const Moves go = e_and_ne;
+  if (from.x > to.x) {
+    std::swap(from, to);
+  }
+  auto [dx, dy] = offset(from, to);
+  Whole p = 2 * dy - dx;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
   ivec2 pixel = from;
   plot(pixel);
@@ -53,31 +56,37 @@ constexpr void first_octant(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}
   if constexpr (observed<O>) observer(Finished{dx + 1});
 }
 
-/// The value that two's complement int arithmetic keeps of a sum: modulo 2^32, in [-2^31, 2^31).
-constexpr std::int32_t wrapped(std::int64_t value) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value)));
-}
+/// An int as the notes use it: what does not fit into 32 bits wraps, modulo 2^32, as it does on today's
+/// machines. (In C++ such an overflow is undefined.)
+struct Int {
+  std::int32_t value;
 
-constexpr std::int32_t minus(std::int32_t a, std::int32_t b) { return wrapped(std::int64_t{a} - b); }
-constexpr std::int32_t plus(std::int32_t a, std::int32_t b) { return wrapped(std::int64_t{a} + b); }
-constexpr std::int32_t twice(std::int32_t a) { return plus(a, a); }
-constexpr std::int32_t gap(std::int32_t a, std::int32_t b) {
-  const std::int32_t difference = minus(b, a);
-  return difference < 0 ? minus(0, difference) : difference;
-}
+  constexpr Int(std::int64_t exact)
+      : value(static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(exact)))) {}
+
+  friend constexpr std::int32_t operator+(Int a) { return a.value; }  ///< the plain number
+  friend constexpr Int operator+(Int a, Int b) { return std::int64_t{a.value} + b.value; }
+  friend constexpr Int operator-(Int a, Int b) { return std::int64_t{a.value} - b.value; }
+  friend constexpr Int operator*(Int a, Int b) { return std::int64_t{a.value} * b.value; }
+  friend constexpr Int& operator+=(Int& a, Int b) { return a = a + b; }
+  friend constexpr auto operator<=>(Int, Int) = default;
+};
+
+/// |b - a|
+constexpr Int gap(Int a, Int b) { return b - a < 0 ? a - b : b - a; }
 
 constexpr bool seems_steep(ivec2 from, ivec2 to) { return gap(from.y, to.y) > gap(from.x, to.x); }
 
 /// E and NE of a line whose leading axis ascends.
-constexpr Moves ascending(ivec2 from, ivec2 to, bool steep) {
-  if (steep) return {{0, 1}, {from.x < to.x ? 1 : -1, 1}, false};
+constexpr Moves ascending(ivec2 from, ivec2 to) {
+  if (seems_steep(from, to)) return {{0, 1}, {from.x < to.x ? 1 : -1, 1}, false};
   return {{1, 0}, {1, from.y < to.y ? 1 : -1}, false};
 }
 
 /// FAULTY for long lines, and not in the order asked for: Bresenham's loop for all slopes with p in 32 bits
 /// and the end points swapped so that the leading axis ascends.
 /// The notes' second listing (errata E001-04, and the line entries of part 4). In C++ its int overflow is
-/// undefined; here it wraps, as it does on today's machines.
+/// undefined; here it wraps (Int).
 ///
 /// from, to: any int32 coordinates. Pixels come in ascending order of the leading axis, whatever `from` is.
 ///
@@ -92,36 +101,36 @@ constexpr Moves ascending(ivec2 from, ivec2 to, bool steep) {
 /// Cost: as decision_parameter.
 template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
 constexpr void swapped_ends(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  const bool steep = seems_steep(from, to);
+  bool steep = seems_steep(from, to);
   const int lead = steep ? 1 : 0;
   const int side = steep ? 0 : 1;
   if (from[lead] > to[lead]) {
     std::swap(from, to);
   }
-  int dx = minus(to[lead], from[lead]);
-  int dy = gap(from[side], to[side]);
-  Moves go = ascending(from, to, steep);
-  int p = minus(twice(dy), dx);
-  const int c1 = twice(dy);
-  const int c2 = twice(minus(dy, dx));
-  if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
+  Moves go = ascending(from, to);
+  Int dx = Int(to[lead]) - from[lead];
+  Int dy = gap(from[side], to[side]);
+  Int p = 2 * dy - dx;
+  const Int c1 = 2 * dy;
+  const Int c2 = 2 * (dy - dx);
+  if constexpr (observed<O>) observer(Started{from, to, +dx, +dy, +p, go});
   ivec2 pixel = from;
   plot(pixel);
   while (pixel[lead] < to[lead]) {
     if (p < 0) {
-      if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
+      if constexpr (observed<O>) observer(Compared{pixel, go, +p, true});
       pixel += go.straight;  // E
-      p = plus(p, c1);
-      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, minus(p, c1), p, true});
+      p += c1;
+      if constexpr (observed<O>) observer(Stepped{pixel - go.straight, pixel, +(p - c1), +p, true});
     } else {
-      if constexpr (observed<O>) observer(Compared{pixel, go, p, false});
+      if constexpr (observed<O>) observer(Compared{pixel, go, +p, false});
       pixel += go.diagonal;  // NE
-      p = plus(p, c2);
-      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, minus(p, c2), p, false});
+      p += c2;
+      if constexpr (observed<O>) observer(Stepped{pixel - go.diagonal, pixel, +(p - c2), +p, false});
     }
     plot(pixel);
   }
-  if constexpr (observed<O>) observer(Finished{std::int64_t{to[lead]} - from[lead] + 1});
+  if constexpr (observed<O>) observer(Finished{Whole{to[lead]} - from[lead] + 1});
 }
 
 /// FAULTY: the loop of decision_parameter with the increments that follow from the notes' derivation as it is
@@ -129,8 +138,8 @@ constexpr void swapped_ends(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}
 /// 2 dy - dx and 2 dy - 3 dx were added to 2 dy - dx. Both are dx too small. (The notes' listings add the
 /// right ones, 2 dy and 2 (dy - dx).)
 ///
-/// from, to: any int32 coordinates up to 2^31 - 1 pixels apart along the leading axis. Pixels come in order
-///   from `from`.
+/// from, to: any int32 coordinates up to 2^31 - 1 pixels apart along the leading axis.
+///   Pixels come in order from `from`.
 ///
 /// Domain: right for level lines and for two pixels only. p falls behind by dx a step, so a slope below 1/2
 ///   comes out level, and one above goes aside too seldom: (0,0)-(5,2) ends at (5,0), (0,0)-(5,3) at (5,1).
@@ -140,18 +149,17 @@ constexpr void swapped_ends(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}
 /// Errors: ContractViolation for longer lines: |p| goes up to dx^2 + dx.
 template <class Plot, Observer<Started, Compared, Stepped, Finished> O = Unobserved>
 constexpr void misprinted_derivation(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  const auto [dx, dy] = extent(from, to);
+  auto [dx, dy] = extent(from, to);
   expects(dx <= INT32_MAX, "the misprinted line has at most 2^31 - 1 steps, not {}", dx);
   const Moves go = moves(from, to);
-  const bool tie_straight = go.tie_straight;
-  std::int64_t p = 2 * dy - dx;
-  const std::int64_t c1 = 2 * dy - dx;
-  const std::int64_t c2 = 2 * dy - 3 * dx;
+  Whole p = 2 * dy - dx;
+  const Whole c1 = 2 * dy - dx;
+  const Whole c2 = 2 * dy - 3 * dx;
   if constexpr (observed<O>) observer(Started{from, to, dx, dy, p, go});
   ivec2 pixel = from;
   plot(pixel);
-  for (std::int64_t k = 0; k < dx; ++k) {
-    if (p < 0 || (p == 0 && tie_straight)) {
+  for (Whole k = 0; k < dx; ++k) {
+    if (p < 0 || (p == 0 && go.tie)) {
       if constexpr (observed<O>) observer(Compared{pixel, go, p, true});
       pixel += go.straight;  // E
       p += c1;

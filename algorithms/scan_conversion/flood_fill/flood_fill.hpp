@@ -1,7 +1,7 @@
 #pragma once
 // Filling: painting everything that is connected to a seed.
 //
-// What is inside and how it is painted are the caller's: `inside(pixel)` asks, `paint(pixel)` paints, and
+// The caller says what is inside and how it is painted: `inside(pixel)` asks, `paint(pixel)` paints, and
 // painting a pixel makes inside false for it. That is all the memory the methods have of where they have
 // been. Rows count downwards, as in every image: y + 1 is the row below.
 
@@ -22,6 +22,9 @@
 
 namespace gradus::flood_fill {
 
+/// How many pixels: int may be too short for it.
+using Whole = std::int64_t;
+
 /// Which pixels touch: those that share a side, or those that share a side or a corner.
 enum class Connectivity { four = 4, eight = 8 };
 
@@ -37,7 +40,7 @@ constexpr std::span<const ivec2> ways(Connectivity connectivity) {
 
 /// What a fill has done and the memory it took.
 struct Filled {
-  std::int64_t painted = 0;      ///< pixels painted
+  Whole painted = 0;             ///< pixels painted
   std::size_t peak_waiting = 0;  ///< most entries that its stack or queue held at once
   std::size_t peak_bytes = 0;    ///< the same in bytes, without the spare room that a container keeps
   std::size_t mask_bytes = 0;    ///< of the mask of visited pixels, where one was needed (fill_image)
@@ -78,15 +81,17 @@ struct Dequeued {
   std::size_t waiting;  ///< entries left in the queue
 };
 
-/// Painted pixels left .. right of a row, whose neighbours in the row beside it, row + way, are still to
-/// be asked for. The pixels at left - 1 and right + 1 are not inside (painted, or something else).
+/// Painted pixels left .. right of a row, whose neighbours in the row beside it, row + way, are still to be
+/// asked for. The pixels at left - 1 and right + 1 are not inside (painted, or something else).
 struct Span {
   int row, left, right;
   int way;  ///< +1: towards the row below, -1: towards the row above
 
-  constexpr std::int64_t length() const { return std::int64_t{right} - left + 1; }
+  constexpr Whole length() const { return Whole{right} - left + 1; }
   /// The same, looking the other way.
   constexpr Span turned() const { return {row, left, right, -way}; }
+  /// The same, longer by so many pixels at both ends.
+  constexpr Span widened(int by) const { return {row, left - by, right + by, way}; }
   /// What sticks out to the left (right) of s, looking back to the row of s.
   constexpr Span left_of(const Span& s) const { return {row, left, s.left - 1, -way}; }
   constexpr Span right_of(const Span& s) const { return {row, s.right + 1, right, -way}; }
@@ -138,12 +143,12 @@ class Stack {
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   std::size_t peak() const { return peak_; }
-  std::int64_t pushed() const { return pushed_; }
+  Whole pushed() const { return pushed_; }
 
  private:
   std::vector<Entry> entries_;
   std::size_t peak_ = 0;
-  std::int64_t pushed_ = 0;
+  Whole pushed_ = 0;
 };
 
 /// First in, first out; gives its memory back as it empties.
@@ -165,18 +170,23 @@ class Queue {
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   std::size_t peak() const { return peak_; }
-  std::int64_t pushed() const { return pushed_; }
+  Whole pushed() const { return pushed_; }
 
  private:
   std::deque<Entry> entries_;
   std::size_t peak_ = 0;
-  std::int64_t pushed_ = 0;
+  Whole pushed_ = 0;
 };
 
 /// What a fill reports at its end.
 template <class Container>
-Filled tally(const Container& waiting, std::int64_t painted) {
+Filled tally(const Container& waiting, Whole painted) {
   return {painted, waiting.peak(), waiting.peak() * Container::entry_bytes, 0};
+}
+/// The same of a container that every painted pixel has been in, once.
+template <class Container>
+Filled tally(const Container& waiting) {
+  return tally(waiting, waiting.pushed());
 }
 
 // --- depth_first -------------------------------------------------
@@ -184,12 +194,12 @@ Filled tally(const Container& waiting, std::int64_t painted) {
 /// A pixel on the path and how many of its neighbours have been asked for: what a recursive call keeps.
 struct Frame {
   ivec2 pixel;
-  std::uint32_t asked;
+  std::uint32_t asked = 0;
 };
 
-/// Fills by going on from every newly painted pixel at once, and back when there is nowhere to go. The
-/// stack holds the path from the seed, exactly the calls that the textbook's recursion would have open,
-/// in the heap instead of on the machine's stack (which overflows: see flood_fill_notes.hpp).
+/// Fills by going on from every newly painted pixel at once, and back when there is nowhere to go. The stack
+/// holds the path from the seed, exactly the calls that the textbook's recursion would have open, in the heap
+/// instead of on the machine's stack (which overflows: see flood_fill_notes.hpp).
 /// A. R. Smith, Tint fill, SIGGRAPH 1979, 276-283; the recursion is the lecture notes'.
 ///
 /// seed: where to start. inside(ivec2) -> bool: to be filled, and not painted yet. paint(ivec2): paints.
@@ -197,60 +207,59 @@ struct Frame {
 /// Domain: paint(p) makes inside(p) false; inside holds for finitely many pixels, none within two of the
 ///   ends of int32. A seed that is not inside paints nothing.
 /// Steps: Started (Painted (Examined Painted? | Retreated)*)? Finished
-/// Accuracy: paints every pixel connected to the seed through inside ones, once, and asks for no others
-///   but their neighbours.
-/// Cost: one question and one paint a pixel, and 4 (8) questions for its neighbours; the path may be as
-///   long as the area has pixels (on an empty canvas of W x H from a corner it is W H), 12 bytes each.
+/// Accuracy: paints every pixel connected to the seed through inside ones, once, and asks for
+///   no others but their neighbours.
+/// Cost: one question and one paint a pixel, and 4 (8) questions for its neighbours; the path may be as long
+///   as the area has pixels (on an empty canvas of W x H from a corner it is W H), 12 bytes each.
 /// Errors: none.
 template <class Inside, class Paint, Observer<Started, Painted, Examined, Retreated, Finished> O = Unobserved>
 Filled depth_first(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
                    O&& observer = {}) {
-  const auto around = ways(connectivity);
+  auto moves = ways(connectivity);
   Stack<Frame> path;
   bool free = inside(seed);
   if constexpr (observed<O>) observer(Started{seed, connectivity, free});
   if (free) {
     paint(seed);
-    path.push({seed, 0});
+    path.push({seed});
     if constexpr (observed<O>) observer(Painted{seed, seed, path.size()});
   }
   while (!path.empty()) {
-    const auto [pixel, asked] = path.top();
-    // All neighbours asked for: go back
-    if (asked == around.size()) {
+    auto [pixel, asked] = path.top();
+    // All neighbours asked: go back
+    if (asked == moves.size()) {
       path.pop();
       if constexpr (observed<O>) observer(Retreated{pixel, path.size()});
       continue;
     }
-    // The next neighbour: if free, go there
-    ivec2 next = pixel + around[asked];
+    // The next one: if free, go there
+    ivec2 next = pixel + moves[asked];
     ++path.top().asked;
     free = inside(next);
     if constexpr (observed<O>) observer(Examined{pixel, next, free});
     if (!free) continue;
     paint(next);
-    path.push({next, 0});
+    path.push({next});
     if constexpr (observed<O>) observer(Painted{pixel, next, path.size()});
   }
-  Filled done = tally(path, path.pushed());
-  if constexpr (observed<O>) observer(Finished{done});
-  return done;
+  if constexpr (observed<O>) observer(Finished{tally(path)});
+  return tally(path);
 }
 
 // --- breadth_first -----------------------------------------------
 
 /// Fills in waves: the pixel that has waited longest is taken from a queue and its free neighbours are
-/// painted and put in. Painting on the way in, not on the way out, is what keeps a pixel from waiting
-/// twice.
+/// painted and put in. Painting on the way in, not on the way out, is what keeps a pixel from waiting twice.
 /// E. F. Moore, The shortest path through a maze, 1959, on the graph of pixels.
 ///
 /// Parameters, Domain, Accuracy and Errors: as for depth_first.
 /// Steps: Started (Painted (Dequeued (Examined Painted?)*)*)? Finished
-/// Cost: as many questions as depth_first; the queue holds one wave, at most a small multiple of W + H
-///   on an empty canvas of W x H (8 bytes each).
+/// Cost: as many questions as depth_first; the queue holds one wave, at most a small multiple of W + H on an
+///   empty canvas of W x H (8 bytes each).
 template <class Inside, class Paint, Observer<Started, Painted, Dequeued, Examined, Finished> O = Unobserved>
 Filled breadth_first(ivec2 seed, Inside&& inside, Paint&& paint,
                      Connectivity connectivity = Connectivity::four, O&& observer = {}) {
+  auto moves = ways(connectivity);
   Queue<ivec2> waiting;
   bool free = inside(seed);
   if constexpr (observed<O>) observer(Started{seed, connectivity, free});
@@ -260,12 +269,12 @@ Filled breadth_first(ivec2 seed, Inside&& inside, Paint&& paint,
     if constexpr (observed<O>) observer(Painted{seed, seed, waiting.size()});
   }
   while (!waiting.empty()) {
-    // The pixel that has waited longest
-    const ivec2 pixel = waiting.take();
+    // The one that has waited longest
+    ivec2 pixel = waiting.take();
     if constexpr (observed<O>) observer(Dequeued{pixel, waiting.size()});
-    // Its free neighbours join the queue
-    for (ivec2 way : ways(connectivity)) {
-      const ivec2 next = pixel + way;
+    // Its free neighbours wait, too
+    for (ivec2 move : moves) {
+      const ivec2 next = pixel + move;
       free = inside(next);
       if constexpr (observed<O>) observer(Examined{pixel, next, free});
       if (!free) continue;
@@ -274,10 +283,8 @@ Filled breadth_first(ivec2 seed, Inside&& inside, Paint&& paint,
       if constexpr (observed<O>) observer(Painted{pixel, next, waiting.size()});
     }
   }
-  const auto painted = waiting.pushed();
-  Filled done = tally(waiting, painted);
-  if constexpr (observed<O>) observer(Finished{done});
-  return done;
+  if constexpr (observed<O>) observer(Finished{tally(waiting)});
+  return tally(waiting);
 }
 
 // --- span --------------------------------------------------------
@@ -285,31 +292,37 @@ Filled breadth_first(ivec2 seed, Inside&& inside, Paint&& paint,
 /// How far a span reaches beyond its ends: 1 when pixels that touch only by a corner are neighbours, else 0.
 constexpr int corners(Connectivity connectivity) { return connectivity == Connectivity::eight ? 1 : 0; }
 
-/// The whole run of inside pixels of one row that `pixel` belongs to. Domain: inside(pixel).
+/// The whole run of inside pixels in the row of `pixel`, grown from it to both sides; it looks that way.
+/// Domain: inside(pixel).
 template <class Inside>
-Span run_at(ivec2 pixel, int way, Inside& inside) {
+Span grow(ivec2 pixel, int way, Inside& inside) {
   constexpr ivec2 step{1, 0};
   ivec2 left = pixel, right = pixel;
   while (inside(left - step)) left -= step;
   while (inside(right + step)) right += step;
   return {pixel.y, left.x, right.x, way};
 }
-
-template <class Paint>
-void paint_run(const Span& run, Paint& paint) {
-  ivec2 pixel{run.left, run.row};
-  for (; pixel.x <= run.right; ++pixel.x) paint(pixel);
+/// The same, looking the way of the span that it was reached from.
+template <class Inside>
+Span grow(ivec2 pixel, const Span& from, Inside& inside) {
+  return grow(pixel, from.way, inside);
 }
 
-/// Fills a whole run of a row at a time, and remembers runs instead of pixels: from each it looks along
-/// the row beyond and, where the run sticks out beyond the one it was reached from, back along that
-/// one's row.
+/// Paints a run; returns how many pixels it has.
+template <class Paint>
+Whole fill_run(const Span& run, Paint& paint) {
+  ivec2 pixel{run.left, run.row};
+  for (; pixel.x <= run.right; ++pixel.x) paint(pixel);
+  return run.length();
+}
+
+/// Fills a whole run of a row at a time, and remembers runs instead of pixels: from each it looks along the
+/// row beyond and, where the run sticks out beyond the one it was reached from, back along that one's row.
 /// P. S. Heckbert, A seed fill algorithm, Graphics Gems, 1990, 275-277, here for both connectivities.
 ///
 /// Parameters, Domain, Accuracy and Errors: as for depth_first.
 /// Steps: Started (SpanFilled SpanQueued SpanQueued (SpanTaken (Examined (SpanFilled SpanQueued+)?)*)*)?
-///   Finished; Examined is reported for the row that is scanned, not for the pixels that a run grows
-///   over.
+///   Finished; Examined is reported for the row that is scanned, not for the pixels that a run grows over.
 /// Cost: about one question a pixel on an empty canvas, on noise about 2.3 (eight-connected: 4), never more
 ///   than depth_first. Every run is put on the stack once, and once more for each end that sticks out, 16
 ///   bytes each: on an empty canvas the stack never holds more than 2, whatever its size and wherever the
@@ -318,51 +331,50 @@ template <class Inside, class Paint,
           Observer<Started, Examined, SpanFilled, SpanQueued, SpanTaken, Finished> O = Unobserved>
 Filled span(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
             O&& observer = {}) {
-  const int reach = corners(connectivity);
+  int reach = corners(connectivity);
   Stack<Span> waiting;
-  std::int64_t painted = 0;
+  Whole painted = 0;
   bool free = inside(seed);
   if constexpr (observed<O>) observer(Started{seed, connectivity, free});
   if (free) {
-    Span run = run_at(seed, 1, inside);
-    paint_run(run, paint);
+    Span run = grow(seed, 1, inside);
+    painted += fill_run(run, paint);
     if constexpr (observed<O>) observer(SpanFilled{run, seed});
-    painted += run.length();
     waiting.push(run.turned());
     if constexpr (observed<O>) observer(SpanQueued{run.turned(), waiting.size()});
     waiting.push(run);
     if constexpr (observed<O>) observer(SpanQueued{run, waiting.size()});
   }
   while (!waiting.empty()) {
-    // Scan the row beside the span on top
+    // Look along the row beside it
     const Span s = waiting.take();
     if constexpr (observed<O>) observer(SpanTaken{s, waiting.size()});
-    ivec2 p{s.left - reach, s.row + s.way};
-    for (; p.x <= s.right + reach; ++p.x) {
+    Span row = s.widened(reach);
+    Span stop = s.widened(1 - reach);
+    ivec2 p{row.left, s.row + s.way};
+    for (; p.x <= row.right; ++p.x) {
       free = inside(p);
       if constexpr (observed<O>) observer(Examined{ivec2{std::clamp(p.x, s.left, s.right), s.row}, p, free});
       if (!free) continue;
-      Span run = run_at(p, s.way, inside);
-      paint_run(run, paint);
+      Span run = grow(p, s, inside);
+      painted += fill_run(run, paint);
       if constexpr (observed<O>) observer(SpanFilled{run, p});
-      painted += run.length();
-      // Go on, and back where it sticks out
+      // Go on, and back where wider
       waiting.push(run);
       if constexpr (observed<O>) observer(SpanQueued{run, waiting.size()});
-      if (run.left < s.left - 1 + reach) {
+      if (run.left < stop.left) {
         waiting.push(run.left_of(s));
         if constexpr (observed<O>) observer(SpanQueued{run.left_of(s), waiting.size()});
       }
-      if (run.right > s.right + 1 - reach) {
+      if (run.right > stop.right) {
         waiting.push(run.right_of(s));
         if constexpr (observed<O>) observer(SpanQueued{run.right_of(s), waiting.size()});
       }
       p.x = run.right + 1;
     }
   }
-  Filled done = tally(waiting, painted);
-  if constexpr (observed<O>) observer(Finished{done});
-  return done;
+  if constexpr (observed<O>) observer(Finished{tally(waiting, painted)});
+  return tally(waiting, painted);
 }
 
 // --- All of them -------------------------------------------------
@@ -385,8 +397,8 @@ Filled fill(Method method, ivec2 seed, Inside&& inside, Paint&& paint,
 inline constexpr Window room{{INT32_MIN + 2, INT32_MIN + 2}, {INT32_MAX - 2, INT32_MAX - 2}};
 
 /// Fills what is connected to the seed within a window: the fill of the picture cut to the window.
-/// Pixels outside are never asked for nor painted, and connect nothing: a region that leaves the window
-/// and comes back in another place is painted only where the seed is.
+/// Pixels outside are never asked for nor painted, and connect nothing: a region that leaves the window and
+/// comes back in another place is painted only where the seed is.
 ///
 /// window: both corners included. The other parameters are those of fill.
 ///
@@ -417,8 +429,7 @@ void expects_inside(const Raster<Cell>& raster, ivec2 seed) {
 
 /// Gives every cell that is connected to the seed through cells of the seed's value a new value.
 ///
-/// seed: column, row. value: the new one; when it is the seed's own, there is nothing to do and nothing
-///   is painted.
+/// seed: column, row. value: the new one; when it is the seed's own, nothing is painted.
 ///
 /// Domain: rasters narrower and lower than 2^31 - 3 cells.
 /// Errors: ContractViolation when the seed lies outside the raster.
@@ -446,16 +457,16 @@ constexpr bool alike(Rgba8 a, Rgba8 b, int tolerance) {
          std::abs(a.b - b.b) <= tolerance && std::abs(a.a - b.a) <= tolerance;
 }
 
-/// Paints the region of an image that a pixel belongs to: the pixels connected to it whose colour is
-/// like its own, within the tolerance. They are compared with the seed, never with their neighbours, so
-/// that a soft shade cannot lead across the whole picture.
+/// Paints the region of an image that a pixel belongs to: the pixels connected to it whose colour is like its
+/// own, within the tolerance. They are compared with the seed, never with their neighbours, so that a soft
+/// shade cannot lead across the whole picture.
 ///
 /// image: row 0 at the top. seed: column, row. color: 8-bit sRGB, replaces the pixel's colour and alpha.
 ///
 /// Domain: a color equal to the seed's with tolerance 0 changes nothing and returns at once.
 /// Steps: those of the method.
-/// Accuracy: exactly the region, for every color: when the new colour is itself within the tolerance, a
-///   mask of visited pixels (one byte each) keeps apart what is painted.
+/// Accuracy: exactly the region, for every color: when the new colour is itself within the tolerance, a mask
+///   of visited pixels (one byte each) keeps apart what is painted.
 /// Cost: as the method's; see docs/topics/scan_conversion/flood_fill.md.
 /// Errors: ContractViolation when the seed lies outside the image or the tolerance outside 0 .. 255.
 template <FillObserver O = Unobserved>

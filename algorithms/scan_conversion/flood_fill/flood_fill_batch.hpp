@@ -83,8 +83,8 @@ Word wanted_runs(Word bits, Word starts, std::size_t& run, Word& carry, IsWanted
 }
 
 /// What fill_rows does, by labelling the runs of the whole raster first and painting those of the seed's set
-/// afterwards: faster for areas that fill much of the raster or wind through it; a small area costs as much
-/// as a large one.
+/// afterwards: faster for areas that fill much of the raster or wind through it; a small
+/// area costs as much as a large one.
 ///
 /// raster, seed, value: as for fill_rows.
 ///

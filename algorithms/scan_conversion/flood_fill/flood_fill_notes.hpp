@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
@@ -29,12 +30,12 @@ struct Depth {
   std::size_t open() const { return static_cast<std::size_t>(now); }
 };
 
-/// What all calls of one fill share.
+/// What all calls of one fill share: the area, and how deep they are in it.
 template <class Inside, class Paint>
-struct Recursion {
+struct Area {
   Inside& inside;
   Paint& paint;
-  Connectivity connectivity;
+  std::span<const ivec2> moves;  ///< to a pixel's neighbours
   Depth depth{};
 };
 
@@ -60,32 +61,33 @@ struct Returned {
 template <class Inside, class Paint, Observer<Started, Examined, Painted, Retreated, Returned> O = Unobserved>
 Depth recursive(ivec2 seed, Inside&& inside, Paint&& paint, Connectivity connectivity = Connectivity::four,
                 O&& observer = {}) {
-  Recursion all{inside, paint, connectivity};
+  auto moves = ways(connectivity);
+  Area area{inside, paint, moves};
   const bool free = inside(seed);
   if constexpr (observed<O>) observer(Started{seed, connectivity, free});
   if (free) {
-    recurse(all, seed, seed, observer);
+    recurse(area, seed, seed, observer);
   }
-  if constexpr (observed<O>) observer(Returned{all.depth});
-  return all.depth;
+  if constexpr (observed<O>) observer(Returned{area.depth});
+  return area.depth;
 }
 
 /// One call: paints the pixel, then calls itself for every neighbour.
 template <class Inside, class Paint, class O>
-void recurse(Recursion<Inside, Paint>& all, ivec2 from, ivec2 pixel, O& observer) {
-  const bool free = all.inside(pixel);
+void recurse(Area<Inside, Paint>& area, ivec2 from, ivec2 pixel, O& observer) {
+  bool free = area.inside(pixel);
   if constexpr (observed<O>) observer(Examined{from, pixel, free});
   if (!free) return;
-  all.paint(pixel);
-  all.depth.enter();
-  if constexpr (observed<O>) observer(Painted{from, pixel, all.depth.open()});
-  // This call stays open for all of these
-  for (ivec2 way : ways(all.connectivity)) {
-    const ivec2 next = pixel + way;
-    recurse(all, pixel, next, observer);
+  area.paint(pixel);
+  area.depth.enter();
+  if constexpr (observed<O>) observer(Painted{from, pixel, area.depth.open()});
+  // This call stays open meanwhile
+  for (ivec2 move : area.moves) {
+    const ivec2 next = pixel + move;
+    recurse(area, pixel, next, observer);
   }
-  all.depth.leave();
-  if constexpr (observed<O>) observer(Retreated{pixel, all.depth.open()});
+  area.depth.leave();
+  if constexpr (observed<O>) observer(Retreated{pixel, area.depth.open()});
 }
 
 // --- A seed that nobody looks at ---------------------------------
@@ -103,17 +105,26 @@ constexpr std::optional<ivec2> cell_at(const Raster<Cell>& raster, std::int64_t 
   return ivec2{static_cast<int>(index % raster.width()), static_cast<int>(index / raster.width())};
 }
 
+/// The cell that is read at a pixel's address, wherever the pixel is.
 template <class Cell>
-constexpr bool holds(const Raster<Cell>& raster, ivec2 p, const Cell& value) {
-  return raster.contains(p) && raster[p] == value;
+constexpr std::optional<ivec2> memory_at(const Raster<Cell>& raster, ivec2 p) {
+  return cell_at(raster, row_major(raster, p));
 }
+
+/// The cells of a raster that hold a value.
+template <class Cell>
+struct Region {
+  const Raster<Cell>& raster;
+  Cell value;
+  constexpr bool has(ivec2 p) const { return raster.contains(p) && raster[p] == value; }
+};
 
 /// The seed is about to be read, wherever in memory it is.
 struct SeedRead {
   ivec2 seed;
   std::int64_t index;  ///< its number in memory
-  std::optional<ivec2>
-      lands;  ///< the cell there: the seed if it is in the raster; nothing outside the memory
+  /// The cell there: the seed if it is in the raster; nothing outside the memory.
+  std::optional<ivec2> lands;
 };
 
 /// FAULTY for a seed outside the raster: its neighbours are looked at before they are read, the seed itself
@@ -136,25 +147,26 @@ std::optional<Filled> unchecked_seed(Raster<Cell>& raster, ivec2 seed, const Cel
                                      Connectivity connectivity = Connectivity::four, O&& observer = {}) {
   expects(room.contains(seed), "a seed stays two cells away from the ends of int32, unlike {},{}", seed.x,
           seed.y);
-  // Where the seed is in memory
-  const auto index = row_major(raster, seed);
-  const auto lands = cell_at(raster, index);
-  if constexpr (observed<O>) observer(SeedRead{seed, index, lands});
-  if (!lands) return std::nullopt;
-  const Cell old = raster[*lands];
+  // Read without asking where it is
+  auto cell = memory_at(raster, seed);
+  if constexpr (observed<O>) observer(SeedRead{seed, row_major(raster, seed), cell});
+  if (!cell) return std::nullopt;
+  const Cell old = raster[*cell];
+  const Region region{raster, old};
+  auto moves = ways(connectivity);
   Queue<ivec2> waiting;
   if (old != value) {
-    raster[*lands] = value;
+    raster[*cell] = value;
     waiting.push(seed);
     if constexpr (observed<O>) observer(Painted{seed, seed, waiting.size()});
   }
   while (!waiting.empty()) {
-    const ivec2 pixel = waiting.take();
+    ivec2 pixel = waiting.take();
     if constexpr (observed<O>) observer(Dequeued{pixel, waiting.size()});
     // Only neighbours are looked at
-    for (ivec2 way : ways(connectivity)) {
-      const ivec2 next = pixel + way;
-      bool free = holds(raster, next, old);
+    for (ivec2 move : moves) {
+      const ivec2 next = pixel + move;
+      bool free = region.has(next);
       if constexpr (observed<O>) observer(Examined{pixel, next, free});
       if (!free) continue;
       raster[next] = value;
@@ -162,10 +174,8 @@ std::optional<Filled> unchecked_seed(Raster<Cell>& raster, ivec2 seed, const Cel
       if constexpr (observed<O>) observer(Painted{pixel, next, waiting.size()});
     }
   }
-  const auto painted = waiting.pushed();
-  Filled done = tally(waiting, painted);
-  if constexpr (observed<O>) observer(Finished{done});
-  return done;
+  if constexpr (observed<O>) observer(Finished{tally(waiting)});
+  return tally(waiting);
 }
 
 }  // namespace gradus::flood_fill

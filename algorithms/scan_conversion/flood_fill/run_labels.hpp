@@ -1,5 +1,5 @@
 #pragma once
-// Which runs of equal cells hang together: a label for each run, found row by row, 64 cells at a time.
+// Which runs of equal cells are connected: a label for each run, found row by row, 64 cells at a time.
 
 #include <algorithm>
 #include <array>

@@ -165,8 +165,9 @@ Matrix<T> compose(const Matrix<T>& a, const Matrix<T>& b) {
   return a * b;
 }
 
-/// By how much areas grow; negative where it mirrors, 0 where it flattens. Accuracy: 2 ulp of the larger of
-/// its products. Where these leave T's range it may be 0, infinite or NaN; flattens is right there, too.
+/// The factor by which areas grow; negative where it mirrors, 0 where it flattens. Accuracy: 2 ulp of the
+/// larger of its products. Where these leave T's range it may be 0, infinite or NaN; flattens is right there,
+/// too.
 template <class T>
 T determinant(const Matrix<T>& m) {
   return m[0].x * m[1].y - m[1].x * m[0].y;
@@ -218,7 +219,7 @@ Matrix<T> one_matrix(std::span<const Factor<T>> factors, std::span<Point<T>> poi
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
   for (const auto& factor : factors) {
-    // What acts later stands further left
+    // Later factors go to the left
     const auto m = matrix(factor);
     product = m * product;
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
@@ -256,12 +257,13 @@ void factor_by_factor(std::span<const Factor<T>> factors, std::span<Point<T>> po
   if constexpr (observed<O>) observer(Started<T>{Matrix<T>(T(1)), {points.begin(), points.end()}});
   for (const auto& factor : factors) {
     const auto c = factor.pivot;
-    for (Point<T>& p : points) {
-      // From the pivot, and back to it
+    auto act = [&](Point<T>& p) {
+      // From the pivot, and back
       const auto d = p - c;
       p = factor.linear * d + c;
       p = p + factor.shift;
-    }
+    };
+    for (Point<T>& p : points) act(p);
     if constexpr (observed<O>) observer(Acted<T>{number_of(factor, factors), {points.begin(), points.end()}});
   }
 }
@@ -287,14 +289,14 @@ struct Rebased {
 template <class T, Observer<Rebased<T>, Multiplied<T>, Moved<T>> O = Unobserved>
 Matrix<T> local_coordinates(Point<T> origin, std::span<const Factor<T>> factors, std::span<Point<T>> points,
                             O&& observer = {}) {
-  // Everything as seen from the origin
-  for (Point<T>& p : points) p = p - origin;
+  // Everything seen from the origin
+  for (auto& p : points) p -= origin;
   if constexpr (observed<O>) observer(Rebased<T>{origin, {points.begin(), points.end()}});
   Matrix<T> product(T(1));
   for (const auto& factor : factors) {
     auto local = factor;
-    local.pivot = local.pivot - origin;
-    // What acts later stands further left
+    local.pivot -= origin;
+    // Later factors go to the left
     const auto m = matrix(local);
     product = m * product;
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(factor, factors), m, product});
@@ -444,11 +446,13 @@ struct Stuck {
 /// Errors: none.
 template <class T, Observer<Undone<T>, Stuck> O = Unobserved>
 bool undo(std::span<const Factor<T>> factors, std::span<Point<T>> points, O&& observer = {}) {
-  // The last one that acted goes first
-  for (auto k = factors.size(); k-- > 0;) {
-    const auto back = inverse(factors[k]);
+  // The last that acted goes first
+  std::size_t k = factors.size();
+  while (k-- > 0) {
+    const auto& last = factors[k];
+    const auto back = inverse(last);
+    // Nothing where points became one
     if (!back) {
-      // Many points had become one
       if constexpr (observed<O>) observer(Stuck{k});
       return false;
     }

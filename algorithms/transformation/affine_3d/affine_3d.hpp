@@ -207,8 +207,7 @@ Matrix<T> compose(const Matrix<T>& second, const Matrix<T>& first) {
 /// Domain: finite numbers whose products don't overflow.
 /// Steps: Transformed.
 /// Accuracy: a coordinate is within 4 u (1 + 3 u) of |xx x| + |xy y| + |xz z| + |x0|, likewise in y and z,
-/// and
-///   half the smallest number of T for each product that underflows; exact for Exact.
+///   and half the smallest number of T for each product that underflows; exact for Exact.
 /// Cost: 9 multiplications, 9 additions.
 /// Errors: none.
 template <class T, Observer<Transformed<T>> O = Unobserved>
@@ -247,9 +246,8 @@ glm::mat<3, 3, T> fitted(glm::mat<3, 3, T> m) {
 /// The matrix that takes normals along: the cofactors of the upper left 3 x 3, which is the inverse transpose
 /// times the determinant, and needs no division. Lengths change; directions keep pointing to the outside,
 /// also where a factor mirrors.
-/// Domain: entries of any size, but that what is less than 2^-500 (in float 2^-60) of the largest may count
-/// as
-///   0: of floating numbers the matrix is scaled by a power of two first. A matrix of rank 1 gives 0.
+/// Domain: entries of any size, but what is less than 2^-500 (in float 2^-60) of the largest may count as 0:
+///   a matrix of floating-point numbers is scaled by a power of two first. A matrix of rank 1 gives 0.
 /// Accuracy: an entry is within 2 u (1 + u) of the sum of the two products it is the difference of; exact for
 ///   Exact.
 /// Errors: ContractViolation for entries that are not finite.
@@ -284,8 +282,8 @@ std::size_t number_of(const T& element, std::span<const T> all) {
 }
 
 /// Takes points through a chain of transformations by way of one matrix: multiplied once, used for every
-/// point. Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition
-/// 1990, 5.6-5.7.
+/// point.
+/// Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition 1990, 5.6-5.7.
 ///
 /// factors: in the order in which they act; factors[0] stands rightmost. points: any; replaced in place.
 ///
@@ -300,15 +298,13 @@ Matrix<T> one_matrix(std::span<const Matrix<T>> factors, std::span<Point<T>> poi
   Matrix<T> product(T(1));
   if constexpr (observed<O>) observer(Started<T>{product, {points.begin(), points.end()}});
   for (const Matrix<T>& m : factors) {
-    // What acts later stands further left
+    // Later factors stand on the left
     product = compose(m, product);
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(m, factors), m, product});
   }
   // One matrix serves all points
   for (Point<T>& p : points) {
-    const auto from = p;
-    p = transform(product, from);
-    if constexpr (observed<O>) observer(Transformed<T>{from, p});
+    p = transform(product, p, observer);
   }
   return product;
 }
@@ -348,7 +344,7 @@ struct Decomposed {
 /// and all that came before is undone in the opposite order.
 /// Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 2nd edition 1990, 5.7.
 ///
-/// through: a point on the axis. align: brings its direction onto z. turn: the angle.
+/// p: a point on the axis. to_z: the turns that bring its direction onto z. turn: the angle.
 ///
 /// Domain: everything finite.
 /// Steps: Decomposed*, seven for an axis in general position: to_origin into_plane onto_z turn off_z
@@ -358,39 +354,39 @@ struct Decomposed {
 /// Cost: up to 6 products of matrices.
 /// Errors: none.
 template <class T, Observer<Decomposed<T>> O = Unobserved>
-Matrix<T> decomposition(Point<T> through, const Alignment<T>& align, const Turn<T>& turn, O&& observer = {}) {
+Matrix<T> decomposition(Point<T> p, const Alignment<T>& to_z, const Turn<T>& turn, O&& observer = {}) {
   // The axis comes to the origin
-  auto m = translation(T(0) - through);
+  auto m = translation(T(0) - p);
   auto product = m;
   if constexpr (observed<O>) observer(Decomposed<T>{Part::to_origin, m, product});
-  // Round x into the xz plane
-  if (align.x) {
-    m = rotation_x(*align.x);
+  // Turned about x: into the xz plane
+  if (to_z.x) {
+    m = rotation_x(*to_z.x);
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::into_plane, m, product});
   }
-  // Round y onto z
-  if (align.y) {
-    m = rotation_y(*align.y);
+  // Turned about y: onto z
+  if (to_z.y) {
+    m = rotation_y(*to_z.y);
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::onto_z, m, product});
   }
-  // There, turn
+  // There the turn is about z
   m = rotation_z(turn);
   product = m * product;
   if constexpr (observed<O>) observer(Decomposed<T>{Part::turn, m, product});
-  // Undo it all, last thing first
-  if (align.y) {
-    m = rotation_y(reversed(*align.y));
+  // The way back, last factor first
+  if (to_z.y) {
+    m = rotation_y(reversed(*to_z.y));
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::off_z, m, product});
   }
-  if (align.x) {
-    m = rotation_x(reversed(*align.x));
+  if (to_z.x) {
+    m = rotation_x(reversed(*to_z.x));
     product = m * product;
     if constexpr (observed<O>) observer(Decomposed<T>{Part::out_of_plane, m, product});
   }
-  m = translation(through);
+  m = translation(p);
   product = m * product;
   if constexpr (observed<O>) observer(Decomposed<T>{Part::back, m, product});
   return product;
@@ -433,15 +429,17 @@ template <class T, Observer<Projected<T>, Rejected<T>, Crossed<T>, Turned<T>> O 
 Point<T> turn_vector(Point<T> n, Point<T> through, const Turn<T>& turn, Point<T> point, O&& observer = {}) {
   const auto p = point - through;
   // Along the axis nothing moves
-  const auto r = glm::dot(p, n) * n;
+  const auto r = dot(p, n) * n;
   if constexpr (observed<O>) observer(Projected<T>{p, r});
-  // The rest turns, in a circle
+  // The rest turns on a circle
   const auto s = p - r;
   if constexpr (observed<O>) observer(Rejected<T>{s});
-  // as long as s, a quarter turn on
-  const auto v = glm::cross(n, s);
+  // A quarter turn on, as long as s
+  const auto v = cross(n, s);
   if constexpr (observed<O>) observer(Crossed<T>{v});
-  const auto t = turn.cos * s + turn.sin * v;
+  const T cos = turn.cos;
+  const T sin = turn.sin;
+  const auto t = cos * s + sin * v;
   const auto to = through + (r + t);
   if constexpr (observed<O>) observer(Turned<T>{to});
   return to;
@@ -461,11 +459,10 @@ inline dvec3 accurate_cross(dvec3 a, dvec3 b) {
 
 /// A rotation matrix whose columns have drifted from length 1 and from right angles, as repeated products do,
 /// made orthogonal again: the first column keeps its direction, the second its plane with the first; the
-/// third is at right angles on both, whatever it was.
+/// third is at right angles to both, whatever it was.
 /// Source: E. Schmidt, 1907 (Gram-Schmidt).
 /// Domain: finite columns of any size, the first two not parallel, however small the angle between them.
-/// (What
-///   is less than 2^-1022 of a column's largest component may count as 0.)
+///   (What is less than 2^-1022 of a column's largest component may count as 0.)
 /// Accuracy: orthogonal to 2 ulp of 1. The first column's direction and the normal of its plane with the
 ///   second are kept to 2 ulp of 1. In float, computed in double and rounded once, these are 2 times 2^-23.
 /// Cost: about 0.3 us.

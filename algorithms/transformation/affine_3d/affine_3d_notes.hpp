@@ -14,14 +14,20 @@ struct RowTransformed {
   glm::vec<4, T> to;  ///< the fourth coordinate should be 1
 };
 
+/// A point's four coordinates, to stand to the left of a matrix.
+template <class T>
+glm::vec<4, T> as_row(Point<T> point) {
+  return {point, T(1)};
+}
+
 /// FAULTY: a point as a row, to the left of a matrix that is made for columns.
 /// The notes print rotations for columns and a translation for rows, and use both for rows (errata E002-01).
 ///
-/// Domain: right for scalings alone. Rotations turn backwards; a translation moves nothing and spoils the
+/// Domain: right for scalings only. Rotations turn backwards; a translation moves nothing and spoils the
 ///   fourth coordinate instead: (1, 2, 3, 1) by (5, 6, 7) becomes (1, 2, 3, 39).
 template <class T>
 glm::vec<4, T> transform_row(Point<T> point, const Matrix<T>& m) {
-  return glm::vec<4, T>(point, T(1)) * m;
+  return as_row(point) * m;
 }
 
 /// FAULTY but for scalings: `one_matrix` with points as rows, see transform_row.
@@ -41,11 +47,10 @@ Matrix<T> row_vectors(std::span<const Matrix<T>> factors, std::span<Point<T>> po
     if constexpr (observed<O>) observer(Multiplied<T>{number_of(m, factors), m, product});
   }
   for (Point<T>& p : points) {
-    const auto from = p;
-    // The point stands on the wrong side
-    const auto to = transform_row(p, product);
+    // It stands on the wrong side
+    auto to = as_row(p) * product;
+    if constexpr (observed<O>) observer(RowTransformed<T>{p, to});
     p = Point<T>(to);
-    if constexpr (observed<O>) observer(RowTransformed<T>{from, to});
   }
   return product;
 }
@@ -71,7 +76,8 @@ template <class T, Observer<OffsetAdded<T>> O = Unobserved>
 Point<T> constant_offset(Point<T> /*n*/, Point<T> car, const Turn<T>& /*turn*/, Point<T> camera,
                          O&& observer = {}) {
   const auto offset = camera - car;
-  // The car has turned, the offset has not
+  // The car has turned,
+  // the offset has not
   const auto to = car + offset;
   if constexpr (observed<O>) observer(OffsetAdded<T>{offset, to});
   return to;
