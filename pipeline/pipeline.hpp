@@ -16,11 +16,6 @@
 
 namespace gradus::pipeline {
 
-/// Pixels of a picture, 1 to 2^15 a side.
-struct Size {
-  int width = 800, height = 600;
-};
-
 /// The largest side of a picture, in pixels.
 inline constexpr int largest_side = 1 << 15;
 
@@ -45,32 +40,31 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
           "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
   const double aspect = static_cast<double>(width) / height;
+  const Camera& camera = scene.camera;
 
   // 1 Input model
-  const Model<ObjectPoint> model =  // faces become triangles
-      input(scene, observer);
+  auto model = input(scene, observer);
   // 2 World transformation
-  const Model<WorldPoint> world =  // objects stand in one space
-      to_world(scene, model, observer);
+  auto world = to_world(scene, model, observer);
   // 3 Perspective transformation
-  const Model<ClipPoint> clip =  // multiplies, does not divide
-      to_clip(scene.camera, aspect, world, observer);
+  const Model<ClipPoint> seen =  // multiplies, does not divide
+      to_clip(camera, aspect, world, observer);
   // 4 Back-face removal
   const Model<ClipPoint> facing =  // by the sign of det[x y w]
-      remove_back_faces(scene, clip, observer);
-  // 5 Clipping
-  const std::vector<Triangle> triangles =  // divides at its end
-      clip_and_divide(world, facing, width, height, observer);
+      remove_back_faces(scene, seen, observer);
+  // 5 Clipping, then division by w
+  const Triangles triangles =  // near and far plane cut
+      clip(world, facing, size, observer);
   // 6 Rasterization
-  Visible visible(width, height);
-  const auto emit = [&](const Fragment& f) {
+  Visible kept(width, height);
+  auto emit = [&](const Fragment& f) {
     // 7 Hidden surface removal
-    keep_nearest(f, visible, observer);
+    keep_nearest(f, kept, observer);
   };
-  rasterize(triangles, width, height, emit, observer);
+  rasterize(triangles, size, emit, observer);
   // 7 Shading
   const Raster<LinearRgb> light =  // Phong, for what is seen
-      shade(scene, triangles, visible, observer);
+      shade(scene, triangles, kept, observer);
   // 8 Output
   return output(light, observer);
 }

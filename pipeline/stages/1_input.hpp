@@ -74,21 +74,22 @@ inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vecto
 /// Steps: VertexRead* FaceRead*.
 template <Observer<VertexRead, FaceRead> O = Unobserved>
 void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& observer = {}) {
-  // Faces know its vertices by number
-  const int first = size_of(model.vertices);
+  // Its faces count them from here
+  int first = size_of(model.vertices);
   int vertex = 0;
-  for (const dvec3& at : mesh.positions) {
-    const VertexId id{object, vertex++};
-    model.vertices.push_back({id, {at}});
+  for (dvec3 at : mesh.positions) {
+    VertexId id{object, vertex++};
+    model.add(id, {at});
     if constexpr (observed<O>) observer(VertexRead{id, {at}});
   }
   // Larger faces lose their ears
-  const int faces = size_of(mesh.faces);
-  for (int face = 0; face < faces; ++face) {
-    const PieceId id{object, face, 0};
-    const auto pieces = cut(mesh, id, first);
+  int faces = size_of(mesh.faces);
+  for (int i = 0; i < faces; ++i) {
+    const PieceId id{object, i, 0};
+    const auto pieces =  // triangles
+        cut(mesh, id, first);
     append(model.pieces, pieces);
-    if constexpr (observed<O>) observer(face_read(mesh, object, face, pieces));
+    if constexpr (observed<O>) observer(face_read(mesh, object, i, pieces));
   }
 }
 

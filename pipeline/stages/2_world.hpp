@@ -34,9 +34,10 @@ inline bool turn(const glm::dmat4& placement, Piece& piece) {
   return mirrored;
 }
 
-/// Where an object stands.
-inline const glm::dmat4& placement_of(const Scene& scene, int object) {
-  return object_at(scene, object).placement;
+/// Where the object of a vertex or of a piece stands.
+template <class Id>
+const glm::dmat4& placement_of(const Scene& scene, Id id) {
+  return object_at(scene, id.object).placement;
 }
 
 /// Takes vertices and normals from the objects' spaces to the world.
@@ -48,22 +49,22 @@ inline const glm::dmat4& placement_of(const Scene& scene, int object) {
 /// Errors: none.
 template <Observer<Placed, Turned> O = Unobserved>
 Model<WorldPoint> to_world(const Scene& scene, Model<ObjectPoint> model, O&& observer = {}) {
+  using affine_3d::transform;
   Model<WorldPoint> world;
-  for (const auto& vertex : model.vertices) {
-    const auto& [id, from] = vertex;
-    const glm::dmat4& m =  // of its object
-        placement_of(scene, id.object);
-    const dvec3 to =  // m * (x, y, z, 1)
-        affine_3d::transform(m, from.at);
-    world.vertices.push_back({id, {to}});
+  for (auto& v : model.vertices) {
+    const auto& [id, from] = v;
+    const auto& m =  // of its object
+        placement_of(scene, id);
+    dvec3 to = transform(m, from.at);
+    world.add(id, {to});
     if constexpr (observed<O>) observer(Placed{id, from, {to}});
   }
   // Normals turn, they do not move
-  world.pieces = std::move(model.pieces);
+  hand_on_pieces(model, world);
   for (Piece& piece : world.pieces) {
-    const glm::dmat4& m =  // of its object
-        placement_of(scene, piece.id.object);
-    const bool mirrored = turn(m, piece);
+    const auto& m =  // of its object
+        placement_of(scene, piece.id);
+    bool mirrored = turn(m, piece);
     if constexpr (observed<O>) observer(Turned{piece.id, mirrored});
   }
   return world;

@@ -18,6 +18,11 @@ struct Projected {
   ClipPoint clip;  ///< w is the depth
 };
 
+/// What the camera's lens does, as a matrix.
+inline Projection<double> lens_of(const Camera& camera, double aspect) {
+  return projection_of(camera.lens, aspect);
+}
+
 /// Takes every vertex through the camera.
 ///
 /// aspect: width / height of the picture.
@@ -29,19 +34,18 @@ struct Projected {
 template <Observer<Projected> O = Unobserved>
 Model<ClipPoint> to_clip(const Camera& camera, double aspect, const Model<WorldPoint>& world,
                          O&& observer = {}) {
+  using perspective::transform;
+  using viewing::to_view;
   const auto& eye = camera.frame;
-  const Projection<double> lens =  // a matrix
-      projection_of(camera.lens, aspect);
+  auto lens = lens_of(camera, aspect);
   Model<ClipPoint> clip;
-  for (const auto& vertex : world.vertices) {
-    const auto& [id, from] = vertex;
+  for (auto& v : world.vertices) {
+    const auto& [id, from] = v;
     // To the viewer: right, up, depth
-    const dvec3 view =  // the eye is at (0, 0, 0)
-        viewing::to_view(eye, from.at);
-    // Into clip space: w becomes the depth
-    const glm::dvec4 to =  // not divided by it
-        perspective::transform(lens, view);
-    clip.vertices.push_back({id, {to}});
+    auto view = to_view(eye, from.at);
+    // To clip space: w is the depth
+    auto to = transform(lens, view);
+    clip.add(id, {to});
     if constexpr (observed<O>) observer(Projected{id, from, view, {to}});
   }
   clip.pieces = world.pieces;

@@ -1,7 +1,6 @@
 #pragma once
 // Stage 4, back-face removal: pieces of closed bodies that turn their backs are never seen.
 
-#include <utility>
 #include <vector>
 
 #include "core/observe.hpp"
@@ -43,17 +42,20 @@ Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O
   using back_face_culling::Facing;
   std::vector<Piece> kept;
   for (Piece& piece : model.pieces) {
-    // The sign of det[x y w], for any w
-    const Facing side = facing(model, piece);
-    const bool front = side == Facing::front;
-    const bool back = side == Facing::back;
-    const bool both = two_sided(scene, piece);
-    const bool keep = front || (back && both);
+    // By the sign of det[x y w]
+    auto side = facing(model, piece);
+    const bool front =  // counter-clockwise
+        side == Facing::front;
+    bool back = side == Facing::back;
+    const bool both =  // of an open model
+        two_sided(scene, piece);
+    const bool keep =  // edge-on: never
+        front || (back && both);
     piece.seen_from_behind = back;
     if (keep) kept.push_back(piece);
     if constexpr (observed<O>) observer(Faced{piece.id, side, both, !keep});
   }
-  model.pieces = std::move(kept);
+  model.pieces.swap(kept);
   return model;
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "core/observe.hpp"
 #include "projection/perspective/perspective.hpp"
 #include "stages/points.hpp"
@@ -44,8 +44,9 @@ struct Clipped {
 inline constexpr double guard_pixels = 1 << 20;
 
 /// Near and far plane, and the guard planes.
-/// width, height: of the picture in pixels, 1 to 2^17 (refused otherwise).
-inline std::array<sutherland_hodgman::Plane<double>, 6> guard_volume(int width, int height) {
+/// size: of the picture, 1 to 2^17 pixels a side (refused otherwise).
+inline std::array<sutherland_hodgman::Plane<double>, 6> guard_volume(Size size) {
+  const auto [width, height] = size;
   expects(1 <= width && width <= 1 << 17 && 1 <= height && height <= 1 << 17,
           "a picture has 1 to {} pixels a side, not {} x {}", 1 << 17, width, height);
   return sutherland_hodgman::view_volume(2 * guard_pixels / width, 2 * guard_pixels / height);
@@ -91,11 +92,18 @@ inline std::vector<TriangleCorner> divided(const Polygon& polygon) {
 }
 
 /// A convex polygon as triangles round its first corner.
-inline std::vector<Triangle> fan(const Piece& piece, const std::vector<TriangleCorner>& corners) {
-  std::vector<Triangle> triangles;
+inline Triangles fan(const Piece& piece, const std::vector<TriangleCorner>& corners) {
+  Triangles triangles;
   for (std::size_t i = 2; i < corners.size(); ++i) {
     triangles.push_back({piece.id, {corners[0], corners[i - 1], corners[i]}, piece.seen_from_behind});
   }
+  return triangles;
+}
+
+/// Room for a triangle of each piece.
+inline Triangles room_for(const std::vector<Piece>& pieces) {
+  Triangles triangles;
+  triangles.reserve(pieces.size());
   return triangles;
 }
 
@@ -112,7 +120,7 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 
 /// Clips every piece and divides what is left, which goes on as triangles with the piece's id.
 ///
-/// world, model: the same vertices in world and in clip space. width, height: of the picture.
+/// world, model: the same vertices in world and in clip space. size: of the picture.
 ///
 /// Domain: finite coordinates, any w.
 /// Steps: Clipped*, in the order of the pieces.
@@ -120,22 +128,20 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 /// Cost: 18 tests a piece; more where something is cut.
 /// Errors: ContractViolation for a picture beyond 2^17 pixels.
 template <Observer<Clipped> O = Unobserved>
-std::vector<Triangle> clip_and_divide(const Model<WorldPoint>& world, const Model<ClipPoint>& model,
-                                      int width, int height, O&& observer = {}) {
-  const auto planes =  // near, far, guard planes
-      guard_volume(width, height);
-  std::vector<Triangle> triangles;
-  triangles.reserve(model.pieces.size());
-  for (const Piece& piece : model.pieces) {
+Triangles clip(const Model<WorldPoint>& world, const Model<ClipPoint>& model, Size size, O&& observer = {}) {
+  auto planes = guard_volume(size);
+  Triangles triangles =  // one a piece, or more
+      room_for(model.pieces);
+  for (auto& p : model.pieces) {
     const Polygon before =  // in clip space
-        polygon_of(piece, world, model);
+        polygon_of(p, world, model);
     const Polygon after =  // Sutherland-Hodgman
         part_inside(before, planes);
-    // Now all w are positive: x, y, z by w
-    const auto corners = divided(after);
+    // Every w > 0: divide by it
+    const auto ndc = divided(after);
     // What is left is convex: a fan
-    append(triangles, fan(piece, corners));
-    if constexpr (observed<O>) observer(clipped(piece.id, before, after, corners, planes));
+    append(triangles, fan(p, ndc));
+    if constexpr (observed<O>) observer(clipped(p.id, before, after, ndc, planes));
   }
   return triangles;
 }

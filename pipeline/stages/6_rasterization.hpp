@@ -29,12 +29,12 @@ struct Covered {
 };
 
 /// All pixels.
-inline Window picture_window(int width, int height) { return {{0, 0}, {width - 1, height - 1}}; }
+inline Window picture_window(Size size) { return {{0, 0}, {size.width - 1, size.height - 1}}; }
 
 /// The corners of a triangle in the picture.
-inline std::array<PixelPoint, 3> in_picture(const Triangle& triangle, int width, int height) {
+inline std::array<PixelPoint, 3> in_picture(const Triangle& triangle, Size size) {
   const auto place = [&](std::size_t i) {
-    return PixelPoint{viewport::to_pixel(dvec2(triangle.corners[i].ndc.at), width, height)};
+    return PixelPoint{viewport::to_pixel(dvec2(triangle.corners[i].ndc.at), size.width, size.height)};
   };
   return {place(0), place(1), place(2)};
 }
@@ -49,6 +49,11 @@ inline std::array<SnappedPoint, 3> snapped(const std::array<PixelPoint, 3>& corn
 /// The same, as the coverage of pixels takes it.
 inline triangle_coverage::Triangle on_grid(const std::array<SnappedPoint, 3>& corners) {
   return {corners[0].at, corners[1].at, corners[2].at};
+}
+
+/// Twice its area, in 1/65536 pixel.
+inline std::int64_t area_of(const triangle_coverage::Triangle& grid) {
+  return triangle_coverage::doubled_area(grid);
 }
 
 /// Whether the snapped triangle still shows the side that stage 4 saw, and has an area.
@@ -77,8 +82,8 @@ inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& o
 /// Tells of every pixel that a triangle covers. A sliver that snapping has turned round is not drawn: it
 /// shows the side that stage 4 has said it does not show.
 ///
-/// triangles: from stage 5. width, height: of the picture. emit(const Fragment&) is called triangle by
-///   triangle, row by row.
+/// triangles: from stage 5. size: of the picture. emit(const Fragment&) is called triangle by triangle, row
+///   by row.
 ///
 /// Domain: corners between the guard planes.
 /// Steps: (Snapped Covered*)*.
@@ -87,32 +92,31 @@ inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& o
 /// Cost: the pixels of each triangle's box.
 /// Errors: ContractViolation for corners beyond the guard planes.
 template <std::invocable<const Fragment&> Emit, Observer<Snapped, Covered> O = Unobserved>
-void rasterize(const std::vector<Triangle>& triangles, int width, int height, Emit&& emit,
-               O&& observer = {}) {
-  const Window picture =  // nothing beyond it
-      picture_window(width, height);
+void rasterize(const Triangles& triangles, Size size, Emit&& emit, O&& observer = {}) {
+  auto picture = picture_window(size);
   int i = -1;
-  for (const Triangle& t : triangles) {
+  for (auto& t : triangles) {
     ++i;
-    // Into the picture, and onto its grid
-    const auto exact =  // y down
-        in_picture(t, width, height);
-    const auto corners = snapped(exact);
-    const auto grid = on_grid(corners);
-    const auto area =  // its sign is the side
-        triangle_coverage::doubled_area(grid);
-    const bool drawn = keeps_side(t, area);
+    // Into the picture, on its grid
+    auto exact = in_picture(t, size);
+    auto corners = snapped(exact);
+    auto grid = on_grid(corners);
+    // Its sign tells the side
+    const auto area = area_of(grid);
+    bool drawn = keeps_side(t, area);
     if constexpr (observed<O>) observer(Snapped{t.id, i, exact, corners, area, drawn});
     if (!drawn) continue;
     // Depth is linear in the picture,
     // everything else on the surface
-    const auto depth = depth_over(grid, t);
+    auto depth = depth_over(grid, t);
     const dvec3 over_w = over_w_of(t);
-    auto tell = [&](ivec2 p, const auto& w) {
+    auto tell = [&](ivec2 p, auto w) {
       // Perspective-correct shares
-      const auto parts = shares_of(w, over_w);
+      const auto parts =  // of the corners
+          shares_of(w, over_w);
       const double z = depth.at(w);
-      const Fragment f{t.id, i, p, z, parts};
+      const Fragment f =  // one pixel's
+          {t.id, i, p, z, parts};
       if constexpr (observed<O>) observer(Covered{f});
       emit(f);
     };

@@ -54,10 +54,13 @@ inline std::optional<Fragment> held(const PixelCell& cell) {
 /// Tests a fragment against its pixel, and keeps it when it is the nearest so far.
 /// Steps: DepthTested. Accuracy: exact, whatever the order. Cost: a comparison.
 template <Observer<DepthTested> O = Unobserved>
-void keep_nearest(const Fragment& f, Visible& visible, O&& observer = {}) {
-  const PixelCell before = visible[f.pixel];
-  const bool nearer = z_buffer::keep_nearest(  // ties by number
-      visible, f.pixel, f.depth, {f});
+void keep_nearest(const Fragment& f, Visible& cells, O&& observer = {}) {
+  using z_buffer::keep_nearest;
+  const ivec2 p = f.pixel;
+  const double z = f.depth;
+  const auto before = cells[p];
+  const bool nearer =  // ties: by number
+      keep_nearest(cells, p, z, {f});
   if constexpr (observed<O>) observer(DepthTested{f, held(before), nearer});
 }
 
@@ -92,21 +95,24 @@ inline Shaded shaded(const Scene& scene, const Fragment& fragment, const Triangl
 /// Cost: one illumination a visible pixel.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
-Raster<LinearRgb> shade(const Scene& scene, const std::vector<Triangle>& triangles, const Visible& visible,
+Raster<LinearRgb> shade(const Scene& scene, const Triangles& triangles, const Visible& visible,
                         O&& observer = {}) {
   const int width = visible.width();
   const int height = visible.height();
+  const auto back = scene.background;
   Raster<LinearRgb> light(  // nothing seen yet
-      width, height, scene.background);
+      width, height, back);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const PixelCell& cell = visible[{x, y}];
+      const ivec2 p{x, y};
+      const auto& cell = visible[p];
       if (!cell.taken) continue;
-      // Phong's model, once a visible pixel
-      const Fragment& f = cell.key.fragment;
-      auto& t = triangle_of(f, triangles);
-      const Shaded lit = shaded(scene, f, t);
-      light[{x, y}] = lit.colour;
+      // Phong's model, once a pixel
+      auto& f = cell.key.fragment;
+      auto& t =  // the one seen there
+          triangle_of(f, triangles);
+      auto lit = shaded(scene, f, t);
+      light[p] = lit.colour;
       if constexpr (observed<O>) observer(lit);
     }
   }

@@ -29,13 +29,16 @@ inline bool too_bright(const LinearRgb& light) { return light.r > 1 || light.g >
 /// Errors: none.
 template <Observer<Written> O = Unobserved>
 Image output(const Raster<LinearRgb>& light, O&& observer = {}) {
-  Image image(light.width(), light.height());
-  for (int y = 0; y < light.height(); ++y) {
-    for (int x = 0; x < light.width(); ++x) {
-      // The standard's curve, then 8 bits
-      const LinearRgb& c = light[{x, y}];
-      image[{x, y}] = srgb8_from_linear(c);
-      if constexpr (observed<O>) observer(Written{{x, y}, c, image[{x, y}], too_bright(c)});
+  const int width = light.width();
+  const int height = light.height();
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      // By sRGB's curve, in 8 bits
+      const ivec2 p{x, y};
+      const LinearRgb& c = light[p];
+      image[p] = srgb8_from_linear(c);
+      if constexpr (observed<O>) observer(Written{p, c, image[p], too_bright(c)});
     }
   }
   return image;

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/geometry.hpp"
@@ -37,6 +38,11 @@ struct PixelPoint {
 /// In the picture, in 1/256 pixel.
 struct SnappedPoint {
   ivec2 at{0};
+};
+
+/// Pixels of a picture, 1 to 2^15 a side.
+struct Size {
+  int width = 800, height = 600;
 };
 
 /// Which vertex of which object.
@@ -84,7 +90,14 @@ struct Model {
   const Point& point(const PieceCorner& corner) const {
     return vertices[static_cast<std::size_t>(corner.vertex)].point;
   }
+  void add(VertexId id, const Point& point) { vertices.push_back({id, point}); }
 };
+
+/// The pieces go on to the next stage; `from` is left without.
+template <class From, class To>
+void hand_on_pieces(Model<From>& from, Model<To>& to) {
+  to.pieces = std::move(from.pieces);
+}
 
 /// How many there are, as the numbers of vertices, faces and triangles count.
 template <class T>
@@ -114,6 +127,8 @@ struct Triangle {
   bool seen_from_behind = false;
 };
 
+using Triangles = std::vector<Triangle>;
+
 /// A pixel covered by a triangle. What the surface has there is the mean of what the triangle's corners have,
 /// with these weights.
 struct Fragment {
@@ -125,7 +140,7 @@ struct Fragment {
 };
 
 /// The triangle that covers a fragment.
-inline const Triangle& triangle_of(const Fragment& f, const std::vector<Triangle>& triangles) {
+inline const Triangle& triangle_of(const Fragment& f, const Triangles& triangles) {
   return triangles[static_cast<std::size_t>(f.triangle)];
 }
 
