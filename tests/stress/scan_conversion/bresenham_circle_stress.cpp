@@ -111,9 +111,9 @@ double window_error(const Input& i) {
   const Window window = radius < 0 ? Window{{0, 0}, {9, 9}} : window_of(i);
   std::vector<ivec2> shown;
   bool right = true;
-  std::int64_t told = -1;
+  std::int64_t reported = -1;
   const auto watch = [&]<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Finished>) told = step.pixels;
+    if constexpr (std::same_as<Step, Finished>) reported = step.pixels;
     if constexpr (std::same_as<Step, Started>) right = right && step.p == 3 - 2 * std::int64_t{radius};
     if constexpr (std::same_as<Step, Compared> || std::same_as<Step, Jumped>) {
       right = right && step.p == decision_at(radius, step.at.x, step.at.y) &&
@@ -126,7 +126,7 @@ double window_error(const Input& i) {
   } catch (const ContractViolation&) {
     return radius < 0 ? 0 : wrong;
   }
-  if (radius < 0 || !right || told != static_cast<std::int64_t>(shown.size())) return wrong;
+  if (radius < 0 || !right || reported != static_cast<std::int64_t>(shown.size())) return wrong;
   // Every pixel of the window that belongs to the circle is shown, and none twice
   const auto before = [](ivec2 p, ivec2 q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
   std::ranges::sort(shown, before);

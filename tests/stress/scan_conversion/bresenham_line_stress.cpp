@@ -118,8 +118,8 @@ struct Watch {
   bool right = true;
 
   void want(bool holds) { right = right && holds; }
-  /// dx times the height above the line, up to the sign, of the pixel that a move leads to: it may lie beyond
-  /// the plane.
+  /// dx times the height above the line, up to the sign, of the pixel that a move leads to
+  /// (which may lie beyond the plane).
   Wide above(ivec2 pixel, ivec2 move) const {
     const auto& [from, to] = line;
     const Wide x = Wide{pixel.x} + move.x - from.x, y = Wide{pixel.y} + move.y - from.y;
