@@ -14,6 +14,7 @@
 #include "cairo/metadata.hpp"
 #include "cairo/shapes.hpp"
 #include "core/image.hpp"
+#include "figure/metrics.hpp"
 
 namespace gradus {
 namespace {
@@ -53,11 +54,33 @@ class Painter {
     }
     unit_ = sheet.unit;
     for (const Shape& shape : sheet.shapes) {
-      std::visit([this](const auto& what) { draw(what); }, shape.what);
+      if (shape.opacity < 1) {
+        draw_faded(shape);
+      } else {
+        draw_whole(shape);
+      }
     }
   }
 
  private:
+  void draw_whole(const Shape& shape) {
+    std::visit([this](const auto& what) { draw(what); }, shape.what);
+  }
+
+  /// Drawn aside and laid over what is there, so that its own parts do not show through each other.
+  void draw_faded(const Shape& shape) {
+    const Box box = extents_of(shape);
+    const double air = 12 * unit_;  // arrow heads and halos reach beyond
+    cairo_save(context_);
+    cairo_rectangle(context_, box.x - air, box.y - air, box.width + 2 * air, box.height + 2 * air);
+    cairo_clip(context_);
+    cairo_push_group(context_);
+    draw_whole(shape);
+    cairo_pop_group_to_source(context_);
+    cairo_paint_with_alpha(context_, shape.opacity);
+    cairo_restore(context_);
+  }
+
   void use(Paint paint) {
     const Rgb color = color_of(paint, theme_);
     cairo_set_source_rgb(context_, color.red(), color.green(), color.blue());
@@ -163,19 +186,24 @@ class Painter {
   }
 
   void draw(const TextShape& text) {
-    select_face(context_, text.face, text.size);
-    const double x = text.box().x;
+    const dvec2 at{text.box().x, text.baseline.y};
     if (text.halo) {
-      cairo_move_to(context_, x, text.baseline.y);
-      cairo_text_path(context_, text.text.c_str());
+      for (const TextPiece& piece : pieces_of(text))
+        trace_text(context_, piece.text, piece.face, text.size, at + dvec2{piece.x, 0});
       use(text.ground);
       cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
       stroke(halo_width(text), false);
       cairo_set_line_join(context_, CAIRO_LINE_JOIN_MITER);
     }
-    use(text.paint);
-    cairo_move_to(context_, x, text.baseline.y);
-    cairo_show_text(context_, text.text.c_str());
+    if (text.is_rim()) return;
+    for (const TextPiece& piece : pieces_of(text)) {
+      use(piece.paint);
+      show_text(context_, piece.text, piece.face, text.size, at + dvec2{piece.x, 0});
+      const auto line = underline(piece, text, theme_);
+      if (!line) continue;
+      trace({line->segment});
+      stroke(line->width, line->dashed);
+    }
   }
 
   void draw(const ImageShape& shape) {

@@ -1,6 +1,6 @@
 #pragma once
 // Sheets as files' bytes. The same sheet, finish and colophon give the same bytes, in any process and thread.
-// Every function throws std::runtime_error when Cairo reports a failure, or the DejaVu fonts are missing.
+// Every function throws std::runtime_error when Cairo reports a failure, or its fonts are missing.
 
 #include <functional>
 #include <string>
@@ -25,7 +25,7 @@ namespace gradus {
 /// Groups don't change the drawing order: one that is interrupted goes on as drawing-current-2, -3, …, so an
 /// id names one stretch and a class all. `.slot-drawing .role-current { visibility: hidden }` hides the
 /// current mark, `#sentence` is the sentence. Letters are shapes in <defs>, or with SvgText::text <text>
-/// elements in the DejaVu fonts that keep their width in any other.
+/// elements with fonts of their own.
 std::string svg_of(const Sheet& sheet, const Finish& finish, const Colophon& colophon);
 
 /// The pixels of a sheet, drawn at `finish.scale`: opaque, or with alpha where no ground is painted.

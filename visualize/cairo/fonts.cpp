@@ -1,9 +1,13 @@
 #include "cairo/fonts.hpp"
 
+#include <cairo-ft.h>
+#include <fontconfig/fontconfig.h>
+
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "cairo/handles.hpp"
@@ -12,59 +16,197 @@
 namespace gradus {
 namespace {
 
-/// Cairo's path as path data with relative whole numbers. The fonts' curves are quadratic; Cairo hands them
-/// out as cubic ones, which are written as what they were.
-class Outline {
- public:
-  explicit Outline(const cairo_path_t& path) {
-    for (int i = 0; i < path.num_data; i += path.data[i].header.length) {
-      const auto count = static_cast<std::size_t>(path.data[i].header.length);
-      add(path.data[i].header.type, {path.data + i + 1, count - 1});
-    }
+// --- Fonts -----------------------------------------------------------------------------------------------
+
+/// By Face, as fontconfig calls them: the font, the one that it borrows some letters from, and the one that
+/// stands in for letters that these lack (see tests/support/font_metrics.py). Cairo's own words for weights
+/// know none between medium and bold.
+using FontNames = std::array<const char*, 3>;
+constexpr std::array<FontNames, 6> font_names{{
+    {"Inter:regular", "Inter:regular", "DejaVu Sans:book"},
+    {"Inter:bold", "Inter:regular", "DejaVu Sans:bold"},
+    {"Inter:regular:italic", "Inter:regular:italic", "DejaVu Sans:book:oblique"},
+    {"JetBrains Mono:regular", "Inter:regular", "DejaVu Sans Mono:book"},
+    {"JetBrains Mono:bold", "Inter:bold", "DejaVu Sans Mono:bold"},
+    {"Inter:bold:italic", "Inter:regular:italic", "DejaVu Sans:bold:oblique"},
+}};
+
+bool is_mono(Face face) { return face == Face::mono || face == Face::mono_bold; }
+bool is_raised(char32_t c) { return c == U'²' || c == U'³' || c == U'¹' || (0x2070 <= c && c <= 0x209c); }
+
+/// Raised letters need no typewriter's room: 10⁻⁴ would fall apart. Inter's bold space is so narrow that
+/// words run together.
+bool is_borrowed(char32_t c, Face face) {
+  if (face == Face::bold || face == Face::bold_italic) return c == U' ' || c == U'\u00a0';
+  return is_mono(face) && is_raised(c);
+}
+
+FontOptions unhinted() {
+  FontOptions options(cairo_font_options_create());
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  return options;
+}
+
+/// A font, and at a size of one em in units.
+struct Font {
+  FontFace face;
+  ScaledFont scaled;
+
+  explicit Font(const char* name) {
+    const FontPattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name)));
+    face.reset(cairo_ft_font_face_create_for_pattern(pattern.get()));
+    check(cairo_font_face_status(face.get()));
+    cairo_matrix_t size, page;
+    cairo_matrix_init_scale(&size, units_per_em, units_per_em);
+    cairo_matrix_init_identity(&page);
+    scaled.reset(cairo_scaled_font_create(face.get(), &size, &page, unhinted().get()));
+    check(cairo_scaled_font_status(scaled.get()));
   }
 
-  std::string take() { return std::move(text_); }
+  /// 0 where the font lacks the letter.
+  unsigned long glyph_of(char32_t character) const {
+    const std::string text = utf8_of({&character, 1});
+    cairo_glyph_t one{};
+    cairo_glyph_t* glyphs = &one;
+    int count = 1;
+    check(cairo_scaled_font_text_to_glyphs(scaled.get(), 0, 0, text.c_str(), static_cast<int>(text.size()),
+                                           &glyphs, &count, nullptr, nullptr, nullptr));
+    const unsigned long index = count > 0 ? glyphs[0].index : 0;
+    if (glyphs != &one) cairo_glyph_free(glyphs);
+    return index;
+  }
+
+  double advance_of(unsigned long glyph) const {
+    const cairo_glyph_t glyphs{glyph, 0, 0};
+    cairo_text_extents_t extents;
+    cairo_scaled_font_glyph_extents(scaled.get(), &glyphs, 1, &extents);
+    return extents.x_advance;
+  }
+};
+
+/// What draws a letter.
+struct Letter {
+  const Font* font;
+  unsigned long glyph;
+  double advance;  ///< by the table of widths, in units
+};
+
+/// The fonts of a face and its letters met so far. Safe in threads.
+class Typeface {
+ public:
+  explicit Typeface(Face face) : Typeface(face, font_names[static_cast<std::size_t>(face)]) {}
+
+  static Typeface& of(Face face) {
+    static std::array<Typeface, 6> all{Typeface(Face::sans),      Typeface(Face::bold),
+                                       Typeface(Face::italic),    Typeface(Face::mono),
+                                       Typeface(Face::mono_bold), Typeface(Face::bold_italic)};
+    return all[static_cast<std::size_t>(face)];
+  }
+
+  std::vector<Letter> letters_of(std::u32string_view text) {
+    const std::lock_guard lock(*mutex_);
+    std::vector<Letter> letters;
+    letters.reserve(text.size());
+    for (const char32_t character : text) {
+      const auto [entry, added] = known_.try_emplace(character);
+      if (added) entry->second = find(character);
+      letters.push_back(entry->second);
+    }
+    return letters;
+  }
+
+  /// As wide as Cairo draws it; a letter that stands in among a typewriter's takes the room of one of them.
+  double advance_of(const Letter& letter) const {
+    if (is_mono(face_) && letter.font == &stand_in_) return own_.advance_of(own_.glyph_of(U'm'));
+    return letter.font->advance_of(letter.glyph);
+  }
 
  private:
-  struct Point {
-    double x = 0, y = 0;
-  };
-  using Points = std::span<const cairo_path_data_t>;
-  static Point point(const cairo_path_data_t& data) { return {data.point.x, data.point.y}; }
+  Typeface(Face face, const FontNames& names)
+      : face_(face), own_(names[0]), lender_(names[1]), stand_in_(names[2]) {}
 
-  void add(cairo_path_data_type_t type, Points points) {
-    switch (type) {
-      case CAIRO_PATH_MOVE_TO:
+  Letter find(char32_t character) const {
+    const double advance = text_width(utf8_of({&character, 1}), face_, units_per_em);
+    const Font& first = is_borrowed(character, face_) ? lender_ : own_;
+    for (const Font* font : {&first, &own_}) {
+      if (const unsigned long glyph = font->glyph_of(character)) return {font, glyph, advance};
+    }
+    return {&stand_in_, stand_in_.glyph_of(character), advance};
+  }
+
+  Face face_;
+  Font own_, lender_, stand_in_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  std::map<char32_t, Letter> known_;
+};
+
+/// Neighbouring letters of one font, with the text they stand for.
+struct Run {
+  const Font* font = nullptr;
+  std::string text{};
+  std::vector<cairo_glyph_t> glyphs{};
+  std::vector<cairo_text_cluster_t> clusters{};
+};
+
+std::vector<Run> runs_of(std::string_view text, Face face, double size, dvec2 at) {
+  const std::u32string characters = code_points(text);
+  const std::vector<Letter> letters = Typeface::of(face).letters_of(characters);
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (runs.empty() || runs.back().font != letters[i].font) runs.push_back({letters[i].font});
+    const std::string one = utf8_of({&characters[i], 1});
+    runs.back().text += one;
+    runs.back().glyphs.push_back({letters[i].glyph, at.x, at.y});
+    runs.back().clusters.push_back({static_cast<int>(one.size()), 1});
+    at.x += letters[i].advance * size / units_per_em;
+  }
+  return runs;
+}
+
+// --- Outlines --------------------------------------------------------------------------------------------
+
+/// An outline as path data with relative whole numbers. Curves of fonts that have quadratic ones come as
+/// cubic ones from Cairo, and are written as what they were.
+class PathData {
+ public:
+  void add(const OutlinePiece& piece) {
+    const std::vector<dvec2>& p = piece.points;
+    switch (piece.kind) {
+      case OutlinePiece::Kind::move:
         last_ = {};  // Cairo closes, then moves: absolute coordinates need no memory of where that left off
-        put('M', {point(points[0])});
+        put('M', {p[0]});
         start_ = last_;
         break;
-      case CAIRO_PATH_LINE_TO:
-        put('l', {point(points[0])});
+      case OutlinePiece::Kind::line:
+        put('l', {p[0]});
         break;
-      case CAIRO_PATH_CURVE_TO:
-        curve(point(points[0]), point(points[1]), point(points[2]));
+      case OutlinePiece::Kind::curve:
+        curve(p[0], p[1], p[2]);
         break;
-      case CAIRO_PATH_CLOSE_PATH:
+      case OutlinePiece::Kind::close:
         text_ += 'z';
         last_ = start_;
         break;
     }
   }
 
-  void curve(Point a, Point b, Point end) {
-    const Point from_a{(3 * a.x - last_.x) / 2, (3 * a.y - last_.y) / 2},
-        from_b{(3 * b.x - end.x) / 2, (3 * b.y - end.y) / 2};
+  std::string take() { return std::move(text_); }
+
+ private:
+  void curve(dvec2 a, dvec2 b, dvec2 end) {
+    const dvec2 from_a = (3.0 * a - last_) / 2.0, from_b = (3.0 * b - end) / 2.0;
     if (std::hypot(from_a.x - from_b.x, from_a.y - from_b.y) < 1) return put('q', {from_a, end});
     put('c', {a, b, end});
   }
 
   /// Numbers apart only where digits would run together.
-  void put(char command, std::initializer_list<Point> points) {
+  void put(char command, std::initializer_list<dvec2> points) {
     text_ += command;
     bool first = true;
-    const Point from = last_;
-    for (const Point& p : points) {
+    const dvec2 from = last_;
+    for (const dvec2& p : points) {
       for (const double offset : {std::round(p.x) - from.x, std::round(p.y) - from.y}) {
         const long value = std::lround(offset);
         if (!first && value >= 0) text_ += ' ';
@@ -76,65 +218,82 @@ class Outline {
   }
 
   std::string text_;
-  Point last_, start_;
+  dvec2 last_{}, start_{};
 };
 
-std::string drawn_outline(char32_t character, Face face) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const Context context(cairo_create(surface.get()));
-  set_font_options(context.get());
-  select_face(context.get(), face, units_per_em);
-  cairo_move_to(context.get(), 0, 0);
-  cairo_text_path(context.get(), utf8_of(std::u32string(1, character)).c_str());
-  check(cairo_status(context.get()));
-  const CairoPath path(cairo_copy_path(context.get()));
-  check(path->status);
-  // A space, and the move to where the next letter would begin, draw nothing
-  std::string data = Outline(*path).take();
-  data.erase(data.find_last_of('z') == std::string::npos ? 0 : data.find_last_of('z') + 1);
-  return data;
+OutlinePiece piece_of(const cairo_path_data_t* data) {
+  const auto point = [data](int i) { return dvec2{data[i].point.x, data[i].point.y}; };
+  switch (data->header.type) {
+    case CAIRO_PATH_MOVE_TO:
+      return {OutlinePiece::Kind::move, {point(1)}};
+    case CAIRO_PATH_LINE_TO:
+      return {OutlinePiece::Kind::line, {point(1)}};
+    case CAIRO_PATH_CURVE_TO:
+      return {OutlinePiece::Kind::curve, {point(1), point(2), point(3)}};
+    case CAIRO_PATH_CLOSE_PATH:
+      break;
+  }
+  return {OutlinePiece::Kind::close, {}};
 }
 
 }  // namespace
 
-void set_font_options(cairo_t* context) {
-  const FontOptions options(cairo_font_options_create());
-  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
-  cairo_set_font_options(context, options.get());
+void set_font_options(cairo_t* context) { cairo_set_font_options(context, unhinted().get()); }
+
+void show_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
+  for (const Run& run : runs_of(text, face, size, at)) {
+    cairo_set_font_face(context, run.font->face.get());
+    cairo_set_font_size(context, size);
+    cairo_show_text_glyphs(context, run.text.c_str(), static_cast<int>(run.text.size()), run.glyphs.data(),
+                           static_cast<int>(run.glyphs.size()), run.clusters.data(),
+                           static_cast<int>(run.clusters.size()), cairo_text_cluster_flags_t{});
+  }
 }
 
-void select_face(cairo_t* context, Face face, double size) {
-  const bool mono = face == Face::mono || face == Face::mono_bold;
-  const bool bold = face == Face::bold || face == Face::mono_bold;
-  cairo_select_font_face(context, mono ? "DejaVu Sans Mono" : "DejaVu Sans",
-                         face == Face::italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
-                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, size);
+void trace_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
+  for (const Run& run : runs_of(text, face, size, at)) {
+    cairo_set_font_face(context, run.font->face.get());
+    cairo_set_font_size(context, size);
+    cairo_glyph_path(context, run.glyphs.data(), static_cast<int>(run.glyphs.size()));
+  }
 }
 
-double drawn_width(const std::string& text, Face face, double size) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const Context context(cairo_create(surface.get()));
-  set_font_options(context.get());
-  select_face(context.get(), face, size);
-  cairo_text_extents_t extents;
-  cairo_text_extents(context.get(), text.c_str(), &extents);
-  return extents.x_advance;
+double drawn_width(std::string_view text, Face face, double size) {
+  Typeface& typeface = Typeface::of(face);
+  double units = 0;
+  for (const Letter& letter : typeface.letters_of(code_points(text))) units += typeface.advance_of(letter);
+  return units * size / units_per_em;
 }
 
 void check_fonts() {
   static std::once_flag once;
   std::call_once(once, [] {
-    for (const Face face : {Face::sans, Face::bold, Face::italic, Face::mono, Face::mono_bold}) {
-      const std::string text = "gradus Σ≥";  // whose width is known
+    const std::string text = "gradus 0147 Σ≥⋮";  // whose width is known
+    for (const Face face : all_faces) {
       if (std::abs(drawn_width(text, face, 100) - text_width(text, face, 100)) > 1) {
         throw std::runtime_error(
-            "the DejaVu fonts are missing: install fonts-dejavu-core and fonts-dejavu-extra");
+            "the figures' fonts are missing or others than expected: install fonts-inter, "
+            "fonts-jetbrains-mono, fonts-dejavu-core and fonts-dejavu-extra");
       }
     }
   });
+}
+
+std::vector<OutlinePiece> outline_pieces(char32_t character, Face face) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const Context context(cairo_create(surface.get()));
+  set_font_options(context.get());
+  trace_text(context.get(), utf8_of({&character, 1}), face, units_per_em, {0, 0});
+  check(cairo_status(context.get()));
+  const CairoPath path(cairo_copy_path(context.get()));
+  check(path->status);
+  std::vector<OutlinePiece> pieces;
+  for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+    pieces.push_back(piece_of(path->data + i));
+  }
+  // A space, and the move to where the next letter would begin, draw nothing
+  while (!pieces.empty() && pieces.back().kind != OutlinePiece::Kind::close) pieces.pop_back();
+  return pieces;
 }
 
 const std::string& outline_of(char32_t character, Face face) {
@@ -142,7 +301,11 @@ const std::string& outline_of(char32_t character, Face face) {
   static std::map<std::pair<Face, char32_t>, std::string> known;
   const std::lock_guard lock(mutex);
   const auto [entry, added] = known.try_emplace({face, character});
-  if (added) entry->second = drawn_outline(character, face);
+  if (added) {
+    PathData data;
+    for (const OutlinePiece& piece : outline_pieces(character, face)) data.add(piece);
+    entry->second = data.take();
+  }
   return entry->second;
 }
 

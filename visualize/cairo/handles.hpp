@@ -3,6 +3,7 @@
 
 #include <cairo.h>
 #include <fmt/format.h>
+#include <fontconfig/fontconfig.h>
 
 #include <memory>
 #include <stdexcept>
@@ -14,10 +15,16 @@ struct Destroy {
   void operator()(cairo_t* context) const { cairo_destroy(context); }
   void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
   void operator()(cairo_path_t* path) const { cairo_path_destroy(path); }
+  void operator()(cairo_font_face_t* face) const { cairo_font_face_destroy(face); }
+  void operator()(cairo_scaled_font_t* font) const { cairo_scaled_font_destroy(font); }
+  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
 };
 using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
 using Context = std::unique_ptr<cairo_t, Destroy>;
 using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy>;
+using FontFace = std::unique_ptr<cairo_font_face_t, Destroy>;
+using ScaledFont = std::unique_ptr<cairo_scaled_font_t, Destroy>;
+using FontPattern = std::unique_ptr<FcPattern, Destroy>;
 using CairoPath = std::unique_ptr<cairo_path_t, Destroy>;
 
 inline void check(cairo_status_t status) {

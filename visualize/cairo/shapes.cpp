@@ -77,6 +77,14 @@ std::optional<ArrowHead> arrow_head(const LineShape& line, double unit) {
   return ArrowHead{to, to - along + aside, to - along - aside};
 }
 
+std::optional<Underline> underline(const TextPiece& piece, const TextShape& text, const Theme& theme) {
+  if (!theme.quantities_underlined || text.spans.empty() || piece.paint.part != Paint::Part::quantity)
+    return std::nullopt;
+  const double left = text.box().x + piece.x, y = text.baseline.y + 0.14 * text.size;
+  const bool thick = piece.paint.number >= 2, dashed = piece.paint.number % 2 != 0;
+  return Underline{{{left, y}, {left + piece.width, y}}, text.size / (thick ? 8 : 14), dashed};
+}
+
 double halo_width(const TextShape& text) { return text.size / 4; }
 
 std::pair<double, double> dashes(double width) { return {3 * width, 2 * width}; }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "figure/metrics.hpp"
 #include "figure/sheet.hpp"
 #include "theme/theme.hpp"
 
@@ -24,6 +25,14 @@ std::optional<ArrowHead> arrow_head(const LineShape& line, double unit);
 
 /// The rim of a text with a halo: half of it lies inside the letters.
 double halo_width(const TextShape& text);
+
+/// The line below a quantity in a theme that tells quantities apart so.
+struct Underline {
+  Segment<2, double> segment;
+  double width;
+  bool dashed;
+};
+std::optional<Underline> underline(const TextPiece& piece, const TextShape& text, const Theme& theme);
 
 /// Strokes and gaps of a dashed line of this width.
 std::pair<double, double> dashes(double width);

@@ -12,6 +12,7 @@
 #include "cairo/fonts.hpp"
 #include "cairo/metadata.hpp"
 #include "cairo/shapes.hpp"
+#include "cairo/web_font.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"
 
@@ -25,7 +26,8 @@ constexpr std::string_view name_of(Tone tone) {
 }
 
 constexpr std::string_view name_of(Face face) {
-  constexpr std::array<std::string_view, 5> names{"sans", "bold", "italic", "mono", "mono-bold"};
+  constexpr std::array<std::string_view, 6> names{"sans", "bold",      "italic",
+                                                  "mono", "mono-bold", "bold-italic"};
   return names[static_cast<std::size_t>(face)];
 }
 
@@ -50,18 +52,8 @@ void put(std::string& text, double value) {
   text.append(at, end);
 }
 
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
+std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// Every cell repeated until one is no wider than two pixels of the figure: librsvg and others smooth
@@ -112,6 +104,7 @@ class SvgWriter {
     for (const Shape& shape : sheet_.shapes) {
       enter(shape.slot, std::visit(SubjectOf{}, shape.what));
       id_ = shape.id;
+      opacity_ = shape.opacity;
       std::visit([this](const auto& what) { draw(what); }, shape.what);
     }
     leave();
@@ -120,8 +113,9 @@ class SvgWriter {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" {0} "
         "role=\"img\" aria-labelledby=\"title-{1} desc-{1}\" fill=\"none\" stroke-miterlimit=\"10\" "
-        "font-family=\"'DejaVu Sans',Verdana,sans-serif\">\n{2}{3}{4}</svg>\n",
-        size(), names, svg_head(colophon, names), glyphs(), body_);
+        "font-family=\"'Gradus Sans',Inter,'DejaVu Sans',Verdana,sans-serif\">\n{2}{3}{4}</svg>\n",
+        size(), names, svg_head(colophon, names), finish_.svg_text == SvgText::text ? fonts() : glyphs(),
+        body_);
   }
 
  private:
@@ -164,6 +158,7 @@ class SvgWriter {
     body_ += '<';
     body_ += element;
     if (!id_.empty()) attribute("data-id", escaped(id_));
+    if (opacity_ < 1) attribute("opacity", opacity_);
   }
   void end() { body_ += "/>\n"; }
 
@@ -332,7 +327,7 @@ class SvgWriter {
     body_ +=
         " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
         "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,";
-    body_ += base64(encode_png(enlarged(pixels_of(shape, finish_.theme), shape.box)));
+    body_ += base64(text_of(encode_png(enlarged(pixels_of(shape, finish_.theme), shape.box))));
     body_ += '"';
     end();
   }
@@ -341,7 +336,22 @@ class SvgWriter {
     const auto show = finish_.svg_text == SvgText::text ? &SvgWriter::letters : &SvgWriter::outlines;
     // The rim below all letters, not below each: it would cut into the one before
     if (text.halo) (this->*show)(text, true);
+    if (text.is_rim()) return;
     (this->*show)(text, false);
+    for (const TextPiece& piece : pieces_of(text)) {
+      if (const auto line = underline(piece, text, finish_.theme)) draw(*line, piece.paint);
+    }
+  }
+
+  void draw(const Underline& line, Paint paint) {
+    begin("path");
+    stroke(paint, line.width, line.dashed);
+    body_ += " d=\"M";
+    pair(line.segment.a);
+    body_ += 'H';
+    put(body_, line.segment.b.x);
+    body_ += '"';
+    end();
   }
 
   /// `rim` scaled to the units the letters are drawn in.
@@ -358,10 +368,19 @@ class SvgWriter {
     body_ += " transform=\"translate(";
     pair({text.box().x, text.baseline.y});
     body_ += fmt::format(")scale({:.7g})\">", scale);
-    double x = 0;
-    for (const char32_t character : code_points(text.text)) {
-      use_glyph(character, text.face, x);
-      x += text_width(utf8_of({&character, 1}), text.face, units_per_em);
+    for (const TextPiece& piece : pieces_of(text)) {
+      const bool own = !rim && piece.paint != text.paint;
+      if (own) {
+        body_ += "<g";
+        color("fill", piece.paint);
+        body_ += '>';
+      }
+      double x = piece.x / scale;
+      for (const char32_t character : code_points(piece.text)) {
+        use_glyph(character, piece.face, x);
+        x += text_width(utf8_of({&character, 1}), piece.face, units_per_em);
+      }
+      if (own) body_ += "</g>";
     }
     body_ += "</g>\n";
   }
@@ -388,16 +407,24 @@ class SvgWriter {
     return text + "</defs>\n";
   }
 
+  /// The fonts for the letters of all texts: whoever opens the file needs none.
+  std::string fonts() const {
+    std::u32string characters;
+    for (const Shape& shape : sheet_.shapes) {
+      if (const auto* text = std::get_if<TextShape>(&shape.what)) characters += code_points(text->text);
+    }
+    return fmt::format("<style>\n{}</style>\n", font_rules(characters));
+  }
+
   void letters(const TextShape& text, bool rim) {
     begin("text");
     attribute("x", text.baseline.x);
     attribute("y", text.baseline.y);
     attribute("font-size", text.size);
+    style(text.face);
     if (text.face == Face::mono || text.face == Face::mono_bold) {
-      attribute("font-family", "'DejaVu Sans Mono',Menlo,Consolas,monospace");
+      attribute("font-family", "'Gradus Mono','JetBrains Mono','DejaVu Sans Mono',Menlo,Consolas,monospace");
     }
-    if (text.face == Face::bold || text.face == Face::mono_bold) attribute("font-weight", "bold");
-    if (text.face == Face::italic) attribute("font-style", "italic");
     if (text.align != Align::left) attribute("text-anchor", text.align == Align::centre ? "middle" : "end");
     // Another machine's font keeps our width
     attribute("textLength", text.box().width);
@@ -408,14 +435,31 @@ class SvgWriter {
     if (text.text.starts_with(' ') || text.text.find("  ") != std::string::npos)
       attribute("xml:space", "preserve");
     body_ += '>';
-    body_ += escaped(text.text);
+    for (const TextPiece& piece : pieces_of(text)) {
+      const bool own = piece.face != text.face || piece.paint != text.paint;
+      if (own) {
+        body_ += "<tspan";
+        style(piece.face);
+        if (!rim) color("fill", piece.paint);
+        body_ += '>';
+      }
+      body_ += escaped(piece.text);
+      if (own) body_ += "</tspan>";
+    }
     body_ += "</text>\n";
+  }
+
+  void style(Face face) {
+    if (face == Face::bold || face == Face::mono_bold || face == Face::bold_italic)
+      attribute("font-weight", "bold");
+    if (face == Face::italic || face == Face::bold_italic) attribute("font-style", "italic");
   }
 
   const Sheet& sheet_;
   const Finish& finish_;
   double unit_;
   std::string body_, id_;
+  double opacity_ = 1;
   std::optional<Slot> slot_;  ///< of the open groups
   Subject subject_;
   std::map<std::string, int> opened_;  ///< how often each group was
