@@ -9,6 +9,8 @@ namespace {
 // Marks are Okabe and Ito's colours (2002), darkened on light grounds until they reach 3:1.
 // Order of tones: paper panel header weak strong rule ink muted accent.
 // Order of roles: input boundary past current candidate accepted rejected result measure guide.
+// A projector in a bright room halves the contrast: texts have 6:1 and marks 4:1, so that 3:1 and 2:1 are
+// left.
 const std::array<Theme, 4> all_themes{{
     {"light",
      {{{0xffffff},
@@ -23,15 +25,17 @@ const std::array<Theme, 4> all_themes{{
      {{
          {{0x1b1f24}, {0xffffff}, {0x1b1f24}},
          {{0x1b1f24}, {0x59636e}, {0x1b1f24}},
-         {{0x7a8794}, {0xe8eef4}, {0x4b5560}},
+         {{0x6f7c89}, {0xe8eef4}, {0x4b5560}},
          {{0x0072b2}, {0xcfe6f5}, {0x005a8c}},
          {{0xa8527f}, {0xf7e9f1}, {0x8f3a67}},
          {{0x008a64}, {0xd2efe5}, {0x006b4e}},
-         {{0xb37400}, {0xfff6e0}, {0x805300}},
+         {{0xac6f00}, {0xfff6e0}, {0x805300}},
          {{0x0072b2}, {0x9ccdeb}, {0x005a8c}},
-         {{0xd55e00}, {0xfbe3d3}, {0xa34700}},
-         {{0x7a8794}, {0xffffff}, {0x4b5560}},
-     }}},
+         {{0xcd5a00}, {0xfbe3d3}, {0xa34700}},
+         {{0x6f7c89}, {0xffffff}, {0x4b5560}},
+     }},
+     {{{0x7b2d5b}, {0x853900}, {0x00573b}, {0x004f7c}}},
+     false},
     {"dark",
      {{{0x14181d},
        {0x1d2329},
@@ -53,7 +57,9 @@ const std::array<Theme, 4> all_themes{{
          {{0x56b4e9}, {0x1f6f9f}, {0x8fcdf3}},
          {{0xff8a3d}, {0x44240f}, {0xffa66b}},
          {{0x7d8a97}, {0x14181d}, {0xb3bdc7}},
-     }}},
+     }},
+     {{{0xeab0d0}, {0xffb27f}, {0x62dcb5}, {0x8fcdf3}}},
+     false},
     {"greyscale",
      {{{0xffffff},
        {0xf5f5f5},
@@ -67,15 +73,17 @@ const std::array<Theme, 4> all_themes{{
      {{
          {{0x161616}, {0xffffff}, {0x161616}},
          {{0x161616}, {0x4f4f4f}, {0x161616}},
-         {{0x808080}, {0xececec}, {0x4a4a4a}},
+         {{0x7c7c7c}, {0xececec}, {0x4a4a4a}},
          {{0x161616}, {0xd2d2d2}, {0x161616}},
          {{0x5a5a5a}, {0xffffff}, {0x3c3c3c}},
          {{0x333333}, {0xe0e0e0}, {0x333333}},
          {{0x5a5a5a}, {0xf7f7f7}, {0x3c3c3c}},
          {{0x333333}, {0xb8b8b8}, {0x333333}},
          {{0x161616}, {0xe6e6e6}, {0x161616}},
-         {{0x808080}, {0xffffff}, {0x4a4a4a}},
-     }}},
+         {{0x7c7c7c}, {0xffffff}, {0x4a4a4a}},
+     }},
+     {{{0x161616}, {0x161616}, {0x161616}, {0x161616}}},
+     true},
     {"high_contrast",
      {{{0xffffff},
        {0xffffff},
@@ -97,7 +105,9 @@ const std::array<Theme, 4> all_themes{{
          {{0x000000}, {0x8fd0ff}, {0x000000}},
          {{0xb30000}, {0xffffff}, {0xb30000}},
          {{0x555555}, {0xffffff}, {0x222222}},
-     }}},
+     }},
+     {{{0x7a0050}, {0x8a3c00}, {0x00573b}, {0x00308f}}},
+     false},
 }};
 
 double linear(double channel) {
@@ -106,6 +116,22 @@ double linear(double channel) {
 
 double luminance(Rgb c) {
   return 0.2126 * linear(c.red()) + 0.7152 * linear(c.green()) + 0.0722 * linear(c.blue());
+}
+
+/// `share` of the second in the first.
+Rgb mixed(Rgb a, Rgb b, double share) {
+  const auto channel = [&](int shift) {
+    const double from = (a.hex >> shift) & 255, to = (b.hex >> shift) & 255;
+    return static_cast<std::uint32_t>(std::lround(from + share * (to - from))) << shift;
+  };
+  return {channel(16) | channel(8) | channel(0)};
+}
+
+/// What limits is glass in the accent's colour, so that it never looks like a solid in the same ink.
+Rgb tint_of(Role role, int shade, const Theme& theme) {
+  constexpr std::array<double, 3> shares{0.05, 0.09, 0.15};
+  const Rgb mark = role == Role::boundary ? theme[Tone::accent] : theme[role].mark;
+  return mixed(theme[Tone::paper], mark, shares[static_cast<std::size_t>(std::clamp(shade, 1, 3) - 1)]);
 }
 
 }  // namespace
@@ -148,6 +174,10 @@ std::optional<LowContrast> low_contrast(const Theme& theme) {
   }
   for (const Tone ground : {Tone::paper, Tone::panel})
     compare("texts", 4.5, theme[Tone::muted], theme[ground]);
+  for (const Rgb quantity : theme.quantity) {
+    for (const Tone ground : {Tone::paper, Tone::panel, Tone::header, Tone::weak, Tone::strong})
+      compare("texts", 4.5, quantity, theme[ground]);
+  }
   compare("marks", 3, theme[Tone::accent], paper);
   for (const RoleLook& look : theme.role) {
     compare("texts", 4.5, look.text, paper);
@@ -167,6 +197,10 @@ Rgb color_of(Paint paint, const Theme& theme) {
       return theme[paint.role].text;
     case Paint::Part::on_role:
       return theme[text_on(theme[paint.role].fill, theme)];
+    case Paint::Part::quantity:
+      return theme.quantity[static_cast<std::size_t>(paint.number)];
+    case Paint::Part::role_tint:
+      return tint_of(paint.role, paint.shade, theme);
     case Paint::Part::tone:
     case Paint::Part::none:
       break;

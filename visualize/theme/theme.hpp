@@ -32,6 +32,9 @@ struct Theme {
   std::string name;
   std::array<Rgb, 9> tone;                      ///< by Tone
   std::array<RoleLook, all_roles.size()> role;  ///< by Role
+  /// Of the texts of quantities, in this order: at least 4.5:1 on every ground that texts stand on.
+  std::array<Rgb, quantity_colors> quantity;
+  bool quantities_underlined = false;  ///< where colours do not tell them apart
   Rgb operator[](Tone t) const { return tone[static_cast<std::size_t>(t)]; }
   const RoleLook& operator[](Role r) const { return role[static_cast<std::size_t>(r)]; }
 };
