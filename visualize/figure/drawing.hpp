@@ -31,6 +31,8 @@ struct Stroke {
   dvec2 a, b;
   bool arrow = false;
   bool dashed = false;
+  bool thin = false;  ///< whatever its role: it lies behind, or only leads from one thing to another
+  bool gap = false;   ///< what was drawn before it ends a little beside it: it passes in front of that
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
@@ -46,6 +48,7 @@ struct Path {
 /// It has no outline of its own.
 struct Area {
   std::vector<std::vector<dvec2>> rings;
+  int shade = 0;  ///< 1 to 3: a face of a solid or a sheet of glass, in a tint of its role, light to dark
   friend bool operator==(const Area&, const Area&) = default;
 };
 
@@ -140,6 +143,8 @@ struct Grid {
   std::string x_name = "x", y_name = "y";
   bool whole = false;  ///< all cells are always shown, however small: no view that follows the step
   bool axes = true;    ///< false: a paper, whose drawings bring scales of their own
+  int shelf = 0;  ///< so many rows, those of the least numbers, are no part of the grid but room beside it:
+                  ///< cells that a story puts there are drawn, without lines, centres and numbers
   /// The input picture, if there is one: one texel a cell, from cells.lower, row 0 first. Copies share it.
   std::shared_ptr<const Image> picture;
 };

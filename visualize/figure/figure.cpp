@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "figure/which_steps.hpp"
+
 namespace gradus {
 namespace {
 
 /// Rows a figure could ever show; older ones are only said to exist.
 constexpr std::size_t most_rows = 40;
-
-/// Position in the listing of the nearest shown line at or above `line`; listing.size() where there is none.
-std::size_t shown_line(const std::vector<SourceLine>& listing, int line) {
-  const auto after = std::ranges::upper_bound(listing, line, {}, &SourceLine::number);
-  if (line == 0 || after == listing.begin()) return listing.size();
-  return static_cast<std::size_t>(after - listing.begin()) - 1;
-}
 
 /// The step before this one at its own level: for a milestone the last milestone, for a finer event any.
 const TraceStep* previous_step(const Trace& trace, std::size_t index) {
@@ -28,12 +23,11 @@ std::vector<Figure::ListingLine> listing_at(const Trace& trace, std::size_t inde
   std::vector<Figure::ListingLine> lines;
   for (const SourceLine& line : trace.listing) lines.push_back({line, Emphasis::none});
   const TraceStep* previous = previous_step(trace, index);
-  if (const std::size_t weak = previous ? shown_line(trace.listing, previous->line) : lines.size();
-      weak < lines.size()) {
-    lines[weak].emphasis = Emphasis::weak;
+  if (const auto weak = code_line(trace.listing, previous ? previous->line : 0)) {
+    lines[*weak].emphasis = Emphasis::weak;
   }
-  if (const std::size_t strong = shown_line(trace.listing, trace.steps[index].line); strong < lines.size()) {
-    lines[strong].emphasis = Emphasis::strong;
+  if (const auto strong = code_line(trace.listing, trace.steps[index].line)) {
+    lines[*strong].emphasis = Emphasis::strong;
   }
   return lines;
 }

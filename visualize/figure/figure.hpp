@@ -41,6 +41,9 @@ struct Figure {
 /// A slide is read from the last row; a handout lies on the table: smaller letters, more of everything.
 enum class Layout : std::uint8_t { slide, handout };
 
+/// What stands before a line of the listing: its place in the listing, in the source file, or nothing.
+enum class LineNumbers : std::uint8_t { listing, source, none };
+
 /// What the reader asked for.
 struct Look {
   double width = 1280, height = 720;  ///< CSS pixels, 96 an inch
@@ -50,7 +53,8 @@ struct Look {
   std::optional<Window> view;  ///< the cells to show; none: all, or a view that follows the step
   std::optional<bool> y_up;    ///< turns the drawing; none: the topic's own direction
   std::string title;           ///< instead of the trace's; empty: that
-  double least_text = 0;       ///< pixels: a handout's letters are no smaller, however small its box
+  LineNumbers line_numbers = LineNumbers::listing;
+  double least_text = 0;  ///< pixels: a handout's letters are no smaller, however small its box
 };
 
 /// The slots of one recorded step. `playhead` must be of the same trace; both must outlive the figure.

@@ -150,7 +150,7 @@ void add_figure(Sheet& page, const Handout& handout, const Figure& figure, const
   page.unit = unit_of(look);
   page.shapes.push_back({Slot::drawing, prefix + "box",
                          RectShape{frame, {}, Paint::of(Tone::rule), 0.75, 4, false, Hatch::none, {}}});
-  Sheet inner = lay_out(figure, look);
+  Sheet inner = handout.draw(figure, look);
   for (Shape& shape : inner.shapes) {
     page.shapes.push_back(moved(std::move(shape), {frame.x, frame.y}));
     page.shapes.back().id.insert(0, prefix);

@@ -34,6 +34,8 @@ struct Handout {
   PageGrid grid;
   Look look;           ///< its slots, view, y_up and title; the size is the page's
   std::string source;  ///< where the figures come from, for the page's foot: the command or the input
+  /// What stands in a figure's place.
+  std::function<Sheet(const Figure&, const Look&)> draw = lay_out;
 };
 
 /// Pages that so many figures fill; at least 1.

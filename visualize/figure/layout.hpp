@@ -4,10 +4,14 @@
 // Sizes are in units: a slide's shorter side is 720 of them, whatever its size; on a handout they are
 // smaller.
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "figure/boxes.hpp"
 #include "figure/figure.hpp"
 #include "figure/metrics.hpp"
 #include "figure/sheet.hpp"
@@ -19,7 +23,6 @@ inline constexpr double sentence_size = 26;  ///< 1/28 and a little
 inline constexpr double title_size = 34;
 inline constexpr double least_cell = 24;  ///< on a slide a cell is never smaller
 inline constexpr double line_height = 30, row_height = 34, heading_height = 38, panel_padding = 8;
-inline constexpr double listing_indent = 62;  ///< of the source text, behind the line numbers
 inline constexpr double sentence_line = 33, footer_line = 28;
 
 /// Pixels for one unit.
@@ -50,20 +53,73 @@ class Pen {
   double scale_;
 };
 
+// --- Marks ---------------------------------------------------------------------------------------
+
+/// Of a line of this role, in units.
+double line_width(Role role);
+/// Whether lines of this role are dashed.
+constexpr bool is_dashed(Role role) { return role == Role::candidate || role == Role::rejected; }
+
+/// What a chain of points looks like beside its role.
+struct ChainLook {
+  bool closed = false, arrow = false, dashed = false;
+  bool thin = false;  ///< of thin_width
+  bool gap = false;   ///< what was drawn before ends a little beside it
+};
+/// A line of this role through pixels.
+LineShape line_through(std::vector<dvec2> points, Role role, const ChainLook& look, double scale);
+/// A round marker of this role at a pixel.
+DiscShape disc_at(dvec2 at, Role role, bool ring, double scale);
+/// Of a thin line, whatever its role, in units.
+inline constexpr double thin_width = 1.6;
+/// The gap that a line has on either side, in units.
+inline constexpr double gap_width = 3.5;
+/// What is drawn below a line that passes in front of others.
+LineShape gap_of(LineShape line, double scale);
+/// The inside of rings of pixels; shade: of an Area.
+AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade = 0);
+
+/// A cell's look, `box` being the cell. The outline comes apart, since it is drawn over the grid lines.
+void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box);
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box);
+
+/// The mark that stands for a role in the legend.
+struct LegendMark {
+  Sample sample = Sample::line;
+  bool dashed = false;
+  bool outlined = false;  ///< an area whose rim is drawn, too
+  int shade = 0;          ///< of an area
+  bool thin = false;      ///< a line as thin as a guide
+  std::optional<Rgba8> color{};
+  friend bool operator==(const LegendMark&, const LegendMark&) = default;
+};
+/// How the drawing shows the role; nothing where it does not.
+std::optional<LegendMark> legend_mark(const Figure& figure, const Window& view, const LegendEntry& entry);
+void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMark& mark, const Box& box);
+
 // --- The drawing ---------------------------------------------------------------------------------
 
-/// What there is to show of the grid, and the room that its axes take.
+/// What there is to show of the grid.
 struct Stage {
   Window cells;        ///< the grid's, or the reader's view of them
   bool fixed = false;  ///< the reader chose the cells: all of them are shown, or none
   bool y_up = true;
-  double left = 0, right = 0;  ///< units beside the cells, for their axes
-  double above = 0, below = 0;
+  dvec2 lower{0}, size{0};                  ///< what is shown: the cells, or of a paper what is drawn on it
+  dvec2 core{0};                            ///< how much of it the marks fill
+  const Grid* axes = nullptr;               ///< whose numbers and names stand beside the cells; or nullptr
+  double numbers = 0;                       ///< width of the widest number beside the rows
+  double column_numbers = 0;                ///< and of that below the columns
+  const Content* content = nullptr;         ///< of a paper: what else needs room beside it
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
 };
 /// Throws ContractViolation when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);
+
+/// Units beside what is shown, for axes and texts.
+struct Margins {
+  double left = 0, right = 0, above = 0, below = 0;
+};
 
 /// How a drawing of some size shows its stage.
 struct Fit {
@@ -71,6 +127,7 @@ struct Fit {
   std::int64_t columns = 0, rows = 0;
   bool follows = false;  ///< not all cells: a view that follows the step, and an overview
   bool beside = false;   ///< the overview stands beside the view, not above it
+  Margins margins{};
 };
 /// Nothing: the drawing is too small for any cell, or for the cells that the reader chose. Sizes in units.
 std::optional<Fit> fit(const Stage& stage, double width, double height);
@@ -79,17 +136,23 @@ Fit capacity(const Stage& stage, double width, double height);
 
 /// From the grid's coordinates to pixels: cell (x, y) is the square round the point (x, y).
 struct Frame {
-  Window view;
-  Box box;  ///< of the visible cells
+  Window view;      ///< the cells that may be seen
+  dvec2 origin{0};  ///< the grid's coordinates of the box's left border and of its lower row's
+  Box box;          ///< of the visible part
   double cell = 0;
   bool y_up = true;
 
-  double column(double x) const { return box.x + (x - view.lower.x + 0.5) * cell; }
+  double column(double x) const { return box.x + (x - origin.x) * cell; }
   double row(double y) const {
-    const double from_lower = (y - view.lower.y + 0.5) * cell;
+    const double from_lower = (y - origin.y) * cell;
     return y_up ? box.bottom() - from_lower : box.y + from_lower;
   }
   dvec2 point(dvec2 p) const { return {column(p.x), row(p.y)}; }
+  /// The inverse of `point`.
+  dvec2 place(dvec2 pixel) const {
+    const double up = (y_up ? box.bottom() - pixel.y : pixel.y - box.y) / cell;
+    return {origin.x + (pixel.x - box.x) / cell, origin.y + up};
+  }
   Box square(ivec2 p) const {
     const dvec2 centre = point({p.x, p.y});
     return {centre.x - cell / 2, centre.y - cell / 2, cell, cell};
@@ -99,34 +162,83 @@ struct Frame {
 /// Where the parts of the drawing lie, in pixels: over all steps only the cells in view may change.
 struct Scene {
   Frame frame;
-  double left = 0;                       ///< where the numbers of the rows may begin
+  double left = 0, right = 0;            ///< where the axes' numbers and names may begin, and end
   bool follows = false, beside = false;  ///< as in Fit
   Box inset;                             ///< of the overview, where there is one
   Box settled;                           ///< what the drawing fills in every step: cells, axes, overview
   Box labels;                            ///< where labels may stand
+  bool among_many = false;  ///< one of many drawings: names have no leaders but what the step points at
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
 
-/// Of a line of this role, in units.
-constexpr double line_width(Role role) { return role == Role::measure ? 7 : role == Role::guide ? 1.4 : 2.6; }
-/// Whether lines of this role are dashed.
-constexpr bool is_dashed(Role role) { return role == Role::candidate || role == Role::rejected; }
-
 void lay_out_drawing(Pen& pen, const Figure& figure, const Scene& scene);
+/// The whole grid, small, with the part that the view shows. Returns where its texts stand.
+std::vector<Box> draw_overview(Pen& pen, const Figure& figure, const Scene& scene);
 
-/// A cell's look, `box` being the cell; in the drawing and, small, in the legend. The outline comes apart,
-/// since it is drawn over the grid lines.
-void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box);
-void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box);
+/// What a label should keep from, in pixels.
+struct Obstacles {
+  std::vector<Box> texts;                       ///< placed so far: nothing may overlap them
+  std::vector<Box> ticks;                       ///< the axes' numbers and some space round them
+  std::vector<Box> taken;                       ///< cells and dots that a label must not cover
+  std::vector<std::pair<Box, double>> crowded;  ///< cells that it should not, and how much
+  std::vector<Segment<2, double>> strokes;
+  std::vector<Segment<2, double>> leaders;  ///< drawn so far: nothing may cross them
+};
+/// A label's place, and the line from it to its point where it does not stand beside it.
+struct PlacedLabel {
+  Box box;
+  std::optional<Segment<2, double>> leader;
+};
+/// Tries places round the anchor, near ones first. `gap`: the nearest, `clear`: how far from lines.
+std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& room, dvec2 anchor, dvec2 size,
+                                       double gap, double clear, double scale);
+
+// --- Listing and table ---------------------------------------------------------------------------
+
+/// Room for the numbers before the lines.
+double listing_indent(const Trace& trace, const Look& look);
+/// Characters that fit in a line of a listing of this width, and the width that so many need.
+std::size_t listing_columns(const Trace& trace, const Look& look, double width);
+double listing_width(const Trace& trace, const Look& look, std::size_t columns);
+/// Of the longest line without its trailing comment.
+std::size_t longest_line(const Trace& trace);
+/// A line as rows of at most so many characters: without its trailing comment where that is enough, else
+/// broken after a comma or an opening parenthesis or before an operator.
+std::vector<std::string> source_rows(const std::string& line, std::size_t columns);
+/// How many rows the listing has, by the characters that fit in one: counted once for each width, since a
+/// choice among arrangements asks for a few widths again and again.
+class ListingRows {
+ public:
+  struct Count {
+    int all = 0;
+    int of_a_loop = 0;  ///< so many show any line that reports steps, and above it the head of its loop
+  };
+  explicit ListingRows(const Trace& trace) : trace_(&trace) {}
+  Count at(std::size_t columns);
+
+ private:
+  const Trace* trace_;
+  std::map<std::size_t, Count> counts_;  ///< by columns
+};
+void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows);
+
+/// The columns of the table that fit in this width, in their order: those that tell least are left out.
+std::vector<std::size_t> table_columns(const Trace& trace, double width);
+/// What the table asks for, and what it can do with when so many columns are left out.
+double table_width(const Trace& trace);
+double least_table_width(const Trace& trace, std::size_t left_out);
+/// How many columns may be left out.
+std::size_t spare_columns(const Trace& trace);
+void lay_out_table(Pen& pen, const Figure& figure, const Box& box, int rows);
 
 // --- Places --------------------------------------------------------------------------------------
 
-/// The lines above the drawing: what stands beside the title where it fits, else below it.
+/// The lines above the drawing: the title, below it the input, the method at the right.
 struct Heading {
   std::vector<std::string> title;
   std::string input, method;
   std::vector<std::string> fault;
-  int input_line = 0, method_line = 0;  ///< 0: the title's last line; 1, 2: below it
+  int method_line = 0;  ///< 0: the title's last line; 1: the input's; 2: one of its own
   double first_baseline = 0, height = 0;
 };
 Heading heading_of(const Trace& trace, const Look& look, double width, double height);
@@ -142,15 +254,60 @@ struct Places {
 /// Throws ContractViolation when the look's view has more cells than fit.
 Places places_of(const Trace& trace, const Look& look, const Stage& stage);
 
-/// What the columns of the table ask for, in units: the widest text and some air, of which they can spare
-/// `squeezable`.
-inline constexpr double squeezable = 12;
-std::vector<double> column_widths(const Trace& trace);
+/// The sheet in units, its margins and what the bands above and below leave in the middle.
+struct Page {
+  double width, height, margin;
+  Places at;
+  Box middle;
+};
+Page page_of(const Trace& trace, const Look& look);
+
+/// The three slots in the middle.
+struct Body {
+  Box drawing, listing, table;
+  int lines = 0, rows = 0;
+};
+/// What the slots ask for.
+struct Wants {
+  const Trace* trace = nullptr;
+  const Look* look = nullptr;
+  ListingRows* listing_rows = nullptr;
+  bool listing = false, table = false;
+  int rows = 0;                      ///< of the table: all there can be
+  std::size_t columns_to_spare = 0;  ///< that the table may leave out beside a listing
+  double column_width = 0;           ///< of listing and table beside the drawing
+  double gutter = 20, column_gap = 24;
+};
+/// The fewest lines and rows that the text slots are content with.
+struct Least {
+  int lines, rows;
+};
+using Arrange = std::optional<Body> (*)(const Box&, const Wants&, Least);
+/// The drawing alone; listing and table in a column on its right; the table on its right and the listing
+/// below; both below, side by side or one below the other; all three abreast.
+std::optional<Body> alone(const Box& area, const Wants& wants, Least least);
+std::optional<Body> beside(const Box& area, const Wants& wants, Least least);
+std::optional<Body> shelf(const Box& area, const Wants& wants, Least least);
+std::optional<Body> ledge(const Box& area, const Wants& wants, Least least);
+std::optional<Body> stack(const Box& area, const Wants& wants, Least least);
+std::optional<Body> abreast(const Box& area, const Wants& wants, Least least);
+/// The text slots alone.
+Body without_drawing(const Box& area, const Wants& wants);
 
 /// The text in at most `most` lines; the last one is shortened.
 std::vector<std::string> lines_of(const std::string& text, Face face, double size, double room, int most);
 /// The same for a sentence, which is broken between cause and effect where both fit.
 std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room, int most);
+
+/// The position of the step, and the legend.
+void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window& view, int lines);
+
+void lay_out_title(Pen& pen, const Heading& heading, const Box& box);
+/// The figure's sentence in at most so many lines.
+void lay_out_sentence(Pen& pen, const Figure& figure, const Box& box, int most);
+/// What the slots fill in every step, with a small margin, in whole pixels so that lines stay as sharp.
+/// `drawing`: what the drawing fills, in pixels.
+Box crop_box(const Places& at, const Box& drawing, const Look& look, double s);
 
 /// The cells that the figure's drawing shows.
 Window visible_cells(const Figure& figure, const Look& look);

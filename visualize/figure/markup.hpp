@@ -10,4 +10,7 @@ namespace gradus {
 /// (control characters but tab and line ends, broken UTF-8) as U+FFFD.
 std::string escaped(std::string_view text);
 
+/// Bytes as a data: address has them.
+std::string base64(std::string_view bytes);
+
 }  // namespace gradus

@@ -13,7 +13,7 @@ namespace {
 
 struct Advance {
   std::uint16_t character;
-  std::array<std::uint16_t, 5> units;  ///< by Face, in 1/2048 em
+  std::array<std::uint16_t, 6> units;  ///< by Face, in 1/2048 em
 };
 
 constexpr Advance advances[] = {
@@ -35,33 +35,48 @@ int advance_of(char32_t character, Face face) {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
+/// How many bytes the character has that begins with this one; 0 where none does.
+std::size_t length_of(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead < 0xc2) return 0;
+  if (lead < 0xe0) return 2;
+  if (lead < 0xf0) return 3;
+  return lead < 0xf5 ? 4 : 0;
+}
+
+/// The code point at a byte, which moves on to the next one. Most of what is measured is ASCII.
+char32_t next_code_point(std::string_view text, std::size_t& at) {
+  const std::size_t first = at++;
+  const auto lead = static_cast<unsigned char>(text[first]);
+  if (lead < 0x80) return lead;
+  const std::size_t length = length_of(lead);
+  bool whole = length > 0 && first + length <= text.size();
+  for (std::size_t k = 1; whole && k < length; ++k) whole = is_continuation(text[first + k]);
+  if (!whole) return U'\xfffd';
+  char32_t character = lead & (0x7fu >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    character = (character << 6) | (static_cast<unsigned char>(text[first + k]) & 0x3fu);
+  }
+  at = first + length;
+  const bool half = character >= 0xd800 && character <= 0xdfff;  // of a surrogate pair: no character
+  return half ? U'\xfffd' : character;
+}
+
 }  // namespace
 
 std::u32string code_points(std::string_view text) {
   std::u32string characters;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xc2 ? 0
-                               : lead < 0xe0 ? 2
-                               : lead < 0xf0 ? 3
-                               : lead < 0xf5 ? 4
-                                             : 0;
-    bool whole = length > 0 && i + length <= text.size();
-    for (std::size_t k = 1; whole && k < length; ++k) whole = is_continuation(text[i + k]);
-    if (!whole) {
-      characters += U'\xfffd';
-      ++i;
-      continue;
-    }
-    char32_t character = length == 1 ? lead : lead & (0x7fu >> length);
-    for (std::size_t k = 1; k < length; ++k) {
-      character = (character << 6) | (static_cast<unsigned char>(text[i + k]) & 0x3fu);
-    }
-    characters += character;
-    i += length;
-  }
+  characters.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) characters += next_code_point(text, at);
   return characters;
+}
+
+std::size_t count_of_code_points(std::string_view text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::ranges::all_of(text, is_ascii)) return text.size();
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++count) next_code_point(text, at);
+  return count;
 }
 
 std::string utf8_of(std::u32string_view characters) {
@@ -88,17 +103,11 @@ std::string utf8_of(std::u32string_view characters) {
 }
 
 double text_width(std::string_view text, Face face, double size) {
-  const auto units_of = [face](char32_t character) {
-    const int advance = advance_of(character, face);
-    return advance > 0 ? advance : units_per_em;
-  };
   double units = 0;
-  // Most texts begin with ASCII, which needs no decoding
-  std::size_t at = 0;
-  for (; at < text.size() && static_cast<unsigned char>(text[at]) < 0x80; ++at) {
-    units += units_of(static_cast<unsigned char>(text[at]));
+  for (std::size_t at = 0; at < text.size();) {
+    const int advance = advance_of(next_code_point(text, at), face);
+    units += advance > 0 ? advance : units_per_em;
   }
-  for (const char32_t character : code_points(text.substr(at))) units += units_of(character);
   return units * size / units_per_em;
 }
 
@@ -120,7 +129,9 @@ std::optional<MissingGlyph> missing_glyph(const Sheet& sheet) {
   for (const Shape& shape : sheet.shapes) {
     const TextShape* text = std::get_if<TextShape>(&shape.what);
     if (!text) continue;
-    if (auto missing = missing_glyph(text->text, text->face)) return missing;
+    for (const TextPiece& piece : pieces_of(*text)) {
+      if (auto missing = missing_glyph(piece.text, piece.face)) return missing;
+    }
   }
   return std::nullopt;
 }
@@ -165,8 +176,29 @@ std::vector<std::string> wrapped(std::string_view text, Face face, double size, 
   return lines;
 }
 
+std::vector<TextPiece> pieces_of(const TextShape& shape) {
+  std::vector<TextPiece> pieces;
+  double x = 0;
+  const std::string_view text = shape.text;
+  const auto put = [&](std::size_t begin, std::size_t end, Face face, Paint paint) {
+    if (begin == end) return;
+    const std::string_view part = text.substr(begin, end - begin);
+    pieces.push_back({part, face, paint, x, text_width(part, face, shape.size)});
+    x += pieces.back().width;
+  };
+  std::size_t at = 0;
+  for (const TextSpan& span : shape.spans) {
+    put(at, span.begin, shape.face, shape.paint);
+    put(span.begin, span.end, span.face, span.paint);
+    at = span.end;
+  }
+  put(at, text.size(), shape.face, shape.paint);
+  return pieces;
+}
+
 Box TextShape::box() const {
-  const double width = text_width(text, face, size);
+  double width = 0;
+  for (const TextPiece& piece : pieces_of(*this)) width += piece.width;
   const double left = align == Align::left ? 0 : align == Align::centre ? width / 2 : width;
   return {baseline.x - left, baseline.y - 0.78 * size, width, size};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Widths of texts in the DejaVu fonts, from a table: the layout needs no font library.
+// Widths of texts in the figures' fonts, from a table: the layout needs no font library.
 
 #include <optional>
 #include <string>
@@ -13,6 +13,15 @@ namespace gradus {
 /// Width in pixels of a UTF-8 text set in this face at this size (no kerning, as the figures are drawn).
 /// A character the table lacks counts as one em: see `missing_characters`.
 double text_width(std::string_view text, Face face, double size);
+
+/// A stretch of a text shape that is of one face and paint.
+struct TextPiece {
+  std::string_view text;  ///< lives as long as the shape
+  Face face;
+  Paint paint;
+  double x, width;  ///< from the text's left end
+};
+std::vector<TextPiece> pieces_of(const TextShape& shape);
 
 /// The characters of a text that the face can't draw.
 std::vector<char32_t> missing_characters(std::string_view text, Face face);
@@ -38,6 +47,7 @@ std::vector<std::string> wrapped(std::string_view text, Face face, double size, 
 
 /// Code points of a UTF-8 text; a byte that is not UTF-8 becomes U+FFFD.
 std::u32string code_points(std::string_view text);
+std::size_t count_of_code_points(std::string_view text);
 std::string utf8_of(std::u32string_view characters);
 
 }  // namespace gradus

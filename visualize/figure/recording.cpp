@@ -3,19 +3,74 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+
+#include "figure/metrics.hpp"
+#include "figure/typesetting.hpp"
 
 namespace gradus {
 namespace {
 
-void widen(std::vector<std::string>& widest, const Row& row) {
-  for (std::size_t c = 0; c < std::min(widest.size(), row.size()); ++c) {
-    if (row[c].size() > widest[c].size()) widest[c] = row[c];
+void widen(Trace& trace, const Row& row) {
+  for (std::size_t c = 0; c < std::min(trace.widest.size(), row.size()); ++c) {
+    const Face face = trace.columns[c].numeric ? Face::mono_bold : Face::bold;
+    std::string& widest = trace.widest[c];
+    if (text_width(row[c], face, 1) > text_width(widest, face, 1)) widest = row[c];
+  }
+}
+
+/// A row's texts, and how often each has changed so far.
+void count_changes(std::vector<int>& changes, Row& last, const Row& row) {
+  last.resize(changes.size());
+  for (std::size_t c = 0; c < std::min(changes.size(), row.size()); ++c) {
+    if (row[c].empty() || row[c] == last[c]) continue;
+    ++changes[c];
+    last[c] = row[c];
   }
 }
 
 std::string heading(const Trace& trace, const Column& column) {
   const std::string key = fmt::format("{}.column.{}", trace.topic, column.id);
   return trace.wording.language().has(key) ? trace.wording.say(key) : trace.wording.symbol(column.id);
+}
+
+/// The symbols that decisions ask about or answer with, in the order of their appearance.
+std::vector<std::string> decided_quantities(const Trace& trace) {
+  std::map<std::string, std::string> symbols;  // by what the reader calls them
+  for (const std::string& symbol : topic_symbols(trace.topic)) symbols[trace.wording.symbol(symbol)] = symbol;
+  std::vector<std::string> found;
+  std::set<std::string> looked_at;
+  const auto look_at = [&](const std::string& text) {
+    if (!looked_at.insert(text).second) return;
+    for (const Token& token : tokens_of(text)) {
+      const auto symbol = symbols.find(text.substr(token.begin, token.end - token.begin));
+      if (symbol != symbols.end() && std::ranges::find(found, symbol->second) == found.end())
+        found.push_back(symbol->second);
+    }
+  };
+  constexpr std::size_t enough = 500;  // of a long run: what it asks is known by then
+  for (const TraceStep& step : std::span(trace.steps).first(std::min(trace.steps.size(), enough))) {
+    if (!step.decision) continue;
+    look_at(step.decision->question);
+    for (const std::string& answer : step.decision->answers) look_at(answer);
+  }
+  return found;
+}
+
+/// "d = p in the code": the reader's names for what the listing calls otherwise; empty where there are none.
+std::string names_in_code(const Trace& trace) {
+  std::set<std::string> listed;
+  for (const SourceLine& line : trace.listing) {
+    for (const Token& token : tokens_of(line.text))
+      listed.insert(line.text.substr(token.begin, token.end - token.begin));
+  }
+  std::string names;
+  for (const auto& [symbol, text] : trace.wording.labels()) {
+    if (listed.contains(symbol)) names += fmt::format("{}{} = {}", names.empty() ? "" : ", ", text, symbol);
+  }
+  return names.empty() ? "" : trace.wording.say("figure.in_the_code", fmt::arg("names", names));
 }
 
 }  // namespace
@@ -36,6 +91,10 @@ Trace TraceWriter::finish() && {
   for (Column& column : trace_.columns) {
     if (column.name.empty()) column.name = heading(trace_, column);
   }
+  settle_numbers(trace_);
+  if (const std::string others = names_in_code(trace_); !others.empty())
+    trace_.method_title += " · " + others;
+  if (trace_.quantities.empty()) trace_.quantities = decided_quantities(trace_);
   measure_texts(trace_);
   return std::move(trace_);
 }
@@ -44,10 +103,19 @@ void measure_texts(Trace& trace) {
   trace.lines.clear();
   trace.longest_sentence.clear();
   trace.widest.assign(trace.columns.size(), "");
+  trace.changes.assign(trace.columns.size(), 0);
+  trace.content = content_of(trace);
+  Row last;
+  double longest = 0;
   for (const TraceStep& step : trace.steps) {
-    widen(trace.widest, step.read);
-    widen(trace.widest, step.row);
-    if (step.sentence.size() > trace.longest_sentence.size()) trace.longest_sentence = step.sentence;
+    widen(trace, step.read);
+    widen(trace, step.row);
+    count_changes(trace.changes, last, step.read);
+    count_changes(trace.changes, last, step.row);
+    if (const double width = text_width(step.sentence, Face::sans, 1); width > longest) {
+      longest = width;
+      trace.longest_sentence = step.sentence;
+    }
     const auto place = std::ranges::lower_bound(trace.lines, step.line);
     if (step.line > 0 && (place == trace.lines.end() || *place != step.line))
       trace.lines.insert(place, step.line);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "figure/number_text.hpp"
 #include "figure/trace.hpp"
 #include "figure/wording.hpp"
 
@@ -67,6 +68,7 @@ class TraceWriter {
  private:
   template <class Describe>
   void add(StepNumber number, Delta delta, ivec2 focus, int line, Level level, Describe& describe) {
+    settle_numbers(delta, trace_.wording);
     if (!keep(number, delta)) return;
     TraceStep step;
     step.number = number;
@@ -75,6 +77,7 @@ class TraceWriter {
     step.focus = focus;
     step.delta = std::move(delta);
     describe(step);
+    settle_numbers(step, trace_.wording);
     trace_.steps.push_back(std::move(step));
   }
   bool keep(StepNumber number, const Delta& delta);
@@ -86,8 +89,8 @@ class TraceWriter {
   int fine_ = 0;
 };
 
-/// Sets what a trace says of its texts as a whole: `widest`, `longest_sentence`, `lines`. Stories that change
-/// steps after finish() call it again.
+/// Sets what a trace says of its steps as a whole: `widest`, `changes`, `content`, `longest_sentence`,
+/// `lines`. Stories that change steps after finish() call it again.
 void measure_texts(Trace& trace);
 
 }  // namespace gradus

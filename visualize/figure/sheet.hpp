@@ -41,10 +41,21 @@ enum class Tone : std::uint8_t {
 
 /// What colours a shape: a tone of the furniture, or one part of a role's look.
 struct Paint {
-  enum class Part : std::uint8_t { none, tone, role_mark, role_fill, role_text, on_role };
+  enum class Part : std::uint8_t {
+    none,
+    tone,
+    role_mark,
+    role_fill,
+    role_text,
+    on_role,
+    role_tint,
+    quantity
+  };
   Part part = Part::none;
   Tone tone = Tone::ink;
   Role role = Role::input;
+  int shade = 0;   ///< of a tint
+  int number = 0;  ///< of a quantity
 
   static constexpr Paint of(Tone tone) { return {Part::tone, tone, Role::input}; }
   static constexpr Paint mark(Role role) { return {Part::role_mark, Tone::ink, role}; }
@@ -52,8 +63,13 @@ struct Paint {
   static constexpr Paint text(Role role) { return {Part::role_text, Tone::ink, role}; }
   /// Text on the role's fill.
   static constexpr Paint on(Role role) { return {Part::on_role, Tone::ink, role}; }
+  /// The paper with a little of the role's mark in it; shade: 1 to 3, light to dark.
+  static constexpr Paint tint(Role role, int shade) { return {Part::role_tint, Tone::ink, role, shade}; }
+  /// A name or value of the trace's quantity of this number, below quantity_colors.
+  static constexpr Paint quantity(int number) { return {Part::quantity, Tone::ink, Role::input, 0, number}; }
   friend bool operator==(const Paint&, const Paint&) = default;
 };
+inline constexpr int quantity_colors = 4;
 
 enum class Slot : std::uint8_t { title, drawing, listing, table, sentence, footer };
 inline constexpr std::array all_slots{Slot::title, Slot::drawing,  Slot::listing,
@@ -99,7 +115,16 @@ struct DiscShape {
   double stroke_width = 0;
 };
 
-enum class Face : std::uint8_t { sans, bold, italic, mono, mono_bold };
+enum class Face : std::uint8_t { sans, bold, italic, mono, mono_bold, bold_italic };
+inline constexpr std::array all_faces{Face::sans, Face::bold,      Face::italic,
+                                      Face::mono, Face::mono_bold, Face::bold_italic};
+
+/// A stretch of a text that is set otherwise: a variable, a quantity.
+struct TextSpan {
+  std::size_t begin = 0, end = 0;  ///< bytes
+  Face face = Face::sans;
+  Paint paint{};
+};
 
 struct TextShape {
   dvec2 baseline;  ///< of the text's left end, centre or right end, by `align`
@@ -110,7 +135,10 @@ struct TextShape {
   Paint paint;
   bool halo = false;                      ///< a rim in the paper's colour, where it crosses lines
   Paint ground = Paint::of(Tone::paper);  ///< what it stands on: the halo's colour, and for the contrast test
+  std::vector<TextSpan> spans{};          ///< in order, none over another
   Box box() const;                        ///< ascent to descent, by the metrics table
+  /// Whether it is another text's rim alone, which lies further down: it has no paint of its own.
+  bool is_rim() const { return paint.part == Paint::Part::none; }
 };
 /// A raster of cells drawn as squares without smoothing.
 struct ImageShape {
@@ -124,6 +152,7 @@ struct Shape {
   Slot slot;
   std::string id;
   std::variant<RectShape, AreaShape, LineShape, StrokesShape, DiscShape, TextShape, ImageShape> what;
+  double opacity = 1;  ///< below 1 only between steps, in films
 };
 
 /// The role that a shape shows, by what it is painted with; none for the furniture: axes, grid, texts of the
@@ -136,6 +165,8 @@ struct Sheet {
   double unit = 1;  ///< pixels for one of a slide of 720 lines: halos, hatches and arrow heads keep to it
 };
 
+/// What a shape covers, its stroke included.
+Box extents_of(const Shape& shape);
 /// The shape, moved.
 Shape moved(Shape shape, dvec2 by);
 /// The part of a sheet in a box, as a sheet of its own; the box must hold all shapes that shall be seen.

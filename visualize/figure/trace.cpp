@@ -33,29 +33,6 @@ std::size_t index_of(const Trace& trace, StepNumber number) {
   return static_cast<std::size_t>(position(trace, number) - trace.steps.begin());
 }
 
-std::vector<StepNumber> milestones_of(const Trace& trace) {
-  std::vector<StepNumber> numbers;
-  std::vector<int> lines;
-  const TraceStep* last = nullptr;
-  for (const TraceStep& step : trace.steps) {
-    if (step.number.fine != 0) continue;
-    last = &step;
-    if (std::ranges::find(lines, step.line) != lines.end()) continue;
-    lines.push_back(step.line);
-    numbers.push_back(step.number);
-  }
-  if (last && numbers.back() != last->number) numbers.push_back(last->number);
-  return numbers;
-}
-
-StepNumber middle_step(const Trace& trace) {
-  const std::size_t middle = trace.steps.size() / 2;
-  for (std::size_t i = middle; i < trace.steps.size(); ++i) {
-    if (trace.steps[i].number.fine == 0) return trace.steps[i].number;
-  }
-  return trace.steps.empty() ? StepNumber{} : StepNumber{trace.steps.front().number.step, 0};
-}
-
 Playhead::Playhead(const Trace& trace) : trace_(trace), position_(0), canvas_(trace.before) {
   // A keyframe whenever as much has changed as a copy costs: memory stays linear, and so does a jump
   Canvas canvas = trace.before;

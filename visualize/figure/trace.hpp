@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "figure/content.hpp"
 #include "figure/drawing.hpp"
 #include "figure/wording.hpp"
 
@@ -60,6 +61,7 @@ struct TraceStep {
   int line = 0;                        ///< the algorithm's source line that reported it; 0 where none did
   std::vector<Field> fields;           ///< the step's data
   std::string sentence;                ///< cause, then effect, with the numbers put in
+  std::string note{};                  ///< its effect in two or three words, where a story says it
   std::optional<Decision> decision{};  ///< what is decided here, if anything is
   /// The table after this step: `read` completes the row in which the test was read (the last one so far),
   /// `row` is the row that the step produced. Either may be empty.
@@ -87,10 +89,15 @@ struct Argument {
   std::string name, value;
 };
 
+/// The kind of mark that stands for a role in the legend.
+enum class Sample : std::uint8_t { line, outline, arrow, dot, ring, area, cell };
+
 /// What a role means in this topic, for the legend.
 struct LegendEntry {
   Role role;
   std::string text;
+  std::optional<Sample> sample{};  ///< without it: as the drawing shows the role in this step
+  std::optional<Rgba8> color{};    ///< it stands for cells of this colour
 };
 
 struct Trace {
@@ -106,12 +113,17 @@ struct Trace {
   std::vector<SourceLine> listing;  ///< the method's lines, plumbing left out
   std::vector<Column> columns;
   std::vector<LegendEntry> legend;
+  /// Symbols with a colour of their own in picture, code, table and sentence, the first ones first. Where the
+  /// story names none: those that decisions ask about and answer with.
+  std::vector<std::string> quantities;
   Grid grid;
   std::vector<Mark> backdrop;  ///< stands unchanged through all steps
 
   Canvas before;                    ///< the drawing just before steps.front()
   std::vector<TraceStep> steps;     ///< the recorded part, in order
   std::vector<std::string> widest;  ///< a column each: the longest text it holds, so that tables keep still
+  std::vector<int> changes;         ///< a column each: how often its text is another than in the row before
+  Content content;                  ///< what the recorded steps draw
   std::string longest_sentence;     ///< of the recorded steps: for how many lines the sentence needs
   std::vector<int> lines;           ///< the source lines that reported steps, ascending
   std::int64_t last = 0;            ///< number of the run's last step, recorded or not
@@ -120,7 +132,7 @@ struct Trace {
   std::vector<Field> result;
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 
-  /// The step whose drawing tells most (for thumbnails).
+  /// The step whose figure tells most: what a figure shows where nobody names a step.
   StepNumber telling;
 };
 
@@ -128,13 +140,6 @@ struct Trace {
 std::size_t index_of(const Trace& trace, StepNumber number);
 /// Whether this step is recorded.
 bool has_step(const Trace& trace, StepNumber number);
-
-/// The steps that together tell what can happen: the first, the first of each kind of branch (each has a
-/// source line of its own), the last. Whole steps that are recorded, ascending.
-std::vector<StepNumber> milestones_of(const Trace& trace);
-
-/// The milestone in the middle of what is recorded.
-StepNumber middle_step(const Trace& trace);
 
 /// The drawing after any recorded step, by keyframes and deltas. Moving back is the same as never having
 /// moved on. Cost: O(size of the drawing) for a jump, O(delta) for a step forward; memory linear in the sum

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -56,15 +57,25 @@ struct NamedText {
   std::string name, text;
 };
 
+/// How numbers that are not whole are shown.
+enum class Numbers : std::uint8_t {
+  decimals,   ///< 7.667
+  fractions,  ///< 23/3, where a number is the nearest one to a fraction of a denominator up to 1000
+};
+
 class Wording {
  public:
   /// English, every symbol under its own name.
   Wording();
-  explicit Wording(const Language& language, std::vector<SymbolLabel> labels = {})
-      : language_(&language), labels_(std::move(labels)) {}
+  explicit Wording(const Language& language, std::vector<SymbolLabel> labels = {},
+                   Numbers numbers = Numbers::decimals)
+      : language_(&language), labels_(std::move(labels)), numbers_(numbers) {}
 
   const Language& language() const { return *language_; }
   const std::vector<SymbolLabel>& labels() const { return labels_; }
+  Numbers numbers() const { return numbers_; }
+  /// Whether numbers are 2,333, and points (2,333; 0): the language's text "decimal_point".
+  bool decimal_comma() const { return language_->text("decimal_point") == ","; }
 
   /// What the reader calls this symbol.
   std::string symbol(std::string_view name) const;
@@ -89,6 +100,7 @@ class Wording {
 
   const Language* language_;
   std::vector<SymbolLabel> labels_;
+  Numbers numbers_ = Numbers::decimals;
 };
 
 /// The symbols that a template names, in the order of their first use.

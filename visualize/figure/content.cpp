@@ -1,0 +1,84 @@
+#include "figure/content.hpp"
+
+#include <map>
+
+#include "figure/layout.hpp"
+#include "figure/trace.hpp"
+
+namespace gradus {
+namespace {
+
+class Survey {
+ public:
+  explicit Survey(const Window& cells) : lower_(dvec2(cells.lower) - 0.5), upper_(dvec2(cells.upper) + 0.5) {}
+
+  void add(const Mark& mark) {
+    const bool counts = mark.role != Role::guide;
+    if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+      add(stroke->a, counts);
+      add(stroke->b, counts);
+    } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+      for (const dvec2 p : path->points) add(p, counts);
+    } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
+      add(dot->at, counts);
+    } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
+      for (const auto& ring : area->rings) {
+        for (const dvec2 p : ring) add(p, false);
+      }
+    } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
+      const double width = text_width(text->text, Face::sans, layout::text_size);
+      const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
+      add_text(text->at, left, width - left, 0.65 * layout::text_size);
+    } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
+      // Somewhere beside its point: half its width and one line are enough
+      const double half = text_width(label->text, Face::sans, layout::text_size) / 2;
+      add_text(label->at, half, half, 1.5 * layout::text_size);
+    }
+  }
+  void add(const CellChange& change) {
+    if (!change.look) return;
+    add(dvec2(change.at) - 0.5, true);
+    add(dvec2(change.at) + 0.5, true);
+  }
+
+  Content content() && {
+    for (const auto& [at, room] : texts_) content_.texts.push_back(room);
+    return std::move(content_);
+  }
+
+ private:
+  void add(dvec2 p, bool counts) {
+    p = glm::clamp(p, lower_, upper_);  // marks are cut there
+    content_.all.add(p);
+    if (counts) content_.core.add(p);
+  }
+  void add_text(dvec2 at, double left, double right, double half_height) {
+    if (at != glm::clamp(at, lower_, upper_)) return;
+    content_.all.add(at);
+    Content::TextRoom& room =
+        texts_.try_emplace({at.x, at.y}, Content::TextRoom{at, 0, 0, 0, 0}).first->second;
+    room.left = std::max(room.left, left);
+    room.right = std::max(room.right, right);
+    room.up = std::max(room.up, half_height);
+    room.down = std::max(room.down, half_height);
+  }
+
+  dvec2 lower_, upper_;
+  Content content_;
+  std::map<std::pair<double, double>, Content::TextRoom> texts_;
+};
+
+}  // namespace
+
+Content content_of(const Trace& trace) {
+  Survey survey(trace.grid.cells);
+  for (const Mark& mark : trace.backdrop) survey.add(mark);
+  for (const auto& [id, mark] : trace.before.marks()) survey.add(mark);
+  for (const TraceStep& step : trace.steps) {
+    for (const Mark& mark : step.delta.set) survey.add(mark);
+    for (const CellChange& change : step.delta.cells) survey.add(change);
+  }
+  return std::move(survey).content();
+}
+
+}  // namespace gradus

@@ -1,0 +1,109 @@
+// The bands above and below the drawing: title, sentence, footer, and what they leave in the middle.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "figure/layout.hpp"
+
+namespace gradus::layout {
+namespace {
+
+constexpr double narrow = 1000;  ///< units: below it the bands save room
+
+/// Lines that the footer may take: a second one where a narrow sheet would cut the legend.
+int footer_lines(const Trace& trace, double room) {
+  double asked = 280;
+  for (const LegendEntry& entry : trace.legend) asked += 60 + text_width(entry.text, Face::sans, text_size);
+  return room < narrow && asked > room ? 2 : 1;
+}
+
+/// As many lines as the longest sentence needs; a shorter one may break less well.
+int lines_for_sentences(const Trace& trace, double room) {
+  const int most = room < 800 ? 4 : 3;
+  const auto lines = sentence_lines(trace.longest_sentence, sentence_size, 0.95 * room, most);
+  return std::max(1, static_cast<int>(lines.size()));
+}
+
+}  // namespace
+
+double unit_of(const Look& look) {
+  const double slide = std::min(look.width, look.height) / 720;
+  return look.layout == Layout::slide ? slide : std::max(0.7 * slide, look.least_text / text_size);
+}
+
+Heading heading_of(const Trace& trace, const Look& look, double width, double height) {
+  const std::string& title = look.title.empty() ? trace.title : look.title;
+  const bool tight = width < narrow || height < 720;
+  const auto sans = [](const std::string& text) { return text_width(text, Face::sans, text_size); };
+  Heading heading;
+  heading.title = lines_of(title, Face::bold, title_size, width, 2);
+  const double method_width = sans(trace.method_title);
+  const double title_width = text_width(heading.title.back(), Face::bold, title_size);
+  if (title_width + 40 + method_width > width)
+    heading.method_line = sans(trace.subtitle) + 40 + method_width <= width ? 1 : 2;
+  heading.input = elided(trace.subtitle, Face::sans, text_size, width);
+  heading.method = elided(trace.method_title, Face::sans, text_size, width);
+  if (!trace.faulty.empty()) {
+    heading.fault = lines_of(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
+                             text_size, width, 3);
+  }
+  heading.first_baseline = tight ? 40 : 50;
+  heading.height = heading.first_baseline + 40 * (static_cast<double>(heading.title.size()) - 1) +
+                   28 * std::max(1, heading.method_line) + 26 * static_cast<double>(heading.fault.size()) +
+                   12;
+  return heading;
+}
+
+Page page_of(const Trace& trace, const Look& look) {
+  const auto has = [&look](Slot slot) { return look.slots.contains(slot); };
+  const double unit = unit_of(look);
+  Page page{look.width / unit, look.height / unit, 0, {}, {}};
+  page.margin = std::clamp(page.width / 32, 22.0, 40.0);
+  const double width = page.width - 2 * page.margin;
+  double top = page.margin / 2, bottom = page.height - page.margin / 2;
+  if (has(Slot::title)) {
+    page.at.heading = heading_of(trace, look, width, page.height);
+    top = page.at.heading.height;
+    page.at.title = {page.margin, 0, width, top};
+  }
+  if (has(Slot::footer)) {
+    page.at.footer_lines = footer_lines(trace, width);
+    const double height = (width < narrow ? 42 : 54) + (page.at.footer_lines - 1) * footer_line;
+    bottom = page.height - height;
+    page.at.footer = {page.margin, bottom, width, height};
+  }
+  if (has(Slot::sentence)) {
+    page.at.sentence_lines = lines_for_sentences(trace, width - 40);
+    const double lines = page.at.sentence_lines * sentence_line;
+    const double height = (page.at.sentence_lines == 1 ? 24 : 14) + lines;
+    page.at.sentence = {page.margin, bottom - 4 - height, width, height};
+    bottom -= height + 8;
+  }
+  page.middle = {page.margin, top, width, bottom - top - 4};
+  return page;
+}
+
+std::vector<std::string> lines_of(const std::string& text, Face face, double size, double room, int most) {
+  std::vector<std::string> lines = wrapped(text, face, size, room);
+  const auto count = static_cast<std::size_t>(most);
+  for (std::size_t i = count; i < lines.size(); ++i) lines[count - 1] += " " + lines[i];
+  if (lines.size() > count) lines.resize(count);
+  for (std::string& line : lines) line = elided(line, face, size, room);
+  if (lines.empty()) lines.emplace_back();
+  return lines;
+}
+
+std::vector<std::string> sentence_lines(const std::string& sentence, double size, double room, int most) {
+  if (text_width(sentence, Face::sans, size) <= room) return {sentence};
+  std::vector<std::string> plain = lines_of(sentence, Face::sans, size, room, most);
+  const std::size_t at = sentence.find("; ");
+  if (at == std::string::npos) return plain;
+  std::vector<std::string> lines = lines_of(sentence.substr(0, at + 1), Face::sans, size, room, most);
+  for (std::string& line : lines_of(sentence.substr(at + 2), Face::sans, size, room, most)) {
+    lines.push_back(std::move(line));
+  }
+  return lines.size() <= plain.size() ? lines : plain;
+}
+
+}  // namespace gradus::layout

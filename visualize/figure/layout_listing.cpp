@@ -1,0 +1,358 @@
+// The listing slot: the lines round the current one, and the head of its loop.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "figure/layout.hpp"
+
+namespace gradus::layout {
+namespace {
+
+constexpr double number_left = 12, number_gap = 14, code_right = 8;
+constexpr double gap_height = 14;  ///< of the row of dots that stands for lines left out
+constexpr std::size_t continuation_indent = 4;
+
+double column_width() { return text_width("0", Face::mono, text_size); }
+
+// --- Long lines ----------------------------------------------------------------------------------
+
+std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+std::string_view without_trailing_comment(std::string_view line) {
+  const std::size_t comment = line.find("//");
+  if (comment == std::string_view::npos || comment <= indent_of(line)) return line;
+  return line.substr(0, line.find_last_not_of(' ', comment - 1) + 1);
+}
+
+std::size_t characters_in(std::string_view text) { return count_of_code_points(text); }
+
+/// Whether a line may go on below before this character.
+bool may_break_before(std::string_view line, std::size_t at) {
+  if (line[at - 1] == '(') return line[at] != ')';
+  if (line[at - 1] != ' ') return false;
+  if (line[at - 2] == ',' || line[at - 2] == ';' || line.substr(0, at).ends_with(" = ")) return true;
+  const std::string_view rest = line.substr(at);
+  constexpr std::array operators{"&& ", "|| ", "+ ", "- ",  "* ",  "/ ", "% ", "== ", "!= ", "<= ",
+                                 ">= ", "< ",  "> ", "<< ", ">> ", "? ", ": ", "& ",  "| "};
+  return std::ranges::any_of(operators, [rest](const char* sign) { return rest.starts_with(sign); });
+}
+
+/// Where to break a line so that its first row has at most `columns` characters: as late as can be, but
+/// rather outside of brackets. Nothing: nowhere.
+std::size_t best_break(std::string_view line, std::size_t columns) {
+  constexpr std::size_t worth_of_a_bracket = 9;
+  std::size_t best = std::string_view::npos, least = std::string_view::npos, depth = 0;
+  const std::size_t indent = indent_of(line);
+  for (std::size_t at = 1; at < line.size(); ++at) {
+    if (line[at - 1] == '(' || line[at - 1] == '[') ++depth;
+    if ((line[at - 1] == ')' || line[at - 1] == ']') && depth > 0) --depth;
+    if (at < indent + 4 || !may_break_before(line, at)) continue;
+    const std::size_t length = characters_in(line.substr(0, line.find_last_not_of(' ', at - 1) + 1));
+    if (length > columns) break;
+    const std::size_t cost = columns - length + worth_of_a_bracket * depth;
+    if (cost > least) continue;
+    least = cost;
+    best = at;
+  }
+  return best;
+}
+
+std::vector<std::string> comment_rows(const std::string& line, std::size_t columns) {
+  const std::size_t indent = indent_of(line);
+  const std::string lead = std::string(indent, ' ') + "// ";
+  const std::string words = line.substr(std::min(line.size(), line.find("//") + 2));
+  std::vector<std::string> rows;
+  const double room =
+      (static_cast<double>(columns) - static_cast<double>(lead.size()) + 0.01) * column_width();
+  for (const std::string& row : wrapped(words, Face::mono, text_size, room)) rows.push_back(lead + row);
+  return rows;
+}
+
+// --- Which lines ---------------------------------------------------------------------------------
+
+/// Position in the listing of the nearest shown line at or above a source line.
+std::size_t place_in(const std::vector<SourceLine>& lines, int number) {
+  const auto after = std::ranges::upper_bound(lines, number, {}, &SourceLine::number);
+  return after == lines.begin() ? 0 : static_cast<std::size_t>(after - lines.begin()) - 1;
+}
+
+bool begins_with_word(std::string_view code, std::string_view word) {
+  if (!code.starts_with(word)) return false;
+  return code.size() == word.size() || code[word.size()] == ' ' || code[word.size()] == '(';
+}
+
+/// The head of the loop that a line stands in; the line itself where it is one, and where it stands in none.
+std::size_t loop_of(const std::vector<SourceLine>& lines, std::size_t line) {
+  const auto code = [&lines](std::size_t i) {
+    return std::string_view(lines[i].text).substr(indent_of(lines[i].text));
+  };
+  const auto is_head = [&](std::size_t i) {
+    return std::ranges::any_of(std::array{"for", "while", "do", "repeat"},
+                               [&](const char* word) { return begins_with_word(code(i), word); });
+  };
+  if (is_head(line)) return line;
+  // A brace that closes a loop belongs to it
+  std::size_t indent = indent_of(lines[line].text) + (code(line).starts_with('}') ? 1u : 0u);
+  for (std::size_t i = line; i-- > 0;) {
+    if (indent_of(lines[i].text) >= indent || code(i).empty() || code(i).starts_with("//")) continue;
+    indent = indent_of(lines[i].text);
+    if (is_head(i)) return i;
+  }
+  return line;
+}
+
+/// The lines from `first` to before `last`, and above them, apart, the head of a loop.
+struct Excerpt {
+  std::size_t first = 0, last = 0;
+  std::optional<std::size_t> head{};
+
+  bool shows(std::size_t line) const { return (first <= line && line < last) || head == line; }
+};
+
+class Excerpts {
+ public:
+  Excerpts(const Trace& trace, std::size_t columns, int rows)
+      : lines_(trace.listing), room_(static_cast<std::size_t>(std::max(rows, 1))) {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      heights_.push_back(source_rows(lines_[i].text, columns).size());
+      loops_.push_back(loop_of(lines_, i));
+    }
+    for (const int number : trace.lines) reporting_.push_back(place_in(lines_, number));
+  }
+
+  /// The one that shows most of the lines that report steps and their loops, so that the listing keeps still,
+  /// as long as it shows the current line; else one round that.
+  Excerpt with(std::optional<std::size_t> current) const {
+    std::optional<Excerpt> best;
+    std::size_t most = 0;
+    for (std::size_t first = 0; first < lines_.size(); ++first) {
+      const Excerpt excerpt = from(first, std::nullopt);
+      const std::size_t held = held_in(excerpt);
+      if (!best || held > most) best = excerpt, most = held;
+      if (excerpt.last == lines_.size()) break;
+    }
+    for (std::size_t head = 0; head < lines_.size(); ++head) {
+      if (!is_loop(head)) continue;
+      for (std::size_t first = head + 2; first < lines_.size(); ++first) {
+        const Excerpt excerpt = from(first, head);
+        const std::size_t held = held_in(excerpt);
+        if (held > most) best = excerpt, most = held;
+        if (excerpt.last == lines_.size()) break;
+      }
+    }
+    if (!current || (best && holds(*best, *current))) return best.value_or(Excerpt{});
+    return round(*current);
+  }
+
+ private:
+  bool is_loop(std::size_t line) const {
+    return std::ranges::any_of(reporting_, [&](std::size_t l) { return l != line && loops_[l] == line; });
+  }
+  /// As many lines as fit from this one on, below the head.
+  Excerpt from(std::size_t first, std::optional<std::size_t> head) const {
+    std::size_t room = room_;
+    if (head) room -= std::min(room, heights_[*head] + 1);
+    Excerpt excerpt{first, first, head};
+    while (excerpt.last < lines_.size() && heights_[excerpt.last] <= room) room -= heights_[excerpt.last++];
+    return excerpt;
+  }
+  bool holds(const Excerpt& excerpt, std::size_t line) const {
+    return excerpt.shows(line) && excerpt.shows(loops_[line]);
+  }
+  /// What a loop does counts twice; a brace alone tells nothing.
+  std::size_t held_in(const Excerpt& excerpt) const {
+    std::size_t held = 0;
+    for (const std::size_t line : reporting_) {
+      if (holds(excerpt, line)) held += loops_[line] != line && !is_brace(line) ? 2u : 1u;
+    }
+    return held;
+  }
+  bool is_brace(std::size_t line) const {
+    return lines_[line].text.find_first_not_of(" })") == std::string::npos;
+  }
+  /// With the line about in the middle, its loop's head above where that is too far.
+  Excerpt round(std::size_t line) const {
+    const std::size_t head = loops_[line];
+    const auto centred = [&](std::optional<std::size_t> above) {
+      // The lines before share a half of what the others leave
+      const std::size_t taken = heights_[line] + (above ? heights_[*above] + 1 : 0);
+      std::size_t before = (room_ - std::min(room_, taken)) / 2, first = line;
+      while (first > (above ? *above + 1 : 0) && heights_[first - 1] <= before) before -= heights_[--first];
+      return from(first, above);
+    };
+    Excerpt excerpt = centred(std::nullopt);
+    if (!excerpt.shows(head)) excerpt = centred(head);
+    if (excerpt.head && excerpt.first == *excerpt.head + 1) excerpt = from(head, std::nullopt);
+    // At the end there may be room for more before
+    while (excerpt.last == lines_.size() && excerpt.first > 0) {
+      const Excerpt earlier = from(excerpt.first - 1, excerpt.head);
+      if (earlier.last < lines_.size() || (excerpt.head && earlier.first <= *excerpt.head + 1)) break;
+      excerpt = earlier;
+    }
+    return excerpt.shows(line) ? excerpt : Excerpt{line, line + 1, {}};
+  }
+
+  const std::vector<SourceLine>& lines_;
+  std::size_t room_;
+  std::vector<std::size_t> heights_;    ///< rows of each line
+  std::vector<std::size_t> loops_;      ///< the head of each line's loop
+  std::vector<std::size_t> reporting_;  ///< lines that report steps
+};
+
+// --- The slot ------------------------------------------------------------------------------------
+
+class ListingLayout {
+ public:
+  ListingLayout(Pen& pen, const Figure& figure, const Look& look, const Box& box)
+      : pen_(pen),
+        figure_(figure),
+        numbers_(look.line_numbers),
+        s_(pen.scale()),
+        box_(box),
+        columns_(layout::listing_columns(*figure.trace, look, box.width / s_)),
+        text_left_(box.x + listing_indent(*figure.trace, look) * s_) {}
+
+  void draw(int rows) {
+    pen_.rect(
+        "panel",
+        {box_, Paint::of(Tone::panel), Paint::of(Tone::rule), 1.5 * s_, 6 * s_, false, Hatch::none, {}});
+    y_ = box_.y + panel_padding * s_;
+    const auto strong = std::ranges::find(figure_.listing, Emphasis::strong, &Figure::ListingLine::emphasis);
+    std::optional<std::size_t> current;
+    if (strong != figure_.listing.end()) current = static_cast<std::size_t>(strong - figure_.listing.begin());
+    const Excerpt shown = Excerpts(*figure_.trace, columns_, rows).with(current);
+    if (shown.head) {
+      draw_line(*shown.head);
+      draw_gap();
+    }
+    for (std::size_t i = shown.first; i < shown.last; ++i) draw_line(i);
+  }
+
+ private:
+  void draw_line(std::size_t index) {
+    const Figure::ListingLine& entry = figure_.listing[index];
+    const int number = entry.line.number;
+    const std::vector<std::string> rows = source_rows(entry.line.text, columns_);
+    const double height = static_cast<double>(rows.size()) * line_height * s_;
+    const bool strong = entry.emphasis == Emphasis::strong;
+    Paint ground = Paint::of(Tone::panel);
+    if (entry.emphasis != Emphasis::none) {
+      ground = Paint::of(strong ? Tone::strong : Tone::weak);
+      pen_.rect(fmt::format("ground {}", number),
+                {{box_.x, y_, box_.width, height}, ground, {}, 0, 0, false, Hatch::none, {}});
+    }
+    if (strong) {
+      pen_.rect("current line",
+                {{box_.x, y_, 6 * s_, height}, Paint::of(Tone::accent), {}, 0, 0, false, Hatch::none, {}});
+    }
+    if (numbers_ != LineNumbers::none) {
+      const int shown = numbers_ == LineNumbers::source ? number : static_cast<int>(index) + 1;
+      pen_.text(fmt::format("number {}", number), {{text_left_ - number_gap * s_, y_ + 22 * s_},
+                                                   fmt::format("{}", shown),
+                                                   Face::mono,
+                                                   text_size * s_,
+                                                   Align::right,
+                                                   Paint::of(strong ? Tone::ink : Tone::muted),
+                                                   false,
+                                                   ground});
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i, y_ += line_height * s_) {
+      pen_.text(i == 0 ? fmt::format("line {}", number) : fmt::format("line {} row {}", number, i + 1),
+                {{text_left_, y_ + 22 * s_},
+                 rows[i],
+                 strong ? Face::mono_bold : Face::mono,
+                 text_size * s_,
+                 Align::left,
+                 Paint::of(Tone::ink),
+                 false,
+                 ground});
+    }
+  }
+
+  /// Dots where lines are left out.
+  void draw_gap() {
+    StrokesShape dots{{}, Paint::of(Tone::muted), 3.4 * s_, true};
+    for (int i = 0; i < 3; ++i) {
+      const dvec2 at{text_left_ + (5 + 9 * i) * s_, y_ + gap_height / 2 * s_};
+      dots.segments.push_back({at, at});
+    }
+    pen_.strokes("lines left out", std::move(dots));
+    y_ += gap_height * s_;
+  }
+
+  Pen& pen_;
+  const Figure& figure_;
+  LineNumbers numbers_;
+  double s_;
+  const Box& box_;
+  std::size_t columns_;
+  double text_left_, y_ = 0;
+};
+
+}  // namespace
+
+double listing_indent(const Trace& trace, const Look& look) {
+  if (look.line_numbers == LineNumbers::none || trace.listing.empty()) return number_left + 2;
+  const std::size_t highest = look.line_numbers == LineNumbers::listing
+                                  ? trace.listing.size()
+                                  : static_cast<std::size_t>(trace.listing.back().number);
+  return number_left + number_gap + static_cast<double>(fmt::formatted_size("{}", highest)) * column_width();
+}
+
+std::size_t listing_columns(const Trace& trace, const Look& look, double width) {
+  const double room = width - listing_indent(trace, look) - code_right;
+  return static_cast<std::size_t>(std::max(1.0, std::floor(room / column_width() + 1e-6)));
+}
+
+double listing_width(const Trace& trace, const Look& look, std::size_t columns) {
+  return listing_indent(trace, look) + static_cast<double>(columns) * column_width() + code_right;
+}
+
+std::size_t longest_line(const Trace& trace) {
+  std::size_t most = 1;
+  for (const SourceLine& line : trace.listing) {
+    most = std::max(most, characters_in(without_trailing_comment(line.text)));
+  }
+  return most;
+}
+
+std::vector<std::string> source_rows(const std::string& line, std::size_t columns) {
+  if (characters_in(line) <= columns) return {line};
+  const std::size_t indent = indent_of(line);
+  if (std::string_view(line).substr(indent).starts_with("//")) return comment_rows(line, columns);
+  std::vector<std::string> rows;
+  std::string rest(without_trailing_comment(line));
+  while (characters_in(rest) > columns) {
+    const std::size_t at = best_break(rest, columns);
+    if (at == std::string::npos) break;
+    rows.push_back(rest.substr(0, rest.find_last_not_of(' ', at - 1) + 1));
+    rest = std::string(indent + continuation_indent, ' ') + rest.substr(at);
+  }
+  rows.push_back(elided(rest, Face::mono, text_size, (static_cast<double>(columns) + 0.01) * column_width()));
+  return rows;
+}
+
+ListingRows::Count ListingRows::at(std::size_t columns) {
+  const auto [place, is_new] = counts_.try_emplace(columns);
+  Count& count = place->second;
+  if (!is_new) return count;
+  std::vector<int> rows;
+  for (const SourceLine& line : trace_->listing) {
+    rows.push_back(static_cast<int>(source_rows(line.text, columns).size()));
+    count.all += rows.back();
+  }
+  for (const int number : trace_->lines) {
+    const std::size_t line = place_in(trace_->listing, number), head = loop_of(trace_->listing, line);
+    count.of_a_loop = std::max(count.of_a_loop, rows[line] + (head == line ? 0 : rows[head] + 1));
+  }
+  return count;
+}
+
+void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows) {
+  ListingLayout(pen, figure, look, box).draw(rows);
+}
+
+}  // namespace gradus::layout

@@ -1,0 +1,182 @@
+// What marks look like, in the drawing and, small, in the legend.
+
+#include <algorithm>
+
+#include "figure/layout.hpp"
+
+namespace gradus::layout {
+
+double line_width(Role role) {
+  switch (role) {
+    case Role::current:
+      return 6;
+    case Role::result:
+    case Role::measure:
+      return 5;
+    case Role::boundary:
+    case Role::accepted:
+      return 4;
+    case Role::input:
+    case Role::candidate:
+    case Role::rejected:
+      return 3;
+    case Role::past:
+      return 2.2;
+    case Role::guide:
+      break;
+  }
+  return 1.4;
+}
+
+LineShape line_through(std::vector<dvec2> points, Role role, const ChainLook& look, double scale) {
+  return {std::move(points),
+          Paint::mark(role),
+          (look.thin ? thin_width : line_width(role)) * scale,
+          look.dashed || is_dashed(role),
+          look.closed,
+          look.arrow};
+}
+
+DiscShape disc_at(dvec2 at, Role role, bool ring, double scale) {
+  const double radius = (role == Role::current ? 8 : 7) * scale;
+  if (ring) return {at, radius, Paint::of(Tone::paper), Paint::mark(role), 3 * scale};
+  return {at, radius, Paint::mark(role), Paint::of(Tone::paper), 2 * scale};
+}
+
+LineShape gap_of(LineShape line, double scale) {
+  line.stroke = Paint::of(Tone::paper);
+  line.width += 2 * gap_width * scale;
+  line.dashed = line.arrow = false;
+  return line;
+}
+
+AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade) {
+  if (shade > 0) return {std::move(rings), Paint::tint(role, shade), Hatch::none, {}};
+  return {std::move(rings), Paint::fill(role), channel_of(role).hatch, Paint::mark(role)};
+}
+
+void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box) {
+  const Channel channel = channel_of(role);
+  pen.rect(id, {box, Paint::fill(role), {}, 0, 0, false, channel.hatch, Paint::mark(role)});
+}
+
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box) {
+  const Channel channel = channel_of(role);
+  if (channel.outline == 0) return;
+  const double s = pen.scale(), inset = channel.outline * s / 2;
+  const double width = std::min(channel.outline * s, box.height / 5);
+  pen.rect(id, {grown(box, -inset), {}, Paint::mark(role), width, 0, channel.dashed, Hatch::none, {}});
+  if (!channel.cross) return;
+  const Box in = grown(box, -box.height * 0.3);
+  pen.line(id, {{{in.x, in.y}, {in.right(), in.bottom()}}, Paint::mark(role), 2 * s, false, false, false});
+  pen.line(id, {{{in.x, in.bottom()}, {in.right(), in.y}}, Paint::mark(role), 2 * s, false, false, false});
+}
+
+// --- The legend ----------------------------------------------------------------------------------
+
+namespace {
+
+/// The kinds of marks that show a role.
+struct Kinds {
+  bool cell = false, area = false, line = false, outline = false, arrow = false, dot = false, ring = false;
+  bool solid = false;  ///< a line that is not dashed
+  bool full = false;   ///< a line that is not thin
+  int shade = 0;       ///< of its areas
+
+  void add(const Mark& mark) {
+    if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
+      (stroke->arrow ? arrow : line) = true;
+      solid |= !stroke->dashed;
+      full |= !stroke->thin;
+    } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+      (path->closed ? outline : line) = true;
+      solid |= !path->dashed;
+      full = true;
+    } else if (const Dot* found = std::get_if<Dot>(&mark.shape)) {
+      (found->ring ? ring : dot) = true;
+    } else if (const Area* inside = std::get_if<Area>(&mark.shape)) {
+      area = true;
+      shade = std::max(shade, std::min(inside->shade, 2));
+    }
+  }
+  bool lines() const { return line || outline || arrow; }
+  std::optional<Sample> sample() const {
+    if (cell) return Sample::cell;
+    if (area) return Sample::area;
+    if (line) return Sample::line;
+    if (outline) return Sample::outline;
+    if (arrow) return Sample::arrow;
+    if (dot) return Sample::dot;
+    return ring ? std::optional(Sample::ring) : std::nullopt;
+  }
+};
+
+/// Whether a cell in view has this role, or this colour of its own.
+bool has_cell(const Figure& figure, const Window& view, Role role, std::optional<Rgba8> color) {
+  for (std::int64_t y = view.lower.y; y <= view.upper.y; ++y) {
+    for (std::int64_t x = view.lower.x; x <= view.upper.x; ++x) {
+      const auto look = figure.canvas->at({static_cast<int>(x), static_cast<int>(y)});
+      if (look && look->role == role && look->color == color) return true;
+    }
+  }
+  return false;
+}
+
+Kinds kinds_of(const Figure& figure, const Window& view, Role role) {
+  Kinds kinds;
+  kinds.cell = has_cell(figure, view, role, std::nullopt);
+  const auto add = [&](const Mark& mark) {
+    if (mark.role == role) kinds.add(mark);
+  };
+  for (const Mark& mark : figure.trace->backdrop) add(mark);
+  for (const auto& [id, mark] : figure.canvas->marks()) add(mark);
+  return kinds;
+}
+
+}  // namespace
+
+std::optional<LegendMark> legend_mark(const Figure& figure, const Window& view, const LegendEntry& entry) {
+  if (entry.color) {
+    if (!has_cell(figure, view, entry.role, entry.color)) return std::nullopt;
+    return LegendMark{.sample = Sample::cell, .color = entry.color};
+  }
+  const Kinds kinds = kinds_of(figure, view, entry.role);
+  const auto sample = kinds.sample();
+  if (!sample) return std::nullopt;
+  return LegendMark{entry.sample.value_or(*sample), kinds.lines() && !kinds.solid,
+                    kinds.area && kinds.lines(), kinds.shade, kinds.lines() && !kinds.full};
+}
+
+void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMark& mark, const Box& box) {
+  const double s = pen.scale(), middle = box.y + box.height / 2;
+  const auto line = [&](std::vector<dvec2> points, ChainLook look) {
+    look.dashed = mark.dashed;
+    look.thin = mark.thin;
+    pen.line(id, line_through(std::move(points), role, look, s));
+  };
+  const auto corners = [](const Box& b) {
+    return std::vector<dvec2>{{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}};
+  };
+  const Box rim = grown(box, -line_width(role) * s / 2);
+  switch (mark.sample) {
+    case Sample::line:
+      return line({{box.x, middle}, {box.right(), middle}}, {});
+    case Sample::outline:
+      return line(corners(rim), {.closed = true});
+    case Sample::arrow:
+      return line({{box.x, middle}, {box.right(), middle}}, {.arrow = true});
+    case Sample::dot:
+    case Sample::ring:
+      return pen.disc(id, disc_at({box.x + box.width / 2, middle}, role, mark.sample == Sample::ring, s));
+    case Sample::area:
+      pen.area(id, area_in({corners(mark.outlined ? rim : box)}, role, mark.shade));
+      if (mark.outlined) line(corners(rim), {.closed = true});
+      return;
+    case Sample::cell:
+      if (mark.color) return pen.image(id, {box, Image(1, 1, *mark.color), {}});
+      draw_cell_ground(pen, id, role, box);
+      draw_cell_outline(pen, id, role, box);
+  }
+}
+
+}  // namespace gradus::layout

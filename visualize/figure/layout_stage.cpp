@@ -1,0 +1,243 @@
+// How much of the grid or the paper a drawing shows, at which size, and where.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "figure/layout.hpp"
+#include "figure/number_text.hpp"
+
+namespace gradus::layout {
+namespace {
+
+constexpr double followed_cell = 30;
+constexpr double axis_below = 31, axis_above = 27, axis_rim = 4;
+constexpr double roomy_cell = 44;  ///< from here on the name of the columns stands below the last one
+constexpr double paper_rim = 4;    ///< of a line's width at the border of a paper
+constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
+constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
+
+/// With the name of the rows above their numbers, or among them, where it takes the place of the last one.
+Margins axis_margins(const Stage& stage, double cell, bool name_above = true) {
+  // The name of the columns stands behind the last number, which stands in the middle of its cell
+  const double least = cell < roomy_cell ? 0 : roomy_cell;
+  const double x_name = text_width(stage.axes->x_name, Face::italic, text_size) + 10 +
+                        (std::min(stage.column_numbers, roomy_cell) - least) / 2;
+  const double y_name = text_width(stage.axes->y_name + " ↑", Face::italic, text_size);
+  const double numbers = std::max({stage.numbers, 14.0, name_above ? 0.0 : y_name});
+  return {numbers + 10, std::max(least > 0 ? 8.0 : 24.0, x_name), name_above ? axis_above : axis_rim,
+          axis_below};
+}
+
+/// What texts need beyond the shown part of a paper when a unit of it is this large.
+Margins text_margins(const Stage& stage, double cell) {
+  Margins margins{paper_rim, paper_rim, paper_rim, paper_rim};
+  const dvec2 upper = stage.lower + stage.size;
+  for (const Content::TextRoom& text : stage.content->texts) {
+    const dvec2 from_lower = (text.at - stage.lower) * cell, to_upper = (upper - text.at) * cell;
+    margins.left = std::max(margins.left, text.left - from_lower.x);
+    margins.right = std::max(margins.right, text.right - to_upper.x);
+    margins.above = std::max(margins.above, text.up - (stage.y_up ? to_upper.y : from_lower.y));
+    margins.below = std::max(margins.below, text.down - (stage.y_up ? from_lower.y : to_upper.y));
+  }
+  return margins;
+}
+
+double cell_between(const Stage& stage, const Margins& m, double width, double height) {
+  return std::min({(width - m.left - m.right) / stage.size.x, (height - m.above - m.below) / stage.size.y,
+                   stage.largest_cell});
+}
+
+/// The largest cell, with the room that is asked beside it.
+struct Sized {
+  double cell = 0;
+  Margins margins{};
+};
+
+/// Whether the name of the rows may stand among their numbers: over the last one, or in place of one of many.
+bool may_stand_among(const Stage& stage, double cell) {
+  constexpr double high_cell = 64, many_rows = 10;
+  return cell >= high_cell || stage.size.y >= many_rows;
+}
+
+Sized largest_of_grid(const Stage& stage, double width, double height) {
+  Sized best;
+  for (const bool name_above : {true, false}) {
+    for (const double from : {roomy_cell, 0.0}) {
+      const Margins margins = axis_margins(stage, from, name_above);
+      const double cell = cell_between(stage, margins, width, height);
+      if (cell < from || cell <= best.cell * 1.001) continue;
+      if (name_above || may_stand_among(stage, cell)) best = {cell, margins};
+    }
+  }
+  return best;
+}
+
+/// The smaller the unit, the more room is asked beside it.
+Sized largest_of_paper(const Stage& stage, double width, double height) {
+  double low = 0, high = cell_between(stage, {}, width, height);
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2;
+    const bool fits = middle <= cell_between(stage, text_margins(stage, middle), width, height);
+    (fits ? low : high) = middle;
+  }
+  return {low, text_margins(stage, low)};
+}
+
+Sized largest_in(const Stage& stage, double width, double height) {
+  if (stage.axes) return largest_of_grid(stage, width, height);
+  if (stage.content) return largest_of_paper(stage, width, height);
+  return {cell_between(stage, {}, width, height), {}};
+}
+
+/// Cells shown along one axis, following `focus` by jumps of half a view: the first one.
+std::int64_t followed(std::int64_t lower, std::int64_t upper, std::int64_t count, std::int64_t focus) {
+  if (upper - lower + 1 <= count) return lower;
+  const std::int64_t half = std::max<std::int64_t>(count / 2, 1);
+  const std::int64_t page = (focus - lower) / half;
+  const std::int64_t first = lower + page * half - half / 2;
+  return std::clamp(first, lower, upper - count + 1);
+}
+
+/// The cells of a view that follows the step.
+Window followed_view(const Window& all, const Fit& shown, ivec2 focus) {
+  const std::int64_t x = followed(all.lower.x, all.upper.x, shown.columns, focus.x);
+  const std::int64_t y = followed(all.lower.y, all.upper.y, shown.rows, focus.y);
+  return {{static_cast<int>(x), static_cast<int>(y)},
+          {static_cast<int>(x + shown.columns - 1), static_cast<int>(y + shown.rows - 1)}};
+}
+
+/// Beside a narrow grid there must be room for labels; a wider one has room of its own.
+Box with_room_for_labels(const Box& settled, const Box& slot, double s) {
+  constexpr double enough = 420;
+  const double missing = std::max(0.0, enough * s - settled.width);
+  const double x = std::max(slot.x, settled.x - missing / 2);
+  return {x, settled.y, std::min(slot.right(), settled.right() + missing / 2) - x, settled.height};
+}
+
+/// Cuts the stage to what is drawn on the paper.
+void cut_to(Stage& stage, const Content& content) {
+  stage.content = &content;
+  stage.lower = content.all.lower;
+  stage.size = glm::max(content.all.size(), dvec2{1});
+  const auto whole = [](dvec2 p, double up) {
+    return ivec2{static_cast<int>(std::floor(p.x + up)), static_cast<int>(std::floor(p.y + up))};
+  };
+  stage.cells = intersection(stage.cells, {whole(stage.lower, 0.5), whole(stage.lower + stage.size, 0.5)});
+}
+
+void show_cells(Stage& stage) {
+  stage.lower = dvec2(stage.cells.lower) - 0.5;
+  stage.size = {static_cast<double>(stage.cells.width()), static_cast<double>(stage.cells.height())};
+}
+
+}  // namespace
+
+Stage stage_of(const Trace& trace, const Look& look) {
+  const Grid& grid = trace.grid;
+  Stage stage{grid.cells, look.view.has_value(), look.y_up.value_or(grid.y_up)};
+  if (look.view) stage.cells = intersection(*look.view, grid.cells);
+  if (look.view && stage.cells.empty()) {
+    const Window &all = grid.cells, &view = *look.view;
+    contract_violated(fmt::format("expected cells of the grid {},{} to {},{}, found {},{} to {},{}",
+                                  all.lower.x, all.lower.y, all.upper.x, all.upper.y, view.lower.x,
+                                  view.lower.y, view.upper.x, view.upper.y));
+  }
+  show_cells(stage);
+  const Content& content = trace.content;
+  if (!grid.axes && !look.view && !content.all.empty()) cut_to(stage, content);
+  stage.core = content.core.empty() ? stage.size : glm::min(content.core.size(), stage.size);
+  const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
+  if (grid.axes) {
+    stage.axes = &grid;
+    stage.numbers = std::max(number_width(stage.cells.lower.y), number_width(stage.cells.upper.y));
+    stage.column_numbers = std::max(number_width(stage.cells.lower.x), number_width(stage.cells.upper.x));
+  }
+  const bool slide = look.layout == Layout::slide;
+  // The pixels of a picture may be as small as they are asked for
+  const bool pixels = look.view && grid.picture;
+  const double least_whole = grid.axes ? 6 : 4;  // the units of a paper are no cells
+  stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
+  // In print it is the real size of a cell that counts: 3 mm
+  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
+  stage.largest_cell = slide ? 96 : 120;
+  return stage;
+}
+
+std::optional<Fit> fit(const Stage& stage, double width, double height) {
+  if (const Sized sized = largest_in(stage, width, height); sized.cell >= stage.least_cell)
+    return Fit{sized.cell, stage.cells.width(), stage.cells.height(), false, false, sized.margins};
+  if (stage.fixed || stage.content) return std::nullopt;
+  const Margins margins = stage.axes ? axis_margins(stage, followed_cell) : Margins{};
+  const double across = width - margins.left - margins.right, up = height - margins.above - margins.below;
+  const auto count = [](double room, std::int64_t all) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(room / followed_cell), 0, all);
+  };
+  const Fit above{followed_cell,
+                  count(across, stage.cells.width()),
+                  count(up - inset_height - inset_gap, stage.cells.height()),
+                  true,
+                  false,
+                  margins};
+  const Fit beside{followed_cell,
+                   count(across - inset_width - inset_column_gap, stage.cells.width()),
+                   count(up, stage.cells.height()),
+                   true,
+                   true,
+                   margins};
+  const auto cells = [](const Fit& f) { return static_cast<double>(f.columns * f.rows); };
+  const Fit& better = cells(beside) > 1.25 * cells(above) ? beside : above;
+  return cells(better) > 0 ? std::optional(better) : std::nullopt;
+}
+
+Fit capacity(const Stage& stage, double width, double height) {
+  const Margins margins = stage.axes ? axis_margins(stage, stage.least_cell) : Margins{};
+  const auto count = [&stage](double room) {
+    return static_cast<std::int64_t>(std::max(0.0, std::floor(room / stage.least_cell + 1e-9)));
+  };
+  return {stage.least_cell, count(width - margins.left - margins.right),
+          count(height - margins.below - margins.above)};
+}
+
+Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
+  const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
+  Scene scene;
+  if (!shown) return scene;
+  const Margins& margins = shown->margins;
+  scene.follows = shown->follows;
+  scene.beside = shown->beside;
+  Box box = slot;
+  if (scene.beside) {
+    box.width -= (inset_width + inset_column_gap) * s;
+    scene.inset = {slot.right() - inset_width * s, slot.y + margins.above * s, inset_width * s,
+                   slot.height - (margins.above + margins.below) * s};
+  } else if (scene.follows) {
+    scene.inset = {box.x, box.y + 4 * s, box.width, inset_height * s};
+    box = {box.x, box.y + (inset_height + inset_gap) * s, box.width,
+           box.height - (inset_height + inset_gap) * s};
+  }
+  // What is shown with its axes, in the middle of what is left
+  const double cell = shown->cell * s;
+  const dvec2 size = shown->follows
+                         ? dvec2{static_cast<double>(shown->columns), static_cast<double>(shown->rows)} * cell
+                         : stage.size * cell;
+  const double width = size.x + (margins.left + margins.right) * s;
+  const double height = size.y + (margins.above + margins.below) * s;
+  scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  scene.left = scene.settled.x;
+  scene.right = scene.settled.right();
+  const Window view = scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells;
+  scene.frame = {view,
+                 scene.follows ? dvec2(view.lower) - 0.5 : stage.lower,
+                 {scene.settled.x + margins.left * s, scene.settled.y + margins.above * s, size.x, size.y},
+                 cell,
+                 stage.y_up};
+  scene.labels = look.crop ? with_room_for_labels(scene.settled, box, s) : box;
+  if (look.crop) scene.settled = scene.labels;
+  if (scene.follows) scene.settled = around(scene.settled, scene.inset);
+  return scene;
+}
+
+}  // namespace gradus::layout

@@ -1,0 +1,300 @@
+#include "figure/panels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "figure/layout.hpp"
+
+namespace gradus {
+namespace {
+
+using namespace layout;
+
+constexpr double heading_room = 34, panel_heading = 24;  ///< units: of the line above a panel
+constexpr double panel_gap = 12, panel_air = 8;          ///< between panels, and inside their frames
+constexpr int most_sentence_lines = 5;
+constexpr double unequal_rows = 1000;  ///< what they cost: more than any cell is large
+
+/// Captions as wide as this have no say in how large a drawing among several is: they give way.
+constexpr double wide_text = 240;
+
+/// Among so many drawings none has room for scales, and tints are cut a little beside the marks.
+constexpr std::size_t many = 3;
+constexpr double rim = 0.1;  ///< beside the marks, in parts of their longer side
+
+/// What all runs have to show, so that they share axes and scale. `content` keeps what stands on their
+/// papers.
+Stage common_stage(std::span<const Trace* const> runs, const Look& look, Content& content) {
+  Stage all = stage_of(*runs.front(), look);
+  dvec2 upper = all.lower + all.size;
+  for (const Trace* run : runs) {
+    const Stage other = stage_of(*run, look);
+    upper = glm::max(upper, other.lower + other.size);
+    all.cells = {glm::min(all.cells.lower, other.cells.lower), glm::max(all.cells.upper, other.cells.upper)};
+    all.lower = glm::min(all.lower, other.lower);
+    all.core = glm::max(all.core, other.core);
+    all.numbers = std::max(all.numbers, other.numbers);
+    if (!other.content) continue;
+    content.core.add(other.content->core.lower);
+    content.core.add(other.content->core.upper);
+    std::ranges::copy_if(other.content->texts, std::back_inserter(content.texts),
+                         [](const Content::TextRoom& text) { return text.left + text.right < wide_text; });
+  }
+  all.size = upper - all.lower;
+  content.all = {all.lower, upper};
+  if (all.content) all.content = &content;
+  return all;
+}
+
+/// Rows and columns of panels, and what each has for itself; in units.
+struct Tiling {
+  std::size_t columns = 1;
+  double width = 0, height = 0;  ///< of a drawing with its frame
+  double sentence = 0;           ///< height of a panel's own sentence
+  int sentence_lines = 0;
+  dvec2 pitch() const {
+    const double below = sentence > 0 ? sentence + panel_gap : 0;
+    return {width + panel_gap, heading_room + height + below + panel_gap};
+  }
+};
+
+int lines_of_own(std::span<const Trace* const> runs, double width) {
+  std::size_t most = 1;
+  for (const Trace* run : runs) {
+    most = std::max(
+        most, sentence_lines(run->longest_sentence, sentence_size, width - 40, most_sentence_lines).size());
+  }
+  return static_cast<int>(most);
+}
+
+Tiling tiling_of(std::span<const Trace* const> runs, bool own_sentences, std::size_t columns,
+                 const Box& area) {
+  const auto count = static_cast<double>(columns);
+  const auto rows = static_cast<double>((runs.size() + columns - 1) / columns);
+  Tiling tiling{.columns = columns};
+  tiling.width = (area.width + panel_gap) / count - panel_gap;
+  if (own_sentences) {
+    tiling.sentence_lines = lines_of_own(runs, tiling.width);
+    tiling.sentence = (tiling.sentence_lines == 1 ? 24 : 14) + tiling.sentence_lines * sentence_line;
+  }
+  tiling.height = (area.height + panel_gap) / rows - (tiling.pitch().y - tiling.height);
+  return tiling;
+}
+
+/// The tiling whose drawings show most, in the largest cells.
+Tiling best_tiling(std::span<const Trace* const> runs, bool own_sentences, const Stage& stage,
+                   const Box& area) {
+  std::optional<Tiling> best;
+  double most = 0;  // set with the first
+  for (std::size_t columns = runs.size(); columns > 0; --columns) {
+    const Tiling tiling = tiling_of(runs, own_sentences, columns, area);
+    const auto shown = fit(stage, tiling.width - 2 * panel_air, tiling.height - 2 * panel_air);
+    if (!shown) continue;
+    // All of it in cells of any size before a part of it
+    const double size = shown->follows ? -1 / static_cast<double>(shown->columns * shown->rows) : shown->cell;
+    // Rows as equal as can be: two and two rather than three and one
+    const std::size_t rows = (runs.size() + columns - 1) / columns;
+    const bool equal = (runs.size() + rows - 1) / rows == columns;
+    const double worth = equal ? size + unequal_rows : size;
+    if (best && worth <= most + 1e-9) continue;
+    best = tiling;
+    most = worth;
+  }
+  expects(best.has_value(), "expected a size with room for {} drawings, found {:.0f} x {:.0f} units for them",
+          runs.size(), area.width, area.height);
+  return *best;
+}
+
+/// Of many papers what the marks fill with a rim round it, and what else of the papers a panel has room for.
+Stage cut_for(Stage stage, const Content& content, Content& cut, std::size_t runs) {
+  if (!stage.content || runs < many || content.core.empty()) return stage;
+  const double air = rim * std::max(content.core.size().x, content.core.size().y);
+  stage.lower = glm::max(content.core.lower - air, content.all.lower);
+  stage.size = glm::min(content.core.upper + air, content.all.upper) - stage.lower;
+  const auto shown = [&](const Content::TextRoom& text) {
+    return text.at == glm::clamp(text.at, stage.lower, stage.lower + stage.size);
+  };
+  cut = content;
+  std::erase_if(cut.texts, [&](const Content::TextRoom& text) { return !shown(text); });
+  stage.content = &cut;
+  return stage;
+}
+
+/// More of the papers where a panel is wider or higher than what is shown.
+Stage spread(Stage stage, const Content& content, const Tiling& tiling) {
+  const double width = tiling.width - 2 * panel_air, height = tiling.height - 2 * panel_air;
+  const std::optional<Fit> shown = fit(stage, width, height);
+  if (!stage.content || !shown || shown->follows) return stage;
+  const Margins& m = shown->margins;
+  const dvec2 room = dvec2{width - m.left - m.right, height - m.above - m.below} / shown->cell;
+  const dvec2 all = content.all.size(), size = glm::clamp(room, stage.size, glm::max(all, stage.size));
+  const dvec2 lower = stage.lower - (size - stage.size) * 0.5;
+  stage.lower = glm::clamp(lower, content.all.lower, content.all.upper - size);
+  stage.size = size;
+  return stage;
+}
+
+/// No frame is higher than its drawing, and all stand in the middle of the room that there was.
+void hug(Tiling& tiling, Box& area, const Stage& stage, std::size_t runs) {
+  const std::optional<Fit> shown = fit(stage, tiling.width - 2 * panel_air, tiling.height - 2 * panel_air);
+  if (!shown || shown->follows) return;
+  const Margins& m = shown->margins;
+  const double height = stage.size.y * shown->cell + m.above + m.below + 2 * panel_air;
+  const double spare = std::max(0.0, tiling.height - height);
+  const auto rows = static_cast<double>((runs + tiling.columns - 1) / tiling.columns);
+  tiling.height -= spare;
+  area.y += rows * spare / 2;
+}
+
+/// As much of a note as has room: its first parts, else its first words.
+std::string fitted_note(std::string note, double size, double room) {
+  const auto fits = [&](const std::string& text) { return text_width(text, Face::sans, size) <= room; };
+  for (const std::string_view end : {", ", " "}) {
+    std::string shorter = note;
+    for (std::size_t at = shorter.size(); at != shorter.npos; at = shorter.rfind(end)) {
+      shorter.resize(at);
+      if (fits(shorter)) return shorter;
+    }
+    if (note.find(" = ") != note.npos) break;  // no value without its number
+  }
+  return elided(note, Face::sans, size, room);
+}
+
+void lay_out_panel_heading(Pen& pen, const SheetPanel& panel, const Box& box) {
+  const double s = pen.scale(), baseline = box.bottom() - 9 * s;
+  const std::string heading = elided(panel.heading, Face::bold, panel_heading * s, box.width - 8 * s);
+  const double left = box.x + 4 * s, right = box.right() - 2 * s;
+  const double room = right - left - text_width(heading, Face::bold, panel_heading * s) - 16 * s;
+  pen.text("heading", {{left, baseline},
+                       heading,
+                       Face::bold,
+                       panel_heading * s,
+                       Align::left,
+                       panel.faulty ? Paint::text(Role::measure) : Paint::text(Role::result)});
+  if (panel.note.empty() || room < 60 * s) return;
+  pen.text("note", {{right, baseline},
+                    fitted_note(panel.note, text_size * s, room),
+                    Face::sans,
+                    text_size * s,
+                    Align::right,
+                    panel.parts ? Paint::text(Role::measure) : Paint::of(Tone::muted)});
+}
+
+void lay_out_ring(Pen& pen, const Frame& frame, dvec2 at) {
+  const double s = pen.scale(), radius = std::max(16 * s, std::min(0.75 * frame.cell, 40 * s));
+  pen.disc("ring halo", {frame.point(at), radius, {}, Paint::of(Tone::paper), 7 * s});
+  pen.disc("ring", {frame.point(at), radius, {}, Paint::mark(Role::measure), 4 * s});
+}
+
+/// The sheet while its panels are drawn.
+class PanelSheet {
+ public:
+  PanelSheet(std::span<const Trace* const> runs, const PanelBand& band, const Look& look)
+      : band_(band),
+        look_(look),
+        own_sentences_(band.sentence.empty() && look.slots.contains(Slot::sentence)),
+        page_(page_of(band.banner, bands_of(look))),
+        runs_(runs.size()),
+        least_stage_(cut_for(common_stage(runs, look, content_), content_, cut_, runs.size())),
+        tiling_(best_tiling(runs, own_sentences_, least_stage_, page_.middle)),
+        stage_(runs.size() < many ? least_stage_ : spread(least_stage_, content_, tiling_)),
+        sheet_{look.width, look.height, {}, unit_of(look)} {
+    hug(tiling_, page_.middle, stage_, runs_);
+  }
+
+  void draw(std::size_t number, const SheetPanel& panel, bool last) {
+    const std::size_t first = sheet_.shapes.size();
+    const Box heading = box_of(number, 0, heading_room);
+    const Box frame = box_of(number, heading_room, tiling_.height);
+    const double air = panel_air * sheet_.unit;
+    Pen pen(sheet_, Slot::drawing, sheet_.unit);
+    Scene scene =
+        scene_of(panel.figure, look_, stage_,
+                 {frame.x + air, frame.y + air, frame.width - 2 * air, frame.height - 2 * air}, sheet_.unit);
+    scene.among_many = runs_ >= many;
+    pen.rect("frame",
+             {frame, {}, Paint::of(Tone::rule), 1.5 * sheet_.unit, 6 * sheet_.unit, false, Hatch::none, {}});
+    lay_out_drawing(pen, panel.figure, scene);
+    if (panel.ring) lay_out_ring(pen, scene.frame, *panel.ring);
+    lay_out_panel_heading(pen, panel, heading);
+    if (own_sentences_) {
+      Pen below(sheet_, Slot::sentence, sheet_.unit);
+      const Box box = box_of(number, heading_room + tiling_.height + panel_gap, tiling_.sentence);
+      lay_out_sentence(below, panel.figure, box, tiling_.sentence_lines);
+    }
+    name_shapes_from(first, fmt::format("panel {} ", number + 1));
+    drawn_ = number == 0 ? frame : around(drawn_, frame);
+    if (last) draw_bands(panel.figure, scene.frame.view);
+  }
+
+  Sheet finish() {
+    if (!look_.crop) return std::move(sheet_);
+    return cropped(std::move(sheet_), crop_box(page_.at, drawn_, look_, sheet_.unit));
+  }
+
+ private:
+  /// Listing and table have no place here, and a sentence of each panel's own stands in the middle.
+  Look bands_of(Look look) const {
+    expects(look.slots.contains(Slot::drawing), "expected the slot drawing for several drawings, found none");
+    look.slots.erase(Slot::listing);
+    look.slots.erase(Slot::table);
+    if (own_sentences_) look.slots.erase(Slot::sentence);
+    return look;
+  }
+
+  /// Of the number-th panel the part of this height, `below` its top; pixels.
+  Box box_of(std::size_t number, double below, double height) const {
+    const auto column = static_cast<double>(number % tiling_.columns);
+    const auto row = static_cast<double>(number / tiling_.columns);
+    const dvec2 corner = dvec2(page_.middle.x, page_.middle.y) + dvec2(column, row) * tiling_.pitch();
+    return scaled({corner.x, corner.y + below, tiling_.width, height}, sheet_.unit);
+  }
+
+  void name_shapes_from(std::size_t first, const std::string& prefix) {
+    for (std::size_t i = first; i < sheet_.shapes.size(); ++i) sheet_.shapes[i].id.insert(0, prefix);
+  }
+
+  void draw_bands(Figure figure, const Window& view) {
+    figure.sentence = band_.sentence;
+    figure.position = band_.position;
+    figure.phase.clear();
+    const auto draw_slot = [&](Slot slot, const Box& box, auto draw) {
+      if (box.width <= 0) return;
+      Pen pen(sheet_, slot, sheet_.unit);
+      draw(pen, scaled(box, sheet_.unit));
+    };
+    const Places& at = page_.at;
+    draw_slot(Slot::title, at.title, [&](Pen& pen, const Box& box) { lay_out_title(pen, at.heading, box); });
+    draw_slot(Slot::sentence, at.sentence,
+              [&](Pen& pen, const Box& box) { lay_out_sentence(pen, figure, box, at.sentence_lines); });
+    draw_slot(Slot::footer, at.footer,
+              [&](Pen& pen, const Box& box) { lay_out_footer(pen, figure, box, view, at.footer_lines); });
+  }
+
+  const PanelBand& band_;
+  const Look& look_;
+  const bool own_sentences_;
+  Page page_;
+  const std::size_t runs_;
+  Content content_, cut_;
+  const Stage least_stage_;
+  Tiling tiling_;
+  const Stage stage_;
+  Sheet sheet_;
+  Box drawn_;
+};
+
+}  // namespace
+
+Sheet lay_out_panels(std::span<const Trace* const> runs, const PanelBand& band, const Look& look,
+                     const std::function<SheetPanel(std::size_t)>& panel) {
+  PanelSheet sheet(runs, band, look);
+  for (std::size_t i = 0; i < runs.size(); ++i) sheet.draw(i, panel(i), i + 1 == runs.size());
+  return sheet.finish();
+}
+
+}  // namespace gradus

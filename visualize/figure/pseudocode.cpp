@@ -1,0 +1,564 @@
+#include "figure/pseudocode.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
+namespace gradus {
+namespace {
+
+struct Lexeme {
+  std::string text;
+  bool apart = false;  ///< a space stands before it
+
+  bool is(std::string_view other) const { return text == other; }
+};
+using At = std::ptrdiff_t;  ///< a position among tokens
+struct Lexemes : std::vector<Lexeme> {
+  using std::vector<Lexeme>::vector;
+  Lexeme& operator[](At i) { return *(begin() + i); }
+  const Lexeme& operator[](At i) const { return *(begin() + i); }
+};
+
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_name(const Lexeme& token) {
+  return is_letter(token.text.front()) && std::isdigit(static_cast<unsigned char>(token.text.front())) == 0;
+}
+bool is_one_of(const Lexeme& token, std::initializer_list<std::string_view> texts) {
+  return std::ranges::find(texts, token.text) != texts.end();
+}
+bool is_keyword(const Lexeme& token) {
+  return is_one_of(token, {"return", "else", "if", "for", "while", "do", "then", "in", "each", "break",
+                           "continue", "repeat", "until", "case", "not", "and", "or", "throw"});
+}
+
+// --- From and to text ----------------------------------------------------------------------------
+
+Lexemes lexemes_of(std::string_view code) {
+  constexpr std::array operators{"<<=", "->", "++", "--", "+=", "-=", "*=", "/=", "%=", "&=",
+                                 "|=",  "^=", "<<", "<=", ">=", "==", "!=", "&&", "||", "::"};
+  Lexemes tokens;
+  bool apart = false;
+  for (std::size_t at = 0; at < code.size();) {
+    if (code[at] == ' ') {
+      apart = true;
+      ++at;
+      continue;
+    }
+    std::size_t length = 1;
+    if (is_letter(code[at])) {
+      while (at + length < code.size() &&
+             (is_letter(code[at + length]) || (code[at + length] == '.' && std::isdigit(code[at]) != 0)))
+        ++length;
+    } else if (code[at] == '"') {
+      length = std::min(code.find('"', at + 1), code.size() - 1) - at + 1;
+    } else {
+      for (const std::string_view sign : operators) {
+        if (code.substr(at).starts_with(sign)) length = std::max(length, sign.size());
+      }
+    }
+    tokens.push_back({std::string(code.substr(at, length)), apart});
+    apart = false;
+    at += length;
+  }
+  return tokens;
+}
+
+std::string text_of(const Lexemes& tokens) {
+  std::string text;
+  for (const Lexeme& token : tokens)
+    text += (token.apart && !text.empty() && text.back() != '(' ? " " : "") + token.text;
+  return text;
+}
+
+/// Position of the bracket that closes the one at `open`, or -1.
+At closing(const Lexemes& tokens, At open) {
+  int depth = 0;
+  for (At i = open; i < std::ssize(tokens); ++i) {
+    const Lexeme& token = tokens[i];
+    if (is_one_of(token, {"(", "[", "{"})) ++depth;
+    if (is_one_of(token, {")", "]", "}"}) && --depth == 0) return i;
+  }
+  return -1;
+}
+
+/// The tokens between two positions, and without them.
+Lexemes between(const Lexemes& tokens, At first, At last) {
+  return {tokens.begin() + first, tokens.begin() + std::max(first, last)};
+}
+void erase(Lexemes& tokens, At first, At last) {
+  if (first < last && last < std::ssize(tokens)) tokens[last].apart |= tokens[first].apart;
+  tokens.erase(tokens.begin() + first, tokens.begin() + last);
+}
+void insert(Lexemes& tokens, At at, std::initializer_list<std::string_view> texts) {
+  Lexemes added;
+  for (const std::string_view text : texts) added.push_back({std::string(text), true});
+  tokens.insert(tokens.begin() + at, added.begin(), added.end());
+}
+
+// --- C++ that a textbook does without -------------------------------------------------------------
+
+/// "<…>" right behind a name: signs of comparison stand apart.
+void drop_template_arguments(Lexemes& tokens) {
+  for (At i = 1; i < std::ssize(tokens); ++i) {
+    const auto& token = tokens[i];
+    if (!token.is("<") || token.apart || !is_name(tokens[i - 1])) continue;
+    int depth = 0;
+    for (At end = i; end < std::ssize(tokens); ++end) {
+      const auto& other = tokens[end];
+      depth += other.is("<") ? 1 : other.is(">") ? -1 : 0;
+      if (depth != 0) continue;
+      erase(tokens, i, end + 1);
+      --i;
+      break;
+    }
+  }
+}
+
+void drop_qualifiers(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    if (!tokens[i].is("::")) continue;
+    const bool qualified = i > 0 && is_name(tokens[i - 1]);
+    erase(tokens, qualified ? i - 1 : i, i + 1);
+    i -= qualified ? 2 : 1;
+  }
+}
+
+/// T(0), std::move(x), static_cast<int>(x): the value alone.
+void drop_conversions(Lexemes& tokens) {
+  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
+    const bool converts =
+        is_one_of(tokens[i], {"T", "move", "forward", "static_cast", "double", "float", "int"});
+    if (!converts || !tokens[i + 1].is("(")) continue;
+    const At end = closing(tokens, i + 1);
+    if (end < 0) continue;
+    if (end == i + 3) erase(tokens, end, end + 1);
+    erase(tokens, i, end == i + 3 ? i + 2 : i + 1);
+  }
+}
+
+bool begins_expression(const Lexemes& tokens, At i) {
+  if (i == 0) return true;
+  const Lexeme& before = tokens[i - 1];
+  return is_one_of(before, {"(", "[", "{",  ",",  ";", "=", "?",  ":",  "&&", "||", "+", "-",
+                            "*", "/", "==", "!=", "<", ">", "<=", ">=", "!",  "->", "→"}) ||
+         is_keyword(before);
+}
+
+/// [&](auto x) { return x < 0; }: (x) → x < 0.
+void drop_captures(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    if (!tokens[i].is("[") || !begins_expression(tokens, i)) continue;
+    const At end = closing(tokens, i);
+    if (end < 0 || end + 1 >= std::ssize(tokens) || !tokens[end + 1].is("(")) continue;
+    erase(tokens, i, end + 1);
+    const At parameters = closing(tokens, i);
+    if (parameters < 0) continue;
+    At body = parameters + 1;
+    while (body < std::ssize(tokens) && !tokens[body].is("{")) ++body;
+    erase(tokens, parameters + 1, body);
+    insert(tokens, parameters + 1, {"→"});
+    const At close = closing(tokens, parameters + 2);
+    if (close < 0) continue;
+    if (tokens[close - 1].is(";")) erase(tokens, close - 1, close);
+    erase(tokens, closing(tokens, parameters + 2), closing(tokens, parameters + 2) + 1);
+    erase(tokens, parameters + 2, parameters + 3);
+    if (parameters + 2 < std::ssize(tokens) && tokens[parameters + 2].is("return"))
+      erase(tokens, parameters + 2, parameters + 3);
+  }
+}
+
+/// Types before the names that they declare. A value in brackets becomes an assignment.
+void drop_types(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    if (is_one_of(tokens[i], {"const", "constexpr", "static", "mutable"})) {
+      erase(tokens, i, i + 1);
+      --i;
+    }
+  }
+  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
+    const Lexeme type = tokens[i];
+    if (!is_name(type) || is_keyword(type)) continue;
+    At name = i + 1;
+    while (name < std::ssize(tokens) && is_one_of(tokens[name], {"&", "*", "&&"}) && !tokens[name].apart)
+      ++name;
+    if (name >= std::ssize(tokens) || !tokens[name].apart) continue;
+    if (type.is("auto") && tokens[name].is("[")) {
+      const At end = closing(tokens, name);
+      tokens[name].text = "(";
+      if (end >= 0) tokens[end].text = ")";
+      erase(tokens, i, name);
+      continue;
+    }
+    if (!is_name(tokens[name]) || is_keyword(tokens[name])) continue;
+    erase(tokens, i, name);
+    if (i > 0 || i + 1 >= std::ssize(tokens)) continue;
+    Lexeme& next = tokens[i + 1];
+    if (next.is("[") && tokens[i + 2].is("]")) erase(tokens, i + 1, i + 3);
+    if (next.is("{")) {
+      insert(tokens, i + 1, {"="});
+      tokens[i + 2].apart = true;
+    } else if (next.is("(") || next.is(";")) {
+      const bool empty = next.is(";");
+      if (!empty || type.is("optional")) {
+        insert(tokens, i + 1, {"=", empty ? "nothing" : type.text});
+      } else {
+        insert(tokens, i + 1, {"=", "empty", type.is("vector") ? "list" : type.text});
+      }
+    }
+  }
+}
+
+void drop_pointers(Lexemes& tokens) {
+  for (At i = 0; i + 1 < std::ssize(tokens); ++i) {
+    Lexeme& token = tokens[i];
+    if (token.is("->")) token.text = ".";
+    const bool sign = token.is("*") || token.is("&");
+    if (!sign || tokens[i + 1].apart || !begins_expression(tokens, i)) continue;
+    erase(tokens, i, i + 1);
+  }
+}
+
+// --- Assignments ---------------------------------------------------------------------------------
+
+/// First token of the place that ends before `end`: "window.lower", "done[i]".
+At place_before(const Lexemes& tokens, At end) {
+  At first = end;
+  while (first > 0) {
+    const Lexeme& token = tokens[first - 1];
+    if (token.is("]")) {
+      int depth = 0;
+      do {
+        --first;
+        if (tokens[first].is("]")) ++depth;
+        if (tokens[first].is("[")) --depth;
+      } while (first > 0 && depth > 0);
+      continue;
+    }
+    if (!(is_name(token) && !is_keyword(token)) && !token.is(".")) break;
+    --first;
+    if (tokens[first].apart) break;
+  }
+  return first;
+}
+/// One past the place that begins here.
+At place_after(const Lexemes& tokens, At first) {
+  At end = first;
+  while (end < std::ssize(tokens)) {
+    const Lexeme& token = tokens[end];
+    if (end > first && token.apart) break;
+    if (token.is("[") || (token.is("(") && end > first)) {
+      const At close = closing(tokens, end);
+      if (close < 0) break;
+      end = close + 1;
+    } else if (is_name(token) || token.is(".")) {
+      ++end;
+    } else {
+      break;
+    }
+  }
+  return end;
+}
+/// One past the expression that begins here.
+At expression_after(const Lexemes& tokens, At first) {
+  int depth = 0;
+  for (At i = first; i < std::ssize(tokens); ++i) {
+    const Lexeme& token = tokens[i];
+    if (is_one_of(token, {"(", "[", "{"})) ++depth;
+    if (is_one_of(token, {")", "]", "}"}) && --depth < 0) return i;
+    if (depth == 0 && is_one_of(token, {";", ","})) return i;
+  }
+  return std::ssize(tokens);
+}
+
+bool is_sum(const Lexemes& tokens, At first, At last) {
+  int depth = 0;
+  for (At i = first; i < last; ++i) {
+    const Lexeme& token = tokens[i];
+    if (is_one_of(token, {"(", "["})) ++depth;
+    if (is_one_of(token, {")", "]"})) --depth;
+    if (depth == 0 && is_one_of(token, {"+", "-"})) return true;
+  }
+  return false;
+}
+
+/// p += x: p = p + x.
+void spell_out_compound(Lexemes& tokens) {
+  for (At i = 1; i < std::ssize(tokens); ++i) {
+    const std::string sign = tokens[i].text;
+    if (sign.size() != 2 || sign[1] != '=' || std::string_view("+-*/%&|^").find(sign[0]) == std::string::npos)
+      continue;
+    Lexemes place = between(tokens, place_before(tokens, i), i);
+    if (place.empty()) continue;
+    const At end = expression_after(tokens, i + 1);
+    if (sign[0] != '+' && is_sum(tokens, i + 1, end)) {
+      insert(tokens, end, {")"});
+      tokens[end].apart = false;
+      insert(tokens, i + 1, {"("});
+      tokens[i + 2].apart = false;
+    }
+    tokens[i].text = "=";
+    place.front().apart = true;
+    place.push_back({sign.substr(0, 1), true});
+    tokens.insert(tokens.begin() + i + 1, place.begin(), place.end());
+  }
+}
+
+/// ++x: x = x + 1; inside of something else in brackets.
+void spell_out_counting(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    if (!is_one_of(tokens[i], {"++", "--"})) continue;
+    const bool before = i + 1 < std::ssize(tokens) && is_name(tokens[i + 1]);
+    const At first = before ? i : place_before(tokens, i);
+    const At last = before ? place_after(tokens, i + 1) : i + 1;
+    Lexemes place = before ? between(tokens, i + 1, last) : between(tokens, first, i);
+    if (place.empty()) continue;
+    const bool alone = (first == 0 || is_one_of(tokens[first - 1], {";", ",", ")", "then"})) &&
+                       (last == std::ssize(tokens) || is_one_of(tokens[last], {";", ",", ")", "do"}));
+    const std::string sign = tokens[i].text.substr(0, 1);
+    const bool apart = tokens[first].apart;
+    place.front().apart = false;
+    Lexemes spelled = place;
+    spelled.push_back({"=", true});
+    place.front().apart = true;
+    spelled.insert(spelled.end(), place.begin(), place.end());
+    spelled.push_back({sign, true});
+    spelled.push_back({"1", true});
+    if (!alone) {
+      spelled.insert(spelled.begin(), {"(", false});
+      spelled.push_back({")", false});
+    }
+    spelled.front().apart = apart;
+    tokens.erase(tokens.begin() + first, tokens.begin() + last);
+    tokens.insert(tokens.begin() + first, spelled.begin(), spelled.end());
+    i = first + std::ssize(spelled) - 1;
+  }
+}
+
+// --- Statements ----------------------------------------------------------------------------------
+
+std::vector<Lexemes> split(const Lexemes& tokens, std::string_view sign) {
+  std::vector<Lexemes> parts(1);
+  int depth = 0;
+  for (const Lexeme& token : tokens) {
+    if (is_one_of(token, {"(", "[", "{"})) ++depth;
+    if (is_one_of(token, {")", "]", "}"})) --depth;
+    if (depth == 0 && token.is(sign)) {
+      parts.emplace_back();
+    } else {
+      parts.back().push_back(token);
+    }
+  }
+  return parts;
+}
+
+/// "i < n" as the last value of a count: n - 1.
+std::optional<std::string> last_value(const Lexemes& condition, const std::string& counter) {
+  if (condition.size() < 3 || !condition[0].is(counter) || !is_one_of(condition[1], {"<", "<="}))
+    return std::nullopt;
+  const std::string bound = text_of(between(condition, 2, std::ssize(condition)));
+  if (condition[1].is("<=")) return bound;
+  int number = 0;
+  const auto [end, error] = std::from_chars(bound.data(), bound.data() + bound.size(), number);
+  if (error == std::errc{} && end == bound.data() + bound.size()) return std::to_string(number - 1);
+  return bound + " - 1";
+}
+
+/// What stands between "for" and "do".
+std::string loop_text(const Lexemes& head) {
+  if (const auto range = split(head, ":"); range.size() == 2)
+    return "for each " + text_of(range[0]) + " in " + text_of(range[1]);
+  const auto parts = split(head, ";");
+  if (parts.size() != 3) return "for " + text_of(head);
+  const Lexemes &start = parts[0], &condition = parts[1], &step = parts[2];
+  if (start.size() > 2 && start[1].is("=")) {
+    const std::string counter = start[0].text, from = text_of(between(start, 2, std::ssize(start)));
+    const std::string first = "for " + counter + " = " + from;
+    const bool counts_up = text_of(step) == "++" + counter || text_of(step) == counter + "++";
+    if (const auto last = last_value(condition, counter); last && counts_up) return first + " to " + *last;
+    if (step.empty() && text_of(condition) == counter + "-- > 0") return first + " - 1 down to 0";
+  }
+  std::string text = start.empty() ? "" : text_of(start) + ", ";
+  text += "while " + text_of(condition);
+  return step.empty() ? text : text + ", then " + text_of(step);
+}
+
+/// if (…) {, while (…) {, for (…) {, do {, } else {: their words.
+void write_control(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    const std::string word = tokens[i].text;
+    if (word == "do") tokens[i].text = "repeat";
+    if (word != "if" && word != "while" && word != "for" && word != "switch") continue;
+    if (i + 1 < std::ssize(tokens) && tokens[i + 1].is("constexpr")) erase(tokens, i + 1, i + 2);
+    if (i + 1 >= std::ssize(tokens) || !tokens[i + 1].is("(")) continue;
+    const At end = closing(tokens, i + 1);
+    if (end < 0) continue;
+    const Lexemes head = between(tokens, i + 2, end);
+    const bool repeats = i > 0 && tokens[i - 1].is("}") && word == "while";
+    std::string text = word == "for"      ? loop_text(head) + " do"
+                       : word == "while"  ? "while " + text_of(head) + " do"
+                       : word == "switch" ? "case " + text_of(head) + " of"
+                                          : "if " + text_of(head) + " then";
+    if (repeats && head.size() > 1 && head[0].is("!")) {
+      text = "until " + text_of(between(head, 1, std::ssize(head)));
+    } else if (repeats) {
+      text = "until not (" + text_of(head) + ")";
+    }
+    Lexemes written = lexemes_of(text);
+    const std::ptrdiff_t size = std::ssize(written);
+    written.front().apart = tokens[i].apart;
+    tokens.erase(tokens.begin() + i, tokens.begin() + end + 1);
+    tokens.insert(tokens.begin() + i, written.begin(), written.end());
+    i += size - 1;
+  }
+}
+
+/// c ? a : b: if c then a else b.
+void write_choices(Lexemes& tokens) {
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    if (!tokens[i].is("?")) continue;
+    At first = i;
+    for (int depth = 0; first > 0; --first) {
+      const Lexeme& token = tokens[first - 1];
+      if (is_one_of(token, {")", "]"})) ++depth;
+      if (is_one_of(token, {"(", "["}) && --depth < 0) break;
+      if (depth == 0 && (is_one_of(token, {"=", ",", ";"}) || is_keyword(token))) break;
+    }
+    int depth = 0;
+    for (At k = i; k < std::ssize(tokens); ++k) {
+      Lexeme& token = tokens[k];
+      if (is_one_of(token, {"(", "["})) ++depth;
+      if (is_one_of(token, {")", "]"}) && --depth < 0) break;
+      if (depth != 0 || !token.is(":")) continue;
+      token.text = "else";
+      break;
+    }
+    tokens[i].text = "then";
+    const bool apart = tokens[first].apart;
+    tokens[first].apart = true;
+    insert(tokens, first, {"if"});
+    tokens[first].apart = apart;
+    ++i;
+  }
+}
+
+void write_signs(Lexemes& tokens) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs{{{"=", "←"},
+                                                                                 {"==", "="},
+                                                                                 {"!=", "≠"},
+                                                                                 {"<=", "≤"},
+                                                                                 {">=", "≥"},
+                                                                                 {"&&", "and"},
+                                                                                 {"||", "or"},
+                                                                                 {"*", "·"},
+                                                                                 {"%", "mod"},
+                                                                                 {"nullopt", "nothing"},
+                                                                                 {"nullptr", "nothing"},
+                                                                                 {"NULL", "nothing"},
+                                                                                 {"auto", "any"},
+                                                                                 {";", ","}}};
+  for (At i = 0; i < std::ssize(tokens); ++i) {
+    Lexeme& token = tokens[i];
+    const auto sign =
+        std::ranges::find(signs, token.text, &std::pair<std::string_view, std::string_view>::first);
+    if (sign != signs.end()) token.text = sign->second;
+    if (!token.is("!")) continue;
+    token.text = "not";
+    if (i + 1 < std::ssize(tokens)) tokens[i + 1].apart = true;
+  }
+}
+
+// --- Lines ---------------------------------------------------------------------------------------
+
+/// Goes through a listing; knows which braces hold statements and which hold values.
+class Rewriter {
+ public:
+  /// Nothing: the line has no meaning of its own.
+  std::optional<std::string> rewritten(const std::string& line) {
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t comment = std::min(line.find("//"), line.size());
+    const std::string remark = line.substr(comment);
+    if (comment <= indent) return line;
+    std::string code = statement(std::string_view(line).substr(indent, comment - indent));
+    if (code.empty() && !remark.empty()) return std::string(indent, ' ') + remark;
+    if (code.empty()) return std::nullopt;
+    return std::string(indent, ' ') + code + (remark.empty() ? "" : "  " + remark);
+  }
+
+ private:
+  std::string statement(std::string_view code) {
+    Lexemes tokens = lexemes_of(code);
+    if (tokens.front().is("using")) return "";
+    drop_template_arguments(tokens);
+    drop_qualifiers(tokens);
+    drop_conversions(tokens);
+    drop_captures(tokens);
+    drop_types(tokens);
+    drop_pointers(tokens);
+    write_control(tokens);
+    spell_out_compound(tokens);
+    spell_out_counting(tokens);
+    write_choices(tokens);
+    drop_braces(tokens);
+    while (!tokens.empty() && tokens.back().is(";")) tokens.pop_back();
+    if (tokens.size() > 2 && tokens[0].is("return") && tokens[1].is("(") &&
+        closing(tokens, 1) + 1 == std::ssize(tokens)) {
+      tokens.pop_back();
+      erase(tokens, 1, 2);
+      tokens[1].apart = true;
+    }
+    write_signs(tokens);
+    return text_of(tokens);
+  }
+
+  void drop_braces(Lexemes& tokens) {
+    for (At i = 0; i < std::ssize(tokens); ++i) {
+      Lexeme& token = tokens[i];
+      if (token.is("{")) {
+        const bool block =
+            i > 0 && is_one_of(tokens[i - 1], {")", "do", "then", "else", "repeat", "of", "→"});
+        const bool empty = i + 1 < std::ssize(tokens) && tokens[i + 1].is("}");
+        if (empty && !block) {
+          token.text = "nothing";
+          token.apart = true;
+          tokens.erase(tokens.begin() + i + 1);
+          continue;
+        }
+        blocks_.push_back(block);
+        if (!block) {
+          token.text = "(";
+          continue;
+        }
+        tokens.erase(tokens.begin() + i--);
+      } else if (token.is("}")) {
+        const bool block = blocks_.empty() || blocks_.back();
+        if (!blocks_.empty()) blocks_.pop_back();
+        if (!block) {
+          token.text = ")";
+          continue;
+        }
+        erase(tokens, i, i + 1);
+        --i;
+      }
+    }
+  }
+
+  std::vector<bool> blocks_;
+};
+
+}  // namespace
+
+std::vector<SourceLine> pseudocode(const std::vector<SourceLine>& listing) {
+  std::vector<SourceLine> lines;
+  Rewriter rewriter;
+  for (const SourceLine& line : listing) {
+    if (auto text = rewriter.rewritten(line.text)) lines.push_back({line.number, std::move(*text)});
+  }
+  return lines;
+}
+
+}  // namespace gradus

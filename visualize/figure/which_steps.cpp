@@ -1,0 +1,162 @@
+#include "figure/which_steps.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace gradus {
+namespace {
+
+bool is_whole(const TraceStep& step) { return step.number.fine == 0; }
+
+/// Neither braces and brackets alone nor a comment alone.
+bool is_code(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" {}();,");
+  return first != line.npos && !line.substr(first).starts_with("//");
+}
+
+using StepTest = bool (*)(const Trace& trace, const TraceStep& step);
+
+bool has_code(const Trace& trace, const TraceStep& step) {
+  return code_line(trace.listing, step.line).has_value();
+}
+bool decides(const Trace& trace, const TraceStep& step) { return step.decision && has_code(trace, step); }
+bool decides_behind_the_input(const Trace& trace, const TraceStep& step) {
+  return step.number.step > 0 && decides(trace, step);
+}
+bool decides_as_a_whole(const Trace& trace, const TraceStep& step) {
+  return is_whole(step) && decides_behind_the_input(trace, step);
+}
+bool decides_alone(const Trace& trace, const TraceStep& step) {
+  return step.level == Level::step && decides_as_a_whole(trace, step);
+}
+bool follows_the_input(const Trace& trace, const TraceStep& step) {
+  return is_whole(step) && step.number.step > 0 && has_code(trace, step);
+}
+
+/// What a telling step is, the best first.
+constexpr StepTest telling_tests[] = {decides_alone, decides_as_a_whole, decides_behind_the_input,
+                                      decides,       follows_the_input,  has_code};
+
+struct Phase {
+  std::string_view name;
+  std::vector<const TraceStep*> steps;
+};
+
+/// The steps that pass, by phase in the order of the run; never the last.
+std::vector<Phase> by_phase(const Trace& trace, StepTest passes) {
+  std::vector<Phase> phases;
+  for (const TraceStep& step : trace.steps) {
+    if (step.number.step == trace.last || !passes(trace, step)) continue;
+    if (phases.empty() || phases.back().name != step.phase) phases.push_back({step.phase, {}});
+    phases.back().steps.push_back(&step);
+  }
+  return phases;
+}
+
+/// What kind of step it is: its branch, else the source line that reported it.
+std::string kind_of(const TraceStep& step) {
+  return step.decision ? step.decision->branch : "line " + std::to_string(step.line);
+}
+
+/// Of the rarest kinds the one nearest to the middle: what happens seldom tells most.
+StepNumber rare_and_central(const std::vector<const TraceStep*>& steps) {
+  std::map<std::string, std::size_t> count;
+  for (const TraceStep* step : steps) ++count[kind_of(*step)];
+  const std::size_t rarest =
+      std::ranges::min_element(count, {}, [](const auto& c) { return c.second; })->second;
+  const auto middle = std::ssize(steps) / 2;
+  std::optional<std::ptrdiff_t> best;
+  for (std::ptrdiff_t i = 0; i < std::ssize(steps); ++i) {
+    if (count[kind_of(*steps[static_cast<std::size_t>(i)])] != rarest) continue;
+    if (!best || std::abs(i - middle) < std::abs(*best - middle)) best = i;
+  }
+  return steps[static_cast<std::size_t>(*best)]->number;
+}
+
+/// At most so many of them, the first and the last among these.
+std::vector<const TraceStep*> evenly_spread(const std::vector<const TraceStep*>& steps, std::size_t most) {
+  if (steps.size() <= most) return steps;
+  std::vector<const TraceStep*> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(steps[i * (steps.size() - 1) / (most - 1)]);
+  return some;
+}
+
+std::vector<StepNumber> numbers_of(const std::vector<const TraceStep*>& steps) {
+  std::vector<StepNumber> numbers;
+  for (const TraceStep* step : steps) numbers.push_back(step->number);
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<std::size_t> code_line(const std::vector<SourceLine>& listing, int line) {
+  const auto after = std::ranges::upper_bound(listing, line, {}, &SourceLine::number);
+  for (auto at = static_cast<std::size_t>(after - listing.begin()); line != 0 && at-- > 0;) {
+    if (is_code(listing[at].text)) return at;
+  }
+  return std::nullopt;
+}
+
+StepNumber telling_step(const Trace& trace) {
+  for (const StepTest passes : telling_tests) {
+    const auto phases = by_phase(trace, passes);
+    if (phases.empty()) continue;
+    return rare_and_central(
+        std::ranges::max_element(phases, {}, [](const Phase& phase) { return phase.steps.size(); })->steps);
+  }
+  return middle_step(trace);
+}
+
+std::vector<StepNumber> milestones_of(const Trace& trace) {
+  std::set<StepNumber> chosen;
+  std::set<std::string> kinds;
+  std::set<std::string_view> phases, deciding;
+  std::vector<std::pair<std::string_view, StepNumber>> first_of_phase;
+  for (const TraceStep& step : trace.steps) {
+    if (!is_whole(step)) continue;
+    const bool new_kind = kinds.insert(kind_of(step)).second;
+    const bool new_phase = step.decision && deciding.insert(step.phase).second;
+    if (new_kind || new_phase) chosen.insert(step.number);
+    if (phases.insert(step.phase).second) first_of_phase.emplace_back(step.phase, step.number);
+  }
+  for (const auto& [phase, first] : first_of_phase) {
+    if (!deciding.contains(phase)) chosen.insert(first);
+  }
+  const auto whole = [](const auto& steps) { return std::ranges::find_if(steps, is_whole); };
+  if (const auto first = whole(trace.steps); first != trace.steps.end()) chosen.insert(first->number);
+  for (auto step = trace.steps.rbegin(); step != trace.steps.rend(); ++step) {
+    if (!is_whole(*step)) continue;
+    chosen.insert(step->number);
+    break;
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+std::vector<StepNumber> phase_steps(const Trace& trace, std::size_t most) {
+  const std::string set_up = trace.wording.say("words.set_up"), result = trace.wording.say("words.result");
+  std::vector<const TraceStep*> between, ends_of_phase, all;
+  for (const TraceStep& step : trace.steps) {
+    if (!is_whole(step)) continue;
+    all.push_back(&step);
+    if (step.phase == set_up || step.phase == result) continue;
+    if (!ends_of_phase.empty() && ends_of_phase.back()->phase == step.phase) ends_of_phase.pop_back();
+    ends_of_phase.push_back(&step);
+    between.push_back(&step);
+  }
+  const auto& chosen = ends_of_phase.size() > 1 ? ends_of_phase : between.size() > 1 ? between : all;
+  return numbers_of(evenly_spread(chosen, most));
+}
+
+StepNumber middle_step(const Trace& trace) {
+  const std::size_t middle = trace.steps.size() / 2;
+  for (std::size_t i = middle; i < trace.steps.size(); ++i) {
+    if (is_whole(trace.steps[i])) return trace.steps[i].number;
+  }
+  return trace.steps.empty() ? StepNumber{} : StepNumber{trace.steps.front().number.step, 0};
+}
+
+}  // namespace gradus
