@@ -45,6 +45,13 @@ bool declares(std::string_view line, std::string_view name) {
          without_indent(before).find("return ") != 0;
 }
 
+/// Whether a statement is none of the method's: it reports a step, refuses an input, or sets memory aside.
+bool is_plumbing(std::string_view code) {
+  const std::string_view called = code.substr(0, code.find('('));
+  return code.starts_with("if constexpr (observed<") || called == "expects" ||
+         called.starts_with("expect_") || called.ends_with(".reserve");
+}
+
 /// First and one past the last line of the function's body, or nothing where the line declares without
 /// defining.
 std::optional<std::pair<std::size_t, std::size_t>> body_from(const std::vector<std::string_view>& lines,
@@ -90,9 +97,7 @@ std::vector<SourceLine> listing_of(std::string_view source, std::string_view fun
     int open = 0;  // of a plumbing statement that goes on
     for (std::size_t k = body->first; k < body->second; ++k) {
       const std::string_view code = without_indent(lines[k]);
-      const bool plumbing =
-          open > 0 || code.starts_with("if constexpr (observed<") || code.starts_with("expects(");
-      if (plumbing) {
+      if (open > 0 || is_plumbing(code)) {
         open += balance(lines[k], '(', ')');
         continue;
       }

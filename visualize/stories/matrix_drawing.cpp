@@ -12,18 +12,32 @@ namespace {
 
 using fmt::arg;
 
-constexpr double character = 0.92, row_height = 2.1, column_gap = 0.8;
+constexpr double row_height = 2.1, column_gap = 0.8;
 
-double width_of(std::string_view text) {
+/// The width of a digit; four columns stand closer.
+double character(std::size_t columns) { return columns > 3 ? 0.74 : 0.92; }
+
+double width_of(std::string_view noted, std::size_t columns) {
+  const std::string text = without_notes(noted);
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
-  return character *
+  return character(columns) *
          static_cast<double>(text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues)));
 }
 
 /// Four columns leave room for two decimals each.
 std::string entry_text(double value, bool two_decimals) {
   if (!two_decimals || std::abs(value) >= 1000) return figure_real(value);
-  return figure_real(std::round(value * 100) / 100);
+  return with_note(without_notes(figure_real(std::round(value * 100) / 100)), value);
+}
+
+/// The width of a column.
+double column_width(const MatrixRows& rows, std::size_t column) {
+  const std::size_t columns = rows.front().size();
+  double width = character(columns);
+  for (const auto& row : rows) {
+    width = std::max(width, width_of(entry_text(row[column], columns > 3), columns));
+  }
+  return width;
 }
 
 std::string negated(std::string text) {
@@ -56,17 +70,23 @@ void add_matrix(View& view, std::string_view id, dvec2 right, const std::string&
   bracket("right", right.x, -0.5);
   double x = right.x - 0.6;
   for (std::size_t c = columns; c-- > 0;) {
-    double width = character;
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const std::string text = entry_text(rows[r][c], columns > 3);
-      width = std::max(width, width_of(text));
       const double y = right.y + half - row_height * (static_cast<double>(r) + 0.5);
       view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right}});
     }
-    x -= width + (c > 0 ? column_gap : 0.6);
+    x -= column_width(rows, c) + (c > 0 ? column_gap : 0.6);
   }
   bracket("left", x, 0.5);
+  if (name.empty()) return;
   view.add({fmt::format("{} name", id), role, Text{{x - 0.6, right.y}, name + " =", Align::right}});
+}
+
+dvec2 matrix_size(const MatrixRows& rows) {
+  const std::size_t columns = rows.front().size();
+  double width = 1.2 + column_gap * static_cast<double>(columns - 1);
+  for (std::size_t c = 0; c < columns; ++c) width += column_width(rows, c);
+  return {width, row_height * static_cast<double>(rows.size())};
 }
 
 std::string figure_text(const Number& number) {

@@ -14,9 +14,13 @@ namespace gradus {
 /// Numbers by rows, as a matrix is printed.
 using MatrixRows = std::vector<std::vector<double>>;
 
-/// A matrix in brackets with its name to the left; `right` is the middle of its right bracket.
+/// A matrix in brackets with its name, if it has one, to the left; `right` is the middle of its right
+/// bracket.
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
                 Role role);
+
+/// How wide and high its brackets are, in paper units.
+dvec2 matrix_size(const MatrixRows& rows);
 
 /// A number as the user wrote it, with the typographic minus.
 std::string figure_text(const Number& number);

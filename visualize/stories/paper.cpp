@@ -80,6 +80,14 @@ Extent Panel::shown() const {
   return {world_.centre() - half, world_.centre() + half};
 }
 
+Panel tight_panel(const Extent& place, const Extent& world) {
+  constexpr dvec2 least{12, 9};
+  const Panel loose(place, world);
+  const dvec2 size = glm::clamp(world.size() * loose.scale(), glm::min(least, place.size()), place.size());
+  const double left = place.centre().x - size.x / 2;
+  return Panel({{left, place.lower.y}, {left + size.x, place.lower.y + size.y}}, world);
+}
+
 std::vector<dvec2> Panel::at(std::span<const dvec2> world) const {
   std::vector<dvec2> points;
   for (const dvec2 p : world) points.push_back(at(p));
@@ -236,7 +244,7 @@ std::string figure_real(double value) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) text.pop_back();
   }
-  return value < 0 && text != "0" ? "−" + text : text;
+  return with_note(value < 0 && text != "0" ? "−" + text : text, value);
 }
 
 }  // namespace gradus

@@ -130,6 +130,10 @@ bool can_be_told_apart(double least, double most);
 void require_scale(const Panel& panel, const Arguments& arguments,
                    std::initializer_list<std::string_view> parameters);
 
+/// A panel no larger than what it is to show, in the middle of its place and at its foot, so that nothing
+/// beside it keeps a drawing small. A narrow world keeps room for texts beside what is drawn there.
+Panel tight_panel(const Extent& place, const Extent& world);
+
 /// Names of a panel's axes; an empty one leaves the axis away.
 struct AxisNames {
   std::string x = "x", y = "y";

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "figure/which_steps.hpp"
+
 namespace gradus {
 namespace {
 
@@ -137,8 +139,8 @@ bool Board::holds(dvec2 point) const {
          point.y <= cells.upper.y;
 }
 
-void Board::put(ivec2 cell, Role role, std::string text) {
-  delta_.cells.push_back({cell, CellLook{role, std::move(text)}});
+void Board::put(ivec2 cell, Role role, std::string text, std::optional<Rgba8> color) {
+  delta_.cells.push_back({cell, CellLook{role, std::move(text), color}});
 }
 
 void Board::look_at(ivec2 pixel, Role role) {
@@ -241,6 +243,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
     step.sentence =
         event.count ? words_.counted(event.text, *event.count, words) : words_.say(event.text, words);
   }
+  step.note = std::move(event.note);
   step.decision = std::move(event.decides);
   step.read = row_of(std::move(event.read), trace().columns.size());
   step.row = row_of(std::move(event.row), trace().columns.size());
@@ -250,10 +253,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
 
 Trace Narrator::finish() && {
   Trace trace = std::move(writer_).finish();
-  const bool of_whole = last_of_whole_is_telling_ || method_.standing == Standing::faulty;
-  trace.telling = telling_                                          ? *telling_
-                  : last_is_telling_ || (of_whole && trace.whole()) ? StepNumber{trace.last, 0}
-                                                                    : middle_step(trace);
+  trace.telling = telling_ ? *telling_ : telling_step(trace);
   trace.result = std::move(result_);
   if (afterwards_) afterwards_(trace);
   return trace;

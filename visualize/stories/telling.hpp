@@ -97,6 +97,7 @@ struct Event {
   std::vector<Word> words{};            ///< what the sentence needs besides
   std::optional<std::int64_t> count{};  ///< the sentence is that of a number: "<text>.one", "<text>.many"
   std::string sentence{};               ///< a sentence that is put together; then there is no text
+  std::string note{};                   ///< its effect in two or three words: "8 → 9 corners"
   std::vector<Said> row{};              ///< the row that the step produced, from the first column on
   std::vector<Said> read{};             ///< the last row, completed
   std::string key{};                    ///< what it is about: "4,2" for a pixel
@@ -151,7 +152,9 @@ class Board {
   /// Whether the grid's cells reach as far.
   bool holds(dvec2 point) const;
   /// From now on the cell looks so, and is no pixel that was plotted.
-  void put(ivec2 cell, Role role, std::string text = "");
+  void put(ivec2 cell, Role role, std::string text = "", std::optional<Rgba8> color = {});
+  /// From now on nothing is in the cell.
+  void bare(ivec2 cell) { delta_.cells.push_back({cell, std::nullopt}); }
   /// For this event alone the cell looks so; then as before.
   void look_at(ivec2 pixel, Role role);
   /// For this event alone.
@@ -232,12 +235,8 @@ class Narrator {
   /// Below them those of another function of the same file.
   void list_below(std::string_view function);
   void result(std::vector<Field> fields) { result_ = std::move(fields); }
-  /// The step whose drawing tells most. Without it: the last one of a faulty method that was kept whole, else
-  /// the milestone in the middle.
+  /// The step whose figure tells most. Without it: see telling_step.
   void telling(StepNumber number) { telling_ = number; }
-  void last_is_telling() { last_is_telling_ = true; }
-  /// The same where the run was kept whole.
-  void last_of_whole_is_telling() { last_of_whole_is_telling_ = true; }
   void skip_to(std::int64_t number) { writer_.skip_to(number); }
   /// Steps that name no key are about what their type says: on paper there is no pixel to name.
   void key_by_type() { key_by_type_ = true; }
@@ -300,7 +299,6 @@ class Narrator {
   bool key_by_type_ = false;
   std::vector<Field> result_;
   std::optional<StepNumber> telling_;
-  bool last_is_telling_ = false, last_of_whole_is_telling_ = false;
   int line_ = 0;
   std::function<void(Trace&)> afterwards_;
 };

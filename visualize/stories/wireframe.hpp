@@ -37,14 +37,17 @@ class Wireframe {
   const std::vector<std::pair<dvec3, dvec3>>& edges() const { return edges_; }
   /// Whether some face lies between the point and the viewer.
   bool hides(dvec3 point, const Sight& sight) const;
-  /// The segment from a to b, cut where it goes behind a face or comes out; parts shorter than 1/64 of it may
-  /// be missed.
+  /// The segment from a to b, cut where it goes behind a face or comes out: exactly of a convex solid; of
+  /// other meshes parts shorter than 1/64 of it may be missed.
   std::vector<SightPiece> pieces(dvec3 a, dvec3 b, const SightFrom& sight) const;
 
  private:
+  std::vector<SightPiece> pieces_of_convex(dvec3 a, dvec3 b, const SightFrom& sight) const;
+
   const Mesh& mesh_;
   std::vector<std::pair<dvec3, dvec3>> edges_;
   double size_;  ///< of the model: what is nearer than a millionth of it is the point's own face
+  bool convex_;
 };
 
 }  // namespace gradus

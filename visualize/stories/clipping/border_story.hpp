@@ -16,29 +16,30 @@ class BorderStory : public PlaneDrawing {
 
   void show(Board& board, const VertexTested<double>& t) {
     begin_border(t.border);
+    ++met_;
     quiet();
     mark_side(t.vertex, t.side);
     if (t.side >= 0) kept_.push_back(t.vertex.at);
     tested_ = t;
     show_kept();
-    view_.add({"f here", Role::current, Dot{panel_.at(t.vertex.at), true}});
+    add_edge(t.last, t.vertex);
     put(board);
   }
   Event say(const VertexTested<double>& t) {
     const std::size_t answer = t.side > 0 ? 0 : t.side == 0 ? 1 : 2;
     constexpr std::array<const char*, 3> branches{"inside", "on", "outside"};
     constexpr std::array<std::string_view, 3> texts{"tested.inside", "tested.on", "tested.outside"};
+    const std::string border = border_in_words(t.border);
     return {
         .text = texts[answer],
         .facts = {{"border", t.border}, {"side", t.side}, {"x", t.vertex.at.x}, {"y", t.vertex.at.y}},
-        .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", name_of_border(t.border)}},
+        .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", border}},
         .row = row_of(t),
         .phase = phase_of(t.border),
-        .decides = Decision{
-            words_.say("question.side", {{"corner", names_(t.vertex)}, {"border", name_of_border(t.border)}}),
-            {side_text(1), side_text(0), side_text(-1)},
-            answer,
-            branches[answer]}};
+        .decides = Decision{words_.say("question.side", {{"corner", names_(t.vertex)}, {"border", border}}),
+                            {side_text(1), side_text(0), side_text(-1)},
+                            answer,
+                            branches[answer]}};
   }
 
   void show(Board& board, const EdgeCut<double>& c) {
@@ -48,17 +49,19 @@ class BorderStory : public PlaneDrawing {
     before_kept_ = tested_ && tested_->side >= 0 && !kept_.empty();
     kept_.insert(kept_.end() - (before_kept_ ? 1 : 0), c.vertex.at);
     show_kept();
-    const dvec2 at = panel_.at(c.vertex.at);
-    view_.add({"f edge", Role::current, Stroke{panel_.at(c.from.at), panel_.at(c.to.at), true}});
-    view_.add({"f here", Role::current, Dot{at}});
-    view_.add(
-        {"g made " + name, Role::current, Label{at, fmt::format("{} {}", name, figure_place(c.vertex.at))}});
+    const dvec2 at = panel_.at(c.vertex.at), from = panel_.at(c.from.at), to = panel_.at(c.to.at);
+    view_.add({"f edge", Role::current, c.leaves ? Stroke{from, at} : Stroke{at, to, true}});
+    view_.add({"f cut off", Role::rejected, c.leaves ? Stroke{at, to} : Stroke{from, at}});
+    view_.add({"f here", Role::measure, Dot{at}});
+    view_.add({"g made " + name, Role::measure,
+               Label{at, fmt::format("{} = {}", name, figure_place(c.vertex.at))}});
     put(board);
     // From now on the name alone
-    view_.add({"g made " + name, Role::past, Label{at, name}});
+    view_.add({"e side " + name, Role::result, Dot{at}});
+    view_.add({"g made " + name, Role::result, Label{at, name}});
   }
   Event say(const EdgeCut<double>& c) {
-    const std::string name = names_(c.vertex), border = name_of_border(c.border);
+    const std::string name = names_(c.vertex), border = border_in_words(c.border);
     const std::string from = names_(c.from), to = names_(c.to);
     Event event{
         .text = c.vertex.edge.of_window() ? "cut.corner"
@@ -66,14 +69,13 @@ class BorderStory : public PlaneDrawing {
                                           : "cut.enters",
         .facts = {{"border", c.border}, {"leaves", c.leaves}, {"x", c.vertex.at.x}, {"y", c.vertex.at.y}},
         .words = {{"from", from}, {"to", to}, {"border", border}, {"name", name}, {"at", c.vertex.at}},
-        .row = {border, name, words_.say("side.cut"), name},
         .phase = phase_of(c.border),
         .decides = yes_or_no(words_, "question.cut", {{"from", from}, {"to", to}, {"border", border}}, true,
                              c.leaves ? "leaves" : "enters")};
-    if (before_kept_) {
-      // In the table, too: the cut's row takes over the corner that stays
+    // The edge's row goes on: what is kept of it
+    if (tested_) {
       event.read = row_of(*tested_);
-      event.row.back() = name + ", " + std::exchange(event.read.back().text, "");
+      event.read.back() = before_kept_ ? name + ", " + event.read.back().text : name;
     }
     return event;
   }
@@ -90,7 +92,8 @@ class BorderStory : public PlaneDrawing {
     const auto corners = std::ssize(p.polygon);
     Event event{.text = "passed_empty",
                 .facts = {{"border", p.border}, {"corners", corners}},
-                .words = {{"border", name_of_border(p.border)}},
+                .words = {{"border", border_in_words(p.border)}},
+                .note = words_.count("passed_note", corners, {{"before", met_}}),
                 .phase = phase_of(p.border),
                 .level = Level::idea,
                 .decides = yes_or_no(words_, "question.left", {}, corners > 0, "accepted", "rejected")};
@@ -129,8 +132,8 @@ class BorderStory : public PlaneDrawing {
       add_without_bridges(i, result_[i], result_[i + 1 < result_.size() ? i + 1 : 0]);
     }
     const std::string id = fmt::format("i bridge {:03}", bridges_.size() - 1);
-    view_.add({id, Role::rejected, Stroke{from, to}});
-    view_.add({id + " name", Role::rejected, Label{(from + to) * 0.5, words_.say("bridge_name")}});
+    view_.add({id, Role::candidate, Stroke{from, to}});
+    view_.add({id + " name", Role::candidate, Label{(from + to) * 0.5, words_.say("bridge_name")}});
     put(board);
   }
   Event say(const BridgeFound<double>& b) {
@@ -140,7 +143,7 @@ class BorderStory : public PlaneDrawing {
                       {"from_y", b.from.at.y, "y"},
                       {"to_x", b.to.at.x, "x"},
                       {"to_y", b.to.at.y, "y"}},
-            .words = {{"from", names_(b.from)}, {"to", names_(b.to)}, {"border", name_of_border(b.border)}},
+            .words = {{"from", names_(b.from)}, {"to", names_(b.to)}, {"border", border_in_words(b.border)}},
             .phase = words_.shared("words", "result")};
   }
 
@@ -169,15 +172,22 @@ class BorderStory : public PlaneDrawing {
   }
   std::vector<Said> row_of(const VertexTested<double>& t) {
     const std::string name = names_(t.vertex);
-    return {name_of_border(t.border), name, side_text(t.side), t.side >= 0 ? name : ""};
+    return {fmt::format("{} → {}", names_(t.last), name), side_text(t.was), side_text(t.side),
+            t.side >= 0 ? name : ""};
+  }
+  /// The edge that is looked at, and its corners' names.
+  void add_edge(const Vertex<double>& last, const Vertex<double>& now) {
+    const dvec2 from = panel_.at(last.at), to = panel_.at(now.at);
+    view_.add({"f edge", Role::current, Stroke{from, to, true}});
   }
   void begin_border(int border) {
     if (!enter_border(border)) return;
     kept_.clear();
     tested_.reset();
+    met_ = 0;
   }
   void show_kept() {
-    if (kept_.size() > 1) view_.add({"d kept", Role::accepted, Path{panel_.at(kept_)}});
+    if (kept_.size() > 1) view_.add({"d kept", Role::result, Path{panel_.at(kept_)}});
   }
   /// An edge of the result but for the stretches of bridges on it.
   void add_without_bridges(std::size_t number, dvec2 a, dvec2 b) {
@@ -206,6 +216,7 @@ class BorderStory : public PlaneDrawing {
   const std::optional<double> right_;
   std::optional<VertexTested<double>> tested_;  ///< the last one at this border
   bool before_kept_ = false;                    ///< the cut stands before it, and it is kept
+  std::int64_t met_ = 0;                        ///< corners that met this border
   Points kept_, result_;
   std::vector<std::pair<dvec2, dvec2>> bridges_;
 };

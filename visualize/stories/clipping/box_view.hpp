@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/axis_cut.hpp"
-#include "stories/paper.hpp"
+#include "stories/solid_drawing.hpp"
 
 namespace gradus {
 
@@ -31,21 +31,24 @@ class SpaceView {
     for (int i = 0; i < 3; ++i) {
       size_[i] = half_[i] > 0 ? std::max(half_[i] / longest, 1.0 / 3) : 0;
     }
-    for (const dvec3 p : shown) extent.add(flat(p));
+    for (const dvec3 p : shown) extent.add(oblique(turned(p)));
     panel_ = Panel(place, extent);
   }
 
-  dvec2 at(dvec3 p) const { return panel_.at(flat(p)); }
-
- private:
-  dvec2 flat(dvec3 p) const {
+  /// A point in directions as the reader has them: right, up, towards him.
+  dvec3 turned(dvec3 p) const {
     dvec3 scaled(0);
     for (int i = 0; i < 3; ++i) {
       if (half_[i] > 0) scaled[i] = (p[i] - middle_[i]) / half_[i] * size_[i];
     }
-    return oblique({scaled.x, scaled.y, -scaled.z});
+    return {scaled.x, scaled.y, -scaled.z};
   }
+  dvec2 on_paper(dvec3 turned) const { return panel_.at(oblique(turned)); }
+  dvec2 at(dvec3 p) const { return on_paper(turned(p)); }
+  /// How near to the reader a point is.
+  double near(dvec3 p) const { return turned(p).z; }
 
+ private:
   dvec3 middle_{0}, half_{0}, size_{0};
   Panel panel_;
 };
@@ -67,18 +70,33 @@ inline std::vector<dvec3> box_face(const AxisBox<3, double>& box, Border face) {
   return outline;
 }
 
-/// The twelve edges; those behind the box are dashed.
+/// A convex solid as a view of space shows it.
+inline FlatSolid flat_solid(const SpaceView& space, const std::vector<dvec3>& corners,
+                            std::vector<SolidFace> faces) {
+  std::vector<dvec3> turned;
+  for (const dvec3 p : corners) turned.push_back(space.turned(p));
+  return flat_solid(turned, std::move(faces), [&](dvec3 p) { return space.on_paper(p); });
+}
+
+/// A convex solid as glass: its faces are added, its edges appended to the lines of space.
+inline void add_glass(View& view, std::vector<SpaceLine>& lines, const SpaceView& space,
+                      const std::vector<dvec3>& corners, std::vector<SolidFace> faces) {
+  const FlatSolid solid = flat_solid(space, corners, std::move(faces));
+  add_faces(view, "box", Role::boundary, solid);
+  append_edges(lines, "box", Role::boundary, solid, [&](std::size_t i) { return space.near(corners[i]); });
+}
+
+inline std::vector<dvec3> corners_of(const AxisBox<3, double>& box) {
+  std::vector<dvec3> corners;
+  for (int corner = 0; corner < 8; ++corner) corners.push_back(box_corner(box, corner));
+  return corners;
+}
+
+/// A box of glass alone.
 inline void add_box(View& view, const SpaceView& space, const AxisBox<3, double>& box) {
-  constexpr int hidden = 4;  // the left, bottom, far corner
-  for (int corner = 0; corner < 8; ++corner) {
-    for (const int axis : {1, 2, 4}) {
-      if ((corner & axis) != 0) continue;
-      const int other = corner | axis;
-      const bool behind = corner == hidden || other == hidden;
-      view.add({fmt::format("edge {} {}", corner, other), Role::boundary,
-                Stroke{space.at(box_corner(box, corner)), space.at(box_corner(box, other)), false, behind}});
-    }
-  }
+  std::vector<SpaceLine> lines;
+  add_glass(view, lines, space, corners_of(box), faces_of_box());
+  add_lines(view, "box gap", lines);
 }
 
 /// A part of a plane of space, as the one that a step is about.
@@ -93,10 +111,10 @@ inline void add_face(View& view, const SpaceView& space, const std::vector<dvec3
 /// at: their foot on the paper.
 inline void add_directions(View& view, dvec2 at, const std::array<std::string, 3>& names,
                            bool towards = false) {
-  const std::array<dvec3, 3> ways{dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, towards ? 1 : -1}};
+  const std::array<dvec3, 3> ways{dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, towards ? 1.4 : -1.4}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const dvec2 to = at + 2.2 * oblique(ways[i]);
-    const dvec2 name = at + (i == 2 ? 4.0 : 3.1) * oblique(ways[i]);
+    const dvec2 to = at + 2.4 * oblique(ways[i]);
+    const dvec2 name = at + (i == 2 ? 3.9 : 3.2) * oblique(ways[i]);
     view.add({"direction " + std::to_string(i), Role::guide, Stroke{at, to, true}});
     view.add({"direction name " + std::to_string(i), Role::guide, Text{name, names[i]}});
   }

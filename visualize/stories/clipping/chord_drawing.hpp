@@ -32,7 +32,7 @@ inline Extent world_of(const Ends& s, const Disc& c) {
   all.add(s.a);
   all.add(s.b);
   const bool fits = c.radius == 0 || std::max(all.size().x, all.size().y) <= 12 * c.radius;
-  return widened(fits ? all : widened(around, 0.5), 0.12);
+  return widened(fits ? all : widened(around, 0.5), 0.06);
 }
 
 /// The values of t to show, moderate ones.
@@ -52,13 +52,14 @@ inline Extent scale_of(const Ends& s, const Disc& c) {
 
 inline Scene scene_of(const Ends& s, const Disc& c, bool has_line) {
   const Extent t = scale_of(s, c);
-  return {.segment = s,
-          .circle = c,
-          .has_line = has_line,
-          .panel = Panel({{3, has_line ? 8.5 : 3}, {paper_width - 2, paper_height - 1.5}}, world_of(s, c)),
-          .t = t,
-          .line = NumberLine({2, 3}, {paper_width - 3.5, 3}, t.lower.x, t.upper.x),
-          .right = exact_decision(s, c)};
+  return {
+      .segment = s,
+      .circle = c,
+      .has_line = has_line,
+      .panel = tight_panel({{3, has_line ? 8.5 : 3}, {paper_width - 2, paper_height - 1.5}}, world_of(s, c)),
+      .t = t,
+      .line = NumberLine({2, 3}, {paper_width - 3.5, 3}, t.lower.x, t.upper.x),
+      .right = exact_decision(s, c)};
 }
 
 /// The drawing, as steps add to it.
@@ -110,14 +111,14 @@ class ChordDrawing {
 
   /// Where the line enters and leaves, in the plane and on the number line.
   void add_values(double enters, double leaves) {
-    if (enters == leaves) return add_value("enters", enters, words_.say("touches"));
-    add_value("enters", enters, words_.say("enters"));
-    add_value("leaves", leaves, words_.say("leaves"));
+    if (enters == leaves) return add_value("enters", enters, words_.say("touches"), false);
+    add_value("enters", enters, words_.say("enters"), false);
+    add_value("leaves", leaves, words_.say("leaves"), true);
   }
 
   void add_limits(double first, double last) {
     add_band("c kept t", Role::accepted, scene_.line.at(first), scene_.line.at(last));
-    add_part("d kept", Role::accepted, part(scene_.segment, first, last));
+    add_part("d kept", Role::accepted, part(scene_.segment.a, scene_.segment.b, first, last));
   }
 
   /// An end that was told from the circle looks as it lies.
@@ -128,8 +129,8 @@ class ChordDrawing {
   }
 
   void add_cut(const Cut<double>& c) {
-    add_point(c.leaves ? "g leaves" : "g enters", Role::current, c.at,
-              words_.say(c.leaves ? "leaves" : "enters"));
+    add_point(c.leaves ? "g leaves" : "g enters", c.leaves ? Role::past : Role::candidate, c.at,
+              words_.say(c.leaves ? "leaves" : "enters"), c.leaves);
   }
 
   void add_result(const std::optional<Ends>& kept, bool wrong) {
@@ -161,10 +162,12 @@ class ChordDrawing {
     view_.add({"c " + id + " t", role, Dot{scene_.line.at(t), ring}});
     view_.add({"c " + id + " t name", role, Text{scene_.line.at(t) + name_up, name}});
   }
-  void add_value(const std::string& id, double t, const std::string& name) {
+  /// A point of the circle: a dot where the line enters, a ring where it leaves.
+  void add_value(const std::string& id, double t, const std::string& name, bool leaves) {
+    const Role role = leaves ? Role::past : Role::candidate;
     const dvec2 at = scene_.segment.a + t * (scene_.segment.b - scene_.segment.a);
-    add_point("g " + id, Role::current, at, name);
-    if (shown(t)) add_t(id, Role::current, t, name);
+    add_point("g " + id, role, at, name, leaves);
+    if (shown(t)) add_t(id, role, t, fmt::format("{} {}", name, figure_real(t)), leaves);
   }
 
   /// A part of the segment as a band, so that it is seen on the line.

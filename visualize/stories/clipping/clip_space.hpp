@@ -3,7 +3,7 @@
 // of polygon clipping. Above, the plane of w and the coordinate that is cut, where the sides of the view
 // volume are lines through the eye; below it what the division makes of what is left.
 
-#include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "stories/clipping/clipped_polygon.hpp"
 #include "stories/telling.hpp"
 

@@ -57,14 +57,29 @@ inline Panel panel_of(const Given& given) {
     for (const dvec2 p : ring) all.add(p);
   }
   for (const dvec2 p : given.window()) all.add(p);
-  return Panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.08));
+  return tight_panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.06));
+}
+
+/// What of a rectangle of the plane lies right of a line: outside of a border.
+inline Points right_of(const Segment<2, double>& line, const Extent& shown) {
+  const dvec2 way = line.b - line.a;
+  const auto left = [&](dvec2 p) { return way.x * (p.y - line.a.y) - way.y * (p.x - line.a.x); };
+  const Points corners = shown.corners();
+  Points ring;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const dvec2 a = corners[i], b = corners[i + 1 < corners.size() ? i + 1 : 0];
+    const double from = left(a), to = left(b);
+    if (from <= 0) ring.push_back(a);
+    if ((from < 0 && to > 0) || (from > 0 && to < 0)) ring.push_back(a + from / (from - to) * (b - a));
+  }
+  return ring;
 }
 
 /// The part of a line that a rectangle of the plane shows.
 inline std::optional<Stroke> across(const Segment<2, double>& line, const Extent& shown) {
   const auto [first, last] = span_in(shown, line.a, line.b - line.a, -1e300, 1e300);
   if (!(first < last)) return std::nullopt;
-  return Stroke{line.a + first * (line.b - line.a), line.a + last * (line.b - line.a), false, true};
+  return Stroke{line.a + first * (line.b - line.a), line.a + last * (line.b - line.a)};
 }
 
 /// Names of vertices: those given by their numbers, those made by letters as they come.
@@ -95,6 +110,7 @@ class PlaneDrawing {
 
   void show(Board& board, const steps::Started&) {
     add_input();
+    show_rest("d ring", Role::accepted);
     put(board);
   }
   Event say(const steps::Started&) const {
@@ -106,25 +122,21 @@ class PlaneDrawing {
   }
 
  protected:
-  std::string name_of_border(int border) const {
-    constexpr std::array<std::string_view, 4> names{"left", "right", "bottom", "top"};
-    if (given_.oblique) return words_.say("border.numbered", {{"number", border + 1}});
-    return words_.say(fmt::format("border.{}", names[static_cast<std::size_t>(border)]));
-  }
-  std::string phase_of(int border) const {
-    return words_.say("phase.border", {{"border", name_of_border(border)}});
-  }
+  /// What a list calls it: "right".
+  std::string name_of_border(int border) const { return text_of_border("border.", border); }
+  /// What a sentence calls it: "the right border".
+  std::string border_in_words(int border) const { return text_of_border("at.", border); }
+  std::string phase_of(int border) const { return text_of_border("phase.", border); }
 
-  /// At the first step of a border: what comes to it, and the border itself.
+  /// At the first step of a border: what comes to it, and the border itself with all that lies outside.
   bool enter_border(int border) {
     if (border_ == border) return false;
     border_ = border;
     erase("d ");
-    show_rest("c ring", Role::past);
-    if (const auto stroke = across(given_.border(border), panel_.shown())) {
-      view_.add({"b window border", Role::current,
-                 Stroke{panel_.at(stroke->a), panel_.at(stroke->b), false, true}});
-    }
+    show_rest("c ring", Role::accepted);
+    const Segment<2, double> line = given_.border(border);
+    view_.add({"a outside", Role::measure, Area{{panel_.at(right_of(line, panel_.shown()))}}});
+    if (const auto stroke = across(line, panel_.shown())) add_border(*stroke);
     return true;
   }
   /// At its last step: what is left.
@@ -132,16 +144,17 @@ class PlaneDrawing {
     erase("c ");
     erase("d ");
     rest_ = rest;
-    show_rest("d ring", Role::accepted);
+    show_rest("d ring", Role::result);
   }
   void leave_border() {
     border_.reset();
+    erase("a outside");
     erase("b window border");
     erase("e ");
   }
 
   void mark_side(const Vertex<double>& v, int side) {
-    const Role role = side >= 0 ? Role::accepted : Role::rejected;
+    const Role role = side >= 0 ? Role::result : Role::rejected;
     view_.add({"e side " + names_(v), role, Dot{panel_.at(v.at), side < 0}});
   }
 
@@ -159,6 +172,25 @@ class PlaneDrawing {
   Names names_;
 
  private:
+  std::string text_of_border(std::string_view key, int border) const {
+    constexpr std::array<std::string_view, 4> names{"left", "right", "bottom", "top"};
+    if (given_.oblique) return words_.say(fmt::format("{}numbered", key), {{"number", border + 1}});
+    return words_.say(fmt::format("{}{}", key, names[static_cast<std::size_t>(border)]));
+  }
+  /// The border as far as it is seen, and near its upper end which side is which.
+  void add_border(const Stroke& seen) {
+    const dvec2 from = panel_.at(seen.a), to = panel_.at(seen.b);
+    view_.add({"b window border", Role::measure, Stroke{from, to}});
+    const dvec2 way = to - from, along = way / std::hypot(way.x, way.y), outward{along.y, -along.x};
+    const bool upward = std::abs(along.y) > std::abs(along.x);
+    const dvec2 upper = (upward ? along.y > 0 : along.x > 0) ? to - 1.1 * along : from + 1.1 * along;
+    const auto put_side = [&](const char* id, Role role, dvec2 aside, std::string_view key) {
+      const Align align = !upward ? Align::right : aside.x > 0 ? Align::left : Align::right;
+      view_.add({id, role, Text{upper + (upward ? 0.5 : 0.9) * aside, words_.say(key), align}});
+    };
+    put_side("b window border in", Role::result, -outward, "side.inside");
+    put_side("b window border out", Role::measure, outward, "side.outside");
+  }
   void add_input() {
     view_.add({"b window", Role::boundary, Path{panel_.at(given_.window()), true}});
     add_axes(view_, panel_, "a axes", {words_.symbol("x"), words_.symbol("y")});
@@ -172,7 +204,7 @@ class PlaneDrawing {
     std::size_t before = 0;  // corners of earlier rings
     for (std::size_t r = 0; r < given_.rings.size(); ++r) {
       const Points& ring = given_.rings[r];
-      view_.add({fmt::format("b given {}", r), Role::input, Path{panel_.at(ring), true, true}});
+      view_.add({fmt::format("b given {}", r), Role::past, Path{panel_.at(ring), true, true}});
       for (std::size_t i = 0; i < ring.size() && ring.size() <= 24; ++i) {
         const std::size_t n = before + i;
         view_.add({fmt::format("b number {:03}", n), Role::input,

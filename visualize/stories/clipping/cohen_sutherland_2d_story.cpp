@@ -67,9 +67,16 @@ class Story {
 
   void show(Board& board, const Cut<double>& c) {
     read_ = std::exchange(codes_, {c.code_a, c.code_b});
-    cuts_.push_back({c.from, c.to()});
-    now_ = c.line;
-    board.milestone(drawing(Role::current));
+    before_ = std::exchange(now_, c.line);
+    cuts_.push_back({c.of_a ? before_.a : before_.b, c.to()});
+    View view = drawing(Role::current);
+    // Its new place is named with its code below
+    view.marks.erase("moved " + end(c.of_a));
+    view.marks.erase("moved " + end(c.of_a) + " name");
+    scene_.add_cutting_border(view, c.border);
+    scene_.add_point(view, "cut now", Role::measure, c.to(), c.to(),
+                     fmt::format("{}: {}", figure_place(c.to()), digits(c.after())));
+    board.milestone(std::move(view));
   }
   Event say(const Cut<double>& c) const {
     const int axis = axis_of(c.border);
@@ -82,15 +89,17 @@ class Story {
                       {"code_b", c.code_b, "code"}},
             .words = {{"end", end(c.of_a)},
                       {"border", beyond(c.border)},
-                      {"code", digits(c.before)},
+                      {"code", digits(c.of_a ? read_.a : read_.b)},
                       {"axis", words_.axis(axis)},
                       {"at", coordinate(task_.window, c.border)},
                       {"other", words_.axis(1 - axis)},
                       {"formula", formula(c)},
                       {"value", c.to()[1 - axis]},
                       {"after", digits(c.after())}},
+            .note = fmt::format("{}: {} → {}", end(c.of_a), digits(c.of_a ? read_.a : read_.b),
+                                digits(c.after())),
             .row = row(cuts_.size(), c.of_a, c.border, c.to()),
-            .key = fmt::format("cut {}", cuts_.size()),
+            .key = std::string(name_of(c.border)),
             .decides = decision()};
   }
 
@@ -109,7 +118,7 @@ class Story {
                       {"code", digits(r.of_a ? codes_.a : codes_.b)},
                       {"end", end(r.of_a)}},
             .row = row(rounds_, r.of_a, r.border, r.at),
-            .key = fmt::format("round {}", rounds_),
+            .key = std::string(name_of(r.border)),
             .decides = decision()};
   }
 
@@ -145,7 +154,7 @@ class Story {
             .facts = {{"common", r.common, "code"}},
             .words = {{"code_a", digits(codes_.a)},
                       {"code_b", digits(codes_.b)},
-                      {"border", beyond(first_of(task_.order, r.common))}},
+                      {"border", beyond(first(task_.order, r.common))}},
             .ends = true,
             .decides = settled ? std::optional(decision()) : std::nullopt};
   }
@@ -178,8 +187,7 @@ class Story {
   }
   /// The cut with its numbers put in: "8 + 12·5/8".
   std::string formula(const Cut<double>& c) const {
-    Line line = task_.line;
-    if (way_ != Way::correctly_rounded) line = c.of_a ? Line{c.from, c.line.b} : Line{c.line.a, c.from};
+    const Line line = way_ == Way::correctly_rounded ? task_.line : before_;
     const int i = axis_of(c.border), j = 1 - i;
     return fmt::format("{} + {}·{}/{}", figure_real(line.a[j]), figure_factor(line.b[j] - line.a[j]),
                        figure_factor(coordinate(task_.window, c.border) - line.a[i]),
@@ -211,32 +219,39 @@ class Story {
       const bool last = i + 1 == cuts_.size() && left_over == Role::current;
       scene_.add_line(view, fmt::format("cut off {}", i + 1), last ? Role::rejected : Role::past, cuts_[i],
                       true);
-      scene_.add_point(view, fmt::format("cut {}", i + 1), last ? Role::current : Role::past, cuts_[i].b,
-                       cuts_[i].b, figure_number(static_cast<std::int64_t>(i + 1)));
     }
     scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
     const auto& [a, b] = task_.line;
-    scene_.add_point(view, "end a", Role::input, a, b, a == now_.a ? "a " + digits(codes_.a) : "a");
-    scene_.add_point(view, "end b", Role::input, b, a, b == now_.b ? "b " + digits(codes_.b) : "b");
+    add_end(view, "a", a, b, now_.a, codes_.a);
+    add_end(view, "b", b, a, now_.b, codes_.b);
     return view;
   }
-  /// Each region's code in its upper left corner, and which digit is which.
+  /// An end as it was given, and the code of where it is by now.
+  void add_end(View& view, const std::string& name, dvec2 given, dvec2 other, dvec2 now, Code code) const {
+    const bool moved = given != now;
+    scene_.add_point(view, "end " + name, Role::input, given, other,
+                     moved ? name : name + ": " + digits(code));
+    if (moved) scene_.add_point(view, "moved " + name, Role::current, now, now, digits(code));
+  }
+  /// Each region's code where the segment leaves room for it, and which digit is which.
   void add_codes(View& view) const {
     const auto [lower, upper] = scene_.shown();
     const auto [from, to] = task_.window;
-    const double xs[] = {lower.x, from.x, to.x}, ys[] = {from.y, to.y, upper.y};
+    const double xs[] = {lower.x, from.x, to.x, upper.x}, ys[] = {lower.y, from.y, to.y, upper.y};
     const Code across[] = {bit(Border::left), 0, bit(Border::right)};
     const Code up[] = {bit(Border::bottom), 0, bit(Border::top)};
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         const Code region = static_cast<Code>(across[i] | up[k]);
-        view.add({fmt::format("region {:02}", region), Role::guide,
-                  Text{scene_.panel().at({xs[i], ys[k]}) + dvec2{0.4, -0.9}, digits(region), Align::left}});
+        const auto place =
+            scene_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, task_.line, {3.2, 1.7});
+        if (!place) continue;
+        view.add({fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}});
       }
     }
     std::string bits;
     for (const char letter : task_.bits) bits += (bits.empty() ? "" : " · ") + name(border_of(letter));
-    view.add({"bits", Role::guide, Text{{18, 1.2}, words_.say("bits", {{"bits", bits}})}});
+    view.add({"bits", Role::guide, Text{{18, 2.2}, words_.say("bits", {{"bits", bits}})}});
   }
 
   const Words& words_;
@@ -244,8 +259,8 @@ class Story {
   const window_view::Scene scene_;
   const Way way_;
   const bool whole_;
-  Line now_;
-  Codes codes_, read_;  ///< by now, and those that this step is decided by
+  Line now_, before_{};  ///< what is left, and what was before the last cut
+  Codes codes_, read_;   ///< by now, and those that this step is decided by
   std::vector<Line> cuts_;
   std::size_t rounds_ = 0;
   window_view::Off off_{};
@@ -281,7 +296,8 @@ void tell(Narrator& narrator) {
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
-  narrator.legend({Role::input, Role::boundary, Role::current, Role::past, Role::rejected, Role::result});
+  narrator.legend(
+      {Role::boundary, Role::input, Role::current, Role::measure, Role::rejected, Role::past, Role::result});
   if (narrator.method().standing == Standing::faulty) {
     narrator.add_to_legend(Role::accepted, "right");
     narrator.add_to_legend(Role::candidate, "candidate");
@@ -293,7 +309,6 @@ void tell(Narrator& narrator) {
   if constexpr (way == Way::codes_only) codes_only(line, window, order, 8, watcher);
   if constexpr (way == Way::whole_or_nothing) whole_or_nothing(line, window, watcher);
   narrator.result(story.result());
-  narrator.last_of_whole_is_telling();
   tell_side_by_side<Numbers>(narrator, [task]<class T>(T, const auto& observer) {
     cut_of_a_cut(in_scalar<T>(task.line), in_scalar<T>(task.window), task.order, observer);
   });

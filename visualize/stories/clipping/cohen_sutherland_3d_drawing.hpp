@@ -13,7 +13,7 @@ namespace gradus::cohen_sutherland_3d {
 
 using glm::dvec4;
 
-inline constexpr int paper_width = 26, paper_height = 34;
+inline constexpr int paper_width = 36, paper_height = 24;
 
 /// A segment of three coordinates goes with a box, a homogeneous one with the view volume.
 template <int N>
@@ -35,6 +35,7 @@ struct State {
   };
   Segment<N, double> rest;  ///< what is left
   Code code_a = 0, code_b = 0;
+  Code first_a = 0, first_b = 0;  ///< of the ends as they were given
   std::vector<Move> moves{};
   bool accepted = false, rejected = false;
 
@@ -66,72 +67,97 @@ inline std::string face_name(const Words& words, Border face) {
   return words.say(fmt::format("face.{}", name_of(face)));
 }
 
-/// The bits of both codes with what they mean, a face a row, in the order in which codes are written.
+/// What holds on a face: "far: z = 6".
+inline std::string place_of(const Words& words, const AxisBox<3, double>& box, Border face) {
+  return fmt::format("{}: {} = {}", face_name(words, face), words.axis(axis_of(face)),
+                     figure_real(coordinate(box, face)));
+}
+inline std::string place_of(const Words& words, const ViewVolume&, Border face) {
+  const std::string w = words.symbol("w"), lower = face == Border::near ? "0" : "−" + w;
+  return fmt::format("{}: {} = {}", face_name(words, face), words.axis(axis_of(face)),
+                     is_upper(face) ? w : lower);
+}
+
+/// Which bit of a code is which face's.
 template <int N>
-void add_bits(View& view, const Words& words, const Task<N>& task, const State<N>& state) {
-  constexpr double name = 0.7, test = 7.9, a = 16.8, b = 18.9, top = 16, row = 2.45;
-  view.add({"bits a", Role::guide, Text{{a, top}, "a"}});
-  view.add({"bits b", Role::guide, Text{{b, top}, "b"}});
+void add_order_of_bits(View& view, const Words& words, const Task<N>& task, dvec2 at) {
+  std::string names;
   for (int i = 0; i < 6; ++i) {
-    const Border face = static_cast<Border>(task.left_first ? i : 5 - i);
-    const double y = top - row * (i + 1);
-    const std::string id = fmt::format("bits {}", name_of(face));
-    const Role role = state.cut() == face ? Role::current : Role::guide;
-    view.add({id + " name", role, Text{{name, y}, face_name(words, face), Align::left}});
-    view.add({id + " test", role, Text{{test, y}, test_of(words, task.region, face), Align::left}});
-    const auto add_digit = [&](std::string_view end, double x, Code code) {
-      const bool set = (code & bit(face)) != 0;
-      view.add(
-          {fmt::format("{} {}", id, end), set ? Role::rejected : Role::guide, Text{{x, y}, set ? "1" : "0"}});
-    };
-    add_digit("a", a, state.code_a);
-    add_digit("b", b, state.code_b);
+    names += (i > 0 ? " · " : "") + face_name(words, static_cast<Border>(task.left_first ? i : 5 - i));
+  }
+  view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}})}});
+}
+
+/// What is left of the segment, and dashed what was cut off. at(p), near(p): as for SpaceLine.
+template <int N, class At, class Near>
+void append_segment(std::vector<SpaceLine>& lines, const std::string& prefix, const State<N>& state, At at,
+                    Near near) {
+  const auto append = [&](const std::string& id, Role role, const auto& a, const auto& b, bool dashed) {
+    lines.push_back({prefix + " " + id, role, at(a), at(b), near(a), near(b), dashed});
+  };
+  for (std::size_t i = 0; i < state.moves.size(); ++i) {
+    append("off " + std::to_string(i + 1), Role::rejected, state.moves[i].from, state.moves[i].to, true);
+  }
+  const Role left = state.accepted ? Role::result : state.rejected ? Role::rejected : Role::input;
+  append("rest", left, state.rest.a, state.rest.b, state.rejected);
+}
+
+/// The ends as they were given, with their codes where `codes` says so, and the cuts with their faces.
+template <int N, class At>
+void add_ends(View& view, const std::string& prefix, const Words& words, const Task<N>& task,
+              const State<N>& state, At at, bool codes) {
+  for (const bool of_a : {true, false}) {
+    const auto given = of_a ? task.line.a : task.line.b, now = of_a ? state.rest.a : state.rest.b;
+    const std::string name = of_a ? "a" : "b";
+    const Code code = of_a ? state.first_a : state.first_b;
+    const std::string text = codes ? name + " " + code_text(code, task.left_first) : name;
+    view.add_named(prefix + " t end " + name, prefix + " u end " + name, Role::input, at(given), text,
+                   given != now);
+  }
+  for (std::size_t i = 0; i < state.moves.size(); ++i) {
+    const auto& move = state.moves[i];
+    const bool stands = move.to == (move.of_a ? state.rest.a : state.rest.b);
+    const bool last = state.cut() && i + 1 == state.moves.size();
+    const Role role = last ? Role::current : state.accepted && stands ? Role::result : Role::past;
+    const std::string number = std::to_string(i + 1);
+    view.add_named(prefix + " t cut " + number, prefix + " u cut " + number, role, at(move.to),
+                   codes ? place_of(words, task.region, move.face) : face_name(words, move.face));
   }
 }
 
-/// The segment in one picture: what is left, what was cut off (dashed), the cuts with their numbers, both
-/// ends with their names. at(p): a point's place on the paper.
-template <int N, class At>
-void add_segment(View& view, std::string_view prefix, const Segment<N, double>& line, const State<N>& state,
-                 At at, const std::string& a, const std::string& b) {
-  const auto id = [&](std::string_view what) { return fmt::format("{} {}", prefix, what); };
-  std::string names[] = {a, b};
-  for (std::size_t i = 0; i < state.moves.size(); ++i) {
-    const auto& move = state.moves[i];
-    const std::string number = std::to_string(i + 1);
-    names[move.of_a ? 0 : 1] = fmt::format("{}: {}", number, move.of_a ? a : b);
-    view.add({id("off " + number), Role::rejected, Stroke{at(move.from), at(move.to), false, true}});
-    const bool last = i + 1 == state.moves.size() && !state.accepted;
-    const Role role = last ? Role::current : Role::past;
-    view.add({id("cut " + number), role, Dot{at(move.to)}});
-    // An end's last cut is told with its code
-    const bool stands = move.to == (move.of_a ? state.rest.a : state.rest.b);
-    if (!stands) view.add({id("number " + number), role, Label{at(move.to), number}});
+/// The corner of a rectangle that is farthest from all that is shown.
+inline dvec2 free_corner(const Extent& place, const std::vector<dvec2>& shown) {
+  dvec2 best = place.lower;
+  double farthest = -1;
+  for (const dvec2 corner : place.corners()) {
+    double nearest = std::numeric_limits<double>::max();
+    for (const dvec2 p : shown) nearest = std::min(nearest, length_between(corner, p));
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = corner;
+    }
   }
-  const Role left = state.accepted ? Role::result : state.rejected ? Role::rejected : Role::input;
-  view.add({id("rest"), left, Stroke{at(state.rest.a), at(state.rest.b), false, state.rejected}});
-  for (const bool of_a : {true, false}) {
-    const auto end = of_a ? line.a : line.b, now = of_a ? state.rest.a : state.rest.b;
-    const std::string which = of_a ? "a" : "b";
-    view.add({id("end " + which), Role::input, Dot{at(end), end != now}});
-    const bool moved_now = !state.moves.empty() && state.moves.back().of_a == of_a;
-    const Role role = state.accepted ? Role::result : moved_now ? Role::current : Role::input;
-    view.add({id("name " + which), role, Label{at(now), names[of_a ? 0 : 1]}});
-  }
+  return best;
 }
 
 inline View view_of(const Words& words, const Task<3>& task, const State<3>& state) {
   View view;
+  const std::vector<dvec3> corners = corners_of(task.region);
   std::vector<dvec3> shown{task.line.a, task.line.b};
-  for (int corner = 0; corner < 8; ++corner) shown.push_back(box_corner(task.region, corner));
-  const SpaceView space({{2, 18.2}, {24, 32.3}}, shown);
-  add_box(view, space, task.region);
-  add_directions(view, {21.4, 3}, {words.symbol("x"), words.symbol("y"), words.symbol("z")});
+  shown.insert(shown.end(), corners.begin(), corners.end());
+  const SpaceView space({{3, 2.2}, {33, 23.4}}, shown);
+  const auto at = [&](dvec3 p) { return space.at(p); };
+  std::vector<SpaceLine> lines;
+  add_glass(view, lines, space, corners, faces_of_box());
   if (const auto cut = state.cut()) add_face(view, space, box_face(task.region, *cut));
-  const std::string a = code_text(state.code_a, task.left_first),
-                    b = code_text(state.code_b, task.left_first);
-  add_segment(view, "line", task.line, state, [&](dvec3 p) { return space.at(p); }, "a " + a, "b " + b);
-  add_bits(view, words, task, state);
+  append_segment(lines, "line", state, at, [&](dvec3 p) { return space.near(p); });
+  add_lines(view, "line s", lines);
+  add_ends(view, "line", words, task, state, at, true);
+  std::vector<dvec2> drawn;
+  for (const dvec3 p : shown) drawn.push_back(at(p));
+  add_directions(view, free_corner({{1.2, 2.6}, {31, 19}}, drawn),
+                 {words.symbol("x"), words.symbol("y"), words.symbol("z")});
+  add_order_of_bits(view, words, task, {18, 0.8});
   return view;
 }
 
@@ -158,7 +184,7 @@ inline void add_plane(View& view, const Words& words, const Task<4>& task, const
   // The wedge between two faces
   const double reach = std::min({shown.upper.x, shown.upper.y, depth ? shown.upper.x : -shown.lower.y});
   const dvec2 upper = panel.at({reach, reach}), lower = panel.at({reach, depth ? 0 : -reach});
-  view.add({id + "wedge", Role::accepted, Area{{{eye, upper, lower}}}});
+  view.add({id + "wedge", Role::boundary, Area{{{eye, upper, lower}}, 2}});
   const auto add_side = [&](const std::string& side, dvec2 to, int face, const std::string& text) {
     const Role role = state.cut() == static_cast<Border>(face) ? Role::current : Role::boundary;
     view.add({side, role, Stroke{eye, to}});
@@ -167,23 +193,23 @@ inline void add_plane(View& view, const Words& words, const Task<4>& task, const
   add_side(id + "upper", upper, 2 * axis + 1, fmt::format("{} = {}", name, w));
   add_side(id + "lower", lower, 2 * axis, fmt::format("{} = {}", name, depth ? "0" : "−" + w));
   const auto at = [&](const dvec4& p) { return panel.at(flat(p)); };
-  add_segment(view, id + "line", task.line, state, at, "a", "b");
+  std::vector<SpaceLine> lines;
+  append_segment(lines, id + "line", state, at, [](const dvec4&) { return 0.0; });
+  add_lines(view, id + "line s", lines);
+  add_ends(view, id + "line", words, task, state, at, false);
 }
 
-/// The pyramid of the volume's sides, its top at the eye; what its sides hide is dashed.
-inline void add_pyramid(View& view, const SpaceView& space, const std::vector<dvec3>& corners,
-                        std::optional<Border> cut) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const dvec2 corner = space.at(corners[i]), next = space.at(corners[(i + 1) % 4]);
-    const bool behind = i == 0;
-    view.add({fmt::format("edge {}", i), Role::boundary, Stroke{space.at(dvec3(0)), corner, false, behind}});
-    view.add({fmt::format("base {}", i), Role::boundary, Stroke{corner, next}});
-  }
-  view.add({"eye", Role::boundary, Dot{space.at(dvec3(0)), true}});
+/// The pyramid of the volume's sides, its top at the eye, and the side at which something is cut.
+inline void add_pyramid(View& view, std::vector<SpaceLine>& lines, const SpaceView& space,
+                        const std::vector<dvec3>& base, std::optional<Border> cut) {
+  std::vector<dvec3> corners = base;
+  corners.push_back(dvec3(0));
+  add_glass(view, lines, space, corners, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  view.add({"line t eye", Role::boundary, Dot{space.at(dvec3(0)), true}});
   if (!cut || axis_of(*cut) == 2) return;
   constexpr std::array<std::array<std::size_t, 2>, 4> sides{{{3, 0}, {1, 2}, {0, 1}, {2, 3}}};
   const auto [i, j] = sides[static_cast<std::size_t>(*cut)];
-  add_face(view, space, {dvec3(0), corners[i], corners[j]});
+  add_face(view, space, {dvec3(0), base[i], base[j]});
 }
 
 inline View view_of(const Words& words, const Task<4>& task, const State<4>& state) {
@@ -191,19 +217,22 @@ inline View view_of(const Words& words, const Task<4>& task, const State<4>& sta
   // Seen from the side: w to the right, y up, x towards the reader
   const auto in_space = [](const dvec4& p) { return dvec3(p.w, p.y, -p.x); };
   const double far = std::max({task.line.a.w, task.line.b.w, 0.0});
-  std::vector<dvec3> corners;
+  std::vector<dvec3> base;
   for (const dvec2 side : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) {
-    corners.push_back(dvec3(1, side.y, -side.x) * far);
+    base.push_back(dvec3(1, side.y, -side.x) * far);
   }
-  std::vector<dvec3> shown = corners;
+  std::vector<dvec3> shown = base;
   shown.insert(shown.end(), {dvec3(0), in_space(task.line.a), in_space(task.line.b)});
-  const SpaceView space({{1.2, 19}, {12, 32}}, shown);
-  add_pyramid(view, space, corners, state.cut());
-  add_directions(view, {21.9, 4}, {words.symbol("w"), words.symbol("y"), words.symbol("x")}, true);
+  const SpaceView space({{2, 3.4}, {16.4, 23}}, shown);
   const auto at = [&](const dvec4& p) { return space.at(in_space(p)); };
-  add_segment(view, "line", task.line, state, at, "a", "b");
-  add_bits(view, words, task, state);
-  add_plane(view, words, task, state, {{13.6, 18}, {25.6, 32.4}});
+  std::vector<SpaceLine> lines;
+  add_pyramid(view, lines, space, base, state.cut());
+  append_segment(lines, "line", state, at, [&](const dvec4& p) { return space.near(in_space(p)); });
+  add_lines(view, "line s", lines);
+  add_ends(view, "line", words, task, state, at, true);
+  add_directions(view, {1.6, 2.4}, {words.symbol("w"), words.symbol("y"), words.symbol("x")}, true);
+  add_order_of_bits(view, words, task, {18, 0.8});
+  add_plane(view, words, task, state, {{19.4, 2.2}, {35.4, 22.8}});
   return view;
 }
 

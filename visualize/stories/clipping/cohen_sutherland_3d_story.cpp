@@ -17,8 +17,8 @@ class Story {
   Story(const Words& words, const Task<N>& task) : words_(words), task_(task), state_{.rest = task.line} {}
 
   void show(Board& board, const Classified<N, double>& c) {
-    state_.code_a = c.code_a;
-    state_.code_b = c.code_b;
+    state_.code_a = state_.first_a = c.code_a;
+    state_.code_b = state_.first_b = c.code_b;
     read_ = state_;
     draw(board);
   }
@@ -33,7 +33,7 @@ class Story {
 
   void show(Board& board, const Cut<N, double>& c) {
     read_ = state_;
-    state_.moves.push_back({c.of_a, c.face, c.from, c.to()});
+    state_.moves.push_back({c.of_a, c.face, c.of_a ? state_.rest.a : state_.rest.b, c.to()});
     state_.rest = c.line;
     state_.code_a = c.code_a;
     state_.code_b = c.code_b;
@@ -193,7 +193,11 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
-  narrator.legend({Role::input, Role::current, Role::rejected, Role::result});
+  narrator.legend({{Role::boundary, N == 3 ? "box" : "volume"},
+                   Role::input,
+                   Role::current,
+                   Role::rejected,
+                   Role::result});
   Story<N> story(narrator.words(), task);
   narrator.result({{"inside", clip(narrator.watcher(story)).has_value()}});
 }

@@ -52,7 +52,8 @@ class Story {
     const double distance = std::abs(m.k) / std::sqrt(m.A);
     const std::string near = real(distance), radius = real(scene_.circle.radius);
     // D tells apart what looks the same here
-    const char* than = near == radius ? (m.D == 0 ? "=" : "≈") : m.D == 0 ? "≈" : m.D > 0 ? "<" : ">";
+    const bool alike = without_notes(near) == without_notes(radius);
+    const char* than = alike ? (m.D == 0 ? "=" : "≈") : m.D == 0 ? "≈" : m.D > 0 ? "<" : ">";
     Event event{.text = "point",
                 .facts = {{"A", m.A}, {"k", m.k}, {"D", m.D}},
                 .words = {{"from", scene_.segment.a},
@@ -252,9 +253,9 @@ void set_up(Narrator& narrator, const Scene& scene) {
                                  {"to", scene.segment.b},
                                  {"centre", scene.circle.centre},
                                  {"radius", real(scene.circle.radius)}});
-  narrator.legend({Role::input, Role::boundary, Role::current, Role::measure, Role::accepted, Role::result});
+  narrator.legend({Role::boundary, Role::input, Role::candidate, Role::past, Role::measure, Role::accepted,
+                   Role::result});
   narrator.key_by_type();
-  narrator.last_is_telling();
 }
 
 enum class Numbers { rounded, none };  ///< of t: whether the method computes them
@@ -270,6 +271,11 @@ void tell(Narrator& narrator) {
   set_up(narrator, scene);
   Story story(narrator.words(), scene, narrator.method().standing == Standing::faulty, asks_for_rest);
   const std::optional<Ends> kept = clip(segment, circle, narrator.watcher(story));
+  // The parameters of the circle meet those of the segment
+  if (const auto& steps = narrator.trace().steps; asks_for_rest && !steps.empty()) {
+    const auto limited = std::ranges::find(steps, "Limited", &TraceStep::type);
+    if (limited != steps.end()) narrator.telling(limited->number);
+  }
   if (!kept) return narrator.result({{"kept", false}});
   narrator.result({{"kept", true},
                    {"from_x", kept->a.x, "x"},

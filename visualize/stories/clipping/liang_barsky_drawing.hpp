@@ -13,6 +13,10 @@ struct Task {
   AxisBox<N, double> box;
 
   glm::vec<N, double> point(double t) const { return line.a * (1 - t) + line.b * t; }
+  bool crosses(Border border) const { return line.a[axis_of(border)] != line.b[axis_of(border)]; }
+  bool enters(Border border) const {
+    return (line.a[axis_of(border)] < line.b[axis_of(border)]) != is_upper(border);
+  }
   /// Where the line crosses a border, for the drawing.
   double value_at(Border border) const {
     const int axis = axis_of(border);
@@ -34,11 +38,115 @@ struct Crossed {
   std::string id() const { return fmt::format("value {}", name_of(border)); }
 };
 
-/// The values of t that the scale shows.
-struct Values {
-  double least, most;
-  double clamped(double t) const { return std::clamp(t, least, most); }
-  bool hold(double t) const { return least <= t && t <= most; }
+/// The scale of t: from the least to the greatest value that is not far away. Those that are stand beyond a
+/// break, at its ends.
+class Scale {
+ public:
+  Scale(double least, double most, const std::vector<double>& values)
+      : least_(least),
+        most_(most),
+        low_(std::ranges::any_of(values, [&](double t) { return t < least; })),
+        high_(std::ranges::any_of(values, [&](double t) { return t > most; })),
+        line_({low_ ? from + off : from, height}, {high_ ? to - off : to, height}, least, most) {}
+
+  bool holds(double t) const { return least_ <= t && t <= most_; }
+  dvec2 at(double t) const {
+    return t < least_ ? dvec2{from, height} : t > most_ ? dvec2{to, height} : line_.at(t);
+  }
+  void add_to(View& view, std::string_view symbol) const {
+    line_.add_to(view, "t", symbol);
+    if (low_) add_end(view, "t low", {from, height}, line_.at(least_));
+    if (high_) add_end(view, "t high", {to, height}, line_.at(most_) + dvec2{name_room, 0});
+  }
+
+ private:
+  static constexpr double from = 3.5, to = 32, height = 2.3, off = 5, name_room = 2.4;
+  /// The axis goes on behind a break.
+  static void add_end(View& view, const std::string& id, dvec2 end, dvec2 scale) {
+    const dvec2 way = scale - end, middle = end + 0.5 * way;
+    view.add({id + " 1", Role::guide, Stroke{end, middle - 0.08 * way}});
+    view.add({id + " 2", Role::guide, Stroke{middle + 0.08 * way, scale}});
+    window_view::add_break(view, id + " break", Role::guide, middle, {1, 0});
+  }
+
+  double least_, most_;
+  bool low_, high_;
+  NumberLine line_;
+};
+
+/// Texts over the scale, each on a stem, in as few rows as keep them apart: no text lies on another one, and
+/// no stem crosses a text.
+class Rows {
+ public:
+  /// A text and where its stem stands.
+  struct Entry {
+    double x;
+    std::string text;
+  };
+  struct Place {
+    double height = 1.5;  ///< over the scale
+    Align align = Align::centre;
+  };
+
+  /// Of all values that there will be, so that a text keeps its place from step to step.
+  explicit Rows(std::vector<Entry> entries) : entries_(std::move(entries)), placed_(entries_.size()) {
+    // Those that can lie beside the other stems first, the others above them
+    for (const bool beside : {true, false}) {
+      for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (!placed_[i]) place(i, beside);
+      }
+    }
+  }
+  Place of(const std::string& text) const {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].text == text && placed_[i]) return {1.5 + 1.6 * placed_[i]->row, placed_[i]->align};
+    }
+    return {};
+  }
+
+ private:
+  struct Placed {
+    int row;
+    Align align;
+    double from, to;
+  };
+
+  Placed at(std::size_t i, int row, Align align) const {
+    const double x = entries_[i].x,
+                 width = 0.72 * static_cast<double>(without_notes(entries_[i].text).size()) + 0.6;
+    const double from = align == Align::left ? x : align == Align::right ? x - width : x - width / 2;
+    return {row, align, from, from + width};
+  }
+  static bool on_paper(const Placed& text) {
+    return 0.5 <= text.from && text.to <= window_view::paper_width - 0.5;
+  }
+  bool over_a_stem(const Placed& text, std::size_t own) const {
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      const double x = entries_[k].x;
+      if (k != own && text.from + 0.2 < x && x < text.to - 0.2) return true;
+    }
+    return false;
+  }
+  bool on_a_text(const Placed& text) const {
+    return std::ranges::any_of(placed_, [&](const auto& other) {
+      return other && other->row == text.row && text.from < other->to && other->from < text.to;
+    });
+  }
+  void place(std::size_t i, bool beside) {
+    int above = 0;
+    for (const auto& other : placed_) above = other && !beside ? std::max(above, other->row + 1) : above;
+    for (int row = above; !placed_[i] && row <= above + static_cast<int>(entries_.size()); ++row) {
+      for (const Align align : {Align::centre, Align::right, Align::left}) {
+        const Placed text = at(i, row, align);
+        if (!on_paper(text) || (beside && over_a_stem(text, i)) || on_a_text(text)) continue;
+        placed_[i] = text;
+        break;
+      }
+    }
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<std::optional<Placed>> placed_;
 };
 
 /// The plane or the space round the line.
@@ -50,15 +158,7 @@ class Ground<2> {
  public:
   explicit Ground(const Task<2>& task) : task_(task), scene_(task.line, task.box, {{3.2, 9.8}, {35, 26}}) {}
 
-  /// All crossings that are not far away.
-  Values shown() const {
-    Values shown{-0.05, 1.05};
-    for (const Border border : usual_order<2>()) {
-      const double t = task_.value_at(border);
-      shown = {std::min(shown.least, t - 0.05), std::max(shown.most, t + 0.05)};
-    }
-    return {std::max(shown.least, -1.0), std::min(shown.most, 2.0)};
-  }
+  static constexpr double least = -1, most = 2;  ///< values of t that are not far away
   void add_box_and_ends(View& view, const Words& words) const {
     scene_.add_window(view, words);
     scene_.add_point(view, "end a", Role::input, task_.line.a, task_.line.b, "a");
@@ -67,16 +167,11 @@ class Ground<2> {
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     scene_.add_line(view, std::move(id), role, {task_.point(from), task_.point(to)}, dashed);
   }
-  /// Two rows of texts above the scale, entering below leaving, so that they don't meet.
-  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name, const std::string& text,
-                    dvec2 foot) const {
+  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name) const {
     const dvec2 at = task_.point(c.t);
     scene_.add_point(view, c.id(), role, at, at, name, c.leaves());
-    view.add({c.id() + " text", role, Text{foot + dvec2{0, c.enters() ? 1.7 : 3.8}, text}});
-    view.add({c.id() + " stem", Role::guide, Stroke{foot, foot + dvec2{0, c.enters() ? 1.0 : 3.1}}});
   }
-  /// The borders are lines that are always shown.
-  static void add_border(View&, Border) {}
+  void add_border(View& view, Border border) const { scene_.add_cutting_border(view, border); }
 
  private:
   const Task<2>& task_;
@@ -88,7 +183,7 @@ class Ground<3> {
  public:
   explicit Ground(const Task<3>& task) : task_(task), space_({{3, 9}, {33, 26}}, corners_and_ends(task)) {}
 
-  static Values shown() { return {-0.5, 1.5}; }
+  static constexpr double least = -0.5, most = 1.5;
   void add_box_and_ends(View& view, const Words& words) const {
     add_box(view, space_, task_.box);
     add_directions(view, {1.2, 22.4}, {words.symbol("x"), words.symbol("y"), words.symbol("z")});
@@ -98,9 +193,7 @@ class Ground<3> {
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     view.add({std::move(id), role, Stroke{at(from), at(to), false, dashed}});
   }
-  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name, const std::string& text,
-                    dvec2 foot) const {
-    view.add({c.id() + " text", role, Label{foot, text}});
+  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name) const {
     if (c.t < 0 || 1 < c.t) return;
     view.add_named(c.id(), role, at(c.t), name, c.leaves());
   }

@@ -109,7 +109,7 @@ class Story {
   void draw(Board& board, Role left_over = Role::current) const {
     View view;
     ground_.add_box_and_ends(view, words_);
-    scale_.add_to(view, "t", words_.symbol("t"));
+    scale_.add_to(view, words_.symbol("t"));
     add_line(view, left_over);
     for (const Crossed& c : crossed_) {
       const bool now = &c == &crossed_.back() && left_over == Role::current;
@@ -130,22 +130,56 @@ class Story {
     ground_.add_part(view, "left over", left_over, enter_, leave_, false);
     ground_.add_part(view, "line after", Role::input, leave_, 1, true);
     const dvec2 up{0, 0.45};
-    view.add({"allowed", left_over, Stroke{on_scale(enter_) + up, on_scale(leave_) + up}});
+    view.add({"allowed", left_over, Stroke{scale_.at(enter_) + up, scale_.at(leave_) + up}});
   }
   void add_crossing(View& view, const Crossed& c, Role role) const {
-    view.add({c.id() + " dot", role, Dot{on_scale(c.t), c.leaves()}});
-    if (!shown_.hold(c.t)) return;
-    const std::string text =
-        words_.say(c.enters() ? "mark.enters" : "mark.leaves", {{"border", name(c.border)}});
-    ground_.add_crossing(view, c, role, name(c.border), text, on_scale(c.t));
+    const double t = task_.value_at(c.border);
+    const std::string text = mark(c.border, c.enters(), t);
+    const auto [height, align] = rows_.of(text);
+    const dvec2 foot = scale_.at(t), head = foot + dvec2{0, height};
+    view.add({c.id() + " stem", Role::guide, Stroke{foot, head - dvec2{0, 0.8}}});
+    view.add({c.id() + " dot", role, Dot{foot, c.leaves()}});
+    view.add({c.id() + " text", role, Text{head, text, align}});
+    ground_.add_crossing(view, c, role, name(c.border));
   }
-  dvec2 on_scale(double t) const { return scale_.at(shown_.clamped(t)); }
+  /// "in: left"; of a value beyond the scale the number, too.
+  std::string mark(Border border, bool enters, double t) const {
+    std::string text = words_.say(enters ? "mark.enters" : "mark.leaves", {{"border", name(border)}});
+    return scale_.holds(t) ? text : fmt::format("{} {}", text, figure_real(t));
+  }
+  /// The values at all borders that the line crosses.
+  static std::vector<double> values_of(const Task<N>& task) {
+    std::vector<double> values;
+    for (const Border border : usual_order<N>()) {
+      if (task.crosses(border)) values.push_back(task.value_at(border));
+    }
+    return values;
+  }
+  static Scale scale_of(const Task<N>& task) {
+    double least = -0.05, most = 1.05;
+    const std::vector<double> values = values_of(task);
+    for (const double t : values) {
+      if (t < Ground<N>::least || t > Ground<N>::most) continue;
+      least = std::min(least, t - 0.05);
+      most = std::max(most, t + 0.05);
+    }
+    return {least, most, values};
+  }
+  std::vector<Rows::Entry> entries() const {
+    std::vector<Rows::Entry> entries;
+    for (const Border border : usual_order<N>()) {
+      if (!task_.crosses(border)) continue;
+      const double t = task_.value_at(border);
+      entries.push_back({scale_.at(t).x, mark(border, task_.enters(border), t)});
+    }
+    return entries;
+  }
 
   const Words& words_;
   const Task<N>& task_;
   const Ground<N> ground_{task_};
-  const Values shown_ = ground_.shown();
-  const NumberLine scale_{{3.5, 2.3}, {32.5, 2.3}, shown_.least, shown_.most};
+  const Scale scale_ = scale_of(task_);
+  const Rows rows_{entries()};
   double enter_ = 0, leave_ = 1;
   std::vector<Crossed> crossed_;
   window_view::Off off_{};
@@ -225,11 +259,10 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip clip) {
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
-  narrator.legend({Role::input, Role::boundary, Role::current, Role::candidate, Role::past, Role::rejected,
-                   Role::result});
+  narrator.legend({Role::boundary, Role::input, Role::current, Role::measure, Role::candidate, Role::past,
+                   Role::rejected, Role::result});
   clip();
   narrator.result(story.result());
-  narrator.last_of_whole_is_telling();
 }
 
 Task<2> window_task(const Arguments& arguments) {

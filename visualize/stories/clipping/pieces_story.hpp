@@ -22,7 +22,7 @@ class PiecesStory : public PlaneDrawing {
     const std::int64_t inside = std::ranges::count(t.sides, 1), outside = std::ranges::count(t.sides, -1);
     const std::size_t answer = outside == 0 ? 0 : inside > 0 ? 1 : 2;
     constexpr std::array<const char*, 3> branches{"inside", "cut", "outside"};
-    const std::string border = name_of_border(t.border);
+    const std::string border = border_in_words(t.border);
     return {.text = "ring_tested",
             .facts = {{"border", t.border}, {"inside", inside}},
             .words = {{"corners", t.ring.size()}, {"border", border}},
@@ -50,7 +50,7 @@ class PiecesStory : public PlaneDrawing {
     const auto crossings = std::ssize(o.crossings);
     return {.text = crossings == 0 ? "ordered_none" : "ordered",
             .facts = {{"border", o.border}, {"crossings", crossings}},
-            .words = {{"border", name_of_border(o.border)}},
+            .words = {{"border", border_in_words(o.border)}},
             .phase = phase_of(o.border)};
   }
 
@@ -58,7 +58,7 @@ class PiecesStory : public PlaneDrawing {
     quiet();
     const dvec2 a = panel_.at(j.leaves.vertex.at), b = panel_.at(j.enters.vertex.at);
     view_.add({"f join", Role::current, Stroke{a, b, true}});
-    view_.add({fmt::format("d join {:03}", number_of(j.leaves)), Role::accepted, Stroke{a, b}});
+    view_.add({fmt::format("d join {:03}", number_of(j.leaves)), Role::result, Stroke{a, b}});
     put(board);
   }
   Event say(const CrossingsJoined<double>& j) const {
@@ -66,7 +66,7 @@ class PiecesStory : public PlaneDrawing {
     const std::string border = name_of_border(j.border);
     return {.text = "joined",
             .facts = {{"from", from, "crossing"}, {"to", to, "crossing"}},
-            .words = {{"border", border}},
+            .words = {{"border", border_in_words(j.border)}},
             .row = {border, from, to},
             .phase = phase_of(j.border)};
   }
@@ -83,7 +83,7 @@ class PiecesStory : public PlaneDrawing {
     const std::string border = name_of_border(s.border);
     return {.text = "split",
             .facts = {{"border", s.border}, {"rings", rings}},
-            .words = {{"border", border}},
+            .words = {{"border", border_in_words(s.border)}},
             .count = rings,
             .row = {border, "", "", rings},
             .phase = phase_of(s.border),

@@ -83,8 +83,9 @@ class Story {
 
   void draw(const Tested& t) {
     follow_edge(t.edge, t.run.edge);
-    if (t.enters) add_crossing(*t.enters, ++crossings_, "enters");
-    if (t.leaves) add_crossing(*t.leaves, ++crossings_, "leaves");
+    if (t.enters) add_crossing(*t.enters, ++crossings_, "enters", false);
+    if (t.leaves) add_crossing(*t.leaves, ++crossings_, "leaves", true);
+    if (t.enters || t.leaves) add_values(t);
   }
   Event say(const Tested& t) const {
     const Way way = way_of(t);
@@ -111,7 +112,7 @@ class Story {
     erase("g ");
     erase("c ");
     std::size_t number = 0;
-    for (const Crossing& c : s.crossings) add_crossing(c.at, ++number, c.leaves ? "out" : "in");
+    for (const Crossing& c : s.crossings) add_crossing(c.at, ++number, c.leaves ? "out" : "in", c.leaves);
   }
   Event say(const Sorted& s) const {
     const bool any = !s.crossings.empty();
@@ -325,12 +326,33 @@ class Story {
   void calm() {
     erase("e edge");
     erase("e now");
-    recolor("g ", Role::past);
+    erase("e t ");
     recolor("c edge", Role::input);
   }
-  void add_crossing(dvec2 at, std::size_t number, std::string_view key) {
-    circle_drawing::add_point(view_, scene_.panel, fmt::format("g {:03}", number), Role::current, at,
-                              words_.say(key, {{"number", number}}));
+  /// A dot where the boundary enters, a ring where it leaves.
+  void add_crossing(dvec2 at, std::size_t number, std::string_view key, bool leaves) {
+    circle_drawing::add_point(view_, scene_.panel, fmt::format("g {:03}", number),
+                              leaves ? Role::past : Role::candidate, at,
+                              words_.say(key, {{"number", number}}), leaves);
+  }
+  /// Where on the edge, from its start at t = 0 to its end at t = 1.
+  void add_values(const Tested& t) {
+    const NumberLine line({6, 3.1}, {width - 6, 3.1}, -0.04, 1.04);
+    View scale;
+    line.add_to(scale, "t", words_.symbol("t"));
+    for (const auto& [id, mark] : scale.marks) view_.add({"e t " + id, mark.role, mark.shape});
+    const dvec2 way = t.run.edge.b - t.run.edge.a;
+    const double length = std::hypot(way.x, way.y);
+    const auto value = [&](dvec2 at) { return length_between(at, t.run.edge.a) / length; };
+    const double first = t.enters ? value(*t.enters) : 0, last = t.leaves ? value(*t.leaves) : 1;
+    const dvec2 up{0, 1.5};
+    view_.add({"e t inside", Role::current, Stroke{line.at(first), line.at(last)}});
+    const auto put = [&](const char* id, Role role, double at, bool leaves) {
+      view_.add({fmt::format("e t {} dot", id), role, Dot{line.at(at), leaves}});
+      view_.add({fmt::format("e t {} text", id), role, Text{line.at(at) + up, figure_real(at)}});
+    };
+    if (t.enters) put("enters", Role::candidate, first, false);
+    if (t.leaves) put("leaves", Role::past, last, true);
   }
   static bool is_arc(const Bent& b) { return b.from != b.to || b.more_than_half; }
   void add_arc(const Bent& b) {
@@ -404,7 +426,7 @@ Scene scene_of(const Arguments& arguments) {
     refuse("polygon", "a simple polygon expected, but its edges {} and {} meet", meeting->first + 1,
            meeting->second + 1);
   }
-  const Panel panel({{3, 3}, {width - 2, height - 1.5}}, world_of(polygon, circle));
+  const Panel panel = tight_panel({{3, 7}, {width - 2, height - 1.5}}, world_of(polygon, circle));
   const Scene scene{polygon, circle, tolerance, panel, area_of(arcs(std::span(polygon), circle))};
   require_scale(panel, arguments, {"circle"});
   return scene;
@@ -415,22 +437,28 @@ void set_up(Narrator& narrator, const Scene& scene) {
   narrator.subtitle(
       "subtitle",
       {{"corners", scene.polygon.size()}, {"centre", scene.circle.centre}, {"radius", scene.circle.radius}});
-  narrator.legend({Role::input, Role::boundary, Role::past, Role::current, Role::accepted, Role::result});
+  narrator.legend({Role::boundary, Role::input, Role::current, Role::candidate, Role::past, Role::accepted,
+                   Role::result});
   narrator.key_by_type();
-  narrator.last_is_telling();
 }
 
 void tell_arcs(Narrator& narrator) {
   const Scene scene = scene_of(narrator.arguments());
   set_up(narrator, scene);
+  if (scene.tolerance) narrator.add_to_legend(Role::measure, "chords");
   Story story(narrator.words(), scene);
   const auto region = arcs(std::span(scene.polygon), scene.circle, narrator.watcher(story));
+  // The first arc
+  const auto& steps = narrator.trace().steps;
+  const auto bent = std::ranges::find(steps, "Bent", &TraceStep::type);
+  if (bent != steps.end()) narrator.telling(bent->number);
   narrator.result({{"area", scene.right.field()}, {"pieces", count(region.rings.size())}});
 }
 
 void tell_first_crossing(Narrator& narrator) {
   const Scene scene = scene_of(narrator.arguments());
   set_up(narrator, scene);
+  narrator.add_to_legend(Role::measure, "right");
   narrator.columns({{"edge"}, {"from", false}, {"to", false}, {"kept", false}});
   Story story(narrator.words(), scene);
   first_crossing(std::span(scene.polygon), scene.circle, narrator.watcher(story));

@@ -3,6 +3,7 @@
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 #include "stories/clipping/border_story.hpp"
 #include "stories/clipping/clip_space.hpp"
@@ -146,10 +147,9 @@ void set_up(Narrator& narrator, const Given& given) {
   require_scale(panel_of(given), narrator.arguments(), {"polygon", "window", "window_polygon"});
   narrator.paper(plane_width, plane_height);
   narrator.subtitle("subtitle", {{"corners", given.outline().size()}, {"borders", given.order.size()}});
-  narrator.legend(
-      {Role::input, Role::boundary, Role::past, Role::current, Role::accepted, Role::rejected, Role::result});
+  narrator.legend({Role::boundary, Role::past, Role::accepted, Role::measure, Role::current, Role::rejected,
+                   Role::result, Role::candidate});
   narrator.key_by_type();
-  narrator.last_is_telling();
   if (!given.oblique) return;
   // An order of borders that it hasn't got
   std::erase_if(narrator.trace().arguments, [&](const Argument& a) {
@@ -163,6 +163,16 @@ void at_window(const Given& given, Clip clip) {
   given.oblique ? clip(*given.oblique) : clip(given.rectangle);
 }
 
+/// The first edge that is cut at another border than the first one: what an earlier border took off is seen.
+void show_second_border(Narrator& narrator) {
+  const auto& steps = narrator.trace().steps;
+  const auto cut = std::ranges::find(steps, "EdgeCut", &TraceStep::type);
+  const auto later = std::find_if(cut, steps.end(), [&](const TraceStep& step) {
+    return step.type == "EdgeCut" && step.phase != cut->phase;
+  });
+  if (later != steps.end()) narrator.telling(later->number);
+}
+
 void tell_border_by_border(Narrator& narrator) {
   const Given given = given_of(narrator.arguments(), {.oblique_windows = true});
   set_up(narrator, given);
@@ -174,6 +184,7 @@ void tell_border_by_border(Narrator& narrator) {
     story.add_result(polygon);
     bridges(polygon, given.outline(), window, [&](const auto& bridge) { watch(bridge, 0); });
   });
+  show_second_border(narrator);
   watch(steps::Finished{}, 0);
 }
 
@@ -239,13 +250,12 @@ void tell_homogeneous(Narrator& narrator) {
   narrator.trace().goal = narrator.words().say("goal_space");
   narrator.legend({Role::input,
                    {Role::past, "past_plane"},
-                   Role::current,
+                   {Role::current, "current_space"},
                    Role::accepted,
                    {Role::rejected, "rejected_space"},
                    Role::result});
   narrator.columns({{"plane", false}, {"corner", false}, {"value"}, {"kept", false}});
   narrator.key_by_type();
-  narrator.last_is_telling();
   ClipSpaceStory story(narrator.words(), corners);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
@@ -273,6 +283,7 @@ const std::vector<Method>& all_methods() {
       {.name = "homogeneous",
        .tell = tell_homogeneous,
        .function = "clip",
+       .file = "sutherland_hodgman_homogeneous.hpp",
        .unread = {"polygon", "hole", "window", "window_polygon", "order", "exact"}},
       {.name = "cut_of_a_cut",
        .tell = tell_cut_of_a_cut,
@@ -295,7 +306,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
        .aliases = {"polygon clipping", "reentrant clipping", "weiler atherton"},
        .summary = "the part of a polygon that lies in a convex window, border by border",
        .methods = all_methods(),
-       .columns = {{"border", false}, {"corner", false}, {"side", false}, {"kept", false}},
+       .columns = {{"edge", false}, {"was", false}, {"is", false}, {"kept", false}},
        .parameters = parameters(),
        .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                     "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",

@@ -31,11 +31,11 @@ inline Extent world_of(const Line& line, const Rectangle& window) {
   if (room == 0) room = 1e-3 * std::max(std::abs(window.lower.x), std::abs(window.lower.y));
   if (room == 0) room = 1;
   const Rectangle near{window.lower - 1.6 * room, window.upper + 1.6 * room};
-  world = {window.lower - 0.32 * room, window.upper + 0.32 * room};
+  world = {window.lower - 0.24 * room, window.upper + 0.24 * room};
   for (const dvec2 end : {line.a, line.b}) {
     if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
   }
-  return widened(world, 0.1);
+  return widened(world, 0.04);
 }
 
 /// Refuses a window that no paper can show.
@@ -44,16 +44,48 @@ inline void require_scale(const Arguments& arguments, const Line& line, const Re
   gradus::require_scale(Panel(paper, world_of(line, window)), arguments, {"window"});
 }
 
+/// Two slanted strokes across a line of this direction: what goes on there is left out.
+inline void add_break(View& view, const std::string& id, Role role, dvec2 at, dvec2 along) {
+  const dvec2 slanted = 0.45 * dvec2{along.x * 0.5 - along.y, along.x + along.y * 0.5};
+  for (const double aside : {-0.2, 0.2}) {
+    const dvec2 middle = at + aside * along;
+    view.add({fmt::format("{} {}", id, aside < 0 ? 1 : 2), role, Stroke{middle - slanted, middle + slanted}});
+  }
+}
+
 /// The plane in a part of the paper.
 class Scene {
  public:
   Scene(const Line& line, const Rectangle& window, Extent place)
-      : panel_(place, world_of(line, window)), window_(window) {
+      : panel_(tight_panel(place, world_of(line, window))), window_(window) {
     const Extent shown = panel_.shown();
     shown_ = {shown.lower, shown.upper};
   }
   const Panel& panel() const { return panel_; }
   const Rectangle& shown() const { return shown_; }
+
+  /// A place for a text of this size within a part of the plane: as far as can be from a segment, and rather
+  /// in the middle. Nothing where the part is too small.
+  std::optional<dvec2> clear_place(const Rectangle& part, const Line& line, dvec2 size) const {
+    const dvec2 lower = panel_.at(part.lower) + 0.5 * size, upper = panel_.at(part.upper) - 0.5 * size;
+    if (!(lower.x <= upper.x && lower.y <= upper.y)) return std::nullopt;
+    const auto drawn = cohen_sutherland_2d::correctly_rounded(line, shown_);
+    std::optional<dvec2> best;
+    double most = 0;
+    constexpr int places = 6;
+    for (int i = 0; i <= places; ++i) {
+      for (int k = 0; k <= places; ++k) {
+        const dvec2 off{static_cast<double>(i) / places, static_cast<double>(k) / places};
+        const dvec2 at = lower + off * (upper - lower);
+        const double clear = drawn ? distance_to(panel_.at(drawn->a), panel_.at(drawn->b), at) : 9;
+        const double worth = std::min(clear, 0.75 * size.x) - 0.4 * std::hypot(off.x - 0.5, off.y - 0.5);
+        if (best && worth <= most) continue;
+        best = at;
+        most = worth;
+      }
+    }
+    return best;
+  }
 
   /// Axes, the window, and its borders on and on.
   void add_window(View& view, const Words& words) const {
@@ -68,6 +100,17 @@ class Scene {
     }
   }
 
+  /// The border that is cut at, and all that lies beyond it.
+  void add_cutting_border(View& view, Border border) const {
+    const double c = coordinate(window_, border);
+    dvec2 from = shown_.lower, to = shown_.upper;
+    from[axis_of(border)] = to[axis_of(border)] = c;
+    Rectangle beyond = shown_;
+    (is_upper(border) ? beyond.lower : beyond.upper)[axis_of(border)] = c;
+    view.add({"beyond", Role::measure, Area{{panel_.at(Extent{beyond.lower, beyond.upper}.corners())}}});
+    view.add({"border cut at", Role::measure, Stroke{panel_.at(from), panel_.at(to)}});
+  }
+
   /// The part of a segment that the panel shows.
   void add_line(View& view, std::string id, Role role, const Line& line, bool dashed = false) const {
     if (line.a == line.b) return;
@@ -77,19 +120,31 @@ class Scene {
     }
   }
 
-  /// A point with a name; one beyond the panel has its name where the line leaves it.
+  /// A point with a name. One beyond the panel is named, with its place, where the line to it leaves, behind
+  /// a break of that line.
   void add_point(View& view, const std::string& id, Role role, dvec2 at, dvec2 along, const std::string& name,
                  bool ring = false) const {
-    if (cohen_sutherland_2d::region_code(at, shown_) != 0) {
-      const auto seen = cohen_sutherland_2d::correctly_rounded(Line{at, along}, shown_);
-      if (seen && !name.empty()) view.add({id + " name", role, Label{panel_.at(seen->a), name}});
+    if (cohen_sutherland_2d::region_code(at, shown_) == 0) {
+      view.add({id, role, Dot{panel_.at(at), ring}});
+      if (!name.empty()) view.add({id + " name", role, Label{panel_.at(at), name}});
       return;
     }
-    view.add({id, role, Dot{panel_.at(at), ring}});
-    if (!name.empty()) view.add({id + " name", role, Label{panel_.at(at), name}});
+    const auto seen = cohen_sutherland_2d::correctly_rounded(Line{at, along}, shown_);
+    if (!seen || name.empty()) return;
+    const dvec2 edge = panel_.at(seen->a), way = panel_.at(seen->b) - edge;
+    const double length = std::hypot(way.x, way.y);
+    if (length > 2) add_break(view, id + " break", role, edge + way * (0.9 / length), way / length);
+    view.add({id + " name", role, Label{edge, fmt::format("{} {}", name, figure_place(at))}});
   }
 
  private:
+  static double distance_to(dvec2 a, dvec2 b, dvec2 p) {
+    const dvec2 way = b - a;
+    const double square = way.x * way.x + way.y * way.y;
+    const double t = square > 0 ? ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square : 0;
+    return length_between(p, a + std::clamp(t, 0.0, 1.0) * way);
+  }
+
   Panel panel_;
   Rectangle window_, shown_;
 };

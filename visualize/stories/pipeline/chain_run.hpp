@@ -10,13 +10,22 @@
 #include <vector>
 
 #include "core/record.hpp"
-#include "pipeline.hpp"
+#include "pipeline_notes.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus::textbook_chain {
 
+/// A pixel that a faulty stage 6 gives to a triangle that does not cover it, or leaves out of one that does.
+struct Misjudged {
+  pipeline::PieceId id;
+  int triangle;
+  ivec2 pixel;
+  bool covered;  ///< though it should not be
+};
+
 /// Everything all eight stages told, of a scene with one object.
 struct Run {
+  pipeline::Fault fault = pipeline::Fault::none;
   pipeline::Scene scene;
   pipeline::Size size;
   std::vector<pipeline::VertexRead> read;    ///< by vertex
@@ -35,6 +44,11 @@ struct Run {
   double noise = 0;  ///< lengths below it are rounding errors beside the model and the eye
   std::map<std::string, int, std::less<>> lines;  ///< by step type: the stage's source line that reported it
 
+  std::vector<back_face_culling::Facing> right_facing;  ///< by piece, for a faulty stage 4
+  std::vector<Misjudged> misjudged;                     ///< by a faulty stage 6
+
+  /// Whether stage 4 has found the wrong side of a piece.
+  bool wrongly_faced(std::size_t piece) const;
   const pipeline::Clipped* clipped_of(pipeline::PieceId id) const;
   const pipeline::Shaded* shaded_at(ivec2 pixel) const;
 };
@@ -43,21 +57,24 @@ struct Run {
 inline constexpr std::int64_t most_triangles = 2000;
 
 /// The scene that the arguments ask for: the model turned, and the camera that is placed for it or given.
-/// Refuses a model too large, or an eye or near plane that sees nothing.
-pipeline::Scene scene_of(const Arguments& arguments);
+/// Where culling after the division is to be shown, the camera is placed so near that parts lie behind the
+/// eye. Refuses a model too large, or an eye or near plane that sees nothing.
+pipeline::Scene scene_of(const Arguments& arguments, pipeline::Fault fault = pipeline::Fault::none);
 
 /// Runs the chain.
-Run run_of(pipeline::Scene scene, pipeline::Size size);
+Run run_of(pipeline::Scene scene, pipeline::Size size, pipeline::Fault fault = pipeline::Fault::none);
 
 /// The piece and the pixel that are followed.
 struct Followed {
   std::size_t piece = 0;  ///< place in Run::pieces
   ivec2 pixel{0};
+  std::optional<int> seen{};  ///< the face that is seen at the pixel
 };
 
-/// The piece of this face that covers most pixels, or of all faces: one that is clipped and seen, else the
-/// one of which most is seen. The pixel: this one, or the piece's pixel at which most pieces meet. Refuses
-/// a face or a pixel that there is not.
+/// The piece of this face that covers most pixels; without a face the piece that has coloured this pixel;
+/// without either, or where nothing covers the pixel, one that a fault concerns, of all faces one that is
+/// clipped and seen, else the one of which most is seen. The pixel: this one, or the piece's pixel at which
+/// most pieces meet. Refuses a face or a pixel that there is not.
 Followed followed_in(const Run& run, const Arguments& arguments);
 
 }  // namespace gradus::textbook_chain

@@ -15,6 +15,15 @@ dvec2 oblique_from_right(dvec3 p) { return {-p.z - 0.42 * p.x, p.y - 0.3 * p.x};
 /// Seen from the side: depth to the right, y up.
 dvec2 from_side(double depth, double y) { return {depth, y}; }
 
+/// Of models with more faces all edges are drawn, hidden or not.
+constexpr std::size_t most_faces = 100;
+
+/// Depth as grey: from dark, near, to light.
+Rgba8 grey_of(double depth) {
+  const auto tone = static_cast<std::uint8_t>(90 + std::lround(140 * std::clamp(depth, 0.0, 1.0)));
+  return {tone, tone, tone, 255};
+}
+
 /// The part of a polygon with w >= least as points (x / w, y / w): for drawing what lies before the eye.
 std::vector<dvec2> before_eye(const std::vector<glm::dvec4>& corners, double least) {
   std::vector<dvec2> points;
@@ -47,30 +56,43 @@ void put(View& view, ivec2 pixel, Role role, std::optional<Rgba8> color = {}) {
 
 }  // namespace
 
-Panel Views::panel(double x0, double x1, dvec2 lower, dvec2 upper) const {
+Views::Views(const Run& run, const Followed& followed, const Words& words)
+    : run_(run),
+      piece_(run.pieces[followed.piece]),
+      pixel_(followed.pixel),
+      words_(words),
+      unit_(run.size.width / 36.0),
+      world_(run.scene.objects[0].mesh) {
+  for (std::size_t i = 0; i < world_.positions.size(); ++i) world_.positions[i] = run.placed[i].to.at;
+}
+
+Panel Views::panel(double left, double right, const Extent& world) const {
   // A margin for names; the caption stands above
-  return {
-      {{x0 + 0.6, 1.4}, {x1 - 0.6, run_.size.height - 1.6}}, {lower, upper}, Panel::Fit::same_scale, false};
+  const dvec2 size(run_.size.width, run_.size.height);
+  return {{{left * size.x + 0.2 * unit_, 1.8 * unit_}, {right * size.x - 1.2 * unit_, size.y - 1.4 * unit_}},
+          widened(world, 0.02),
+          Panel::Fit::same_scale,
+          false};
 }
-Panel Views::whole(dvec2 lower, dvec2 upper) const {
-  return panel(-0.5, run_.size.width - 0.5, lower, upper);
+
+MeshLook Views::from_the_front() const {
+  return {.sight = parallel_sight({0.42, 0.3, 1}), .both_sides = run_.scene.objects[0].two_sided};
 }
-Panel Views::left(dvec2 lower, dvec2 upper) const {
-  return panel(-0.5, run_.size.width / 2.0 - 0.7, lower, upper);
-}
-Panel Views::right(dvec2 lower, dvec2 upper) const {
-  return panel(run_.size.width / 2.0 - 0.3, run_.size.width - 0.5, lower, upper);
+MeshLook Views::from_the_right() const {
+  return {.sight = parallel_sight({1, 0.3, -0.42}),
+          .right = {0, 0, -1},
+          .towards = {1, 0, 0},
+          .both_sides = run_.scene.objects[0].two_sided};
 }
 
 template <class At>
-Panel Views::fitted(At at, int side, const std::vector<dvec2>& more) const {
+Extent Views::extent(At at, const std::vector<dvec2>& more) const {
   Extent all;
   for (const Piece& piece : run_.pieces) {
     for (const PieceCorner& corner : piece.corners) all.add(at(static_cast<std::size_t>(corner.vertex)));
   }
   for (const dvec2 p : more) all.add(p);
-  const auto& [lower, upper] = all;
-  return side < 0 ? left(lower, upper) : side > 0 ? right(lower, upper) : whole(lower, upper);
+  return all;
 }
 
 void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
@@ -80,14 +102,52 @@ void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
 }
 
 void Views::caption(View& view, const Panel& panel, const std::string& key) const {
-  view.add({"caption " + key, Role::boundary,
-            Label{{(panel.place().lower.x + panel.place().upper.x) / 2, 0.4}, words_.say("space." + key)}});
+  const Extent& place = panel.place();
+  view.add(
+      {"caption " + key, Role::guide, Text{{place.centre().x, 0.4 * unit_}, words_.say("space." + key)}});
 }
 
-/// Faces as outlines; the followed piece over them with its corners named.
+/// The model as a solid: the faces that look to the reader, the far ones first, and the edges that he sees.
+/// flat(p): a place on the panel's plane.
 template <class At>
-void Views::model(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
-                  bool labelled) const {
+void Views::solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh,
+                  const MeshLook& look, At flat) const {
+  add_mesh_faces(view, "a " + name, Role::past, mesh, look, panel.place(),
+                 [&](dvec3 p) { return std::optional(panel.at(flat(p))); });
+  const Wireframe wires(mesh);
+  int number = 0;
+  for (const auto& [a, b] : wires.edges()) {
+    // Of a large model every edge is drawn: to find what is hidden takes long
+    const auto parts = mesh.faces.size() <= most_faces ? wires.pieces(a, b, look.sight)
+                                                       : std::vector<SightPiece>{{0, 1, false}};
+    for (const auto& [from, to, hidden] : parts) {
+      if (hidden) continue;
+      view.add({padded("b " + name + " edge", number++), Role::past,
+                Stroke{panel.at(flat(a + from * (b - a))), panel.at(flat(a + to * (b - a)))}});
+    }
+  }
+}
+
+/// The followed piece, with its corners named.
+void Views::followed(View& view, const Panel& panel, const std::string& name,
+                     const std::vector<dvec2>& corners, const Pointer& pointer, bool labelled) const {
+  view.add({"b " + name + " inside", Role::current, Area{{near_paper(panel.at(corners))}}});
+  polygon(view, panel, "c " + name + " followed", Role::current, corners);
+  if (!labelled) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec2 p = panel.at(corners[i]);
+    const bool pointed = pointer.corner == i;
+    const int vertex = piece_.corners[i].vertex;
+    view.add_named(fmt::format("d {} corner {}", name, i), fmt::format("e {} name {}", name, i),
+                   Role::current, p, fmt::format("v{}", vertex) + (pointed ? " " + pointer.text : ""),
+                   !pointed);
+  }
+}
+
+/// Faces as outlines, where no solid can be seen; the followed piece over them.
+template <class At>
+void Views::outlines(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
+                     bool labelled) const {
   for (const FaceRead& face : run_.faces) {
     std::vector<dvec2> points;
     for (const int vertex : face.vertices) points.push_back(at(static_cast<std::size_t>(vertex)));
@@ -95,39 +155,33 @@ void Views::model(View& view, const Panel& panel, const std::string& name, At at
   }
   std::vector<dvec2> own;
   for (const PieceCorner& corner : piece_.corners) own.push_back(at(static_cast<std::size_t>(corner.vertex)));
-  polygon(view, panel, "b " + name + " followed", Role::current, own);
-  if (!labelled) return;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const dvec2 p = panel.at(own[i]);
-    const bool pointed = pointer.corner == i;
-    const int vertex = piece_.corners[i].vertex;
-    view.add_named(fmt::format("c {} corner {}", name, i), fmt::format("d {} name {}", name, i),
-                   pointed ? Role::accepted : Role::current, p,
-                   fmt::format("v{}", vertex) + (pointed ? " " + pointer.text : ""), !pointed);
-  }
+  followed(view, panel, name, own, pointer, labelled);
 }
 
 /// The directions of a space's axes, in the lower left corner.
 void Views::axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const {
-  const double length = 0.16 * (panel.place().upper.y - panel.place().lower.y) / panel.scale().y;
-  const dvec2 corner = {panel.place().lower.x + 1.2, panel.place().upper.y - 0.6};
+  const double length = 3.2 * unit_ / panel.scale().y;
+  const dvec2 corner = {panel.place().lower.x + 2.2 * unit_, panel.place().upper.y - 0.4 * unit_};
   const dvec2 origin = panel.at({0, 0});
   for (const auto& [axis, label] :
        {std::pair{dvec3{1, 0, 0}, "x"}, {dvec3{0, 1, 0}, "y"}, {dvec3{0, 0, 1}, "z"}}) {
     const dvec2 tip = corner + (panel.at(to_paper(axis * length)) - origin);
-    view.add({fmt::format("e {} axis {}", name, label), Role::boundary, Stroke{corner, tip, true}});
-    view.add(
-        {fmt::format("e {} axis name {}", name, label), Role::boundary, Label{tip, words_.symbol(label)}});
+    view.add({fmt::format("e {} axis {}", name, label), Role::guide, Stroke{corner, tip, true}});
+    view.add({fmt::format("e {} axis name {}", name, label), Role::guide, Label{tip, words_.symbol(label)}});
   }
 }
 
 View Views::object(const Pointer& at) const {
   View view;
   const auto place = [&](std::size_t i) { return oblique(run_.read[i].point.at); };
-  const Panel panel = fitted(place, 0);
+  const Panel panel = this->panel(0.1, 1, extent(place));
   caption(view, panel, "object");
-  axes(view, panel, "object", oblique);
-  model(view, panel, "object", place, at);
+  axes(view, this->panel(0, 1, extent(place)), "object", oblique);
+  solid(view, panel, "object", run_.scene.objects[0].mesh, from_the_front(), oblique);
+  std::vector<dvec2> own;
+  for (const PieceCorner& corner : piece_.corners)
+    own.push_back(place(static_cast<std::size_t>(corner.vertex)));
+  followed(view, panel, "object", own, at, true);
   return view;
 }
 
@@ -135,10 +189,17 @@ View Views::world(const Pointer& at) const {
   View view;
   const auto before = [&](std::size_t i) { return oblique(run_.read[i].point.at); };
   const auto after = [&](std::size_t i) { return oblique_from_right(run_.placed[i].to.at); };
-  const Panel here = fitted(before, -1);
+  const auto own = [&](const auto& place) {
+    std::vector<dvec2> corners;
+    for (const PieceCorner& corner : piece_.corners)
+      corners.push_back(place(static_cast<std::size_t>(corner.vertex)));
+    return corners;
+  };
+  const Panel here = panel(0.09, 0.38, extent(before));
   caption(view, here, "object");
-  axes(view, here, "object", oblique);
-  model(view, here, "object", before, {}, false);
+  axes(view, panel(0, 0.38, extent(before)), "object", oblique);
+  solid(view, here, "object", run_.scene.objects[0].mesh, from_the_front(), oblique);
+  followed(view, here, "object", own(before), {}, false);
   const Camera& camera = run_.scene.camera;
   const dvec3 eye = camera.frame.eye;
   const double depth = std::max(1e-3, glm::dot(bounds_of(run_.scene).centre() - eye, camera.frame.forward));
@@ -150,16 +211,17 @@ View Views::world(const Pointer& at) const {
   }
   std::vector<dvec2> more = window;
   more.push_back(oblique_from_right(eye));
-  const Panel there = fitted(after, 1, more);
+  const Panel there = panel(0.4, 1, extent(after, more));
   caption(view, there, "world");
   axes(view, there, "world", oblique_from_right);
+  solid(view, there, "world", world_, from_the_right(), oblique_from_right);
   polygon(view, there, "a world window", Role::boundary, window);
   const dvec2 from = there.at(oblique_from_right(eye));
   for (std::size_t i = 0; i < window.size(); ++i) {
     view.add({fmt::format("a world ray {}", i), Role::candidate, Stroke{from, there.at(window[i])}});
   }
   view.add_named("c world eye", "d world eye name", Role::boundary, from, words_.say("eye"));
-  model(view, there, "world", after, at, at.corner.has_value());
+  followed(view, there, "world", own(after), at, at.corner.has_value());
   return view;
 }
 
@@ -175,6 +237,16 @@ void Views::wedge(View& view, const Panel& panel, const std::string& name, doubl
   view.add({"d " + name + " near name", Role::boundary, Label{low, words_.say("near")}});
 }
 
+/// The axes of a space seen from the side, from the eye on.
+void Views::wedge_axes(View& view, const Panel& panel, const std::string& name, double depth,
+                       const std::string& along) const {
+  const dvec2 eye = panel.at({0, 0}), ahead = panel.at({depth, 0}), above{eye.x, panel.place().lower.y};
+  view.add({"e " + name + " axis along", Role::guide, Stroke{eye, ahead, true}});
+  view.add({"e " + name + " axis along name", Role::guide, Label{ahead, along}});
+  view.add({"e " + name + " axis y", Role::guide, Stroke{eye, above, true}});
+  view.add({"e " + name + " axis y name", Role::guide, Label{above, words_.symbol("y")}});
+}
+
 View Views::clip_space(const Pointer& at) const {
   View view;
   const auto before = [&](std::size_t i) { return from_side(run_.clip[i].view.z, run_.clip[i].view.y); };
@@ -182,21 +254,23 @@ View Views::clip_space(const Pointer& at) const {
   double depth = run_.scene.camera.lens.near * 2;
   for (const Projected& p : run_.clip) depth = std::max(depth, 1.08 * p.view.z);
   const double slope = gradus::tan(run_.scene.camera.lens.vertical_radians / 2);
-  const Panel here = fitted(before, -1, {{0, 0}, {depth, slope * depth}, {depth, -slope * depth}});
+  const Panel here = panel(0, 0.6, extent(before, {{0, 0}, {depth, slope * depth}, {depth, -slope * depth}}));
   caption(view, here, "view");
   wedge(view, here, "view", slope, depth);
-  model(view, here, "view", before, {}, false);
-  const Panel there = fitted(after, 1, {{0, 0}, {depth, depth}, {depth, -depth}});
+  wedge_axes(view, here, "view", depth, words_.say("depth"));
+  outlines(view, here, "view", before, {}, false);
+  const Panel there = panel(0.63, 1, extent(after, {{0, 0}, {depth, depth}, {depth, -depth}}));
   caption(view, there, "clip");
   wedge(view, there, "clip", 1, depth);
-  model(view, there, "clip", after, at, at.corner.has_value());
+  wedge_axes(view, there, "clip", depth, words_.symbol("w"));
+  outlines(view, there, "clip", after, at, at.corner.has_value());
   return view;
 }
 
 View Views::facing() const {
   View view;
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
-  const Panel panel = whole({-aspect, -1}, {aspect, 1});
+  const Panel panel = this->panel(0, 1, {{-aspect, -1}, {aspect, 1}});
   caption(view, panel, "facing");
   polygon(view, panel, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());
   for (std::size_t i = 0; i < run_.pieces.size(); ++i) {
@@ -211,7 +285,12 @@ View Views::facing() const {
     // Those that stay lie over those that go, and the followed one over all
     const char* layer = follows(piece.id) ? "d piece" : removed ? "b piece" : "c piece";
     polygon(view, panel, padded(layer, static_cast<int>(i)), role, points);
+    if (run_.wrongly_faced(i)) {
+      view.add({padded("a wrong", static_cast<int>(i)), removed ? Role::rejected : Role::past,
+                Area{{near_paper(panel.at(points))}}});
+    }
     if (!follows(piece.id)) continue;
+    view.add({"a inside", role, Area{{near_paper(panel.at(points))}}});
     for (std::size_t k = 0; k < 3; ++k) {
       if (corners[k].w < run_.scene.camera.lens.near) continue;
       const dvec2 p = panel.at({aspect * corners[k].x / corners[k].w, corners[k].y / corners[k].w});
@@ -227,11 +306,12 @@ View Views::clipping(const Pointer& at) const {
   const auto place = [&](std::size_t i) { return from_side(run_.clip[i].clip.at.w, run_.clip[i].clip.at.y); };
   double depth = run_.scene.camera.lens.near * 2;
   for (const Projected& p : run_.clip) depth = std::max(depth, 1.08 * p.clip.at.w);
-  const Panel here = fitted(place, -1, {{0, 0}, {depth, depth}, {depth, -depth}});
+  const Panel here = panel(0, 0.38, extent(place, {{0, 0}, {depth, depth}, {depth, -depth}}));
   caption(view, here, "clip");
   wedge(view, here, "clip", 1, depth);
+  wedge_axes(view, here, "clip", depth, words_.symbol("w"));
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
-  const Panel there = right({-aspect, -1}, {aspect, 1});
+  const Panel there = panel(0.42, 1, {{-aspect, -1}, {aspect, 1}});
   caption(view, there, "ndc");
   polygon(view, there, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());
   const auto side = [](const std::vector<ClipPoint>& points) {
@@ -251,6 +331,8 @@ View Views::clipping(const Pointer& at) const {
     polygon(view, there, padded(own ? "d divided" : "c divided", number), own ? Role::current : Role::past,
             divided);
     if (!own) continue;
+    view.add({"a inside", Role::current, Area{{near_paper(here.at(side(piece.after)))}}});
+    view.add({"a divided inside", Role::current, Area{{near_paper(there.at(divided))}}});
     for (std::size_t k = 0; k < piece.after.size(); ++k) {
       const bool made =
           std::ranges::none_of(piece.before, [&](const ClipPoint& p) { return p.at == piece.after[k].at; });
@@ -278,33 +360,65 @@ View Views::raster(int last_row, const Pointer& at) const {
     if (follows(f.id) && f.pixel.y <= last_row)
       put(view, f.pixel, f.pixel.y == last_row ? Role::current : Role::accepted);
   }
+  for (const Misjudged& wrong : run_.misjudged) {
+    if (wrong.pixel.y <= last_row) put(view, wrong.pixel, Role::rejected);
+  }
   std::size_t corner = 0;
   for (const Snapped& triangle : run_.snapped) {
     if (!follows(triangle.id)) continue;
     Path path{{}, true};
     for (const SnappedPoint& p : triangle.corners) {
-      path.points.push_back({p.at.x / 256.0 - 0.5, p.at.y / 256.0 - 0.5});
+      path.points.push_back(corner_in_picture(p));
       if (at.corner != corner++) continue;
-      view.add_named("c corner", "d corner name", Role::boundary, path.points.back(), at.text);
+      view.add_named("c corner", "d corner name", Role::current, path.points.back(), at.text);
     }
-    view.add({padded("b triangle", triangle.triangle), Role::boundary, std::move(path)});
+    view.add({padded("b triangle", triangle.triangle), Role::current, std::move(path)});
   }
   mark_pixel(view);
   return view;
 }
 
-View Views::visible(bool lit) const {
+dvec2 Views::corner_in_picture(const SnappedPoint& p) const { return dvec2(p.at) / 256.0 - 0.5; }
+
+View Views::edge_functions(const Snapped& triangle) const {
+  View view = raster(pixel_.y);
+  const dvec2 centre(pixel_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    // Edge i lies opposite corner i; its function is the distance from it, times its length
+    const dvec2 a = corner_in_picture(triangle.corners[(i + 1) % 3]),
+                b = corner_in_picture(triangle.corners[(i + 2) % 3]);
+    const double along = std::clamp(glm::dot(centre - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+    const dvec2 foot = a + along * (b - a);
+    const std::string id = fmt::format("e edge {}", i);
+    view.add({id, Role::measure, Stroke{foot, centre}});
+    view.add({id + " name", Role::measure, Label{(foot + centre) * 0.5, edge_name(i)}});
+  }
+  return view;
+}
+
+View Views::depths(const std::string& at) const {
   View view{.plane = false};
-  for (const Fragment& f : run_.covered) put(view, f.pixel, Role::past);
+  double least = 1, most = 0;
+  for (const Shaded& s : run_.shaded) {
+    least = std::min(least, s.fragment.depth);
+    most = std::max(most, s.fragment.depth);
+  }
+  for (const Shaded& s : run_.shaded)
+    put(view, s.fragment.pixel, Role::past,
+        grey_of((s.fragment.depth - least) / std::max(most - least, 1e-9)));
   for (const Fragment& f : run_.covered) {
     if (!follows(f.id)) continue;
     const Shaded* seen = run_.shaded_at(f.pixel);
     put(view, f.pixel, seen && follows(seen->fragment.id) ? Role::accepted : Role::rejected);
   }
-  if (lit) {
-    for (const Shaded& s : run_.shaded)
-      put(view, s.fragment.pixel, Role::result, srgb8_from_linear(s.colour));
-  }
+  mark_pixel(view);
+  if (!at.empty()) view.add({"h pixel name", Role::input, Label{dvec2(pixel_), at}});
+  return view;
+}
+
+View Views::lit() const {
+  View view{.plane = false};
+  for (const Shaded& s : run_.shaded) put(view, s.fragment.pixel, Role::result, srgb8_from_linear(s.colour));
   mark_pixel(view);
   return view;
 }

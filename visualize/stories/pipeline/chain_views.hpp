@@ -2,6 +2,7 @@
 // The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
 
 #include "figure/drawing.hpp"
+#include "stories/mesh_faces.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/telling.hpp"
 
@@ -17,8 +18,7 @@ struct Pointer {
 /// The drawings of a run.
 class Views {
  public:
-  Views(const Run& run, const Followed& followed, const Words& words)
-      : run_(run), piece_(run.pieces[followed.piece]), pixel_(followed.pixel), words_(words) {}
+  Views(const Run& run, const Followed& followed, const Words& words);
 
   View object(const Pointer& at = {}) const;
   View world(const Pointer& at = {}) const;
@@ -27,22 +27,35 @@ class Views {
   View clipping(const Pointer& at = {}) const;
   /// Cells of the followed piece down to this row; -1: before the first.
   View raster(int last_row, const Pointer& at = {}) const;
-  /// Which fragments of the followed piece are nearest; the followed pixel with the light that it has.
-  View visible(bool lit) const;
+  /// The edge functions at the followed pixel, which the followed piece covers.
+  View edge_functions(const pipeline::Snapped& triangle) const;
+  /// Which fragments of the followed piece are nearest, among the depths of all; `at`: of the followed pixel.
+  View depths(const std::string& at = {}) const;
+  /// The light of what is seen.
+  View lit() const;
   /// The picture; only the followed pixel of it where `whole` is false.
   View output(bool whole) const;
 
  private:
-  Panel whole(dvec2 lower, dvec2 upper) const;
-  Panel left(dvec2 lower, dvec2 upper) const;
-  Panel right(dvec2 lower, dvec2 upper) const;
-  Panel panel(double x0, double x1, dvec2 lower, dvec2 upper) const;
+  /// The paper from `left` to `right`, as parts of its width.
+  Panel panel(double left, double right, const Extent& world) const;
 
   template <class At>
-  void model(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
-             bool labelled = true) const;
+  void outlines(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
+                bool labelled = true) const;
   template <class At>
-  Panel fitted(At at, int side, const std::vector<dvec2>& more = {}) const;
+  Extent extent(At at, const std::vector<dvec2>& more = {}) const;
+  template <class At>
+  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh, const MeshLook& look,
+             At flat) const;
+  /// Seen along z, as the model was made, or from its right side, where what looks at its front looks right.
+  MeshLook from_the_front() const;
+  MeshLook from_the_right() const;
+  void followed(View& view, const Panel& panel, const std::string& name, const std::vector<dvec2>& corners,
+                const Pointer& pointer, bool labelled) const;
+  void wedge_axes(View& view, const Panel& panel, const std::string& name, double depth,
+                  const std::string& along) const;
+  dvec2 corner_in_picture(const pipeline::SnappedPoint& p) const;
   void polygon(View& view, const Panel& panel, std::string id, Role role,
                const std::vector<dvec2>& points) const;
   void caption(View& view, const Panel& panel, const std::string& key) const;
@@ -56,7 +69,12 @@ class Views {
   const pipeline::Piece& piece_;
   ivec2 pixel_;
   const Words& words_;
+  const double unit_;  ///< a thirty-sixth of the paper's width
+  Mesh world_;         ///< the model where it stands
 };
+
+/// "E0", "E1", "E2": the edge functions, each of the edge opposite a corner.
+inline std::string edge_name(std::size_t edge) { return fmt::format("E{}", edge); }
 
 /// Below it a number of a picture, of a depth or of light is a rounding error.
 inline constexpr double small = 1e-6;

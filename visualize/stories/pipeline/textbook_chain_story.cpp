@@ -2,7 +2,6 @@
 // pixel followed through all eight.
 
 #include "core/arithmetic/exact_scalar.hpp"
-#include "pipeline.hpp"
 #include "stories/parameters.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/pipeline/chain_views.hpp"
@@ -23,10 +22,13 @@ constexpr std::array<Stage, 8> stages{
      {"world", "to_world(", "2_world", "to_world"},
      {"perspective", "to_clip(", "3_perspective", "to_clip"},
      {"back_faces", "remove_back_faces(", "4_back_faces", "remove_back_faces"},
-     {"clipping", "clip_and_divide(", "5_clipping", "clip_and_divide"},
+     {"clipping", " clip(", "5_clipping", "clip"},
      {"rasterization", "rasterize(", "6_rasterization", "rasterize"},
      {"visibility", "shade(", "7_visibility_and_shading", "keep_nearest", "shade"},
      {"output", "return output(", "8_output", "output"}}};
+
+/// The stages that exhibits exchange.
+constexpr std::size_t facing_stage = 4, raster_stage = 6;
 
 /// The choice of `stage` that stands for the whole chain.
 constexpr std::string_view whole_chain = "all";
@@ -44,8 +46,16 @@ std::vector<std::string> stage_names() {
   return names;
 }
 
-/// Lists a stage's own functions, or the chain's eight calls.
-void list(Narrator& narrator, std::size_t number) {
+/// An exhibit: the stage that is exchanged, and where its tour ends when all stages are asked for.
+struct Exchanged {
+  Fault fault = Fault::none;
+  std::size_t stage = 0;  ///< 0: none
+  std::size_t end = stages.size();
+};
+
+/// Lists a stage's own functions, or the chain's eight calls. What an exhibit exchanges it lists itself.
+void list(Narrator& narrator, std::size_t number, const Exchanged& exchanged) {
+  if (number != 0 && number == exchanged.stage) return;
   if (number == 0) {
     // Above the first stage stand the picture's size and its checks
     std::vector<SourceLine>& lines = narrator.trace().listing;
@@ -68,24 +78,29 @@ int line_of(const std::vector<SourceLine>& listing, std::string_view call) {
 
 class Tour {
  public:
-  /// listed: the stage whose own source is listed; 0: the chain is.
-  Tour(Narrator& narrator, const Run& run, const Followed& followed, std::size_t listed)
+  /// listed: the stage whose own source is listed; 0: the chain is. last: the stage that ends the tour.
+  /// exchanged: the one that lists an exhibit; 0: none.
+  Tour(Narrator& narrator, const Run& run, const Followed& followed, std::size_t listed, std::size_t last,
+       std::size_t exchanged)
       : narrator_(narrator),
         listed_(listed),
+        last_(last),
+        exchanged_(exchanged),
         words_(narrator.words()),
         run_(run),
+        followed_(followed.piece),
         piece_(run.pieces[followed.piece]),
         faced_(run.faced[followed.piece]),
         pixel_(followed.pixel),
+        seen_(followed.seen),
         views_(run, followed, words_) {}
 
-  /// Tells the stages up to the one that is listed, or all.
+  /// Tells the stages up to the last one.
   void tell() {
     constexpr std::array tellers{&Tour::input,    &Tour::world,         &Tour::perspective, &Tour::facing,
                                  &Tour::clipping, &Tour::rasterization, &Tour::visibility,  &Tour::output};
-    const std::size_t last = listed_ == 0 ? stages.size() : listed_;
     goal();
-    for (stage_ = 1; stage_ <= last; ++stage_) (this->*tellers[stage_ - 1])();
+    for (stage_ = 1; stage_ <= last_; ++stage_) (this->*tellers[stage_ - 1])();
   }
 
  private:
@@ -107,6 +122,7 @@ class Tour {
 
   /// The line with which the listed stage ends: its return, or what it reported last.
   int end_line() const {
+    if (stage_ == listed_ && stage_ == exchanged_) return narrator_.line();
     const SourceLine& last = listing().back();
     return stage_ != listed_ ? 0 : last.text.starts_with("return ") ? last.number : narrator_.line();
   }
@@ -162,7 +178,7 @@ class Tour {
   void goal() {
     stage_ = 0;
     milestone(views_.object(), "Started",
-              {.text = "started",
+              {.text = seen_ ? "started" : "started.bare",
                .facts = {{"face", face()}, {"piece", piece_.id.piece}, {"pixel", pixel_}},
                .words = {{"width", run_.size.width}, {"height", run_.size.height}}});
   }
@@ -255,7 +271,39 @@ class Tour {
     return faced_.removed ? std::pair{"faced.back", "back"} : std::pair{"faced.two_sided", "two sided"};
   }
 
+  std::string_view faulty_verdict() const {
+    using back_face_culling::Facing;
+    const bool wrong = run_.wrongly_faced(followed_);
+    if (faced_.facing == Facing::front) return wrong ? "divided.front.wrong" : "divided.front";
+    if (faced_.facing == Facing::back) return wrong ? "divided.back.wrong" : "divided.back";
+    return "divided.edge_on";
+  }
+
+  /// Stage 4 after the division, which mirrors the corners behind the eye.
+  void facing_after_division() {
+    std::array<glm::dvec4, 3> c;
+    for (std::size_t i = 0; i < 3; ++i) c[i] = run_.clip[vertex(i)].clip.at;
+    const double area = back_face_culling::area_after_division(c[0], c[1], c[2]);
+    const auto behind = std::ranges::count_if(c, [](const glm::dvec4& at) { return at.w < 0; });
+    const bool front = faced_.facing == back_face_culling::Facing::front;
+    fine(views_.facing(), "Faced",
+         {.text = faulty_verdict(),
+          .facts = {{"area", area}, {"determinant", exact_determinant()}, {"removed", faced_.removed}},
+          .words = {face_word(), {"names", corner_names()}, {"behind", behind}},
+          .row = row("area", {area}),
+          .key = figure_number(face()),
+          .decides = yes_or_no(words_, "question.front", {face_word()}, front, "front", "back")});
+    const auto removed = std::ranges::count_if(run_.faced, &Faced::removed);
+    std::int64_t wrong = 0;
+    for (std::size_t i = 0; i < run_.faced.size(); ++i) wrong += run_.wrongly_faced(i);
+    milestone(
+        views_.facing(), "BackFaceRemoval",
+        {.text = wrong > 0 ? "facing_divided" : "facing_divided.right",
+         .facts = {{"removed", removed}, {"kept", std::ssize(run_.faced) - removed}, {"wrong", wrong}}});
+  }
+
   void facing() {
+    if (run_.fault == Fault::cull_after_division) return facing_after_division();
     const double determinant = exact_determinant();
     const auto [text, branch] = verdict();
     fine(views_.facing(), "Faced",
@@ -329,12 +377,26 @@ class Tour {
       ++covered;
       rows[f.pixel.y].add(f);
     }
-    for (const auto& [y, row] : rows) covered_row(y, row);
-    milestone(views_.raster(run_.size.height), "Rasterization",
-              {.text = "rasterization",
-               .facts = {{"covered", covered}, {"fragments", std::ssize(run_.covered)}},
-               .words = {face_word(), {"all", run_.covered.size()}, {"triangles", run_.snapped.size()}},
-               .count = covered});
+    for (const auto& [y, row] : rows) {
+      covered_row(y, row);
+      if (y == pixel_.y && run_.fault != Fault::expanded_edges) edge_functions();
+    }
+    if (run_.fault == Fault::expanded_edges) expanded_edge_functions();
+    if (std::ranges::none_of(run_.covered, [&](const Fragment& f) { return f.pixel == pixel_; })) {
+      fine(views_.raster(run_.size.height), "Uncovered",
+           {.text = "uncovered", .words = {pixel_word()}, .key = pixel_key(pixel_)}, "Covered");
+    }
+    Event event{.text = "rasterization",
+                .facts = {{"covered", covered}, {"fragments", std::ssize(run_.covered)}},
+                .words = {face_word(), {"all", run_.covered.size()}, {"triangles", run_.snapped.size()}},
+                .count = covered};
+    const bool closed = run_.fault == Fault::closed_half_planes;
+    if (closed || run_.fault == Fault::expanded_edges) {
+      event.text = closed ? "rasterization_closed" : "rasterization_expanded";
+      event.facts.push_back({"misjudged", std::ssize(run_.misjudged)});
+      event.count.reset();
+    }
+    milestone(views_.raster(run_.size.height), "Rasterization", std::move(event));
   }
 
   void snapped_corner(const Snapped& triangle, std::size_t k, std::size_t corner) {
@@ -367,14 +429,79 @@ class Tour {
     }
   };
 
+  /// How many pixels of a row the followed piece should cover.
+  std::int64_t right_count(int y, std::int64_t covered) const {
+    for (const Misjudged& wrong : run_.misjudged) {
+      if (wrong.id == piece_.id && wrong.pixel.y == y) covered += wrong.covered ? -1 : 1;
+    }
+    return covered;
+  }
+
   void covered_row(int y, const CoveredRow& covered) {
     const ivec2 first{covered.first, y};
-    fine(views_.raster(y), "Covered",
-         {.text = "covered",
-          .facts = {{"row", y}, {"first", covered.first}, {"last", covered.last}},
-          .count = covered.count,
-          .row = row(first, dvec3(dvec2(first) + 0.5, covered.depth)),
-          .key = pixel_key(first)});
+    Event event{.text = "covered",
+                .facts = {{"row", y}, {"first", covered.first}, {"last", covered.last}},
+                .count = covered.count,
+                .row = row(first, dvec3(dvec2(first) + 0.5, covered.depth)),
+                .key = pixel_key(first)};
+    const bool wrong = std::ranges::any_of(
+        run_.misjudged, [&](const Misjudged& m) { return m.id == piece_.id && m.pixel.y == y; });
+    if (wrong) {
+      event.text = "covered_wrong";
+      event.words = {{"found", covered.count}, {"right", right_count(y, covered.count)}};
+      event.count.reset();
+    }
+    fine(views_.raster(y), "Covered", std::move(event));
+  }
+
+  /// The followed pixel, where the followed piece covers it.
+  void edge_functions() {
+    const auto found = std::ranges::find_if(
+        run_.covered, [&](const Fragment& f) { return f.id == piece_.id && f.pixel == pixel_; });
+    if (found == run_.covered.end()) return;
+    const Snapped& triangle = run_.snapped[static_cast<std::size_t>(found->triangle)];
+    const auto edges = triangle_coverage::edges_of(on_grid(triangle.corners));
+    dvec3 e{0};
+    for (int i = 0; i < 3; ++i) {
+      const auto at = edges[static_cast<std::size_t>(i)].at(triangle_coverage::centre_of(pixel_));
+      e[i] = static_cast<double>(at) / 65536;
+    }
+    fine(views_.edge_functions(triangle), "EdgesTested",
+         {.text = "covered.edges",
+          .facts = {{"e0", e[0]}, {"e1", e[1]}, {"e2", e[2]}, {"depth", found->depth}},
+          .words = {pixel_word(),
+                    {"a", real_text(e[0])},
+                    {"b", real_text(e[1])},
+                    {"c", real_text(e[2])},
+                    {"depth", real_text(found->depth)}},
+          .row = row(words_.say("edges"), e),
+          .key = pixel_key(pixel_),
+          .decides = yes_or_no(words_, "question.inside", {pixel_word()}, true, "inside")},
+         "Covered");
+  }
+
+  /// The multiplied-out edge functions at the followed pixel, where they are wrong about it.
+  void expanded_edge_functions() {
+    const auto wrong = std::ranges::find_if(
+        run_.misjudged, [&](const Misjudged& m) { return m.id == piece_.id && m.pixel == pixel_; });
+    if (wrong == run_.misjudged.end()) return;
+    const Snapped& triangle = run_.snapped[static_cast<std::size_t>(wrong->triangle)];
+    const auto edges = triangle_coverage::edges_of(on_grid(triangle.corners));
+    const ivec2 centre = triangle_coverage::centre_of(pixel_);
+    const dvec3 found = triangle_coverage::FarEdges(edges, dvec2(far_origin)).areas_at(pixel_);
+    dvec3 exact{0};
+    for (int i = 0; i < 3; ++i) {
+      exact[i] = static_cast<double>(edges[static_cast<std::size_t>(i)].at(centre)) / 65536;
+    }
+    fine(views_.edge_functions(triangle), "EdgesTested",
+         {.text = "expanded.edges",
+          .facts = {{"e0", found[0]}, {"e1", found[1]}, {"e2", found[2]}},
+          .words = {pixel_word(), {"found", place_text(found)}, {"exact", place_text(exact)}},
+          .row = row(words_.say("edges"), found),
+          .key = pixel_key(pixel_),
+          .decides =
+              yes_or_no(words_, "question.inside", {pixel_word()}, wrong->covered, "inside", "outside")},
+         "Covered");
   }
 
   void visibility() {
@@ -383,7 +510,7 @@ class Tour {
     }
     if (const Shaded* shaded = run_.shaded_at(pixel_)) {
       const dvec3 sum(shaded->colour);
-      fine(views_.visible(true), "Shaded",
+      fine(views_.lit(), "Shaded",
            {.text = "shaded",
             .facts = {{"red", sum.x}, {"green", sum.y}, {"blue", sum.z}},
             .words = {pixel_word(),
@@ -397,7 +524,7 @@ class Tour {
     const auto covered = std::ranges::count(run_.covered, piece_.id, &Fragment::id);
     const auto won =
         std::ranges::count_if(run_.shaded, [&](const Shaded& s) { return s.fragment.id == piece_.id; });
-    milestone(views_.visible(false), "HiddenSurfaceRemovalAndShading",
+    milestone(views_.depths(), "HiddenSurfaceRemovalAndShading",
               {.text = "visibility",
                .facts = {{"nearest", won}, {"covered", covered}, {"visible", std::ssize(run_.shaded)}},
                .words = {face_word(), {"shown", run_.shaded.size()}, {"fragments", run_.tests.size()}},
@@ -418,7 +545,10 @@ class Tour {
       event.words.push_back({"other", test.before->id.face});
       event.words.push_back({"kept", real_text(test.before->depth)});
     }
-    fine(views_.visible(false), "DepthTested", std::move(event), {}, "keep_nearest(");
+    const std::string depth = fmt::format("{} = {}", words_.symbol("z"), real_text(f.depth));
+    const std::string against =
+        test.before ? fmt::format(" {} {}", test.nearer ? "<" : "≥", real_text(test.before->depth)) : "";
+    fine(views_.depths(depth + against), "DepthTested", std::move(event), {}, "keep_nearest(");
   }
 
   void output() {
@@ -441,25 +571,29 @@ class Tour {
   }
 
   Narrator& narrator_;
-  const std::size_t listed_;
+  const std::size_t listed_, last_, exchanged_;
   const Words& words_;
   const Run& run_;
+  const std::size_t followed_;
   const Piece& piece_;
   const Faced& faced_;
   const ivec2 pixel_;
+  const std::optional<int> seen_;  ///< the face that is seen at the pixel
   const Views views_;
   std::size_t stage_ = 0;
 };
 
-void tell_z_buffer(Narrator& narrator) {
+void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   const Arguments& arguments = narrator.arguments();
   const Size size{static_cast<int>(arguments.integer("columns")),
                   static_cast<int>(arguments.integer("rows"))};
-  const Run run = run_of(scene_of(arguments), size);
+  const Run run = run_of(scene_of(arguments, exchanged.fault), size, exchanged.fault);
   const Followed followed = followed_in(run, arguments);
-  const std::size_t listed = number_of(arguments.text("stage"));
+  const std::size_t asked = number_of(arguments.text("stage"));
+  const std::size_t listed = asked == 0 ? exchanged.stage : asked;
+  const std::size_t last = asked == 0 ? exchanged.end : asked;
   const std::string model = arguments.has("model") ? arguments.text("model") : "";
-  list(narrator, listed);
+  list(narrator, listed, exchanged);
   narrator.subtitle(
       "subtitle",
       {{"model", model.empty() ? "letter_f.obj" : model}, {"width", size.width}, {"height", size.height}});
@@ -471,12 +605,37 @@ void tell_z_buffer(Narrator& narrator) {
   grid.y_name = narrator.words().say("row_name");
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
-  Tour(narrator, run, followed, listed).tell();
+  if (exchanged.stage == raster_stage) {
+    narrator.legend({Role::current,
+                     Role::accepted,
+                     {Role::rejected, "misjudged"},
+                     Role::past,
+                     Role::boundary,
+                     Role::candidate,
+                     Role::input});
+  }
+  Tour(narrator, run, followed, listed, last, exchanged.stage).tell();
   const Rgba8 colour = run.image[followed.pixel];
-  narrator.result({{"face", run.pieces[followed.piece].id.face},
-                   {"pixel", followed.pixel},
-                   {"colour", fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b)}});
-  narrator.last_is_telling();
+  const bool chosen = arguments.has("face") && !arguments.text("face").empty();
+  std::vector<Field> result{{"pixel", followed.pixel},
+                            {"colour", fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b)}};
+  if (followed.seen || chosen) result.push_back({"face", run.pieces[followed.piece].id.face});
+  result.push_back(followed.seen ? Field{"seen", std::int64_t{*followed.seen}}
+                                 : Field{"seen", std::string("nothing")});
+  narrator.result(std::move(result));
+}
+
+void tell_z_buffer(Narrator& narrator) { tell_tour(narrator, {}); }
+
+/// To the end: there the picture has holes.
+void tell_cull_after_division(Narrator& narrator) {
+  tell_tour(narrator, {Fault::cull_after_division, facing_stage});
+}
+void tell_closed_half_planes(Narrator& narrator) {
+  tell_tour(narrator, {Fault::closed_half_planes, raster_stage, raster_stage});
+}
+void tell_expanded_edges(Narrator& narrator) {
+  tell_tour(narrator, {Fault::expanded_edges, raster_stage, raster_stage});
 }
 
 /// Of lengths: what the chain can project, and what its determinants hold.
@@ -495,14 +654,27 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .standing = Standing::taught,
                     .tell = tell_z_buffer,
                     .function = "render",
-                    .file = "pipeline/pipeline.hpp"}},
+                    .file = "pipeline/pipeline.hpp"},
+                   {.name = "cull_after_division",
+                    .standing = Standing::faulty,
+                    .tell = tell_cull_after_division,
+                    .function = "facing_after_division",
+                    .file = "algorithms/visibility/back_face_culling/back_face_culling_notes.hpp"},
+                   {.name = "closed_half_planes",
+                    .standing = Standing::faulty,
+                    .tell = tell_closed_half_planes,
+                    .file = "algorithms/scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"},
+                   {.name = "expanded_edges",
+                    .standing = Standing::faulty,
+                    .tell = tell_expanded_edges,
+                    .file = "algorithms/scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"}},
        .columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}},
        .parameters =
            {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
             choice("stage", stage_names(), std::string(whole_chain), "clipping",
                    "the tour ends with this stage and lists its source; all lists the chain"),
-            {"columns", ParameterType::integer, "20", "32", "the picture's width in pixels", 8, 64},
-            {"rows", ParameterType::integer, "14", "20", "the picture's height in pixels", 8, 64},
+            {"columns", ParameterType::integer, "40", "32", "the picture's width in pixels", 8, 64},
+            {"rows", ParameterType::integer, "28", "20", "the picture's height in pixels", 8, 64},
             {"face", ParameterType::integer, "", "3",
              "the face that is followed, counted from 0; a telling one if not given", 0, INT32_MAX},
             {"pixel", ParameterType::cell, "", "12,7",

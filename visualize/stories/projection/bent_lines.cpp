@@ -71,13 +71,13 @@ class BentStory {
     for (const dvec3 p : {task.from, task.to}) space.add({p.x, p.z});
     space.add({0, 0});
     space.add({0, std::min(task.far, std::max({task.from.z, task.to.z, task.wall}) * 1.1)});
-    space_ = Panel({{4, 3}, {17, 22.5}}, widened(space, 0.06));
+    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.06));
     const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
     image.add({least - margin, std::min({a_.z, b_.z, task.depth_of_wall()})});
     image.add({most + margin, std::max({a_.z, b_.z, task.depth_of_wall()})});
     image.lower.y -= 0.1 * image.size().y;
     image.upper.y += 0.1 * image.size().y;
-    image_ = Panel({{22.5, 3}, {35, 22.5}}, image, Panel::Fit::stretched);
+    image_ = Panel({{21.8, 2.6}, {35.2, 21.4}}, image, Panel::Fit::stretched);
   }
 
   const Panel& image_panel() const { return image_; }
@@ -197,8 +197,8 @@ class BentStory {
 
   View view() const {
     View view;
-    view.add({"z caption space", Role::guide, Text{{10, 25.4}, words_.say("from_above")}});
-    view.add({"z caption image", Role::guide, Text{{28.5, 25.4}, words_.say("transformed")}});
+    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
+    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.say("transformed")}});
     add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 5);
     add_axes(view, image_, "image", {words_.symbol("x′"), words_.symbol("z′")}, 5);
     add_space(view);
@@ -292,7 +292,6 @@ void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
                    {Role::result, "true_line"},
                    {Role::candidate, "interpolated"},
                    {Role::measure, "error"}});
-  narrator.last_of_whole_is_telling();
   narrator.tell_each(story, story.samples().size(),
                      [&](std::size_t i, const auto& watch) { take(story.samples()[i].point, watch); });
   narrator.result({{"largest_error", story.worst(), "error"}});

@@ -10,11 +10,44 @@ struct Kind {
   DepthCurve curve;
   DepthFormat format;
   std::string_view name;  ///< of its texts
+  Role role;              ///< of its curve: no two look alike
+  bool dashed;
+  double where;  ///< its name stands, in parts of the scale, beside the curve
+  dvec2 beside;
+  Align align;
 };
-constexpr std::array kinds{Kind{DepthCurve::linear, DepthFormat::fixed24, "linear_fixed"},
-                           Kind{DepthCurve::inverse, DepthFormat::fixed24, "inverse_fixed"},
-                           Kind{DepthCurve::inverse, DepthFormat::float32, "inverse_float"},
-                           Kind{DepthCurve::reversed, DepthFormat::float32, "reversed_float"}};
+constexpr std::array kinds{Kind{DepthCurve::linear,
+                                DepthFormat::fixed24,
+                                "linear_fixed",
+                                Role::input,
+                                true,
+                                0.06,
+                                {0, 0.9},
+                                Align::left},
+                           Kind{DepthCurve::inverse,
+                                DepthFormat::fixed24,
+                                "inverse_fixed",
+                                Role::result,
+                                false,
+                                0.8,
+                                {-0.6, 0.7},
+                                Align::right},
+                           Kind{DepthCurve::inverse,
+                                DepthFormat::float32,
+                                "inverse_float",
+                                Role::candidate,
+                                true,
+                                0.7,
+                                {0.5, -0.7},
+                                Align::left},
+                           Kind{DepthCurve::reversed,
+                                DepthFormat::float32,
+                                "reversed_float",
+                                Role::accepted,
+                                false,
+                                0.6,
+                                {0.4, -1.1},
+                                Align::left}};
 
 /// log10, rounded where it is as good as a whole number.
 double decade(double value) {
@@ -44,8 +77,8 @@ std::string short_depth(double z) {
 
 /// Three significant digits: "5.96·10⁻⁸", "0.0596", "596", "59605".
 std::string step_text(double step) {
-  if (step >= 1000) return step < 1e7 ? fmt::format("{:.0f}", step) : figure_real(step);
-  if (step >= 1e-3) return fmt::format("{:.3g}", step);
+  if (step >= 1000) return step < 1e7 ? with_note(fmt::format("{:.0f}", step), step) : figure_real(step);
+  if (step >= 1e-3) return with_note(fmt::format("{:.3g}", step), step);
   const std::string text = fmt::format("{:.2e}", step);
   const std::size_t e = text.find('e');
   std::string mantissa = text.substr(0, e);
@@ -53,7 +86,8 @@ std::string step_text(double step) {
   if (mantissa.ends_with('.')) mantissa.pop_back();
   int power = 0;
   for (const char c : text.substr(e + 2)) power = 10 * power + (c - '0');
-  return (mantissa == "1" ? "" : mantissa + "·") + power_text(-power, 0);
+  const double unit = std::strtod(("1" + text.substr(e)).c_str(), nullptr);
+  return (mantissa == "1" ? "" : with_note(mantissa, step / unit) + "·") + power_text(-power, 0);
 }
 
 /// The curve of one kind is complete.
@@ -68,7 +102,7 @@ class DepthStory {
     const double left = decade(near_), right = decade(far_);
     // Right at its 0 a float curve is finer than any scale shows
     const double bottom = decade(step_at(kinds[1], near_)), top = decade(step_at(kinds[1], far_));
-    panel_ = Panel({{4, 3.6}, {35, 24}}, {{left, std::floor(bottom)}, {right, std::ceil(top)}},
+    panel_ = Panel({{4, 3.6}, {35, 21.8}}, {{left, std::floor(bottom)}, {right, std::ceil(top)}},
                    Panel::Fit::stretched);
   }
 
@@ -185,24 +219,20 @@ class DepthStory {
         const double z = place(k, curve_points);
         if (z <= end) curve.push_back(at(z, step_at(kinds[i], z)));
       }
-      const Role role = current ? Role::current : kind_ == kinds.size() ? Role::result : Role::past;
-      seen.add(
-          {fmt::format("c curve {}", i), role, Path{curve, false, kinds[i].format == DepthFormat::fixed24}});
-      const double where = near_ * gradus::exp(name_places[i] * gradus::log(far_ / near_));
+      const Kind& kind = kinds[i];
+      seen.add({fmt::format("c curve {}", i), kind.role, Path{curve, false, kind.dashed}});
+      const double where = near_ * gradus::exp(kind.where * gradus::log(far_ / near_));
       if (!current || end == far_) {
-        seen.add(
-            {fmt::format("f name {}", i), role, Label{at(where, step_at(kinds[i], where)), name_of_kind(i)}});
+        const dvec2 beside = at(where, step_at(kind, where)) + kind.beside;
+        seen.add({fmt::format("f name {}", i), kind.role, Text{beside, name_of_kind(i), kind.align}});
       }
     }
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      seen.add({fmt::format("e point {}", k), Role::current,
+      seen.add({fmt::format("e point {}", k), kinds[kind_].role,
                 Dot{at(points_[k].x, points_[k].y), k + 1 < points_.size()}});
     }
     return seen;
   }
-
-  /// Where along its curve a name stands, in parts of the scale.
-  static constexpr std::array<double, 4> name_places{0.18, 0.75, 0.45, 0.6};
 
   const Words& words_;
   const double near_, far_;
@@ -227,14 +257,13 @@ void tell_depth_precision(Narrator& narrator) {
   for (const int i : table_places) {
     const std::string depth = short_depth(story.place(i, fine_points));
     narrator.trace().columns.push_back(
-        {fmt::format("step_{}", i), true, words.say("at_depth", {{"z", depth}})});
+        {fmt::format("step_{}", i), true, without_notes(words.say("at_depth", {{"z", depth}}))});
   }
-  narrator.legend({{Role::current, "curve"}});
-  narrator.last_of_whole_is_telling();
+  narrator.telling({std::ssize(kinds), 0});  // when all four can be compared
   narrator.tell_each(story, kinds.size(), [&](std::size_t kind, const auto& watch) {
-    const auto& [curve, format, name] = kinds[kind];
-    for (int i = 0; i < fine_points; ++i)
-      separable_step(curve, format, near, far, story.place(i, fine_points), watch);
+    for (int i = 0; i < fine_points; ++i) {
+      separable_step(kinds[kind].curve, kinds[kind].format, near, far, story.place(i, fine_points), watch);
+    }
     watch(Curve{}, narrator.line());
   });
   narrator.result(

@@ -184,8 +184,8 @@ class DivisionStory {
     for (const dvec3 p : task_.points) space.add({p.x, p.z});
     space.add(task_.eye());
     for (const double side : {-half_, half_}) space.add({task_.centre.x + side, task_.plane()});
-    space_ = Panel({{4, 3}, {17, 22.5}}, widened(space, 0.05), Panel::Fit::stretched);
-    picture_ = Panel({{22.5, 6}, {35, 18.5}}, {task_.centre - half_, task_.centre + half_});
+    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.05), Panel::Fit::stretched);
+    picture_ = Panel({{21.8, 5.2}, {35.2, 18.6}}, {task_.centre - half_, task_.centre + half_});
   }
   dvec2 from_above(std::size_t i) const { return {task_.points[i].x, task_.points[i].z}; }
 
@@ -243,8 +243,8 @@ class DivisionStory {
 
   View view() const {
     View view;
-    view.add({"z caption space", Role::guide, Text{{10, 25.4}, words_.say("from_above")}});
-    view.add({"z caption image", Role::guide, Text{{28.5, 25.4}, words_.shared("projection", "picture")}});
+    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
+    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.shared("projection", "picture")}});
     add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
     add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
     const double middle = task_.centre.x, plane = task_.plane();
@@ -303,7 +303,6 @@ void tell_points(Narrator& narrator, const DivisionTask& task, std::optional<int
   if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});
   narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
   if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
-  narrator.last_of_whole_is_telling();
   DivisionStory story(narrator.words(), task, multiplied_line);
   narrator.tell_each(story, task.points.size(),
                      [&](std::size_t i, const auto& watch) { take(task.points[i], watch); });

@@ -46,14 +46,14 @@ class Story {
         progress_({words.wording(),
                    task.solid,
                    task.sheet,
-                   hidden_along(task.solid, task.shown),
+                   facing_along(task.solid, task.shown),
                    {},
                    images,
                    task.right}) {}
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
 
-  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(Role::past)); }
+  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
   Event say(const steps::Started&) const {
     return {.text = task_.started,
             .words = {{"d", real(task_.d)},
@@ -105,7 +105,7 @@ class Story {
   }
 
   void show(Board& board, const steps::Finished&) {
-    View view = progress_.drawing(Role::result);
+    View view = progress_.drawing(true);
     if (!task_.right.empty()) add_right_picture(view);
     board.milestone(std::move(view));
   }
@@ -127,18 +127,20 @@ class Story {
   /// Beside the notes' picture, the one that its slant asks for, and how far a corner is off.
   void add_right_picture(View& view) const {
     const solids::Scenery& scenery = progress_.scenery();
-    const std::vector<bool> hidden = hidden_along(task_.solid, task_.direction);
+    const solids::Facing facing = facing_along(task_.solid, task_.direction);
     for (std::size_t i = 0; i < task_.solid.edges.size(); ++i) {
       const solids::Edge& edge = task_.solid.edges[i];
       const dvec2 a = scenery.in_picture(task_.right[edge.a]), b = scenery.in_picture(task_.right[edge.b]);
-      view.add({fmt::format("f right {:02}", i), Role::accepted, Stroke{a, b, false, hidden[i]}});
+      Stroke stroke{a, b, false, facing.hidden[i]};
+      stroke.thin = stroke.dashed;
+      view.add({fmt::format("d right {:02}", i), Role::accepted, stroke});
     }
     std::size_t worst = 0;
     for (std::size_t i = 1; i < task_.right.size(); ++i) {
       if (error(i) > error(worst) + 1e-9) worst = i;
     }
     const dvec2 from = scenery.in_picture(*progress_.images()[worst]);
-    view.add({"d off", Role::measure, Stroke{from, scenery.in_picture(task_.right[worst])}});
+    view.add({"e off", Role::measure, Stroke{from, scenery.in_picture(task_.right[worst])}});
   }
 
   const Task& task_;
@@ -232,14 +234,8 @@ template <class Project>
 void tell_corners(Narrator& narrator, const Task& task, const Project& project) {
   narrator.trace().subtitle = narrator.words().say("subtitle." + narrator.arguments().text("solid"));
   narrator.paper(solids::paper_width, solids::paper_height);
-  narrator.legend({Role::input,
-                   Role::boundary,
-                   Role::current,
-                   Role::past,
-                   Role::result,
-                   {Role::accepted, "right"},
-                   {Role::measure, "off"}});
-  narrator.last_of_whole_is_telling();
+  narrator.legend(
+      {Role::input, Role::boundary, Role::result, {Role::accepted, "right"}, {Role::measure, "off"}});
   Images images;
   for (const dvec3 p : task.solid.corners) images.push_back(project(p));
   Story story(narrator.words(), task, images);

@@ -12,6 +12,11 @@ solids::Scenery::Images images_of(const solids::Solid& solid, double d) {
   return images;
 }
 
+/// x′ and y′ in a table: with two decimals, but three where they are small.
+std::string picture_text(dvec3 image) {
+  return figure_place(dvec2(image), [](double x) { return std::abs(x) < 1 ? real(x) : short_real(x); });
+}
+
 class ProjectionStory {
  public:
   ProjectionStory(const Words& words, double d, const solids::Solid& solid)
@@ -20,14 +25,14 @@ class ProjectionStory {
         progress_({words.wording(),
                    solid,
                    {{0, 0, d}, {1, 0, 0}, {0, 1, 0}},
-                   hidden_from_origin(solid),
+                   facing_origin(solid),
                    dvec3{0},
                    images_of(solid, d)}) {}
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
   std::int64_t unseen() const { return unseen_; }
 
-  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(Role::past)); }
+  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
   Event say(const steps::Started&) const {
     return {.text = "started.projection", .words = {{"d", real(d_)}}, .level = Level::idea};
   }
@@ -56,7 +61,7 @@ class ProjectionStory {
                       {"factor", real(factor_)},
                       {"image_x", real(p.image.x)},
                       {"image_y", real(p.image.y)}},
-            .row = {progress_.number(), place_text(p.point), real(factor_), place_text(p.image)},
+            .row = {progress_.number(), place_text(p.point), real(factor_), picture_text(p.image)},
             .key = progress_.key(),
             .decides = before_eye(words_, p.point.z)};
   }
@@ -74,7 +79,7 @@ class ProjectionStory {
             .decides = before_eye(words_, u.point.z)};
   }
 
-  void show(Board& board, const steps::Finished&) { board.milestone(progress_.drawing(Role::result)); }
+  void show(Board& board, const steps::Finished&) { board.milestone(progress_.drawing(true)); }
   Event say(const steps::Finished&) const {
     if (unseen_ == 0) return {.text = "done.projection"};
     return {.text = "done.unseen", .count = unseen_};
@@ -113,8 +118,7 @@ void tell_projection(Narrator& narrator) {
   say_turn(narrator, house ? "subtitle.house" : "subtitle.box");
   narrator.paper(solids::paper_width, solids::paper_height);
   narrator.columns({{"corner"}, {"point", false}, {"factor"}, {"image", false}});
-  narrator.legend({{Role::input, "solid"}, Role::current, Role::past, Role::result});
-  narrator.last_of_whole_is_telling();
+  narrator.legend({{Role::input, "solid"}, {Role::boundary, "plane"}, Role::result});
   ProjectionStory story(narrator.words(), d, solid);
   narrator.tell_each(story, solid.corners.size(),
                      [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });

@@ -27,7 +27,7 @@ void tell_zoom_minus_z(Narrator& narrator);
 // depth_precision.cpp
 void tell_depth_precision(Narrator& narrator);
 
-inline constexpr int paper_height = 27;
+using solids::paper_height;
 
 inline double distance_of(const Arguments& arguments) {
   const double d = *arguments.number("distance");

@@ -14,7 +14,7 @@
 #include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
 #include "figure/wording.hpp"
-#include "stories/paper.hpp"
+#include "stories/solid_drawing.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus::solids {
@@ -102,31 +102,39 @@ inline Solid placed(Solid solid, const std::array<dvec3, 3>& axes, dvec3 at) {
   return solid;
 }
 
-/// Which edges lie behind the solid for whoever sees the faces that `seen` says; it is convex, so those
-/// between two faces that are not.
-template <class Seen>
-std::vector<bool> hidden_edges(const Solid& solid, Seen seen) {
-  std::vector<bool> faces(solid.faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    faces[i] = seen(outward(solid, i), solid.corners[solid.faces[i][0]]);
+/// What of a solid whoever looks at it sees. It is convex, so an edge is hidden that lies between two faces
+/// which look away.
+struct Facing {
+  std::vector<bool> seen;    ///< of its faces
+  std::vector<bool> hidden;  ///< of its edges
+};
+/// looks(normal, corner): whether the face does that has this normal outwards, and one of its corners here.
+template <class Looks>
+Facing facing(const Solid& solid, Looks looks) {
+  Facing facing;
+  for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+    facing.seen.push_back(looks(outward(solid, i), solid.corners[solid.faces[i][0]]));
   }
-  std::vector<bool> hidden;
-  for (const Edge& edge : solid.edges) hidden.push_back(!faces[edge.left] && !faces[edge.right]);
-  return hidden;
+  for (const Edge& edge : solid.edges)
+    facing.hidden.push_back(!facing.seen[edge.left] && !facing.seen[edge.right]);
+  return facing;
 }
 /// For parallel projectors that run on from the viewer in this direction.
-inline std::vector<bool> hidden_along(const Solid& solid, dvec3 direction) {
-  return hidden_edges(solid, [&](dvec3 normal, dvec3) { return glm::dot(normal, direction) < -1e-12; });
+inline Facing facing_along(const Solid& solid, dvec3 direction) {
+  return facing(solid, [&](dvec3 normal, dvec3) { return glm::dot(normal, direction) < -1e-12; });
 }
 /// For an eye at the origin.
-inline std::vector<bool> hidden_from_origin(const Solid& solid) {
-  return hidden_edges(solid, [](dvec3 normal, dvec3 at) { return glm::dot(normal, at) < -1e-12; });
+inline Facing facing_origin(const Solid& solid) {
+  return facing(solid, [](dvec3 normal, dvec3 at) { return glm::dot(normal, at) < -1e-12; });
 }
 
 /// View space as one sees it from the viewer's right: depth to the right, x towards the reader.
 inline dvec2 from_right(dvec3 p) { return oblique(dvec3{p.z, p.y, p.x}); }
 /// Where that looks, in view space.
 inline constexpr dvec3 looking_from_right{-1, -0.3, -0.42};
+/// A direction of view space as the reader has it there, and as the viewer has it: right, up, towards him.
+inline dvec3 seen_from_right(dvec3 p) { return {p.z, p.y, p.x}; }
+inline dvec3 seen_by_viewer(dvec3 p) { return {p.x, p.y, -p.z}; }
 
 /// The picture plane in space, with the directions that are right and up in the picture.
 struct Sheet {
@@ -156,23 +164,42 @@ std::string place_text(const glm::vec<N, double>& p) {
 /// With as many decimals as other numbers, for sums that a reader may check.
 inline std::string full_place_text(dvec3 p) { return figure_place(p, real); }
 
-constexpr int paper_width = 36, paper_height = 23;
+constexpr int paper_width = 36, paper_height = 24;
 
-/// The drawing of a solid, its projectors and its picture.
+/// Where space and the picture are drawn: side by side, or one above the other where both get larger so.
+struct Places {
+  Extent space, picture;
+};
+inline Places places_for(dvec2 space, dvec2 picture) {
+  constexpr double left = 0.8, right = 35.2, bottom = 0.8, top = 22.2, gap = 1.6;
+  const auto aspect = [](dvec2 size) { return size.y > 0 ? std::clamp(size.x / size.y, 0.2, 5.0) : 1.0; };
+  const double of_space = aspect(space), of_picture = aspect(picture);
+  const double height = std::min(top - bottom, (right - left - gap) / (of_space + of_picture));
+  const double upper = std::min(0.56 * (top - bottom - gap), (right - left) / of_space);
+  const double lower = std::min(top - bottom - gap - upper, (right - left) / of_picture);
+  if (height * height >= upper * lower) {
+    const double spare = right - left - gap - height * (of_space + of_picture);
+    const double middle = left + height * of_space + spare / 2;
+    return {{{left, bottom}, {middle, top}}, {{middle + gap, bottom}, {right, top}}};
+  }
+  return {{{left, top - upper}, {right, top}}, {{left, bottom}, {right, bottom + lower}}};
+}
+
+/// The drawing of a solid, a projector and the picture.
 class Scenery {
  public:
   using Images = std::vector<std::optional<dvec3>>;
 
   /// eye: the point that all projectors run to, or nothing where they are parallel. images: of all corners,
   /// as they will be; other: what else the picture has to have room for.
-  Scenery(const Wording& words, Solid solid, Sheet sheet, std::vector<bool> hidden, std::optional<dvec3> eye,
+  Scenery(const Wording& words, Solid solid, Sheet sheet, Facing facing, std::optional<dvec3> eye,
           const Images& images, const std::vector<dvec3>& other = {})
       : words_(words),
         solid_(std::move(solid)),
         sheet_(sheet),
-        hidden_(std::move(hidden)),
+        facing_(std::move(facing)),
         eye_(eye),
-        hidden_in_space_(hidden_along(solid_, looking_from_right)) {
+        facing_reader_(facing_along(solid_, looking_from_right)) {
     Extent picture;
     for (const std::optional<dvec3>& p : images) {
       if (p) picture.add(sheet_.picture(*p));
@@ -184,8 +211,11 @@ class Scenery {
     for (const dvec3 p : solid_.corners) space.add(from_right(p));
     for (const dvec3 p : outline()) space.add(from_right(p));
     if (eye_) space.add(from_right(*eye_));
-    space_ = Panel({{0.8, 1}, {21, 20.4}}, space);
-    picture_ = Panel({{22.6, 1}, {35.2, 20.4}}, patch_);
+    const Places places = places_for(space.size(), patch_.size());
+    space_ = Panel(places.space, space);
+    picture_ = Panel(places.picture, patch_);
+    space_top_ = space_.at(space.upper).y;
+    picture_top_ = picture_.at(patch_.upper).y;
   }
 
   const Sheet& sheet() const { return sheet_; }
@@ -195,62 +225,59 @@ class Scenery {
   /// Space, plane and solid alone.
   View empty() const {
     View view;
-    view.add({"caption space", Role::guide, Text{{11, 22}, words_.say("projection.space")}});
-    view.add({"caption picture", Role::guide, Text{{29, 22}, words_.say("projection.picture")}});
-    std::vector<dvec2> plane, frame;
-    for (const dvec3 p : outline()) {
-      plane.push_back(in_space(p));
-      frame.push_back(in_picture(p));
-    }
-    view.add({"a plane", Role::boundary, Path{plane, true}});
-    view.add({"a picture frame", Role::boundary, Path{frame, true}});
-    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
-      const auto [a, b, left, right] = solid_.edges[i];
-      view.add(
-          {fmt::format("c solid {:02}", i), Role::input,
-           Stroke{in_space(solid_.corners[a]), in_space(solid_.corners[b]), false, hidden_in_space_[i]}});
-    }
+    const auto caption = [&](std::string id, const Panel& panel, double top, std::string_view text) {
+      view.add({std::move(id), Role::guide, Text{{panel.place().centre().x, top + 1.3}, words_.say(text)}});
+    };
+    // Side by side they stand in one line
+    const bool beside = space_.place().upper.y == picture_.place().upper.y;
+    const double highest = std::max(space_top_, picture_top_);
+    caption("caption space", space_, beside ? highest : space_top_, "projection.space");
+    caption("caption picture", picture_, beside ? highest : picture_top_, "projection.picture");
+    add_plane(view);
+    add_solid(view);
     if (eye_)
       view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
     return view;
   }
 
-  /// The image of every corner that has one, and the edges between them.
-  void add_images(View& view, const Images& images, Role role) const {
+  /// The image of every corner that has one, and the edges between them; `whole`: with its faces.
+  void add_images(View& view, const Images& images, Role role, bool whole) const {
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const auto [a, b, left, right] = solid_.edges[i];
       if (!images[a] || !images[b]) continue;
-      view.add({fmt::format("d image {:02}", i), role,
-                Stroke{in_space(*images[a]), in_space(*images[b]), false, hidden_[i]}});
-      view.add({fmt::format("d picture {:02}", i), role,
-                Stroke{in_picture(*images[a]), in_picture(*images[b]), false, hidden_[i]}});
+      const auto add = [&](const char* id, dvec2 from, dvec2 to) {
+        Stroke stroke{from, to, false, facing_.hidden[i]};
+        stroke.thin = stroke.dashed;
+        view.add({fmt::format("d {} {} {:02}", id, stroke.dashed ? "behind" : "edge", i), role, stroke});
+      };
+      add("image", in_space(*images[a]), in_space(*images[b]));
+      add("picture", in_picture(*images[a]), in_picture(*images[b]));
     }
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      if (!images[i]) continue;
-      view.add({fmt::format("e image dot {:02}", i), role, Dot{in_picture(*images[i])}});
-      projector(view, fmt::format("b projector {:02}", i), Role::guide, solid_.corners[i], *images[i]);
+    if (!whole) return;
+    for (std::size_t i = 0; i < solid_.faces.size(); ++i) {
+      if (!facing_.seen[i]) continue;
+      std::vector<dvec2> space, picture;
+      for (const std::size_t corner : solid_.faces[i]) {
+        if (!images[corner]) break;
+        space.push_back(in_space(*images[corner]));
+        picture.push_back(in_picture(*images[corner]));
+      }
+      if (space.size() < solid_.faces[i].size()) continue;
+      const int shade = shade_of(seen_by_viewer(outward(solid_, i)));
+      view.add({fmt::format("d image face {}", i), role, Area{{space}, shade}});
+      view.add({fmt::format("d picture face {}", i), role, Area{{picture}, shade}});
     }
   }
 
-  /// The corner at hand, its projector and, once known, its image.
+  /// The corner at hand, and once its image is known its projector.
   void point_at(View& view, std::size_t corner, std::optional<dvec3> image) const {
     const dvec3 p = solid_.corners[corner];
     const std::string name = fmt::format("{}", corner + 1);
     view.add_named("g corner", "h corner name", Role::current, in_space(p), name);
     if (!image) return;
-    projector(view, "g projector", Role::current, p, *image);
+    add_projector(view, p, *image);
     view.add({"g image", Role::current, Dot{in_space(*image)}});
     view.add_named("g picture", "h picture name", Role::current, in_picture(*image), name + "′");
-  }
-
-  /// A point's projector: to its image, or from the eye, through whichever is farther.
-  void projector(View& view, std::string id, Role role, dvec3 point, dvec3 image) const {
-    dvec3 from = point, to = image;
-    if (eye_) {
-      from = *eye_;
-      to = point.z > image.z ? point : image;
-    }
-    view.add({std::move(id), role, Stroke{in_space(from), in_space(to), false, true}});
   }
 
   const Solid& solid() const { return solid_; }
@@ -262,14 +289,65 @@ class Scenery {
     return corners;
   }
 
+  /// The picture plane, as far as the picture goes, in space and as the picture's frame.
+  void add_plane(View& view) const {
+    std::vector<dvec2> plane, frame;
+    for (const dvec3 p : outline()) {
+      plane.push_back(in_space(p));
+      frame.push_back(in_picture(p));
+    }
+    view.add({"a plane glass", Role::boundary, Area{{plane}, 2}});
+    view.add({"a picture glass", Role::boundary, Area{{frame}, 2}});
+    view.add({"a picture frame", Role::boundary, Path{frame, true}});
+  }
+
+  /// The solid as the reader sees it, and the plane's border, with gaps where one passes in front of the
+  /// other.
+  void add_solid(View& view) const {
+    for (std::size_t i = 0; i < solid_.faces.size(); ++i) {
+      if (!facing_reader_.seen[i]) continue;
+      std::vector<dvec2> ring;
+      for (const std::size_t corner : solid_.faces[i]) ring.push_back(in_space(solid_.corners[corner]));
+      view.add({fmt::format("c solid face {}", i), Role::input,
+                Area{{ring}, shade_of(seen_from_right(outward(solid_, i)))}});
+    }
+    std::vector<SpaceLine> lines;
+    const auto append = [&](std::string id, Role role, dvec3 a, dvec3 b, bool hidden) {
+      lines.push_back({std::move(id), role, in_space(a), in_space(b), a.x, b.x, hidden, hidden});
+    };
+    const std::vector<dvec3> border = outline();
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      append(fmt::format("a plane {}", i), Role::boundary, border[i], border[(i + 1) % border.size()], false);
+    }
+    for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
+      const bool hidden = facing_reader_.hidden[i];
+      append(fmt::format("c solid {} {:02}", hidden ? "behind" : "edge", i), Role::input,
+             solid_.corners[solid_.edges[i].a], solid_.corners[solid_.edges[i].b], hidden);
+    }
+    add_lines(view, "c z", lines);
+  }
+
+  /// A point's projector: to its image, or from the eye, through whichever is farther.
+  void add_projector(View& view, dvec3 point, dvec3 image) const {
+    dvec3 from = point, to = image;
+    if (eye_) {
+      from = *eye_;
+      to = point.z > image.z ? point : image;
+    }
+    Stroke stroke{in_space(from), in_space(to)};
+    stroke.thin = true;
+    view.add({"e projector", Role::current, stroke});
+  }
+
   const Wording& words_;
   Solid solid_;
   Sheet sheet_;
-  std::vector<bool> hidden_;
+  Facing facing_;
   std::optional<dvec3> eye_;
-  std::vector<bool> hidden_in_space_;
+  Facing facing_reader_;
   Extent patch_{};
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
+  double space_top_ = 0, picture_top_ = 0;  ///< of what is drawn there
 };
 
 /// How far a solid's corners, one after the other, have got their images.
@@ -288,13 +366,14 @@ class Progress {
   std::int64_t number() const { return static_cast<std::int64_t>(corner_) + 1; }
   std::string key() const { return fmt::format("{}", corner_); }
 
-  View drawing(Role images) const {
+  /// whole: the picture is complete, and its faces are shown.
+  View drawing(bool whole) const {
     View view = scenery_.empty();
-    scenery_.add_images(view, images_, images);
+    scenery_.add_images(view, images_, Role::result, whole);
     return view;
   }
   View with_corner() const {
-    View view = drawing(Role::past);
+    View view = drawing(false);
     scenery_.point_at(view, corner_, images_[corner_]);
     return view;
   }

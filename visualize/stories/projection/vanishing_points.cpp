@@ -26,7 +26,7 @@ struct TurnedBox {
   double d = 1;
   solids::Solid solid{};
   std::vector<dvec2> images{};
-  std::vector<bool> hidden{};
+  solids::Facing facing{};
   std::array<dvec3, 3> axes{};
   dvec3 own{0};  ///< a direction along its axes; 0: none
 };
@@ -35,7 +35,7 @@ TurnedBox box_of(const Arguments& arguments) {
   TurnedBox box{.d = distance_of(arguments)};
   box.axes = axes_of(arguments);
   box.solid = placed(solids::box(), box.axes, vector_of(arguments, "at"));
-  box.hidden = hidden_from_origin(box.solid);
+  box.facing = facing_origin(box.solid);
   box.own = vector_of(arguments, "direction");
   for (const dvec3 p : box.solid.corners) {
     const std::optional<dvec3> image = project(box.d, p);
@@ -61,7 +61,7 @@ Lines edges_along(const Words& words, const TurnedBox& box, int axis) {
     const solids::Edge& edge = box.solid.edges[i];
     if (axis_of(edge) != axis) continue;
     lines.all.push_back({fmt::format("c edge {:02}", i), fmt::format("b line {:02}", i), box.images[edge.a],
-                         box.images[edge.b], box.hidden[i]});
+                         box.images[edge.b], box.facing.hidden[i]});
   }
   return lines;
 }
@@ -101,7 +101,7 @@ class VanishingStory {
       const std::optional<dvec2> point = vanishing_point(matrix_, lines.direction);
       if (point && glm::distance(*point, middle) <= reach) shown.add(*point);
     }
-    panel_ = Panel({{1.5, 2}, {34.5, 25}}, widened(shown, 0.08));
+    panel_ = Panel({{1, 1}, {35, 23}}, widened(shown, 0.06));
   }
 
   std::size_t count() const { return lines_.size(); }
@@ -215,8 +215,19 @@ class VanishingStory {
       view.add({"z eye level name", Role::guide,
                 Label{panel_.at({shown.lower.x + 0.25 * shown.size().x, 0}), words_.say("eye_level")}});
     }
+    add_faces_of_box(view, role);
     for (int axis = 0; axis < 3; ++axis) add_lines(view, lines_[static_cast<std::size_t>(axis)], role);
     return view;
+  }
+
+  void add_faces_of_box(View& view, Role role) const {
+    for (std::size_t i = 0; i < box_.solid.faces.size(); ++i) {
+      if (!box_.facing.seen[i]) continue;
+      std::vector<dvec2> ring;
+      for (const std::size_t corner : box_.solid.faces[i]) ring.push_back(panel_.at(box_.images[corner]));
+      view.add({fmt::format("a face {}", i), role,
+                Area{{ring}, shade_of(solids::seen_by_viewer(outward(box_.solid, i)))}});
+    }
   }
 
   /// The box, and where the lines before these lead to.
@@ -227,8 +238,11 @@ class VanishingStory {
   }
 
   void add_lines(View& view, const Lines& lines, Role role) const {
-    for (const Line& line : lines.all)
-      view.add({line.id, role, Stroke{panel_.at(line.a), panel_.at(line.b), false, line.hidden}});
+    for (const Line& line : lines.all) {
+      Stroke stroke{panel_.at(line.a), panel_.at(line.b), false, line.hidden};
+      stroke.thin = line.hidden;
+      view.add({line.id, role, stroke});
+    }
   }
 
   /// They go on to the vanishing point, or to the border of the drawing on the way there.
@@ -240,8 +254,9 @@ class VanishingStory {
     for (const Line& line : lines.all) {
       const dvec2 from = glm::distance(line.a, point) < glm::distance(line.b, point) ? line.a : line.b;
       const dvec2 to = inside ? point : last_inside(panel_.shown(), from, point - from);
-      view.add({line.goes_on, current ? Role::current : Role::guide,
-                Stroke{panel_.at(from), panel_.at(to), false, true}});
+      Stroke stroke{panel_.at(from), panel_.at(to), false, true};
+      stroke.thin = true;
+      view.add({line.goes_on, current ? Role::current : Role::guide, stroke});
     }
     if (!current && lines.id == "direction") add_lines(view, lines, Role::past);
     if (!inside) return;
@@ -268,7 +283,6 @@ void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
   narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, Role::result});
-  narrator.last_of_whole_is_telling();
   VanishingStory story(narrator.words(), box, by_plane);
   narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
     find(story.matrix(), story.lines().direction, watch);

@@ -4,8 +4,8 @@
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
+#include "stories/mesh_faces.hpp"
 #include "stories/telling.hpp"
-#include "stories/wireframe.hpp"
 
 namespace gradus::viewing {
 
@@ -59,16 +59,11 @@ inline Scene scene_of_axes(const Arguments& arguments) {
     expect(1 / longest_axis <= length && length <= longest_axis,
            fmt::format("axes of lengths from {} to {}", 1 / longest_axis, longest_axis));
   }
-  const Rescaled<double> x(axes[0]), y(axes[1]), z(axes[2]);
-  expect(std::abs(glm::dot(x.axis, glm::cross(y.axis, z.axis))) > 1e-6,
-         "three axes that don't lie in one plane");
+  const DFrame frame{eye, axes[0], axes[1], axes[2]};
+  const auto [x, y, z] = Rescaled<double>(frame).scaled;
+  expect(std::abs(glm::dot(x, glm::cross(y, z))) > 1e-6, "three axes that don't lie in one plane");
   const dvec3 middle{0.4, 0.6, 0};  // of the letter
-  return {eye,
-          middle,
-          {0, 1, 0},
-          std::max(1.0, length_of(middle - eye)),
-          shipped_letter(),
-          DFrame{eye, axes[0], axes[1], axes[2]}};
+  return {eye, middle, {0, 1, 0}, std::max(1.0, length_of(middle - eye)), shipped_letter(), frame};
 }
 
 inline Scene scene_of(const Arguments& arguments, Along along) {
@@ -94,14 +89,14 @@ inline Scene scene_of(const Arguments& arguments, Along along) {
 
 // --- The drawing
 
-/// Two panels on a paper of 36 x 27: the world, and what the viewer makes of it.
-inline const Extent world_place{{0.8, 0.8}, {20.2, 24.2}};
-inline const Extent seen_place{{21.9, 5.8}, {35.3, 19.2}};
+/// Two panels on a paper of 36 x 24: the world, and what the viewer makes of it.
+inline const Extent world_place{{0.6, 0.4}, {19, 22}};
+inline const Extent seen_place{{20.3, 4}, {35.3, 19}};
 
-/// For given axes, on a paper of 21 x 30: the axes, and below them the letter along them and in the world.
-inline const Extent axes_place{{4.4, 15.6}, {16.6, 28.4}};
-inline const Extent along_place{{0.8, 1}, {9.4, 11.6}};
-inline const Extent back_place{{11.8, 1}, {20.2, 11.6}};
+/// For given axes: these, and beside them the letter along them and in the world.
+inline const Extent axes_place{{2.4, 1}, {15, 22}};
+inline const Extent along_place{{17, 3}, {25, 20}};
+inline const Extent back_place{{27.5, 3}, {35.5, 20}};
 
 /// What a matrix makes of a point.
 inline dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * glm::dvec4(p, 1)); }
@@ -125,12 +120,12 @@ class Drawing {
 
   View world(const Known& known, const DFrame& frame) const {
     View view;
-    caption(view, "world", {world_place.centre().x, 26});
+    caption(view, "world", {world_place.centre().x, world_place.upper.y + 1.2});
     add_world_axes(view);
     letter(
-        view, "world", Role::past, parallel_sight({0.42, 0.3, 1}),
+        view, "world", Role::past, {.sight = parallel_sight({0.42, 0.3, 1})},
         [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
-    const double size = 0.3 * scene_.distance;
+    const double size = axis_size();
     hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
     if (!known.axes[1])
       arrow(view, "hint", Role::candidate, size * unit_vector(scene_.up), words_.say("hint"), true);
@@ -147,10 +142,12 @@ class Drawing {
 
   /// The picture: x / depth to the right, y / depth up; the letter in it once the matrix is whole.
   void add_picture(View& view, const Known& known, const glm::dmat4& matrix) const {
-    caption(view, "picture", {seen_place.centre().x, 26});
+    caption(view, "picture", {seen_place.centre().x, seen_place.upper.y + 1.2});
     frame_of(view);
     const Panel panel(seen_place, picture_extent(matrix));
-    const dvec2 middle = seen_place.centre();
+    const dvec2 middle = seen_place.centre(), reach = 0.42 * seen_place.size();
+    if (known.rows >= 1) picture_axis(view, known, 0, {reach.x, 0});
+    if (known.rows >= 2) picture_axis(view, known, 1, {0, reach.y});
     if (known.rows >= 1)
       guide_line(view, "no right", {middle.x, seen_place.lower.y}, {middle.x, seen_place.upper.y});
     if (known.rows >= 2)
@@ -166,22 +163,26 @@ class Drawing {
       if (v.z <= 0) return std::nullopt;
       return panel.at(dvec2(v) / v.z);
     };
-    letter(view, "picture", Role::result, central_sight(scene_.eye), seen, seen_place);
+    const DFrame frame = scene_.frame();
+    letter(
+        view, "picture", Role::result,
+        {.sight = central_sight(scene_.eye), .right = frame.right, .up = frame.up, .towards = -frame.forward},
+        seen, seen_place);
   }
 
   /// View space from aside, where a faulty matrix leaves the letter: right to the right, up up, depth to the
   /// back.
   void add_view_space(View& view, const Known& known, const glm::dmat4& wrong,
                       const glm::dmat4& right) const {
-    caption(view, "view_space", {seen_place.centre().x, 26});
+    caption(view, "view_space", {seen_place.centre().x, world_place.upper.y + 1.2});
     const auto flat = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
     Extent all;
     all.add(flat({0, 0, 0}));
     for (const dvec3 p : {scene_.eye, scene_.target}) all.add(flat(through(wrong, p)));
-    const double size = 0.3 * scene_.distance;
+    const double size = axis_size();
     for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, scene_.distance}})
       all.add(flat(tip));
-    const Extent place{{21.8, 1.5}, {35, 24}};
+    const Extent place{{21, 1}, {34.5, 21.5}};
     const Panel panel(place, widened(all, 0.06));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
     const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
@@ -226,9 +227,9 @@ class Drawing {
     const auto back = [&](dvec3 p) { return known.seen ? through(inverse, through(matrix, p)) : p; };
     // Depth is positive along the axes, and to the back
     const auto to_the_back = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
-    view.add({"caption coordinates", Role::guide,
-              Text{{0.3, along_place.upper.y + 1.4}, words_.say("caption.coordinates"), Align::left}});
-    caption(view, "world", {back_place.centre().x, back_place.upper.y + 1.4});
+    caption(view, "coordinates", {along_place.centre().x, axes_place.upper.y + 1.2});
+    caption(view, "world", {back_place.centre().x, axes_place.upper.y + 1.2});
+    caption(view, "axes", {axes_place.centre().x, axes_place.upper.y + 1.2});
     add_wires(view, "along", Role::past, along_place, [&](dvec3 p) { return to_the_back(along(p)); });
     add_wires(view, "back", known.seen ? Role::result : Role::past, back_place,
               [&](dvec3 p) { return oblique(back(p)); });
@@ -266,7 +267,7 @@ class Drawing {
 
   Extent world_extent() const {
     Extent extent;
-    const double size = 0.3 * scene_.distance;
+    const double size = axis_size();
     const auto add = [&](dvec3 p) { extent.add(oblique(p)); };
     const DFrame frame = scene_.frame();
     if (scene_.axes) {
@@ -290,7 +291,18 @@ class Drawing {
       add(axis_length() * tip);
     return widened(extent, 0.06);
   }
-  double axis_length() const { return std::max(1.6, 0.25 * scene_.distance); }
+  /// Of the world's axes, and of the viewer's as they are drawn.
+  double axis_length() const { return std::max(1.3, 0.25 * scene_.distance); }
+  double axis_size() const { return 0.3 * scene_.distance; }
+
+  /// An axis of the viewer in the picture, from its middle.
+  void picture_axis(View& view, const Known& known, int number, dvec2 way) const {
+    const std::string name(axis_names[static_cast<std::size_t>(number)]);
+    const Role role = number == known.newest ? Role::current : Role::accepted;
+    const dvec2 from = seen_place.centre(), to = from + way;
+    view.add({"picture axis " + name, role, Stroke{from, to, true}});
+    view.add({"picture axis " + name + " name", role, Label{to, words_.say("name." + name)}});
+  }
 
   /// What the picture shows round its middle, the target: the letter, where it is in front.
   Extent picture_extent(const glm::dmat4& matrix) const {
@@ -342,16 +354,17 @@ class Drawing {
     }
   }
   template <class At>
-  void letter(View& view, const std::string& name, Role role, const SightFrom& sight, At at,
+  void letter(View& view, const std::string& name, Role role, const MeshLook& look, At at,
               const Extent& place) const {
+    add_mesh_faces(view, "a letter " + name, role, scene_.letter, look, place, at);
     int edge = 0;
     for (const auto& [a, b] : wires_.edges()) {
       int number = 0;
-      for (const auto& [from, to, hidden] : wires_.pieces(a, b, sight)) {
+      for (const auto& [from, to, hidden] : wires_.pieces(a, b, look.sight)) {
         const auto p = at(a + from * (b - a)), q = at(a + to * (b - a));
         if (!p || !q) continue;
         if (auto part = shown_part(place, *p, *q)) {
-          part->dashed = hidden;
+          part->dashed = part->thin = hidden;
           view.add({fmt::format("letter {} {:02} {}", name, edge, number), role, *part});
         }
         ++number;

@@ -96,6 +96,7 @@ class Story {
   void show(Board& board, const RowWritten<double>& r) {
     known_.newest = r.row;
     ++known_.rows;
+    known_.seen = known_.rows == 3;
     milestone(board);
   }
   Event say(const RowWritten<double>& r) const {
@@ -124,6 +125,7 @@ class Story {
   void show(Board& board, const ColumnWritten<double>& c) {
     known_.newest = c.column < 3 ? c.column : -1;
     known_.rows = std::min(3, c.column + 1);
+    known_.seen = way_ != Way::any_frame && known_.rows == 3;
     milestone(board);
   }
   Event say(const ColumnWritten<double>& c) const {
@@ -276,8 +278,14 @@ class Story {
 // --- The methods
 
 void introduce(Narrator& narrator, Role last, std::string_view its_key) {
-  narrator.legend({Role::input, Role::current, Role::accepted, {last, its_key}});
-  narrator.last_is_telling();
+  narrator.legend({Role::current, Role::accepted, {last, its_key}, Role::past, Role::input});
+}
+void introduce_axes(Narrator& narrator) {
+  narrator.legend({Role::current,
+                   {Role::accepted, "columns"},
+                   {Role::result, "result_axes"},
+                   Role::past,
+                   {Role::input, "given_axes"}});
 }
 
 void conclude(Narrator& narrator, const glm::dmat4& matrix) {
@@ -302,7 +310,11 @@ void tell_view(Narrator& narrator) {
   if (way == Way::inverse) narrator.list_below("view_to_world");
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
-  narrator.paper(36, 27);
+  narrator.paper(36, 24);
+  // The matrix is whole after its third row or column
+  const bool replaced =
+      along == Along::replaced && sine_between(scene.target - scene.eye, scene.up) < least_sine<double>;
+  narrator.telling({replaced ? 7 : 6, 0});
   Story story(narrator.words(), scene, way);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
@@ -329,9 +341,10 @@ constexpr auto turned = [](auto... run) { return transposed(run...); };
 
 void tell_any_frame(Narrator& narrator) {
   const Scene scene = scene_of_axes(narrator.arguments());
-  introduce(narrator, Role::result, "result_axes");
+  introduce_axes(narrator);
   narrator.subtitle("subtitle_axes", {{"eye", scene.eye}});
-  narrator.paper(21, 30);
+  narrator.paper(36, 24);
+  narrator.telling({3, 0});
   Story story(narrator.words(), scene, Way::any_frame);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
@@ -370,14 +383,14 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
             looking("cross_products", Standing::faulty, tell_view<Along::divided, Way::rows, rows>)},
        .columns = {{"axis", false}, {"x"}, {"y"}, {"z"}, {"last"}},
        .parameters =
-           {numbers("eye", "2.8,3.6,3.2", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
+           {numbers("eye", "1.6,2.1,1.6", "3,2,5", "where the viewer is: x,y,z in world units", xyz,
                     coordinate_sizes),
             numbers("target", "0.4,0.6,0", "0,0,0", "what the viewer looks at", xyz, coordinate_sizes),
             numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length",
                     xyz, coordinate_sizes),
             points(3, 3, "axes", "2,0,0 1,1,0 0,-0.5,-1", "1,0,0 0,2,0 0.5,0,-1",
                    "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz)},
-       .examples = {"--eye 2.8,3.6,3.2 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
+       .examples = {"--eye 1.6,2.1,1.6 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                     "--eye 2,3,5 --target 0,0,0 --method transposed",
                     "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});
   return topic;

@@ -1,6 +1,6 @@
 #pragma once
-// The drawing of a window's way into a picture: the camera plane to the left, the picture with its pixels to
-// the right.
+// The drawing of a window's way into a picture: the camera plane, the picture with its pixels, and the pixel
+// at hand enlarged. The enlargement has the large place where a picture's pixels are too fine to be seen.
 
 #include "projection/viewport/viewport.hpp"
 #include "stories/telling.hpp"
@@ -26,63 +26,113 @@ struct Fate {
 
 inline dvec2 centre(ivec2 pixel) { return dvec2(pixel) + 0.5; }
 
+/// A coordinate in pixels; with all its digits where rounding it for the reader would name another pixel.
+inline std::string pixels_text(double x) {
+  const std::string shown = figure_real(x);
+  const bool same = std::floor(x) == std::floor(std::round(x * 1000) / 1000);
+  return same ? shown : (x < 0 ? "−" : "") + fmt::format("{:.17g}", std::abs(x));
+}
+
+/// A part of the picture on the paper. Rows are counted down where row 0 is at the top.
+class PictureView {
+ public:
+  PictureView(const Extent& place, Extent pixels, bool rows_down)
+      : pixels_(pixels), rows_down_(rows_down), panel_(place, turned(pixels)) {}
+
+  dvec2 at(dvec2 pixel) const { return panel_.at({pixel.x, rows_down_ ? -pixel.y : pixel.y}); }
+  Path box(dvec2 lower, dvec2 upper) const {
+    return {{at(lower), at({upper.x, lower.y}), at(upper), at({lower.x, upper.y})}, true};
+  }
+  const Extent& pixels() const { return pixels_; }
+  const Extent& place() const { return panel_.place(); }
+  /// Paper units a pixel.
+  double unit() const { return panel_.scale().x; }
+  /// What is shown on the paper, no more than was asked for.
+  Extent drawn() const {
+    Extent all;
+    all.add(at(pixels_.lower));
+    all.add(at(pixels_.upper));
+    return all;
+  }
+
+ private:
+  Extent turned(const Extent& e) const {
+    return rows_down_ ? Extent{{e.lower.x, -e.upper.y}, {e.upper.x, -e.lower.y}} : e;
+  }
+
+  Extent pixels_;
+  bool rows_down_;
+  Panel panel_;
+};
+
 class Drawing {
  public:
   Drawing(const Input& input, const Words& words)
       : input_(input),
         words_(words),
         plane_(plane_place, plane_extent(input)),
-        picture_(picture_place, picture_extent(input)) {}
+        fine_(PictureView(large_place, picture_extent(input), rows_down()).unit() < least_pixel),
+        picture_(fine_ ? small_place : large_place, picture_extent(input), rows_down()) {}
 
   /// current: the point of this step; points.size(): none. done: all pixels are results.
   View view(const std::vector<Fate>& fates, std::size_t current, bool done, bool clamped) const {
     View view;
     add_plane(view, fates, current);
     if (current < fates.size()) add_measures(view, input_.points[current], fates[current]);
-    add_grid(view);
+    add_picture(view);
     if (clamped) add_lines(view, fates);
     for (std::size_t i = 0; i < fates.size(); ++i) {
       if (fates[i].pixel) add_pixel(view, fates[i], letter(i), i == current, done);
       if (fates[i].place) add_place(view, fates[i], letter(i), i == current);
     }
+    if (current < fates.size()) add_way(view, current, fates[current]);
     return view;
   }
   const Panel& plane() const { return plane_; }
 
  private:
-  /// Two panels on a paper of 36 x 27: the camera plane, and the picture; of that, what isn't too near its
-  /// border.
-  static constexpr Extent plane_place{{3.2, 6}, {17, 19.8}}, picture_place{{20.2, 6}, {35.3, 19.8}};
-  static constexpr Extent inner_picture{{20.2 + 0.3, 6 + 0.3}, {35.3 - 0.3, 19.8 - 0.3}};
-  /// Up to so many lines the whole grid of pixels is drawn.
-  static constexpr int most_lines = 40;
+  /// Three panels on a paper of 36 x 24.
+  static constexpr Extent plane_place{{2.2, 14.8}, {13, 22.4}}, small_place{{2.2, 0.6}, {13, 8.4}},
+      large_place{{16.6, 0.6}, {35.6, 20.6}};
+  static constexpr double caption_gap = 2.1;
+  /// Smaller pixels, in paper units, are enlarged.
+  static constexpr double least_pixel = 0.8;
 
   static Extent plane_extent(const Input& input) {
     const auto& [lower, upper] = input.map.window;
-    const dvec2 margin = (upper - lower) * 0.2;
-    return {lower - margin, upper + margin};
+    Extent seen{lower, upper};
+    add_near(seen, input.points, (upper - lower) * 0.25);
+    return widened(seen, 0.05);
   }
   static Extent picture_extent(const Input& input) {
     const dvec2 size(input.map.picture);
-    const double margin = 0.18 * std::max(size.x, size.y);
-    const dvec2 lower{-margin, input.map.row_zero == RowZero::top ? -size.y - margin : -margin};
-    return {lower, lower + size + 2 * margin};
+    Extent seen{{0, 0}, size};
+    std::vector<dvec2> places;
+    for (const dvec2 p : input.points)
+      places.push_back(place_at(input.map.viewport, fraction_of(input.map, p)));
+    add_near(seen, places, size * 0.2);
+    return widened(seen, 0.02);
+  }
+  /// The extent reaches to those of the points that lie no farther beside it than `margin`.
+  static void add_near(Extent& extent, const std::vector<dvec2>& points, dvec2 margin) {
+    const Extent near{extent.lower - margin, extent.upper + margin};
+    for (const dvec2 p : points) {
+      if (near.holds(p)) extent.add(p);
+    }
   }
   bool rows_down() const { return input_.map.row_zero == RowZero::top; }
-  /// A place of the picture on the paper: rows are counted down where row 0 is at the top.
-  dvec2 on_paper(dvec2 place) const { return picture_.at({place.x, rows_down() ? -place.y : place.y}); }
-  Path box_on_paper(dvec2 lower, dvec2 upper) const {
-    return {{on_paper(lower), on_paper({upper.x, lower.y}), on_paper(upper), on_paper({lower.x, upper.y})},
-            true};
-  }
-  /// Whether the panel shows this place, and where; of others the nearest place that it shows.
+
+  static dvec2 clamped_to(const Extent& extent, dvec2 p) { return glm::clamp(p, extent.lower, extent.upper); }
+  /// Where the picture's panel shows a place; the nearest place of its border for those beyond it.
   std::pair<bool, dvec2> shown_at(dvec2 place) const {
-    const dvec2 at = on_paper(place);
-    return {inner_picture.holds(at), glm::clamp(at, inner_picture.lower, inner_picture.upper)};
+    const dvec2 at = picture_.at(place);
+    const Extent drawn = widened(picture_.drawn(), 1e-9);
+    return {drawn.holds(at), clamped_to(drawn, at)};
   }
 
   void add_caption(View& view, std::string_view id, std::string text, const Extent& place) const {
-    view.add({fmt::format("caption {}", id), Role::guide, Text{{place.centre().x, 23}, std::move(text)}});
+    view.add({fmt::format("caption {}", id), Role::guide,
+              Text{{place.centre().x, place.upper.y + caption_gap}, std::move(text)}});
   }
   /// A dot, or where the panel doesn't reach as far an arrow to its border.
   static void add_point(View& view, std::string id, Role role, const Extent& panel, bool inside, dvec2 at) {
@@ -91,16 +141,20 @@ class Drawing {
     view.add({std::move(id), role, Stroke{at + 1.6 * inwards, at, true}});
   }
 
+  /// A point of the camera plane on the paper, and whether it is shown there.
+  std::pair<bool, dvec2> plane_point(std::size_t i) const {
+    const Extent shown = plane_.shown();
+    const dvec2 p = input_.points[i];
+    return {shown.holds(p), plane_.at(clamped_to(shown, p))};
+  }
   void add_plane(View& view, const std::vector<Fate>& fates, std::size_t current) const {
-    add_caption(view, "plane", words_.say("caption.plane"), plane_place);
+    view.add({"caption plane", Role::guide,
+              Text{{plane_place.centre().x, plane_place.upper.y + 1.1}, words_.say("caption.plane")}});
     add_axes(view, plane_, "plane", {words_.symbol("x"), words_.symbol("y")}, 4);
     const auto& [lower, upper] = input_.map.window;
     view.add({"window", Role::boundary, Path{plane_.at(Extent{lower, upper}.corners()), true}});
-    const Extent shown = plane_.shown();
     for (std::size_t i = 0; i < input_.points.size(); ++i) {
-      const dvec2 p = input_.points[i];
-      const bool here = shown.holds(p);
-      const dvec2 at = plane_.at(here ? p : glm::clamp(p, shown.lower, shown.upper));
+      const auto [here, at] = plane_point(i);
       const Role role = i == current ? Role::current : fates[i].outside ? Role::rejected : Role::input;
       add_point(view, "point " + letter(i), role, plane_place, here, at);
       view.add({"point name " + letter(i), role, Label{at, letter(i)}});
@@ -113,40 +167,55 @@ class Drawing {
     const dvec2 fraction = *fate.fraction;
     if (!(std::abs(fraction.x) < 3 && std::abs(fraction.y) < 3)) return;
     const auto& [lower, upper] = input_.map.window;
-    const auto measure = [&](std::string id, dvec2 from, double value) {
-      view.add({id, Role::measure, Stroke{plane_.at(from), plane_.at(p)}});
-      view.add({id + " name", Role::measure, Label{plane_.at((from + p) * 0.5), figure_real(value)}});
-    };
-    measure("across", {lower.x, p.y}, fraction.x);
-    measure("down", {p.x, rows_down() ? upper.y : lower.y}, fraction.y);
+    add_measure(view, "across", plane_.at({lower.x, p.y}), plane_.at(p), fraction.x);
+    add_measure(view, "down", plane_.at({p.x, rows_down() ? upper.y : lower.y}), plane_.at(p), fraction.y);
+  }
+  static void add_measure(View& view, std::string id, dvec2 from, dvec2 to, double value) {
+    view.add({id, Role::measure, Stroke{from, to}});
+    // On a side of its pixel it says nothing
+    const std::string text = figure_real(value);
+    if (text != "0" && text != "1") view.add({id + " name", Role::measure, Label{(from + to) * 0.5, text}});
   }
 
-  void add_grid(View& view) const {
+  void add_picture(View& view) const {
     const std::string rows = rows_down() ? "rows_down" : "rows_up";
-    add_caption(view, rows, words_.say("caption." + rows), picture_place);
-    add_grid_lines(view, 0, "column");
-    add_grid_lines(view, 1, "row");
-    view.add({"picture", Role::boundary, box_on_paper({0, 0}, dvec2(input_.map.picture))});
+    add_caption(view, rows, words_.say("caption." + rows), fine_ ? picture_.drawn() : on_top(picture_));
+    add_grid_lines(view, picture_, "picture", {{0, 0}, dvec2(input_.map.picture)});
+    view.add({"picture", Role::boundary, picture_.box({0, 0}, dvec2(input_.map.picture))});
     if (!input_.boxed) return;
     const auto& [lower, upper] = input_.map.viewport;
-    Path viewport = box_on_paper(lower, upper);
-    viewport.dashed = true;
-    view.add({"viewport", Role::boundary, std::move(viewport)});
+    view.add({"viewport", Role::candidate, picture_.box(lower, upper)});
   }
-  void add_grid_lines(View& view, int axis, std::string_view name) const {
-    const ivec2 size = input_.map.picture;
-    const int count = size[axis];
-    const int step = count <= most_lines ? 1 : std::max(1, static_cast<int>(tick_distance(count, 8)));
-    const int labels = std::max(step, static_cast<int>(std::ceil(tick_distance(count, 8))));
-    const dvec2 beside = axis == 1 ? dvec2{-0.7, 0} : dvec2{0, rows_down() ? 1.1 : -1.2};
-    for (int i = 0; i <= count; i += step) {
-      dvec2 a{0, 0}, b(size);
-      a[axis] = b[axis] = i;
-      view.add({fmt::format("grid {} {:05}", name, i), Role::guide, Stroke{on_paper(a), on_paper(b)}});
-      if (i % labels != 0) continue;
-      view.add({fmt::format("grid value {} {:05}", name, i), Role::guide,
-                Text{on_paper(a) + beside, figure_real(i), axis == 1 ? Align::right : Align::centre}});
+  static Extent on_top(const PictureView& pixels) { return pixels.drawn(); }
+
+  /// Lines between pixels where they can be told apart, with their numbers at the left and above, or below
+  /// where rows are counted up.
+  void add_grid_lines(View& view, const PictureView& pixels, const std::string& name,
+                      const Extent& part) const {
+    for (const int axis : {0, 1}) {
+      const int first = static_cast<int>(std::ceil(part.lower[axis])),
+                last = static_cast<int>(std::floor(part.upper[axis]));
+      const int step = label_step(pixels, axis, first, last);
+      const std::string which = axis == 0 ? "column" : "row";
+      const dvec2 beside = axis == 1 ? dvec2{-0.6, 0} : dvec2{0, rows_down() ? 0.9 : -0.9};
+      for (int i = first; i <= last; ++i) {
+        dvec2 a = part.lower, b = part.upper;
+        a[axis] = b[axis] = i;
+        if (pixels.unit() >= least_pixel)
+          view.add({fmt::format("grid {} {} {:05}", name, which, i), Role::guide,
+                    Stroke{pixels.at(a), pixels.at(b)}});
+        if (i % step != 0) continue;
+        view.add({fmt::format("grid value {} {} {:05}", name, which, i), Role::guide,
+                  Text{pixels.at(a) + beside, figure_number(i), axis == 1 ? Align::right : Align::centre}});
+      }
     }
+  }
+  /// Every so many lines have their number: numbers need more room than lines.
+  static int label_step(const PictureView& pixels, int axis, int first, int last) {
+    const auto digits = static_cast<double>(figure_number(last).size());
+    const double room = axis == 0 ? 0.9 * digits + 0.7 : 1.5;
+    const int most = std::max(1, static_cast<int>((last - first) * pixels.unit() / room));
+    return std::max(1, static_cast<int>(std::ceil(tick_distance(std::max(1, last - first), most))));
   }
 
   void add_pixel(View& view, const Fate& fate, const std::string& name, bool current, bool done) const {
@@ -154,25 +223,74 @@ class Drawing {
                       : done       ? Role::result
                       : current    ? Role::accepted
                                    : Role::past;
-    const dvec2 corner(*fate.pixel), middle = on_paper(centre(*fate.pixel));
-    const Path box = box_on_paper(corner, corner + 1.0);
-    view.add({"pixel " + name, role, gradus::Area{{box.points}}});
-    view.add({"pixel " + name + " outline", role, box});
-    if (current || done) view.add({"pixel name " + name, role, Label{middle, name}});
+    const dvec2 corner(*fate.pixel), middle = picture_.at(centre(*fate.pixel));
+    if (fine_) {
+      if (!current) view.add_named("pixel " + name, role, middle, name);
+    } else {
+      const Path box = picture_.box(corner, corner + 1.0);
+      view.add({"pixel " + name, role, gradus::Area{{box.points}}});
+      view.add({"pixel " + name + " outline", role, box});
+      if (!fate.place || done) view.add({"pixel name " + name, role, Label{middle, name}});
+    }
     if (!fate.moved() || !current) return;
     const dvec2 from = shown_at(dvec2(*fate.nearest)).second;
     view.add({"moved " + name, Role::rejected, Stroke{from, middle, true, true}});
   }
 
   void add_place(View& view, const Fate& fate, const std::string& name, bool current) const {
+    if (fine_ && fate.pixel && !current) return;  // drawn as its pixel
     const auto [inside, at] = shown_at(*fate.place);
     const Role role = fate.outside ? Role::rejected : current ? Role::current : Role::input;
-    add_point(view, "place " + name, role, picture_place, inside, at);
-    if (current && fate.pixel && input_.rounding != Rounding::floor && inside) {
-      const auto [there, corner] = shown_at(dvec2(*fate.nearest));
-      if (there) view.add({"rounding " + name, Role::measure, Stroke{at, corner, true}});
+    add_point(view, "place " + name, role, picture_.place(), inside, at);
+    view.add({"place name " + name, role, Label{at, name}});
+  }
+
+  // --- The point at hand, on its way
+
+  /// From the camera plane to its place, and the pixel there enlarged.
+  void add_way(View& view, std::size_t i, const Fate& fate) const {
+    if (!fate.place) return;
+    const auto [here, from] = plane_point(i);
+    const auto [there, to] = shown_at(*fate.place);
+    if (!holds(input_.map.viewport, *fate.place)) {
+      if (here && there) view.add({"way", Role::current, Stroke{from, to, true, true}});
+      return;
     }
-    if (fate.outside || !fate.pixel) view.add({"place name " + name, role, Label{at, name}});
+    const ivec2 own = rounded(*fate.place, Rounding::floor);
+    const dvec2 room = fine_ ? dvec2{3, 2} : dvec2{0};
+    const Extent part{dvec2(own) - room - 0.3, dvec2(own) + room + 1.3};
+    const PictureView enlarged(fine_ ? large_place : small_place, part, rows_down());
+    add_enlarged(view, enlarged, fate, own);
+    const dvec2 place = fine_ ? enlarged.at(*fate.place) : to;
+    if (here) view.add({"way", Role::current, Stroke{from, place, true, true}});
+  }
+
+  void add_enlarged(View& view, const PictureView& enlarged, const Fate& fate, ivec2 own) const {
+    const dvec2 size(input_.map.picture), place = *fate.place;
+    const Extent& part = enlarged.pixels();
+    add_grid_lines(view, enlarged, "enlarged",
+                   {glm::max(part.lower, dvec2{0, 0}), glm::min(part.upper, size)});
+    if (fate.pixel && !fate.moved()) {
+      const Path box = enlarged.box(dvec2(*fate.pixel), dvec2(*fate.pixel) + 1.0);
+      if (part.holds(centre(*fate.pixel))) {
+        view.add({"enlarged pixel", Role::accepted, gradus::Area{{box.points}}});
+        view.add({"enlarged pixel outline", Role::accepted, box});
+      }
+    }
+    const dvec2 at = enlarged.at(place), corner(own);
+    add_measure(view, "enlarged across", enlarged.at({corner.x, place.y}), at, place.x - corner.x);
+    add_measure(view, "enlarged down", enlarged.at({place.x, corner.y}), at, place.y - corner.y);
+    if (fate.nearest && input_.rounding != Rounding::floor && part.holds(dvec2(*fate.nearest)))
+      view.add({"rounding", Role::accepted, Stroke{at, enlarged.at(dvec2(*fate.nearest)), true}});
+    view.add({"enlarged place", Role::current, Dot{at}});
+    if (!fate.nearest) return;
+    const std::string_view rule = input_.rounding == Rounding::floor ? "caption.floor" : "caption.nearest";
+    add_caption(view, "enlarged",
+                words_.say(rule, {{"px", pixels_text(place.x)},
+                                  {"py", pixels_text(place.y)},
+                                  {"column", fate.nearest->x},
+                                  {"row", fate.nearest->y}}),
+                enlarged.drawn());
   }
 
   /// The line through the points as it is (dashed), and as it comes out between moved pixels.
@@ -180,21 +298,23 @@ class Drawing {
     for (std::size_t i = 1; i < fates.size(); ++i) {
       if (!fates[i - 1].pixel || !fates[i].pixel) continue;
       const auto [in, a] = shown_at(*fates[i - 1].place);
-      const dvec2 way = on_paper(*fates[i].place) - a;
+      const dvec2 way = picture_.at(*fates[i].place) - a;
       // Only as far as the panel shows it
-      const double most = span_in(inner_picture, a, way, 0, 1).second;
+      const double most = span_in(picture_.place(), a, way, 0, 1).second;
       const std::string names = letter(i - 1) + letter(i);
       if (in && most > 0) {
-        view.add({"line " + names, Role::measure, Stroke{a, a + most * way, false, true}});
+        view.add({"line " + names, Role::candidate, Stroke{a, a + most * way}});
       }
-      const dvec2 from = on_paper(centre(*fates[i - 1].pixel)), to = on_paper(centre(*fates[i].pixel));
+      const dvec2 from = picture_.at(centre(*fates[i - 1].pixel)), to = picture_.at(centre(*fates[i].pixel));
       view.add({"drawn " + names, Role::rejected, Stroke{from, to}});
     }
   }
 
   const Input& input_;
   const Words& words_;
-  Panel plane_, picture_;
+  Panel plane_;
+  bool fine_;  ///< the picture's pixels are too small to be seen
+  PictureView picture_;
 };
 
 }  // namespace gradus::viewport

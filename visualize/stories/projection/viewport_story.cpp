@@ -37,7 +37,7 @@ class Story {
                       {"upper", upper},
                       {"width", input_.map.picture.x},
                       {"height", input_.map.picture.y},
-                      {"side", words_.say(rows_down() ? "top" : "bottom")}},
+                      {"side", side()}},
             .type = "Input"};
   }
 
@@ -63,11 +63,14 @@ class Story {
     board.detail(view());
   }
   Event say(const Placed<double>& p) const {
-    Event event{
-        .text = "placed",
-        .facts = {{"x", p.place.x}, {"y", p.place.y}},
-        .words = {{"across", along(0, p)}, {"along", along(1, p)}, {"name", name()}, {"place", p.place}},
-        .key = name()};
+    Event event{.text = "placed",
+                .facts = {{"x", p.place.x}, {"y", p.place.y}},
+                .words = {{"across", along(0, p)},
+                          {"along", along(1, p)},
+                          {"name", name()},
+                          {"place", p.place},
+                          {"side", side()}},
+                .key = name()};
     if (!clamps_) event.decides = lies_inside();
     return event;
   }
@@ -118,6 +121,7 @@ class Story {
  private:
   View view() const { return drawing_.view(fates_, current_, done_, clamps_); }
   bool rows_down() const { return input_.map.row_zero == RowZero::top; }
+  std::string side() const { return words_.say(rows_down() ? "top" : "bottom"); }
   std::string name() const { return letter(current_); }
 
   /// "1 + 0.25·6 = 2.5"
@@ -163,15 +167,16 @@ class Story {
                 .facts = {{"outside", now.outside}},
                 .words = {{"name", name()},
                           {"place", place},
-                          {"px", place.x},
-                          {"py", place.y},
+                          {"px", pixels_text(place.x)},
+                          {"py", pixels_text(place.y)},
                           {"nearest", nearest},
                           {"pixel", pixel},
                           {"column", pixel.x},
                           {"row", pixel.y},
                           {"width", input_.map.picture.x},
                           {"height", input_.map.picture.y}},
-                .row = {name(), place.x, place.y, now.pixel ? Said(pixel) : words_.say("outside")},
+                .row = {name(), pixels_text(place.x), pixels_text(place.y),
+                        now.pixel ? Said(pixel) : words_.say("outside")},
                 .key = name(),
                 .decides = std::move(decision),
                 .type = now.outside ? "Outside" : "Rounded"};
@@ -221,13 +226,16 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
   const auto count = std::ssize(input.points);
   narrator.trace().subtitle =
       words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
-  narrator.paper(36, 27);
-  narrator.legend({Role::input,
-                   Role::current,
+  narrator.paper(36, 24);
+  narrator.legend({Role::current,
+                   Role::accepted,
                    Role::measure,
                    {Role::rejected, clamps ? "moved" : "rejected"},
-                   Role::result});
-  if (clamps) narrator.trace().legend[2].text = words.say("true_line");
+                   {Role::candidate, clamps ? "true_line" : "candidate"},
+                   Role::past,
+                   Role::result,
+                   Role::input});
+  if (clamps) narrator.telling({count, 0});  // what lies outside stands last, as a rule
   narrator.tell_each(story, input.points.size(),
                      [&](std::size_t i, const auto& watch) { take(input.points[i], watch); });
   for (const Fate& fate : story.fates()) {
@@ -274,7 +282,6 @@ void tell_clamped(Narrator& narrator) {
   const Input input = input_of(narrator.arguments(), Rounding::half_even);
   tell_points(narrator, input, true,
               [&](dvec2 point, const auto& watch) { clamped(input.map, point, input.rounding, watch); });
-  narrator.last_is_telling();
 }
 
 /// Of points and windows: then fractions of the one in the other neither overflow nor underflow.

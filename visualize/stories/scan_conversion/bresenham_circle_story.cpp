@@ -8,8 +8,8 @@
 namespace gradus::bresenham_circle {
 namespace {
 
-/// Up to this radius a run is watched from its start; the exact method jumps into longer ones, and is told
-/// for so many columns.
+/// Up to this radius a run is watched from its start; the exact method jumps into longer ones,
+/// and is told for so many columns.
 constexpr int longest_watched = 20'000;
 /// So many pixels of a circle a window may show.
 constexpr std::int64_t most_in_window = 1'000'000;
@@ -32,14 +32,25 @@ double radial_error(int radius, ivec2 at) {
 
 // --- The steps
 
-/// How a run is told: all of a circle eight pixels a step, what a window shows of it one pixel a step, or the
-/// notes' listing and where the circle would have been.
-enum class Way { whole, windowed, late };
+/// How a run is told: all of a circle eight pixels a step, what a window shows of it one pixel a step, the
+/// notes' listing and where the circle would have been, or their way of plotting and what it sets again.
+enum class Way { whole, windowed, late, eight };
 
 class Story {
  public:
   Story(const Words& words, const Circle& circle, Way way)
-      : words_(words), circle_(circle), windowed_(way == Way::windowed), late_(way == Way::late) {}
+      : words_(words),
+        circle_(circle),
+        windowed_(way == Way::windowed),
+        late_(way == Way::late),
+        eight_(way == Way::eight) {}
+
+  /// The number of the step that strays farthest from the circle.
+  std::int64_t worst_step() const { return worst_step_; }
+  /// The number of the last step.
+  std::int64_t last_step() const { return k_; }
+  /// So many plots fell on pixels that had been set.
+  std::int64_t plotted_again() const { return plotted_again_; }
 
   void show(Board& board, const Started& s) {
     if (windowed_) return board.milestone(clamped(s.center));
@@ -47,6 +58,12 @@ class Story {
     plot(board, {0, s.radius});
   }
   Event say(const Started& s) const {
+    if (eight_) {
+      const Event event{.text = "started_with_eight",
+                        .facts = {{"center", s.center}, {"radius", s.radius}, {"p", s.p}, {"again", again_}},
+                        .count = images - again_};
+      return standing(event, {0, s.radius}, s.p);
+    }
     Event event{.text = windowed_       ? "started_in_window"
                         : s.radius == 0 ? "started_at_centre"
                                         : "started",
@@ -75,9 +92,7 @@ class Story {
     board.detail(pixel(c.at));
     point_at(board, next(c.at, true), Role::candidate, "straight name", named(true));
     point_at(board, next(c.at, false), Role::candidate, "diagonal move name", named(false));
-    const dvec2 between = point({c.at.x + 1, c.at.y - 0.5});
-    board.mark("midpoint", Role::candidate, Dot{between, true});
-    board.mark("midpoint name", Role::candidate, Label{between, words_.say("midpoint")});
+    mark_midpoint(board, c.at);
   }
   Event say(const Compared& c) const {
     const std::int64_t right = decision_at(circle_.radius, c.at.x, c.at.y);
@@ -92,8 +107,9 @@ class Story {
                       {"e", outside(circle_.radius, next(c.at, true))},
                       {"se", outside(circle_.radius, next(c.at, false))},
                       {"test", test(c.p)},
+                      {"side", side(c.p)},
                       {"right", right}},
-            .read = read(k_, c.at, c.p, c.east),
+            .read = read(row(k_, c.at, c.p, again_), c.p, c.east),
             .key = pixel_key(pixel(c.at)),
             .phase = phase(),
             .decides = decision(c.p, c.east)};
@@ -104,21 +120,26 @@ class Story {
     board.milestone(pixel(s.at));
     if (const ivec2 right = right_place(s.at); late_ && right != s.at) {
       point_at(board, right, Role::accepted, "right name", words_.say("right_pixel"));
-    } else if (!late_) {
+    } else if (!late_ && !eight_) {
       point_at(board, next(s.from(), !s.east), Role::rejected, "rejected name",
                words_.say("rejected", {{"step", named(!s.east)}}));
     }
+    if (!eight_) mark_midpoint(board, s.from());
     if (past_diagonal(s)) {
       return point_at(board, s.at, Role::accepted, "chosen name", words_.say("mirrored"));
     }
     plot(board, s.at);
     board.mark("chosen name", Role::current,
                Label{point(s.at), words_.say("chosen", {{"step", named(s.east)}})});
-    measure(board, s.at);
-    if (radial_error(circle_.radius, s.at) > radial_error(circle_.radius, worst_)) worst_ = s.at;
+    if (!eight_) measure(board, s.at);
+    if (radial_error(circle_.radius, s.at) > radial_error(circle_.radius, worst_)) {
+      worst_ = s.at;
+      worst_step_ = k_;
+    }
   }
   Event say(const Stepped& s) const {
     Event event{.text = past_diagonal(s) ? "past_diagonal"
+                        : again_ > 0     ? "stepped_again"
                         : windowed_      ? "stepped_in_window"
                         : late_          ? "stepped_late"
                                          : "stepped",
@@ -128,23 +149,27 @@ class Story {
                           {"p", s.p},
                           {"east", s.east}},
                 .words = {{"test", test(s.p_before)},
+                          {"side", side(s.p_before)},
                           {"step", named(s.east)},
                           {"before", s.from()},
                           {"update", update(s)},
                           {"change", s.p - s.p_before},
                           {"excess", s.east ? 4 : 8}},
-                .read = read(k_ - 1, s.from(), s.p_before, s.east),
+                .read = read(row(k_ - 1, s.from(), s.p_before, again_before_), s.p_before, s.east),
                 .decides = decision(s.p_before, s.east)};
+    if (eight_) event.facts.push_back({"again", again_});
     return standing(event, s.at, s.p);
   }
 
   void show(Board& board, const Finished&) {
-    if (!windowed_ && !late_ && k_ < last_column(circle_.radius)) return;  // a part was watched
+    const bool to_the_end = windowed_ || late_ || eight_;
+    if (!to_the_end && k_ < last_column(circle_.radius)) return;  // a part was watched
     board.detail(late_       ? pixel(worst_)
                  : windowed_ ? board.last_plotted(clamped(circle_.center))
                              : circle_.center);
     board.all_plotted(Role::result);
     plotted_ = board.plotted();
+    show_again(board);
     if (late_ && worst_.y > 0) measure(board, worst_);
   }
   Event say(const Finished& f) const {
@@ -152,6 +177,11 @@ class Story {
       return {.text = "went_wrong",
               .facts = {{"plots", f.pixels}, {"pixels", plotted_}},
               .words = {{"error", error_text(worst_)}}};
+    }
+    if (eight_) {
+      return {.text = "plotted_again",
+              .facts = {{"plots", f.pixels}, {"again", plotted_again_}},
+              .count = plotted_};
     }
     if (f.pixels == 0) return {.text = "missed", .facts = {{"pixels", f.pixels}}};
     return {.text = "done", .facts = {{"pixels", f.pixels}}, .count = f.pixels};
@@ -165,7 +195,7 @@ class Story {
             std::clamp(p.y, circle_.window->lower.y, circle_.window->upper.y)};
   }
   static ivec2 next(ivec2 at, bool east) { return at + (east ? ivec2{1, 0} : ivec2{1, -1}); }
-  bool past_diagonal(const Stepped& s) const { return !windowed_ && !late_ && s.at.x > s.at.y; }
+  bool past_diagonal(const Stepped& s) const { return !windowed_ && !late_ && !eight_ && s.at.x > s.at.y; }
   /// The right place in this column, as far as the octant goes.
   ivec2 right_place(ivec2 at) const {
     return at.x <= last_column(circle_.radius) ? place(at.x, height_at(circle_.radius, at.x)) : at;
@@ -181,7 +211,9 @@ class Story {
   std::string test(std::int64_t p) const {
     return words_.say(p < 0 ? "test.negative" : "test.positive", {{"p", p}});
   }
-  std::string error_text(ivec2 at) const { return fmt::format("{:.3f}", radial_error(circle_.radius, at)); }
+  /// Where p says that the midpoint lies.
+  std::string side(std::int64_t p) const { return words_.say(p < 0 ? "side.inside" : "side.outside"); }
+  std::string error_text(ivec2 at) const { return figure_real(radial_error(circle_.radius, at)); }
   /// "3 + 4·(2 − 8) + 10 = −11": of the place it came from; the late one takes that where it has gone.
   std::string update(const Stepped& s) const {
     const ivec2 at = late_ ? s.at : s.from();
@@ -196,25 +228,53 @@ class Story {
             east ? 0u : 1u,
             east ? "straight" : "diagonal"};
   }
-  std::vector<Said> read(std::int64_t k, ivec2 at, std::int64_t p, bool east) const {
-    return {k, at.x, at.y, p, words_.say(p < 0 ? "sign.negative" : "sign.positive"), named(east)};
+  std::vector<Said> read(std::vector<Said> cells, std::int64_t p, bool east) const {
+    cells.insert(cells.end(), {words_.say(p < 0 ? "sign.negative" : "sign.positive"), named(east)});
+    return cells;
+  }
+  std::vector<Said> row(std::int64_t k, ivec2 at, std::int64_t p, std::int64_t again) const {
+    std::vector<Said> cells{k, at.x, at.y, p};
+    if (eight_) cells.push_back(again);
+    return cells;
   }
   /// Where the octant stands now: what the step is about, and a row of its own.
   Event standing(Event event, ivec2 at, std::int64_t p) const {
     event.key = pixel_key(pixel(at));
     if (event.text != "started") event.phase = phase();
-    event.row = {k_, at.x, at.y, p};
+    event.row = row(k_, at, p, again_);
     event.words.insert(event.words.end(), {{"k", k_}, {"x", at.x}, {"y", at.y}, {"pixel", pixel(at)}});
     return event;
   }
 
   /// The octant's own pixel is this step's; the other seven follow from it.
-  void plot(Board& board, ivec2 at) const {
+  void plot(Board& board, ivec2 at) {
+    if (eight_) return plot_with_again(board, at);
     auto image = [&](ivec2 p) {
       board.plot(p, p == pixel(at) ? Role::current : late_ ? Role::past : Role::accepted);
     };
     if (windowed_) return image(pixel(at));
     late_ ? plot_eight(circle_.center, at.x, at.y, image) : plot_mirrored(circle_.center, at.x, at.y, image);
+  }
+  /// All eight of them, and how many are set again.
+  void plot_with_again(Board& board, ivec2 at) {
+    again_before_ = again_;
+    again_ = 0;
+    auto image = [&](ivec2 p) {
+      board.plot(p, p == pixel(at) ? Role::current : Role::accepted);
+      again_ += ++times_[{p.x, p.y}] > 1;
+    };
+    plot_eight(circle_.center, at.x, at.y, image);
+    plotted_again_ += again_;
+    show_again(board);
+  }
+  /// Pixels that have been set more than once, and how often.
+  void show_again(Board& board) const {
+    constexpr int with_room = 4;  // labels beside smaller circles lie over their pixels
+    for (const auto& [at, times] : times_) {
+      if (times == 1) continue;
+      board.put({at.first, at.second}, Role::rejected,
+                circle_.radius < with_room ? "" : figure_number(times));
+    }
   }
   /// The run goes on in the middle: places before are drawn, as far back as a view can reach.
   void go_on(Board& board, ivec2 at) {
@@ -228,6 +288,13 @@ class Story {
       plot_mirrored(circle_.center, before.x, before.y, past);
     }
     plot(board, at);
+  }
+  /// Between the two places to choose from.
+  void mark_midpoint(Board& board, ivec2 from) const {
+    const dvec2 midpoint = point({from.x + 1, from.y - 0.5});
+    if (!board.holds(midpoint)) return;
+    board.mark("midpoint", Role::boundary, Dot{midpoint, true});
+    board.mark("midpoint name", Role::boundary, Label{midpoint, words_.say("midpoint")});
   }
   /// A pixel that is only looked at. It may lie outside the plane, and then outside the grid.
   void point_at(Board& board, ivec2 at, Role role, std::string id, std::string text) const {
@@ -246,10 +313,14 @@ class Story {
 
   const Words& words_;
   const Circle circle_;
-  const bool windowed_, late_;
+  const bool windowed_, late_, eight_;
+  static constexpr std::int64_t images = 8;
   Octant octant_ = octants[0];
-  std::int64_t k_ = 0, plotted_ = 0;
-  ivec2 worst_{0, circle_.radius};  ///< the place that is farthest off so far
+  std::int64_t k_ = 0, plotted_ = 0, worst_step_ = 0;
+  ivec2 worst_{0, circle_.radius};             ///< the place that is farthest off so far
+  std::map<std::pair<int, int>, int> times_;   ///< how often each pixel was set
+  std::int64_t again_ = 0, again_before_ = 0;  ///< plots on such pixels, at the last two places
+  std::int64_t plotted_again_ = 0;
 };
 
 // --- The methods
@@ -271,7 +342,7 @@ void require_plane(const Circle& circle, const Arguments& arguments) {
 
 void tell_window(Narrator& narrator, const Circle& circle) {
   std::int64_t shown = 0;
-  for (const Arc& arc : visible(circle.center, circle.radius, *circle.window)) shown += arc.shown.count();
+  for (const Arc& arc : visible({circle.center, circle.radius}, *circle.window)) shown += arc.shown.count();
   if (shown > most_in_window) {
     refuse("window", "at most {} pixels of the circle can be watched, this window shows {}", most_in_window,
            shown);
@@ -305,7 +376,7 @@ void tell_decision(Narrator& narrator) {
   if (jumps) {
     circle.first = std::clamp<std::int64_t>(narrator.recording().first, 0, last_column(circle.radius));
   }
-  draw_circle(narrator, circle, longest_watched, false);
+  draw_circle(narrator, circle, longest_watched, Key::mirrored);
   if (circle.window) return tell_window(narrator, circle);
   narrator.result({{"count", pixel_count(circle.radius)}});
   if (jumps) return tell_part(narrator, circle);
@@ -316,10 +387,23 @@ void tell_decision(Narrator& narrator) {
 void tell_late(Narrator& narrator) {
   const Circle circle = circle_of(narrator.arguments());
   require_plane(circle, narrator.arguments());
-  draw_circle(narrator, circle, longest_watched, true);
+  draw_circle(narrator, circle, longest_watched, Key::right);
   Story story(narrator.words(), circle, Way::late);
   late_update(circle.center, circle.radius, drop, narrator.watcher(story));
+  if (has_step(narrator.trace(), {story.worst_step(), 0})) narrator.telling({story.worst_step(), 0});
   narrator.result({{"count", narrator.board().plotted()}});
+}
+
+void tell_eight(Narrator& narrator) {
+  const Circle circle = circle_of(narrator.arguments());
+  require_plane(circle, narrator.arguments());
+  draw_circle(narrator, circle, longest_watched, Key::again);
+  narrator.columns({{"k"}, {"x"}, {"y"}, {"p"}, {"again"}, {"test", false}, {"step", false}});
+  Story story(narrator.words(), circle, Way::eight);
+  eight_plots(circle.center, circle.radius, drop, narrator.watcher(story));
+  if (has_step(narrator.trace(), {story.last_step(), 0})) narrator.telling({story.last_step(), 0});
+  const std::int64_t pixels = narrator.board().plotted(), again = story.plotted_again();
+  narrator.result({{"count", pixels}, {"plots", pixels + again}, {"plotted_again", again}});
 }
 
 }  // namespace
@@ -334,6 +418,11 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {.name = "late_update",
                     .standing = Standing::faulty,
                     .tell = tell_late,
+                    .without = {"window"},
+                    .within = {{"radius", longest_watched}}},
+                   {.name = "eight_plots",
+                    .standing = Standing::faulty,
+                    .tell = tell_eight,
                     .without = {"window"},
                     .within = {{"radius", longest_watched}}}},
        .columns = {{"k"}, {"x"}, {"y"}, {"p"}, {"test", false}, {"step", false}},

@@ -14,7 +14,7 @@ constexpr auto drop = [](ivec2) {};
 
 // --- The integer methods
 
-/// How a run is told: the taught one and its jump into a window, the notes' listings, or the one of them
+/// Which run is told: the right one and its jump into a window, a listing of the notes, or the one of these
 /// whose decisions follow a misprint.
 enum class Way { right, faulty, misprinted };
 
@@ -54,13 +54,11 @@ class DecisionStory {
     compared_ = c;
     const dvec2 straight = dvec2(c.pixel) + dvec2(c.moves.straight);
     const dvec2 diagonal = dvec2(c.pixel) + dvec2(c.moves.diagonal);
-    const dvec2 between = 0.5 * (straight + diagonal);
     board.detail(c.pixel);
     for (const dvec2 at : {straight, diagonal}) {
       if (board.holds(at)) board.look_at(ivec2(at), Role::candidate);
     }
-    board.mark("midpoint", Role::candidate, Dot{between, true});
-    board.mark("midpoint name", Role::candidate, Label{between, words_.say("midpoint")});
+    mark_midpoint(board);
     board.mark("straight name", Role::candidate, Label{straight, named(true)});
     board.mark("diagonal name", Role::candidate, Label{diagonal, named(false)});
   }
@@ -86,6 +84,7 @@ class DecisionStory {
       board.mark("rejected name", Role::rejected,
                  Label{other, words_.say("rejected", {{"step", named(!s.straight)}})});
     }
+    mark_midpoint(board);
     board.plot(s.pixel, Role::current);
     board.mark("chosen name", Role::current,
                Label{dvec2(s.pixel), words_.say("chosen", {{"step", named(s.straight)}})});
@@ -144,14 +143,38 @@ class DecisionStory {
     return compared_.p < 0 ? "negative" : compared_.p > 0 ? "positive" : "zero";
   }
   std::string test() const { return words_.say(fmt::format("test.{}", sign()), {{"p", compared_.p}}); }
+  /// What the sign of p says of the line and the midpoint, be it true or not.
   std::string reason() const {
-    if (way_ == Way::misprinted && compared_.pixel != line_.from) {
-      return words_.say("reason.misprinted", {{"step", named(compared_.straight)}});
-    }
-    if (compared_.p == 0) {
+    if (compared_.p == 0 && way_ == Way::faulty) return words_.say("reason.aside");
+    if (compared_.p == 0)
       return words_.say(compared_.moves.straight.x == 0 ? "reason.smaller_x" : "reason.smaller_y");
-    }
-    return words_.say("reason.side", {{"step", named(compared_.p < 0)}});
+    const ivec2 aside = compared_.moves.diagonal - compared_.moves.straight;
+    const ivec2 side = compared_.p < 0 ? -aside : aside;
+    const std::string where = words_.say(side.y > 0   ? "side.above"
+                                         : side.y < 0 ? "side.below"
+                                         : side.x < 0 ? "side.left"
+                                                      : "side.right");
+    return words_.say(passes(side) ? "reason.side" : "reason.by_p", {{"side", where}});
+  }
+  /// Twice the midpoint between the two pixels to choose from.
+  glm::i64vec2 twice_midpoint() const {
+    const auto& [pixel, moves, p, straight] = compared_;
+    return std::int64_t{2} * glm::i64vec2(pixel) + glm::i64vec2(moves.straight) +
+           glm::i64vec2(moves.diagonal);
+  }
+  /// Whether the exact line passes the midpoint on this side: seen from the line, they lie on opposite ones.
+  bool passes(ivec2 side) const {
+    const auto cross = [](glm::i64vec2 a, glm::i64vec2 b) {
+      return int128_t{a.x} * b.y - int128_t{a.y} * b.x;
+    };
+    const glm::i64vec2 from(line_.from), way = glm::i64vec2(line_.to) - from;
+    return cross(way, twice_midpoint() - std::int64_t{2} * from) * cross(way, glm::i64vec2(side)) < 0;
+  }
+  void mark_midpoint(Board& board) const {
+    const dvec2 midpoint = 0.5 * dvec2(twice_midpoint());
+    if (!board.holds(midpoint)) return;
+    board.mark("midpoint", Role::boundary, Dot{midpoint, true});
+    board.mark("midpoint name", Role::boundary, Label{midpoint, words_.say("midpoint")});
   }
   Decision decision() const {
     return {words_.say("question", {{"p", compared_.p}}),
@@ -170,6 +193,12 @@ class DecisionStory {
     return fmt::format("{} + 2·({} − {}) = {}", before, dy, dx, after);
   }
 
+  /// A fraction of dx, as such where it is short.
+  std::string error_text(std::int64_t miss) const {
+    constexpr std::int64_t most = 1000;
+    if (size_.dx < most) return figure_fraction(miss, size_.dx);
+    return fmt::format("≈ {:.3f}", static_cast<double>(miss) / static_cast<double>(size_.dx));
+  }
   /// The distance from the pixel's centre to the exact line, along the axis that does not lead.
   void measure(Board& board, ivec2 pixel) const {
     if (way_ != Way::right || size_.dx == 0) return;
@@ -178,7 +207,7 @@ class DecisionStory {
     const dvec2 at(pixel), ideal = ideal_at(line_, k_);
     board.mark("error", Role::measure, Stroke{at, ideal});
     board.mark("error name", Role::measure,
-               Label{0.5 * (at + ideal), words_.say("error", {{"error", figure_fraction(miss, size_.dx)}})});
+               Label{0.5 * (at + ideal), words_.say("error", {{"error", error_text(miss)}})});
   }
 
   const Words& words_;

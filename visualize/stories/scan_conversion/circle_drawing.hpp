@@ -53,7 +53,7 @@ inline Path ideal_circle(const Circle& circle) {
 inline void draw_ideal(Narrator& narrator, const Circle& circle, int longest_watched) {
   std::optional<dvec2> named;
   if (circle.window) {
-    for (const auto& [octant, shown] : visible(circle.center, circle.radius, *circle.window)) {
+    for (const auto& [octant, shown, whole] : visible({circle.center, circle.radius}, *circle.window)) {
       if (shown.count() == 0) continue;
       Path arc = ideal_arc(circle, octant, shown);
       if (!named) named = arc.points[arc.points.size() / 2];
@@ -77,20 +77,39 @@ inline void draw_octant(Narrator& narrator, const Circle& circle) {
   narrator.backdrop("centre, across", Role::input, Stroke{center - across, center + across});
   narrator.backdrop("centre, up", Role::input, Stroke{center - up, center + up});
   if (circle.radius < 2) return;
-  const dvec2 top = center + dvec2{0, circle.radius}, corner = center + circle.radius * std::sqrt(0.5);
-  narrator.backdrop("radius", Role::input, Stroke{center, top});
+  // On the far side of the octant that is told: its labels need the room
+  const dvec2 left = center - dvec2{circle.radius, 0}, corner = center + circle.radius * std::sqrt(0.5);
+  narrator.backdrop("radius", Role::input, Stroke{center, left});
   narrator.backdrop("diagonal", Role::boundary, Stroke{center, corner});
   if (circle.radius < 4) return;
+  // As far from their lines whatever the radius: the whole circle is as large as the drawing
+  const double r = circle.radius;
   narrator.backdrop("radius name", Role::input,
-                    Label{0.5 * (center + top), words.say("radius", {{"radius", circle.radius}})});
+                    Text{center + dvec2{-0.5, 0.08} * r, words.say("radius", {{"radius", circle.radius}})});
   narrator.backdrop("diagonal name", Role::boundary,
-                    Label{center + 0.45 * (corner - center), words.say("diagonal")});
+                    Text{center + dvec2{0.4, 0.28} * r, words.say("diagonal"), Align::left});
+}
+
+/// What a run's cells mean beside what all runs have: mirror images, the right pixels beside wrong ones, or
+/// mirror images that are set again.
+enum class Key { mirrored, right, again };
+
+inline void draw_key(Narrator& narrator, Key key) {
+  narrator.legend({Role::past,
+                   Role::current,
+                   {Role::accepted, key == Key::right ? "right" : "mirrored"},
+                   Role::candidate,
+                   {Role::rejected, key == Key::again ? "again" : "rejected"},
+                   Role::result,
+                   {Role::measure, "error"}});
 }
 
 /// What stands unchanged behind all steps.
-inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_watched, bool late) {
+inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_watched, Key key) {
+  constexpr int most_whole = 20;  // a larger one is watched in a view that follows the step
   narrator.grid(circle.window ? *circle.window
                               : Window{circle.center - circle.radius, circle.center + circle.radius});
+  narrator.trace().grid.whole = !circle.window && circle.radius <= most_whole;
   narrator.subtitle("subtitle", {{"center", circle.center}, {"radius", circle.radius}});
   if (circle.window) {
     narrator.retitle("in_window");
@@ -99,13 +118,7 @@ inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_wa
   }
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
   if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
-  narrator.legend({Role::past,
-                   Role::current,
-                   {Role::accepted, late ? "right" : "mirrored"},
-                   Role::candidate,
-                   Role::rejected,
-                   Role::result,
-                   {Role::measure, "error"}});
+  draw_key(narrator, key);
 }
 
 }  // namespace gradus::bresenham_circle

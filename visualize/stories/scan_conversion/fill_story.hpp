@@ -2,6 +2,7 @@
 // The steps of a fill: which pixel is painted next, and what still waits.
 
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
+#include "stories/scan_conversion/fill_shelf.hpp"
 #include "stories/scan_conversion/fill_subject.hpp"
 #include "stories/telling.hpp"
 
@@ -10,27 +11,52 @@ namespace gradus::flood_fill {
 /// How far outside the picture a seed is drawn, in cells.
 constexpr int margin = 2;
 
+/// What the number in a painted cell of a maze counts.
+enum class Counts { order, distance, calls };
+constexpr std::string_view name_of(Counts counts) {
+  constexpr std::array<std::string_view, 3> names{"order", "distance", "calls"};
+  return names[static_cast<std::size_t>(counts)];
+}
+
 /// How a method is told.
 struct Way {
-  std::string_view waiting;             ///< the method whose words tell what holds the pixels that wait
-  std::string_view column;              ///< of their number in the table; spans have a table of their own
-  bool calls = false;                   ///< they are calls that are open: each cell shows how many there were
+  std::string_view waiting;  ///< the method whose words say what holds the pixels that wait
+  std::string_view column;   ///< of their number in the table; spans have a table of their own
+  Counts counts = Counts::order;
   std::string_view framed = "measure";  ///< what the frame is, for the legend
+
+  constexpr bool calls() const { return counts == Counts::calls; }
+  constexpr bool queue() const { return counts == Counts::distance; }
 };
-constexpr Way on_path{"depth_first", "path"}, in_queue{"breadth_first", "queue"}, as_spans{"span", ""},
-    as_calls{"recursive", "calls", true}, unchecked{"breadth_first", "queue", false, "picture"};
+constexpr Way on_path{"depth_first", "path"}, in_queue{"breadth_first", "queue", Counts::distance},
+    as_spans{"span", ""}, as_calls{"recursive", "calls", Counts::calls},
+    unchecked{"breadth_first", "queue", Counts::distance, "picture"};
 
 /// The outline of a window's cells.
 inline Path border(const Window& w) {
   return {gradus::Extent{dvec2(w.lower) - 0.5, dvec2(w.upper) + 0.5}.corners(), true};
 }
 
-/// The cells that are drawn: the picture's, and those up to a seed a little outside a maze.
-inline Window shown_cells(const Subject& subject) {
+/// The picture's cells, and those up to a seed a little outside a maze.
+inline Window fill_cells(const Subject& subject) {
   const Window cells = subject.image().window();
   const Window around{cells.lower - margin, cells.upper + margin};
   if (!subject.is_maze || !around.contains(subject.seed)) return cells;
   return {glm::min(cells.lower, subject.seed), glm::max(cells.upper, subject.seed)};
+}
+
+/// Rows above a maze for what waits: where all of them are drawn in cells with room for a text.
+inline int shelf_rows(const Subject& subject) {
+  constexpr std::int64_t most_columns = 24, most_rows = 16;
+  const Window cells = fill_cells(subject);
+  return subject.is_maze && cells.width() <= most_columns && cells.height() <= most_rows ? Shelf::rows : 0;
+}
+
+/// The cells that are drawn.
+inline Window shown_cells(const Subject& subject) {
+  Window cells = fill_cells(subject);
+  cells.lower.y -= shelf_rows(subject);
+  return cells;
 }
 
 /// "above (3, 4)": where a neighbour lies, rows counting downwards.
@@ -45,9 +71,15 @@ inline std::string place(const Words& words, ivec2 from, ivec2 to) {
 /// A pixel painted is a milestone, as is a span; looking is finer.
 class Story {
  public:
-  Story(const Words& words, const Subject& subject, const Way& way)
-      : words_(words), subject_(subject), way_(way) {
-    if (way.calls) calls_ = Raster<std::int64_t>(subject.image().width(), subject.image().height());
+  /// paint: what the pixels of an image become.
+  Story(const Words& words, const Subject& subject, const Way& way, Rgba8 paint)
+      : words_(words), subject_(subject), way_(way), paint_(paint) {
+    if (!subject.is_maze) return;
+    numbers_ = Raster<std::int64_t>(subject.image().width(), subject.image().height(), none);
+    if (shelf_rows(subject) == 0) return;
+    const Window cells = shown_cells(subject);
+    shelf_ = Shelf(cells.lower, static_cast<int>(cells.width()), way.queue(),
+                   words.say(fmt::format("next.{}", way.waiting)));
   }
   /// The pixels painted, in order, as far as a trace keeps steps.
   const std::vector<ivec2>& pixels() const { return pixels_; }
@@ -95,30 +127,37 @@ class Story {
     const ivec2 cell = cell_of(p.pixel);
     board.milestone(cell);
     remove_names(board);
-    if (calls_.contains(cell)) {
-      calls_[cell] = static_cast<std::int64_t>(p.waiting);
-      board.remove("seed");  // its number says the same
-    }
     retire(board);
+    ++painted_;
+    number(board, cell,
+           way_.calls()    ? static_cast<std::int64_t>(p.waiting)
+           : !way_.queue() ? painted_
+                           : distance(p));
     put(board, cell, Role::current);
     current_ = cell;
     current_waits_ = true;
-    ++painted_;
     note(cell);
+    shelf_.push(fmt::format("{},{}", cell.x, cell.y));
+    shelf_.draw(board);
   }
   Event say(const Painted& p) const {
     const bool seed = p.from == p.pixel;
     const ivec2 cell = cell_of(p.pixel);
-    return filling(
-        cell,
-        {.text = !seed             ? "painted.next"
-                 : cell == p.pixel ? "painted.seed"
-                                   : "painted.elsewhere",
-         .facts = {{"from", p.from, "pixel"}, {"pixel", p.pixel}, waiting(p.waiting)},
-         .words = {{"place", place(words_, p.from, p.pixel)}, {"cell", cell}, {"holds", holds(p.waiting)}},
-         .row = {painted_, cell.x, cell.y, seed ? Said(words_.say("seed")) : Said(p.from), p.waiting,
-                 painted_},
-         .decides = is_free(p.pixel, true)});
+    Event event{
+        .text = !seed             ? "painted.next"
+                : cell == p.pixel ? "painted.seed"
+                                  : "painted.elsewhere",
+        .facts = {{"from", p.from, "pixel"}, {"pixel", p.pixel}, waiting(p.waiting)},
+        .words = {{"place", place(words_, p.from, p.pixel)}, {"cell", cell}, {"holds", holds(p.waiting)}},
+        .row = {painted_, cell.x, cell.y, seed ? Said(words_.say("seed")) : Said(p.from)},
+        .decides = is_free(p.pixel, true)};
+    if (way_.queue() && subject_.is_maze) event.row.push_back(distance(p));
+    if (way_.queue() && subject_.is_maze && !seed) {
+      event.text = "painted.wave";
+      event.count = distance(p);
+    }
+    event.row.push_back(p.waiting);
+    return filling(cell, std::move(event));
   }
 
   void show(Board& board, const Examined& e) {
@@ -136,9 +175,11 @@ class Story {
     board.detail(r.pixel);
     put(board, r.pixel, Role::past);
     if (current_ == r.pixel) current_.reset();
+    shelf_.take();
+    shelf_.draw(board);
   }
   Event say(const Retreated& r) const {
-    return filling(r.pixel, {.text = way_.calls ? "call_returned" : "retreated",
+    return filling(r.pixel, {.text = way_.calls() ? "call_returned" : "retreated",
                              .facts = {{"pixel", r.pixel}, waiting(r.waiting)},
                              .words = {{"holds", holds(r.waiting)}},
                              .decides = yes_or_no(words_, "question_neighbour", {{"pixel", r.pixel}}, false,
@@ -152,6 +193,8 @@ class Story {
     put(board, cell, Role::current);
     current_ = cell;
     current_waits_ = false;
+    shelf_.take();
+    shelf_.draw(board);
   }
   Event say(const Dequeued& d) const {
     return filling(cell_of(d.pixel), {.text = "dequeued",
@@ -169,6 +212,7 @@ class Story {
     painted_ += s.span.length();
     for (int x = s.span.left; x <= s.span.right; ++x) {
       run_.push_back({x, s.span.row});
+      number(board, run_.back(), spans_);
       put(board, run_.back(), Role::current);
       note(run_.back());
     }
@@ -177,15 +221,19 @@ class Story {
     std::vector<Field> facts = ends_of(s.span);
     facts.push_back({"found", s.found, "pixel"});
     return filling(s.found,
-                   {.text = "span_filled",
+                   {.text = s.span.length() == 1 ? "pixel_filled" : "span_filled",
                     .facts = facts,
+                    .words = {{"columns", columns_of(s.span)}},
                     .row = {spans_, s.span.row, s.span.left, s.span.right, s.span.length(), painted_},
                     .decides = is_free(s.found, true)});
   }
 
   void show(Board& board, const SpanQueued& s) {
     board.detail({s.span.left, s.span.row});
-    point_from(board, "waiting span", Role::candidate, s.span);
+    if (numbers_.cells().empty()) return board.mark("waiting span", Role::candidate, arrow_from(s.span));
+    board.keep(arrow_id(s.waiting), Role::candidate, arrow_from(s.span));
+    shelf_.push(fmt::format("{}", s.span.row + s.span.way));
+    shelf_.draw(board);
   }
   Event say(const SpanQueued& s) const {
     Event event{.text = "span_queued", .words = {{"holds", holds(s.waiting)}}};
@@ -197,7 +245,11 @@ class Story {
   void show(Board& board, const SpanTaken& s) {
     board.detail({s.span.left, s.span.row});
     retire_run(board);
-    point_from(board, "taken span", Role::current, s.span);
+    board.mark("taken span", Role::current, arrow_from(s.span));
+    if (numbers_.cells().empty()) return;
+    board.remove(arrow_id(s.waiting + 1));
+    shelf_.take();
+    shelf_.draw(board);
   }
   Event say(const SpanTaken& s) const {
     return beside(s.span, s.waiting, {.text = "span_taken", .count = static_cast<std::int64_t>(s.waiting)});
@@ -262,10 +314,11 @@ class Story {
   Event beside(const Span& s, std::size_t n, Event event) const {
     event.facts = ends_of(s);
     event.facts.insert(event.facts.end(), {{"way", s.way}, waiting(n)});
-    event.words.push_back({"row", fmt::format("{}", s.row + s.way)});
+    event.words.insert(event.words.end(),
+                       {{"row", figure_number(s.row + s.way)}, {"columns", columns_of(s)}});
     return filling({s.left, s.row}, std::move(event));
   }
-  Field waiting(std::size_t n) const { return {way_.calls ? "calls" : "waiting", std::int64_t(n)}; }
+  Field waiting(std::size_t n) const { return {way_.calls() ? "calls" : "waiting", std::int64_t(n)}; }
   /// What holds the pixels that wait, and how many.
   std::string holds(std::size_t n) const {
     return words_.say(fmt::format("holds.{}", way_.waiting), {{"waiting", n}});
@@ -276,6 +329,10 @@ class Story {
   }
   Decision is_free(ivec2 p, bool free) const {
     return yes_or_no(words_, "question", {{"pixel", p}}, free, "inside", "outside");
+  }
+  /// "column 5", "columns 3 to 6".
+  std::string columns_of(const Span& s) const {
+    return words_.count("columns", s.length(), {{"left", s.left}, {"right", s.right}});
   }
   static std::vector<Field> ends_of(const Span& s) {
     return {{"row", s.row}, {"left", s.left}, {"right", s.right}};
@@ -309,14 +366,31 @@ class Story {
   }
   void show_result(Board& board) {
     board.detail(focus_);
+    if (!subject_.is_maze) {
+      retire(board);
+      return retire_run(board);
+    }
     if (painted_ > Recording::default_most) return;
     for (const ivec2 p : pixels_) put(board, p, Role::result);
   }
 
-  /// A cell that the recursion has come to has the number of calls that were open then.
+  /// The painted cells of a maze bear a number; of an image they have their new colour, once nothing waits
+  /// there.
   void put(Board& board, ivec2 p, Role role) const {
-    const std::int64_t calls = calls_.contains(p) ? calls_[p] : 0;
-    board.put(p, role, calls > 0 ? figure_number(calls) : "");
+    const std::int64_t number = numbers_.contains(p) ? numbers_[p] : none;
+    const bool painted = !subject_.is_maze && role == Role::past;
+    board.put(p, role, number == none ? "" : figure_number(number),
+              painted ? std::optional(paint_) : std::nullopt);
+  }
+  void number(Board& board, ivec2 cell, std::int64_t value) {
+    if (!numbers_.contains(cell)) return;
+    numbers_[cell] = value;
+    if (cell == subject_.seed) board.remove("seed");  // the number stands where the dot was
+  }
+  /// In moves, from the seed.
+  std::int64_t distance(const Painted& p) const {
+    const ivec2 from = cell_of(p.from);
+    return p.from == p.pixel || !numbers_.contains(from) ? 0 : numbers_[from] + 1;
   }
   /// The pixel painted last is one of those that wait, from now on.
   void retire(Board& board) const {
@@ -334,14 +408,18 @@ class Story {
     board.mark("looked at", Role::rejected, Stroke{at - down, at + down});
     board.mark("looked at too", Role::rejected, Stroke{at - up, at + up});
   }
-  static void point_from(Board& board, std::string id, Role role, const Span& s) {
+  /// From a span into the row beside it.
+  static Stroke arrow_from(const Span& s) {
     const double middle = (s.left + s.right) / 2.0;
-    board.mark(std::move(id), role, Stroke{{middle, s.row}, {middle, s.row + 0.75 * s.way}, true});
+    return {{middle, s.row + 0.3 * s.way}, {middle, s.row + 0.95 * s.way}, true};
   }
+  /// Of an entry of the stack, counted from 1.
+  static std::string arrow_id(std::size_t entry) { return fmt::format("waiting span {}", entry); }
 
   const Words& words_;
   const Subject& subject_;
   const Way way_;
+  const Rgba8 paint_;
   std::int64_t painted_ = 0, spans_ = 0;
   std::vector<ivec2> pixels_;
   ivec2 focus_{};
@@ -350,7 +428,9 @@ class Story {
   std::vector<ivec2> run_;
   int way_filled_ = 0;
   std::optional<SeedRead> read_;
-  Raster<std::int64_t> calls_;  ///< open when each cell was painted; of the recursion only
+  static constexpr std::int64_t none = -1;
+  Raster<std::int64_t> numbers_;  ///< of each cell of a maze, as the way counts; none before it is painted
+  Shelf shelf_;
 };
 
 }  // namespace gradus::flood_fill

@@ -105,8 +105,8 @@ inline Window within_room(const Window& window) {
   return {glm::clamp(window.lower, room.lower, room.upper), glm::clamp(window.upper, room.lower, room.upper)};
 }
 
-/// The picture's fill cut to a window, by fill(inside, paint); a mask keeps what is painted, whatever the new
-/// colour.
+/// The picture's fill cut to a window, by fill(inside, paint); a mask keeps what is
+/// painted, whatever the new colour.
 template <class Fill>
 auto fill_masked(Image& image, const Subject& subject, Rgba8 color, const Window& window, Fill fill) {
   const Rgba8 old = image[subject.seed];

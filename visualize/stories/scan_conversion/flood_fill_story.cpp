@@ -10,8 +10,8 @@
 namespace gradus::flood_fill {
 namespace {
 
-/// Cells that the notes' recursion may fill here: what it leaves of the machine's stack is enough on every
-/// machine.
+/// Cells that the notes' recursion may fill here: what it leaves of the machine's
+/// stack is enough on every machine.
 constexpr std::int64_t most_recursive_cells = 1024;
 
 /// Pixels of a picture: 256 MiB each of the few copies that a fill needs.
@@ -22,7 +22,7 @@ constexpr std::string_view example_maze =
     "##########/#....#...#/#.##.#.#.#/#.#....#.#/#.#.####.#/#...#..#.#/##########";
 
 /// What stands unchanged behind all steps, and around them.
-void set_scene(Narrator& narrator, const Subject& subject, const Way& way) {
+void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8 paint) {
   const Words& words = narrator.words();
   narrator.subtitle(
       subject.is_maze ? "subtitle.maze" : "subtitle.image",
@@ -34,18 +34,28 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way) {
                            .y_up = false,
                            .x_name = words.say("column.column"),
                            .y_name = words.say("column.row"),
+                           .shelf = shelf_rows(subject),
                            .picture = subject.is_maze ? nullptr : subject.picture};
   if (!way.column.empty()) {
-    narrator.columns({{"n"}, {"column"}, {"row"}, {"from", false}, {std::string(way.column)}, {"painted"}});
+    std::vector<Column> columns{{"n"}, {"column"}, {"row"}, {"from", false}};
+    if (way.queue() && subject.is_maze) columns.push_back({"distance"});
+    columns.push_back({std::string(way.column)});
+    narrator.columns(std::move(columns));
   }
+  const std::string_view counts = way.column.empty() ? "runs" : name_of(way.counts);
+  const std::string past = subject.is_maze ? fmt::format("past.{}", counts) : "past";
   narrator.legend({Role::current,
                    {Role::candidate, fmt::format("candidate.{}", way.waiting)},
-                   Role::past,
+                   {Role::past, past},
                    Role::accepted,
                    Role::rejected,
                    Role::result,
                    Role::boundary,
                    {Role::measure, way.framed}});
+  if (subject.is_maze) return;
+  for (LegendEntry& entry : narrator.trace().legend) {
+    if (entry.role == Role::past) entry.color = paint;  // as the pixels have it
+  }
 }
 
 /// What the run leaves behind: its pixels, what it counted, and a maze as painted.
@@ -53,18 +63,17 @@ void finish(Narrator& narrator, const Story& story, const Image& painted, std::v
   narrator.trace().pixels = story.pixels();
   if (story.subject().is_maze) counts.push_back({"maze", filled_maze(painted)});
   narrator.result(std::move(counts));
-  narrator.telling(middle_step(narrator.trace()));
 }
 
 /// The methods that are right.
 void tell_rightly(Narrator& narrator, Method method, const Way& way) {
   const Subject subject = subject_of(narrator.arguments());
   require_inside(subject);
-  set_scene(narrator, subject, way);
   const Rgba8 color = paint_of(subject, narrator.arguments(), subject.seed);
+  set_scene(narrator, subject, way, color);
   const Options options{subject.tolerance, subject.connectivity, method};
   Image image = subject.image();
-  Story story(narrator.words(), subject, way);
+  Story story(narrator.words(), subject, way, color);
   const auto watcher = narrator.watcher(story);
   const auto fill_in_window = [&](auto& inside, auto& paint) {
     return in_window(method, subject.seed, within_room(*subject.window), inside, paint, subject.connectivity,
@@ -95,10 +104,10 @@ void tell_recursive(Narrator& narrator) {
            "method recursive keeps a call open for every pixel of its path, so at most {} cells: found {}",
            most_recursive_cells, count);
   }
-  set_scene(narrator, subject, as_calls);
   const Rgba8 color = paint_of(subject, narrator.arguments(), subject.seed);
+  set_scene(narrator, subject, as_calls, color);
   Image image = subject.image();
-  Story story(narrator.words(), subject, as_calls);
+  Story story(narrator.words(), subject, as_calls, color);
   const auto watcher = narrator.watcher(story);
   const Depth depth =
       fill_masked(image, subject, color, nothing_to_do(subject, color) ? Window{} : cells,
@@ -113,12 +122,12 @@ void tell_unchecked(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   if (subject.tolerance != 0) refuse("tolerance", "method unchecked_seed has none");
   if (!room.contains(subject.seed)) refuse("at", "expected a cell two away from the ends of int32");
-  set_scene(narrator, subject, unchecked);
   Image image = subject.image();
   const std::int64_t index = row_major(image, subject.seed);
   const auto lands = cell_at(image, index);
   const Rgba8 color = lands ? paint_of(subject, narrator.arguments(), *lands) : default_color;
-  Story story(narrator.words(), subject, unchecked);
+  set_scene(narrator, subject, unchecked, color);
+  Story story(narrator.words(), subject, unchecked, color);
   const auto done = unchecked_seed(image, subject.seed, color, subject.connectivity, narrator.watcher(story));
   finish(narrator, story, image,
          {{"painted", done ? done->painted : 0}, {"index", index}, {"in_memory", lands.has_value()}});

@@ -1,7 +1,7 @@
 // The story of a product of transformations in the plane: which factor acts first, and where the shape goes.
 
 #include "stories/parameters.hpp"
-#include "stories/transformation/affine_2d_task.hpp"
+#include "stories/transformation/affine_2d_layout.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
 
 namespace gradus::affine_2d {
@@ -19,9 +19,13 @@ struct Reversed {};
 class Story {
  public:
   Story(const Words& words, const Task& task, Way way)
-      : words_(words), task_(task), way_(way), stages_{first_stage()}, panel_(panel_for(world())) {}
+      : words_(words),
+        task_(task),
+        way_(way),
+        stages_{first_stage()},
+        layout_(task, way == Way::undo, world(), largest_shape()) {}
 
-  const Panel& panel() const { return panel_; }
+  const Panel& panel() const { return layout_.panel(); }
 
   void show(Board& board, const Started<double>& s) {
     matrix_ = s.product;
@@ -61,6 +65,7 @@ class Story {
   void show(Board& board, const Acted<double>& a) {
     shown_ = matrix(task_.factors[a.factor]);
     matrix_ = shown_ * matrix_;
+    one_matrix_ = false;
     go_on(board, a.points);
   }
   Event say(const Acted<double>& a) const { return acted("acted", a.factor); }
@@ -82,8 +87,9 @@ class Story {
   void show(Board& board, const Moved<double>& m) {
     shown_ = matrix_;
     View view = drawing(Role::current, true);
-    const dvec2 from = panel_.at(m.from), to = panel_.at(m.to);
-    view.add({"h moved", Role::candidate, Stroke{from, to, true}});
+    const auto [before, after, apart] = frames(true);
+    const dvec2 to = after.at(m.to);
+    view.add({"h moved", Role::candidate, Stroke{before.at(m.from), to, true}});
     view.add({"i moved", Role::candidate, Dot{to}});
     board.detail(std::move(view));
   }
@@ -108,13 +114,7 @@ class Story {
     return event;
   }
 
-  void show(Board& board, const Reversed&) {
-    View view = drawing(Role::result, true);
-    const Shape other = task_.reversed();
-    view.add({"b reversed", Role::rejected, Path{panel_.at(other), true}});
-    view.add({"k reversed", Role::rejected, Label{panel_.at(other[0]), words_.say("reversed.name")}});
-    board.milestone(std::move(view));
-  }
+  void show(Board& board, const Reversed&) { board.milestone(drawing(Role::result, true)); }
   Event say(const Reversed&) const {
     const dvec2 other = task_.reversed()[0];
     const bool same = length_between(other, corner(done_)) <= 1e-9 * size_of(world());
@@ -137,10 +137,8 @@ class Story {
   /// The matrix as it stands, and a row of it.
   Event standing(Event event) const {
     event.facts = fields_of(matrix_);
-    event.row.push_back(done_);
-    for (const int y : {0, 1}) {
-      for (const int x : {0, 1, 2}) event.row.push_back(matrix_[x][y]);
-    }
+    const dvec2 a = corner(done_);
+    event.row = {done_, a.x, a.y, determinant(matrix_)};
     return event;
   }
   Event acted(std::string_view text, std::size_t factor) const {
@@ -175,7 +173,12 @@ class Story {
     const double det = determinant(matrix_);
     const bool flat = std::ranges::any_of(
         task_.factors, [](const Factor<double>& factor) { return flattens(factor.linear); });
-    return {.text = flat ? "flat" : det < 0 ? "mirrored" : "done", .words = {{"det", det}}};
+    const bool same = figure_real(det) == "1";
+    return {.text = flat      ? "flat"
+                    : det < 0 ? "mirrored"
+                    : same    ? "done_same"
+                              : "done",
+            .words = {{"det", det}}};
   }
 
   // --- The drawing
@@ -199,9 +202,9 @@ class Story {
     if (task_.compare) {
       for (const dvec2 p : task_.reversed()) world.add(p - origin());
     }
-    if (way_ == Way::centre_added) {
+    for (std::size_t k = 1; way_ == Way::centre_added && k <= count(); ++k) {
       Shape points = task_.shape;
-      centre_added(task_.chain(), std::span(points));
+      centre_added(task_.chain().first(k), std::span(points));
       for (const dvec2 p : points) world.add(p);
     }
     return world;
@@ -211,12 +214,11 @@ class Story {
     return std::max(
         {std::abs(world.lower.x), std::abs(world.lower.y), std::abs(world.upper.x), std::abs(world.upper.y)});
   }
-  static Panel panel_for(Extent world) {
-    if (world.size() == dvec2{0}) {
-      const double room = std::max(1.0, 0.01 * size_of(world));
-      world = {world.lower - room, world.upper + room};
-    }
-    return {Extent{{3.6, 4.6}, {25, 17.4}}, widened(world, 0.08)};
+  /// The length or height of the largest shape on the way.
+  double largest_shape() const {
+    double most = 0;
+    for (std::size_t k = 0; k <= count(); ++k) most = std::max(most, longer_side(extent_of(task_.after(k))));
+    return most;
   }
 
   void milestone(Board& board, Role role) const { board.milestone(drawing(role, false)); }
@@ -226,64 +228,122 @@ class Story {
     milestone(board, Role::current);
   }
 
+  /// Where this drawing shows the shape before and after: in one panel, unless they are far apart.
+  Layout::Frames frames(bool whole) const {
+    const Shape& before = stages_[whole || done_ == 0 ? 0 : done_ - 1];
+    return layout_.frames(extent_of(before), extent_of(stages_[done_]));
+  }
+
   /// whole: all factors at once, not what one of them does.
   View drawing(Role role, bool whole) const {
     View view;
-    add_axes(view, panel_, "plane", {words_.symbol("x"), words_.symbol("y")});
-    formula(view, whole);
-    view.add({"b stage 00", Role::input, Path{panel_.at(stages_[0]), true}});
-    view.add_named("j corner 00", "k corner 00", Role::input, panel_.at(corner(0)), letter(0));
-    for (std::size_t k = 1; k < stages_.size(); ++k) {
-      const Role its = k + 1 == stages_.size() ? role : Role::past;
-      view.add({fmt::format("b stage {:02}", k), its, Path{panel_.at(stages_[k]), true}});
-    }
+    const Layout::Frames at = frames(whole);
+    layout_.add_frames(view, at, {words_.symbol("x"), words_.symbol("y")});
+    add_matrices(view, whole);
+    for (std::size_t k = 0; k < done_ || k == 0; ++k)
+      add_stage(view, at, k, k == 0 ? Role::input : Role::past);
+    const dvec2 from = at.before.at(corner(done_ == 0 || whole ? 0 : done_ - 1));
+    if (done_ == 0 || whole || done_ == 1)
+      view.add_named("j corner 00", "k corner 00", Role::input, from, letter(0));
     if (done_ == 0) return view;
-    const dvec2 from = panel_.at(corner(done_ - 1)), to = panel_.at(corner(done_));
-    view.add({"a inside", role, Area{{panel_.at(stages_[done_])}}});
+    if (task_.compare && done_ == count()) add_reversed(view, at.after);
+    add_stage(view, at, done_, role);
+    const dvec2 to = at.after.at(corner(done_));
+    view.add({"a inside", role, Area{{at.after.at(stages_[done_])}}});
     view.add_named("j corner", "k corner", role, to, fmt::format("{}{}", letter(0), done_));
     if (whole) return view;
-    if (from != to) view.add({"h way", Role::measure, Stroke{from, to, true, true}});
-    keep_still(view);
+    if (done_ > 1)
+      view.add_named("j corner before", "k corner before", Role::past, from,
+                     fmt::format("{}{}", letter(0), done_ - 1));
+    add_way(view, at);
+    if (!at.apart) keep_still(view, at.after);
     return view;
+  }
+
+  /// Where the shape would be with the factors in the reverse order.
+  void add_reversed(View& view, const Panel& panel) const {
+    const Shape other = task_.reversed();
+    if (!panel.shown().holds(other[0])) return;
+    view.add({"b reversed", Role::rejected, Path{panel.at(other), true}});
+    view.add({"k reversed", Role::rejected, Label{panel.at(other[0]), words_.say("reversed.name")}});
+  }
+
+  /// The outline of the shape after so many steps, where it is shown.
+  void add_stage(View& view, const Layout::Frames& at, std::size_t k, Role role) const {
+    for (const Panel* panel : {&at.before, &at.after}) {
+      const Extent shown = widened(panel->shown(), 1e-9);
+      const auto is_shown = [&](dvec2 p) { return shown.holds(p); };
+      if (!std::ranges::all_of(stages_[k], is_shown)) continue;
+      view.add({fmt::format("b stage {:02}", k), role, Path{panel->at(stages_[k]), true}});
+    }
+  }
+
+  /// How corner A has come from where it was: straight, or round the pivot.
+  void add_way(View& view, const Layout::Frames& at) const {
+    const dvec2 from = corner(done_ - 1), to = corner(done_);
+    if (from == to) return;
+    const FactorText& text = task_.texts[factor()];
+    if (at.apart || text.kind != FactorText::Kind::rotate) {
+      view.add({"h way", Role::measure, Stroke{at.before.at(from), at.after.at(to), true}});
+      return;
+    }
+    const dvec2 pivot = (text.pivot.empty() ? dvec2{0} : point_of(text.pivot)) - origin();
+    const double degrees = (way_ == Way::undo ? -1 : 1) * text.amount[0].value;
+    Path arc{arc_round(pivot, from, std::remainder(degrees, 720))};
+    arc.points = at.after.at(arc.points);
+    const dvec2 last = arc.points[arc.points.size() - 2], tip = arc.points.back(),
+                middle = arc.points[arc.points.size() / 2];
+    for (const dvec2 end : {from, to}) {
+      view.add({end == from ? "c arm from" : "c arm to", Role::guide,
+                Stroke{at.after.at(pivot), at.after.at(end)}});
+    }
+    view.add({"h way", Role::measure, std::move(arc)});
+    view.add({"h way tip", Role::measure, Stroke{last, tip, true}});
+    view.add({"k way", Role::measure, Label{middle, figure_real(degrees) + "°"}});
   }
 
   /// The factor of the last step.
   std::size_t factor() const { return way_ == Way::undo ? count() - done_ : done_ - 1; }
 
   /// What the current factor leaves where it is: a pivot, or a mirror.
-  void keep_still(View& view) const {
+  void keep_still(View& view, const Panel& panel) const {
     const FactorText& text = task_.texts[factor()];
-    const auto at = [&](const Tuple& place) { return panel_.at(point_of(place) - origin()); };
+    const auto at = [&](const Tuple& place) { return panel.at(point_of(place) - origin()); };
     if (!text.pivot.empty())
       view.add_named("j pivot", "k pivot", Role::boundary, at(text.pivot), words_.say("pivot"), true);
     if (text.line.size() == 2)
       view.add({"d mirror", Role::boundary, Stroke{at(text.line[0]), at(text.line[1])}});
   }
 
-  /// The product as a formula, and a matrix: that of the factor, or the whole.
-  void formula(View& view, bool whole) const {
-    const std::string m = words_.symbol("M"), inverse = way_ == Way::undo ? "⁻¹" : "";
-    std::string product = product_name(words_.wording(), count());
-    if (way_ == Way::undo) {
-      std::vector<std::string> names;
-      for (std::size_t k = 0; k < count(); ++k) names.push_back(name_of(k) + inverse);
-      product = chained(names);
-    }
-    view.add({"l formula", Role::guide, Text{{13, 0.9}, m + inverse + " = " + product}});
-    const auto add = [&](const std::string& name, const Matrix<double>& matrix, Role role) {
-      add_matrix(view, "m", {25, 22}, name, rows_of(matrix), role);
-    };
-    if (done_ == 0) return add(m, matrix_, whole ? Role::result : Role::guide);
-    if (whole) return add(m + inverse, matrix_, Role::result);
-    add(name_of(factor()) + inverse, shown_, Role::current);
+  /// The names of the factors that have acted, the last one first, as a product.
+  std::string product_so_far() const {
+    if (way_ != Way::undo) return product_name(words_.wording(), done_);
+    std::vector<std::string> names;
+    for (std::size_t k = count() - done_; k < count(); ++k) names.push_back(name_of(k) + "⁻¹");
+    return chained(names);
+  }
+
+  /// The matrix of the last factor, and the product so far; whole: only this.
+  void add_matrices(View& view, bool whole) const {
+    const std::string inverse = way_ == Way::undo ? "⁻¹" : "";
+    const std::string product = words_.symbol("M") + inverse;
+    std::vector<Layout::Named> matrices;
+    if (done_ > 0 && !whole)
+      matrices.push_back({name_of(factor()) + inverse, rows_of(shown_), Role::current});
+    if (done_ == 0) matrices.push_back({product, rows_of(matrix_), Role::guide});
+    if (done_ > 0 && (whole || (one_matrix_ && done_ > 1)))
+      matrices.push_back({(whole ? product + " = " : "") + product_so_far(), rows_of(matrix_),
+                          whole ? Role::result : Role::guide});
+    layout_.add_matrices(view, matrices);
   }
 
   const Words& words_;
   const Task& task_;
   const Way way_;
   std::vector<Shape> stages_;  ///< the shape, and where it stood after each step
-  const Panel panel_;
-  std::size_t done_ = 0;  ///< steps
+  const Layout layout_;
+  std::size_t done_ = 0;    ///< steps
+  bool one_matrix_ = true;  ///< the factors are multiplied, not used one by one
   Matrix<double> matrix_{1.0}, shown_{1.0};
 };
 
@@ -293,9 +353,9 @@ class Story {
 void introduce(Narrator& narrator, const Task& task, const Panel& panel) {
   require_scale(panel, narrator.arguments(), {"polygon", "factors"});
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
-  narrator.paper(26, 26);
-  narrator.legend({Role::input, Role::past, Role::current, Role::result});
-  narrator.last_is_telling();
+  narrator.paper(36, 24);
+  narrator.legend({Role::input, Role::past, Role::current, Role::result, Role::measure, Role::rejected});
+  narrator.telling({static_cast<std::int64_t>(task.factors.size()), 0});
 }
 
 /// What has come out.
@@ -375,7 +435,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {.name = "centre_added",
                     .standing = Standing::faulty,
                     .tell = tell_chain<Way::centre_added, [](auto... run) { centre_added(run...); }>}},
-       .columns = {{"k"}, {"xx"}, {"xy"}, {"x0"}, {"yx"}, {"yy"}, {"y0"}},
+       .columns = {{"k"}, {"ax"}, {"ay"}, {"det"}},
        .parameters = {{.name = "factors",
                        .type = ParameterType::factors,
                        .default_value = "rotate 30 about 1,1; scale 2 about 1,1",
@@ -387,11 +447,11 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                       choice(
                           "pivots", {"whole", "split"}, "whole", "split",
                           "a factor about a point is one step, or three: there, about the origin, and back"),
-                      choice("compare", {"none", "reversed"}, "none", "reversed",
-                             "a last step shows the factors in the reverse order"),
+                      choice("orders", {"one", "both"}, "one", "both",
+                             "both: a last step shows the factors in the reverse order"),
                       exact_parameter()},
        .examples = {"--factors 'rotate 30 about 1,1; scale 2 about 1,1'",
-                    "--factors 'translate 2,0; rotate 90' --compare reversed",
+                    "--factors 'translate 2,0; rotate 90' --orders both",
                     "--factors 'shear 2,1/2' --polygon '0,0 2,0 2,1 0,1'"}});
   return topic;
 }

@@ -69,7 +69,7 @@ inline Task task_of(const Arguments& arguments) {
   if (arguments.text("pivots") == "split") task.texts = split_at_pivots(task.texts);
   for (const FactorText& text : task.texts) task.factors.push_back(factor_of(text));
   task.shape = arguments.points("polygon");
-  task.compare = arguments.text("compare") == "reversed";
+  task.compare = arguments.text("orders") == "both";
   return task;
 }
 

@@ -26,9 +26,8 @@ class ProductStory {
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, shape);
     }
-    const double top = 15.8;
-    panels_.emplace_back(Extent{{0.6, 2.2}, {others_.empty() ? 25.4 : 12.6, top}}, widened(world, 0.03));
-    if (!others_.empty()) panels_.emplace_back(Extent{{13.4, 2.2}, {25.4, top}}, widened(world, 0.03));
+    panels_.emplace_back(others_.empty() ? single_place : left_place, widened(world, 0.03));
+    if (!others_.empty()) panels_.emplace_back(right_place, widened(world, 0.03));
   }
   const Panel& panel() const { return panels_[0]; }
 
@@ -103,18 +102,20 @@ class ProductStory {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    add_product(view, product_, done_ ? role : Role::guide, words_);
+    add_product(view, product_, words_);
     board.milestone(std::move(view));
   }
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
     const std::string id = i == 0 ? "left" : "right";
     const Panel& panel = panels_[i];
     add_axes_of_space(view, panel, id, reach_of(task_.size), words_);
-    add_box(view, panel, id + " 0", Role::input, list[0], false);
-    if (done_ > 1) add_box(view, panel, id + " 1", Role::past, list[done_ - 1], false);
-    if (done_ > 0) add_box(view, panel, id + " 2", role, list[done_], true);
+    std::vector<SpaceLine> lines;
+    add_box(view, lines, panel, id + " 0", Role::input, list[0], done_ ? BoxLook::outline : BoxLook::solid);
+    if (done_ > 1) add_box(view, lines, panel, id + " 1", Role::past, list[done_ - 1], BoxLook::outline);
+    if (done_ > 0) add_box(view, lines, panel, id + " 2", role, list[done_], BoxLook::solid);
+    add_lines(view, "b z" + id, lines);
     add_dot(view, panel, id + " corner", done_ ? role : Role::input, list[done_][corner_a], "A");
-    view.add({"l " + id + " caption", Role::guide, Text{{panel.place().centre().x, 0.9}, caption(i)}});
+    view.add({"l " + id + " caption", Role::guide, Text{{panel.place().centre().x, 0.8}, caption(i)}});
   }
   std::string caption(std::size_t half) const {
     if (by_rows_) return words_.say(half == 0 ? "as_row" : "as_column");
@@ -198,9 +199,8 @@ void turn_vector_in(const Task& task, const auto& observer) {
 
 /// What stands around the steps.
 void introduce(Narrator& narrator) {
-  narrator.paper(26, 26);
+  narrator.paper(paper_width, paper_height);
   narrator.legend({Role::input, Role::past, Role::current, Role::result});
-  narrator.last_is_telling();
 }
 void introduce_turn(Narrator& narrator, const Task& task) {
   introduce(narrator);
@@ -289,7 +289,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
              .example = "rotate 30 about 0,1,1 through 1,1,0; translate 0,0,1",
              .help = "one_matrix, row_vectors: what is done, in the order of doing; angles in degrees",
              .parts = coordinates},
-            choice("compare", {"none", "reversed"}, "reversed", "none",
+            choice("orders", {"one", "both"}, "both", "one",
                    "one_matrix: the factors in the reverse order beside it"),
             triple("axis", "0,1,1",
                    "decomposition, turn_vector, constant_offset: the direction of the axis, not 0,0,0"),

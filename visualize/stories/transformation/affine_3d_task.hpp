@@ -38,7 +38,7 @@ inline Task task_of(const Arguments& arguments) {
             .point = *arguments.place("point"),
             .size = *arguments.place("box"),
             .angle = *arguments.number("angle"),
-            .compare = arguments.text("compare") == "reversed"};
+            .compare = arguments.text("orders") == "both"};
   for (const FactorText& text : task.texts) task.factors.push_back(matrix_of(text));
   if (task.axis == dvec3{0}) refuse("axis", "expected an axis, not the zero vector 0,0,0");
   for (const int i : {0, 1, 2}) {

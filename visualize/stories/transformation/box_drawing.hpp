@@ -1,6 +1,7 @@
 #pragma once
 // A box with an F on its front, and the axes of space, as the stories of space draw them: obliquely.
 
+#include "stories/solid_drawing.hpp"
 #include "stories/transformation/affine_3d_task.hpp"
 
 namespace gradus::affine_3d {
@@ -16,10 +17,7 @@ inline Shape box_of(dvec3 size) {
   }
   return corners;
 }
-constexpr std::size_t front = 1;  ///< of these faces, the one with the F
-/// Counter-clockwise from outside.
-constexpr std::array<std::array<std::size_t, 4>, 6> faces{
-    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+constexpr std::size_t front = 1;  ///< of its faces, the one with the F
 /// Corner A, on the front, from where the F is read.
 constexpr std::size_t corner_a = 7;
 
@@ -35,15 +33,6 @@ Vector unit(Vector v) {
   return length > 0 ? v / length : v;
 }
 
-inline double doubled_area(const std::vector<dvec2>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const dvec2 p = ring[i], q = ring[(i + 1) % ring.size()];
-    area += p.x * q.y - q.x * p.y;
-  }
-  return area;
-}
-
 inline std::vector<dvec2> on_paper(const Panel& panel, const Shape& shape) {
   std::vector<dvec2> points;
   for (const dvec3 p : shape) points.push_back(panel.at(oblique(p)));
@@ -53,34 +42,35 @@ inline void add_to(Extent& world, const Shape& shape) {
   for (const dvec3 p : shape) world.add(oblique(p));
 }
 
-/// A box in an oblique view: edges of faces that look away are dashed.
-inline void add_box(View& view, const Panel& panel, const std::string& id, Role role, const Shape& shape,
-                    bool filled) {
-  const std::vector<dvec2> at = on_paper(panel, shape);
-  const dvec3 x = unit(shape[1] - shape[0]), y = unit(shape[2] - shape[0]), z = unit(shape[4] - shape[0]);
-  const bool mirrored = glm::dot(x, glm::cross(y, z)) < 0;
-  std::array<bool, 6> seen{};
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    std::vector<dvec2> ring;
-    for (const std::size_t c : faces[f]) ring.push_back(at[c]);
-    const double area = doubled_area(ring);
-    seen[f] = mirrored ? area < 0 : area > 0;
-    if (filled && seen[f]) view.add({fmt::format("a {} face {}", id, f), role, Area{{ring}}});
+/// How a box is drawn: as a solid, or as what it was, by the edges that are seen.
+enum class BoxLook { solid, outline };
+
+/// A box in an oblique view: its faces and its F are added, its edges appended to the lines of space.
+inline void add_box(View& view, std::vector<SpaceLine>& lines, const Panel& panel, const std::string& id,
+                    Role role, const Shape& shape, BoxLook look) {
+  const std::vector<dvec3> corners(shape.begin(), shape.begin() + 8);
+  const FlatSolid solid = flat_solid(corners, faces_of_box(), [&](dvec3 p) { return panel.at(oblique(p)); });
+  const bool filled = look == BoxLook::solid, f_seen = is_seen(solid, solid.faces[front]);
+  if (filled) add_faces(view, "a " + id, role, solid);
+  std::vector<SpaceLine> edges;
+  append_edges(edges, "b " + id, role, solid, [&](std::size_t i) { return corners[i].z; });
+  for (SpaceLine& edge : edges) {
+    if (!filled && edge.dashed) continue;
+    edge.thin = edge.thin || !filled;
+    lines.push_back(edge);
   }
-  for (std::size_t a = 0; a < 8; ++a) {
-    for (const std::size_t bit : {1u, 2u, 4u}) {
-      const std::size_t b = a | bit;
-      if (b == a) continue;
-      bool visible = false;
-      for (std::size_t f = 0; f < faces.size(); ++f) {
-        const auto& ring = faces[f];
-        visible = visible || (seen[f] && std::ranges::count(ring, a) && std::ranges::count(ring, b));
-      }
-      view.add({fmt::format("b {} edge {}{}", id, a, b), role, Stroke{at[a], at[b], false, !visible}});
-    }
+  if (!filled && !f_seen) return;
+  const auto f = on_paper(panel, {shape.begin() + 8, shape.end()});
+  if (filled && f_seen) {
+    view.add({"c " + id + " F", role, Path{{f[0], f[1], f[2]}}});
+    view.add({"c " + id + " F bar", role, Path{{f[3], f[4]}}});
+    return;
   }
-  view.add({"c " + id + " F", role, Path{{at[8], at[9], at[10]}, false, !seen[front]}});
-  view.add({"c " + id + " F bar", role, Path{{at[11], at[12]}, false, !seen[front]}});
+  for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {3, 4}}) {
+    Stroke stroke{f[static_cast<std::size_t>(from)], f[static_cast<std::size_t>(to)], false, !f_seen};
+    stroke.thin = true;
+    view.add({fmt::format("c {} F {}", id, from), role, stroke});
+  }
 }
 
 /// A point with its name.
@@ -99,7 +89,12 @@ inline void add_arrow(View& view, const Panel& panel, const std::string& id, Rol
 }
 
 /// How far the axes of space reach, for a box and what is near it.
-inline double reach_of(dvec3 box) { return 1.35 * std::max({box.x, box.y, box.z}); }
+inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z}); }
+
+constexpr int paper_width = 36, paper_height = 24;
+/// Where space is drawn: alone, beside the matrix, or twice, below it.
+constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.8, 2}, {19, 22}},
+    left_place{{0.8, 2}, {17.4, 15}}, right_place{{18.6, 2}, {35.2, 15}};
 
 inline Shape tips_of_axes(double reach) { return {{reach, 0, 0}, {0, reach, 0}, {0, 0, reach}}; }
 
@@ -123,12 +118,12 @@ inline Extent world_of_axes(double reach) {
 }
 
 /// A matrix of space, upper right.
-inline void add_product(View& view, const Mat& m, Role role, const Words& words) {
+inline void add_product(View& view, const Mat& m, const Words& words) {
   MatrixRows rows(4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
   }
-  add_matrix(view, "m", {25, 21.1}, words.symbol("M"), rows, role);
+  add_matrix(view, "m", {35.2, 19.2}, words.symbol("M"), rows, Role::input);
 }
 
 }  // namespace gradus::affine_3d

@@ -28,7 +28,7 @@ class PartsStory {
       add_to(world, axis(d.product));
       parts_.push_back(name_of(d.part));
     }
-    panel_.emplace(Extent{{0.6, 2.2}, {25.4, 15.8}}, widened(world, 0.03));
+    panel_.emplace(single_place, widened(world, 0.03));
   }
   const Panel& panel() const { return *panel_; }
 
@@ -119,13 +119,17 @@ class PartsStory {
   void milestone(Board& board, Role role) const {
     View view;
     add_axes_of_space(view, *panel_, "space", reach_of(task_.size), words_);
-    add_box(view, *panel_, "input", Role::input, box_, false);
-    if (done_ > 0) add_box(view, *panel_, "now", role, moved(product_, box_), true);
+    std::vector<SpaceLine> lines;
+    add_box(view, lines, *panel_, "input", Role::input, box_, done_ ? BoxLook::outline : BoxLook::solid);
+    if (done_ > 0) add_box(view, lines, *panel_, "now", role, moved(product_, box_), BoxLook::solid);
     const Shape ends = axis(product_);
-    add_arrow(view, *panel_, "axis", Role::boundary, ends[0], ends[1], words_.say("axis"));
+    const std::vector<dvec2> at = on_paper(*panel_, ends);
+    lines.push_back({"b axis", Role::boundary, at[0], at[1], ends[0].z, ends[1].z, false, false, true});
+    add_lines(view, "b z", lines);
+    view.add({"k axis", Role::boundary, Label{at[1], words_.say("axis")}});
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
-    view.add({"l formula", Role::guide, Text{{13, 0.9}, formula()}});
-    add_product(view, product_, done_ ? role : Role::guide, words_);
+    view.add({"l formula", Role::guide, Text{{18, 0.8}, formula()}});
+    add_product(view, product_, words_);
     board.milestone(std::move(view));
   }
 
@@ -162,7 +166,7 @@ class VectorStory {
     world.add({0, 0});
     add_to(world, circle_);
     add_to(world, axis_);
-    panel_.emplace(Extent{{0.8, 2.6}, {25.2, 25.4}}, widened(world, 0.05));
+    panel_.emplace(whole_place, widened(world, 0.05));
   }
   const Panel& panel() const { return *panel_; }
 
@@ -226,6 +230,7 @@ class VectorStory {
     View view;
     const Panel& panel = *panel_;
     add_arrow(view, panel, "axis", Role::boundary, axis_[0], axis_[1], words_.say("axis"));
+    view.add({"a disc", Role::guide, Area{{on_paper(panel, circle_)}, 2}});
     view.add({"b circle", Role::guide, Path{on_paper(panel, circle_), false, true}});
     add_dot(view, panel, "through", Role::boundary, task_.through, "Q");
     add_dot(view, panel, "point", left_behind_ ? Role::rejected : Role::input, task_.point,
@@ -240,7 +245,7 @@ class VectorStory {
     if (left_behind_)
       add_dot(view, panel, "belongs", Role::accepted, turned_by(task_.angle), words_.say("belongs"));
     const std::string formula = constant_ ? "P′ = Q + (P − Q)" : "P′ = Q + r + cos θ · s + sin θ · v";
-    view.add({"l formula", Role::guide, Text{{13, 0.9}, formula}});
+    view.add({"l formula", Role::guide, Text{{18, 0.8}, formula}});
     board.milestone(std::move(view));
   }
   /// As many of r, s and v as are known, and what they make.
