@@ -15,7 +15,10 @@ std::vector<std::string> choices_of(std::string_view flag) {
     for (const Language& language : languages()) names.push_back(language.code());
   }
   if (flag == "layout") return {"slide", "handout"};
+  if (flag == "listing") return {"source", "pseudo"};
+  if (flag == "line_numbers") return {"listing", "source", "none"};
   if (flag == "y") return {"up", "down"};
+  if (flag == "numbers") return {"decimals", "fractions"};
   if (flag == "svg_text") return {"outlines", "text"};
   if (flag == "paper") return {"a4", "letter"};
   return names;

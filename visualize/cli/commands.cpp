@@ -14,19 +14,29 @@ namespace {
 const Flag width{"width", 0, "N",
                  "columns of a line; default: COLUMNS, or the terminal's, or no end in a pipe"};
 const Flag output{"output", 'o', "FILE", ""};
-const Flag step{"step", 0, "N", "one step: a number like 4, or 4.1 for a finer event after it"};
+const Flag step{
+    "step", 0, "N",
+    "one step: a number like 4, 4.1 for a finer event after it, or last; default: one that decides"};
 const Flag steps{
     "steps", 0, "LIST",
-    "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the first, each kind of branch, the last"};
+    "several: 3-9, or 1,4,9-12; 0-100/5 takes every fifth; auto: the input, the first that decides of each "
+    "phase and of each kind of branch, the result"};
+const Flag panels{"panels", 0, "LIST",
+                  "several drawings on one sheet: phases, one for each; or 2 to 6 steps like 1,4,9"};
+const Flag compare{"compare", 0, "METHOD",
+                   "beside another run: a method, another topic with the same inputs, or other inputs like "
+                   "'--method NAME'; shows where they first differ"};
 const Flag force{"force", 'f', "", "replaces a file also when gradus did not make it"};
 const Flag format{
     "format", 0, "NAME",
-    "svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4 or webp; default: by the file's ending"};
+    "svg, png, pdf, pptx, html, csv, md, tex, json, txt, gif, mp4 or webp; default: by the file's ending"};
 
 /// How texts are worded.
 const std::vector<Flag> words{
     {"label", 0, "SYMBOL=TEXT", "your own name for a symbol, as in p=d; everywhere but in the source", true},
     {"language", 0, "CODE", "en or de: the language of sentences and headings"},
+    {"numbers", 0, "HOW",
+     "decimals (default), with ≈ where they are rounded, or fractions like 23/3 where they are short"},
 };
 
 /// How a figure looks.
@@ -38,6 +48,9 @@ const std::vector<Flag> looks{
     {"size", 0, "WxH", "1280x720 in pixels, a ratio like 4:3 or 1:1, or lengths like 12cmx8cm; default 16:9"},
     {"scale", 0, "N", "PNG and films: pixels for one of the figure, 0.1 to 8; default 1"},
     {"layout", 0, "NAME", "slide, or handout with smaller letters and more of source and table"},
+    {"listing", 0, "FORM", "source (default), or pseudo: the same lines as a textbook writes them"},
+    {"line-numbers", 0, "WHICH",
+     "of the listing: listing (default) counts its lines, source the file's, or none"},
     {"crop", 0, "", "without the empty margin"},
     {"view", 0, "X0,Y0,X1,Y1",
      "the cells to show; default: all, or those round the step where they are too many"},
@@ -53,6 +66,9 @@ const std::vector<Flag> outputs{
     {"paper", 0, "NAME", "of a handout: a4 (default) or letter"},
     {"seconds-per-step", 0, "N", "films: how long each step stays; default 1.5"},
     {"hold-last", 0, "N", "films: how many seconds the last step stays; default 3"},
+    {"transition", 0, "N",
+     "films: seconds in which marks move to the next step, at most a third of it; default 0.3, in films of "
+     "over 100 steps none; none: hard cuts"},
     {"fps", 0, "N", "MP4: pictures a second; default 25"},
     {"loop", 0, "N", "GIF and WebP: how often it runs; 0 (default): for ever"},
 };
@@ -105,6 +121,8 @@ std::vector<Command> all_commands() {
            {with_help(output, "where to; {step} in the name makes one file a step; - is standard output"),
             step,
             steps,
+            panels,
+            compare,
             format,
             force,
             {"snippet", 0, "KIND", "prints the lines to paste into a lecture: beamer, reveal or markdown"}},
@@ -114,6 +132,7 @@ std::vector<Command> all_commands() {
         "gradus figure TOPIC -o figure.pdf             # one page a step",
         "gradus figure TOPIC -o figure.html            # the player, to step through in a browser",
         "gradus figure TOPIC -o figure.pdf --steps auto --size 4:3 --snippet beamer",
+        "gradus figure TOPIC -o figure.svg --panels phases    # one slide, a drawing for each phase",
         "gradus figure TOPIC -o figure.pdf --handout 2x3 --paper a4",
         "gradus figure TOPIC -o figure.gif --seconds-per-step 2"},
        Operand::none,
@@ -194,7 +213,7 @@ std::vector<Command> all_commands() {
        1,
        false,
        joined({with_help(output, "where to; default: beside the figure, with -again in its name"), step,
-               steps, format, force},
+               steps, panels, compare, format, force},
               {looks, words, outputs}),
        {"gradus again line.svg", "gradus again line.svg --theme dark",
         "gradus again line.svg --step 2 -o line-2.png"},
@@ -240,7 +259,9 @@ std::span<const Flag> lecture_looks() {
     for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
       chosen.push_back(*std::ranges::find(looks, name, &Flag::name));
     }
-    chosen.push_back(*std::ranges::find(words, "language", &Flag::name));
+    for (const char* name : {"language", "numbers"}) {
+      chosen.push_back(*std::ranges::find(words, name, &Flag::name));
+    }
     return chosen;
   }();
   return flags;

@@ -144,7 +144,13 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
     Words list = words.in_list();
     for (const Slot slot : all_slots) list.add(name_of(slot));
   } else if (name == "steps") {
-    words.add("auto", "the first, each kind of branch, the last");
+    words.add("auto", "the input, the first that decides of each phase and branch, the result");
+  } else if (name == "step") {
+    words.add("last", "the result");
+  } else if (name == "panels") {
+    words.add("phases", "a drawing for each phase");
+  } else if (name == "compare" && topic) {
+    for (const Method& method : topic->methods) words.add(method.name, method.title);
   } else if (name == "background") {
     words.add("none", "a transparent ground");
     words.add_all(color_names());
@@ -289,7 +295,7 @@ class Line {
       case Operand::model:
         return add_models(words);
       case Operand::figure:
-        return add_files(words, {".svg", ".png", ".pdf", ".html", ".gif", ".mp4", ".webp"});
+        return add_files(words, {".svg", ".png", ".pdf", ".pptx", ".html", ".gif", ".mp4", ".webp"});
       case Operand::shell:
         return words.add_all(Texts{"bash", "zsh", "fish"});
       case Operand::folder:

@@ -27,8 +27,15 @@ std::string name_for(std::string output, StepNumber step) {
   return output;
 }
 
+/// "PDF", "PPTX".
+std::string document_name(Format format) {
+  std::string name(name_of(format));
+  std::ranges::transform(name, name.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  return name;
+}
+
 void refuse_binary_in_terminal(Format format) {
-  const bool binary = format == Format::png || format == Format::pdf || is_film(format);
+  const bool binary = format == Format::png || is_document(format) || is_film(format);
   if (binary && is_terminal(Stream::out)) {
     throw UsageError(fmt::format("-o: expected a file or a pipe for {}, found a terminal", name_of(format)));
   }
@@ -37,6 +44,7 @@ void refuse_binary_in_terminal(Format format) {
 // --- Which flags say something about which formats ---------------------------------------------------------
 
 bool drawn_or_played(Format format) { return is_drawn(format) || format == Format::html; }
+bool drawn_at_once(Format format) { return is_drawn(format) && !is_film(format); }
 bool made_of_pixels(Format format) { return format == Format::png || is_film(format); }
 
 struct FlagUse {
@@ -44,10 +52,12 @@ struct FlagUse {
   bool (*serves)(Format format);
   const char* expected;
 };
-constexpr const char* any_picture = "svg, png, pdf or a film to draw";
-constexpr const char* any_figure = "svg, png, pdf, html or a film";
+constexpr const char* any_picture = "svg, png, pdf, pptx or a film to draw";
+constexpr const char* any_figure = "svg, png, pdf, pptx, html or a film";
 constexpr const char* any_film = "gif, mp4 or webp";
 constexpr FlagUse uses[] = {
+    {"panels", drawn_at_once, "svg, png, pdf or pptx"},
+    {"compare", drawn_or_played, any_figure},
     {"slots", drawn_or_played, any_figure},
     {"no-title", drawn_or_played, any_figure},
     {"theme", drawn_or_played, any_figure},
@@ -56,6 +66,8 @@ constexpr FlagUse uses[] = {
     {"caption", drawn_or_played, any_figure},
     {"size", is_drawn, any_picture},
     {"layout", is_drawn, any_picture},
+    {"listing", drawn_or_played, any_figure},
+    {"line-numbers", is_drawn, any_picture},
     {"crop", is_drawn, any_picture},
     {"view", is_drawn, any_picture},
     {"background", is_drawn, any_picture},
@@ -65,6 +77,7 @@ constexpr FlagUse uses[] = {
     {"paper", [](Format format) { return format == Format::pdf; }, "pdf"},
     {"seconds-per-step", is_film, any_film},
     {"hold-last", is_film, any_film},
+    {"transition", is_film, any_film},
     {"fps", [](Format format) { return format == Format::mp4; }, "mp4"},
     {"loop", [](Format format) { return format == Format::gif || format == Format::webp; }, "gif or webp"},
 };
@@ -106,9 +119,13 @@ std::vector<StepNumber> steps_within(const Limit& limit, const FigureSpec& spec,
 
 void write_series(const FigureSpec& spec, Takes& takes, Format format, const Output& output,
                   std::span<const std::string> inputs) {
-  if (!is_drawn(format) || is_film(format)) {
+  if (!is_drawn(format) || is_film(format) || format == Format::pptx) {
     throw UsageError(
         fmt::format("-o: expected {} for svg, png or pdf only, found {}", step_mark, shown(output.path)));
+  }
+  if (spec.panels) {
+    throw UsageError(fmt::format("--panels: expected a name without {} for one sheet, found {}", step_mark,
+                                 shown(output.path)));
   }
   const std::vector<StepNumber> steps = steps_within(most_files, spec, takes);
   remark_cut(spec, takes.opening(), output.quiet);
@@ -125,12 +142,12 @@ void write_series(const FigureSpec& spec, Takes& takes, Format format, const Out
 }
 
 /// All steps as pages, or the first of them when they are too many for one file. Throws UsageError.
-std::vector<StepNumber> pages_of(const FigureSpec& spec, const Takes& takes) {
+std::vector<StepNumber> pages_of(const FigureSpec& spec, const Takes& takes, Format format) {
   if (count_in(spec.steps) > most_pages) {
     throw UsageError(
-        fmt::format("--steps: expected at most {} steps for one PDF ({{step}} in the name of -o makes one "
+        fmt::format("--steps: expected at most {} steps for one {} ({{step}} in the name of -o makes one "
                     "file a step), found {}",
-                    most_pages, count_in(spec.steps)));
+                    most_pages, document_name(format), count_in(spec.steps)));
   }
   std::vector<StepNumber> steps = shown_steps(spec, takes);
   if (static_cast<std::int64_t>(steps.size()) > most_pages)
@@ -138,35 +155,37 @@ std::vector<StepNumber> pages_of(const FigureSpec& spec, const Takes& takes) {
   return steps;
 }
 
-std::string document(FigureSpec spec, Takes& takes, bool quiet) {
-  const std::vector<StepNumber> steps = pages_of(spec, takes);
+std::string document(FigureSpec spec, Takes& takes, Format format, bool quiet) {
+  const std::vector<StepNumber> steps = pages_of(spec, takes, format);
   if (steps.size() < shown_steps(spec, takes).size()) {
     spec = with_steps(spec, {{steps.front(), steps.back()}});
     if (!quiet) {
-      note(fmt::format("steps {} of 0-{}: one PDF has at most {} pages; --steps A-B takes others",
-                       text_of(spec.steps), takes.last(), most_pages));
+      note(fmt::format("steps {} of 0-{}: one {} has at most {} pages; --steps A-B takes others",
+                       text_of(spec.steps), takes.last(), document_name(format), most_pages));
     }
   }
   Progress progress(steps.size(), quiet);
-  return pages_bytes(spec, takes, steps, [&progress](std::size_t i) { progress.finished(i, ""); });
+  const auto on_drawn = [&progress](std::size_t i) { progress.finished(i, ""); };
+  return format == Format::pdf ? pages_bytes(spec, takes, steps, on_drawn)
+                               : slides_bytes(spec, takes, steps, on_drawn);
 }
 
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   const Trace trace = shown_part(spec, takes, format);
   remark_cut(spec, trace, quiet);
-  return trace_bytes(spec, trace, format);
+  return trace_bytes(spec, trace, format, "", &takes);
 }
 
 std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   const std::vector<StepNumber> steps = steps_within(most_frames, spec, takes);
   remark_cut(spec, takes.opening(), quiet);
-  Progress progress(frames_drawn(film_format(format), steps.size()), quiet);
+  Progress progress(pictures_drawn(film_format(format), steps.size(), spec.film), quiet);
   return film_of(spec, takes, steps, format, [&progress](std::size_t i) { progress.finished(i, ""); });
 }
 
 std::string one_file(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
   if (is_film(format)) return film(spec, takes, format, quiet);
-  if (format == Format::pdf) return document(spec, takes, quiet);
+  if (is_document(format)) return document(spec, takes, format, quiet);
   if (!is_drawn(format)) return table_or_player(spec, takes, format, quiet);
   return picture_bytes(spec, takes, shown_step(spec, takes), format);
 }
@@ -188,7 +207,7 @@ std::string snippet_for(SnippetKind kind, const FigureSpec& spec, Takes& takes, 
     figure.steps = {{output, 0, alt(one_step ? takes.figure(shown_step(spec, takes)).sentence : trace.goal)}};
     return snippet_of(kind, figure);
   }
-  const std::vector<StepNumber> steps = series ? shown_steps(spec, takes) : pages_of(spec, takes);
+  const std::vector<StepNumber> steps = series ? shown_steps(spec, takes) : pages_of(spec, takes, format);
   if (spec.handout && !series) {
     const std::size_t a_page = spec.handout->figures();
     for (std::size_t at = 0; at < steps.size(); at += a_page) {
@@ -231,7 +250,7 @@ void write_figure(FigureSpec spec, Format format, const Output& output, std::spa
   if (!series) check_output(output.path, inputs, output.replace);
   if (output.path == dash) refuse_binary_in_terminal(format);
   if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
-  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   if (series) {
     write_series(spec, takes, format, output, inputs);
   } else {

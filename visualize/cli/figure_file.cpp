@@ -7,12 +7,18 @@
 #include <array>
 
 #include "cairo/cairo_output.hpp"
+#include "cairo/colophon_markup.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
 #include "cli/own_files.hpp"
+#include "cli/panel_sheets.hpp"
+#include "cli/zip.hpp"
 #include "figure/metrics.hpp"
+#include "figure/transition.hpp"
+#include "figure/which_steps.hpp"
+#include "office/presentation.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
 #include "web/json.hpp"
@@ -36,19 +42,53 @@ Colophon colophon_of_many(const FigureSpec& spec, const Trace& trace, std::span<
   return colophon_of(spec, trace, steps, summary_of(trace, steps));
 }
 
+Colophon colophon_at(const FigureSpec& spec, Takes& takes, StepNumber step) {
+  if (spec.panels) return colophon_of_many(spec, takes.opening(), panel_steps(spec, takes));
+  const Figure figure = takes.figure(step);
+  return colophon_of(spec, *figure.trace, {&step, 1},
+                     takes.beside() ? compared_caption(takes, step) : caption_of(figure));
+}
+
+/// The step with what a page for print says beneath its sheet.
+Figure told_beneath(const FigureSpec& spec, Takes& takes, StepNumber step) {
+  if (takes.beside()) {
+    Takes& other = *takes.beside();
+    const std::string beside = other.figure(pair_with(takes.alignment(), {step.step, 0}).b).sentence;
+    Figure figure = takes.figure(step);
+    figure.sentence = fmt::format("{} | {}", figure.sentence, beside);
+    return figure;
+  }
+  Figure figure = takes.figure(step);
+  if (spec.panels) {
+    figure.position = panels_text(spec, takes);
+    figure.phase.clear();
+    figure.sentence = figure.trace->goal;
+  }
+  return figure;
+}
+
+/// The step that --step names, which must exist.
+StepNumber named_step(StepNumber step, const Takes& takes) {
+  if (step == last_step) return {takes.last(), 0};
+  takes.check(step, "--step", text_of(step));
+  return step;
+}
+
 }  // namespace
 
 bool is_film(Format format) {
   return format == Format::gif || format == Format::mp4 || format == Format::webp;
 }
 
+bool is_document(Format format) { return format == Format::pdf || format == Format::pptx; }
+
 bool is_drawn(Format format) {
-  return format == Format::svg || format == Format::png || format == Format::pdf || is_film(format);
+  return format == Format::svg || format == Format::png || is_document(format) || is_film(format);
 }
 
 std::span<const std::string> format_names() {
-  static const std::vector<std::string> names{"svg", "png",  "pdf", "html", "csv", "md",
-                                              "tex", "json", "txt", "gif",  "mp4", "webp"};
+  static const std::vector<std::string> names{"svg",  "png", "pdf", "html", "csv",  "md",  "tex",
+                                              "json", "txt", "gif", "mp4",  "webp", "pptx"};
   return names;
 }
 
@@ -74,6 +114,8 @@ std::optional<Format> format_by_content(std::string_view bytes) {
   if (bytes.starts_with("RIFF") && bytes.size() > 8 && bytes.substr(8).starts_with("WEBP"))
     return Format::webp;
   if (bytes.size() > 8 && bytes.substr(4).starts_with("ftyp")) return Format::mp4;
+  if (bytes.starts_with("PK") && bytes.find("ppt/presentation.xml") != std::string_view::npos)
+    return Format::pptx;
   const std::string start = folded(bytes.substr(0, 512));
   if (start.find("<!doctype html") != std::string::npos || start.find("<html") != std::string::npos) {
     return Format::html;
@@ -95,12 +137,15 @@ Format read_format(const Request& request, const std::string& output) {
   return *format;
 }
 
+StepNumber telling_step(const Takes& takes) {
+  const StepNumber telling = takes.opening().telling;
+  return has_step(takes.opening(), telling) ? telling : takes.opening().steps.back().number;
+}
+
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
-  if (spec.step) {
-    takes.check(*spec.step, "--step", text_of(*spec.step));
-    return *spec.step;
-  }
-  if (!spec.chooses_steps()) return {takes.last(), 0};
+  if (spec.step) return named_step(*spec.step, takes);
+  if (spec.panels) return telling_step(takes);
+  if (!spec.chooses_steps()) return parting_step(takes).value_or(telling_step(takes));
   if (spec.milestones || count_in(spec.steps) != 1) {
     throw UsageError(
         fmt::format("--steps: expected one step for one picture ({{step}} in the name of -o makes one "
@@ -113,6 +158,7 @@ StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
 }
 
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) {
+  if (spec.panels) return {telling_step(takes)};
   if (spec.step) return {shown_step(spec, takes)};
   // Checked before they are listed: a range may be as long as its numbers are large
   for (const StepRange& range : spec.steps) {
@@ -127,12 +173,18 @@ std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes) 
   return steps;
 }
 
-Sheet sheet_of(const Figure& figure, const FigureSpec& spec) {
+Sheet sheet_in(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look) {
+  if (spec.panels) return panels_sheet(spec, takes, look);
+  if (takes.beside()) return compared_sheet(spec, takes, step, look);
+  return lay_out(takes.figure(step), look);
+}
+
+Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step) {
   Sheet sheet;
   try {
-    sheet = lay_out(figure, spec.look);
+    sheet = sheet_in(spec, takes, step, spec.look);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--view: {}", error.what()));
+    throw UsageError(fmt::format("--{}: {}", spec.look.view ? "view" : "size", error.what()));
   }
   if (const auto missing = missing_glyph(sheet)) {
     throw UsageError(fmt::format("figure: expected texts that can be drawn ({}), found {}",
@@ -142,9 +194,8 @@ Sheet sheet_of(const Figure& figure, const FigureSpec& spec) {
 }
 
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format) {
-  const Figure figure = takes.figure(step);
-  const Sheet sheet = sheet_of(figure, spec);
-  const Colophon colophon = colophon_of(spec, *figure.trace, {&step, 1}, caption_of(figure));
+  const Sheet sheet = sheet_of(spec, takes, step);
+  const Colophon colophon = colophon_at(spec, takes, step);
   return format == Format::png ? png_of(sheet, finish_of(spec), colophon)
                                : svg_of(sheet, finish_of(spec), colophon);
 }
@@ -154,32 +205,119 @@ std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<
   const Colophon colophon = colophon_of_many(spec, takes.opening(), steps);
   const auto figure = [&](std::size_t i) {
     if (on_drawn) on_drawn(i);
-    return takes.figure(steps[i]);
+    return told_beneath(spec, takes, steps[i]);
   };
   if (spec.handout) {
-    const Handout handout{spec.paper, *spec.handout, spec.look, colophon.command};
+    const Handout handout{
+        spec.paper, *spec.handout, spec.look, colophon.command,
+        [&](const Figure& shown, const Look& look) { return sheet_in(spec, takes, shown.number, look); }};
     const auto page = [&](std::size_t i) { return handout_page(handout, i, steps.size(), figure); };
     return pdf_of(handout_page_count(handout, steps.size()), page, finish_of(spec), colophon);
   }
-  const auto page = [&](std::size_t i) { return sheet_of(figure(i), spec); };
+  const auto page = [&](std::size_t i) {
+    if (on_drawn) on_drawn(i);
+    return sheet_of(spec, takes, steps[i]);
+  };
   return pdf_of(steps.size(), page, finish_of(spec), colophon);
 }
+
+std::string slides_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                         const OnDrawn& on_drawn) {
+  const Colophon colophon = colophon_of_many(spec, takes.opening(), steps);
+  Finish finish = finish_of(spec);
+  const auto step = [&](std::size_t i) {
+    if (on_drawn) on_drawn(i);
+    const Figure figure = told_beneath(spec, takes, steps[i]);
+    return PresentedStep{sheet_of(spec, takes, steps[i]), caption_of(figure), figure.sentence};
+  };
+  // The slide has the ground; the pixels are for who can't show the vectors, on a large screen, too
+  finish.transparent = true;
+  finish.scale = 2;
+  const auto draw = [&finish](const Sheet& part) {
+    return PictureBytes{svg_of(part, finish, {}), png_of(part, finish, {})};
+  };
+  std::vector<ZipEntry> entries;
+  for (PackagePart& part :
+       presentation_of(steps.size(), step, draw, finish.theme, {colophon, markup_of(colophon)})) {
+    entries.push_back({std::move(part.name), std::move(part.bytes), part.stored});
+  }
+  return zip_of(entries);
+}
+
+namespace {
+
+/// Neighbouring sheets of a film, each laid out but once while it is needed.
+class TwoSheets {
+ public:
+  explicit TwoSheets(std::function<Sheet(std::size_t)> make) : make_(std::move(make)) {}
+  const Sheet& at(std::size_t i) {
+    auto& [number, sheet] = kept_[i % 2];
+    if (number != i) {
+      sheet = make_(i);
+      number = i;
+    }
+    return sheet;
+  }
+
+ private:
+  std::function<Sheet(std::size_t)> make_;
+  std::array<std::pair<std::optional<std::size_t>, Sheet>, 2> kept_;
+};
+
+}  // namespace
 
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
                     const OnDrawn& on_drawn) {
   const Finish finish = finish_of(spec);
   std::size_t drawn = 0;
-  const auto frame = [&](std::size_t i) {
-    Image image = image_of(sheet_of(takes.figure(steps[i]), spec), finish);
+  const auto picture_of = [&](const Sheet& sheet) {
+    Image image = image_of(sheet, finish);
     if (on_drawn) on_drawn(drawn++);
     return image;
   };
+  TwoSheets sheets([&](std::size_t i) { return sheet_of(spec, takes, steps[i]); });
+  const auto frame = [&](std::size_t i) { return picture_of(sheets.at(i)); };
+  const auto between = [&](std::size_t i, double share) {
+    return picture_of(in_between(sheets.at(i), sheets.at(i + 1), share));
+  };
   return film_bytes(film_format(format), steps.size(), frame, spec.film,
-                    colophon_of_many(spec, takes.opening(), steps));
+                    colophon_of_many(spec, takes.opening(), steps), between);
 }
 
+namespace {
+
+/// The trace as the reader wants it in a player.
+Trace turned(const FigureSpec& spec, Trace trace) {
+  trace.grid.y_up = spec.look.y_up.value_or(trace.grid.y_up);
+  if (!spec.look.title.empty()) trace.title = spec.look.title;
+  return trace;
+}
+
+/// The trace on a grid that holds the other one's cells, too.
+Trace widened(Trace trace, const Trace& other) {
+  if (!trace.grid.axes || !other.grid.axes) return trace;
+  Window& cells = trace.grid.cells;
+  cells = {glm::min(cells.lower, other.grid.cells.lower), glm::max(cells.upper, other.grid.cells.upper)};
+  return trace;
+}
+
+/// Both runs side by side: their drawings, for there is no room for listings and tables.
+std::string players_page(const FigureSpec& spec, const Trace& trace, const Takes& takes,
+                         const Colophon& colophon, PlayerOptions options) {
+  const Trace& other = takes.beside()->opening();
+  const Trace second = turned(spec, widened(other, trace));
+  const PlayedBeside beside{second, command_of("figure", *spec.compare->topic, spec.compare->arguments),
+                            takes.alignment()};
+  options.slots.erase(Slot::listing);
+  options.slots.erase(Slot::table);
+  options.beside = &beside;
+  return player_page(turned(spec, widened(trace, other)), colophon, options);
+}
+
+}  // namespace
+
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
-                        const std::string& topic_page) {
+                        const std::string& topic_page, const Takes* takes) {
   switch (format) {
     case Format::csv:
       return csv_of(trace);
@@ -196,28 +334,27 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
   }
   const std::vector<StepNumber> ends{{trace.steps.front().number.step, 0},
                                      {trace.steps.back().number.step, 0}};
-  const PlayerOptions options{spec.look.slots, spec.said.contains("theme") ? spec.theme->name : "",
-                              topic_page};
+  PlayerOptions options{.slots = spec.look.slots,
+                        .theme = spec.said.contains("theme") ? spec.theme->name : "",
+                        .topic_page = topic_page};
   const Colophon colophon = colophon_of_many(spec, trace, ends);
+  if (takes && takes->beside()) return players_page(spec, trace, *takes, colophon, std::move(options));
   if (!spec.look.y_up && spec.look.title.empty()) return player_page(trace, colophon, options);
-  Trace turned = trace;
-  turned.grid.y_up = spec.look.y_up.value_or(trace.grid.y_up);
-  if (!spec.look.title.empty()) turned.title = spec.look.title;
-  return player_page(turned, colophon, options);
+  return player_page(turned(spec, trace), colophon, options);
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
   std::vector<StepRange> ranges = spec.steps;
-  if (spec.step) ranges = {{*spec.step, *spec.step}};
+  if (spec.step) {
+    const StepNumber step = named_step(*spec.step, takes);
+    ranges = {{step, step}};
+  }
   if (spec.milestones) {
     for (const StepNumber step : milestones_of(takes.opening())) ranges.push_back({step, step});
   }
   if (ranges.empty()) return takes.opening();
   for (const StepRange& range : ranges) {
-    for (const StepNumber end : {range.first, range.last}) {
-      takes.check(end, spec.step ? "--step" : "--steps",
-                  spec.step ? text_of(*spec.step) : text_of(spec.steps));
-    }
+    for (const StepNumber end : {range.first, range.last}) takes.check(end, "--steps", text_of(spec.steps));
   }
   const bool played = ranges.size() == 1 && ranges.front().stride == 1 && ranges.front().first.fine == 0;
   if (format == Format::html && !played) {

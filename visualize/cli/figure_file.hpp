@@ -12,10 +12,12 @@
 
 namespace gradus::cli {
 
-enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp };
+enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, pptx };
 /// Steps as pictures: all but a player and tables.
 bool is_drawn(Format format);
 bool is_film(Format format);
+/// A page or slide a step, all in one file: PDF and PPTX.
+bool is_document(Format format);
 FilmFormat film_format(Format format);
 std::string_view name_of(Format format);
 /// The names of all formats, in their order.
@@ -31,14 +33,18 @@ inline constexpr std::int64_t most_pages = 1000;
 /// --format, or the ending of the output's name; SVG for standard output. Throws UsageError.
 Format read_format(const Request& request, const std::string& output);
 
-/// The one step that an SVG or PNG shows: --step, else the last. Throws UsageError when there is none.
+/// What is shown of a run where nobody names a step: Trace::telling, where it is kept.
+StepNumber telling_step(const Takes& takes);
+/// The one step that an SVG or PNG shows: --step, else the telling one. Throws UsageError when there is none.
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes);
 /// The steps that a document or a series of files has: --steps or --step, else all whole ones that are
 /// recorded.
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes);
 
-/// The figure on its sheet; every letter of it can be drawn. Throws UsageError.
-Sheet sheet_of(const Figure& figure, const FigureSpec& spec);
+/// The step on its sheet, beside another run where the spec says so; with panels these, whatever the step.
+Sheet sheet_in(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look);
+/// The same in the spec's look; every letter of it can be drawn. Throws UsageError.
+Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step);
 
 /// SVG or PNG.
 std::string picture_bytes(const FigureSpec& spec, Takes& takes, StepNumber step, Format format);
@@ -47,13 +53,17 @@ using OnDrawn = std::function<void(std::size_t i)>;
 /// PDF, one page a step.
 std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
                         const OnDrawn& on_drawn = {});
-/// GIF, MP4, WebP: a frame a step. `on_drawn` is told of each of frames_drawn(). Throws UsageError,
-/// WorkError.
+/// PPTX, a slide a step.
+std::string slides_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
+                         const OnDrawn& on_drawn = {});
+/// GIF, MP4, WebP: a frame a step, and what moves between them. `on_drawn` is told of each of
+/// pictures_drawn(). Throws UsageError, WorkError.
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
                     const OnDrawn& on_drawn = {});
 /// HTML, CSV, JSON, text: made from a trace. It is the opening of the run, or the part that the spec wants.
+/// With `takes` the player shows the run that stands beside it, too.
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
-                        const std::string& topic_page = "");
+                        const std::string& topic_page = "", const Takes* takes = nullptr);
 /// The trace that those show; throws UsageError for steps that the run, or the format, has not.
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format);
 

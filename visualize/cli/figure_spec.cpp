@@ -48,12 +48,19 @@ std::optional<double> decimal(std::string_view text, double least, double most) 
 
 // --- Which steps -------------------------------------------------------------------------------------------
 
+/// One step a sheet after all.
+void leave_panels(FigureSpec& spec) {
+  spec.panels.reset();
+  spec.said.erase("panels");
+}
+
 std::string read_step_flag(FigureSpec& spec, const std::string& text) {
   spec.step = read_step(text);
   spec.steps.clear();
   spec.milestones = false;
   spec.said.erase("steps");
-  return text_of(*spec.step);
+  leave_panels(spec);
+  return *spec.step == last_step ? "last" : text_of(*spec.step);
 }
 
 std::string read_steps_flag(FigureSpec& spec, const std::string& text) {
@@ -61,7 +68,39 @@ std::string read_steps_flag(FigureSpec& spec, const std::string& text) {
   spec.steps = spec.milestones ? std::vector<StepRange>{} : read_steps(text);
   spec.step.reset();
   spec.said.erase("step");
+  leave_panels(spec);
   return spec.milestones ? "auto" : text_of(spec.steps);
+}
+
+std::string read_panels(FigureSpec& spec, const std::string& text) {
+  PanelChoice choice;
+  choice.phases = folded(trimmed(text)) == "phases";
+  std::vector<StepRange> ranges;
+  if (!choice.phases) {
+    const bool has_number = text.find_first_of("0123456789") != std::string::npos;
+    if (has_number) ranges = read_steps(text, "--panels");
+    const std::int64_t count = count_in(ranges);
+    if (!has_number || count < std::int64_t{PanelChoice::least} || count > std::int64_t{PanelChoice::most}) {
+      refuse_flag("panels",
+                  fmt::format("phases, or {} to {} steps like 1,4,9", PanelChoice::least, PanelChoice::most),
+                  shown(text));
+    }
+    choice.steps = numbers_in(ranges);
+  }
+  spec.step.reset();
+  spec.steps.clear();
+  spec.milestones = false;
+  spec.compare.reset();
+  for (const char* flag : {"step", "steps", "compare"}) spec.said.erase(flag);
+  spec.panels = choice;
+  return choice.phases ? "phases" : text_of(ranges);
+}
+
+std::string read_compare(FigureSpec& spec, const std::string& text) {
+  if (!spec.topic) return "";
+  leave_panels(spec);
+  spec.compare = other_side(*spec.topic, spec.arguments, text);
+  return spec.compare->text;
 }
 
 // --- How large -------------------------------------------------------------------------------------------
@@ -179,6 +218,19 @@ std::string read_layout(FigureSpec& spec, const std::string& text) {
   return spec.look.layout == Layout::slide ? "" : "handout";
 }
 
+std::string read_listing(FigureSpec& spec, const std::string& text) {
+  spec.listing = static_cast<ListingForm>(chosen("listing", text, {"source", "pseudo"}));
+  return spec.listing == ListingForm::source ? "" : "pseudo";
+}
+
+std::string read_line_numbers(FigureSpec& spec, const std::string& text) {
+  const Texts names{"listing", "source", "none"};
+  spec.look.line_numbers = static_cast<LineNumbers>(chosen("line-numbers", text, names));
+  return spec.look.line_numbers == LineNumbers::listing
+             ? ""
+             : names[static_cast<std::size_t>(spec.look.line_numbers)];
+}
+
 std::string read_y(FigureSpec& spec, const std::string& text) {
   const bool up = chosen("y", text, {"up", "down"}) == 0;
   spec.look.y_up = up;
@@ -279,6 +331,13 @@ std::string read_hold_last(FigureSpec& spec, const std::string& text) {
   return read_seconds("hold-last", spec.film.hold_last, FilmOptions{}.hold_last, 600, text);
 }
 
+std::string read_transition(FigureSpec& spec, const std::string& text) {
+  const auto seconds = folded(trimmed(text)) == "none" ? 0 : decimal(text, 0.04, 10);
+  if (!seconds) refuse_flag("transition", "none, or seconds from 0.04 to 10", shown(text));
+  spec.film.transition = seconds;
+  return *seconds == 0 ? "none" : fmt::format("{}", *seconds);
+}
+
 std::string read_count(std::string_view flag, int& count, int least, int most, const std::string& text) {
   const auto value = whole_number(text);
   if (!value || *value < least || *value > most) {
@@ -315,8 +374,14 @@ std::string read_language(FigureSpec& spec, const std::string& text) {
   Texts codes;
   for (const Language& language : languages()) codes.push_back(language.code());
   const Language& language = languages()[chosen("language", text, codes)];
-  spec.wording = Wording(language, spec.wording.labels());
+  spec.wording = Wording(language, spec.wording.labels(), spec.wording.numbers());
   return &language == &languages().front() ? "" : language.code();
+}
+
+std::string read_numbers(FigureSpec& spec, const std::string& text) {
+  const auto numbers = static_cast<Numbers>(chosen("numbers", text, {"decimals", "fractions"}));
+  spec.wording = Wording(spec.wording.language(), spec.wording.labels(), numbers);
+  return numbers == Numbers::decimals ? "" : text;
 }
 
 /// "p=d": the topic's symbol and what the reader calls it.
@@ -341,7 +406,7 @@ void apply_labels(FigureSpec& spec, const Texts& given) {
     if (label.symbol != label.text) labels.push_back(label);
   }
   std::ranges::sort(labels, {}, &SymbolLabel::symbol);
-  spec.wording = Wording(spec.wording.language(), std::move(labels));
+  spec.wording = Wording(spec.wording.language(), std::move(labels), spec.wording.numbers());
 }
 
 // --- All of it -------------------------------------------------------------------------------------------
@@ -355,11 +420,15 @@ struct FlagReader {
 constexpr FlagReader readers[] = {
     {"step", read_step_flag},
     {"steps", read_steps_flag},
+    {"panels", read_panels},
+    {"compare", read_compare},
     {"slots", read_slots},
     {"no-title", read_no_title},
     {"theme", read_theme},
     {"size", read_size},
     {"layout", read_layout},
+    {"listing", read_listing},
+    {"line-numbers", read_line_numbers},
     {"crop", read_crop},
     {"view", read_view},
     {"y", read_y},
@@ -367,12 +436,14 @@ constexpr FlagReader readers[] = {
     {"scale", read_scale},
     {"svg-text", read_svg_text},
     {"language", read_language},
+    {"numbers", read_numbers},
     {"title", read_title},
     {"caption", read_caption},
     {"handout", read_handout},
     {"paper", read_paper},
     {"seconds-per-step", read_seconds_per_step},
     {"hold-last", read_hold_last},
+    {"transition", read_transition},
     {"fps", read_fps},
     {"loop", read_loop},
 };
@@ -382,8 +453,12 @@ bool is_switch(const std::string& name) { return name == "crop"; }
 }  // namespace
 
 void apply_flags(FigureSpec& spec, const Request& request) {
-  if (request.has("step") && request.has("steps"))
-    throw UsageError("--step: expected either this or --steps, found both");
+  constexpr std::pair<const char*, const char*> rivals[] = {
+      {"step", "steps"}, {"panels", "step"}, {"panels", "steps"}, {"panels", "compare"}};
+  for (const auto& [one, other] : rivals) {
+    if (request.has(one) && request.has(other))
+      throw UsageError(fmt::format("--{}: expected either this or --{}, found both", one, other));
+  }
   for (const FlagReader& reader : readers) {
     const auto given = request.flags.find(reader.name);
     if (given == request.flags.end()) continue;
@@ -420,6 +495,7 @@ std::string command_of(const FigureSpec& spec) {
 }
 
 FigureSpec at_step(FigureSpec spec, StepNumber step) {
+  if (spec.panels) return spec;  // they are all on one sheet
   const std::string canonical = read_step_flag(spec, text_of(step));
   spec.said["step"] = canonical;
   return spec;

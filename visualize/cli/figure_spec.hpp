@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/compare.hpp"
 #include "cli/film.hpp"
 #include "cli/takes.hpp"
 #include "figure/figure.hpp"
@@ -16,12 +17,21 @@
 
 namespace gradus::cli {
 
+/// What --panels asks for.
+struct PanelChoice {
+  static constexpr std::size_t least = 2, most = 6;
+  bool phases = false;            ///< a drawing for each phase of the run
+  std::vector<StepNumber> steps;  ///< else one for each of these
+};
+
 struct FigureSpec {
   const TopicEntry* topic = nullptr;
   Arguments arguments;
   std::optional<StepNumber> step;
   std::vector<StepRange> steps;
-  bool milestones = false;  ///< --steps auto: the first step, each kind of branch once, the last
+  bool milestones = false;            ///< --steps auto: see milestones_of
+  std::optional<PanelChoice> panels;  ///< several drawings of the run on one sheet
+  std::optional<OtherSide> compare;   ///< another run beside this one
   Look look;
   const Theme* theme = nullptr;
   bool transparent = false;
@@ -29,6 +39,7 @@ struct FigureSpec {
   double scale = 1;
   SvgText svg_text = SvgText::outlines;
   Wording wording;
+  ListingForm listing = ListingForm::source;
   std::optional<PageGrid> handout;  ///< PDF: pages for print instead of a page a step
   Paper paper = papers().front();
   FilmOptions film;
@@ -37,7 +48,7 @@ struct FigureSpec {
   std::map<std::string, std::string> said;
 
   /// Whether the reader named the steps to show.
-  bool chooses_steps() const { return step || !steps.empty() || milestones; }
+  bool chooses_steps() const { return step || !steps.empty() || milestones || panels; }
 };
 
 /// Takes all that the request says of how a figure looks; what it does not name stays. Throws UsageError.
@@ -53,6 +64,9 @@ FigureSpec at_step(FigureSpec spec, StepNumber step);
 
 /// The spec of these steps of it.
 FigureSpec with_steps(FigureSpec spec, const std::vector<StepRange>& steps);
+
+/// The run beside it, where there is one.
+inline const OtherSide* beside_of(const FigureSpec& spec) { return spec.compare ? &*spec.compare : nullptr; }
 
 /// Colours, ground and sharpness.
 Finish finish_of(const FigureSpec& spec);

@@ -316,7 +316,8 @@ std::vector<ManifestFile> write_topics(const std::vector<TopicFigure>& figures, 
 struct CardMaker {
   explicit CardMaker(const Album& in) : album(in) {}
   void add(const LectureFigure& figure) {
-    const Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording);
+    const Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording, figure.spec.listing,
+                      beside_of(figure.spec));
     cards.push_back(card_of(figure, album.files(figure.name), takes));
     figures.push_back(topic_figure(figure, cards.back(), takes.opening()));
   }

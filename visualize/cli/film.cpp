@@ -49,54 +49,74 @@ std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> 
 class Film {
  public:
   Film(FilmFormat format, std::size_t frames, const std::function<Image(std::size_t)>& frame,
-       const FilmOptions& options, const Colophon& colophon)
-      : format_(format), count_(frames), frame_(frame), options_(options), colophon_(colophon) {}
+       const FilmOptions& options, const Colophon& colophon,
+       const std::function<Image(std::size_t, double)>& between)
+      : format_(format),
+        count_(frames),
+        between_count_(between ? pictures_between(format, frames, options) : 0),
+        frame_(frame),
+        between_(between),
+        options_(options),
+        colophon_(colophon) {}
 
   std::string bytes() {
-    const Image first = drawn(0);
+    const Image first = drawn(frame_(0));
     width_ = first.width();
     height_ = first.height();
     transparent_ = !is_opaque(first);
     check_film(format_, options_, transparent_);
     Descriptor palette;
-    if (format_ == FilmFormat::gif) palette = nameless_file(run(chosen_colors(), Descriptor()));
-    std::string film = run(encoding(), palette);
+    if (format_ == FilmFormat::gif) palette = nameless_file(run(chosen_colors(), Descriptor(), 0));
+    std::string film = run(encoding(), palette, between_count_);
     check_count(film);
     if (format_ == FilmFormat::mp4) return film;
-    set_delays(format_, film, delays());
+    set_delays(format_, film, seconds_);
     return with_xmp(
         format_, std::move(film),
         fmt::format("<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">{}</x:xmpmeta>", markup_of(colophon_)));
   }
 
  private:
-  Image drawn(std::size_t i) const { return format_ == FilmFormat::mp4 ? evened(frame_(i)) : frame_(i); }
+  Image drawn(Image image) const {
+    return format_ == FilmFormat::mp4 ? evened(std::move(image)) : std::move(image);
+  }
 
-  /// Hands all frames to ffmpeg.
-  std::string run(const std::vector<std::string>& words, const Descriptor& palette) {
+  /// Hands all pictures to ffmpeg, so many between two steps.
+  std::string run(const std::vector<std::string>& words, const Descriptor& palette, std::size_t between) {
     Ffmpeg ffmpeg(joined({input(), words, {std::string(Ffmpeg::output)}}), palette);
-    held_.clear();
-    Image before;
+    seconds_.clear();
+    before_ = Image();
     for (std::size_t i = 0; i < count_; ++i) {
-      Image now = drawn(i);
-      if (now.width() != width_ || now.height() != height_) {
-        throw WorkError(fmt::format("film: expected frames of {} x {}, found one of {} x {}", width_, height_,
-                                    now.width(), now.height()));
-      }
-      // Encoders treat a frame without news each in its own way: it makes the one before last longer
-      if (format_ != FilmFormat::mp4 && i > 0 && now == before) {
-        ++held_.back();
-        continue;
-      }
-      held_.push_back(1);
-      if (!ffmpeg.take(bytes_of(now))) {
-        ffmpeg.finish();  // which may know the reason
-        throw WorkError(
-            fmt::format("film: expected ffmpeg to take {} frames, found that it stopped early", count_));
-      }
-      before = std::move(now);
+      const bool last = i + 1 == count_;
+      const double moving = last ? 0 : static_cast<double>(between) / moving_fps;
+      hand(ffmpeg, frame_(i), (last ? options_.hold_last : options_.seconds_per_step) - moving);
+      for (std::size_t n = 1; n <= between && !last; ++n)
+        hand(ffmpeg, between_(i, static_cast<double>(n) / static_cast<double>(between + 1)),
+             1.0 / moving_fps);
     }
+    if (between > 0) hand(ffmpeg, Image(before_), 0);  // so that nobody has to guess how long it stays
     return ffmpeg.finish();
+  }
+
+  /// One picture, which GIF and WebP show for so long.
+  void hand(Ffmpeg& ffmpeg, Image image, double seconds) {
+    Image now = drawn(std::move(image));
+    if (now.width() != width_ || now.height() != height_) {
+      throw WorkError(fmt::format("film: expected frames of {} x {}, found one of {} x {}", width_, height_,
+                                  now.width(), now.height()));
+    }
+    // Encoders treat a frame without news each in its own way: it makes the one before last longer
+    if (format_ != FilmFormat::mp4 && now == before_) {
+      seconds_.back() += seconds;
+      return;
+    }
+    seconds_.push_back(seconds);
+    if (!ffmpeg.take(bytes_of(now))) {
+      ffmpeg.finish();  // which may know the reason
+      throw WorkError(
+          fmt::format("film: expected ffmpeg to take {} frames, found that it stopped early", count_));
+    }
+    before_ = std::move(now);
   }
 
   // --- What ffmpeg is told ---------------------------------------------------------------------------------
@@ -111,7 +131,9 @@ class Film {
             "-video_size",
             fmt::format("{}x{}", width_, height_),
             "-framerate",
-            movie ? fmt::format("{}/{}", options_.fps, repeats()) : "10",
+            movie ? between_count_ > 0 ? fmt::to_string(options_.fps)
+                                       : fmt::format("{}/{}", options_.fps, repeats())
+                  : "10",
             "-i",
             std::string(Ffmpeg::input)};
   }
@@ -150,15 +172,24 @@ class Film {
   /// GIF counts repetitions after the first time, and -1 is none.
   int gif_loop() const { return options_.loop == 0 ? 0 : options_.loop == 1 ? -1 : options_.loop - 1; }
 
-  /// Colours are converted once a step, then each frame is repeated for as long as it lasts, the last one
-  /// longer or shorter.
+  /// Colours are converted once a picture, then it is repeated for as long as it lasts, the last one longer
+  /// or shorter.
   std::string movie_filter() const {
-    std::string filter =
-        fmt::format("scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,fps={}", options_.fps);
+    const std::string colors = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
+    const std::string steady = fmt::format(",fps={}", options_.fps);
+    if (between_count_ > 0) return colors + ",setpts=" + moment_of_picture() + steady + trim();
     if (last_repeats() > repeats())
-      filter += fmt::format(",tpad=stop={}:stop_mode=clone", last_repeats() - repeats());
-    if (last_repeats() < repeats()) filter += fmt::format(",trim=end_frame={}", expected_frames());
-    return filter;
+      return colors + steady + fmt::format(",tpad=stop={}:stop_mode=clone", last_repeats() - repeats());
+    return last_repeats() < repeats() ? colors + steady + trim() : colors + steady;
+  }
+  std::string trim() const { return fmt::format(",trim=end_frame={}", expected_frames()); }
+
+  /// Of the N-th picture that is sent, in film frames: every step begins `repeats` after the one before, and
+  /// what stands between comes last. The very last picture is the film's end.
+  std::string moment_of_picture() const {
+    const std::size_t sent = between_count_ + 1, end = (count_ - 1) * sent + 1;
+    return fmt::format("'if(eq(N,{0}),{1},floor(N/{2})*{3}+if(mod(N,{2}),mod(N,{2})+{4},0))'", end,
+                       expected_frames(), sent, repeats(), repeats() - sent);
   }
 
   // --- Time ------------------------------------------------------------------------------------------------
@@ -170,15 +201,7 @@ class Film {
   std::size_t last_repeats() const { return in_frames(options_.hold_last); }
 
   std::size_t expected_frames() const {
-    return format_ == FilmFormat::mp4 ? (count_ - 1) * repeats() + last_repeats() : held_.size();
-  }
-
-  std::vector<double> delays() const {
-    std::vector<double> seconds;
-    for (const std::size_t steps : held_)
-      seconds.push_back(options_.seconds_per_step * static_cast<double>(steps));
-    seconds.back() += options_.hold_last - options_.seconds_per_step;
-    return seconds;
+    return format_ == FilmFormat::mp4 ? (count_ - 1) * repeats() + last_repeats() : seconds_.size();
   }
 
   /// ffmpeg takes a pipe that ends early for the end of the film, and calls it success.
@@ -190,13 +213,15 @@ class Film {
   }
 
   FilmFormat format_;
-  std::size_t count_;
+  std::size_t count_, between_count_;
   const std::function<Image(std::size_t)>& frame_;
+  const std::function<Image(std::size_t, double)>& between_;
   const FilmOptions& options_;
   const Colophon& colophon_;
   int width_ = 0, height_ = 0;
   bool transparent_ = false;
-  std::vector<std::size_t> held_;  ///< of the frames sent: how many steps each stands for
+  std::vector<double> seconds_;  ///< of the pictures sent: how long each stays
+  Image before_;                 ///< the last one of them
 };
 
 /// A number in its range, or one line that says what was expected.
@@ -211,6 +236,7 @@ void expect_between(std::string_view flag, Number least, Number most, Number fou
 void check_film(FilmFormat format, const FilmOptions& options, bool transparent) {
   expect_between("seconds-per-step", 0.04, 60.0, options.seconds_per_step);
   expect_between("hold-last", 0.04, 600.0, options.hold_last);
+  expect_between("transition", 0.0, 10.0, options.transition.value_or(0));
   expect_between("fps", 1, 60, options.fps);
   expect_between("loop", 0, 65535, options.loop);
   if (format != FilmFormat::mp4) return;
@@ -225,15 +251,24 @@ void check_film(FilmFormat format, const FilmOptions& options, bool transparent)
   }
 }
 
-std::size_t frames_drawn(FilmFormat format, std::size_t frames) {
+std::size_t pictures_between(FilmFormat format, std::size_t steps, const FilmOptions& options) {
+  const double unasked = steps <= most_moving ? usual_transition : 0;
+  const double seconds = std::min(options.transition.value_or(unasked), options.seconds_per_step / 3);
+  const int fps = format == FilmFormat::mp4 ? options.fps : moving_fps;
+  return static_cast<std::size_t>(seconds * fps + 1e-9);
+}
+
+std::size_t pictures_drawn(FilmFormat format, std::size_t steps, const FilmOptions& options) {
+  const std::size_t all = steps + (steps - 1) * pictures_between(format, steps, options);
   // The first one more: it tells the size and whether there is transparency
-  return 1 + (format == FilmFormat::gif ? 2 * frames : frames);
+  return 1 + all + (format == FilmFormat::gif ? steps : 0);
 }
 
 std::string film_bytes(FilmFormat format, std::size_t frames, const std::function<Image(std::size_t)>& frame,
-                       const FilmOptions& options, const Colophon& colophon) {
+                       const FilmOptions& options, const Colophon& colophon,
+                       const std::function<Image(std::size_t, double)>& between) {
   if (frames == 0) throw WorkError("film: expected at least one frame, found none");
-  return Film(format, frames, frame, options, colophon).bytes();
+  return Film(format, frames, frame, options, colophon, between).bytes();
 }
 
 }  // namespace gradus::cli

@@ -186,11 +186,14 @@ void set_delays(FilmFormat format, std::string& film, std::span<const double> se
   if (frames.empty() && seconds.size() == 1) return;
   if (frames.size() != seconds.size())
     throw WorkError("film: expected a delay for every frame, found others");
+  // GIF counts hundredths of a second, WebP thousandths. Ends are rounded, not delays: these add up
+  const double unit = gif ? 0.01 : 0.001;
+  const std::size_t offset = gif ? 2 : 12, size = gif ? 2 : 3, most = gif ? 0xffff : 0xffffff;
+  double end = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    // GIF counts hundredths of a second, WebP thousandths
-    const double unit = gif ? 0.01 : 0.001;
-    const std::size_t offset = gif ? 2 : 12, size = gif ? 2 : 3, most = gif ? 0xffff : 0xffffff;
-    const auto delay = static_cast<std::size_t>(std::llround(seconds[i] / unit));
+    const auto start = std::llround(end / unit);
+    end += seconds[i];
+    const auto delay = static_cast<std::size_t>(std::llround(end / unit) - start);
     put_little_endian(film, frames[i].start + offset, std::min(delay, most), size);
   }
 }

@@ -54,11 +54,6 @@ bool is_cut(std::int64_t last) { return last + 1 > most_gallery_pages; }
 /// Steps for the PDF: of a run that is not kept whole, those that are.
 std::int64_t last_page(const Takes& takes) { return takes.opening().steps.back().number.step; }
 
-StepNumber telling_step(const Takes& takes) {
-  const StepNumber telling = takes.opening().telling;
-  return has_step(takes.opening(), telling) ? telling : takes.opening().steps.back().number;
-}
-
 /// The steps that the lecture chose, each of which must exist.
 std::vector<StepNumber> chosen_steps(const FigureSpec& spec, const Takes& takes) {
   // Before they are listed: a range may be as long as its numbers are large
@@ -178,14 +173,34 @@ class Folder {
 
 // --- Cards -------------------------------------------------------------------------------------------------
 
+const Method& method_of(const LectureFigure& figure) {
+  return *std::ranges::find(figure.spec.topic->methods, figure.spec.arguments.text("method"), &Method::name);
+}
+
+/// What is wrong with the method; empty where nothing is.
+std::string fault_of(const LectureFigure& figure) {
+  const Method& method = method_of(figure);
+  return method.standing == Standing::faulty ? method.note : "";
+}
+
 /// "Flood fill: breadth first, queue", and what is wrong where something is.
 std::string title_of(const LectureFigure& figure) {
-  const TopicEntry& topic = *figure.spec.topic;
-  const std::string& name = figure.spec.arguments.text("method");
-  const auto method = std::ranges::find(topic.methods, name, &Method::name);
-  const std::string title = figure.spec.look.title.empty() ? fmt::format("{}: {}", topic.title, method->title)
-                                                           : figure.spec.look.title;
-  return method->standing == Standing::faulty ? fmt::format("{} (faulty: {})", title, method->note) : title;
+  const std::string& given = figure.spec.look.title;
+  const std::string title =
+      given.empty() ? fmt::format("{}: {}", figure.spec.topic->title, method_of(figure).title) : given;
+  const std::string fault = fault_of(figure);
+  return fault.empty() ? title : fmt::format("{} (faulty: {})", title, fault);
+}
+
+/// What the lecturer calls the figure among those of its topic: its title, else its name without the topic's,
+/// else the method's title.
+std::string short_title_of(const LectureFigure& figure) {
+  if (!figure.spec.look.title.empty()) return figure.spec.look.title;
+  std::string_view name = figure.name;
+  if (name.starts_with(figure.spec.topic->name)) name.remove_prefix(figure.spec.topic->name.size());
+  std::string words(name.substr(std::min(name.find_first_not_of("_-"), name.size())));
+  std::ranges::replace(words, '_', ' ');
+  return words.empty() ? method_of(figure).title : words;
 }
 
 std::string title_of(const LectureRender& render) {
@@ -291,6 +306,8 @@ std::string_view label_of(Format format) {
   switch (format) {
     case Format::pdf:
       return "PDF, a page a step";
+    case Format::pptx:
+      return "PowerPoint, a slide a step";
     case Format::svg:
       return "SVG";
     case Format::png:
@@ -393,9 +410,11 @@ std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, For
                                      const std::string& stem) {
   const FigureSpec spec = fitting(figure, format);
   const std::string ending = fmt::format(".{}", name_of(format));
-  if (format == Format::pdf) {
+  if (is_document(format)) {
     const FigureSpec pages = paged(spec, takes);
-    return {{stem + ending, pages_bytes(pages, takes, page_steps(pages, takes))}};
+    const std::vector<StepNumber> steps = page_steps(pages, takes);
+    return {{stem + ending,
+             format == Format::pdf ? pages_bytes(pages, takes, steps) : slides_bytes(pages, takes, steps)}};
   }
   if (is_film(format)) {
     const FigureSpec shown = paged(spec, takes);
@@ -404,8 +423,8 @@ std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, For
   if (!is_picture(format)) {
     const FigureSpec text = told(spec, takes, format);
     const std::string page = topic_page_path(*spec.topic);
-    return {{stem + ending,
-             trace_bytes(text, shown_part(text, takes, format), format, page.empty() ? page : "../" + page)}};
+    return {{stem + ending, trace_bytes(text, shown_part(text, takes, format), format,
+                                        page.empty() ? page : "../" + page, &takes)}};
   }
   std::vector<OutputFile> files;
   const std::vector<StepNumber> steps = picture_steps(spec, takes);
@@ -418,21 +437,21 @@ std::vector<OutputFile> output_files(const FigureSpec& figure, Takes& takes, For
 
 void rehearse(const LectureFigure& figure) {
   const FigureSpec& spec = figure.spec;
-  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   for (const Format format : figure.outputs) {
     if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
-    if (format == Format::pdf || is_film(format)) {
+    if (is_document(format) || is_film(format)) {
       page_steps(paged(spec, takes), takes);
     } else if (!is_picture(format)) {
       shown_part(told(spec, takes, format), takes, format);
     }
   }
-  sheet_of(takes.figure(thumbnail_step(spec, takes)), spec);
+  sheet_of(spec, takes, thumbnail_step(spec, takes));
 }
 
 Drawn draw(const LectureFigure& figure, const fs::path& out, const ReplaceAt& replace) {
   const FigureSpec& spec = figure.spec;
-  Takes takes(*spec.topic, spec.arguments, spec.wording);
+  Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   Folder folder(figure, out, replace);
   for (const Format format : figure.outputs) {
     for (const OutputFile& file : output_files(spec, takes, format, figure.name)) {
@@ -465,13 +484,19 @@ Card card_of(const LectureFigure& figure, std::span<const ManifestFile> files, c
   card.thumbnail = stem + "-drawing.svg";
   if (makes(Format::html)) card.player = stem + ".html";
   // The most useful first, whatever the order in the lecture
-  for (const Format format : {Format::pdf, Format::svg, Format::png, Format::gif, Format::mp4, Format::webp,
-                              Format::csv, Format::md, Format::tex, Format::json, Format::txt}) {
+  for (const Format format :
+       {Format::pdf, Format::pptx, Format::svg, Format::png, Format::gif, Format::mp4, Format::webp,
+        Format::csv, Format::md, Format::tex, Format::json, Format::txt}) {
     if (makes(format)) add_downloads(card, figure, files, format);
   }
   add_inputs(card, figure);
   if (has_zip(figure)) card.zip = stem + "-steps.zip";
-  card.topic_page = topic_page_path(*figure.spec.topic);
+  const TopicEntry& topic = *figure.spec.topic;
+  card.group = {topic.name, topic.title, topic_page_path(topic)};
+  card.name = short_title_of(figure);
+  card.faulty = fault_of(figure);
+  const bool drawn = std::ranges::find(files, stem + ".svg", &ManifestFile::path) != files.end();
+  if (drawn) card.slide = stem + ".svg";
   card.snippets = snippets_of(figure, takes);
   card.words = figure.spec.topic->aliases;
   card.words.insert(card.words.end(), {figure.spec.topic->name, figure.spec.arguments.text("method")});
@@ -497,6 +522,7 @@ Card card_of(const LectureRender& render) {
   card.slug = render.name;
   card.title = title_of(render);
   card.chapter = "pipeline";
+  card.group = {"render", "Rendered models", ""};
   card.caption = render.caption;
   card.command = fmt::format("{} -o {}.png", render.brief.colophon.command, render.name);
   card.thumbnail = folder + thumbnail_name(render);

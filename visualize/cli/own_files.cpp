@@ -71,7 +71,8 @@ bool is_own_table(std::string_view text) {
   const bool json =
       text.starts_with("{\n  \"topic\": \"") && holds(text.substr(0, 512), ",\n  \"method\": \"");
   const bool md = first.starts_with("| ") && last.starts_with("<!-- gradus figure ");
-  const bool tex = first.starts_with("\\begin{tabular}{") && last.starts_with("% gradus figure ");
+  const bool tex = (first == "% \\usepackage{booktabs}" || first.starts_with("\\begin{tabular}{")) &&
+                   last.starts_with("% gradus figure ");
   const bool txt = holds(first, " · ") && last.starts_with("gradus figure ");
   return csv || json || md || tex || txt;
 }

@@ -18,7 +18,7 @@ namespace gradus::cli {
 int run(const Request& request) {
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
-  const Takes takes(*request.topic, spec.arguments, spec.wording);
+  const Takes takes(*request.topic, spec.arguments, spec.wording, spec.listing);
   if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
   const bool json = request.has("json");
   const Trace trace = shown_part(spec, takes, json ? Format::json : Format::txt);

@@ -14,6 +14,10 @@ namespace gradus::cli {
 namespace {
 
 bool is_long_flag(std::string_view word) { return word.starts_with("--") && word.size() > 2; }
+/// What --compare takes in quotes: flags of the other side, as one word.
+bool is_flags_in_one(std::string_view flag, std::string_view word) {
+  return flag == "compare" && word.find(' ') != word.npos;
+}
 bool is_short_flag(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && word[1] != '-' && !('0' <= word[1] && word[1] <= '9');
 }
@@ -143,9 +147,10 @@ class LongNames {
  private:
   void write_flag(std::size_t& i) {
     FlagWord word = split(words_[i]);
-    const bool has_next = i + 1 < words_.size() && !is_long_flag(words_[i + 1]) && words_[i + 1] != "--";
-    const std::string value = word.value ? *word.value : has_next ? words_[i + 1] : "";
     const Known& flag = flag_meant(known_, word, spelled_);
+    const bool has_next = i + 1 < words_.size() && words_[i + 1] != "--" &&
+                          (!is_long_flag(words_[i + 1]) || is_flags_in_one(flag.name, words_[i + 1]));
+    const std::string value = word.value ? *word.value : has_next ? words_[i + 1] : "";
     if (!flag.takes_value) {
       if (word.value) {
         throw UsageError(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/errors.hpp"
+#include "cli/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -54,8 +55,11 @@ std::int64_t count_in(const StepRange& range) {
 }  // namespace
 
 StepNumber read_step(std::string_view text, std::string_view flag) {
+  if (folded(trimmed(text)) == "last") return last_step;
   const auto step = step_in(trimmed(text));
-  if (!step) throw UsageError(fmt::format("{}: expected a step like 4 or 4.1, found {}", flag, shown(text)));
+  if (!step) {
+    throw UsageError(fmt::format("{}: expected a step like 4 or 4.1, or last, found {}", flag, shown(text)));
+  }
   return *step;
 }
 
@@ -64,13 +68,13 @@ bool StepRange::holds(StepNumber number) const {
   return first.step <= number.step && number.step <= last.step && (number.step - first.step) % stride == 0;
 }
 
-std::vector<StepRange> read_steps(std::string_view text) {
+std::vector<StepRange> read_steps(std::string_view text, std::string_view flag) {
   std::vector<StepRange> ranges;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const auto range = range_in(trimmed(text.substr(at, end - at)));
     if (!range)
-      throw UsageError(fmt::format("--steps: expected steps like 3-9 or 1,4,9-12, found {}", shown(text)));
+      throw UsageError(fmt::format("{}: expected steps like 3-9 or 1,4,9-12, found {}", flag, shown(text)));
     ranges.push_back(*range);
     at = end + 1;
   }
@@ -103,15 +107,23 @@ std::int64_t count_in(const std::vector<StepRange>& ranges) {
   return count;
 }
 
-Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording)
+Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording, ListingForm listing,
+             const OtherSide* beside)
     : topic_(topic),
       arguments_(arguments),
       wording_(std::move(wording)),
-      opening_(std::make_unique<Trace>(topic.run(arguments, from(0)))),
-      current_(nullptr) {}
+      listing_(listing),
+      opening_(std::make_unique<Trace>(record(0))),
+      current_(nullptr) {
+  if (!beside) return;
+  beside_ = std::make_unique<Takes>(*beside->topic, beside->arguments, wording_, listing_);
+  alignment_ = align(*opening_, beside_->opening());
+}
 
-Recording Takes::from(std::int64_t first) const {
-  return {.first = std::max<std::int64_t>(first, 0), .wording = wording_};
+Trace Takes::record(std::int64_t first) const {
+  Trace trace = topic_.run(arguments_, {.first = std::max<std::int64_t>(first, 0), .wording = wording_});
+  if (listing_ == ListingForm::pseudo) trace.listing = pseudocode(trace.listing);
+  return trace;
 }
 
 void Takes::check(StepNumber number, std::string_view flag, std::string_view text) const {
@@ -120,7 +132,7 @@ void Takes::check(StepNumber number, std::string_view flag, std::string_view tex
         fmt::format("{} {}: {} has steps 0..{} for this input", flag, text, topic_.name, last()));
   }
   if (number.fine == 0 || has_step(*opening_, number)) return;
-  const Trace around = topic_.run(arguments_, from(number.step));
+  const Trace around = record(number.step);
   if (has_step(around, number)) return;
   const auto events = std::ranges::count_if(around.steps, [number](const TraceStep& step) {
     return step.number.step == number.step && step.number.fine > 0;
@@ -133,7 +145,7 @@ void Takes::check(StepNumber number, std::string_view flag, std::string_view tex
 
 void Takes::take(std::int64_t first) {
   playhead_.reset();
-  other_ = std::make_unique<Trace>(topic_.run(arguments_, from(first)));
+  other_ = std::make_unique<Trace>(record(first));
   current_ = other_.get();
 }
 
@@ -167,7 +179,7 @@ Trace Takes::part(const std::vector<StepRange>& ranges) const {
     first = std::min(first, range.first.step);
     last = std::max(last, range.last.step);
   }
-  Trace trace = first <= 0 ? *opening_ : topic_.run(arguments_, from(first));
+  Trace trace = first <= 0 ? *opening_ : record(first);
   const auto held = [&ranges](const TraceStep& step) {
     return std::ranges::any_of(ranges, [&step](const StepRange& range) { return range.holds(step.number); });
   };

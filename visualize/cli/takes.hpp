@@ -6,13 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/compare.hpp"
+#include "figure/alignment.hpp"
 #include "figure/figure.hpp"
+#include "figure/pseudocode.hpp"
 #include "figure/trace.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus::cli {
 
-/// "4", "4.1". Throws UsageError naming `flag`.
+/// What "--step last" asks for, whatever number the run's last step has.
+inline constexpr StepNumber last_step{-1, 0};
+
+/// "4", "4.1", "last". Throws UsageError naming `flag`.
 StepNumber read_step(std::string_view text, std::string_view flag = "--step");
 
 /// Whole steps from first to last, every stride-th; or one finer event.
@@ -21,8 +27,8 @@ struct StepRange {
   std::int64_t stride = 1;
   bool holds(StepNumber number) const;
 };
-/// "3-9", "1,4,9-12", "0-100/5", "4.1". Throws UsageError.
-std::vector<StepRange> read_steps(std::string_view text);
+/// "3-9", "1,4,9-12", "0-100/5", "4.1". Throws UsageError naming `flag`.
+std::vector<StepRange> read_steps(std::string_view text, std::string_view flag = "--steps");
 std::string text_of(const std::vector<StepRange>& ranges);
 /// The numbers in the order in which they were given.
 std::vector<StepNumber> numbers_in(const std::vector<StepRange>& ranges);
@@ -35,7 +41,9 @@ std::int64_t count_in(const std::vector<StepRange>& ranges);
 /// whether it is drawn alone or among others.
 class Takes {
  public:
-  Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording = {});
+  /// beside: what the run is compared with, if it is; must live as long.
+  Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording = {},
+        ListingForm listing = ListingForm::source, const OtherSide* beside = nullptr);
   Takes(const Takes&) = delete;
   Takes& operator=(const Takes&) = delete;
 
@@ -43,6 +51,12 @@ class Takes {
   const Trace& opening() const { return *opening_; }
   /// The number of the run's last step.
   std::int64_t last() const { return opening_->last; }
+
+  /// The run that it is compared with; nullptr: none.
+  Takes* beside() { return beside_.get(); }
+  const Takes* beside() const { return beside_.get(); }
+  /// How the steps of both stand side by side, as far as they are kept.
+  const Alignment& alignment() const { return alignment_; }
 
   /// Throws UsageError: "<topic> has steps 0..7 for this input". `flag` was given as `text`.
   void check(StepNumber number, std::string_view flag, std::string_view text) const;
@@ -54,16 +68,19 @@ class Takes {
   Trace part(const std::vector<StepRange>& ranges) const;
 
  private:
-  Recording from(std::int64_t first) const;
+  Trace record(std::int64_t first) const;
   void record_around(StepNumber number);
   void take(std::int64_t first);
 
   const TopicEntry& topic_;
   const Arguments& arguments_;
   Wording wording_;
+  ListingForm listing_;
   std::unique_ptr<Trace> opening_, other_;
   const Trace* current_;  ///< the one that playhead_ plays
   std::unique_ptr<Playhead> playhead_;
+  std::unique_ptr<Takes> beside_;
+  Alignment alignment_;
 };
 
 /// "recorded 100000 of 16777217 steps; --steps A-B takes a range", or nothing for a whole run.

@@ -39,6 +39,8 @@ class Zip {
   Zip& operator=(const Zip&) = delete;
 
   void add(const ZipEntry& file) {
+    check(file.stored ? archive_write_zip_set_compression_store(writer_.get())
+                      : archive_write_zip_set_compression_deflate(writer_.get()));
     const std::unique_ptr<archive_entry, Release> entry(archive_entry_new());
     archive_entry_set_pathname_utf8(entry.get(), file.name.c_str());
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));

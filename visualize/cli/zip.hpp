@@ -16,10 +16,11 @@ namespace gradus::cli {
 struct ZipEntry {
   std::string name;  ///< path inside the zip, UTF-8, with forward slashes
   std::string bytes;
+  bool stored = false;  ///< not deflated
 };
 
-/// The entries in their order, deflated. The same entries give the same bytes, whoever packs them where and
-/// when; the zip's comment says that Gradus did. Throws WorkError.
+/// The entries in their order, deflated unless they say otherwise. The same entries give the same bytes,
+/// whoever packs them where and when; the zip's comment says that Gradus did. Throws WorkError.
 std::string zip_of(std::span<const ZipEntry> entries);
 
 /// Packs files below `folder` (relative paths) into the zip `output`, under the same paths: with an

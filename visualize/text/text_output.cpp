@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "figure/metrics.hpp"
+#include "figure/number_text.hpp"
 #include "text/escape.hpp"
 
 namespace gradus {
@@ -95,6 +96,15 @@ std::string text_of(const Trace& trace, bool color) {
   return out;
 }
 
+namespace {
+
+/// A cell with a decimal point, in every language.
+std::string for_programs(const std::string& cell, const Trace& trace) {
+  return trace.wording.decimal_comma() ? with_decimal_points(cell) : cell;
+}
+
+}  // namespace
+
 std::string csv_of(const Trace& trace) {
   std::vector<const TraceStep*> owners;
   const std::vector<Row> rows = completed_rows(trace, owners);
@@ -104,7 +114,7 @@ std::string csv_of(const Trace& trace) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out += fmt::format("{},{},{}", text_of(owners[i]->number), csv_cell(owners[i]->type), owners[i]->line);
     for (std::size_t c = 0; c < trace.columns.size(); ++c) {
-      out += "," + csv_cell(plain(c < rows[i].size() ? rows[i][c] : ""));
+      out += "," + csv_cell(plain(c < rows[i].size() ? for_programs(rows[i][c], trace) : ""));
     }
     out += "," + csv_cell(owners[i]->sentence) + "\r\n";
   }
@@ -134,18 +144,19 @@ std::string latex_of(const Trace& trace) {
   std::vector<std::string> alignments, heading;
   for (const Column& column : trace.columns) {
     alignments.emplace_back(column.numeric ? "r" : "l");
-    heading.push_back(latex_escaped(column.name));
+    heading.push_back(latex_cell(column.name));
   }
-  std::string out = fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n{} \\\\\n\\hline\n",
-                                fmt::join(alignments, ""), fmt::join(heading, " & "));
+  std::string out =
+      fmt::format("% \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n\\midrule\n",
+                  fmt::join(alignments, ""), fmt::join(heading, " & "));
   for (const Row& row : completed_rows(trace, owners)) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < trace.columns.size(); ++c) {
-      cells.push_back(c < row.size() ? latex_escaped(row[c]) : "");
+      cells.push_back(c < row.size() ? latex_cell(row[c]) : "");
     }
     out += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  return out + "\\hline\n\\end{tabular}\n";
+  return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
 }  // namespace gradus

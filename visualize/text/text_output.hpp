@@ -21,7 +21,7 @@ std::string csv_of(const Trace& trace);
 /// The decision table as a Markdown table: its columns, a row a step.
 std::string markdown_of(const Trace& trace);
 
-/// The decision table as a LaTeX tabular; needs no package.
+/// The decision table as a LaTeX tabular with the rules of the package booktabs.
 std::string latex_of(const Trace& trace);
 
 }  // namespace gradus
