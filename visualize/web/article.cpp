@@ -3,6 +3,7 @@
 #include "figure/colophon.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
+#include "web/page_fonts.hpp"
 
 namespace gradus {
 namespace {
@@ -17,15 +18,14 @@ std::string texts_of(std::string_view common, const std::vector<std::string_view
 }  // namespace
 
 std::string page_of(const Article& article) {
-  return filled(web_asset("article.html"), {{"title", article.title},
-                                            {"summary", article.summary},
-                                            {"trail", article.trail},
-                                            {"contents", article.contents},
-                                            {"body", article.body},
-                                            {"release", release_version},
-                                            {"licence", figure_licence},
-                                            {"styles", texts_of("common.css", article.styles)},
-                                            {"scripts", texts_of("common.js", article.scripts)}});
+  const std::string styles = texts_of("common.css", article.styles),
+                    scripts = texts_of("common.js", article.scripts);
+  Parts parts{{"title", article.title},       {"summary", article.summary}, {"trail", article.trail},
+              {"contents", article.contents}, {"body", article.body},       {"release", release_version},
+              {"licence", figure_licence},    {"styles", styles},           {"scripts", scripts}};
+  const std::string fonts = fonts_of(parts);
+  parts.emplace_back("fonts", fonts);
+  return filled(web_asset("article.html"), parts);
 }
 
 }  // namespace gradus

@@ -39,56 +39,97 @@ std::string picture_html(std::string_view svg, std::string_view alt) {
   return fmt::format("<img src=\"data:image/svg+xml;base64,{}\" alt=\"{}\">", base64(svg), escaped(alt));
 }
 
-/// shown: a picture, or what is said in its place.
-std::string side_html(std::string_view verdict, const std::string& name, const std::string& shown,
-                      const std::string& command, const std::string& title) {
+std::string side_html(std::string_view verdict, const ExhibitSide& side, const std::string& shown,
+                      const std::string& about) {
   return fmt::format(
-      "<figure>{}<figcaption>{} <code>{}</code></figcaption>\n<pre tabindex=\"0\" role=\"region\" "
-      "aria-label=\"{}\"><code>{}</code></pre></figure>\n",
-      shown, verdict, escaped(name), escaped(fmt::format("command of {}: {}", name, title)),
-      escaped(command));
+      "<figure class=\"{0}\"><figcaption><b>{0}</b> {1}</figcaption>{2}\n<p>{3}</p>\n<pre tabindex=\"0\" "
+      "role=\"region\" aria-label=\"{4}\"><code>{5}</code></pre></figure>\n",
+      verdict, escaped(side.title), shown, escaped(side.sentence),
+      escaped(fmt::format("command of {}: {}", side.name, about)), escaped(side.command));
 }
 
 std::string refusal_html(const std::string& refusal) {
   return fmt::format("<p class=\"refusal\">refused: {}</p>", escaped(refusal));
 }
 
-std::string exhibit_html(const Exhibit& exhibit) {
-  // Names a reader of screens can tell apart: one input may have several wrong forms, one form several errata
-  const std::string about =
-      fmt::format("{}: {}, {} for {}", exhibit.id, exhibit.title, exhibit.wrong_name, exhibit.right_name);
-  std::string facts;
-  for (const std::string& fact : {exhibit.parting, exhibit.outcome, exhibit.difference}) {
-    if (!fact.empty()) facts += fmt::format("<li>{}</li>\n", escaped(fact));
+/// The wrong form's lines round the one to blame.
+std::string source_html(const Exhibit& exhibit, const std::string& about) {
+  if (exhibit.source.empty()) return "";
+  std::string lines;
+  for (const ExhibitLine& line : exhibit.source) {
+    lines += line.culprit ? fmt::format("<mark>{}</mark>\n", escaped(line.text)) : escaped(line.text) + "\n";
   }
-  const auto picture = [&](std::string_view verdict, const std::string& name, const std::string& svg) {
-    return picture_html(svg, fmt::format("{}: {} {}", about, verdict, name));
-  };
-  const std::string wrong = picture("wrong:", exhibit.wrong_name, exhibit.wrong_picture);
-  const std::string right = exhibit.refusal.empty()
-                                ? picture("right:", exhibit.right_name, exhibit.right_picture)
-                                : refusal_html(exhibit.refusal);
-  return fmt::format("<p><b>{}</b></p>\n<div class=\"pair\">\n{}{}</div>\n<ul>\n{}</ul>\n",
-                     escaped(exhibit.title),
-                     side_html("wrong:", exhibit.wrong_name, wrong, exhibit.wrong_command, about),
-                     side_html("right:", exhibit.right_name, right, exhibit.right_command, about), facts);
+  return fmt::format(
+      "<pre class=\"culprit\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><code>{}</code></pre>\n",
+      escaped("lines of " + about), lines);
 }
 
-std::string erratum_html(const Erratum& erratum, std::size_t number, std::span<const Exhibit> exhibits) {
-  const std::string kind = erratum.kind == "W" ? "wrong" : "fragile: right in easy cases only";
-  std::string html =
-      fmt::format("<article id=\"{}\">\n<h3>{}: {}</h3>\n", escaped(anchor_of(erratum, number)),
-                  escaped(erratum.id == "part 4" ? "A numerical trap" : erratum.id), kind);
-  const auto line = [&](std::string_view what, const std::string& markdown) {
-    html += fmt::format("<p><b>{}</b> {}</p>\n", what, html_of_line(markdown));
+std::string exhibit_html(const Exhibit& exhibit) {
+  const auto& [id, title, wrong, right, source, refusal, parting, outcome, difference] = exhibit;
+  // Names a reader of screens can tell apart: one input may have several wrong forms, one form several errata
+  const std::string about = fmt::format("{}: {}, {} for {}", id, title, wrong.name, right.name);
+  std::string facts;
+  for (const std::string& fact : {parting, outcome, difference}) {
+    if (!fact.empty()) facts += fmt::format("<li>{}</li>\n", escaped(fact));
+  }
+  const auto picture = [&](std::string_view verdict, const ExhibitSide& side) {
+    return picture_html(side.picture, fmt::format("{}: {}, {}", about, verdict, side.title));
   };
-  line("The notes:", erratum.says);
-  line("Why it is wrong:", erratum.why);
-  line("Right:", erratum.right);
+  return fmt::format(
+      "<p class=\"input\">{}</p>\n<div class=\"pair\">\n{}{}</div>\n{}<ul>\n{}</ul>\n", escaped(title),
+      side_html("wrong", wrong, picture("wrong", wrong), about),
+      side_html("right", right, refusal.empty() ? picture("right", right) : refusal_html(refusal), about),
+      source_html(exhibit, about), facts);
+}
+
+/// Of two outcomes only the first can be wrong; the same twice is right.
+std::string outcome_html(const ReadingRow& row, std::string_view wrong_head, std::string_view right_head) {
+  const auto cell = [](std::string_view kind, std::string_view head, const std::string& text) {
+    return fmt::format("<td class=\"{}\" data-head=\"{}\">{}</td>", kind, escaped(head), escaped(text));
+  };
+  return cell(row.wrong == row.right ? "right" : "wrong", wrong_head, row.wrong) +
+         cell("right", right_head, row.right);
+}
+
+std::string reading_html(const Reading& reading) {
+  const std::string about = fmt::format("{}: {}", reading.id, reading.title);
+  std::string html = fmt::format("<p class=\"input\">{}</p>\n", escaped(reading.title));
+  if (!reading.frame.empty()) {
+    html += fmt::format(
+        "<pre class=\"frame\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><code>{}</code></pre>\n",
+        escaped("what stands before each input, " + about), escaped(reading.frame));
+  }
+  html += fmt::format(
+      "<table class=\"reading\"><caption class=\"unseen\">{}</caption>\n<thead><tr><th "
+      "scope=\"col\">input</th><th scope=\"col\">{}</th><th "
+      "scope=\"col\">{}</th></tr></thead>\n<tbody>\n",
+      escaped(about), escaped(reading.wrong_head), escaped(reading.right_head));
+  for (const ReadingRow& row : reading.rows) {
+    html += fmt::format("<tr><th scope=\"row\"><code>{}</code></th>{}</tr>\n", escaped(row.input),
+                        outcome_html(row, reading.wrong_head, reading.right_head));
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+std::string erratum_html(const Erratum& erratum, std::size_t number, std::span<const Exhibit> exhibits,
+                         std::span<const Reading> readings) {
+  const std::string kind = erratum.kind == "W" ? "wrong" : "right in easy cases only";
+  const std::string name = erratum.id == "part 4" ? "Numbers that are too small" : erratum.id;
+  std::string html =
+      fmt::format("<article class=\"erratum\" id=\"{}\">\n<h3>{} <span class=\"kind\">{}</span></h3>\n",
+                  escaped(anchor_of(erratum, number)), escaped(name), kind);
+  html += fmt::format("<p class=\"claim\">{}</p>\n", html_of_line(erratum.says));
   for (const Exhibit& exhibit : exhibits) {
     if (shows(exhibit, erratum)) html += exhibit_html(exhibit);
   }
-  line("What would notice it:", erratum.test);
+  for (const Reading& reading : readings) {
+    if (shows(reading, erratum)) html += reading_html(reading);
+  }
+  const auto line = [&](std::string_view what, const std::string& markdown) {
+    html += fmt::format("<p><b>{}</b> {}</p>\n", what, html_of_line(markdown));
+  };
+  line("Why it is wrong:", erratum.why);
+  line("Right:", erratum.right);
   return html + "</article>\n";
 }
 
@@ -112,10 +153,15 @@ std::vector<Erratum> wrong_and_fragile() {
 }
 
 bool shows(const Exhibit& exhibit, const Erratum& erratum) {
-  return exhibit.id == erratum.id && erratum.exhibit.find(exhibit.wrong_name) != std::string::npos;
+  return exhibit.id == erratum.id && erratum.exhibit.find(exhibit.wrong.name) != std::string::npos;
 }
 
-std::string errata_page(std::span<const Erratum> errata, std::span<const Exhibit> exhibits) {
+bool shows(const Reading& reading, const Erratum& erratum) {
+  return reading.id == erratum.id && erratum.exhibit.find(reading.reader) != std::string::npos;
+}
+
+std::string errata_page(std::span<const Erratum> errata, std::span<const Exhibit> exhibits,
+                        std::span<const Reading> readings) {
   std::string body, contents, section;
   for (std::size_t i = 0; i < errata.size(); ++i) {
     if (errata[i].section != section) {
@@ -125,7 +171,7 @@ std::string errata_page(std::span<const Erratum> errata, std::span<const Exhibit
       contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, escaped(section));
       body += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", id, escaped(section));
     }
-    body += erratum_html(errata[i], i, exhibits);
+    body += erratum_html(errata[i], i, exhibits, readings);
   }
   if (!section.empty()) body += "</section>\n";
   const std::string_view about =

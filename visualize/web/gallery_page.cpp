@@ -9,6 +9,7 @@
 #include "figure/markup.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
+#include "web/page_fonts.hpp"
 
 namespace gradus {
 namespace {
@@ -25,10 +26,23 @@ std::vector<std::string_view> chapters_of(std::span<const Card> cards) {
   return chapters;
 }
 
+/// The topics of a chapter's cards, in the order of their first card.
+std::vector<CardGroup> groups_of(std::span<const Card> cards, std::string_view chapter) {
+  std::vector<CardGroup> groups;
+  for (const Card& card : cards) {
+    if (card.chapter == chapter && std::ranges::find(groups, card.group.id, &CardGroup::id) == groups.end()) {
+      groups.push_back(card.group);
+    }
+  }
+  return groups;
+}
+
+const std::string& name_of(const Card& card) { return card.name.empty() ? card.title : card.name; }
+
 /// All that a search looks at. The page's script compares without regard to case, hyphens and underscores.
 std::string search_text(const Card& card) {
-  return fmt::format("{} {} {} {} {}", card.title, card.caption, card.slug, card.chapter,
-                     fmt::join(card.words, " "));
+  return fmt::format("{} {} {} {} {} {} {}", card.title, card.group.title, card.caption, card.faulty,
+                     card.slug, card.chapter, fmt::join(card.words, " "));
 }
 
 /// A text (as HTML) in a box and the button that copies it; `what` tells a screen reader which one.
@@ -72,42 +86,88 @@ std::string snippets_html(const Card& card) {
 
 std::string links_html(const Card& card) {
   std::string links;
-  if (!card.topic_page.empty()) links += link_html("how it works", card.topic_page, card.title);
   for (const auto& [name, path] : card.downloads) links += link_html(name, path, card.title);
   if (!card.zip.empty()) links += link_html("steps (zip)", card.zip, card.title);
   return links;
 }
 
-std::string card_html(const Card& card) {
-  const std::string& picture = card.opened.empty() ? card.thumbnail : card.opened;
-  const std::string& opened = card.player.empty() ? picture : card.player;
-  const std::string player =
-      card.player.empty() ? ""
-                          : fmt::format(
-                                "<li><a class=\"player\" href=\"{}\">step through it<span class=\"unseen\">: "
-                                "{}</span></a></li>\n",
-                                link_to(card.player), escaped(card.title));
-  return fmt::format(R"(<article class="card" id="{}" data-words="{}">
-<a class="picture" href="{}" tabindex="-1" aria-hidden="true"><img src="{}" alt="" loading="lazy"></a>
-<h3><a href="{}">{}</a></h3>
-<p class="caption">{}</p>
+/// What a click on the picture opens.
+const std::string& opened_by(const Card& card) {
+  if (!card.player.empty()) return card.player;
+  return card.opened.empty() ? card.thumbnail : card.opened;
+}
+
+std::string player_link(const Card& card) {
+  if (card.player.empty()) return "";
+  return fmt::format(
+      "<p><a class=\"player\" href=\"{}\">step through it<span class=\"unseen\">: {}</span></a></p>\n",
+      link_to(card.player), escaped(card.title));
+}
+
+/// Files, command and lines to paste: for who has chosen the figure.
+std::string take_html(const Card& card) {
+  return fmt::format(R"(<details class="take"><summary>take it<span class="unseen">: {}</span></summary>
 <ul class="links">
-{}{}</ul>
-{}{}</article>
+{}</ul>
+{}{}</details>
 )",
-                     escaped(card.slug), escaped(search_text(card)), link_to(opened), link_to(card.thumbnail),
-                     link_to(opened), escaped(card.title), escaped(card.caption), player, links_html(card),
+                     escaped(card.title), links_html(card),
                      copied_text(command_html(card.command), "the command for " + card.title),
                      snippets_html(card));
 }
 
-std::string chapter_html(std::span<const Card> cards, std::string_view chapter) {
-  std::string out = fmt::format("<section data-chapter=\"{}\">\n<h2>{}</h2>\n<div class=\"cards\">\n",
-                                escaped(chapter), escaped(heading_of(chapter)));
+/// `leads`: the topic's first figure, which is drawn large.
+std::string card_html(const Card& card, bool leads) {
+  const std::string opened = link_to(opened_by(card));
+  const std::string faulty =
+      card.faulty.empty() ? "" : fmt::format("<p class=\"faulty\">faulty: {}</p>\n", escaped(card.faulty));
+  return fmt::format(R"(<article class="card" id="{}" data-words="{}">
+<a class="picture" href="{}" tabindex="-1" aria-hidden="true"><img src="{}" alt="" loading="lazy"></a>
+<div class="text">
+<h4><a href="{}">{}</a></h4>
+{}<p class="caption">{}</p>
+{}{}</div>
+</article>
+)",
+                     escaped(card.slug), escaped(search_text(card)), opened, link_to(card.thumbnail), opened,
+                     escaped(name_of(card)), faulty, escaped(card.caption), leads ? player_link(card) : "",
+                     take_html(card));
+}
+
+/// A topic with its figures inside; the first of them is drawn large.
+std::string group_html(std::span<const Card> cards, std::string_view chapter, const CardGroup& group) {
+  const std::string page =
+      group.page.empty() ? ""
+                         : fmt::format("<a href=\"{}\">how it works<span class=\"unseen\">: {}</span></a>",
+                                       link_to(group.page), escaped(group.title));
+  std::string out =
+      fmt::format("<section class=\"topic\">\n<header><h3>{}</h3>{}</header>\n<div class=\"cards\">\n",
+                  escaped(group.title), page);
+  bool leads = true;
   for (const Card& card : cards) {
-    if (card.chapter == chapter) out += card_html(card);
+    if (card.chapter != chapter || card.group.id != group.id) continue;
+    out += card_html(card, leads);
+    leads = false;
   }
   return out + "</div>\n</section>\n";
+}
+
+std::string chapter_html(std::span<const Card> cards, std::string_view chapter) {
+  std::string out = fmt::format("<section data-chapter=\"{}\">\n<h2>{}</h2>\n", escaped(chapter),
+                                escaped(heading_of(chapter)));
+  for (const CardGroup& group : groups_of(cards, chapter)) out += group_html(cards, chapter, group);
+  return out + "</section>\n";
+}
+
+/// The first figure as it would be projected.
+std::string hero_html(std::span<const Card> cards) {
+  const auto card = std::ranges::find_if(cards, [](const Card& c) { return !c.slide.empty(); });
+  if (card == cards.end()) return "";
+  const std::string opened = link_to(opened_by(*card));
+  return fmt::format(
+      "<a class=\"hero\" href=\"{}\"><img src=\"{}\" alt=\"\"><span class=\"unseen\">{}: one step as a "
+      "slide</span></a>\n",
+      opened, link_to(card->slide), escaped(card->title));
 }
 
 }  // namespace
@@ -129,20 +189,24 @@ std::string gallery_page(std::span<const Card> cards, const GalleryOptions& opti
           : fmt::format(" <a href=\"{}\">What lecture notes print wrong, beside what is right</a>",
                         link_to(options.errata));
   const std::string title = escaped(options.title), intro = escaped(options.intro);
-  const std::string count = counted(cards.size());
-  return filled(web_asset("gallery.html"), {{"title", title},
-                                            {"intro", intro},
-                                            {"zip", zip},
-                                            {"errata", errata},
-                                            {"count", count},
-                                            {"choices", choices},
-                                            {"sections", sections},
-                                            {"release", release_version},
-                                            {"licence", figure_licence},
-                                            {"common.css", web_asset("common.css")},
-                                            {"gallery.css", web_asset("gallery.css")},
-                                            {"common.js", web_asset("common.js")},
-                                            {"gallery.js", web_asset("gallery.js")}});
+  const std::string count = counted(cards.size()), hero = hero_html(cards);
+  Parts parts{{"title", title},
+              {"intro", intro},
+              {"hero", hero},
+              {"zip", zip},
+              {"errata", errata},
+              {"count", count},
+              {"choices", choices},
+              {"sections", sections},
+              {"release", release_version},
+              {"licence", figure_licence},
+              {"common.css", web_asset("common.css")},
+              {"gallery.css", web_asset("gallery.css")},
+              {"common.js", web_asset("common.js")},
+              {"gallery.js", web_asset("gallery.js")}};
+  const std::string fonts = fonts_of(parts);
+  parts.emplace_back("fonts", fonts);
+  return filled(web_asset("gallery.html"), parts);
 }
 
 }  // namespace gradus

@@ -17,9 +17,6 @@ std::string filled(std::string_view page, const Parts& parts);
 /// A relative path as a link that cannot be anything else: no scheme, no query, no way to the network.
 std::string link_to(std::string_view path);
 
-/// Bytes as text, for addresses that hold their data.
-std::string base64(std::string_view bytes);
-
 /// A chapter's name as a heading: "scan_conversion" -> "Scan conversion".
 std::string heading_of(std::string_view chapter);
 

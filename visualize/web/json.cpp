@@ -10,8 +10,9 @@
 #include <unordered_set>
 
 #include "core/shown.hpp"
+#include "figure/markup.hpp"
 #include "figure/metrics.hpp"
-#include "web/html.hpp"
+#include "figure/typesetting.hpp"
 
 namespace gradus {
 namespace {
@@ -148,6 +149,8 @@ Json mark_json(const Mark& mark) {
     out.push_back(stroke->arrow ? "arrow" : "stroke");
     out.insert(out.end(), {stroke->a.x, stroke->a.y, stroke->b.x, stroke->b.y});
     if (stroke->dashed) out.push_back("dashed");
+    if (stroke->thin) out.push_back("thin");
+    if (stroke->gap) out.push_back("gap");
   } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
     out.push_back(path->closed ? "polygon" : "path");
     out.push_back(points_json(path->points));
@@ -155,6 +158,7 @@ Json mark_json(const Mark& mark) {
   } else if (const auto* area = std::get_if<Area>(&mark.shape)) {
     out.push_back("area");
     for (const auto& ring : area->rings) out.push_back(points_json(ring));
+    if (area->shade > 0) out.push_back(area->shade);
   } else if (const auto* text = std::get_if<Text>(&mark.shape)) {
     constexpr std::array<std::string_view, 3> aligns{"left", "centre", "right"};
     out.insert(out.end(),
@@ -299,6 +303,7 @@ Json grid_json(const Grid& grid) {
            {"y_name", grid.y_name}};
   if (grid.whole) out["whole"] = true;
   if (!grid.axes) out["axes"] = false;
+  if (grid.shelf > 0) out["shelf"] = grid.shelf;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);
   return out;
 }
@@ -392,17 +397,32 @@ void put_listing(Lines& out, const Trace& trace) {
 Json columns_json(const Trace& trace) {
   Json columns = Json::array();
   for (std::size_t c = 0; c < trace.columns.size(); ++c) {
-    columns.push_back({{"name", trace.columns[c].name},
+    columns.push_back({{"id", trace.columns[c].id},
+                       {"name", trace.columns[c].name},
                        {"numeric", trace.columns[c].numeric},
                        {"widest", c < trace.widest.size() ? trace.widest[c] : ""}});
   }
   return columns;
 }
 
+/// What is set in italics, and what has a colour of its own: by its symbol in the code and the reader's name.
+Json names_json(const Trace& trace) {
+  Json quantities = Json::array();
+  for (std::size_t i = 0; i < std::min<std::size_t>(trace.quantities.size(), quantity_colors); ++i) {
+    const std::string& symbol = trace.quantities[i];
+    quantities.push_back({{"symbol", symbol}, {"name", trace.wording.symbol(symbol)}});
+  }
+  return {{"variables", variables_of(trace)}, {"quantities", quantities}};
+}
+
 void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   Json roles = Json::array(), legend = Json::array();
   for (const Role role : all_roles) roles.push_back(name_of(role));
-  for (const LegendEntry& e : trace.legend) legend.push_back(Json::array({index_of(e.role), e.text}));
+  for (const LegendEntry& e : trace.legend) {
+    Json entry = Json::array({index_of(e.role), e.text});
+    if (e.color) entry.push_back(hex(*e.color));
+    legend.push_back(std::move(entry));
+  }
   out.member("roles", roles);
   if (with_legend) out.member("legend", legend);
   out.member("grid", grid_json(trace.grid));
@@ -429,6 +449,7 @@ std::string trace_json(const Trace& trace, const std::set<Slot>& slots) {
   for (const Argument& a : trace.arguments) arguments.push_back(Json::array({a.name, a.value}));
   out.member("arguments", arguments);
   if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
+  out.member("names", names_json(trace));
   if (shows(Slot::listing)) put_listing(out, trace);
   if (shows(Slot::table)) out.member("columns", columns_json(trace));
   if (shows(Slot::drawing)) put_drawing(out, trace, shows(Slot::footer));

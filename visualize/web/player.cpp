@@ -10,6 +10,7 @@
 #include "web/assets.hpp"
 #include "web/html.hpp"
 #include "web/json.hpp"
+#include "web/page_fonts.hpp"
 
 namespace gradus {
 namespace {
@@ -24,11 +25,12 @@ std::string_view name_of(Hatch hatch) {
 std::string role_json(const Theme& theme, Role role) {
   const RoleLook& look = theme[role];
   const Channel channel = channel_of(role);
+  const auto tint = [&](int shade) { return hex_of(color_of(Paint::tint(role, shade), theme)); };
   return fmt::format(
-      R"({{"role":{},"mark":{},"fill":{},"text":{},"on":{},"hatch":"{}","outline":{},"dashed":{},"cross":{}}})",
-      json_quoted(name_of(role)), hex_of(look.mark), hex_of(look.fill), hex_of(look.text),
-      hex_of(color_of(Paint::on(role), theme)), name_of(channel.hatch), channel.outline, channel.dashed,
-      channel.cross);
+      R"({{"role":{},"mark":{},"fill":{},"tints":[{},{},{}],"text":{},"on":{},"hatch":"{}","outline":{},"dashed":{},"cross":{}}})",
+      json_quoted(name_of(role)), hex_of(look.mark), hex_of(look.fill), tint(1), tint(2), tint(3),
+      hex_of(look.text), hex_of(color_of(Paint::on(role), theme)), name_of(channel.hatch), channel.outline,
+      channel.dashed, channel.cross);
 }
 
 /// The same looks as Cairo's figures, for the page's script.
@@ -49,8 +51,12 @@ std::string themes_json() {
       tone_parts.push_back(fmt::format("\"{}\":{}", name, hex_of(theme[tone])));
     }
     for (const Role role : all_roles) role_parts.push_back(role_json(theme, role));
-    out.push_back(fmt::format(R"({{"name":{},"tones":{{{}}},"roles":[{}]}})", json_quoted(theme.name),
-                              fmt::join(tone_parts, ","), fmt::join(role_parts, ",\n")));
+    std::vector<std::string> quantities;
+    for (const Rgb color : theme.quantity) quantities.push_back(hex_of(color));
+    out.push_back(
+        fmt::format(R"({{"name":{},"tones":{{{}}},"quantities":[{}],"underlined":{},"roles":[{}]}})",
+                    json_quoted(theme.name), fmt::join(tone_parts, ","), fmt::join(quantities, ","),
+                    theme.quantities_underlined, fmt::join(role_parts, ",\n")));
   }
   return fmt::format("[{}]", fmt::join(out, ",\n"));
 }
@@ -83,14 +89,28 @@ std::string topic_link_to(std::string_view topic_page, const Language& language)
                      escaped(language.text("player.about")));
 }
 
+/// [["0","0"],["1","2"]]: the steps that stand side by side, and with which they part.
+std::string beside_json(const PlayedBeside& beside, const std::set<Slot>& slots) {
+  const Alignment& alignment = beside.alignment;
+  const auto number = [](StepNumber step) { return json_quoted(text_of(step)); };
+  std::vector<std::string> pairs;
+  for (const StepPair& pair : alignment.pairs)
+    pairs.push_back(fmt::format("[{},{}]", number(pair.a), number(pair.b)));
+  const std::string parting = alignment.parting ? number(alignment.pairs[*alignment.parting].a) : "null";
+  return fmt::format("{{\"trace\":{},\n\"command\":{},\n\"pairs\":[{}],\n\"parting\":{}}}",
+                     trace_json(beside.trace, slots), json_quoted(beside.command), fmt::join(pairs, ","),
+                     parting);
+}
+
 }  // namespace
 
 std::string player_page(const Trace& trace, const Colophon& colophon, const PlayerOptions& options) {
   const Language& language = trace.wording.language();
   const std::string data =
-      fmt::format("{{\"themes\":{},\n\"theme\":{},\n\"words\":{},\n\"command\":{},\n\"trace\":{}}}",
+      fmt::format("{{\"themes\":{},\n\"theme\":{},\n\"words\":{},\n\"command\":{},\n\"trace\":{}{}}}",
                   themes_json(), json_quoted(options.theme), said_words(language),
-                  json_quoted(colophon.command), trace_json(trace, options.slots));
+                  json_quoted(colophon.command), trace_json(trace, options.slots),
+                  options.beside ? ",\n\"beside\":" + beside_json(*options.beside, options.slots) : "");
   const bool describes = options.slots.contains(Slot::title) && options.slots.contains(Slot::sentence);
   const std::string title = escaped(colophon.title);
   const std::string description = describes ? escaped(colophon.description) : title;
@@ -105,12 +125,14 @@ std::string player_page(const Trace& trace, const Colophon& colophon, const Play
               {"language", language.code()},
               {"topic_link", topic_link},
               {"data", data}};
-  for (const std::string_view file : {"player.css", "words.js", "run.js", "drawing.js", "scrub.js",
-                                      "address.js", "clipboard.js", "player.js"}) {
+  for (const std::string_view file : {"player.css", "words.js", "run.js", "typeset.js", "drawing.js",
+                                      "scrub.js", "address.js", "clipboard.js", "together.js", "player.js"}) {
     parts.emplace_back(file, web_asset(file));
   }
   const std::vector<std::pair<std::string, std::string>> words = page_words(language);
   parts.insert(parts.end(), words.begin(), words.end());
+  const std::string fonts = fonts_of(parts);
+  parts.emplace_back("fonts", fonts);
   return filled(web_asset("player.html"), parts);
 }
 

@@ -13,6 +13,7 @@
 
 #include "figure/markup.hpp"
 #include "web/article.hpp"
+#include "web/formulas.hpp"
 #include "web/html.hpp"
 
 namespace gradus {
@@ -71,6 +72,41 @@ cmark_node* html_node(cmark_node_type type, const std::string& html) {
   return node;
 }
 
+/// Takes a $ off the end or the start of the text beside a formula.
+bool takes_dollar(cmark_node* text, bool at_end) {
+  if (!text || cmark_node_get_type(text) != CMARK_NODE_TEXT) return false;
+  std::string words = cmark_node_get_literal(text);
+  if (at_end ? !words.ends_with('$') : !words.starts_with('$')) return false;
+  words.erase(at_end ? words.size() - 1 : 0, 1);
+  cmark_node_set_literal(text, words.c_str());
+  return true;
+}
+
+void replace(cmark_node* node, cmark_node* by) {
+  cmark_node_replace(node, by);
+  cmark_node_free(node);
+}
+
+/// Formulas are written $`p < 0`$, or in a block ```math.
+void put_formulas(cmark_node* document) {
+  for (cmark_node* code : nodes_of(document, "code")) {
+    cmark_node *before = cmark_node_previous(code), *after = cmark_node_next(code);
+    if (!takes_dollar(before, true)) continue;
+    if (!takes_dollar(after, false)) throw std::logic_error("a formula ends without $");
+    replace(code, html_node(CMARK_NODE_HTML_INLINE, formula_in_line(cmark_node_get_literal(code))));
+  }
+  for (cmark_node* block : nodes_of(document, "code_block")) {
+    if (std::string_view(cmark_node_get_fence_info(block)) != "math") continue;
+    std::string html;
+    std::string_view lines = cmark_node_get_literal(block);
+    while (!lines.empty()) {
+      html += formula_on_line(lines.substr(0, lines.find('\n')));
+      lines.remove_prefix(std::min(lines.find('\n'), lines.size() - 1) + 1);
+    }
+    replace(block, html_node(CMARK_NODE_HTML_BLOCK, html));
+  }
+}
+
 /// The file that a link on the topic's page means, from the project's root.
 std::string target_of(const TopicEntry& topic, std::string_view path) {
   std::string folder = fmt::format("{}{}", topics_folder, topic.chapter);
@@ -107,6 +143,7 @@ class Page {
 
   std::string body(std::span<const Link> figures) {
     put_pictures();
+    put_formulas(document_.get());
     lead_links();
     frame_tables();
     make_sections(figures);
@@ -256,9 +293,15 @@ std::string topic_page(const TopicEntry& topic, std::span<const Link> figures) {
 }
 
 std::string html_of_line(std::string_view markdown) {
-  const Owned<cmark_node> document(cmark_parse_document(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT));
-  const Owned<char> text(cmark_render_html(document.get(), CMARK_OPT_DEFAULT, nullptr));
-  std::string html = text.get();
+  const Owned<cmark_node> document = parsed(markdown);
+  // Tags of a line are text: "<T>"
+  for (const auto& [kind, type] :
+       {std::pair{"html_inline", CMARK_NODE_TEXT}, {"html_block", CMARK_NODE_CODE_BLOCK}}) {
+    for (cmark_node* tag : nodes_of(document.get(), kind))
+      replace(tag, html_node(type, cmark_node_get_literal(tag)));
+  }
+  put_formulas(document.get());
+  std::string html = html_of(document.get());
   constexpr std::string_view before = "<p>", after = "</p>\n";
   if (html.starts_with(before) && html.ends_with(after)) {
     html = html.substr(before.size(), html.size() - before.size() - after.size());

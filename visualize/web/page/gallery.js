@@ -7,6 +7,7 @@ const found = document.querySelector('.found');
 const sections = [...document.querySelectorAll('main > section')].map((element) => ({
   element,
   chapter: element.dataset.chapter,
+  topics: [...element.querySelectorAll('.topic')],
   cards: [...element.querySelectorAll('.card')].map((card) => ({element: card, text: plain(card.dataset.words)})),
 }));
 const all = document.querySelectorAll('.card').length;
@@ -23,6 +24,7 @@ function show() {
       some ||= matches;
       count += matches;
     }
+    for (const topic of section.topics) topic.hidden = !topic.querySelector('.card:not([hidden])');
     section.element.hidden = !some;
   }
   found.textContent = count === all ? `${all} figure${all === 1 ? '' : 's'}`

@@ -6,6 +6,7 @@
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16, 32];  // steps a second
 const PLAIN_SPEED = SPEEDS.indexOf(1);
 const FAST = 4;  // times as fast, backwards
+const MOST_COLUMNS = 36;  // characters of a line of the listing, as figures have it at their widest
 const all = [];
 
 class GradusPlayer {
@@ -30,6 +31,11 @@ class GradusPlayer {
     this.setTheme(preferredTheme());
     all.push(this);
     new ResizeObserver(() => this.resize()).observe(root);
+    // The page's own letters come a moment after its first layout
+    Promise.all([...document.fonts].map((font) => font.load())).then(() => {
+      if (this.run) this.showColumns();
+      this.resize();
+    });
   }
 
   /** Shows a trace from its first step on, paused. `more.command`: what makes it again, to copy. */
@@ -41,7 +47,8 @@ class GradusPlayer {
     this.loop = {on: false};  // {first, last, on}: the steps to repeat
     this.bookmarks = [];      // indices of steps, ascending
     this.command = more.command ?? '';
-    this.drawing.load(this.run);
+    this.letters = new Typesetter(trace.names);
+    this.drawing.load(this.run, this.letters);
     this.showTrace();
     this.resize();
   }
@@ -194,9 +201,10 @@ class GradusPlayer {
     this.parts.bookmark.setAttribute('aria-pressed', this.bookmarks.includes(this.index));
     this.parts.next_bookmark.setAttribute('aria-disabled', this.bookmarks.length === 0);
   }
-  /** The address follows the page's own player. */
+  /** The address follows the page's own player, and so may others. */
   changed() {
     if (window.player === this) noteAddress(this);
+    this.onChange?.();
   }
 
   setTheme(name) {
@@ -204,6 +212,8 @@ class GradusPlayer {
     this.theme = themes.find((theme) => theme.name === name) ?? themes[0];
     for (const [tone, color] of Object.entries(this.theme.tones))
       this.root.style.setProperty(`--${tone}`, color);
+    this.theme.quantities.forEach((color, number) => this.root.style.setProperty(`--quantity-${number}`, color));
+    this.root.classList.toggle('underlined', this.theme.underlined);
     this.root.style.setProperty('--measure-text', this.look('measure').text);
     this.root.style.setProperty('--measure-mark', this.look('measure').mark);
     this.root.style.colorScheme = this.theme.name === 'dark' ? 'dark' : 'light';
@@ -265,7 +275,7 @@ class GradusPlayer {
     parts.total.textContent = `/ ${trace.last}`;
     parts.total.title = this.recorded();
     this.notice(this.recorded());
-    parts.goal.textContent = trace.goal;
+    parts.goal.replaceChildren(...this.letters.sentence(trace.goal));
     parts.command.hidden = !this.command;
     parts['command-text'].textContent = this.command;
     parts['table-copy'].hidden = parts.table.hidden;
@@ -273,7 +283,7 @@ class GradusPlayer {
     const number = run.steps[run.lastMilestone].number;
     const longest = Math.max(...phases.map((phase) => textWidth(this.positionOf({number, phase}), 1)));
     this.root.style.setProperty('--position-width', `${Math.min(longest, 30)}em`);
-    this.longest = undefined;
+    this.longest = this.columns = undefined;
     this.scrub.load(run);
     this.setSpeed(this.speed);
     this.setLoop();
@@ -303,16 +313,29 @@ class GradusPlayer {
   }
   showListing() {
     const {trace} = this.run;
-    const characters = Math.max(44, ...trace.listing.map(([, text]) => text.length));
-    this.parts.listing.style.setProperty('--characters', Math.min(characters, 60));
+    this.longestLine = Math.max(0, ...trace.listing.map(([, text]) => sourceRows(text, Infinity)[0].length));
+    const digits = String(trace.listing.length).length;
+    this.parts.listing.style.setProperty('--digits', digits);
     this.parts.lines.replaceChildren(...trace.listing.map(
-        ([number, text], position) => html(
+        ([, text], position) => html(
             'li', {'data-position': position},
             html(
                 'button',
-                {type: 'button', tabindex: -1, 'aria-label': say('line', {number})},
-                String(number)),
-            html('code', {}, text))));
+                {type: 'button', tabindex: -1, 'aria-label': say('line', {number: position + 1})},
+                String(position + 1)),
+            html('code', {}, ...this.letters.html(text, true)))));
+  }
+  /** Long lines go on below, where code is broken; `columns`: characters that fit. */
+  breakLines(columns) {
+    const {trace} = this.run;
+    if (columns === this.columns) return;
+    this.columns = columns;
+    this.heights = trace.listing.map(([, text], position) => {
+      const rows = sourceRows(text, columns), item = this.parts.lines.children[position];
+      item.lastChild.replaceChildren(...this.letters.html(rows.join('\n'), true));
+      item.style.setProperty('--rows', rows.length);
+      return rows.length;
+    });
   }
   showColumns() {
     const {trace} = this.run;
@@ -321,20 +344,21 @@ class GradusPlayer {
       const text = Math.max(textWidth(name, 1, 'bold'), textWidth(widest, 1, 'bold', MONO));
       return Math.min(text + 0.9, 24);
     });
-    const sum = wanted.reduce((a, b) => a + b, 0), spare = Math.max(29 - sum, 0) / wanted.length;
+    const sum = wanted.reduce((a, b) => a + b, 0), spare = Math.max(24 - sum, 0) / wanted.length;
+    this.tableWidth = sum;
     this.parts.grid.style.setProperty('--wanted', sum);
     this.parts.columns.replaceChildren(...trace.columns.map(
         ({name}, c) => html(
             'th',
             {scope: 'col', style: `width: ${(100 * (wanted[c] + spare)) / (sum + spare * wanted.length)}%`},
-            name)));
+            ...this.letters.html(name))));
   }
   showPhases() { this.scrub.showPhases((role) => this.look(role)); }
 
   show(index) {
     if (!this.run) return;
     this.index = clamp(index, 0, this.run.steps.length - 1);
-    this.redraw();
+    this.redraw(!this.flying && !matchMedia('(prefers-reduced-motion: reduce)').matches);
     this.announce();
     this.changed();
   }
@@ -344,19 +368,19 @@ class GradusPlayer {
     if (this.flying) return;
     this.parts.live.textContent = `${this.positionOf(step)}: ${this.said(step)}`;
   }
-  redraw() {
+  redraw(moving = false) {
     const {parts, run, index} = this, step = run.steps[index];
-    parts.sentence.textContent = step.sentence ?? '';
+    parts.sentence.replaceChildren(...this.letters.sentence(step.sentence ?? ''));
     parts.goal.hidden = !this.statesGoal(step);
-    if (run.shows('drawing')) this.redrawDrawing();
+    if (run.shows('drawing')) this.redrawDrawing(moving);
     this.redrawListing();
     this.redrawTable(true);
     this.redrawFooter(step);
     this.redrawControls(step);
   }
-  redrawDrawing() {
+  redrawDrawing(moving) {
     const {svg} = this.drawing, {parts} = this;
-    this.drawing.draw(this.index, this.theme, this.unit / TEXT);
+    this.drawing.draw(this.index, this.theme, this.unit / TEXT, moving);
     svg.setAttribute('aria-label', say('drawing', {title: this.name}));
     if (!parts.said.hidden) svg.setAttribute('aria-describedby', parts.said.id);
   }
@@ -378,13 +402,18 @@ class GradusPlayer {
     });
     this.scrollListing(strong);
   }
-  /** Whole lines only; a dashed edge where there are more. */
+  /** Whole lines only; a dashed edge where there are more, and the head of the loop held above them. */
   scrollListing(strong) {
-    const {listing, lines} = this.parts, {run} = this, shown = this.room.lines, height = this.line;
-    const first = run.firstListed(shown, strong);
-    listing.classList.toggle('above', first > 0);
-    listing.classList.toggle('below', first + shown < run.lines.length);
-    lines.scrollTop = first * height;
+    const {listing, lines} = this.parts, items = [...lines.children];
+    if (items.length === 0) return;
+    const {first, last, head} = this.excerpts.with(strong);
+    items.forEach((item, i) => item.classList.toggle('held', i === head));
+    listing.classList.toggle('above', first > 0 && head !== 0);
+    listing.classList.toggle('below', last < items.length);
+    const sum = (from, to) => this.heights.slice(from, to).reduce((a, b) => a + b, 0);
+    const above = head < 0 ? 0 : this.heights[head] + 1;
+    // The held line takes the room of a row more, for the dots below it
+    lines.scrollTop = (sum(0, first) + (head < 0 ? 0 : 1) - above) * this.line;
   }
 
   /** Only the rows that can be seen are made; gaps stand for the others. */
@@ -430,8 +459,10 @@ class GradusPlayer {
       'aria-current': emphasis === 'strong' ? 'step' : undefined
     });
     trace.columns.forEach((column, c) => {
-      const cell = html('td', {}, html('span', {}, cells[c] ?? ''));
+      const cell = html('td', {}, html('span', {}, ...this.letters.html(cells[c] ?? '')));
       cell.classList.toggle('numeric', column.numeric);
+      const quantity = this.letters.coded.get(column.id);
+      if (quantity !== undefined) cell.classList.add(`quantity-${quantity}`);
       if (changed[c]) {
         cell.classList.add('changed');
         cell.append(html('i', {class: 'unseen'}, ` ${say('changed')}`));
@@ -452,8 +483,8 @@ class GradusPlayer {
     parts.legend.hidden = run.trace.legend.length === 0 || parts.drawing.hidden;
     if (parts.legend.hidden) return;
     parts.legend.replaceChildren(...this.drawing.legendRoles().map(
-        ([role, text]) =>
-            html('li', {'data-role': run.trace.roles[role]}, this.drawing.swatch(role, s), text)));
+        (entry) =>
+            html('li', {'data-role': run.trace.roles[entry[0]]}, this.drawing.swatch(entry, s), entry[1])));
   }
   redrawControls(step) {
     const {parts, run, index} = this;
@@ -478,14 +509,17 @@ class GradusPlayer {
    */
   resize() {
     const {root} = this, width = root.clientWidth;
-    const narrow = width < (root.classList.contains('embedded') ? 560 : 700);
+    // Of two side by side each has a drawing alone
+    const together = document.body.classList.contains('together');
+    const narrow = width < (together || root.classList.contains('embedded') ? 560 : 700);
     root.dataset.layout = narrow ? 'narrow' : 'wide';
-    this.unit = narrow ? 15 : clamp(Math.min(root.clientHeight / 36, width / 64), 12, 80);
+    this.unit = narrow ? 15 : clamp(Math.min(root.clientHeight / 36, width / (together ? 40 : 64)), 12, 80);
     this.line = (narrow ? 1.6 : 1.5) * this.unit;  // a finger needs 24 px
     root.style.setProperty('--u', `${this.unit}px`);
     root.style.setProperty('--line', `${this.line}px`);
     if (!this.run) return;
-    this.reserveSentence(width - (narrow ? 3.8 : 5.8) * this.unit);
+    this.shareWidth(narrow);
+    this.reserveSentence();
     this.reserveFooter();
     this.shareSide(narrow);
     const drawn = narrow && !this.parts.drawing.hidden;
@@ -494,11 +528,17 @@ class GradusPlayer {
     this.redraw();
   }
   /** Room for the longest sentence there is, so that nothing below it jumps. */
-  reserveSentence(room) {
+  reserveSentence() {
+    const {said, sentence, goal} = this.parts;
     this.longest ??=
-        this.run.steps.map((step) => this.said(step)).sort((a, b) => b.length - a.length).slice(0, 8);
-    const lines = this.longest.map((text) => Math.ceil((1.04 * textWidth(text, 1.3 * this.unit)) / room));
-    this.root.style.setProperty('--sentence-lines', clamp(Math.max(...lines), 1, 4));
+        [...this.run.steps].sort((a, b) => this.said(b).length - this.said(a).length).slice(0, 8);
+    said.style.minHeight = '';
+    const heights = this.longest.map((step) => {
+      goal.hidden = !this.statesGoal(step);
+      sentence.replaceChildren(...this.letters.sentence(step.sentence ?? ''));
+      return said.offsetHeight;
+    });
+    said.style.minHeight = `${Math.max(...heights)}px`;
   }
   /** Room for the longest position and the whole legend, so that nothing moves when a role appears. */
   reserveFooter() {
@@ -507,28 +547,38 @@ class GradusPlayer {
     parts.position.textContent = positions.reduce((a, b) => (b.length > a.length ? b : a), '');
     parts.legend.hidden = run.trace.legend.length === 0 || parts.drawing.hidden;
     parts.legend.replaceChildren(...run.trace.legend.map(
-        ([, text]) => html('li', {}, svg('svg', {width: 24 * s, height: 18 * s}), text)));
+        ([, text]) => html('li', {}, svg('svg', {width: 32 * s, height: 18 * s}), text)));
     footer.style.minHeight = '';
     footer.style.minHeight = `${footer.offsetHeight}px`;
   }
+  /** The drawing gets what listing and table leave: as narrow as they can be read. */
+  shareWidth(narrow) {
+    const {parts, run, unit, root} = this, letter = textWidth('0', narrow ? Math.max(unit, 11) : unit, '', MONO);
+    const gutter = String(run.lines.length).length * letter + 2.1 * unit;
+    const asked = run.lines.length ? Math.min(this.longestLine, MOST_COLUMNS) * letter + gutter + 4 : 0;
+    const wanted = Math.max(asked, parts.table.hidden ? 0 : this.tableWidth * unit);
+    root.style.setProperty('--side', `${clamp(wanted / unit, 16, 30.2)}`);
+    if (run.lines.length) this.breakLines(Math.max(Math.floor((parts.listing.clientWidth - gutter) / letter + 0.01), 8));
+  }
   /** Whole lines and whole rows only. */
   shareSide(narrow) {
-    const {parts, run, unit} = this, count = run.lines.length, panel = 0.7 * unit + 3;
+    const {parts, unit} = this, count = this.run.lines.length, panel = 0.7 * unit + 3;
     const table = !parts.table.hidden, gap = 0.9 * unit, row = 1.7 * unit, {line} = this;
     const room = narrow ? Infinity : parts.side.clientHeight;
-    const forTable = table ? 1.9 * unit + 3 + 4 * row + (count ? gap : 0) : 0;
+    const forTable = table ? 1.9 * unit + 3 + 3 * row + (count ? gap : 0) : 0;
     const forLines = room - (parts.drawing.hidden ? 0 : forTable) - panel;
-    const lines = Math.min(count, narrow ? 14 : Math.max(Math.floor(forLines / line), 3));
+    const all = count ? this.heights.reduce((a, b) => a + b, 0) : 0;
+    const lines = Math.min(all, narrow ? 14 : Math.max(Math.floor(forLines / line), 3));
+    this.excerpts = count ? new Excerpts(this.run, this.heights, lines) : null;
     parts.lines.style.height = `${lines * line}px`;
     const beside = !narrow && parts.drawing.hidden;  // then the table stands beside the listing
     const left = room - (count && !beside ? lines * line + panel + gap : 0) - 1.9 * unit - 3;
-    this.room = {lines, rows: narrow ? 7 : Math.max(Math.floor(left / row), 2)};
+    this.room = {rows: narrow ? 7 : Math.max(Math.floor(left / row), 2)};
   }
   heightOfDrawing() {
-    const {grid} = this.run.trace, width = this.parts.drawing.clientWidth, s = this.unit / TEXT;
-    const rows = grid.upper[1] - grid.lower[1] + 1, most = 0.6 * window.innerHeight;
-    const {cell, follows, margin} = arrange(grid, width, 1e6, s, grid.lower);
-    return follows ? most : Math.min(rows * cell + margin, most);
+    const {stage} = this.drawing, width = this.parts.drawing.clientWidth, s = this.unit / TEXT;
+    const most = 0.6 * window.innerHeight, {follows, needs} = arrange(stage, width, 1e6, s, stage.grid.lower);
+    return follows ? most : Math.min(needs.height, most);
   }
 
   // -- What is done to it
@@ -556,6 +606,10 @@ class GradusPlayer {
     parts.wanted.addEventListener('blur', () => this.endWanted());
     parts.table.addEventListener('scroll', () => {
       if (this.run && Math.abs(parts.table.scrollTop - this.rowsMadeAt) > 1) this.redrawTable(false);
+    });
+    // Who goes through the lines by keyboard leaves the excerpt, which comes back
+    parts.lines.addEventListener('focusout', ({relatedTarget}) => {
+      if (this.run && !parts.lines.contains(relatedTarget)) this.redrawListing();
     });
     parts.drawing.addEventListener('pointermove', (event) => this.readOut(event));
     parts.drawing.addEventListener('pointerleave', () => {
@@ -789,6 +843,7 @@ if (page) {
   window.player = new GradusPlayer(document.getElementById('player'));
   window.player.load(data.trace, {command: data.command});
   followAddress(window.player);
+  if (data.beside) playTogether(window.player, data.beside);
   addEventListener('hashchange', (event) => followAddress(window.player, new URL(event.newURL).hash));
   performance.measure('gradus: open', {start: started, end: performance.now()});
 }

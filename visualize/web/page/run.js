@@ -3,6 +3,9 @@
 
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
+/** A line of braces or of a comment alone is no line of code. */
+const isCode = (line) => /^[ {}();,]*(?!\/\/)[^ {}();,]/.test(line);
+
 /** The first index in a sorted list whose value is above `wanted`. */
 function upperBound(list, wanted, valueOf = (v) => v) {
   let low = 0, high = list.length;
@@ -140,6 +143,131 @@ class Table {
   }
 }
 
+// ---- The listing -------------------------------------------------------------------------------------------
+
+const indentOf = (line) => line.search(/\S|$/);
+const isLoop = (line) => /^ *(for|while|do|repeat)(?=[ (]|$)/.test(line);
+const isBrace = (line) => /^[ })]*$/.test(line);
+
+/** A line each: the position of the head of the loop that it stands in; itself where it is one, or in none. */
+function loopHeads(lines) {
+  return lines.map((line, position) => {
+    if (isLoop(line)) return position;
+    // A brace that closes a loop belongs to it
+    let indent = indentOf(line) + (line.trimStart().startsWith('}') ? 1 : 0);
+    for (let i = position - 1; i >= 0; --i) {
+      if (indentOf(lines[i]) >= indent || /^ *($|\/\/)/.test(lines[i])) continue;
+      indent = indentOf(lines[i]);
+      if (isLoop(lines[i])) return i;
+    }
+    return position;
+  });
+}
+
+/** Whether a line may go on below before this character. */
+function mayBreakBefore(line, at) {
+  if (line[at - 1] === '(') return line[at] !== ')';
+  if (line[at - 1] !== ' ') return false;
+  const rest = line.slice(at);
+  return /[,;] $| = $/.test(line.slice(0, at)) || /^(&&|\|\||[-+*\/%<>?:&|]|[=!<>]=|<<|>>) /.test(rest);
+}
+/** Where its first row ends: as late as can be, but rather outside of brackets; -1: nowhere. */
+function bestBreak(line, columns) {
+  let best = -1, least = Infinity, depth = 0;
+  for (let at = 1; at < line.length; ++at) {
+    if ('(['.includes(line[at - 1])) ++depth;
+    if (')]'.includes(line[at - 1]) && depth > 0) --depth;
+    if (at < indentOf(line) + 4 || !mayBreakBefore(line, at)) continue;
+    const {length} = line.slice(0, at).trimEnd();
+    if (length > columns) break;
+    const cost = columns - length + 9 * depth;
+    if (cost <= least) [best, least] = [at, cost];
+  }
+  return best;
+}
+/** A line as rows of at most so many characters, as figures have them; one that cannot be broken stays longer. */
+function sourceRows(line, columns) {
+  if (line.length <= columns) return [line];
+  const lead = ' '.repeat(indentOf(line)), rows = [];
+  let rest = line;
+  const goOn = (at, start) => {
+    rows.push(rest.slice(0, at).trimEnd());
+    rest = start + rest.slice(at).trimStart();
+  };
+  if (line.startsWith('//', lead.length)) {
+    while (rest.length > columns && rest.lastIndexOf(' ', columns) > lead.length + 3)
+      goOn(rest.lastIndexOf(' ', columns), `${lead}// `);
+    return [...rows, rest];
+  }
+  const comment = line.indexOf('//');
+  if (comment > 0) rest = line.slice(0, comment).trimEnd();
+  for (let at; rest.length > columns && (at = bestBreak(rest, columns)) > 0;) goOn(at, `${lead}    `);
+  return [...rows, rest];
+}
+
+/**
+ * Which lines of a listing are seen in `room` rows, as figures show them: those from `first` to before `last`, and
+ * above them, apart, the head of a loop.
+ */
+class Excerpts {
+  constructor(run, heights, room) {
+    Object.assign(this, {run, heights, room, count: heights.length});
+    this.still = this.stillest();
+  }
+  /** The one that keeps still, as long as it shows the current line with its loop; else one round that. */
+  with(current) { return current < 0 || this.holds(this.still, current) ? this.still : this.round(current); }
+
+  shows({first, last, head}, line) { return (first <= line && line < last) || head === line; }
+  holds(excerpt, line) { return this.shows(excerpt, line) && this.shows(excerpt, this.run.loops[line]); }
+  /** As many lines as fit from this one on, below the head. */
+  from(first, head = -1) {
+    let room = this.room - (head < 0 ? 0 : this.heights[head] + 1), last = first;
+    while (last < this.count && this.heights[last] <= room) room -= this.heights[last++];
+    return {first, last, head};
+  }
+  /** The one that shows most of the lines that report steps, and their loops. */
+  stillest() {
+    const {run, count} = this, heads = [...new Set(run.reporting.map((line) => run.loops[line]))];
+    let best = this.from(0), most = this.worth(best);
+    for (const head of [-1, ...heads.filter((head) => run.reporting.some((l) => l !== head && run.loops[l] === head))]) {
+      for (let first = head < 0 ? 1 : head + 2; first < count; ++first) {
+        const excerpt = this.from(first, head), worth = this.worth(excerpt);
+        if (worth > most) [best, most] = [excerpt, worth];
+        if (excerpt.last === count) break;
+      }
+    }
+    return best;
+  }
+  /** What a loop does counts twice; a brace alone tells nothing. */
+  worth(excerpt) {
+    const {reporting, loops, trace} = this.run;
+    let worth = 0;
+    for (const line of reporting)
+      if (this.holds(excerpt, line)) worth += loops[line] !== line && !isBrace(trace.listing[line][1]) ? 2 : 1;
+    return worth;
+  }
+  /** With the line about in the middle, its loop's head above where that is too far. */
+  round(line) {
+    const head = this.run.loops[line];
+    let excerpt = this.centred(line, -1);
+    if (!this.shows(excerpt, head)) excerpt = this.centred(line, head);
+    if (excerpt.head >= 0 && excerpt.first === excerpt.head + 1) excerpt = this.from(head);
+    // At the end there may be room for more before
+    while (excerpt.last === this.count && excerpt.first > 0) {
+      const earlier = this.from(excerpt.first - 1, excerpt.head);
+      if (earlier.last < this.count || (excerpt.head >= 0 && earlier.first <= excerpt.head + 1)) break;
+      excerpt = earlier;
+    }
+    return this.shows(excerpt, line) ? excerpt : {first: line, last: line + 1, head: -1};
+  }
+  centred(line, head) {
+    const {heights} = this, taken = heights[line] + (head < 0 ? 0 : heights[head] + 1);
+    let before = Math.floor((this.room - Math.min(this.room, taken)) / 2), first = line;
+    while (first > head + 1 && heights[first - 1] <= before) before -= heights[--first];
+    return this.from(first, head);
+  }
+}
+
 /** A loaded trace and what can be asked of it. */
 class Run {
   /** What a trace has nothing of when its slot was dropped. */
@@ -158,21 +286,17 @@ class Run {
       if (!isFine(step)) this.milestones.push(index);
     });
     this.lines = this.trace.listing.map(([number]) => number);
-    this.reporting = [...new Set(this.steps.map((step) => step.line))].map((line) => this.shownLine(line));
+    this.loops = loopHeads(this.trace.listing.map(([, text]) => text));
+    this.reporting =
+        [...new Set(this.steps.map((step) => this.shownLine(step.line)))].filter((line) => line >= 0);
   }
   shows(slot) { return this.trace.slots?.includes(slot) ?? true; }
-  /** First of `count` lines to show: where most steps report; round the current line when it is elsewhere. */
-  firstListed(count, current) {
-    const last = this.lines.length - count;
-    const held = (first) => this.reporting.filter((at) => first <= at && at < first + count).length;
-    let best = 0;
-    for (let first = 1; first <= last; ++first)
-      if (held(first) > held(best)) best = first;
-    if (current < 0 || (best <= current && current < best + count)) return best;
-    return clamp(current - Math.floor(count / 2), 0, last);
+  /** Position in the listing of the nearest line of code at or above a source line; -1: none. */
+  shownLine(line) {
+    let at = line ? upperBound(this.lines, line) - 1 : -1;
+    while (at >= 0 && !isCode(this.trace.listing[at][1])) --at;
+    return at;
   }
-  /** Position in the listing of the nearest shown line at or above a source line; -1: none. */
-  shownLine(line) { return line ? upperBound(this.lines, line) - 1 : -1; }
 
   /** The step before at its own level: for a milestone the last milestone, for a finer event any. */
   previousOf(index) {
