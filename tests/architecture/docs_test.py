@@ -6,8 +6,10 @@ import re
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import formulas
 import house
 import project
 
@@ -84,6 +86,13 @@ class Docs(unittest.TestCase):
             self.assertEqual(broken_links(root), [])
             (root / "b.md").write_text("[a](a.md#another) [c](c.md)\n", encoding="utf-8")
             self.assertEqual(len(broken_links(root)), 2)
+
+    def test_every_formula_of_a_page_has_its_mathml(self):
+        self.assertEqual(sorted(formulas.kept()), formulas.formulas(), "tests/support/formulas.py makes them anew")
+        for tex, mathml in formulas.kept().items():
+            xml.etree.ElementTree.fromstring(f"<math>{mathml}</math>")
+        self.assertEqual({tex: formulas.mathml(tex) for tex in formulas.kept()}, formulas.kept())
+        self.assertEqual(formulas.formulas_in("a $`x < 1`$ b `$`\n```math\ny = 2\n```\n```\n$`no`$\n```\n"), ["y = 2", "x < 1"])
 
     def test_the_picture_of_the_house_is_that_of_the_includes(self):
         rooms = set(house.includes())

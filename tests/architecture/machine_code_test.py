@@ -21,6 +21,7 @@ DRIVERS = pathlib.Path(__file__).resolve().parent / "machine_code"
 EVERYTHING = bool(os.environ.get("GRADUS_STRESS"))
 LEVELS = ("-O1", "-O2", "-O3") if EVERYTHING else ("-O2",)
 COMPILERS = project.compilers()
+PRECOMPILED = tempfile.TemporaryDirectory()
 LEAST_INSTRUCTIONS = 15  # of a function that is worth comparing
 
 
@@ -49,10 +50,18 @@ def assembly_with_observer(compiler, level, driver):
     return assembly(compiler, level, driver)
 
 
+def flags_of(level):
+    return ["-std=c++20", level, "-DNDEBUG", "-ffp-contract=off", "-w"]
+
+
+@functools.cache
+def precompiled(compiler, level):
+    return project.precompiled(PRECOMPILED.name, compiler, *flags_of(level))
+
+
 def assembly(compiler, level, driver, *folders):
     includes = [f"-I{folder}" for folder in (*folders, project.ROOT / "algorithms")]
-    text = project.run(compiler, "-std=c++20", level, "-DNDEBUG", "-ffp-contract=off", "-w", *includes, "-S", "-o", "-",
-                       driver)
+    text = project.run(compiler, *flags_of(level), *precompiled(compiler, level), *includes, "-S", "-o", "-", driver)
     # Local labels are numbered by what the compiler has read, not by what it generates: number them as they appear
     numbers = {}
     return re.sub(r"\.L([A-Z]*)\d+", lambda label: f".L{label[1]}{numbers.setdefault(label[0], len(numbers))}", text)

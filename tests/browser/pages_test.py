@@ -46,7 +46,6 @@ def fits(check, page, name):
 
 def theme_switch(check, page, name):
     light, dark = 'rgb(255, 255, 255)', 'rgb(20, 24, 29)'
-    page.run('localStorage.clear(); location.reload()')
     look(page, 'dark')
     check.equal(f'{name}: dark where the system is', colour(page), dark)
     look(page, 'light')
@@ -59,7 +58,11 @@ def theme_switch(check, page, name):
     page.click_on('button.theme'), page.click_on('button.theme')
     page.run('location.reload()')
     check.equal(f'{name}: a choice is remembered', colour(page), dark)
-    page.run('localStorage.clear(); location.reload()')
+    page.run('localStorage.clear()')
+
+
+# Slide lines are folded in turn: a button that shows
+OPEN_COPY = ':not(.snippets) > .copied > button.copy'
 
 
 def copying(check, page, name):
@@ -68,15 +71,16 @@ def copying(check, page, name):
     count = page.run('return document.querySelectorAll("button.copy").length')
     check.that(f'{name}: buttons to copy', count > 2, count)
     wanted = page.run('return document.querySelector("button.copy").parentElement.querySelector("code").textContent')
+    page.run('document.querySelectorAll(".take").forEach((part) => { part.open = true; })')
     page.click_on('button.copy')
-    check.that(f'{name}: says so', page.wait_for('document.querySelector("button.copy").firstChild.data === "copied"'))
-    check.equal(f'{name}: says so aloud', page.run('return document.querySelector(".notice").textContent'), 'Copied.')
+    # Both at once: soon the page is silent again
+    check.that(f'{name}: says so, and aloud', page.wait_for('''document.querySelector("button.copy").firstChild.data === "copied" &&
+        document.querySelector(".notice").textContent === "Copied."'''))
     check.equal(f'{name}: on the clipboard', page.run('return navigator.clipboard.readText()'), wanted)
     check.that(f'{name}: one line', '\n' not in wanted and wanted.startswith('gradus '), wanted)
     page.run('''navigator.clipboard.writeText = () => Promise.reject(new Error("no leave"));
                 document.execCommand = () => false;''')
-    # Slide lines are folded: the next button that shows
-    page.click_on(':not(details) > .copied > button.copy', 1)
+    page.click_on(OPEN_COPY, 1)
     check.that(f'{name}: selected instead', page.wait_for('getSelection().toString().trim().startsWith("gradus ")'))
 
 
@@ -135,17 +139,18 @@ def lecture(check, browser, path):
     check.equal('one chapter is counted', page.run(FOUND), '1 of 2 figures')
     page.press('ArrowUp')
     check.equal('all chapters', page.run(SHOWN), everything)
-    for _ in range(12):
-        page.press('Tab')
-        if page.run('return document.activeElement.matches("#line summary")'):
-            break
-    page.press('Enter')
-    check.that('the lines open by keyboard', page.run('return document.querySelector("#line details").open'))
+    for fold in ('take', 'snippets'):
+        for _ in range(12):
+            page.press('Tab')
+            if page.run('return document.activeElement.matches(`#line .${arguments[0]} > summary`)', fold):
+                break
+        page.press('Enter')
+        check.that(f'{fold} opens by keyboard', page.run('return document.querySelector(`#line .${arguments[0]}`).open', fold))
     page.press('Tab', 'Enter')
-    beamer = page.run('return document.querySelector("#line details code").textContent')
-    check.that('three kinds of lines', page.run('return document.querySelectorAll("#line details h4").length') == 3)
+    beamer = page.run('return document.querySelector("#line .snippets code").textContent')
+    check.that('three kinds of lines', page.run('return document.querySelectorAll("#line .snippets h4").length') == 3)
     check.that('several lines', beamer.startswith('\\begin{frame}\n  '), beamer)
-    check.that('copied by keyboard', page.wait_for('document.querySelector("#line details .copy").firstChild.data === "copied"'))
+    check.that('copied by keyboard', page.wait_for('document.querySelector("#line .snippets .copy").firstChild.data === "copied"'))
     check.equal('lines on the clipboard', page.run('return navigator.clipboard.readText()'), beamer)
     page.run('document.querySelectorAll("details").forEach((d) => { d.open = true; })')
     check.equal('nothing hostile runs', page.run('return typeof window.hacked'), 'undefined')
@@ -184,7 +189,11 @@ def errata(check, browser, path):
     page = Page(browser, path)
     check.equal('errata: every picture is shown', page.run('''return [...document.images].filter((image) =>
         !image.naturalWidth || !image.alt).length'''), 0)
-    check.that('errata: pairs of pictures', page.run('return document.querySelectorAll(".pair").length') >= 20)
+    check.that('errata: pairs of pictures', page.run('return document.querySelectorAll(".pair").length') >= 40)
+    readings = page.run('''return [...document.querySelectorAll(".reading")].map((table) =>
+        [table.querySelectorAll("tbody td.wrong").length, table.querySelectorAll("thead th").length, !!table.caption])''')
+    check.that('errata: what readers make of texts, in tables', len(readings) == 4 and
+               all(wrong > 0 and heads == 3 and caption for wrong, heads, caption in readings), readings)
     check.equal('errata: links within the page lead somewhere', page.run('''return [...document.querySelectorAll('a[href^="#"]')]
         .filter((link) => !document.getElementById(link.getAttribute("href").slice(1))).length'''), 0)
     fits(check, page, 'errata')

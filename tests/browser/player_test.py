@@ -24,9 +24,29 @@ EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 MADE = ('line', 'fine', 'long', 'many', 'huge', 'hostile', 'late')
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-STATE = '''const p = arguments[0] ? window[arguments[0]] : window.player;
-           return JSON.stringify([p.state(), p.parts.drawing.querySelector('svg').innerHTML,
-                                  p.parts.rows.innerText, p.parts.table.scrollTop, p.parts.lines.scrollTop]);'''
+STATE = '''const everything = () => JSON.stringify([player.state(), player.parts.drawing.querySelector('svg').innerHTML,
+               player.parts.rows.innerText, player.parts.table.scrollTop, player.parts.lines.scrollTop]);
+           const go = (number) => { if (!player.goTo(number)) throw new Error("no step " + number); };'''
+
+# A walk: what each step that was reached looked like when it was last seen.
+WALK = STATE + '''const seen = {}, look = () => { seen[player.run.steps[player.index].number] = everything(); };
+           player.first();
+           for (const [move, number] of arguments[0]) { if (move === "jump") go(number); else player[move](); look(); }
+           player.last(); player.first(); look();
+           return seen;'''
+
+# The steps that look otherwise in a new player, which knows nothing of the steps before, with where they differ.
+FRESH = STATE + '''const [numbers, seen] = arguments, wrong = [];
+           const data = JSON.parse(document.getElementById("gradus-page").textContent);
+           for (const number of numbers) {
+             player.load(data.trace, {command: data.command});
+             go(number);
+             const found = everything(), walked = seen[number];
+             let at = 0;
+             while (at < found.length && found[at] === walked[at]) ++at;
+             if (found !== walked) wrong.push([number, ...[found, walked].map((s) => s.slice(Math.max(at - 40, 0), at + 60))]);
+           }
+           return wrong;'''
 
 
 # Whether the page fits into the window, across and down.
@@ -67,7 +87,7 @@ class Page:
         return self.run('return player.state()')
 
     def everything(self):
-        return self.run(STATE)
+        return self.run(f'{STATE} return everything();')
 
     @property
     def step(self):
@@ -137,35 +157,24 @@ def any_page(check, browser, path):
     narrow(check, browser, path)
 
 
+def in_its_letters(page):
+    """Waits for the page's own fonts: what is measured before has other letters."""
+    page.wait_for('document.fonts.status === "loaded"')
+
+
 def same_however_reached(check, page, name):
     """State after any walk == state of a fresh player that jumped there."""
     rng = random.Random(SEED)
+    in_its_letters(page)
     numbers = page.run('return player.run.steps.map((s) => s.number)')
     moves = ['next', 'previous', 'nextEvent', 'previousEvent', 'next', 'jump']
-    page.run('player.first()')
-    seen = {}
-    # Long walks where the page was made to reach the player's corners, shorter ones on the gallery's and where loading is long
-    for _ in range(60 if EVERYTHING or page.path.stem in MADE and len(numbers) < 1000 else 10):
-        move = rng.choice(moves)
-        if move == 'jump':
-            page.go(rng.choice(numbers))
-        else:
-            page.run(f'player.{move}()')
-        seen[page.step] = page.everything()
-    page.run('player.last()')
-    page.run('player.first()')
-    seen[numbers[0]] = page.everything()
+    # Long walks where the page was made to reach the player's corners, shorter ones on the gallery's
+    length = 60 if EVERYTHING or page.path.stem in MADE else 10
+    seen = page.run(WALK, [(rng.choice(moves), rng.choice(numbers)) for _ in range(length)])
+    check.that(f'{name}: a walk reaches its first step again', numbers[0] in seen)
     fresh = Page(page.browser, page.path)
-    wrong = []
-    for number in sorted(seen, key=lambda n: rng.random()):
-        # A new player in the same place knows nothing of the steps before
-        fresh.run('''const data = JSON.parse(document.getElementById("gradus-page").textContent);
-                     player.load(data.trace, {command: data.command});''')
-        fresh.go(number)
-        found = fresh.everything()
-        if found != seen[number]:
-            at = next((i for i, (a, b) in enumerate(zip(found, seen[number])) if a != b), -1)
-            wrong.append((number, found[max(at - 40, 0):at + 60], seen[number][max(at - 40, 0):at + 60]))
+    in_its_letters(fresh)
+    wrong = fresh.run(FRESH, sorted(seen, key=lambda n: rng.random()), seen)
     check.equal(f'{name}: {len(seen)} steps look the same however reached (seed {SEED})', wrong, [])
 
 
@@ -631,7 +640,8 @@ def dropped_slots(check, browser, made):
         'title': [],  # the browser's own title still says what the page is
         'drawing': ['E chosen', 'NE rejected', 'ideal line'],
         'listing': [text for _, text in whole['listing'] if len(text) > 10],
-        'table': [whole['columns'][4]['widest']],
+        'table': sorted({cell for step in steps for cell in [*step.get('read', []), *step.get('row', [])]
+                         if ' ' in cell and not any(cell in line for _, line in whole['listing'])}),
         'sentence': [whole['goal']] + [step['sentence'] for step in steps],
         'footer': [text for _, text in whole['legend'] if ' ' in text] + ['main loop'],
     }
@@ -719,7 +729,7 @@ def languages(check, browser, made):
     check.equal('no English text is shown', foreign, [])
     check.equal('the footer is German', page.state()['position'], 'Schritt 3 / 7 · main loop')
     check.equal('the line buttons are German', page.run('return player.parts.lines.querySelector("button").getAttribute("aria-label")'),
-                'Zeile 38: zu ihrer nächsten Ausführung')
+                'Zeile 1: zu ihrer nächsten Ausführung')
     check.equal('notices are German', page.run('return player.parts.notice.textContent'), 'kein Lesezeichen mehr bei Schritt 3')
     page = Page(browser, made / 'topic.html')
     link = page.run('const a = player.root.querySelector("a"); return [a.getAttribute("href"), a.textContent, a.checkVisibility()]')
@@ -834,7 +844,7 @@ def readers(check, browser, made):
                 [...table.querySelectorAll("[aria-current]")].map((r) => [r.dataset.row, r.ariaCurrent])]""")
     check.equal('a real table', table, ['Decision table', ['col'] * 6, [['2', 'step']]])
     check.equal('the current line', page.run("""return [...player.parts.lines.querySelectorAll("[aria-current]")]
-        .map((li) => li.firstChild.textContent)"""), ['47'])
+        .map((li) => li.firstChild.textContent)"""), ['9'])
 
 
 def two_at_once(check, browser, made):
@@ -913,14 +923,14 @@ def large(check, browser, made):
     check.equal('huge grid: the view follows', len(current), 1)
     check.that('huge grid: cells stay large', page.run('return player.drawing.at.cell / (player.unit / 20)') >= 24)
     check.that('huge grid: an overview', page.run('return player.drawing.overview.checkVisibility()'))
-    moved = []
+    moved, half = [], (view['x1'] - view['x0'] + 1) // 2
     for number in range(101, 140):
         page.go(str(number))
         new = page.run('return player.drawing.at.view')
         if new != view:
             moved.append(new['x0'] - view['x0'])
             view = new
-    check.that('huge grid: the view jumps by half a window', moved != [] and all(abs(m) in (0, 6) for m in moved), moved)
+    check.that('huge grid: the view jumps by half a window', moved != [] and all(abs(m) in (0, half) for m in moved), (half, moved))
     outside = page.run('''const a = player.drawing.at, box = {l: -1, t: -1, r: a.width + 1, b: a.height + 1};
         return [...player.drawing.svg.querySelectorAll("text")].map((t) => t.getBBox())
           .filter((b) => b.x < box.l || b.y < box.t || b.x + b.width > box.r || b.y + b.height > box.b).length''')

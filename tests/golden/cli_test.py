@@ -99,7 +99,7 @@ def test_run():
     line = ["run", "bresenham_line", "--from", "0,0", "--to", "7,3"]
     result = gradus(*line)
     equal((result.code, result.err), (0, ""), "run")
-    check("\x1b" not in result.out and "step E to" in result.out, "a plain table")
+    check("\x1b" not in result.out and "go E to" in result.out, "a plain table")
     data = json.loads(gradus(*line, "--json").out)
     check({"topic", "method", "input", "steps", "result"} <= set(data), f"members of run --json: {list(data)}")
     equal(data["topic"], "bresenham_line", "topic")
@@ -130,18 +130,19 @@ def test_spellings_that_mean_the_same():
 
 
 def test_rings_and_numbered_orders():
-    square = ["figure", "sutherland_hodgman", "--method", "separate_pieces", "--polygon", "-5,1 15,1 15,9 -5,9", "-o"]
+    square = ["figure", "sutherland_hodgman", "--method", "separate_pieces", "--polygon", "-5,1 15,1 15,9 -5,9",
+              "--step", "last", "-o"]
     gradus(*square, "holes.svg", "--hole", "2,2 3,2 3,3;(4, 4) 5,4 5,5 ;")
     gradus(*square, "same.svg", "--hole=2,2 3,2 3,3; 4,4 5,4 5,5")
     equal(read("holes.svg"), read("same.svg"), "two spellings of two holes")
-    check(b"Done: 1 piece, area 79." in read("holes.svg"), "both holes are cut out of 80")
+    check(b"1 piece is left, with an area of 79." in read("holes.svg"), "both holes are cut out of 80")
     gradus(*square, "one.svg", "--hole", "2,2 3,2 3,3")
     check(read("one.svg") != read("holes.svg"), "one hole is not two")
     equal((gradus("again", "holes.svg", "-o", "again.svg").code, read("again.svg")), (0, read("holes.svg")), "again, with holes")
     oblique = ["run", "sutherland_hodgman", "--window-polygon", "5,-3 12,3 8,10 -2,7"]
     plain, turned = gradus(*oblique), gradus(*oblique, "--order", " 3, 1,2 ,4")
     equal((plain.code, turned.code), (0, 0), "orders by number")
-    borders = [list(dict.fromkeys(re.findall(r"^no\. (\d)", done.out, re.MULTILINE))) for done in (plain, turned)]
+    borders = [list(dict.fromkeys(re.findall(r"side border (\d)", done.out))) for done in (plain, turned)]
     equal(borders, [list("1234"), list("3124")], "the borders as they are cut at")
     equal(plain.out, gradus(*oblique, "--order", "1,2,3,4").out, "the order that they have")
 
@@ -149,7 +150,7 @@ def test_rings_and_numbered_orders():
 def test_formats():
     line = ["figure", "bresenham_line", "--from", "0,0", "--to", "7,3"]
     starts = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "html": b"<!DOCTYPE html", "csv": b"number,type,line",
-              "json": b"{", "txt": b"Bresenham line", "md": b"| k | x | y |", "tex": b"\\begin{tabular}{rrrrll}"}
+              "json": b"{", "txt": b"Bresenham line", "md": b"| k | x | y |", "tex": b"% \\usepackage{booktabs}\n\\begin{tabular}{rrrrll}"}
     for ending, start in starts.items():
         name = f"line.{ending}"
         result = gradus(*line, "-o", name)
@@ -321,7 +322,7 @@ def test_wrong_input():
         (["figures", "x"], "LECTURE: expected a readable file, found 'x' (No such file or directory)"),
         (["figures", "x", "y"], "figures: expected at most one LECTURE, found 'y'"),
         (["again"], "again: expected a FILE, found none (`gradus again --help` shows examples)"),
-        ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, found 'x'"),
+        ([*line, *out, "--form=x"], "--format: expected one of svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, pptx, found 'x'"),
         ([*line, *out, "--frm", "1,1"], re.compile(r"figure bresenham_line: unknown flag '--frm', did you mean '--from'\? Expected one of --from, .*")),
         ([*line, *out, "--s", "1"], "expected one of --step, --steps, --snippet, --slots, --size, --scale, --svg-text, --seconds-per-step, found '--s'"),
         ([*line, *out, "-z"], "figure: expected a known flag (`gradus figure --help` lists them), found '-z'"),
@@ -367,8 +368,19 @@ def test_wrong_input():
         ([*axes, "1,0,0 0,1,0 0,0,0"], "--axes: axes of lengths from 0.001 to 1000 expected, found 1,0,0 0,1,0 0,0,0"),
         # steps
         ([*line, *out, "--step", "9"], "--step 9: bresenham_line has steps 0..7 for this input"),
-        ([*line, *out, "--step", "x"], "--step: expected a step like 4 or 4.1, found 'x'"),
+        ([*line, *out, "--step", "x"], "--step: expected a step like 4 or 4.1, or last, found 'x'"),
         ([*line, *out, "--step", "4.9"], "--step 4.9: bresenham_line has 4.1..4.1 after step 4 for this input"),
+        ([*line, *out, "--panels", "7"], "--panels: expected phases, or 2 to 6 steps like 1,4,9, found '7'"),
+        ([*line, *out, "--panels", "0-6"], "--panels: expected phases, or 2 to 6 steps like 1,4,9, found '0-6'"),
+        ([*line, *out, "--panels", "1,9"], "--panels 1,9: bresenham_line has steps 0..7 for this input"),
+        ([*line, *out, "--panels", "1,2", "--step", "3"], "--panels: expected either this or --step, found both"),
+        ([*line, *out, "--panels", "1,2", "--compare", "dda"], "--panels: expected either this or --compare, found both"),
+        ([*line, "-o", "x-{step}.svg", "--panels", "1,2"], "--panels: expected a name without {step} for one sheet, found 'x-{step}.svg'"),
+        ([*line, "-o", "x.html", "--panels", "1,2"], "--panels: expected svg, png, pdf or pptx, found html"),
+        ([*line, *out, "--compare", "flood_fill"],
+         "--compare: expected a topic that takes --from as bresenham_line does, found 'flood_fill'"),
+        ([*line, *out, "--compare", "--theme dark"], "--compare: expected inputs of bresenham_line, found '--theme'"),
+        ([*line, *out, "--compare", "--to x"], "--to: expected two whole numbers from -2147483648 to 2147483647 like 3,4, found 'x'"),
         ([*line, *out, "--steps", "2-4"], "--steps: expected one step for one picture ({step} in the name of -o makes one file a step), found '2-4'"),
         ([*line, "-o", "x.pdf", "--steps", "2-9"], "--steps 2-9: bresenham_line has steps 0..7 for this input"),
         ([*line, "-o", "x.pdf", "--steps", "4-2"], steps + "'4-2'"),
@@ -380,8 +392,8 @@ def test_wrong_input():
         ([*line, *out, "--slots", "drawing,tables"], "--slots: expected one of title, drawing, listing, table, sentence, footer, found 'tables', did you mean 'table'?"),
         ([*line, *out, "--size", "12x9"], size + "'12x9'"),
         *[([*line, *out, "--size", word], size + f"'{word}'") for word in ("foo", "12cm", "4:0", "1:99", "12cmx", "0x0", "9999x9", "1e3x1e3")],
-        ([*line, "-o", "x.html", "--size", "4:3"], "--size: expected svg, png, pdf or a film to draw, found html"),
-        ([*line, "-o", "x.csv", "--theme", "dark"], "--theme: expected svg, png, pdf, html or a film, found csv"),
+        ([*line, "-o", "x.html", "--size", "4:3"], "--size: expected svg, png, pdf, pptx or a film to draw, found html"),
+        ([*line, "-o", "x.csv", "--theme", "dark"], "--theme: expected svg, png, pdf, pptx, html or a film, found csv"),
         ([*line, *out, "--scale", "2"], "--scale: expected png, gif, mp4 or webp, found svg"),
         ([*line, "-o", "x.png", "--svg-text", "text"], "--svg-text: expected svg, found png"),
         ([*line, "-o", "x.png", "--scale", "9"], "--scale: expected a number from 0.1 to 8, found '9'"),
@@ -405,7 +417,7 @@ def test_wrong_input():
         ([*line, *out, "--snippet", "word"], "--snippet: expected one of beamer, reveal, markdown, found 'word'"),
         # files
         (line, "-o: expected a file like line.svg, or - for standard output, found none"),
-        ([*line, "-o", "x.bmp"], "-o: expected a name that ends in .svg, .png, .pdf, .html, .csv, .md, .tex, .json, .txt, .gif, .mp4, .webp (or --format), found 'x.bmp'"),
+        ([*line, "-o", "x.bmp"], "-o: expected a name that ends in .svg, .png, .pdf, .html, .csv, .md, .tex, .json, .txt, .gif, .mp4, .webp, .pptx (or --format), found 'x.bmp'"),
         ([*line, "-o", "x.csv/"], re.compile(r"-o: expected a name that ends in .*, found 'x.csv/'")),
         ([*line, "-o", "no/x.svg"], "-o: expected a folder that exists, found 'no'"),
         ([*line, "-o", "folder", "--format", "svg"], "-o: expected a file's name, found 'folder'"),
@@ -598,7 +610,8 @@ def test_long_runs():
     equal(gradus("run", *line, "-q").err, "", "-q")
     data = json.loads(gradus("run", *line, "--json", "--steps", "5000000-5000002").out)
     equal(sorted({step["number"] for step in data["steps"]}), [5000000, 5000001, 5000002], "a range far away")
-    check("step 16777216 of 16777216" in gradus("figure", *line, "-o", "-").out, "the last step of a long run")
+    check("step 16777216 of 16777216" in gradus("figure", *line, "--step", "last", "-o", "-").out, "the last step of a long run")
+    check("step 25000 of 16777216" in gradus("figure", *line, "-o", "-").out, "one that decides in the middle of what is recorded")
     gradus("figure", *line, "--step", "9000000", "-o", "far.svg")
     gradus("figure", *line, "--steps", "8999999-9000001", "-o", "far-{step}.svg")
     equal(read("far-9000000.svg"), read("far.svg"), "a far step alone and in a series")
@@ -756,7 +769,7 @@ def test_models():
             (("--eye", "1,2"), "--eye: expected 3 numbers x,y,z, found '1,2'"),
             (("--fov", "0"), "--fov: expected a number from 1 to 170, found '0'"),
             (("--face", "12"), "--face: expected a face from 0 to 11, found 12"),
-            (("--pixel", "20,0"), "--pixel: expected a pixel inside the 20 × 14 picture, found 20,0")):
+            (("--pixel", "40,0"), "--pixel: expected a pixel inside the 40 × 28 picture, found 40,0")):
         result = gradus("figure", "pipeline", *arguments, "-o", "d.svg")
         equal((result.code, result.err, os.path.exists("d.svg")), (2, f"gradus: {complaint}\n", False), str(arguments))
     result = gradus("figure", "bresenham_line", "letter_f.obj", "-o", "d.svg")

@@ -69,7 +69,8 @@ def test_everything_of_the_catalogue_is_offered():
 def test_what_is_offered_is_taken():
     """Each value of each flag that has names for values draws a figure."""
     count = 0
-    for flag in ("--theme", "--language", "--layout", "--y", "--svg-text", "--background", "--slots", "--steps", "--size", "--method"):
+    for flag in ("--theme", "--language", "--layout", "--y", "--svg-text", "--background", "--slots", "--steps", "--panels",
+                 "--compare", "--size", "--method"):
         values = words_after("figure", "bresenham_line", flag, "")
         check(len(values) >= 1, f"{flag}: {values}")
         for value in values:
@@ -106,7 +107,7 @@ def test_words_as_they_are_typed():
     equal(words_after("run", "zzz", "--"), set(), "nor behind no topic")
     equal(following("render", "")[0].keys() >= {"letter_f.obj", "spot.obj"}, True, "models that come with it")
     equal(following("render", "")[1], ["files\t.obj"], "and those that lie here")
-    equal(following("again", "")[1], ["files\t.svg .png .pdf .html .gif .mp4 .webp"], "figures")
+    equal(following("again", "")[1], ["files\t.svg .png .pdf .pptx .html .gif .mp4 .webp"], "figures")
     equal(following("figures", "")[1], ["files\t.json"], "lectures")
     equal(following("open", "")[1], ["folders"], "folders")
     equal(words_after("completion", ""), {"bash", "zsh", "fish"}, "shells")

@@ -25,6 +25,7 @@ LECTURE = """{"title": "Mine", "figures": [{"topic": "bresenham_line", "input": 
  {"topic": "bresenham_circle", "input": {"radius": "4"}, "outputs": ["svg"]}]}"""
 # What would take long is asked for less: the words stay those of the page
 SHORTER = {"bench": " --seconds 0.0005 --repetitions 1", "stress": " --seconds 1", "figures": " --only 'bresenham_line*'"}
+SMALLER = re.compile(r"\.gif|\.mp4|\.webp|\{step\}\.png")  # many pictures
 
 
 def png(width, height):
@@ -60,12 +61,14 @@ class Place:
 def shorter(line):
     name = re.search(r"\bgradus (\w+)", line)
     extra = SHORTER.get(name[1] if name else "")
+    if name and name[1] == "figure" and SMALLER.search(line) and "--size" not in line:
+        extra = " --size 320x180"
     if not extra or "--only" in line or ".json" in line:
         return line
     line = re.sub(r" --seconds \S+", "", line)
     if re.fullmatch(r"gradus bench( -.*)?", line):
         line = line.replace("gradus bench", "gradus bench bresenham_circle")
-    return re.sub(r"(\s+>.*)?$", lambda m: extra + (m[0] or ""), line, count=1)
+    return re.sub(r"(\s+[>#].*)?$", lambda m: extra + (m[0] or ""), line, count=1)
 
 
 def examples_in(page):

@@ -5,6 +5,7 @@ name would not bring.
 
     tests/golden/hostile_names_test.py [GRADUS]
 """
+import functools
 import html.parser
 import json
 import os
@@ -112,6 +113,12 @@ def read(path):
         return file.read()
 
 
+@functools.cache
+def player_of(*words):
+    gradus("figure", *words, "-o", "plain.html")
+    return read("plain.html").decode("utf-8")
+
+
 def in_formats(words, innocent, what, endings=("svg", "html", "json", "txt", "csv", "md", "tex")):
     """The command with an output of each format, parsed. True when it was drawn."""
     drawn = False
@@ -125,8 +132,7 @@ def in_formats(words, innocent, what, endings=("svg", "html", "json", "txt", "cs
         if ending == "svg":
             check_svg(text, f"{what} as {ending}")
         elif ending == "html":
-            gradus("figure", *innocent, "-o", "plain.html")
-            check_html(text, read("plain.html").decode("utf-8"), f"{what} as {ending}")
+            check_html(text, player_of(*innocent), f"{what} as {ending}")
         elif ending == "json":
             is_harmless(text, f"{what} as {ending}", "\n")
             json.loads(text)

@@ -121,7 +121,7 @@ def test_what_gradus_made_is_known_without_its_manifest():
 
 
 def test_a_named_file_is_replaced_when_gradus_made_it():
-    for ending in ("svg", "png", "pdf", "html", "csv", "md", "tex", "json", "txt", "gif", "mp4", "webp"):
+    for ending in ("svg", "png", "pdf", "html", "csv", "md", "tex", "json", "txt", "gif", "mp4", "webp", "pptx"):
         name = f"a.{ending}"
         for to in ("3,1", "3,2"):
             equal(gradus("figure", "bresenham_line", "--to", to, "-o", name).code, 0, f"{name} to {to}")

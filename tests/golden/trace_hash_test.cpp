@@ -41,12 +41,15 @@ std::string text_of_shape(const Mark& mark) {
     points({stroke->a, stroke->b});
     flag(stroke->arrow, " arrow");
     flag(stroke->dashed, " dashed");
+    flag(stroke->thin, " thin");
+    flag(stroke->gap, " gap");
   } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
     points(path->points);
     flag(path->closed, " closed");
     flag(path->dashed, " dashed");
   } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
     for (const auto& ring : area->rings) points(ring);
+    if (area->shade > 0) text += fmt::format(" shade {}", area->shade);
   } else if (const Text* words = std::get_if<Text>(&mark.shape)) {
     point(words->at);
     text += fmt::format(" {} {}", words->text, static_cast<int>(words->align));

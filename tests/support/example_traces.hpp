@@ -84,9 +84,17 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   tell("pipeline",
        {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}, {"stage", "visibility"}});
   tell("pipeline", {{"face", "1"}, {"eye", "0.9,0.9,0.9"}});
+  const auto divide_first = [&](std::string face, std::string eye, std::string target) {
+    tell("pipeline", {{"method", "cull_after_division"}, {"face", face}, {"eye", eye}, {"target", target}});
+  };
+  divide_first("0", "1,1,3", "0.4,0.6,0");
+  divide_first("1", "1,1,3", "0.4,0.6,0");
+  divide_first("11", "0,0.6,3", "0,0.6,0");
+  divide_first("0", "0.5,0.3,0", "0.3,0.6,0");
   for (const char* radius : {"0", "1", "5", "29"}) {
     tell("bresenham_circle", {{"radius", radius}});
     tell("bresenham_circle", {{"radius", radius}, {"method", "late_update"}});
+    tell("bresenham_circle", {{"radius", radius}, {"method", "eight_plots"}});
   }
   tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,2,11,11"}});
   tell("bresenham_circle", {{"radius", "10"}, {"window", "-3,-3,3,3"}});

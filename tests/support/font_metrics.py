@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes visualize/figure/font_metrics.inc: the advance widths of the DejaVu fonts for the characters figures use.
+"""Writes visualize/figure/font_metrics.inc: the advance widths of the characters that figures use.
 
 The layout needs the width of a text without asking a font library (it also runs where there is none).
     tests/support/font_metrics.py [--check] FONT_FOLDER
@@ -25,8 +25,18 @@ RANGES = [
     (0x25A0, 0x25FF), (0x2713, 0x2718),
     (0x27C0, 0x27FF), (0x2A00, 0x2AFF),  # brackets, long arrows, more operators
 ]
-FACES = ["DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSansMono.ttf",
-         "DejaVuSansMono-Bold.ttf"]
+# By Face: the font; the one that it borrows letters from, and which; the one that stands in for letters that these
+# lack. Raised and lowered letters need no typewriter's room; Inter's bold space is so narrow that words run together.
+RAISED = [0xB2, 0xB3, 0xB9, *range(0x2070, 0x209D)]
+SPACES = [0x20, 0xA0]
+INTER, JETBRAINS, DEJAVU = "opentype/inter/", "truetype/jetbrains-mono/", "truetype/dejavu/"
+FACES = [(INTER + "Inter-Regular.otf", INTER + "Inter-Regular.otf", [], DEJAVU + "DejaVuSans.ttf"),
+         (INTER + "Inter-Bold.otf", INTER + "Inter-Regular.otf", SPACES, DEJAVU + "DejaVuSans-Bold.ttf"),
+         (INTER + "Inter-Italic.otf", INTER + "Inter-Italic.otf", [], DEJAVU + "DejaVuSans-Oblique.ttf"),
+         (JETBRAINS + "JetBrainsMono-Regular.ttf", INTER + "Inter-Regular.otf", RAISED, DEJAVU + "DejaVuSansMono.ttf"),
+         (JETBRAINS + "JetBrainsMono-Bold.ttf", INTER + "Inter-Bold.otf", RAISED, DEJAVU + "DejaVuSansMono-Bold.ttf"),
+         (INTER + "Inter-BoldItalic.otf", INTER + "Inter-Italic.otf", SPACES, DEJAVU + "DejaVuSans-BoldOblique.ttf")]
+UNITS = 2048  # an em
 TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/font_metrics.inc"
 
 
@@ -70,24 +80,33 @@ def glyph_index(cmap):
 
 
 def widths(path):
+    """Character -> advance in UNITS an em."""
     found = tables(path.read_bytes())
-    assert struct.unpack(">H", found["head"][18:20])[0] == 2048, "2048 units an em expected"
+    units = struct.unpack(">H", found["head"][18:20])[0]
     metrics = struct.unpack(">H", found["hhea"][34:36])[0]
     index = glyph_index(found["cmap"])
 
     def width(char):
         at = 4 * min(index[char], metrics - 1)
-        return struct.unpack(">H", found["hmtx"][at:at + 2])[0]
+        return round(UNITS * struct.unpack(">H", found["hmtx"][at:at + 2])[0] / units)
 
     return {char: width(char) for low, high in RANGES for char in range(low, high + 1) if char in index}
 
 
+def face_widths(folder, font, lender, borrowed, stand_in):
+    """Of all three; a letter that stands in for one of a typewriter's takes the room of one."""
+    own, lent, others = widths(folder / font), widths(folder / lender), widths(folder / stand_in)
+    if len({width for width in own.values() if width}) == 1:
+        others = dict.fromkeys(others, own[0x20])
+    return others | own | {char: lent[char] for char in borrowed if char in lent}
+
+
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--check"]
-    folder = pathlib.Path(arguments[0] if arguments else "/usr/share/fonts/truetype/dejavu")
-    faces = [widths(folder / name) for name in FACES]
-    lines = ["// Made by tests/support/font_metrics.py: advance widths in 1/2048 em of sans, bold, italic, mono and",
-             "// mono bold; 0 where the face lacks the character."]
+    folder = pathlib.Path(arguments[0] if arguments else "/usr/share/fonts")
+    faces = [face_widths(folder, *fonts) for fonts in FACES]
+    lines = ["// Made by tests/support/font_metrics.py: advance widths in 1/2048 em of sans, bold, italic, mono,",
+             "// mono bold and bold italic; 0 where the face lacks the character."]
     for char in sorted(set().union(*faces)):
         row = ", ".join(str(face.get(char, 0)) for face in faces)
         lines.append(f"{{0x{char:04X}, {{{row}}}}},")

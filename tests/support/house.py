@@ -26,6 +26,7 @@ COLUMNS = {  # from left to right, and what a room is for
     "visualize/cairo": (2, "SVG, PNG, PDF"),
     "visualize/text": (3, "tables"),
     "visualize/plot": (4, "diagrams of benchmarks"),
+    "visualize/office": (4, "slides to edit"),
 }
 
 

@@ -24,6 +24,7 @@ PACKAGES = {
     "librsvg2-bin": ("rsvg-convert",),
     "poppler-utils": ("pdfinfo", "pdftocairo", "pdftoppm", "pdftotext"),
     "qpdf": ("qpdf",),
+    "blahtexml": ("blahtexml",),
     "zsh": ("zsh",),
     "fish": ("fish",),
     "groff-base": ("groff", "troff", "grotty", "preconv"),

@@ -113,6 +113,18 @@ def topic_headers(topic, root=ROOT):
     return sorted((root / "algorithms" / topic.path).glob("*.hpp"))
 
 
+def precompiled(folder, compiler, *flags, headers=()):
+    """Flags for compilations with these flags, that need not read the packages' headers (and these of ours) again:
+    those that headers of the algorithms include."""
+    found = {name for header in (ROOT / "algorithms").rglob("*.hpp")
+             for name in re.findall(r"^#include (<[\w./]+>)", header.read_text(encoding="utf-8"), re.MULTILINE)}
+    name = pathlib.Path(folder) / f"precompiled_{len(list(pathlib.Path(folder).glob('precompiled_*.hpp')))}.hpp"
+    name.write_text("".join(f"#include {header}\n" for header in [*sorted(h for h in found if not h.startswith("<hwy/")),
+                                                                  *(f'"{header}"' for header in headers)]), encoding="utf-8")
+    run(compiler, *flags, "-x", "c++-header", name, "-o", f"{name}.gch")
+    return ["-include", name]
+
+
 def compilers():
     """The compiler of the build, and those of the two kinds that are here."""
     found = {}

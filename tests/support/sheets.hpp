@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,10 +14,12 @@
 
 namespace gradus::test {
 
+/// All texts but the rims, which lie below their own.
 inline std::vector<const TextShape*> texts_of(const Sheet& sheet) {
   std::vector<const TextShape*> texts;
   for (const Shape& shape : sheet.shapes) {
-    if (const TextShape* text = std::get_if<TextShape>(&shape.what)) texts.push_back(text);
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (text && !text->is_rim()) texts.push_back(text);
   }
   return texts;
 }
@@ -79,6 +82,32 @@ inline Box extent_of(const Shape& shape) {
 
 inline Box united(const Box& a, const Box& b) {
   return box_around({{a.x, a.y}, {a.right(), a.bottom()}, {b.x, b.y}, {b.right(), b.bottom()}});
+}
+
+/// Whether a shape of the drawing is one of its marks: no axis, grid, guide, tinted region, text or leader.
+inline bool is_mark(const Shape& shape) {
+  if (shape.slot != Slot::drawing || shape.id.starts_with("leader ") || shape.id.starts_with("overview"))
+    return false;
+  if (shape.id == "colours") return true;
+  if (std::holds_alternative<TextShape>(shape.what) || std::holds_alternative<AreaShape>(shape.what))
+    return false;
+  const std::optional<Role> role = role_of(shape);
+  return role && *role != Role::guide && shape.id != "centres";
+}
+
+/// How far the marks of a slide reach, as parts of what they shall: 54 % of its width, or 90 % of the height
+/// between title and sentence. At least 1 is enough.
+inline double reach_of(const Sheet& sheet) {
+  std::optional<Box> marks;
+  double top = 0, bottom = sheet.height;
+  for (const Shape& shape : sheet.shapes) {
+    const Box box = extent_of(shape);
+    if (shape.slot == Slot::title) top = std::max(top, box.bottom());
+    if (shape.slot == Slot::sentence) bottom = std::min(bottom, box.y);
+    if (is_mark(shape)) marks = marks ? united(*marks, box) : box;
+  }
+  if (!marks) return 0;
+  return std::max(marks->width / (0.54 * sheet.width), marks->height / (0.9 * (bottom - top)));
 }
 
 /// Recorded once for all tests of a program.

@@ -19,4 +19,7 @@ extern "C" {
 [[gnu::flatten]] void machine_code_late_update(ivec2 center, int radius) {
   circle::late_update(center, radius, set_pixel);
 }
+[[gnu::flatten]] void machine_code_eight_plots(ivec2 center, int radius) {
+  circle::eight_plots(center, radius, set_pixel);
+}
 }

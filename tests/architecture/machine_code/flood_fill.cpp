@@ -23,10 +23,10 @@ extern "C" {
   return fill::recursive(seed, is_inside, set_pixel).painted;
 }
 [[gnu::flatten]] std::int64_t machine_code_recurse(ivec2 seed) {
-  fill::Recursion all{is_inside, set_pixel, fill::Connectivity::four};
+  fill::Area area{is_inside, set_pixel, fill::ways(fill::Connectivity::four)};
   gradus::Unobserved nobody;
-  recurse(all, seed, seed, nobody);
-  return all.depth.painted;
+  recurse(area, seed, seed, nobody);
+  return area.depth.painted;
 }
 [[gnu::flatten]] std::int64_t machine_code_unchecked_seed(gradus::Raster<int>& raster, ivec2 seed) {
   const auto done = fill::unchecked_seed(raster, seed, 1);

@@ -1,6 +1,7 @@
 // Every method of sutherland_hodgman as a function of its own; see machine_code_test.py.
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 
 using namespace gradus::sutherland_hodgman;
@@ -15,8 +16,8 @@ extern "C" {
   polygon = clip(polygon, std::span<const Plane<double>>(planes, count));
 }
 void machine_code_cut_at_border(std::span<const Vertex<double>> polygon, int border,
-                                const Scene<double, gradus::Rectangle<double>>& scene, Corners& result) {
-  result = cut_at_border(polygon, border, scene);
+                                const Scene<double, gradus::Rectangle<double>>& scene, Kept<double>& kept) {
+  cut_at_border(polygon, ExactBorder{scene, border}, kept);
 }
 void machine_code_split_at(int border, std::vector<Ring<double>>& rings,
                            const Scene<double, ConvexWindow<double>>& scene) {

@@ -20,6 +20,7 @@
 #include "benchmark/subject.hpp"
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_batch.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "core/random.hpp"

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "figure/figure.hpp"
+#include "figure/number_text.hpp"
+#include "figure/which_steps.hpp"
 #include "stories/topic.hpp"
 #include "support/claims.hpp"
 #include "support/odd_arguments.hpp"
@@ -86,7 +88,7 @@ class Judge {
  private:
   void step(const TraceStep& step) {
     text("sentence", step.sentence);
-    const test::Claims found = test::claims_in(step.sentence);
+    const test::Claims found = test::claims_in(with_decimal_points(step.sentence));
     claims_ += found.checked;
     for (const std::string& broken : found.broken) complain("false {}", broken);
     for (const Field& field : step.fields) value(field);

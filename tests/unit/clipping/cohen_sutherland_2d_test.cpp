@@ -75,8 +75,11 @@ TEST(CohenSutherland2d, EachCutClearsABit) {
       const Found found = clip(Segment<2, double>{{c(1), c(5)}, {c(11), c(23)}}, seen);
       const auto cuts = all<Cut<double>>(seen);
       ASSERT_LE(cuts.size(), 4u);
+      const auto start = all<Classified<double>>(seen).at(0);
+      std::array<Code, 2> before{start.code_a, start.code_b};
       for (const Cut<double>& cut : cuts) {
-        ASSERT_TRUE(cut.before & bit(cut.border));
+        ASSERT_TRUE(before[cut.of_a ? 0 : 1] & bit(cut.border));
+        before = {cut.code_a, cut.code_b};
         ASSERT_FALSE(cut.after() & bit(cut.border));
         ASSERT_EQ(cut.to()[axis_of(cut.border)], coordinate(ten, cut.border));
       }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
+#include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"

@@ -11,7 +11,7 @@
 
 #include "core/random.hpp"
 #include "core/record.hpp"
-#include "pipeline.hpp"
+#include "pipeline_notes.hpp"
 #include "scene/files.hpp"
 #include "scene/framing.hpp"
 #include "support/seed.hpp"
@@ -330,6 +330,109 @@ TEST(Chain, TooMuchLightIsWhite) {
   EXPECT_EQ((render(scene, {4, 4}, seen)[{2, 2}]), (Rgba8{255, 188, 0, 255}));
   const auto written = all<Written>(seen);
   EXPECT_TRUE(std::ranges::any_of(written, &Written::cut_off));
+}
+
+// The chain with one stage as lecture notes have it.
+
+/// The letter seen from so near that parts of it lie behind the eye.
+Scene letter_from_near() {
+  Scene scene = scene_of(letter(), 40.0 / 28);
+  const dvec3 from{-0.2, 0.6, 0.35}, to{0.1, 0.2, 0};
+  scene.camera.frame = viewing::look_at(from, to, dvec3{0, 1, 0});
+  scene.camera = with_depths(scene.camera, bounds_of(scene));
+  scene.lights = default_lights(scene.camera);
+  return scene;
+}
+
+/// A square that fills the picture, cut along the diagonal.
+Scene filling_square() {
+  Scene scene = scene_of(model("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"), 1);
+  scene.camera.frame = viewing::look_at(dvec3{0, 0, 1}, dvec3{0, 0, 0}, dvec3{0, 1, 0});
+  scene.camera.lens = {radians_from_degrees(90), 0.5, 10};
+  scene.lights = default_lights(scene.camera);
+  return scene;
+}
+
+TEST(ChainNotes, WithoutAFaultItIsTheChain) {
+  const Scene scene = letter_from_near();
+  EXPECT_EQ(render_with(Fault::none, scene, {40, 28}), render(scene, {40, 28}));
+}
+
+TEST(ChainNotes, CullingAfterTheDivisionMakesHoles) {
+  // E001-40: wrong about exactly those with an odd number of corners behind the eye
+  const Scene scene = letter_from_near();
+  Record right(1'000'000), wrong(1'000'000);
+  const Image whole = render(scene, {40, 28}, right);
+  const Image holed = render_with(Fault::cull_after_division, scene, {40, 28}, wrong);
+  const auto clip = all<Projected>(right);
+  const auto pieces = [&] {
+    std::vector<Piece> found;
+    for (const FaceRead& face : all<FaceRead>(right)) {
+      found.insert(found.end(), face.pieces.begin(), face.pieces.end());
+    }
+    return found;
+  }();
+  const auto faced = all<Faced>(right), divided = all<Faced>(wrong);
+  ASSERT_EQ(faced.size(), pieces.size());
+  ASSERT_EQ(divided.size(), pieces.size());
+  int misjudged = 0, culled = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    int behind = 0;
+    for (const PieceCorner& corner : pieces[i].corners) {
+      behind += clip[static_cast<std::size_t>(corner.vertex)].clip.at.w < 0;
+    }
+    const bool edge_on = faced[i].facing == back_face_culling::Facing::edge_on;
+    EXPECT_EQ(faced[i].facing != divided[i].facing, behind % 2 == 1 && !edge_on) << i;
+    misjudged += faced[i].facing != divided[i].facing;
+    culled += divided[i].removed && !faced[i].removed;
+  }
+  EXPECT_GT(misjudged, 0);
+  EXPECT_GT(culled, 0) << "front faces";
+  const auto background = [&](const Image& image) {
+    int count = 0;
+    for (int y = 0; y < 28; ++y) {
+      for (int x = 0; x < 40; ++x) count += image[{x, y}] == Rgba8{255, 255, 255, 255};
+    }
+    return count;
+  };
+  EXPECT_GT(background(holed), background(whole)) << "holes";
+}
+
+TEST(ChainNotes, ClosedHalfPlanesMakeFragmentsTwice) {
+  // E001-42: 36 + 36 fragments for 64 pixels. The depth buffer hides it: the pictures are the same
+  const Scene scene = filling_square();
+  Record right(10'000), wrong(10'000);
+  const Image once = render(scene, {8, 8}, right);
+  const Image twice = render_with(Fault::closed_half_planes, scene, {8, 8}, wrong);
+  EXPECT_EQ(all<Covered>(right).size(), 64u);
+  EXPECT_EQ(all<Covered>(wrong).size(), 72u);
+  EXPECT_EQ(once, twice);
+  std::map<std::pair<int, int>, int> times;
+  for (const Covered& c : all<Covered>(wrong)) ++times[{c.fragment.pixel.x, c.fragment.pixel.y}];
+  for (const auto& [pixel, count] : times) {
+    EXPECT_EQ(count, pixel.first + pixel.second == 7 ? 2 : 1) << pixel.first << " " << pixel.second;
+  }
+}
+
+TEST(ChainNotes, ExpandedEdgesLoseAndDoublePixels) {
+  // E001-43: in a tile 1e8 columns and rows from the origin
+  const Scene scene = scene_of(letter(), 40.0 / 28);
+  Record right(1'000'000), wrong(1'000'000);
+  render(scene, {40, 28}, right);
+  render_with(Fault::expanded_edges, scene, {40, 28}, wrong);
+  const auto pixels = [](const Record& record) {
+    std::set<std::tuple<int, int, int>> found;
+    for (const Covered& c : all<Covered>(record)) {
+      found.emplace(c.fragment.triangle, c.fragment.pixel.y, c.fragment.pixel.x);
+    }
+    return found;
+  };
+  const auto exact = pixels(right), rounded = pixels(wrong);
+  std::vector<std::tuple<int, int, int>> lost, extra;
+  std::ranges::set_difference(exact, rounded, std::back_inserter(lost));
+  std::ranges::set_difference(rounded, exact, std::back_inserter(extra));
+  EXPECT_FALSE(lost.empty());
+  EXPECT_FALSE(extra.empty());
 }
 
 }  // namespace

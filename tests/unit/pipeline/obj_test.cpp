@@ -23,6 +23,7 @@
 #include "core/refusal.hpp"
 #include "scene/files.hpp"
 #include "scene/materials.hpp"
+#include "scene/obj_notes.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -653,6 +654,97 @@ TEST(ObjConformance, EveryModelIsReadWithItsCountsOrRefusedWithAReason) {
   EXPECT_EQ(read + reasons, 71);
   EXPECT_GT(compared, 1500);
   std::printf("%d models read, %d refused, %d faces compared\n", read, reasons, compared);
+}
+
+// What the loader of lecture notes makes of what ours reads: each fault alone, beside the right one.
+
+const std::string triangle_and_normal = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+const std::string one_face = "f 1//1 2//1 3//1\n";
+
+/// The name and the colour of the last face's material, or why there is none.
+std::string material_of_notes(const std::string& text, const std::string& library) {
+  const std::vector<NotesFace> faces = notes_faces(triangle_and_normal + text, library);
+  if (faces.empty()) return "no face";
+  const NotesFace& face = faces.back();
+  return face.failure.empty() ? fmt::format("{} {}", face.material, face.colour.x) : face.failure;
+}
+std::string material_of_ours(const std::string& text, const std::string& library) {
+  const ModelFile m = parse("mtllib m.mtl\n" + triangle_and_normal + text, {{"m.mtl", library}});
+  const Material& material = m.mesh.materials[static_cast<std::size_t>(m.mesh.faces.back().material)];
+  return fmt::format("{} {}", material.name, material.diffuse.r);
+}
+
+TEST(ObjNotes, NamesOfMaterialsKeepTheirLineEnds) {
+  // E002-16
+  const std::string use = "usemtl red\n" + one_face;
+  EXPECT_EQ(material_of_notes(use, red), "red\n 1") << "both have the same line end";
+  EXPECT_EQ(material_of_ours(use, red), "red 1");
+  struct {
+    std::string use, library, notes, ours;
+  } cases[] = {
+      {"usemtl red \n", red, "there is no material 'red'", "red 1"},
+      {"usemtl red\n", "newmtl red \nKd 1 0 0\n", "there is no material 'red\\n'", "red 1"},
+      {"usemtl  red\n", red, "there is no material ''", "red 1"},
+      {"usemtl dark red\n", "newmtl dark red\nKd 1 0 0\n", "there is no material 'dark'", "dark red 1"},
+      {"usemtl red\n", "newmtl dark red\nKd 1 0 0\n", "red\n 1", "red 0.7"}};  // found: it is another
+  for (const auto& c : cases) {
+    EXPECT_EQ(material_of_notes(c.use + one_face, c.library), c.notes) << c.use << c.library;
+    EXPECT_EQ(material_of_ours(c.use + one_face, c.library), c.ours) << c.use << c.library;
+  }
+  // Opened as text, CR LF is hidden
+  EXPECT_EQ(material_of_notes("usemtl red\r\n" + one_face, red), "red\n 1");
+  EXPECT_EQ(material_of_ours("usemtl red\r\n" + one_face, red), "red 1");
+}
+
+TEST(ObjNotes, TheDefaultMaterialIsNeverTheCurrentOne) {
+  // E002-17
+  EXPECT_EQ(material_of_notes(one_face, ""), "there is no material ''");
+  EXPECT_EQ(material_of_ours(one_face, ""), "default 0.7");
+  // It is registered, under a name that is found only with nothing behind it, line end included
+  EXPECT_EQ(material_of_notes("usemtl default \n" + one_face, ""), "default 1");
+}
+
+TEST(ObjNotes, CornersOfOneFormOnly) {
+  // E002-18
+  const std::string five = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 1.5 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
+  const auto made = [&](const std::string& face) {
+    return notes_faces(five + "usemtl red\n" + face, "newmtl red\nKd 1 0 0\n").back();
+  };
+  const auto ours = [&](const std::string& face) {
+    std::vector<int> positions;
+    for (const Corner& c : corners(parse(five + face), 0)) positions.push_back(c.position);
+    return positions;
+  };
+  using Triangles = std::vector<std::array<int, 3>>;
+  using Vertices = std::vector<int>;
+  EXPECT_EQ(made("f 1//1 2//1 3//1\n").triangles, (Triangles{{0, 1, 2}}));
+  EXPECT_EQ(made("f 1/1/1 2/1/1 3/1/1\n").triangles, (Triangles{{0, 1, 2}}));
+  // G002-15: a quad is two triangles
+  EXPECT_EQ(made("f 1//1 2//1 3//1 5//1\n").triangles, (Triangles{{0, 1, 2}, {2, 4, 0}}));
+  // No third field
+  for (const char* face : {"f 1 2 3\n", "f 1/1 2/1 3/1\n"}) {
+    EXPECT_EQ(made(face).failure, "a corner has no third field") << face;
+    EXPECT_EQ(ours(face), (Vertices{0, 1, 2})) << face;
+  }
+  // -5 is the first of five; it becomes -6
+  EXPECT_EQ(made("f -5//1 -4//1 -3//1\n").triangles, (Triangles{{-6, -5, -4}}));
+  EXPECT_EQ(ours("f -5//1 -4//1 -3//1\n"), (Vertices{0, 1, 2}));
+  EXPECT_EQ(made("f 1//-1 2//-1 3//-1\n").failure, "there is no normal '-1'");
+  EXPECT_EQ(ours("f 1//-1 2//-1 3//-1\n"), (Vertices{0, 1, 2}));
+  // More than four corners
+  const NotesFace dropped = made("f 1//1 2//1 3//1 4//1 5//1\n");
+  EXPECT_TRUE(dropped.triangles.empty());
+  EXPECT_EQ(dropped.failure, "") << "without a word";
+  EXPECT_EQ(ours("f 1//1 2//1 3//1 4//1 5//1\n"), (Vertices{0, 1, 2, 3, 4}));
+}
+
+TEST(ObjNotes, EndsAtTheFirstFailure) {
+  const auto faces = notes_faces(triangle_and_normal + "usemtl red\n" + one_face + "f 1 2 3\n" + one_face,
+                                 "newmtl red\nKd 1 0 0\n");
+  ASSERT_EQ(faces.size(), 2u);
+  EXPECT_EQ(faces[0].line, 6);
+  EXPECT_EQ(faces[1].line, 7);
+  EXPECT_TRUE(notes_faces("", "").empty());
 }
 
 }  // namespace

@@ -79,6 +79,26 @@ TEST(Viewing, ATurnedCameraHasItsAxesAsRows) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(to_view(frame, rows[i]), instead[i]);
 }
 
+TEST(ViewingNotes, ThreeByThreeHasTwoReadings) {
+  // E000-06, G000-05, G000-06: three points in rows are taken for three in columns
+  const DFrame frame{{1, 1, 1}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  const auto seen = [&](const std::vector<dvec3>& points) {
+    std::vector<dvec3> places;
+    for (const dvec3 p : points) places.push_back(to_view(frame, p));
+    return places;
+  };
+  const std::vector<std::vector<double>> square{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  EXPECT_EQ(seen(points_of_block(square)), (std::vector<dvec3>{{-3, 0, 6}, {-4, 1, 7}, {-5, 2, 8}}));
+  // What was meant, point by point
+  EXPECT_EQ(seen({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}),
+            (std::vector<dvec3>{{-1, 0, 2}, {-4, 3, 5}, {-7, 6, 8}}));
+  // Any other number of points can be told apart
+  EXPECT_EQ(points_of_block<double>({{1, 4}, {2, 5}, {3, 6}}), (std::vector<dvec3>{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(points_of_block<double>({{1, 2, 3}, {4, 5, 6}}), (std::vector<dvec3>{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_THROW(points_of_block<double>({{1, 2}, {3, 4}}), ContractViolation);
+  EXPECT_THROW(points_of_block<double>({}), ContractViolation);
+}
+
 TEST(Viewing, TheLastColumnIsNotThePosition) {
   // E000-04, G004-01: what is called a translation is the eye; the column is minus its products
   const glm::dmat4 right = world_to_view(along_x);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -204,8 +205,7 @@ TEST(BresenhamCircle, WindowOnTheLargestCircles) {
 }
 
 TEST(BresenhamCircle, WhereInt32WouldOverflow) {
-  // The first SE step of a radius: y falls when x reaches first_at_most - 1; its increment is the lowest of
-  // all
+  // The first SE step of a radius has the lowest increment of all: y falls when x reaches first_at_most - 1
   const auto first_increment = [](int radius) {
     return 4 * (first_at_most(radius, radius - 1) - 1 - std::int64_t{radius}) + 10;
   };
@@ -268,8 +268,54 @@ TEST(BresenhamCircleNotes, LateUpdateByTheNumbersOfItsSteps) {
   }));
 }
 
+/// How often each pixel is set.
+std::map<std::pair<int, int>, int> times_set(int radius) {
+  Pixels pixels;
+  eight_plots({0, 0}, radius, Plotter{pixels});
+  std::map<std::pair<int, int>, int> times;
+  for (const auto& pixel : pixels) ++times[pixel];
+  return times;
+}
+
+TEST(BresenhamCircleNotes, EightPlotsSetExactlyTheSharedPixelsAgain) {
+  // E001-06: the right circle; what its two octants share is set by both
+  int past_the_diagonal = 0;
+  for (int radius = 1; radius <= 2000; ++radius) {
+    const auto times = times_set(radius);
+    const Pixels once = drawn({0, 0}, radius);
+    ASSERT_EQ(times.size(), once.size()) << radius;
+    const Pixels walked = octant(radius);
+    const auto [last_x, last_y] = walked.back();
+    past_the_diagonal += last_x > last_y;
+    for (const auto& [pixel, count] : times) {
+      const int x = std::abs(pixel.first), y = std::abs(pixel.second);
+      const bool shared = x == 0 || y == 0 || x == y;
+      const bool past = last_x > last_y && std::max(x, y) == last_x && std::min(x, y) == last_y;
+      ASSERT_EQ(count, (shared ? 2 : 1) * (past ? 2 : 1)) << radius << ": " << x << ", " << y;
+    }
+    for (const auto& pixel : once) ASSERT_TRUE(times.contains(pixel)) << radius;
+  }
+  EXPECT_EQ(past_the_diagonal, 1000);
+}
+
+TEST(BresenhamCircleNotes, EightPlotsInNumbers) {
+  const auto plots = [](int radius) {
+    int count = 0;
+    for (const auto& [pixel, times] : times_set(radius)) count += times;
+    return count;
+  };
+  EXPECT_EQ(plots(10), 64);
+  EXPECT_EQ(drawn({0, 0}, 10).size(), 56u);
+  EXPECT_EQ(plots(0), 8);
+  EXPECT_EQ(drawn({0, 0}, 0).size(), 1u);
+  CircleRecorder seen;
+  eight_plots({0, 0}, 10, nowhere, seen);
+  EXPECT_EQ(all<Finished>(seen).at(0).pixels, 64);
+  EXPECT_EQ(places(seen), octant(10)) << "the right places";
+}
+
 TEST(BresenhamCircleNotes, EightPlotsAPlaceRepeatPixels) {
-  // E001-06
+  // E001-06, in the listing as printed
   EXPECT_EQ(drawn_late(0).size(), 8u);
   EXPECT_EQ(as_set(drawn_late(0)).size(), 1u);
   EXPECT_EQ(drawn_late(1).size(), 16u);

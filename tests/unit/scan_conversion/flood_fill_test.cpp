@@ -357,11 +357,11 @@ TEST(FloodFillNotes, AnUncheckedSeedPaintsAnotherRow) {
   EXPECT_GT(outside_memory, 50);
   EXPECT_GT(elsewhere, 50);
   // The numbers of the errata
-  Maze told = picture();
-  EXPECT_EQ(unchecked_seed(told, {-1, 2}, 'x')->painted, 11);
-  EXPECT_EQ(maze_text(told), "xxx#....\nx#x#.##x\nx#x#.#..\nxxx#....\n");
-  EXPECT_THROW(fill_raster(told, {-1, 2}, 'x'), ContractViolation);
-  EXPECT_THROW(unchecked_seed(told, {INT32_MAX, 0}, 'x'), ContractViolation);
+  Maze wrong = picture();
+  EXPECT_EQ(unchecked_seed(wrong, {-1, 2}, 'x')->painted, 11);
+  EXPECT_EQ(maze_text(wrong), "xxx#....\nx#x#.##x\nx#x#.#..\nxxx#....\n");
+  EXPECT_THROW(fill_raster(wrong, {-1, 2}, 'x'), ContractViolation);
+  EXPECT_THROW(unchecked_seed(wrong, {INT32_MAX, 0}, 'x'), ContractViolation);
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ void* run_depth_first(void* canvas) {
   return nullptr;
 }
 
-/// Whether an empty canvas of n x n is filled from its corner on a stack of 8 MiB. In a child, since it may
-/// crash.
+/// Whether an empty canvas of n x n is filled from its corner on a stack of 8 MiB.
+/// In a child process, since it may crash.
 bool survives(void* (*run)(void*), int n) {
   const pid_t child = fork();
   if (child == 0) {

@@ -7,7 +7,9 @@
 
 #include <vector>
 
+#include "core/random.hpp"
 #include "core/record.hpp"
+#include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
 
 namespace gradus::triangle_coverage {
 namespace {
@@ -121,6 +123,113 @@ TEST(TriangleCoverage, PerspectiveCorrectMidpoint) {
   EXPECT_DOUBLE_EQ(barycentric({1, 1, 0}).y, 0.5);
   // Nearly all weight on a corner close to the eye: no 0/0
   EXPECT_NEAR(perspective_correct({1, 1, 0}, {1e8, 1, 1}).x, 1, 1e-7);
+}
+
+Pixels closed(const Triangle& triangle, const Window& window) {
+  Pixels found;
+  closed_half_planes(triangle, window, [&](ivec2 p, const Weights&) { found.push_back(p); });
+  return found;
+}
+
+Pixels expanded_at(dvec2 origin, const Triangle& triangle, const Window& window) {
+  Pixels found;
+  expanded_edges(triangle, origin, window, [&](ivec2 p, const Weights&) { found.push_back(p); });
+  return found;
+}
+
+TEST(TriangleCoverageNotes, ClosedHalfPlanesDrawTheDiagonalTwice) {
+  // E001-42, G001-98: 36 + 36 for the 64 pixels of a square cut along its diagonal
+  const Triangle right_half = pixels({0, 0}, {8, 0}, {8, 8}), left_half = pixels({0, 0}, {8, 8}, {0, 8});
+  const Pixels first = closed(right_half, sheet), second = closed(left_half, sheet);
+  EXPECT_EQ(first.size(), 36u);
+  EXPECT_EQ(second.size(), 36u);
+  Pixels twice;
+  for (const ivec2 p : first) {
+    if (std::ranges::find(second, p) != second.end()) twice.push_back(p);
+  }
+  Pixels diagonal;
+  for (int i = 0; i < 8; ++i) diagonal.push_back({i, i});
+  EXPECT_THAT(twice, testing::UnorderedElementsAreArray(diagonal));
+  // By the rule for edges each comes once
+  EXPECT_EQ(covered(right_half, sheet).size() + covered(left_half, sheet).size(), 64u);
+}
+
+/// The doubled area of three points, in 1/65536 pixel.
+std::int64_t area_of(ivec2 a, ivec2 b, ivec2 c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+TEST(TriangleCoverageNotes, ClosedHalfPlanesAreTheClosedTriangle) {
+  Random random(20240611);
+  for (int i = 0; i < 300; ++i) {
+    // Corners on centres and between them, so that edges run through centres
+    const auto corner = [&] {
+      return ivec2{static_cast<int>(random() % 25) * 128, static_cast<int>(random() % 25) * 128};
+    };
+    const Triangle t{corner(), corner(), corner()};
+    Pixels expected;
+    for (int y = 0; y <= 15 && doubled_area(t) != 0; ++y) {
+      for (int x = 0; x <= 15; ++x) {
+        const ivec2 p = centre_of({x, y});
+        const std::int64_t whole = std::abs(doubled_area(t));
+        const std::int64_t parts = std::abs(area_of(t[0], t[1], p)) + std::abs(area_of(t[1], t[2], p)) +
+                                   std::abs(area_of(t[2], t[0], p));
+        if (parts == whole) expected.push_back({x, y});
+      }
+    }
+    EXPECT_EQ(closed(t, sheet), expected);
+    // Of these the rule leaves out centres on edges only
+    for (const ivec2 p : covered(t, sheet)) EXPECT_THAT(expected, testing::Contains(p));
+  }
+}
+
+TEST(TriangleCoverageNotes, ExpandedEdgesCancelFarFromTheOrigin) {
+  // E001-43: the place lies on the edge, 2 x 0.5 - 1 x 1 = 0
+  const ExpandedEdge far = expanded({1e8 + 1, 1e8}, {1e8 + 3, 1e8 + 1});
+  EXPECT_EQ(far.at({1e8 + 2, 1e8 + 0.5}), -1);
+  const ExpandedEdge near = expanded({1, 0}, {3, 1});
+  EXPECT_EQ(near.at({2, 0.5}), 0);
+  // Differences first are exact
+  const Edge edge{snap({1, 0}), snap({3, 1}), true};
+  EXPECT_EQ(edge.at(snap({2, 0.5})), 0);
+}
+
+TEST(TriangleCoverageNotes, ExpandedEdgesMisjudgeOnlyFarAway) {
+  Random random(20240611);
+  int differ = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto corner = [&] {
+      return ivec2{static_cast<int>(random() % 4096), static_cast<int>(random() % 4096)};
+    };
+    const Triangle t{corner(), corner(), corner()};
+    EXPECT_EQ(expanded_at({0, 0}, t, sheet), covered(t, sheet)) << "there the products are exact";
+    differ += expanded_at({1e8, 1e8}, t, sheet) != covered(t, sheet);
+  }
+  EXPECT_GT(differ, 100);
+}
+
+TEST(TriangleCoverageNotes, StepsAreThoseOfTheRightOne) {
+  const Triangle t = pixels({1, 3}, {4, 1}, {2, 5});
+  const auto nothing = [](ivec2, const Weights&) {};
+  Recorder<Prepared, Tested, Finished> right, open, wide;
+  cover(t, sheet, nothing, right);
+  closed_half_planes(t, sheet, nothing, open);
+  expanded_edges(t, {0, 0}, sheet, nothing, wide);
+  const auto weights = [](const auto& seen) {
+    std::vector<Weights> all_of_them;
+    for (const Tested& step : all<Tested>(seen)) all_of_them.push_back(step.weights);
+    return all_of_them;
+  };
+  EXPECT_EQ(weights(open), weights(right));
+  EXPECT_EQ(weights(wide), weights(right));
+  for (const auto* seen : {&open, &wide}) {
+    EXPECT_EQ(all<Prepared>(*seen).size(), 1u);
+    ASSERT_EQ(all<Finished>(*seen).size(), 1u);
+    EXPECT_EQ(all<Finished>(*seen)[0].tested, 12);
+  }
+  EXPECT_EQ(all<Finished>(wide)[0].covered, 4);
+  closed_half_planes(pixels({1, 1}, {5, 5}, {9, 9}), sheet, [](ivec2, const Weights&) { FAIL(); });
+  expanded_edges(pixels({1, 1}, {5, 5}, {9, 9}), {0, 0}, sheet, [](ivec2, const Weights&) { FAIL(); });
 }
 
 }  // namespace

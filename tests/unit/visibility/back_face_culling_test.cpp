@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "core/geometry.hpp"
+#include "core/random.hpp"
 #include "core/record.hpp"
 #include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
+#include "visibility/back_face_culling/back_face_culling_notes.hpp"
 
 namespace gradus::back_face_culling {
 namespace {
@@ -98,6 +101,52 @@ TEST(BackFaceCulling, StepsAndMistakes) {
   EXPECT_EQ(facing(glm::vec4{0, 0, 0, 1}, glm::vec4{1, 0, 0, 1}, glm::vec4{0, 1, 0, 1}), Facing::front);
   EXPECT_THROW(facing(V{std::numeric_limits<double>::quiet_NaN(), 0, 0, 1}, V{1, 0, 0, 1}, V{0, 1, 0, 1}),
                ContractViolation);
+}
+
+TEST(BackFaceCullingNotes, OneCornerBehindTheEyeTurnsTheAreaRound) {
+  // E001-40, G001-92: N.V0 = 2, which is the determinant, and -0.25 in the picture
+  const V a = clip({0, 0, 2}), b = clip({1, 0, 2}), c = clip({0, 1, -2});
+  EXPECT_EQ(glm::dot(dvec3(a.x, a.y, a.w), glm::cross(dvec3(b.x, b.y, b.w), dvec3(c.x, c.y, c.w))), 2);
+  EXPECT_EQ(area_after_division(a, b, c), -0.25);
+  EXPECT_EQ(facing_after_division(a, b, c), Facing::back);
+  EXPECT_EQ(facing(a, b, c), Facing::front);
+  // And the other way round: a back face that would be kept
+  EXPECT_EQ(facing_after_division(a, c, b), Facing::front);
+  EXPECT_EQ(facing(a, c, b), Facing::back);
+}
+
+TEST(BackFaceCullingNotes, WrongWithAnOddNumberOfCornersBehindTheEye) {
+  Random random(20240611);
+  int wrong = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto number = [&](std::uint64_t most) {
+      return static_cast<double>(random() % (2 * most + 1)) - static_cast<double>(most);
+    };
+    const auto corner = [&] {
+      const double w = number(8);
+      return V{number(20), number(20), 0, w == 0 ? 1 : w};
+    };
+    const V a = corner(), b = corner(), c = corner();
+    // Exact in doubles: whole numbers below 2^53. Areas round, and are left out where they are next to 0
+    const double determinant =
+        glm::dot(dvec3(a.x, a.y, a.w), glm::cross(dvec3(b.x, b.y, b.w), dvec3(c.x, c.y, c.w)));
+    if (determinant == 0) continue;
+    const bool odd = (a.w < 0) ^ (b.w < 0) ^ (c.w < 0);
+    EXPECT_EQ(facing(a, b, c), determinant > 0 ? Facing::front : Facing::back);
+    EXPECT_EQ(facing_after_division(a, b, c) != facing(a, b, c), odd);
+    wrong += odd;
+  }
+  EXPECT_GT(wrong, 500);
+}
+
+TEST(BackFaceCullingNotes, WithoutAPlaceInThePictureThereIsNoSide) {
+  EXPECT_EQ(facing_after_division(V{0, 0, 0, 0}, V{1, 0, 0, 1}, V{0, 1, 0, 1}), Facing::edge_on);
+  EXPECT_EQ(facing_after_division(V{0, 0, 0, 1}, V{1, 1, 0, 1}, V{2, 2, 0, 1}), Facing::edge_on);
+  Recorder<Tested<double>> seen;
+  facing_after_division(V{0, 0, 0, 1}, V{0, 1, 0, 1}, V{1, 0, 0, 1}, seen);
+  ASSERT_EQ(seen.seen(), 1u);
+  EXPECT_EQ(all<Tested<double>>(seen)[0].sign, -1);
+  EXPECT_EQ(all<Tested<double>>(seen)[0].facing, Facing::back);
 }
 
 }  // namespace

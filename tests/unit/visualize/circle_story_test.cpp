@@ -44,6 +44,9 @@ struct ShownCircle {
     const auto found = marks.find(id);
     return found == marks.end() ? "" : std::get<Label>(found->second.shape).text;
   }
+  dvec2 place_of(StepNumber number, const std::string& id) {
+    return std::get<Dot>(playhead.at(index_of(trace, number)).marks().at(id).shape).at;
+  }
 };
 
 TEST(CircleStory, EightPixelsAStep) {
@@ -60,12 +63,19 @@ TEST(CircleStory, EightPixelsAStep) {
             (Pixels{{7, 4}, {7, -4}, {4, -7}, {-4, -7}, {-7, -4}, {-7, 4}, {-4, 7}}));
   EXPECT_EQ(shown.role({4, 0}, Role::past).size(), 4u + 3 * 8u);
   EXPECT_EQ(shown.step({3, 1}).sentence,
-            "x² + y² − r² is 1 at E and −12 at SE. The sum is p = −11 < 0: E is nearer.");
+            "x² + y² − r² is 1 at E and −12 at SE. The sum is p = −11 < 0, so the midpoint M lies inside "
+            "the circle and E is nearer.");
   EXPECT_EQ(shown.step({4, 0}).sentence,
-            "p = −11 < 0: E is nearer, so go to (x, y) = (4, 7); p = −11 + 4·3 + 6 = 7.");
-  EXPECT_EQ(shown.step({3, 0}).sentence,
-            "p = 3 > 0: SE is nearer, so go to (x, y) = (3, 7); p = 3 + 4·(2 − 8) + 10 = −11.");
+            "p = −11 < 0: the midpoint M lies inside the circle, so go E to (x, y) = (4, 7); p = −11 + 4·3 + "
+            "6 = 7.");
+  EXPECT_EQ(
+      shown.step({3, 0}).sentence,
+      "p = 3 > 0: the midpoint M lies outside the circle, so go SE to (x, y) = (3, 7); p = 3 + 4·(2 − 8) "
+      "+ 10 = −11.");
   EXPECT_EQ(shown.label({4, 0}, "error name"), "error 0.062");
+  // The midpoint that the sentence speaks of
+  EXPECT_EQ(shown.label({4, 0}, "midpoint name"), "M");
+  EXPECT_EQ(shown.place_of({4, 0}, "midpoint"), dvec2(4, 6.5));
   // The last step lies past the diagonal and draws nothing; the result is all
   EXPECT_TRUE(shown.role({6, 0}, Role::current).empty());
   EXPECT_EQ(shown.role({6, 0}, Role::accepted), (Pixels{{6, 5}}));
@@ -76,7 +86,7 @@ TEST(CircleStory, EightPixelsAStep) {
 TEST(CircleStory, EverySumOfASentenceIsTrue) {
   // Read back from the words: before + change = after
   int sums = 0;
-  for (const char* method : {"decision_parameter", "late_update"}) {
+  for (const char* method : {"decision_parameter", "late_update", "eight_plots"}) {
     const Trace trace = test::trace_of("bresenham_circle", {{"radius", "40"}, {"method", method}});
     for (const TraceStep& step : trace.steps) {
       if (step.type != "Stepped") continue;
@@ -158,9 +168,41 @@ TEST(CircleStory, TheLateUpdateSaysSo) {
   EXPECT_EQ(shown.role({2, 0}, Role::accepted), (Pixels{{2, 5}}));
   EXPECT_EQ(shown.role({2, 0}, Role::current), (Pixels{{2, 4}}));
   EXPECT_EQ(shown.label({3, 0}, "error name"), "error 0.757");
-  EXPECT_EQ(shown.step({3, 1}).sentence,
-            "The listing plots 32 times to draw 24 pixels; the worst is 0.757 away from the circle.");
+  EXPECT_EQ(
+      shown.step({3, 1}).sentence,
+      "The listing plots 32 times to draw 24 pixels; the worst of them lies 0.757 pixels from the circle.");
   EXPECT_EQ(shown.trace.telling, (StepNumber{3, 0}));
+}
+
+TEST(CircleStory, EightPlotsShowWhatIsSetAgain) {
+  ShownCircle shown(Given{{"radius", "10"}, {"method", "eight_plots"}});
+  EXPECT_EQ(shown.trace.faulty, "pixels on the axes, on the diagonals and past them are set again");
+  // Picture: what is set twice, by a plain walk over the ring
+  const Pixels axes{{-10, 0}, {0, -10}, {0, 10}, {10, 0}}, diagonals{{-7, -7}, {-7, 7}, {7, -7}, {7, 7}};
+  EXPECT_EQ(shown.role({0, 0}, Role::rejected), axes);
+  EXPECT_EQ(shown.role({6, 0}, Role::rejected), axes) << "they stay marked";
+  Pixels both = axes;
+  both.insert(diagonals.begin(), diagonals.end());
+  EXPECT_EQ(shown.role({7, 1}, Role::rejected), both);
+  // Table: how many of the eight come again
+  EXPECT_EQ(shown.step({0, 0}).row.at(4), "4");
+  EXPECT_EQ(shown.step({1, 0}).row.at(4), "0");
+  EXPECT_EQ(shown.step({1, 0}).read.at(4), "4") << "the row that is completed";
+  EXPECT_EQ(shown.step({7, 0}).row.at(4), "4");
+  // Sentences
+  EXPECT_EQ(shown.step({7, 0}).sentence,
+            "p = 11 > 0: go SE to (x, y) = (7, 7); p = 11 + 4·(6 − 8) + 10 = 13. Eight plots, but 4 fall on "
+            "pixels that are already set.");
+  EXPECT_EQ(shown.step({7, 1}).sentence,
+            "64 plots for 56 pixels: 8 of them come again. Blending counts such a pixel twice, and XOR "
+            "erases it.");
+  EXPECT_EQ(shown.trace.telling, (StepNumber{7, 0}));
+  // Radius 0: one pixel, eight times
+  ShownCircle point(Given{{"radius", "0"}, {"method", "eight_plots"}});
+  EXPECT_EQ(point.role({0, 0}, Role::rejected), (Pixels{{0, 0}}));
+  EXPECT_EQ(point.step({0, 0}).row.at(4), "7");
+  EXPECT_EQ(point.step({0, 1}).sentence,
+            "8 plots for 1 pixel: it is set again 7 times. Blending counts each of them, and XOR erases it.");
 }
 
 TEST(CircleStory, SpeaksInTheReadersNotationAndLanguage) {
@@ -168,17 +210,21 @@ TEST(CircleStory, SpeaksInTheReadersNotationAndLanguage) {
   recording.wording = Wording(*find_language("de"), {{"p", "d"}, {"SE", "S"}, {"x", "u"}, {"r", "R"}});
   ShownCircle shown(Given{{"radius", "8"}}, recording);
   EXPECT_EQ(shown.trace.title, "Bresenham-Kreis");
-  EXPECT_EQ(shown.step({2, 1}).sentence,
-            "u² + y² − R² ist 9 bei E und −6 bei S. Die Summe ist d = 3 > 0: S ist näher.");
-  EXPECT_EQ(shown.step({3, 0}).sentence,
-            "d = 3 > 0: S ist näher, also weiter zu (u, y) = (3, 7); d = 3 + 4·(2 − 8) + 10 = −11.");
+  EXPECT_EQ(
+      shown.step({2, 1}).sentence,
+      "u² + y² − R² ist 9 bei E und −6 bei S. Die Summe ist d = 3 > 0, also liegt die Mitte M außerhalb "
+      "des Kreises, und S ist näher.");
+  EXPECT_EQ(
+      shown.step({3, 0}).sentence,
+      "d = 3 > 0: Die Mitte M liegt außerhalb des Kreises, also weiter nach S zu (u, y) = (3, 7); d = 3 + "
+      "4·(2 − 8) + 10 = −11.");
   EXPECT_EQ(shown.step({3, 0}).read.at(4), "d > 0");
   EXPECT_EQ(shown.step({3, 0}).read.at(5), "S");
   EXPECT_EQ(shown.label({3, 0}, "chosen name"), "S gewählt");
   EXPECT_EQ(shown.label({2, 1}, "diagonal move name"), "S");
   const auto radius = std::ranges::find(shown.trace.backdrop, "radius name", &Mark::id);
   ASSERT_NE(radius, shown.trace.backdrop.end());
-  EXPECT_EQ(std::get<Label>(radius->shape).text, "R = 8");
+  EXPECT_EQ(std::get<Text>(radius->shape).text, "R = 8");
   // The source is the source
   EXPECT_TRUE(std::ranges::any_of(shown.trace.listing, [](const SourceLine& line) {
     return line.text.find("p += 4 * (x - y) + 10;") != std::string::npos;
@@ -193,6 +239,8 @@ TEST(CircleStory, BothLanguagesTellEveryKindOfStep) {
     for (const auto& given : std::vector<Given>{{{"radius", "0"}},
                                                 {{"radius", "5"}},
                                                 {{"radius", "5"}, {"method", "late_update"}},
+                                                {{"radius", "5"}, {"method", "eight_plots"}},
+                                                {{"radius", "0"}, {"method", "eight_plots"}},
                                                 {{"radius", "9"}, {"window", "0,0,20,20"}},
                                                 {{"radius", "9"}, {"window", "-2,-2,2,2"}}}) {
       const Trace trace = test::trace_of("bresenham_circle", given, recording);

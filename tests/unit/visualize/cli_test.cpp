@@ -142,7 +142,7 @@ TEST(Steps, Numbers) {
   for (const char* text : {"", "-1", "4.", ".1", "4.0", "x", "1e3", "4.1.2", "99999999999999999999",
                            "4.9999999999", "+4", "1000000000000001"}) {
     EXPECT_EQ(complaint([text] { read_step(text); }),
-              std::string("--step: expected a step like 4 or 4.1, found '") + text + "'");
+              std::string("--step: expected a step like 4 or 4.1, or last, found '") + text + "'");
   }
 }
 
@@ -508,6 +508,7 @@ std::vector<std::string> random_flags(std::mt19937& random) {
       {"--paper", "letter", "a4"},
       {"--seconds-per-step", "0.04", "1.5", "2.25"},
       {"--hold-last", "5", "3", "0.5"},
+      {"--transition", "none", "0.3", "0.04", "None"},
       {"--fps", "30", "25", "60"},
       {"--loop", "0", "1", "65535"},
       {"--label", "p=d", "NE=T", "E = go east", "x=--x", "k=i=j", "dx=Δx"}};
@@ -571,6 +572,7 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
     ASSERT_EQ(again.paper.name, spec.paper.name) << command;
     ASSERT_EQ(again.film.seconds_per_step, spec.film.seconds_per_step) << command;
     ASSERT_EQ(again.film.hold_last, spec.film.hold_last) << command;
+    ASSERT_EQ(again.film.transition, spec.film.transition) << command;
     ASSERT_EQ(again.film.fps, spec.film.fps) << command;
     ASSERT_EQ(again.film.loop, spec.film.loop) << command;
     ASSERT_EQ(again.step, spec.step) << command;

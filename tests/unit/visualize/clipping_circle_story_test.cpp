@@ -60,11 +60,11 @@ void expect_field(const Field& field) {
   if (const double* x = std::get_if<double>(&field.value)) EXPECT_TRUE(std::isfinite(*x)) << field.name;
 }
 
-/// "… = 3 < 5; …": whether that is so. The number of such claims.
+/// "… = 3 < 5, so …": whether that is so. The number of such claims.
 int expect_true(std::string sentence) {
   for (std::size_t at; (at = sentence.find("−")) != std::string::npos;) sentence.replace(at, 3, "-");
   for (std::size_t at; (at = sentence.find("≈")) != std::string::npos;) sentence.replace(at, 3, "~");
-  static const std::regex claim("= ([-0-9.e+]+) ([<=>~]) ([-0-9.e+]+)(;| vorbei;)");
+  static const std::regex claim("[=~] ([-0-9.e+]+) ([<=>~]) ([-0-9.e+]+)(, so| vom)");
   std::smatch found;
   if (!std::regex_search(sentence, found, claim)) return 0;
   const double a = std::strtod(found[1].str().c_str(), nullptr),
@@ -166,7 +166,7 @@ TEST(ClippingCircleStory, WhatSquaresOfSquaresCannotHoldIsRefused) {
                   .starts_with("circle: expected numbers that a scale can tell apart, found a scale from "));
   const Trace far =
       test::trace_of("liang_barsky_circle", {{"line", "1e200,-3,-1,3"}, {"method", "exact_decision"}});
-  EXPECT_EQ(far.steps.back().sentence, "Done: kept is (4,\u00a03) to (−1,\u00a03).");
+  EXPECT_EQ(far.steps.back().sentence, "The circle keeps (4,\u00a03) to (−1,\u00a03).");
 }
 
 // A scale of length 0, and 2.3e-290/1e+18 = 0
@@ -185,20 +185,20 @@ TEST(ClippingCircleStory, NumbersNearTheSmallestAreNot0) {
       refused);
   const Trace near =
       test::trace_of("liang_barsky_circle", {{"line", "-9.32e-236,2.3e-308,-1e+18,-2.3e-308"}});
-  EXPECT_NE(near.steps.at(1).sentence.find("= 2.3e-290/1e+18 = 2.3e-308 < 5;"), std::string::npos)
+  EXPECT_NE(near.steps.at(1).sentence.find("= 2.3e-290/1e+18 = 2.3e-308 < 5, so"), std::string::npos)
       << near.steps.at(1).sentence;
 }
 
 TEST(ClippingCircleStory, NearTangentsAreToldByD) {
   // Four digits say that the line passes at the radius
   const Trace near = test::trace_of("liang_barsky_circle", {{"line", "-9,4.9999999,9,4.9999999"}});
-  EXPECT_NE(near.steps.at(1).sentence.find("= 5 ≈ 5; so D = "), std::string::npos)
+  EXPECT_NE(near.steps.at(1).sentence.find("≈ 5 ≈ 5, so D = "), std::string::npos)
       << near.steps.at(1).sentence;
-  EXPECT_NE(near.steps.at(1).sentence.find("> 0, and it crosses"), std::string::npos);
+  EXPECT_NE(near.steps.at(1).sentence.find("> 0: it crosses"), std::string::npos);
   // Half the chord has lost its digits
   const Trace lost = test::trace_of("liang_barsky_circle", {{"line", "-1e16,4,1e16,4"}});
   EXPECT_NE(
-      lost.steps.back().sentence.find("without rounding on the way (−3,\u00a04) to (3,\u00a04) is right"),
+      lost.steps.back().sentence.find("without rounding on the way it would be (−3,\u00a04) to (3,\u00a04)"),
       std::string::npos)
       << lost.steps.back().sentence;
 }
@@ -232,11 +232,11 @@ TEST(ClippingCircleStory, AreasBeyondDoublesAreTold) {
     return test::trace_of("polygon_circle", {{"polygon", fmt::format("0,0 {0},0 {0},{0} 0,{0}", size)},
                                              {"circle", fmt::format("0,0,{}", size)}});
   };
-  EXPECT_EQ(last("2").steps.back().sentence, "Done: 1 piece, of area 3.142.");
-  EXPECT_EQ(last("2e100").steps.back().sentence, "Done: 1 piece, of area 3.14e+200.");
+  EXPECT_EQ(last("2").steps.back().sentence, "1 piece is left, with an area of 3.142.");
+  EXPECT_EQ(last("2e100").steps.back().sentence, "1 piece is left, with an area of 3.14e+200.");
   const Trace large = last("2e200"), small = last("2e-200");
-  EXPECT_EQ(large.steps.back().sentence, "Done: 1 piece, of area 3.14e+400.");
-  EXPECT_EQ(small.steps.back().sentence, "Done: 1 piece, of area 3.14e-400.");
+  EXPECT_EQ(large.steps.back().sentence, "1 piece is left, with an area of 3.14e+400.");
+  EXPECT_EQ(small.steps.back().sentence, "1 piece is left, with an area of 3.14e-400.");
   EXPECT_EQ(std::get<std::string>(large.result.at(0).value), "3.14e+400");
   EXPECT_EQ(std::get<std::string>(small.result.at(0).value), "3.14e-400");
 }

@@ -95,7 +95,7 @@ TEST(FactorText, StoriesRefuseWhatHasNoInverse) {
 TEST(FactorText, StoriesSayWhatTheAlgorithmsDo) {
   const TopicEntry& topic = *find_entry("affine_2d");
   const Trace trace = trace_of(
-      topic, {{"factors", "translate 2,0; rotate 90"}, {"polygon", "1,0 2,0 2,1"}, {"compare", "reversed"}});
+      topic, {{"factors", "translate 2,0; rotate 90"}, {"polygon", "1,0 2,0 2,1"}, {"orders", "both"}});
   EXPECT_EQ(trace.last, 4);
   EXPECT_EQ(trace.steps.back().type, "Reversed");
   EXPECT_EQ(std::get<double>(trace.result[1].value), 3);  // A.y

@@ -1,6 +1,7 @@
 // What a figure says, in which colours, from which recording. Where things stand: layout_test.cpp.
 
 #include "figure/figure.hpp"
+#include "figure/metrics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +24,10 @@ TEST(Theme, EveryTextHasContrastOnItsGround) {
         for (const TextShape* text : texts_of(sheet)) {
           ++texts;
           for (const Theme& theme : themes()) {
-            EXPECT_GE(contrast(color_of(text->paint, theme), color_of(text->ground, theme)), 4.5)
-                << theme.name << ": " << text->text;
+            for (const TextPiece& piece : pieces_of(*text)) {
+              EXPECT_GE(contrast(color_of(piece.paint, theme), color_of(text->ground, theme)), 4.5)
+                  << theme.name << ": " << text->text;
+            }
           }
         }
       },
@@ -44,6 +47,27 @@ TEST(Theme, EveryMarkHasContrastOnThePaper) {
       EXPECT_GE(contrast(theme[Tone::ink], theme[ground]), 4.5) << theme.name;
     }
     EXPECT_GE(contrast(theme[Tone::accent], theme[Tone::strong]), 3) << theme.name;
+  }
+}
+
+/// A projector in a bright room halves the contrast: what is left is 3:1 for texts, as large ones need, and
+/// 2:1 for marks.
+TEST(Theme, ReadsAtHalfTheContrast) {
+  const auto halved = [](Rgb a, Rgb b) { return contrast(a, b) / 2; };
+  for (const Theme& theme : themes()) {
+    SCOPED_TRACE(theme.name);
+    const Rgb paper = theme[Tone::paper];
+    for (const Tone ground : {Tone::paper, Tone::panel, Tone::header, Tone::weak, Tone::strong}) {
+      EXPECT_GE(halved(theme[Tone::ink], theme[ground]), 3);
+      for (const Rgb quantity : theme.quantity) EXPECT_GE(halved(quantity, theme[ground]), 3) << quantity.hex;
+    }
+    for (const Tone ground : {Tone::paper, Tone::panel})
+      EXPECT_GE(halved(theme[Tone::muted], theme[ground]), 3);
+    EXPECT_GE(halved(theme[Tone::accent], paper), 2);
+    for (const Role role : all_roles) {
+      EXPECT_GE(halved(theme[role].text, paper), 3) << name_of(role);
+      EXPECT_GE(halved(theme[role].mark, paper), 2) << name_of(role);
+    }
   }
 }
 
@@ -119,6 +143,37 @@ TEST(Figure, AFinerStepMarksTheTestThatWasRead) {
   EXPECT_TRUE(figure.canvas->marks().contains("midpoint"));
 }
 
+TEST(Figure, TheMidpointOfTheSentenceIsDrawn) {
+  const Trace trace = test::trace_of("bresenham_line");
+  Playhead playhead(trace);
+  for (const TraceStep& step : trace.steps) {
+    SCOPED_TRACE(text_of(step.number));
+    const Figure figure = figure_of(trace, playhead, step.number);
+    EXPECT_EQ(step.sentence.find("midpoint M") != std::string::npos,
+              figure.canvas->marks().contains("midpoint"));
+  }
+  const Mark& midpoint = figure_of(trace, playhead, {4, 0}).canvas->marks().at("midpoint");
+  EXPECT_EQ(std::get<Dot>(midpoint.shape).at, dvec2(4, 1.5));
+}
+
+TEST(Figure, ALineSaysTrulyWhereItPasses) {
+  // Below a line that falls lies the pixel aside; a wrapped p or a misprint is told as what it would mean
+  const auto sentence = [](const std::map<std::string, std::string>& given, StepNumber number) {
+    const Trace trace = test::trace_of("bresenham_line", given);
+    return trace.steps[index_of(trace, number)].sentence;
+  };
+  EXPECT_NE(sentence({{"from", "0,0"}, {"to", "7,-3"}}, {2, 0}).find("passes below the midpoint M"),
+            std::string::npos);
+  EXPECT_NE(sentence({{"from", "2,5"}, {"to", "-3,-4"}}, {1, 0}).find("to the left of the midpoint M"),
+            std::string::npos);
+  EXPECT_NE(
+      sentence({{"to", "5,3"}, {"method", "misprinted_derivation"}}, {3, 0}).find("if this p were right"),
+      std::string::npos);
+  EXPECT_NE(
+      sentence({{"to", "2,1"}, {"method", "first_octant"}}, {1, 0}).find("this listing then goes aside"),
+      std::string::npos);
+}
+
 TEST(Figure, TheErrorShownIsTheExactDistance) {
   const Trace trace = test::trace_of("bresenham_line");
   Playhead playhead(trace);
@@ -131,7 +186,7 @@ TEST(Figure, ADriftingSumIsCorrectedTruthfully) {
   // (0,0)-(12,10) passes midway at 9; (0,0)-(359,349) does not at 341
   const Trace tie = test::trace_of("bresenham_line", {{"to", "12,10"}, {"method", "dda"}});
   const Trace off = test::trace_of("bresenham_line", {{"to", "359,349"}, {"method", "dda"}});
-  EXPECT_NE(tie.steps[index_of(tie, {9, 0})].sentence.find("passes midway, and a tie goes to (9,"),
+  EXPECT_NE(tie.steps[index_of(tie, {9, 0})].sentence.find("passes midway, and the tie goes to (9,"),
             std::string::npos);
   EXPECT_NE(off.steps[index_of(off, {341, 0})].sentence.find("is nearer to (341,"), std::string::npos);
   EXPECT_EQ(tie.telling, (StepNumber{9, 0}));

@@ -254,6 +254,105 @@ TEST_F(Film, Mp4LastFrameMayBeShort) {
   EXPECT_EQ(probed(film(FilmFormat::mp4, 1), "mp4").at("nb_read_frames"), "75");
 }
 
+/// The square of a step with a bar above it that says how much of the way to the next one is done.
+Image square_between(std::size_t i, double share) {
+  Image image = square_at(static_cast<int>(i));
+  const auto green = static_cast<std::uint8_t>(100 + std::lround(100 * share));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 90; ++x) image[{x, y}] = {0, green, 0, 255};
+  }
+  return image;
+}
+/// The share that such a picture shows, or 0 for a still.
+double share_in(const Image& image) {
+  const Rgba8 corner = image[{2, 2}];
+  return corner.r > 128 ? 0 : (corner.g - 100) / 100.0;
+}
+std::string moving_film(FilmFormat format, std::size_t frames, const FilmOptions& options) {
+  return film_bytes(
+      format, frames, [](std::size_t i) { return square_at(static_cast<int>(i)); }, options, colophon,
+      square_between);
+}
+
+TEST_F(Film, MovesBetweenStepsInTheSameTime) {
+  // 0.25 s at 25 pictures a second: 6 of a step's 20
+  const FilmOptions options{.seconds_per_step = 0.8, .hold_last = 1.2, .fps = 25, .transition = 0.25};
+  const std::string movie = moving_film(FilmFormat::mp4, 4, options);
+  EXPECT_NEAR(std::stod(probed(movie, "mp4").at("duration")), 3 * 0.8 + 1.2, 1e-6);
+  const auto images = decoded(movie, "mp4", 90, 62);
+  ASSERT_EQ(images.size(), 3u * 20 + 30);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::size_t step = std::min<std::size_t>(i / 20, 3), within = i - 20 * step;
+    if (step == 3 || within < 14) {
+      EXPECT_GT(signal_to_noise(images[i], square_at(static_cast<int>(step))), 30) << "a still: " << i;
+    } else {
+      // H.264 is not exact; two neighbours are 0.14 apart
+      EXPECT_NEAR(share_in(images[i]), static_cast<double>(within - 13) / 7, 0.12) << i;
+    }
+  }
+
+  const FilmOptions timing{.seconds_per_step = 0.5, .hold_last = 2, .transition = 0.15};
+  const auto frames = webp_frames(moving_film(FilmFormat::webp, 3, timing));
+  std::vector<std::size_t> delays;
+  for (const WebpFrame& frame : frames) delays.push_back(frame.milliseconds);
+  EXPECT_EQ(delays, (std::vector<std::size_t>{350, 50, 50, 50, 350, 50, 50, 50, 2000}));
+  const auto webp = shown(frames, 90, 62);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(webp[4 * i], square_at(static_cast<int>(i))) << "stills are exact";
+    if (i < 2) EXPECT_NEAR(share_in(webp[4 * i + 2]), 0.5, 0.01);
+  }
+
+  const std::string gif = moving_film(FilmFormat::gif, 3, timing);
+  EXPECT_NEAR(std::stod(probed(gif, "gif").at("duration")), 2 * 0.5 + 2, 0.005);
+  const auto pictures = decoded(gif, "gif", 90, 62);
+  ASSERT_EQ(pictures.size(), frames.size());
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(pictures[4 * i], square_at(static_cast<int>(i))) << i;
+}
+
+TEST_F(Film, EveryTimingLastsAsAsked) {
+  for (const double step : {0.04, 0.1, 0.29, 0.333, 1.0, 1.5}) {
+    for (const double last : {0.04, 0.7}) {
+      const FilmOptions options{.seconds_per_step = step, .hold_last = last, .fps = 30};
+      const auto frames_of = [](double seconds) { return std::max(1l, std::lround(seconds * 30)); };
+      EXPECT_EQ(frames_in(FilmFormat::mp4, moving_film(FilmFormat::mp4, 5, options)),
+                static_cast<std::size_t>(4 * frames_of(step) + frames_of(last)))
+          << step << " " << last;
+      std::size_t milliseconds = 0;
+      for (const WebpFrame& frame : webp_frames(moving_film(FilmFormat::webp, 5, options)))
+        milliseconds += frame.milliseconds;
+      EXPECT_EQ(milliseconds, static_cast<std::size_t>(std::lround(1000 * (4 * step + last)))) << step;
+    }
+  }
+}
+
+TEST_F(Film, MovesForAThirdOfAStepAtMost) {
+  const auto between = [](FilmFormat format, const FilmOptions& options, std::size_t steps = 10) {
+    return pictures_between(format, steps, options);
+  };
+  EXPECT_EQ(between(FilmFormat::gif, {}), 6u) << "0.3 s at 20 a second";
+  EXPECT_EQ(between(FilmFormat::mp4, {}), 7u) << "at 25";
+  EXPECT_EQ(between(FilmFormat::mp4, {.fps = 60}), 18u);
+  EXPECT_EQ(between(FilmFormat::gif, {.seconds_per_step = 0.45}), 3u);
+  EXPECT_EQ(between(FilmFormat::webp, {.seconds_per_step = 0.1}), 0u);
+  EXPECT_EQ(between(FilmFormat::webp, {.seconds_per_step = 3, .transition = 5}), 20u);
+  EXPECT_EQ(between(FilmFormat::gif, {.transition = 0}), 0u);
+  EXPECT_EQ(between(FilmFormat::gif, {}, most_moving), 6u);
+  EXPECT_EQ(between(FilmFormat::gif, {}, most_moving + 1), 0u) << "long films would become large";
+  EXPECT_EQ(between(FilmFormat::gif, {.transition = 0.3}, most_moving + 1), 6u) << "unless asked for";
+}
+
+TEST_F(Film, TellsHowManyPicturesItDraws) {
+  for (const FilmFormat format : formats) {
+    for (const FilmOptions& options : {FilmOptions{}, FilmOptions{.transition = 0}}) {
+      std::size_t drawn = 0;
+      const auto frame = [&](std::size_t i) { return ++drawn, square_at(static_cast<int>(i)); };
+      const auto between = [&](std::size_t i, double share) { return ++drawn, square_between(i, share); };
+      film_bytes(format, 4, frame, options, colophon, between);
+      EXPECT_EQ(drawn, pictures_drawn(format, 4, options)) << name_of(format);
+    }
+  }
+}
+
 TEST_F(Film, GifIsExactWithFewColours) {
   const std::string bytes = film(FilmFormat::gif, 7, {.seconds_per_step = 0.25, .hold_last = 2});
   const auto images = decoded(bytes, "gif", 90, 62);
@@ -328,14 +427,26 @@ TEST_F(Film, FiguresKeepTheirColours) {
   const Image sent = frame(2);
   const auto gif = decoded(film_bytes(FilmFormat::gif, 4, frame, {}, colophon), "gif", 640, 360);
   ASSERT_EQ(gif.size(), 4u);
-  std::size_t exact = 0, far = 0;
+  // What fills an area keeps the theme's colour to one level; rims of letters and hatches are mixed from
+  // several
+  std::map<std::uint32_t, std::size_t> fills;
+  const auto hex_of = [](Rgba8 c) { return static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b); };
+  for (const Rgba8 q : sent.cells()) ++fills[hex_of(q)];
+  std::erase_if(fills, [&](const auto& fill) {
+    return fill.second < 1000 ||
+           std::ranges::find(finish.theme.tone, Rgb{fill.first}) == finish.theme.tone.end();
+  });
+  std::size_t filled = 0, far = 0;
   for (std::size_t i = 0; i < sent.cells().size(); ++i) {
     const Rgba8 p = gif[2].cells()[i], q = sent.cells()[i];
-    exact += p == q;
-    far += std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)}) > 24;
+    const int off = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+    far += off > 24;
+    if (!fills.contains(hex_of(q))) continue;
+    ++filled;
+    ASSERT_LE(off, 1) << fmt::format("{:06x} became {:06x}", hex_of(q), hex_of(p));
   }
   const auto pixels = static_cast<double>(sent.cells().size());
-  EXPECT_GT(static_cast<double>(exact), 0.9 * pixels) << "all but the rims of letters";
+  EXPECT_GT(static_cast<double>(filled), 0.8 * pixels);
   EXPECT_LT(static_cast<double>(far), 0.002 * pixels);
   EXPECT_GT(signal_to_noise(gif[2], sent), 40);
   const auto webp = shown(webp_frames(film_bytes(FilmFormat::webp, 4, frame, {}, colophon)), 640, 360);
@@ -450,6 +561,7 @@ TEST_F(Film, RefusesWhatNoFilmCanHave) {
   EXPECT_EQ(error(FilmFormat::gif, {.hold_last = 601}), "--hold-last: expected 0.04 to 600, found 601");
   EXPECT_EQ(error(FilmFormat::mp4, {.fps = 61}), "--fps: expected 1 to 60, found 61");
   EXPECT_EQ(error(FilmFormat::webp, {.loop = -1}), "--loop: expected 0 to 65535, found -1");
+  EXPECT_EQ(error(FilmFormat::gif, {.transition = 10.5}), "--transition: expected 0 to 10, found 10.5");
   EXPECT_THAT(error(FilmFormat::mp4, {.seconds_per_step = 0.1, .fps = 5}),
               HasSubstr("1/5 s at --fps 5, found 0.1"));
   EXPECT_THAT(error(FilmFormat::mp4, {}, true), HasSubstr("--background: expected a ground for mp4"));

@@ -104,8 +104,8 @@ TEST(TraceJson, HoldsWhatThePlayerNeeds) {
   EXPECT_EQ(json["schema"], trace_schema);
   EXPECT_EQ(json["arguments"][1], (Json{"from", "0,0"}));
   EXPECT_EQ(json["listing"], Json::parse(R"([[42, "x += 1;"], [44, "p += 2 * dy;"]])"));
-  EXPECT_EQ(json["columns"], Json::parse(R"([{"name": "x", "numeric": true, "widest": "0"},
-                                             {"name": "step", "numeric": false, "widest": "E"}])"));
+  EXPECT_EQ(json["columns"], Json::parse(R"([{"id": "x", "name": "x", "numeric": true, "widest": "0"},
+                                             {"id": "step", "name": "step", "numeric": false, "widest": "E"}])"));
   EXPECT_EQ(json["roles"].size(), all_roles.size());
   EXPECT_EQ(json["roles"][json["legend"][0][0].get<std::size_t>()], "past");
   EXPECT_EQ(json["grid"]["upper"], (Json{3, 2}));

@@ -140,9 +140,9 @@ TEST(FigureReal, FourDigitsAndATypographicMinus) {
   EXPECT_EQ(figure_real(0), "0");
   EXPECT_EQ(figure_real(-0.0), "0");
   EXPECT_EQ(figure_real(-2.5), "−2.5");
-  EXPECT_EQ(figure_real(1.0 / 3), "0.333");
-  EXPECT_EQ(figure_real(123.456), "123.46");
-  EXPECT_EQ(figure_real(12345.678), "12345.7");
+  EXPECT_EQ(without_notes(figure_real(1.0 / 3)), "0.333");
+  EXPECT_EQ(without_notes(figure_real(123.456)), "123.46");
+  EXPECT_EQ(without_notes(figure_real(12345.678)), "12345.7");
   EXPECT_EQ(figure_real(1e-9), "1e-09");
   EXPECT_EQ(figure_real(-4e-310), "−4e-310") << "only 0 is 0";
   EXPECT_EQ(figure_place(dvec2{1, -0.5}), "(1,\u00a0−0.5)");
@@ -227,7 +227,7 @@ TEST(PlaneMarks, LegendShowsADashAndATint) {
   Playhead playhead(trace);
   const Sheet sheet = lay_out(figure_of(trace, playhead, {0, 0}), Look{});
   EXPECT_TRUE(std::get<LineShape>(find_shape(sheet, "legend rejected")->what).dashed);
-  EXPECT_TRUE(std::holds_alternative<RectShape>(find_shape(sheet, "legend result")->what));
+  EXPECT_TRUE(std::holds_alternative<AreaShape>(find_shape(sheet, "legend result")->what));
   EXPECT_EQ(find_shape(sheet, "legend guide"), nullptr) << "numbers of axes need no legend";
 }
 

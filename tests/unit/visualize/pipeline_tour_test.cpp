@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <tuple>
 
 #include "pipeline.hpp"
 #include "stories/pipeline/chain_run.hpp"
@@ -56,6 +57,46 @@ const TraceStep& milestone(const Trace& trace, std::int64_t stage) {
   return trace.steps[index_of(trace, {stage, 0})];
 }
 
+TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
+  const auto method = [](const char* name, Given given = {}) {
+    given["method"] = name;
+    return tour(given);
+  };
+  // Culled after the division: told to the end, where the picture has holes
+  const Trace culled = method("cull_after_division");
+  EXPECT_EQ(culled.last, 8);
+  EXPECT_GT(field<std::int64_t>(milestone(culled, 4), "wrong"), 0);
+  const auto faced = std::ranges::find(culled.steps, "Faced", &TraceStep::type);
+  ASSERT_NE(faced, culled.steps.end());
+  EXPECT_LT(field<double>(*faced, "area") * field<double>(*faced, "determinant"), 0) << "the wrong sign";
+  EXPECT_THAT(faced->sentence, testing::HasSubstr("behind the eye came out mirrored"));
+  // The others end with their stage, and mark what they misjudge
+  for (const char* name : {"closed_half_planes", "expanded_edges"}) {
+    SCOPED_TRACE(name);
+    const Trace trace = method(name);
+    EXPECT_EQ(trace.last, 6);
+    EXPECT_EQ(method(name, {{"stage", "clipping"}}).last, 5);
+    const Trace right = tour({{"stage", "rasterization"}});
+    const auto fragments = [](const Trace& t) { return field<std::int64_t>(milestone(t, 6), "fragments"); };
+    if (trace.method == "closed_half_planes") {
+      EXPECT_EQ(fragments(trace) - fragments(right), field<std::int64_t>(milestone(trace, 6), "misjudged"));
+    }
+    Playhead playhead(trace);
+    const Canvas& canvas = playhead.at(index_of(trace, {6, 0}));
+    int marked = 0;
+    for (int y = 0; y < 28; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        const auto look = canvas.at({x, y});
+        marked += look && look->role == Role::rejected;
+      }
+    }
+    const std::int64_t misjudged = field<std::int64_t>(milestone(trace, 6), "misjudged");
+    EXPECT_LE(marked, misjudged) << "a pixel may be misjudged for two triangles";
+    EXPECT_EQ(marked > 0, misjudged > 0);
+  }
+  EXPECT_GT(field<std::int64_t>(milestone(method("expanded_edges"), 6), "misjudged"), 0);
+}
+
 TEST(PipelineTour, HasAStepForEveryStage) {
   for (const Given& given : runs()) {
     const Trace trace = tour(given);
@@ -69,13 +110,66 @@ TEST(PipelineTour, HasAStepForEveryStage) {
       ASSERT_NE(line, trace.listing.end());
       lines.push_back(line->text.substr(line->text.find_first_not_of(' ')));
     }
-    EXPECT_THAT(lines, testing::ElementsAre("input(scene);", "to_world(scene, model);",
-                                            "to_clip(scene.camera, aspect, world);",
-                                            "remove_back_faces(scene, clip);",
-                                            "clip_and_divide(world, facing, width, height);",
-                                            "rasterize(triangles, width, height, emit);",
-                                            "shade(scene, triangles, visible);", "return output(light);"));
+    EXPECT_THAT(lines,
+                testing::ElementsAre("auto model = input(scene);", "auto world = to_world(scene, model);",
+                                     "to_clip(camera, aspect, world);", "remove_back_faces(scene, seen);",
+                                     "clip(world, facing, size);", "rasterize(triangles, size, emit);",
+                                     "shade(scene, triangles, kept);", "return output(light);"));
   }
+}
+
+/// The face that a z-buffer of the test's own keeps at each pixel: of the nearest fragment, and of equally
+/// near ones of the lowest.
+std::map<std::pair<int, int>, int> faces_kept(const textbook_chain::Run& run) {
+  std::map<std::pair<int, int>, pipeline::Fragment> kept;
+  for (const pipeline::Fragment& f : run.covered) {
+    const auto [cell, first] = kept.try_emplace({f.pixel.x, f.pixel.y}, f);
+    const pipeline::Fragment& before = cell->second;
+    if (!first && std::tie(f.depth, f.id) < std::tie(before.depth, before.id)) cell->second = f;
+  }
+  std::map<std::pair<int, int>, int> faces;
+  for (const auto& [pixel, fragment] : kept) faces[pixel] = fragment.id.face;
+  return faces;
+}
+
+TEST(PipelineTour, FollowsTheFaceThatColouredThePixel) {
+  std::size_t seen = 0, bare = 0;
+  for (const Given& given : runs()) {
+    const textbook_chain::Run run = textbook_chain::run_of(scene(given), size(given));
+    const auto faces = faces_kept(run);
+    for (int y = 0; y < run.size.height; ++y) {
+      for (int x = 0; x < run.size.width; ++x) {
+        Given there = given;
+        there.erase("face");
+        there["pixel"] = fmt::format("{},{}", x, y);
+        const auto followed =
+            textbook_chain::followed_in(run, test::complete(test::topic("pipeline"), there));
+        EXPECT_EQ(followed.pixel, ivec2(x, y));
+        const auto face = faces.find({x, y});
+        ASSERT_EQ(followed.seen.has_value(), face != faces.end());
+        (followed.seen ? seen : bare) += 1;
+        if (!followed.seen) continue;
+        EXPECT_EQ(*followed.seen, face->second);
+        EXPECT_EQ(run.pieces[followed.piece].id.face, face->second) << x << "," << y;
+      }
+    }
+  }
+  EXPECT_GT(seen, 500u);
+  EXPECT_GT(bare, 500u);
+}
+
+TEST(PipelineTour, SaysWhereNothingCoversThePixel) {
+  const Trace trace = tour({{"pixel", "0,0"}});
+  const auto value = [&](std::string_view name) {
+    const auto found = std::ranges::find(trace.result, name, &Field::name);
+    return found == trace.result.end() ? std::nullopt : std::optional(found->value);
+  };
+  EXPECT_EQ(value("face"), std::nullopt);
+  EXPECT_EQ(value("seen"), Value{std::string("nothing")});
+  EXPECT_THAT(trace.steps.front().sentence, testing::HasSubstr("Nothing covers pixel (0,\u00a00)"));
+  EXPECT_TRUE(std::ranges::any_of(trace.steps, [](const TraceStep& s) {
+    return s.sentence.starts_with("No triangle covers the centre");
+  }));
 }
 
 TEST(PipelineTour, EndsWithTheStageThatIsAskedFor) {
@@ -112,7 +206,9 @@ TEST(PipelineTour, AStageListsItsOwnSourceWithTheLinesThatReported) {
       {"perspective", "3_perspective", {{"Projected", "Projected{"}}},
       {"back_faces", "4_back_faces", {{"Faced", "Faced{"}}},
       {"clipping", "5_clipping", {{"Clipped", "clipped("}, {"Divided", "clipped("}}},
-      {"rasterization", "6_rasterization", {{"Snapped", "Snapped{"}, {"Covered", "Covered{"}}},
+      {"rasterization",
+       "6_rasterization",
+       {{"Snapped", "Snapped{"}, {"Covered", "Covered{"}, {"EdgesTested", "Covered{"}}},
       {"visibility",
        "7_visibility_and_shading",
        {{"DepthTested", "DepthTested{"}, {"Shaded", "observer(lit)"}}},
@@ -215,9 +311,9 @@ TEST(PipelineTour, ShowsThePictureThatRenderMakes) {
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) ASSERT_EQ(canvas.at({x, y}).value().color, (image[{x, y}]));
     }
-    const ivec2 pixel = std::get<ivec2>(trace.result[1].value);
+    const ivec2 pixel = std::get<ivec2>(trace.result[0].value);
     const Rgba8 c = image[pixel];
-    EXPECT_EQ(std::get<std::string>(trace.result[2].value),
+    EXPECT_EQ(std::get<std::string>(trace.result[1].value),
               fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b));
     const auto written = std::ranges::find(trace.steps, "Written", &TraceStep::type);
     ASSERT_NE(written, trace.steps.end());
@@ -292,7 +388,7 @@ TEST(PipelineTour, RefusesWhatThereIsNot) {
     return std::string("none");
   };
   EXPECT_EQ(complaint({{"face", "12"}}), "face: expected a face from 0 to 11, found 12");
-  EXPECT_EQ(complaint({{"pixel", "20,3"}}), "pixel: expected a pixel inside the 20 × 14 picture, found 20,3");
+  EXPECT_EQ(complaint({{"pixel", "40,3"}}), "pixel: expected a pixel inside the 40 × 28 picture, found 40,3");
   EXPECT_EQ(complaint({{"eye", "1,1,1"}, {"target", "1,1,1"}}),
             "eye: expected an eye apart from the target, found both in one place");
   EXPECT_THAT(complaint({{"near", "0"}}),

@@ -198,7 +198,7 @@ TEST(ProjectionStory, StepsOfStoredDepthInTheTable) {
     if (!step.row.empty()) rows.push_back(step.row);
   }
   ASSERT_EQ(rows.size(), 4u);
-  EXPECT_EQ(rows[1], (Row{"1/z 24 bit", "5.96·10⁻⁴", "0.0596", "596", "59605"}));
+  EXPECT_EQ(rows[1], (Row{"1/z, 24 bits", "5.96·10⁻⁴", "0.0596", "596", "59605"}));
   EXPECT_EQ(trace.columns[1].name, "at 100");
 }
 

@@ -50,6 +50,7 @@ void collect(const Trace& trace, std::set<std::string>& keys) {
   for (const Mark& mark : trace.backdrop) collect(mark, keys);
   for (const TraceStep& step : trace.steps) {
     collect(step.sentence, keys);
+    collect(step.note, keys);
     collect(step.phase, keys);
     for (const std::string& cell : step.read) collect(cell, keys);
     for (const std::string& cell : step.row) collect(cell, keys);
@@ -84,12 +85,14 @@ const std::string before_and_behind =
 /// Inputs that say what no telling one does: degenerate ones, those at a border, those of a single pixel.
 std::vector<Rare> rare_runs() {
   std::vector<Rare> runs{
+      {"affine_2d", {{"method", "centre_added"}}},
       {"affine_2d", {{"factors", "scale 2,0"}}},
       {"affine_2d", {{"factors", "reflect x"}}},
-      {"affine_2d", {{"factors", "translate 2,0; rotate 90"}, {"compare", "reversed"}}},
-      {"affine_2d", {{"factors", "translate 2,0; translate 0,1"}, {"compare", "reversed"}}},
+      {"affine_2d", {{"factors", "translate 2,0; rotate 90"}, {"orders", "both"}}},
+      {"affine_2d", {{"factors", "translate 2,0; translate 0,1"}, {"orders", "both"}}},
       {"affine_2d", {{"method", "centre_added"}, {"factors", "shear 1,0 about 1,1"}}},
-      {"affine_3d", {{"compare", "none"}}},
+      {"affine_2d", {{"method", "centre_added"}, {"factors", "shear 1,0"}}},
+      {"affine_3d", {{"orders", "one"}}},
       {"affine_3d", {{"factors", "rotate 30 about x; rotate 20 about x"}}},
       {"affine_3d", {{"method", "decomposition"}, {"axis", "1,2,3"}}},
       {"bresenham_line", {{"to", "5,0"}}},
@@ -100,6 +103,7 @@ std::vector<Rare> rare_runs() {
       {"bresenham_line", {{"method", "run_length"}, {"to", "5,0"}}},
       {"bresenham_line", {{"method", "run_length"}, {"to", "7,5"}}},
       {"bresenham_line", {{"method", "first_octant"}, {"to", "0,0"}}},
+      {"bresenham_line", {{"method", "first_octant"}, {"to", "2,1"}}},
       {"bresenham_line", {{"window", "-9,-9,-5,-5"}}},
       {"cohen_sutherland_2d", {{"line", "-5,1,-3,5"}}},
       {"cohen_sutherland_2d", {{"line", "1,1,5,5"}}},

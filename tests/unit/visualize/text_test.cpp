@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "figure/markup.hpp"
+#include "figure/which_steps.hpp"
 #include "stories/topic.hpp"
 #include "text/escape.hpp"
 #include "text/snippet.hpp"
@@ -35,6 +36,19 @@ TEST(Escape, LatexKnowsTheSignsOfFigures) {
   EXPECT_EQ(latex_escaped("p = 2·3 − 7 ≤ −1"), "p = 2$\\cdot$3 $-$ 7 $\\le$ $-$1");
   EXPECT_EQ(latex_escaped("(4,\u00a0−2)"), "(4,~$-$2)");
   EXPECT_EQ(latex_escaped("Größe"), "Größe") << "letters stay: engines read UTF-8";
+}
+
+TEST(Escape, LatexCellsHaveFormulasInMathMode) {
+  EXPECT_EQ(latex_cell("−7"), "$-7$");
+  EXPECT_EQ(latex_cell("p > 0"), "$p > 0$");
+  EXPECT_EQ(latex_cell("(2,333; 0)"), "$(2{,}333; 0)$") << "a decimal comma is no pause";
+  EXPECT_EQ(latex_cell("(2, 3)"), "$(2, 3)$");
+  EXPECT_EQ(latex_cell("code a"), "code $a$");
+  EXPECT_EQ(latex_cell("b to left, 3 kept"), "$b$ to left, $3$ kept");
+  EXPECT_EQ(latex_cell("E"), "E") << "a direction, a point";
+  EXPECT_EQ(latex_cell("a_b & 50%"), "$a$\\_$b$ \\& $50$\\%") << "what has a meaning is escaped still";
+  EXPECT_EQ(latex_cell("ε, Größe"), "ε, Größe");
+  EXPECT_EQ(latex_cell(""), "");
 }
 
 TEST(Escape, HtmlMarkupBecomesText) {
@@ -96,14 +110,14 @@ TEST(Tables, MarkdownHasARowAStepAndAsManyCellsAsColumns) {
 TEST(Tables, LatexTabularIsBalanced) {
   const Trace trace = line("0,0", "-7,-3");
   const std::string text = latex_of(trace);
-  EXPECT_THAT(text, StartsWith("\\begin{tabular}{rrrrll}\n"));
+  EXPECT_THAT(text, StartsWith("% \\usepackage{booktabs}\n\\begin{tabular}{rrrrll}\n\\toprule\n"));
   EXPECT_THAT(text, EndsWith("\\end{tabular}\n"));
   for (const std::string& one : lines_of(text)) {
     if (!one.ends_with("\\\\")) continue;
     EXPECT_EQ(std::ranges::count(one, '&'), 5) << one;
     EXPECT_EQ(std::ranges::count(one, '$') % 2, 0) << one;
   }
-  EXPECT_THAT(text, HasSubstr("$-$7 & $-$3"));
+  EXPECT_THAT(text, HasSubstr("$-7$ & $-3$"));
   EXPECT_THAT(text, Not(HasSubstr("−"))) << "pdfLaTeX's text fonts have no such letter";
 }
 

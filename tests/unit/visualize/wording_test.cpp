@@ -10,10 +10,12 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <regex>
 #include <set>
 #include <sstream>
 
 #include "figure/layout.hpp"
+#include "figure/number_text.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
@@ -101,7 +103,7 @@ TEST(Language, EveryTextCanBeFilledInAndDrawn) {
       SCOPED_TRACE(each.code() + " " + key);
       EXPECT_FALSE(text.empty());
       EXPECT_EQ(text.find("  "), std::string::npos);
-      for (const Face face : {Face::sans, Face::bold, Face::italic}) {
+      for (const Face face : {Face::sans, Face::bold, Face::italic, Face::bold_italic}) {
         EXPECT_EQ(missing_glyph(text, face).has_value(), false);
       }
       fmt::dynamic_format_arg_store<fmt::format_context> values;
@@ -216,8 +218,8 @@ TEST(Wording, AnyLabelAndAnyValueAreTakenLiterally) {
 
 TEST(Wording, ATopicsSymbolsAreThoseOfItsSection) {
   EXPECT_EQ(topic_symbols("bresenham_line"),
-            (std::vector<std::string>{"E", "N", "NE", "NW", "S", "SE", "SW", "W", "count", "dx", "dy", "k",
-                                      "offset", "p", "row", "x", "y"}));
+            (std::vector<std::string>{"E", "M", "N", "NE", "NW", "S", "SE", "SW", "W", "count", "dx", "dy",
+                                      "k", "offset", "p", "row", "x", "y"}));
   EXPECT_EQ(topic_symbols("flood_fill"), (std::vector<std::string>{"n"}));
   EXPECT_TRUE(topic_symbols("bresenham").empty());
   EXPECT_TRUE(topic_symbols("").empty());
@@ -238,6 +240,12 @@ std::vector<std::string> words_in(std::string_view text) {
     if (!letter(c) && !words.back().empty()) words.emplace_back();
   }
   return words;
+}
+
+/// Without "d = p in the code", which says what the listing calls it.
+std::string without_names_in_code(const std::string& text) {
+  static const std::regex note(" · [^·]* (in the code|im Code)");
+  return std::regex_replace(text, note, "");
 }
 
 /// Whether a text says something in words; a formula alone is the same in every language.
@@ -289,7 +297,7 @@ TEST(Labels, StandForTheSymbolEverywhereButInTheListing) {
     const Names old{"p", "NE"}, fresh{"d", "T"};
     std::size_t labels = 0;
     const auto check = [&](const std::string& text) {
-      for (const std::string& word : words_in(text)) {
+      for (const std::string& word : words_in(without_names_in_code(text))) {
         EXPECT_FALSE(old.contains(word)) << text;
         labels += fresh.contains(word);
       }
@@ -321,7 +329,7 @@ TEST(Labels, EverySymbolOfATopicCanHaveOne) {
     for (const Trace& trace : test::telling_traces(labelled(labels), topic->name)) {
       for (const std::string& text : texts_of(trace)) {
         ++texts;
-        for (const std::string& word : words_in(text)) {
+        for (const std::string& word : words_in(without_names_in_code(text))) {
           EXPECT_FALSE(symbols.contains(word))
               << topic->name << ", " << trace.method << ": " << text << ": " << word << " has no label";
           if (word.starts_with("_")) seen.insert(word.substr(1));
@@ -349,7 +357,8 @@ TEST(Languages, TellTheSameRun) {
         EXPECT_NE(a.*text, b.*text);
       }
       EXPECT_EQ(a.faulty.empty(), b.faulty.empty());
-      EXPECT_FALSE(std::ranges::equal(a.legend, b.legend, {}, &LegendEntry::text, &LegendEntry::text));
+      EXPECT_TRUE(a.legend.empty() ||
+                  !std::ranges::equal(a.legend, b.legend, {}, &LegendEntry::text, &LegendEntry::text));
       EXPECT_TRUE(std::ranges::equal(a.legend, b.legend, {}, &LegendEntry::role, &LegendEntry::role));
       ASSERT_EQ(a.columns.size(), b.columns.size());
       for (std::size_t c = 0; c < a.columns.size(); ++c) {
@@ -377,7 +386,7 @@ TEST(Languages, TellTheSameRun) {
           ASSERT_EQ((x.*row).size(), (y.*row).size());
           ASSERT_LE((x.*row).size(), a.columns.size());
           for (std::size_t c = 0; c < (x.*row).size(); ++c) {
-            if (a.columns[c].numeric) EXPECT_EQ((x.*row)[c], (y.*row)[c]);
+            if (a.columns[c].numeric) EXPECT_EQ((x.*row)[c], with_decimal_points((y.*row)[c]));
           }
         }
       }
@@ -423,7 +432,7 @@ TEST(Languages, TitlesAndCaptionsOfFilesAreToldToo) {
       "with integer additions only. Input: (0,\u00a00) to (2,\u00a04).");
   EXPECT_EQ(
       heading_of(german, some),
-      "Bresenham-Linie (fehlerhaft: Steigungen außerhalb von 0 bis 1 sind nicht vorgesehen: Die Linie endet "
+      "Bresenham-Linie (fehlerhaft: andere Steigungen als 0 bis 1 sind nicht vorgesehen: Die Linie endet "
       "anderswo), Schritte 0 bis 2 von 2");
   Playhead playhead(english);
   EXPECT_EQ(caption_of(figure_of(english, playhead, {0, 0})),
@@ -435,7 +444,7 @@ TEST(Languages, TextAndCsvAreToldToo) {
   const Trace trace = test::trace_of("bresenham_line", {{"method", "first_octant"}, {"to", "2,4"}},
                                      {.wording = labelled({{"p", "d"}}, "de")});
   const std::string text = text_of(trace, false), csv = csv_of(trace);
-  EXPECT_NE(text.find("fehlerhaft: Steigungen"), std::string::npos);
+  EXPECT_NE(text.find("fehlerhaft: andere Steigungen"), std::string::npos);
   EXPECT_NE(text.find("  d  Test   Schritt"), std::string::npos) << text;
   EXPECT_TRUE(csv.starts_with("number,type,line,k,x,y,p,test,step,sentence\r\n")) << "programs read these";
   EXPECT_NE(csv.find("d > 0"), std::string::npos);

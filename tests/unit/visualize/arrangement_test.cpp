@@ -1,0 +1,357 @@
+// The drawing is the hero: how far its marks reach on every slide of the gallery, and that nothing lies on
+// anything else in any step, at the sizes that slides have, in every language.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "cli/lecture.hpp"
+#include "figure/layout.hpp"
+#include "figure/which_steps.hpp"
+#include "support/sanitized.hpp"
+#include "support/sheets.hpp"
+#include "theme/theme.hpp"
+
+namespace gradus {
+namespace {
+
+using test::extent_of;
+using test::overlap;
+using test::texts_of;
+
+struct GalleryFigure {
+  std::string name;
+  cli::FigureSpec spec;
+};
+
+const std::vector<GalleryFigure>& gallery() {
+  static const std::vector<GalleryFigure> figures = [] {
+    std::vector<GalleryFigure> all;
+    for (const cli::LectureFigure& figure : cli::read_lecture(cli::gallery_lecture()).figures)
+      all.push_back({figure.name, figure.spec});
+    return all;
+  }();
+  return figures;
+}
+
+Trace trace_of(const GalleryFigure& figure, const Language& language) {
+  return figure.spec.topic->run(figure.spec.arguments, {.wording = Wording(language)});
+}
+
+Look sized(double width, double height) {
+  Look look;
+  look.width = width;
+  look.height = height;
+  return look;
+}
+
+/// Whole steps, and of long runs 300: as many of each phase, spread over it.
+std::vector<StepNumber> steps_of(const Trace& trace, std::size_t most) {
+  std::map<std::string, std::vector<StepNumber>> phases;
+  for (const TraceStep& step : trace.steps) phases[step.phase].push_back(step.number);
+  std::vector<StepNumber> chosen;
+  for (const auto& [phase, numbers] : phases) {
+    const std::size_t share = std::max<std::size_t>(1, most / phases.size());
+    const std::size_t stride =
+        trace.steps.size() <= most ? 1 : std::max<std::size_t>(1, numbers.size() / share);
+    for (std::size_t i = 0; i < numbers.size(); i += stride) chosen.push_back(numbers[i]);
+  }
+  std::ranges::sort(chosen);
+  return chosen;
+}
+
+// --- How far the marks reach ------------------------------------------------------------------------------
+
+TEST(Hero, MarksOfTheGalleryReachFar) {
+  // Those that a drawing of their own keeps smaller: what is laid out can't make them larger
+  const std::map<std::string, double> smaller{{"bresenham_line", 0.93},
+                                              {"bresenham_line_steep", 0.96},
+                                              {"bresenham_line_run_length", 0.97},
+                                              {"bresenham_line_window", 0.90},
+                                              {"bresenham_line_dda", 0.88},
+                                              {"bresenham_line_exact", 0.88},
+                                              {"bresenham_line_first_octant", 0.90},
+                                              {"bresenham_line_right_and_first_octant", 0.91},
+                                              {"bresenham_circle", 0.99},
+                                              {"bresenham_circle_window", 0.66},
+                                              {"bresenham_circle_late_update", 0.99},
+                                              {"bresenham_circle_right_and_late_update", 0.99},
+                                              {"flood_fill_span", 0.95},
+                                              {"flood_fill_depth_first", 0.95},
+                                              {"flood_fill_breadth_first", 0.94},
+                                              {"flood_fill_eight", 0.94},
+                                              {"flood_fill_image", 0.78},
+                                              {"affine_2d", 0.92},
+                                              {"affine_2d_four_steps", 0.97},
+                                              {"affine_2d_orders", 0.95},
+                                              {"affine_2d_singular", 0.91},
+                                              {"affine_2d_mirror", 0.91},
+                                              {"affine_2d_undo", 0.97},
+                                              {"affine_2d_far", 0.93},
+                                              {"affine_2d_about_centre", 0.92},
+                                              {"affine_2d_centre_added", 0.92},
+                                              {"affine_3d", 0.96},
+                                              {"affine_3d_decomposition", 0.95},
+                                              {"affine_3d_vectors", 0.83},
+                                              {"affine_3d_row_vectors", 0.95},
+                                              {"viewing", 0.88},
+                                              {"viewing_view_to_world", 0.88},
+                                              {"viewing_transposed", 0.77},
+                                              {"viewing_minus_position", 0.62},
+                                              {"parallel_isometric", 0.98},
+                                              {"perspective_projection", 0.96},
+                                              {"perspective_box", 0.96},
+                                              {"perspective_one_point", 0.96},
+                                              {"perspective_two_points", 0.96},
+                                              {"perspective_three_points", 0.91},
+                                              {"perspective_transformation", 0.96},
+                                              {"perspective_keep_z", 0.90},
+                                              {"perspective_depth_precision", 0.79},
+                                              {"viewport", 0.87},
+                                              {"viewport_row_zero_bottom", 0.83},
+                                              {"viewport_letterbox", 0.93},
+                                              {"viewport_half_up", 0.86},
+                                              {"viewport_clamped", 0.89},
+                                              {"cohen_sutherland_2d", 0.89},
+                                              {"cohen_sutherland_2d_rounds", 0.89},
+                                              {"cohen_sutherland_2d_and_liang_barsky", 0.89},
+                                              {"cohen_sutherland_2d_outside", 0.89},
+                                              {"cohen_sutherland_2d_codes_only", 0.54},
+                                              {"cohen_sutherland_3d", 0.93},
+                                              {"cohen_sutherland_3d_missed", 0.93},
+                                              {"cohen_sutherland_3d_past_the_eye", 0.99},
+                                              {"liang_barsky", 0.96},
+                                              {"liang_barsky_outside", 0.96},
+                                              {"liang_barsky_exact", 0.96},
+                                              {"liang_barsky_box", 0.96},
+                                              {"liang_barsky_circle", 0.91},
+                                              {"liang_barsky_circle_exact", 0.85},
+                                              {"liang_barsky_circle_tangent", 0.86},
+                                              {"liang_barsky_circle_line", 0.89},
+                                              {"liang_barsky_circle_cancellation", 0.76},
+                                              {"sutherland_hodgman", 0.84},
+                                              {"sutherland_hodgman_borders", 0.84},
+                                              {"sutherland_hodgman_bridge", 0.86},
+                                              {"sutherland_hodgman_pieces", 0.83},
+                                              {"sutherland_hodgman_oblique", 0.94},
+                                              {"sutherland_hodgman_entering", 0.94},
+                                              {"sutherland_hodgman_homogeneous", 0.92},
+                                              {"sutherland_hodgman_holes", 0.89},
+                                              {"polygon_circle", 0.69},
+                                              {"polygon_circle_pieces", 0.92},
+                                              {"polygon_circle_chords", 0.92},
+                                              {"polygon_circle_first_crossing", 0.82},
+                                              {"pipeline", 0.76},
+                                              {"pipeline_clipping", 0.80}};
+  for (const GalleryFigure& figure : gallery()) {
+    SCOPED_TRACE(figure.name);
+    const Trace trace = trace_of(figure, languages().front());
+    Playhead playhead(trace);
+    StepNumber step = figure.spec.step.value_or(telling_step(trace));
+    if (!has_step(trace, step)) step = trace.steps.back().number;  // --step last
+    const double reach = test::reach_of(lay_out(figure_of(trace, playhead, step), figure.spec.look));
+    const auto known = smaller.find(figure.name);
+    if (known == smaller.end()) {
+      EXPECT_GE(reach, 1) << figure.name;
+    } else {
+      EXPECT_GE(reach, known->second) << figure.name;
+      EXPECT_LT(reach, 1) << figure.name << " reaches far: take it off the list";
+    }
+  }
+}
+
+// --- Nothing lies on anything else -------------------------------------------------------------------------
+
+bool on_leader(const LineShape& leader, const Box& box) {
+  return layout::clipped(leader.points[0], leader.points[1], box).has_value();
+}
+
+/// A leader leads to its own point only: over no text, no dot, no other leader.
+void leaders_lead_over_nothing(const Sheet& sheet) {
+  std::vector<LineShape> leaders;
+  for (const Shape& shape : sheet.shapes) {
+    if (shape.slot != Slot::drawing || !shape.id.starts_with("leader ")) continue;
+    leaders.push_back(std::get<LineShape>(shape.what));
+  }
+  for (const LineShape& leader : leaders) {
+    for (const TextShape* text : texts_of(sheet)) {
+      const bool own = layout::inside(leader.points[0], layout::grown(text->box(), 4 * sheet.unit));
+      if (!own && on_leader(leader, text->box())) ADD_FAILURE() << "a leader strikes through " << text->text;
+    }
+  }
+  // Next to its point a leader may meet what lies there, too
+  std::vector<dvec2> points;
+  for (LineShape& leader : leaders) {
+    points.push_back(leader.points[1]);
+    const dvec2 way = leader.points[0] - leader.points[1];
+    const double length = std::hypot(way.x, way.y);
+    leader.points[1] += way * (std::min(10 * sheet.unit, 0.95 * length) / std::max(length, 1e-9));
+  }
+  for (std::size_t i = 0; i < leaders.size(); ++i) {
+    for (const Shape& shape : sheet.shapes) {
+      const bool dot = shape.slot == Slot::drawing && std::holds_alternative<DiscShape>(shape.what);
+      if (dot && !layout::inside(points[i], extent_of(shape)) &&
+          on_leader(leaders[i], layout::grown(extent_of(shape), -2 * sheet.unit)))
+        ADD_FAILURE() << "a leader crosses " << shape.id;
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto segment = [](const LineShape& line) {
+        return Segment<2, double>{line.points[0], line.points[1]};
+      };
+      EXPECT_FALSE(layout::cross(segment(leaders[i]), segment(leaders[k])));
+    }
+  }
+}
+
+void all_is_apart_and_whole(const Sheet& sheet) {
+  test::expect_texts_apart(sheet);
+  std::map<Slot, Box> slots;
+  for (const Shape& shape : sheet.shapes) {
+    const Box box = extent_of(shape);
+    if (box.x < 0 || box.y < 0 || box.right() > sheet.width || box.bottom() > sheet.height)
+      ADD_FAILURE() << shape.id << " is cut";
+    const auto [at, added] = slots.emplace(shape.slot, box);
+    if (!added) at->second = test::united(at->second, box);
+  }
+  for (const auto& [a, box_a] : slots) {
+    for (const auto& [b, box_b] : slots) {
+      if (a < b) EXPECT_FALSE(overlap(box_a, box_b)) << name_of(a) << " and " << name_of(b);
+    }
+  }
+  leaders_lead_over_nothing(sheet);
+}
+
+TEST(Gallery, EveryStepIsApartAndWholeAtEverySize) {
+  std::size_t sheets = 0;
+  const std::vector<Look> looks{sized(1280, 720), sized(960, 720), sized(720, 720), sized(720, 960),
+                                sized(1080, 720)};
+  for (const GalleryFigure& figure : gallery()) {
+    for (const Language& language : languages()) {
+      const Trace trace = trace_of(figure, language);
+      Playhead playhead(trace);
+      // The other languages where slides are shown
+      const std::size_t sizes = &language == &languages().front() ? looks.size() : 2;
+      for (const StepNumber step : steps_of(trace, test::thinned(300, 30))) {
+        const Figure shown = figure_of(trace, playhead, step);
+        for (std::size_t i = 0; i < sizes; ++i) {
+          SCOPED_TRACE(fmt::format("{} step {} {} {}x{}", figure.name, text_of(step), language.code(),
+                                   looks[i].width, looks[i].height));
+          all_is_apart_and_whole(lay_out(shown, looks[i]));
+          ++sheets;
+        }
+      }
+    }
+  }
+  EXPECT_GT(sheets, test::thinned(5000, 10));
+}
+
+// --- Numbers, legends ------------------------------------------------------------------------------------
+
+TEST(Gallery, NoNumberOfATableIsShortened) {
+  std::size_t cells = 0;
+  for (const GalleryFigure& figure : gallery()) {
+    const Trace trace = trace_of(figure, languages().front());
+    Playhead playhead(trace);
+    for (const Look& look : {sized(1280, 720), sized(960, 720), sized(720, 720)}) {
+      for (const StepNumber step : steps_of(trace, 20)) {
+        const Figure shown = figure_of(trace, playhead, step);
+        for (const Shape& shape : lay_out(shown, look).shapes) {
+          const TextShape* text = std::get_if<TextShape>(&shape.what);
+          if (!text || shape.slot != Slot::table || !shape.id.starts_with("cell ")) continue;
+          ++cells;
+          const bool said = std::ranges::any_of(shown.rows, [&](const Figure::TableRow& row) {
+            return std::ranges::find(row.cells, text->text) != row.cells.end();
+          });
+          EXPECT_TRUE(said) << figure.name << " step " << text_of(step) << ": " << text->text;
+        }
+      }
+    }
+  }
+  EXPECT_GT(cells, 1000u);
+}
+
+/// What of a shape the eye sees apart from its place and size.
+std::string look_of(const Shape& shape) {
+  const Theme& theme = themes().front();
+  const auto ink = [&](Paint paint) {
+    return paint.part == Paint::Part::none ? std::string("-")
+                                           : fmt::format("{:06x}", color_of(paint, theme).hex);
+  };
+  struct Seen {
+    const decltype(ink)& color;
+    std::string operator()(const RectShape& s) const {
+      return fmt::format("cell {} {} {} {}", color(s.fill), color(s.stroke), s.dashed,
+                         static_cast<int>(s.hatch));
+    }
+    std::string operator()(const AreaShape& s) const {
+      return fmt::format("area {} {}", color(s.fill), static_cast<int>(s.hatch));
+    }
+    std::string operator()(const LineShape& s) const {
+      return fmt::format("line {} {} {} {} {}", color(s.stroke), s.width, s.dashed, s.closed, s.arrow);
+    }
+    std::string operator()(const StrokesShape& s) const { return fmt::format("strokes {}", color(s.stroke)); }
+    std::string operator()(const DiscShape& s) const {
+      return fmt::format("dot {} {} {}", color(s.fill), color(s.stroke), s.radius);
+    }
+    std::string operator()(const TextShape&) const { return "text"; }
+    std::string operator()(const ImageShape&) const { return "image"; }
+  };
+  return std::visit(Seen{ink}, shape.what);
+}
+
+TEST(Legend, TwoEntriesNeverShareALook) {
+  std::size_t entries = 0;
+  for (const GalleryFigure& figure : gallery()) {
+    const Trace trace = trace_of(figure, languages().front());
+    Playhead playhead(trace);
+    for (const StepNumber step : steps_of(trace, 20)) {
+      std::map<std::string, std::string> looks;
+      for (const Shape& shape : lay_out(figure_of(trace, playhead, step), figure.spec.look).shapes) {
+        if (shape.slot == Slot::footer && shape.id.starts_with("legend ") &&
+            !shape.id.starts_with("legend text"))
+          looks[shape.id] += look_of(shape) + "; ";
+      }
+      std::set<std::string> different;
+      for (const auto& [id, look] : looks) {
+        ++entries;
+        EXPECT_TRUE(different.insert(look).second)
+            << figure.name << " step " << text_of(step) << ": " << id << ", " << look;
+      }
+    }
+  }
+  EXPECT_GT(entries, 500u);
+}
+
+TEST(Legend, AnEntryOfALineLooksAsInTheDrawing) {
+  std::size_t lines = 0;
+  for (const GalleryFigure& figure : gallery()) {
+    const Trace trace = trace_of(figure, languages().front());
+    Playhead playhead(trace);
+    for (const StepNumber step : steps_of(trace, 10)) {
+      const Sheet sheet = lay_out(figure_of(trace, playhead, step), figure.spec.look);
+      for (const Shape& entry : sheet.shapes) {
+        const LineShape* line = std::get_if<LineShape>(&entry.what);
+        if (!line || entry.slot != Slot::footer) continue;
+        ++lines;
+        const bool drawn = std::ranges::any_of(sheet.shapes, [&](const Shape& shape) {
+          const LineShape* mark = std::get_if<LineShape>(&shape.what);
+          return mark && shape.slot == Slot::drawing && mark->stroke == line->stroke &&
+                 mark->width == line->width && mark->dashed == line->dashed;
+        });
+        const bool cell =
+            entry.id.starts_with("legend ") && std::ranges::any_of(sheet.shapes, [&](const Shape& shape) {
+              return shape.slot == Slot::footer && shape.id == entry.id &&
+                     std::holds_alternative<RectShape>(shape.what);
+            });
+        EXPECT_TRUE(drawn || cell) << figure.name << " step " << text_of(step) << ": " << entry.id;
+      }
+    }
+  }
+  EXPECT_GT(lines, 200u);
+}
+
+}  // namespace
+}  // namespace gradus

@@ -1,0 +1,293 @@
+// Several drawings on one sheet: which steps stand together, what is asked for, and where it all lies.
+
+#include "figure/panels.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/compare.hpp"
+#include "cli/errors.hpp"
+#include "cli/figure_file.hpp"
+#include "cli/inputs.hpp"
+#include "cli/lecture.hpp"
+#include "cli/panel_sheets.hpp"
+#include "figure/alignment.hpp"
+#include "figure/which_steps.hpp"
+#include "support/example_traces.hpp"
+#include "support/sheets.hpp"
+
+namespace gradus {
+namespace {
+
+using cli::Format;
+using testing::HasSubstr;
+
+// --- Steps of two runs -------------------------------------------------------------------------------------
+
+TraceStep told(std::int64_t number, std::string key, std::string branch = "", std::int64_t p = 0) {
+  TraceStep step;
+  step.number = {number, 0};
+  step.type = "Stepped";
+  step.key = std::move(key);
+  step.fields = {{"p", p}};
+  if (!branch.empty()) step.decision = Decision{"?", {"yes"}, 0, branch};
+  return step;
+}
+Trace run_of(std::vector<TraceStep> steps) {
+  Trace trace;
+  trace.last = steps.back().number.step;
+  trace.steps = std::move(steps);
+  return trace;
+}
+std::vector<std::string> text_of(const Alignment& alignment) {
+  std::vector<std::string> texts;
+  for (const StepPair& pair : alignment.pairs)
+    texts.push_back(gradus::text_of(pair.a) + " " + gradus::text_of(pair.b));
+  return texts;
+}
+
+TEST(Alignment, OfARunWithItselfIsWholeAndDoesNotPart) {
+  for (const char* topic : {"bresenham_line", "sutherland_hodgman", "cohen_sutherland_2d", "flood_fill"}) {
+    const Trace trace = test::trace_of(topic);
+    const Alignment alignment = align(trace, trace);
+    EXPECT_FALSE(alignment.parting) << topic;
+    for (const StepPair& pair : alignment.pairs) EXPECT_EQ(pair.a, pair.b) << topic;
+  }
+}
+
+TEST(Alignment, SetsStepsAboutTheSameSideBySide) {
+  const Trace a = run_of({told(0, "start"), told(1, "left"), told(2, "right"), told(3, "top")});
+  const Trace b = run_of({told(0, "start"), told(1, "right"), told(2, "bottom"), told(3, "top")});
+  const Alignment alignment = align(a, b);
+  EXPECT_THAT(text_of(alignment), testing::ElementsAre("0 0", "1 0", "2 1", "2 2", "3 3"));
+}
+
+TEST(Alignment, SetsStepsOfOtherKindsSideBySideAsTheyCome) {
+  const Trace a = run_of({told(0, "a"), told(1, "b"), told(2, "c")});
+  const Trace b = run_of({told(0, "u"), told(1, "v"), told(2, "w"), told(3, "x")});
+  EXPECT_THAT(text_of(align(a, b)), testing::ElementsAre("0 0", "1 1", "2 2", "2 3"));
+  EXPECT_EQ(align(a, b).parting, 1u);
+}
+
+TEST(Alignment, PartsAtTheFirstOtherValueOrBranchBehindTheInput) {
+  const Trace a = run_of({told(0, "s", "", 1), told(1, "x", "E", 2), told(2, "y", "E", 3)});
+  EXPECT_EQ(align(a, run_of({told(0, "s", "", 9), told(1, "x", "E", 2), told(2, "y", "E", 4)})).parting, 2u);
+  EXPECT_EQ(align(a, run_of({told(0, "s", "", 9), told(1, "x", "NE", 2), told(2, "y", "E", 4)})).parting, 1u);
+  EXPECT_EQ(align(a, run_of({told(0, "s", "", 9), told(1, "x", "E", 2), told(2, "y", "E", 3)})).parting,
+            std::nullopt)
+      << "another input is no parting";
+}
+
+TEST(Alignment, NeverGoesBackAndHasEveryWholeStep) {
+  const std::vector<std::pair<Trace, Trace>> pairs = [] {
+    std::vector<std::pair<Trace, Trace>> made;
+    const auto add = [&made](std::string_view a, std::map<std::string, std::string> of_a, std::string_view b,
+                             std::map<std::string, std::string> of_b) {
+      made.emplace_back(test::trace_of(a, of_a), test::trace_of(b, of_b));
+    };
+    add("bresenham_line", {{"to", "3,9"}}, "bresenham_line", {{"to", "3,9"}, {"method", "first_octant"}});
+    add("cohen_sutherland_2d", {}, "liang_barsky", {});
+    add("sutherland_hodgman", {}, "sutherland_hodgman", {{"method", "entering_not_cut"}});
+    add("flood_fill", {{"method", "depth_first"}}, "flood_fill", {{"method", "breadth_first"}});
+    return made;
+  }();
+  for (const auto& [a, b] : pairs) {
+    const Alignment alignment = align(a, b);
+    std::set<StepNumber> of_a, of_b;
+    StepPair before;
+    for (const StepPair& pair : alignment.pairs) {
+      EXPECT_LE(before.a, pair.a);
+      EXPECT_LE(before.b, pair.b);
+      before = pair;
+      of_a.insert(pair.a);
+      of_b.insert(pair.b);
+    }
+    EXPECT_EQ(std::ssize(of_a), a.last + 1) << a.topic;
+    EXPECT_EQ(std::ssize(of_b), b.last + 1) << b.topic;
+    EXPECT_EQ(pair_with(alignment, {a.last, 0}).b, (StepNumber{b.last, 0}));
+    EXPECT_TRUE(alignment.parting) << a.topic;
+  }
+}
+
+// --- What is asked for -------------------------------------------------------------------------------------
+
+std::string complaint_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const cli::UsageError& error) {
+    return error.what();
+  } catch (const ArgumentError& error) {
+    return cli::complaint_of(error);
+  }
+  return "";
+}
+
+cli::OtherSide beside(const char* topic, const std::string& text,
+                      std::map<std::string, std::string> given = {}) {
+  return cli::other_side(test::topic(topic), cli::read_inputs(test::topic(topic), given).arguments, text);
+}
+
+TEST(Compare, TakesAMethodATopicOrInputs) {
+  const cli::OtherSide method = beside("bresenham_line", "first-octant", {{"to", "2,4"}});
+  EXPECT_EQ(method.arguments.text("method"), "first_octant");
+  EXPECT_EQ(method.arguments.text("to"), "2,4");
+  EXPECT_EQ(method.text, "first_octant");
+  const cli::OtherSide other = beside("cohen_sutherland_2d", "liang_barsky", {{"line", "-3,-8,13,16"}});
+  EXPECT_EQ(other.topic->name, "liang_barsky");
+  EXPECT_EQ(other.arguments.text("line"), "-3,-8,13,16");
+  EXPECT_EQ(other.text, "liang_barsky");
+  const cli::OtherSide inputs = beside("parallel", "--receding 45,1");
+  EXPECT_EQ(inputs.arguments.text("receding"), "45,1");
+  EXPECT_EQ(beside("parallel", inputs.text).text, inputs.text) << "its own text makes it again";
+  const cli::OtherSide both = beside("cohen_sutherland_2d", "liang_barsky --method correctly_rounded");
+  EXPECT_EQ(both.arguments.text("method"), "correctly_rounded");
+}
+
+TEST(Compare, RefusesWhatIsNoOtherSide) {
+  const auto said = [](const char* topic, const std::string& text,
+                       std::map<std::string, std::string> given = {}) {
+    return complaint_of([&] { beside(topic, text, given); });
+  };
+  EXPECT_THAT(said("bresenham_line", "bananas"), HasSubstr("--compare: expected a method of bresenham_line"));
+  EXPECT_THAT(said("bresenham_line", ""), HasSubstr("--compare: expected a method, a topic"));
+  EXPECT_THAT(said("bresenham_line", "flood_fill", {{"to", "2,4"}}),
+              HasSubstr("--compare: expected a topic that takes --from as bresenham_line does"));
+  EXPECT_THAT(said("bresenham_line", "--theme dark"), HasSubstr("--theme"));
+  EXPECT_THAT(said("bresenham_line", "--to nowhere"), HasSubstr("--to: expected"));
+  EXPECT_THAT(said("flood_fill", "--maze some/file"), HasSubstr("expected inputs that are no files"));
+  EXPECT_THAT(said("bresenham_line", "first_octant 'open"), HasSubstr("--compare: expected"));
+}
+
+cli::FigureSpec spec_of(const std::string& topic, std::map<std::string, std::string> flags,
+                        std::map<std::string, std::string> given = {}) {
+  cli::Request request;
+  request.topic = &test::topic(topic);
+  request.flags = std::move(flags);
+  return cli::read_spec(request, cli::read_inputs(*request.topic, given).arguments);
+}
+
+TEST(Panels, AreTwoToSixStepsOrThePhases) {
+  for (const char* wrong : {"", "1", "1,2,3,4,5,6,7", "0-9", "many", "phase", "1;4"}) {
+    EXPECT_THAT(complaint_of([&] { spec_of("bresenham_line", {{"panels", wrong}}); }),
+                HasSubstr("--panels: expected"))
+        << wrong;
+  }
+  EXPECT_EQ(spec_of("bresenham_line", {{"panels", "1,4,7"}}).said.at("panels"), "1,4,7");
+  EXPECT_EQ(spec_of("bresenham_line", {{"panels", "Phases"}}).said.at("panels"), "phases");
+  EXPECT_THAT(complaint_of([] { spec_of("bresenham_line", {{"panels", "1,4"}, {"step", "3"}}); }),
+              HasSubstr("--panels: expected either this or --step, found both"));
+  EXPECT_THAT(complaint_of([] { spec_of("bresenham_line", {{"panels", "1,4"}, {"compare", "dda"}}); }),
+              HasSubstr("--panels: expected either this or --compare, found both"));
+  const cli::FigureSpec spec = spec_of("bresenham_line", {{"panels", "1,99"}});
+  const cli::Takes takes(*spec.topic, spec.arguments);
+  EXPECT_THAT(complaint_of([&] { cli::panel_steps(spec, takes); }), HasSubstr("has steps 0..7"));
+}
+
+TEST(Panels, OfPhasesEndEachPhase) {
+  const Trace trace = test::trace_of("sutherland_hodgman");
+  std::vector<std::string> phases;
+  for (const StepNumber number : phase_steps(trace, 6)) {
+    const TraceStep& step = trace.steps[index_of(trace, number)];
+    phases.push_back(step.phase + ": " + step.note);
+  }
+  EXPECT_THAT(phases, testing::ElementsAre("left border: 8 → 9 corners", "right border: 9 → 10 corners",
+                                           "bottom border: 10 → 9 corners", "top border: 9 → 9 corners"));
+  EXPECT_EQ(phase_steps(test::trace_of("pipeline"), 6).size(), 6u) << "of eight stages six";
+}
+
+TEST(Panels, EveryTopicHasSomeForItsPhases) {
+  for (const TopicEntry* topic : catalogue()) {
+    const std::size_t count = phase_steps(test::trace_of(topic->name), 6).size();
+    EXPECT_GE(count, 2u) << topic->name;
+    EXPECT_LE(count, 6u) << topic->name;
+  }
+}
+
+// --- The sheets --------------------------------------------------------------------------------------------
+
+Sheet sheet_for(const cli::FigureSpec& spec) {
+  cli::Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
+  return cli::sheet_of(spec, takes, cli::shown_step(spec, takes));
+}
+
+std::vector<Box> frames_in(const Sheet& sheet) {
+  std::vector<Box> frames;
+  for (const Shape& shape : sheet.shapes) {
+    const RectShape* rect = std::get_if<RectShape>(&shape.what);
+    // "panel 2 frame"; an overview inside a panel has a frame, too
+    const bool outermost = shape.id.starts_with("panel ") && shape.id.ends_with(" frame") &&
+                           std::ranges::count(shape.id, ' ') == 2;
+    if (rect && outermost && shape.slot == Slot::drawing) frames.push_back(rect->box);
+  }
+  return frames;
+}
+
+TEST(Panels, LieApartOnTheSheetWithTheirTextsApart) {
+  const std::vector<cli::FigureSpec> specs{
+      spec_of("sutherland_hodgman", {{"panels", "phases"}}),
+      spec_of("cohen_sutherland_2d", {{"panels", "phases"}}, {{"line", "-3,-8,13,16"}}),
+      spec_of("bresenham_line", {{"panels", "1,3,4,5,6,7"}}),
+      spec_of("pipeline", {{"panels", "phases"}}),
+      spec_of("cohen_sutherland_2d", {{"compare", "liang_barsky"}}, {{"line", "-3,-8,13,16"}}),
+      spec_of("bresenham_line", {{"compare", "first_octant"}}, {{"to", "2,4"}}),
+      spec_of("parallel", {{"compare", "--receding 45,0.5"}}, {{"receding", "45,1"}}),
+  };
+  for (cli::FigureSpec spec : specs) {
+    for (const auto& [width, height] :
+         {std::pair{1280.0, 720.0}, {960.0, 720.0}, {720.0, 720.0}, {720.0, 1280.0}, {640.0, 360.0}}) {
+      for (const Layout layout : {Layout::slide, Layout::handout}) {
+        spec.look.width = width;
+        spec.look.height = height;
+        spec.look.layout = layout;
+        SCOPED_TRACE(fmt::format("{} {} x {}", spec.topic->name, width, height));
+        Sheet sheet;
+        if (const std::string refused = complaint_of([&] { sheet = sheet_for(spec); }); !refused.empty()) {
+          EXPECT_THAT(refused, HasSubstr("--size: expected a size with room for"));
+          EXPECT_EQ(width, height) << "a square slide alone may be too small";
+          continue;
+        }
+        const std::vector<Box> frames = frames_in(sheet);
+        ASSERT_GE(frames.size(), 2u);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+          EXPECT_GE(frames[i].x, 0);
+          EXPECT_LE(frames[i].right(), width);
+          EXPECT_LE(frames[i].bottom(), height);
+          EXPECT_NEAR(frames[i].width, frames[0].width, 1e-6) << "the same room for all";
+          EXPECT_NEAR(frames[i].height, frames[0].height, 1e-6);
+        }
+        test::expect_texts_apart(sheet);
+      }
+    }
+  }
+}
+
+TEST(Compare, ShowsTheFirstDifferenceInBothDrawings) {
+  const cli::FigureSpec spec = spec_of("bresenham_circle", {{"compare", "late_update"}}, {{"radius", "7"}});
+  cli::Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
+  const auto parting = cli::parting_step(takes);
+  ASSERT_TRUE(parting);
+  EXPECT_EQ(cli::shown_step(spec, takes), *parting);
+  const Sheet sheet = cli::sheet_of(spec, takes, *parting);
+  for (const char* id : {"panel 1 ring", "panel 2 ring", "panel 1 note", "panel 2 note"}) {
+    EXPECT_TRUE(std::ranges::any_of(sheet.shapes, [id](const Shape& shape) { return shape.id == id; })) << id;
+  }
+  const Sheet before = cli::sheet_of(spec, takes, {parting->step - 1, 0});
+  EXPECT_FALSE(
+      std::ranges::any_of(before.shapes, [](const Shape& shape) { return shape.id == "panel 1 ring"; }));
+}
+
+TEST(Compare, IsSaidByTheCanonicalCommand) {
+  const cli::FigureSpec spec =
+      spec_of("parallel", {{"compare", "--receding 45,0.5"}}, {{"receding", "45,1"}});
+  EXPECT_THAT(cli::command_of(spec), HasSubstr("--compare='--receding 45,0.5'"));
+  EXPECT_THAT(cli::command_of(spec_of("sutherland_hodgman", {{"panels", "phases"}})),
+              HasSubstr("--panels phases"));
+}
+
+}  // namespace
+}  // namespace gradus

@@ -1,0 +1,93 @@
+// The textbook's form of a listing: what each construct becomes, and that nothing of the source's own signs
+// is left in any listing there is.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "figure/pseudocode.hpp"
+
+namespace gradus {
+namespace {
+
+std::vector<SourceLine> numbered(const std::vector<std::string>& texts) {
+  std::vector<SourceLine> lines;
+  for (std::size_t i = 0; i < texts.size(); ++i) lines.push_back({10 + static_cast<int>(i), texts[i]});
+  return lines;
+}
+
+/// The lines of the result, a bar between them.
+std::string written(const std::vector<std::string>& source) {
+  std::string text;
+  for (const SourceLine& line : pseudocode(numbered(source))) text += (text.empty() ? "" : "|") + line.text;
+  return text;
+}
+
+TEST(Pseudocode, WritesValuesAndConditionsAsATextbookDoes) {
+  EXPECT_EQ(written({"std::int64_t p = 2 * dy - dx;"}), "p ← 2 · dy - dx");
+  EXPECT_EQ(written({"p += 2 * (dy - dx);  // NE"}), "p ← p + 2 · (dy - dx)  // NE");
+  EXPECT_EQ(written({"rest -= a + b;"}), "rest ← rest - (a + b)");
+  EXPECT_EQ(written({"++x;"}), "x ← x + 1");
+  EXPECT_EQ(written({"if (p < 0 || (p == 0 && !tie)) {"}), "if p < 0 or (p = 0 and not tie) then");
+  EXPECT_EQ(written({"if (++cuts > 4) break;"}), "if (cuts ← cuts + 1) > 4 then break");
+  EXPECT_EQ(written({"const auto [dx, dy] = extent(from, to);"}), "(dx, dy) ← extent(from, to)");
+  EXPECT_EQ(written({"Code& code = of_a ? code_a : code_b;"}), "code ← if of_a then code_a else code_b");
+  EXPECT_EQ(written({"return std::nullopt;"}), "return nothing");
+  EXPECT_EQ(written({"return std::move(kept.polygon);"}), "return kept.polygon");
+  EXPECT_EQ(written({"const glm::vec<3, T> ndc{x, y, z};"}), "ndc ← (x, y, z)");
+  EXPECT_EQ(written({"Kept<T> kept(border, std::move(room));"}), "kept ← Kept(border, room)");
+  EXPECT_EQ(written({"std::optional<Segment<2, T>> kept;"}), "kept ← nothing");
+  EXPECT_EQ(written({"last = &now;", "was = side(*last);"}), "last ← now|was ← side(last)");
+  EXPECT_EQ(written({"T enter = T(0), leave = T(1);"}), "enter ← 0, leave ← 1");
+}
+
+TEST(Pseudocode, WritesLoopsAndBranches) {
+  EXPECT_EQ(written({"while (pixel != to) {", "  plot(pixel);", "}"}), "while pixel ≠ to do|  plot(pixel)");
+  EXPECT_EQ(written({"for (int i = 0; i < n; ++i) {"}), "for i ← 0 to n - 1 do");
+  EXPECT_EQ(written({"for (int i = 0; i < 4; ++i) {"}), "for i ← 0 to 3 do");
+  EXPECT_EQ(written({"for (std::int64_t k = 1; k <= dx; ++k) {"}), "for k ← 1 to dx do");
+  EXPECT_EQ(written({"for (auto k = factors.size(); k-- > 0;) {"}),
+            "for k ← factors.size() - 1 down to 0 do");
+  EXPECT_EQ(written({"for (const Vertex<T>& now : polygon) {"}), "for each now in polygon do");
+  EXPECT_EQ(written({"do {", "  step();", "} while (!done[entry]);"}), "repeat|  step()|until done[entry]");
+  EXPECT_EQ(written({"if (a) {", "  x = 1;", "} else if (b) {", "  x = 2;", "} else {", "  x = 3;", "}"}),
+            "if a then|  x ← 1|else if b then|  x ← 2|else|  x ← 3");
+}
+
+TEST(Pseudocode, KeepsTheNumbersOfLines) {
+  const auto lines = pseudocode(numbered({"if (a) {", "  x = 1;", "}", "// so far", "return x;"}));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[1].number, 11);
+  EXPECT_EQ(lines[2].number, 13);
+  EXPECT_EQ(lines[2].text, "// so far");
+}
+
+TEST(Pseudocode, LeavesNothingOfTheSourcesSignsInAnyListing) {
+  std::size_t lines = 0;
+  for (const auto& file : std::filesystem::directory_iterator(GRADUS_SOURCE_DIR "/tests/golden/listings")) {
+    SCOPED_TRACE(file.path().filename());
+    std::ifstream in(file.path());
+    std::vector<std::string> source;
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with("  | ")) source.push_back(line.substr(4));
+    }
+    const auto listing = numbered(source), result = pseudocode(listing);
+    EXPECT_GE(2 * result.size(), listing.size());
+    EXPECT_TRUE(std::ranges::is_sorted(result, {}, &SourceLine::number));
+    for (const SourceLine& line : result) {
+      ++lines;
+      const std::string& from = source[static_cast<std::size_t>(line.number - 10)];
+      EXPECT_EQ(line.text.find_first_not_of(' '), from.find_first_not_of(' ')) << "the indentation stays";
+      const std::string code = line.text.substr(0, line.text.find("//"));
+      for (const char* sign :
+           {";", "{", "}", "std::", "auto", "::", "&&", "||", "==", "!=", "++", "--", "->"})
+        EXPECT_EQ(code.find(sign), std::string::npos) << line.text;
+    }
+  }
+  EXPECT_GT(lines, 500u);
+}
+
+}  // namespace
+}  // namespace gradus

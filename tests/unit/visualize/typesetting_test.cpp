@@ -1,0 +1,142 @@
+// Variables in italics, quantities in their colours, in whole figures.
+
+#include "figure/typesetting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "figure/figure.hpp"
+#include "figure/metrics.hpp"
+#include "support/example_traces.hpp"
+#include "theme/theme.hpp"
+
+namespace gradus {
+namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (const Token& token : tokens_of(text))
+    words.push_back(text.substr(token.begin, token.end - token.begin));
+  return words;
+}
+
+TEST(Typesetting, TokensAreNames) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(words_of("p = 3·dx − 2x₀ < x′"), (Words{"p", "dx", "x₀", "x′"}));
+  EXPECT_EQ(words_of("on NE's side"), (Words{"on", "NE", "side"}));
+  EXPECT_EQ(words_of("1e-8 or 2e"), (Words{"or", "e"}));
+  EXPECT_EQ(words_of("größer als a.code_b"), (Words{"größer", "als", "a", "code_b"}));
+}
+
+TEST(Typesetting, VariablesAreShort) {
+  for (const char* name : {"p", "x", "dx", "x′", "t₀", "y1", "α"}) EXPECT_TRUE(is_variable(name)) << name;
+  for (const char* name : {"E", "NE", "M", "enter", "is", "", "A1"}) EXPECT_FALSE(is_variable(name)) << name;
+}
+
+Sheet drawn(const Trace& trace, StepNumber number) {
+  Playhead playhead(trace);
+  return lay_out(figure_of(trace, playhead, number), {});
+}
+
+/// The pieces of a shape's text that are not as the rest, by their words.
+std::map<std::string, TextPiece> special_pieces(const Sheet& sheet, Slot slot, std::string_view id) {
+  std::map<std::string, TextPiece> found;
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text || shape.slot != slot || !shape.id.starts_with(id)) continue;
+    for (const TextPiece& piece : pieces_of(*text)) {
+      if (piece.face != text->face || piece.paint != text->paint) found.emplace(piece.text, piece);
+    }
+  }
+  return found;
+}
+
+TEST(Typesetting, OneQuantityLooksTheSameEverywhere) {
+  const Trace trace = test::trace_of("bresenham_line", {{"from", "0,0"}, {"to", "7,3"}});
+  ASSERT_GE(trace.quantities.size(), 3u);
+  EXPECT_EQ(trace.quantities[0], "p");
+  const Sheet sheet = drawn(trace, {4, 0});
+  const Paint first = Paint::quantity(0);
+  const auto sentence = special_pieces(sheet, Slot::sentence, "sentence");
+  ASSERT_TRUE(sentence.contains("p"));
+  EXPECT_EQ(sentence.at("p").face, Face::italic);
+  EXPECT_EQ(sentence.at("p").paint, first);
+  EXPECT_TRUE(sentence.contains("NE"));
+  EXPECT_EQ(sentence.at("NE").face, Face::sans);
+  const auto listing = special_pieces(sheet, Slot::listing, "line");
+  ASSERT_TRUE(listing.contains("p"));
+  EXPECT_EQ(listing.at("p").paint, first);
+  const auto heading = special_pieces(sheet, Slot::table, "heading p");
+  ASSERT_TRUE(heading.contains("p"));
+  EXPECT_EQ(heading.at("p").face, Face::bold_italic);
+  EXPECT_EQ(heading.at("p").paint, first);
+  const auto chosen = special_pieces(sheet, Slot::drawing, "");
+  ASSERT_TRUE(chosen.contains("NE"));
+  EXPECT_EQ(chosen.at("NE").paint, sentence.at("NE").paint);
+  std::size_t cells = 0;
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text || !shape.id.starts_with("cell ") || !shape.id.ends_with(" p")) continue;
+    ++cells;
+    EXPECT_EQ(text->paint, first);
+  }
+  EXPECT_GE(cells, 2u);
+}
+
+TEST(Typesetting, AReadersNameIsColouredAndTheCodesOwnStays) {
+  const Wording wording(languages().front(), {{"p", "d"}});
+  const Trace trace = test::telling_traces(wording, "bresenham_line").front();
+  const Sheet sheet = drawn(trace, trace.telling);
+  EXPECT_TRUE(special_pieces(sheet, Slot::sentence, "sentence").contains("d"));
+  EXPECT_TRUE(special_pieces(sheet, Slot::listing, "line").contains("p"));
+}
+
+TEST(Typesetting, ABoxIsAsWideAsItsPieces) {
+  std::size_t with_spans = 0;
+  for (const Trace& trace : test::telling_traces()) {
+    for (const Shape& shape : drawn(trace, trace.telling).shapes) {
+      const TextShape* text = std::get_if<TextShape>(&shape.what);
+      if (!text || text->spans.empty()) continue;
+      ++with_spans;
+      std::string all;
+      double width = 0;
+      for (const TextPiece& piece : pieces_of(*text)) {
+        EXPECT_NEAR(piece.x, width, 1e-9);
+        EXPECT_NEAR(piece.width, text_width(piece.text, piece.face, text->size), 1e-9);
+        all += piece.text;
+        width += piece.width;
+      }
+      EXPECT_EQ(all, text->text);
+      EXPECT_NEAR(text->box().width, width, 1e-9);
+    }
+  }
+  EXPECT_GT(with_spans, 300u);
+}
+
+TEST(Typesetting, TheEnglishArticleIsUpright) {
+  const Trace trace = test::trace_of("bresenham_line");
+  const auto slanted = [&](std::string text) {
+    Sheet sheet;
+    sheet.shapes.push_back(
+        {Slot::sentence, "sentence 1", TextShape{.baseline = {0, 0}, .text = std::move(text)}});
+    typeset(sheet, trace);
+    return std::get<TextShape>(sheet.shapes[0].what).spans.size();
+  };
+  EXPECT_EQ(slanted("it takes a step to x"), 1u);
+  EXPECT_EQ(slanted("x, y and t"), 3u);
+}
+
+TEST(Typesetting, GreyscaleTellsQuantitiesApartByLines) {
+  const Theme* grey = find_theme("greyscale");
+  ASSERT_NE(grey, nullptr);
+  EXPECT_TRUE(grey->quantities_underlined);
+  for (const Theme& theme : themes()) {
+    if (theme.quantities_underlined) continue;
+    for (std::size_t i = 1; i < theme.quantity.size(); ++i) EXPECT_NE(theme.quantity[i], theme.quantity[0]);
+  }
+}
+
+}  // namespace
+}  // namespace gradus
