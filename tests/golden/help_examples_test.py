@@ -24,7 +24,7 @@ BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", pathlib.Path(GRADUS).pa
 LECTURE = """{"title": "Mine", "figures": [{"topic": "bresenham_line", "input": {"to": "5,2"}, "outputs": ["svg"]},
  {"topic": "bresenham_circle", "input": {"radius": "4"}, "outputs": ["svg"]}]}"""
 # What would take long is asked for less: the words stay those of the page
-SHORTER = {"bench": " --seconds 0.0005 --repetitions 1", "stress": " --seconds 1", "figures": " --only 'bresenham_line*'"}
+SHORTER = {"bench": " --seconds 0.0005 --repetitions 1", "stress": " --seconds 1", "figures": " --only bresenham_line"}
 SMALLER = re.compile(r"\.gif|\.mp4|\.webp|\{step\}\.png")  # many pictures
 
 
@@ -63,7 +63,7 @@ def shorter(line):
     extra = SHORTER.get(name[1] if name else "")
     if name and name[1] == "figure" and SMALLER.search(line) and "--size" not in line:
         extra = " --size 320x180"
-    if not extra or "--only" in line or ".json" in line:
+    if not extra or "--only" in line or "lecture.json" in line:
         return line
     line = re.sub(r" --seconds \S+", "", line)
     if re.fullmatch(r"gradus bench( -.*)?", line):

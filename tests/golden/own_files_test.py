@@ -123,14 +123,15 @@ def test_what_gradus_made_is_known_without_its_manifest():
 def test_a_named_file_is_replaced_when_gradus_made_it():
     for ending in ("svg", "png", "pdf", "html", "csv", "md", "tex", "json", "txt", "gif", "mp4", "webp", "pptx"):
         name = f"a.{ending}"
+        small = ("--size", "320x180") if ending in ("gif", "mp4", "webp") else ()
         for to in ("3,1", "3,2"):
-            equal(gradus("figure", "bresenham_line", "--to", to, "-o", name).code, 0, f"{name} to {to}")
-        equal(gradus(*LINE, "-o", "-", "--format", ending).bytes == read(name), False, f"{name} is the second one")
+            equal(gradus("figure", "bresenham_line", *small, "--to", to, "-o", name).code, 0, f"{name} to {to}")
+        equal(gradus(*LINE, *small, "-o", "-", "--format", ending).bytes == read(name), False, f"{name} is the second one")
         write(name, "mine")
-        result = gradus(*LINE, "-o", name)
+        result = gradus(*LINE, *small, "-o", name)
         equal((result.code, result.out, result.err, read(name)), (2, "", refusal(name), b"mine"), f"somebody's {name}")
-        equal(gradus(*LINE, "-o", name, "--force").code, 0, "--force")
-        equal(read(name), gradus(*LINE, "-o", "-", "--format", ending).bytes, "replaced")
+        equal(gradus(*LINE, *small, "-o", name, "--force").code, 0, "--force")
+        equal(read(name), gradus(*LINE, *small, "-o", "-", "--format", ending).bytes, "replaced")
     write("empty.svg", "")
     equal(gradus(*LINE, "-o", "empty.svg").code, 0, "an empty file holds nobody's work")
     equal(gradus(*LINE, "-o", "/dev/null", "--format", "svg").code, 0, "a device")

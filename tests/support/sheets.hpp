@@ -120,6 +120,7 @@ inline const std::vector<Trace>& shared_traces() {
 template <class F>
 std::size_t for_each_sheet(F f, const Look& look = {}, std::size_t most = 40) {
   std::size_t count = 0;
+  most = thinned(most, 4);
   for (const Trace& trace : shared_traces()) {
     SCOPED_TRACE(trace.topic + " " + trace.method + " " + trace.subtitle);
     Playhead playhead(trace);

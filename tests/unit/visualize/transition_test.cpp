@@ -34,7 +34,7 @@ const Shape* found(const Sheet& sheet, const std::string& id) {
   return at == sheet.shapes.end() ? nullptr : &*at;
 }
 template <class What>
-const What& named(const Sheet& sheet, const std::string& id) {
+What named(const Sheet& sheet, const std::string& id) {  // a copy: most sheets here end with their line
   const Shape* shape = found(sheet, id);
   if (shape == nullptr) throw std::out_of_range(id);
   return std::get<What>(shape->what);
@@ -94,7 +94,7 @@ TEST(Transition, FadesWhatComesAndGoes) {
 TEST(Transition, ExchangesTextsAndLooksMidway) {
   const Shape before = text("p", {10, 50}, "p = 1"), after = text("p", {30, 50}, "p = 2");
   for (const double share : {0.1, 0.49}) {
-    const auto& shown = named<TextShape>(in_between(sheet_with({before}), sheet_with({after}), share), "p");
+    const auto shown = named<TextShape>(in_between(sheet_with({before}), sheet_with({after}), share), "p");
     EXPECT_EQ(shown.text, "p = 1");
     EXPECT_EQ(shown.baseline.x, 10) << "labels that change don't slide over each other";
   }
@@ -114,7 +114,7 @@ TEST(Transition, LinesThatGoOnGrow) {
   const Sheet from = sheet_with({line("way", {{0, 0}, {10, 0}})});
   const Sheet to = sheet_with({line("way", {{0, 0}, {10, 0}, {10, 8}})});
   for (const auto& [one, other] : {std::pair{from, to}, std::pair{to, from}}) {
-    const auto& points = named<LineShape>(in_between(one, other, 0.5), "way").points;
+    const auto points = named<LineShape>(in_between(one, other, 0.5), "way").points;
     EXPECT_EQ(points, (std::vector<dvec2>{{0, 0}, {10, 0}, {10, 4}}));
   }
   const Sheet elsewhere = sheet_with({line("way", {{5, 5}, {6, 6}, {7, 7}})});

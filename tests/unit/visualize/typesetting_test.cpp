@@ -112,7 +112,7 @@ TEST(Typesetting, ABoxIsAsWideAsItsPieces) {
       EXPECT_NEAR(text->box().width, width, 1e-9);
     }
   }
-  EXPECT_GT(with_spans, 300u);
+  EXPECT_GT(with_spans, test::thinned(300, 4));
 }
 
 TEST(Typesetting, TheEnglishArticleIsUpright) {
