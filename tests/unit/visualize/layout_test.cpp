@@ -180,7 +180,7 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
           look, test::thinned(4, 4));
     }
   }
-  EXPECT_GT(sheets, test::thinned(20000, 20));
+  EXPECT_GT(sheets, test::thinned(20000, 40));
   EXPECT_GT(cells_seen, test::thinned(10000, 20));
 }
 
@@ -191,7 +191,7 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
     Playhead playhead(trace);
     for (const Case& aspect : aspects()) {
       SCOPED_TRACE(aspect.name);
-      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / test::thinned(40, 10));
+      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / test::thinned(40, 40));
       for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
         const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), aspect.look);
         for (const Shape& shape : sheet.shapes) {
@@ -203,7 +203,7 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
       }
     }
   }
-  EXPECT_GT(sentences, test::thinned(2000, 10));
+  EXPECT_GT(sentences, test::thinned(2000, 40));
 }
 
 TEST(Layout, TheCurrentLineIsListed) {
@@ -657,7 +657,7 @@ TEST(YUp, TurnsTheDrawingAndNothingElse) {
       EXPECT_THAT(find_text(down, "y axis")->text, testing::HasSubstr("↓"));
     }
   }
-  EXPECT_GT(cells, 500u);
+  EXPECT_GT(cells, test::thinned(500, 4));
   EXPECT_GT(same, 1000u);
 }
 
@@ -710,7 +710,7 @@ TEST(Shapes, KnowTheirRole) {
         }
       },
       {}, 6);
-  EXPECT_GT(cells, 500u);
+  EXPECT_GT(cells, test::thinned(500, 4));
   EXPECT_EQ(
       role_of({Slot::drawing, "", DiscShape{{0, 0}, 1, Paint::of(Tone::paper), Paint::mark(Role::input)}}),
       Role::input);

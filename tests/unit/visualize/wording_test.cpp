@@ -475,7 +475,7 @@ TEST(Languages, SentencesOfTheGalleryAreNotCutShort) {
       Playhead playhead(trace);
       Look look;
       look.slots = {Slot::title, Slot::sentence};
-      for (std::size_t i = 0; i < std::min<std::size_t>(trace.steps.size(), 500); ++i) {
+      for (std::size_t i = 0; i < std::min(trace.steps.size(), test::thinned(500, 100)); ++i) {
         const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), look);
         for (const Shape& shape : sheet.shapes) {
           const TextShape* text = std::get_if<TextShape>(&shape.what);
@@ -486,7 +486,7 @@ TEST(Languages, SentencesOfTheGalleryAreNotCutShort) {
       }
     }
   }
-  EXPECT_GT(sentences, 1000u);
+  EXPECT_GT(sentences, test::thinned(1000, 10));
 }
 
 // --- Glyphs -----------------------------------------------------------------------------------------------
