@@ -177,10 +177,10 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
               law(trace, sheet, look);
             }
           },
-          look, test::thinned(4, 4));
+          look, test::thinned(3, 3));
     }
   }
-  EXPECT_GT(sheets, test::thinned(20000, 40));
+  EXPECT_GT(sheets, test::thinned(15000, 30));
   EXPECT_GT(cells_seen, test::thinned(10000, 20));
 }
 
