@@ -377,6 +377,8 @@ const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[
 const LINE_WIDTHS = {
   current: 6, result: 5, measure: 5, boundary: 4, accepted: 4, input: 3, candidate: 3, rejected: 3, past: 2.2, guide: 1.4
 };
+/** Whose value a mark shows, by its symbol. */
+const quantityOf = (rest) => rest.find((part) => part?.quantity)?.quantity;
 const THIN = 1.6;
 const GAP = 3.5;  // on either side of a line that passes in front
 const dashes = (width) => `${3 * width} ${2 * width}`;
@@ -713,7 +715,7 @@ class Drawing {
   }
   drawMark(mark, pending, standing) {
     const [id, role, kind, ...rest] = mark;
-    const look = this.theme.roles[role];
+    const look = this.lookOf(role, quantityOf(rest));
     const attributes = {
       'data-role': this.run.trace.roles[role],
       ...(standing === 'free' ? {'data-mark': id} : {'pointer-events': 'none'})
@@ -729,6 +731,11 @@ class Drawing {
       this.drawDot(rest, kind, look, attributes);
     else
       this.drawChain(rest, kind, look, attributes);
+  }
+  /** A role's look; dots and texts of a quantity have its colour. */
+  lookOf(role, symbol) {
+    const look = this.theme.roles[role], color = this.theme.quantities[this.letters.coded.get(symbol)];
+    return color ? {...look, mark: color, text: color} : look;
   }
   drawArea(rest, role, attributes) {
     const rings = rest.filter(Array.isArray).map((ring) => {
@@ -973,23 +980,26 @@ class Drawing {
 
   /** The kinds of marks that show a role now. */
   kindsOf(role) {
-    const kinds = {cell: this.shownCells.some((cell) => cell[2] === role && !cell[4]), solid: false, shade: 0};
+    const kinds = {cell: this.shownCells.some((cell) => cell[2] === role && !cell[4]), solid: false, shade: 0, quantities: []};
     for (const [, of, kind, ...rest] of [...this.run.trace.backdrop, ...this.canvas.marks.values()]) {
       if (of !== role) continue;
       kinds[kind] = true;
       if (kind === 'area') kinds.shade = Math.max(kinds.shade, Math.min(rest.find(Number.isFinite) ?? 0, 2));
       if (LINES.includes(kind)) kinds.solid ||= !rest.includes('dashed');
+      if (kind === 'dot' || kind === 'ring') kinds.quantities.push(quantityOf(rest));
     }
     return kinds;
   }
-  /** The mark that stands for a role in the legend: {as, dashed, outlined, shade, color}; null: it is not seen. */
+  /** The mark that stands for a role in the legend: {as, dashed, outlined, shade, quantities, color}; null: it is not seen. */
   legendMark([role, , color]) {
     if (color) {
       const seen = this.shownCells.some((cell) => cell[2] === role && cell[4] === color);
       return seen ? {as: 'cell', color} : null;
     }
     const kinds = this.kindsOf(role), as = SAMPLES.find((kind) => kinds[kind]), lines = LINES.some((kind) => kinds[kind]);
-    return as ? {as, dashed: lines && !kinds.solid, outlined: Boolean(kinds.area) && lines, shade: kinds.shade} : null;
+    if (!as) return null;
+    const quantities = [...new Set(kinds.quantities)].sort();
+    return {as, dashed: lines && !kinds.solid, outlined: Boolean(kinds.area) && lines, shade: kinds.shade, quantities};
   }
   /** What the legend has to name: roles that can be seen, and colours that cells have. */
   legendRoles() { return this.run.trace.legend.filter((entry) => this.legendMark(entry)); }
@@ -997,7 +1007,8 @@ class Drawing {
   /** A legend entry's mark as it looks in the drawing. */
   swatch(entry, s) {
     const mark = this.legendMark(entry), [role] = entry, look = this.theme.roles[role];
-    const width = (mark.as === 'dot' || mark.as === 'ring' ? 18 : 32) * s, height = 18 * s;
+    const dots = mark.as === 'dot' || mark.as === 'ring' ? mark.quantities.length : 0;
+    const width = (dots === 1 ? 18 : 32) * s, height = 18 * s;
     const image = svg('svg', {width, height, 'aria-hidden': 'true'});
     image.append(...this.sample(mark, role, look, width, height, s));
     return image;
@@ -1012,7 +1023,9 @@ class Drawing {
       const ends = [[0, height / 2], [width, height / 2]];
       return [...line(), this.arrowHead(ends, look, {}, s)];
     }
-    if (as === 'dot' || as === 'ring') return [this.disc(width / 2, height / 2, as === 'ring', look, s)];
+    if (as === 'dot' || as === 'ring')
+      return mark.quantities.map((symbol, i) => this.disc(
+          ((i + 0.5) * width) / mark.quantities.length, height / 2, as === 'ring', this.lookOf(role, symbol), s));
     if (as === 'area') {
       const d = rim(mark.outlined ? (LINE_WIDTHS[look.role] * s) / 2 : 0);
       return [...this.areaShapes(d, role, mark.shade), ...(mark.outlined ? outline() : [])];
