@@ -84,7 +84,8 @@ AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade = 
 
 /// A cell's look, `box` being the cell. The outline comes apart, since it is drawn over the grid lines.
 void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box);
-void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box);
+/// `most`: its width as a share of the cell's height.
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box, double most = 0.2);
 
 /// The mark that stands for a role in the legend.
 struct LegendMark {

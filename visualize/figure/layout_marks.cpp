@@ -16,9 +16,9 @@ double line_width(Role role) {
       return 5;
     case Role::boundary:
     case Role::accepted:
+    case Role::candidate:
       return 4;
     case Role::input:
-    case Role::candidate:
     case Role::rejected:
       return 3;
     case Role::past:
@@ -67,7 +67,7 @@ LineShape gap_of(LineShape line, double scale) {
 
 AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade) {
   if (shade > 0) return {std::move(rings), Paint::tint(role, shade), Hatch::none, {}};
-  return {std::move(rings), Paint::fill(role), channel_of(role).hatch, Paint::mark(role)};
+  return {std::move(rings), Paint::fill(role), area_hatch(role), Paint::mark(role)};
 }
 
 void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box) {
@@ -75,11 +75,11 @@ void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box
   pen.rect(id, {box, Paint::fill(role), {}, 0, 0, false, channel.hatch, Paint::mark(role)});
 }
 
-void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box) {
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box, double most) {
   const Channel channel = channel_of(role);
   if (channel.outline == 0) return;
   const double s = pen.scale(), inset = channel.outline * s / 2;
-  const double width = std::min(channel.outline * s, box.height / 5);
+  const double width = std::min(channel.outline * s, box.height * most);
   pen.rect(id, {grown(box, -inset), {}, Paint::mark(role), width, 0, channel.dashed, Hatch::none, {}});
   if (!channel.cross) return;
   const Box in = grown(box, -box.height * 0.3);
@@ -208,7 +208,7 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
     case Sample::cell:
       if (mark.color) return pen.image(id, {box, Image(1, 1, *mark.color), {}});
       draw_cell_ground(pen, id, role, box);
-      draw_cell_outline(pen, id, role, box);
+      draw_cell_outline(pen, id, role, box, 0.3);  // as heavy as in the drawing
   }
 }
 

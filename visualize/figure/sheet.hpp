@@ -89,6 +89,7 @@ struct RectShape {
   bool dashed = false;
   Hatch hatch = Hatch::none;  ///< over the fill
   Paint hatch_paint;
+  double hatch_gap = 10;  ///< units
 };
 /// What rings enclose, an odd number of times.
 struct AreaShape {
@@ -96,6 +97,7 @@ struct AreaShape {
   Paint fill;
   Hatch hatch = Hatch::none;  ///< over the fill
   Paint hatch_paint;
+  double hatch_gap = 10;  ///< units
 };
 struct LineShape {
   std::vector<dvec2> points;

@@ -91,7 +91,8 @@ std::vector<Paint> paints_of(const Sheet& sheet, std::string_view id) {
   std::vector<Paint> paints;
   for (const Shape& shape : sheet.shapes) {
     if (shape.id != id) continue;
-    if (const auto* disc = std::get_if<DiscShape>(&shape.what)) paints.push_back(disc->fill);
+    if (const auto* disc = std::get_if<DiscShape>(&shape.what))
+      paints.push_back(disc->fill == Paint::of(Tone::paper) ? disc->stroke : disc->fill);
     if (const auto* text = std::get_if<TextShape>(&shape.what); text && !text->is_rim())
       paints.push_back(text->paint);
   }

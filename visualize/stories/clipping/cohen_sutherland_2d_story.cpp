@@ -222,16 +222,18 @@ class Story {
     }
     scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
     const auto& [a, b] = task_.line;
-    add_end(view, "a", a, b, now_.a, codes_.a);
-    add_end(view, "b", b, a, now_.b, codes_.b);
+    const Role moved = left_over == Role::result ? left_over : Role::current;
+    add_end(view, "a", {a, b}, now_.a, codes_.a, moved);
+    add_end(view, "b", {b, a}, now_.b, codes_.b, moved);
     return view;
   }
-  /// An end as it was given, and the code of where it is by now.
-  void add_end(View& view, const std::string& name, dvec2 given, dvec2 other, dvec2 now, Code code) const {
-    const bool moved = given != now;
-    scene_.add_point(view, "end " + name, Role::input, given, other,
-                     moved ? name : name + ": " + digits(code), false, name);
-    if (moved) scene_.add_point(view, "moved " + name, Role::current, now, now, digits(code), false, name);
+  /// An end as it was given, hollow once it has moved, and the code of where it is by now.
+  void add_end(View& view, const std::string& name, const Line& given, dvec2 now, Code code,
+               Role moved) const {
+    const bool stays = given.a == now;
+    scene_.add_point(view, "end " + name, Role::input, given.a, given.b,
+                     stays ? name + ": " + digits(code) : name, !stays, name);
+    if (!stays) scene_.add_point(view, "moved " + name, moved, now, now, digits(code), false, name);
   }
   /// The end whose code a region has; none where both or neither have it.
   std::string end_in(Code region) const {

@@ -375,7 +375,7 @@ const hexRgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 /** x and y in turn, of a mark that is a chain of strokes. */
 const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest.slice(0, 4));
 const LINE_WIDTHS = {
-  current: 6, result: 5, measure: 5, boundary: 4, accepted: 4, input: 3, candidate: 3, rejected: 3, past: 2.2, guide: 1.4
+  current: 6, result: 5, measure: 5, boundary: 4, accepted: 4, input: 3, candidate: 4, rejected: 3, past: 2.2, guide: 1.4
 };
 /** Whose value a mark shows, by its symbol. */
 const quantityOf = (rest) => rest.find((part) => part?.quantity)?.quantity;
@@ -509,7 +509,7 @@ class Drawing {
             `M${size * 0.75} ${size * 1.25}L${size * 1.25} ${size * 0.75}`,
         falling: `M0 0L${size} ${size}`,
         cross: `M0 0L${size} ${size}M0 ${size}L${size} 0`,
-      }[look.hatch];
+      }[look.areaHatch];
       if (!d) return;
       defs.append(svg(
           'pattern', {id: this.patternId(role), width: size, height: size, patternUnits: 'userSpaceOnUse'},
@@ -747,10 +747,10 @@ class Drawing {
     const d = rings.map((ring) => `${ring}z`).join('');
     this.layers.areas.append(...this.areaShapes(d, role, rest.find(Number.isFinite) ?? 0, attributes));
   }
-  areaShapes(d, role, shade, attributes = {}) {
+  areaShapes(d, role, shade, attributes = {}, hatched = this.theme.roles[role].areaHatch) {
     const look = this.theme.roles[role], fill = shade ? look.tints[shade - 1] : look.fill;
     const area = svg('path', {d, fill, 'fill-rule': 'evenodd', ...attributes});
-    if (look.hatch === 'none' || shade) return [area];
+    if (hatched === 'none' || shade) return [area];
     const hatch = `url(#${this.patternId(role)})`;
     return [area, svg('path', {d, fill: hatch, 'fill-rule': 'evenodd', 'pointer-events': 'none'})];
   }
@@ -1031,11 +1031,11 @@ class Drawing {
       return [...this.areaShapes(d, role, mark.shade), ...(mark.outlined ? outline() : [])];
     }
     if (mark.color) return [svg('path', {d: rim(0), fill: mark.color})];
-    return [...this.areaShapes(rim(0), role, 0), ...this.cellOutline(look, width, height, s)];
+    return [...this.areaShapes(rim(0), role, 0, {}, look.hatch), ...this.cellOutline(look, width, height, s)];
   }
   cellOutline(look, width, height, s) {
     if (!look.outline) return [];
-    const inset = (look.outline * s) / 2, stroke = Math.min(look.outline * s, height / 5), arm = 0.3 * height;
+    const inset = (look.outline * s) / 2, stroke = Math.min(look.outline * s, 0.3 * height), arm = 0.3 * height;
     const out = [svg('rect', {
       x: inset,
       y: inset,
