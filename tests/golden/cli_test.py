@@ -388,7 +388,7 @@ def test_wrong_input():
         ([*line, "-o", "x.html", "--steps", "1,4"], "--steps: expected one range like 3-9 for a player, found '1,4'"),
         ([*line, "--to", "900000,1", "-o", "x.pdf", "--steps", "0-9000"], re.compile(r"--steps: expected at most \d+ steps for one PDF \(.*\), found 9001")),
         # looks
-        ([*line, *out, "--theme", "drak"], "--theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did you mean 'dark'?"),
+        ([*line, *out, "--theme", "drak"], "--theme: expected one of light, dark, greyscale, high_contrast, print, found 'drak', did you mean 'dark'?"),
         ([*line, *out, "--slots", "drawing,tables"], "--slots: expected one of title, drawing, listing, table, sentence, footer, found 'tables', did you mean 'table'?"),
         ([*line, *out, "--size", "12x9"], size + "'12x9'"),
         *[([*line, *out, "--size", word], size + f"'{word}'") for word in ("foo", "12cm", "4:0", "1:99", "12cmx", "0x0", "9999x9", "1e3x1e3")],

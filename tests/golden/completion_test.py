@@ -208,7 +208,7 @@ def test_bash_function():
         done"""
     cases = {
         ("gradus run bresenham_", "gradus run bresenham_"): ["bresenham_circle", "bresenham_line"],
-        ("gradus figure bresenham_line --theme=", "gradus figure bresenham_line --theme ="): ["light", "dark", "greyscale", "high_contrast"],
+        ("gradus figure bresenham_line --theme=", "gradus figure bresenham_line --theme ="): ["light", "dark", "greyscale", "high_contrast", "print"],
         ("gradus figure bresenham_line --theme=d", "gradus figure bresenham_line --theme = d"): ["dark"],
         ("gradus figure bresenham_line --size 4:", "gradus figure bresenham_line --size 4 :"): ["3"],
         ("gradus figure affine_2d --factors ", "gradus figure affine_2d --factors "):

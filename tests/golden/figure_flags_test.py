@@ -249,8 +249,8 @@ def test_slots_and_layout():
 
 def test_themes():
     pictures = {name: pixels(figure("--theme", name, "--size", "640x360", "--step", "4", to=f"{name}.png"))
-                for name in ("light", "dark", "greyscale", "high_contrast")}
-    equal(len(set(pictures.values())), 4, "four themes")
+                for name in ("light", "dark", "greyscale", "high_contrast", "print")}
+    equal(len(set(pictures.values())), 5, "five themes")
     grey = pictures["greyscale"]
     check(grey[0::4] == grey[1::4] == grey[2::4], "greyscale has only greys")
     check(max(pictures["dark"][:3]) < 64 and min(pictures["light"][:3]) > 192, "dark and light")

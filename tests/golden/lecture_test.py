@@ -389,7 +389,7 @@ def test_looks_for_a_whole_lecture():
     err = gradus("figures", "a.json", "-o", "dark", "--theme", "dark", "--size", "4:3", "--zip")[2]
     equal(err, os.path.abspath("dark.zip") + "\n0 drawn, 2 unchanged, 0 removed\n", "says where the zip is")
     code, out, err = gradus("figures", "a.json", "-o", "new", "--theme", "drak")
-    equal((code, out, err), (2, "", "gradus: --theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did "
+    equal((code, out, err), (2, "", "gradus: --theme: expected one of light, dark, greyscale, high_contrast, print, found 'drak', did "
                              "you mean 'dark'?\n"), "a wrong look")
     check(not os.path.exists("new"), "nothing made")
 

@@ -62,7 +62,9 @@ std::string text_of_shape(const Mark& mark) {
 
 /// A mark stands in the order of its id, and where two texts meet the first one stays.
 std::string text_of_mark(const Mark& mark) {
-  return fmt::format("{}|{}|{}{}", mark.id, name_of(mark.role), mark.shape.index(), text_of_shape(mark));
+  const std::string quantity = mark.quantity.empty() ? "" : "|" + mark.quantity;
+  return fmt::format("{}|{}|{}{}{}", mark.id, name_of(mark.role), mark.shape.index(), text_of_shape(mark),
+                     quantity);
 }
 
 std::string text_of_cell(ivec2 at, const CellLook& look) {

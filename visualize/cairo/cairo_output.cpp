@@ -105,7 +105,8 @@ class Painter {
     cairo_close_path(context_);
   }
 
-  void draw(const RectShape& rect) {
+  void draw(const RectShape& plain) {
+    const RectShape rect = shown_in(theme_, plain, unit_);
     if (rect.fill.part != Paint::Part::none) {
       use(rect.fill);
       rectangle(rect.box, rect.radius);
@@ -127,7 +128,8 @@ class Painter {
     stroke(hatch_width(unit_), false);
   }
 
-  void draw(const AreaShape& area) {
+  void draw(const AreaShape& plain) {
+    const AreaShape area = shown_in(theme_, plain);
     use(area.fill);
     cairo_new_path(context_);  // text leaves a current point behind
     for (const auto& ring : area.rings) {

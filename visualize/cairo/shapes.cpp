@@ -50,12 +50,39 @@ template <class Shape, class Where>
 std::vector<Segment<2, double>> diagonals_of(const Shape& shape, const Where& where, double unit) {
   std::vector<Segment<2, double>> lines;
   if (shape.hatch == Hatch::none) return lines;
-  if (shape.hatch != Hatch::falling) add_diagonals(lines, where, 10 * unit, true);
-  if (shape.hatch != Hatch::rising) add_diagonals(lines, where, 10 * unit, false);
+  if (shape.hatch != Hatch::falling) add_diagonals(lines, where, shape.hatch_gap * unit, true);
+  if (shape.hatch != Hatch::rising) add_diagonals(lines, where, shape.hatch_gap * unit, false);
   return lines;
 }
 
+template <class Shape>
+void hatch(const Theme& theme, Shape& shape) {
+  const HatchLook look = hatch_on(shape.fill, shape.hatch, theme);
+  shape.hatch = look.hatch;
+  if (look.hatch == Hatch::none) return;
+  shape.hatch_gap = look.gap;
+  shape.hatch_paint = Paint::mark(shape.fill.role);
+}
+
 }  // namespace
+
+RectShape shown_in(const Theme& theme, RectShape rect, double unit) {
+  if (!theme.hatched) return rect;
+  // The current cell's outline is enough: what lies in it shall be seen
+  if (rect.fill != Paint::fill(Role::current)) hatch(theme, rect);
+  const bool strong = rect.fill == Paint::of(Tone::strong), weak = rect.fill == Paint::of(Tone::weak);
+  if ((strong || weak) && rect.stroke.part == Paint::Part::none) {
+    rect.stroke = Paint::of(Tone::ink);
+    rect.stroke_width = (strong ? 2 : 1) * unit;
+    rect.dashed = weak;
+  }
+  return rect;
+}
+
+AreaShape shown_in(const Theme& theme, AreaShape area) {
+  if (theme.hatched) hatch(theme, area);
+  return area;
+}
 
 std::vector<Segment<2, double>> hatch_lines(const RectShape& rect, double unit) {
   return diagonals_of(rect, rect.box, unit);

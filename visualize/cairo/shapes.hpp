@@ -11,6 +11,10 @@
 
 namespace gradus {
 
+/// The shape as a theme shows it: one that hatches has its own hatchings, and frames round what is current.
+RectShape shown_in(const Theme& theme, RectShape rect, double unit);
+AreaShape shown_in(const Theme& theme, AreaShape area);
+
 /// The hatching as diagonals cut to the box by hand: no clip path, so vector files stay small.
 std::vector<Segment<2, double>> hatch_lines(const RectShape& rect, double unit);
 /// The same, cut to the inside of the rings.

@@ -215,7 +215,8 @@ class SvgWriter {
     if (rect.radius > 0) attribute("rx", rect.radius);
   }
 
-  void draw(const RectShape& rect) {
+  void draw(const RectShape& plain) {
+    const RectShape rect = shown_in(finish_.theme, plain, unit_);
     const bool filled = rect.fill.part != Paint::Part::none, hatched = rect.hatch != Hatch::none,
                stroked = rect.stroke.part != Paint::Part::none && rect.stroke_width > 0;
     if (filled || (stroked && !hatched)) {
@@ -232,7 +233,8 @@ class SvgWriter {
     end();
   }
 
-  void draw(const AreaShape& area) {
+  void draw(const AreaShape& plain) {
+    const AreaShape area = shown_in(finish_.theme, plain);
     begin("path");
     color("fill", area.fill);
     attribute("fill-rule", "evenodd");

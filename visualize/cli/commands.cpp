@@ -43,7 +43,7 @@ const std::vector<Flag> words{
 const std::vector<Flag> looks{
     {"slots", 0, "LIST", "parts to show: title,drawing,listing,table,sentence,footer"},
     {"no-title", 0, "", "all of them but the title"},
-    {"theme", 0, "NAME", "light, dark, greyscale or high_contrast"},
+    {"theme", 0, "NAME", "light, dark, greyscale, high_contrast or print"},
     {"background", 0, "COLOR", "the ground: #rrggbb, a colour's name, or none for a transparent one"},
     {"size", 0, "WxH", "1280x720 in pixels, a ratio like 4:3 or 1:1, or lengths like 12cmx8cm; default 16:9"},
     {"scale", 0, "N", "PNG and films: pixels for one of the figure, 0.1 to 8; default 1"},

@@ -74,6 +74,7 @@ struct Mark {
   std::string id;  ///< stable over all steps; setting a mark with a known id replaces it
   Role role;
   std::variant<Dot, Stroke, Path, Area, Text, Label> shape;
+  std::string quantity{};  ///< whose value a dot or text shows: its colour goes before the role's
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 

@@ -88,6 +88,18 @@ Window visible_cells(const Figure& figure, const Look& look) {
 }  // namespace gradus::layout
 
 namespace gradus {
+namespace {
+
+/// What the step read and what it made: the table's last two rows.
+std::vector<Row> last_rows(const Figure& figure) {
+  std::vector<Row> rows;
+  const std::size_t count = figure.rows.size();
+  for (std::size_t i = count - std::min<std::size_t>(count, 2); i < count; ++i)
+    rows.push_back(figure.rows[i].cells);
+  return rows;
+}
+
+}  // namespace
 
 Sheet lay_out(const Figure& figure, const Look& look) {
   using namespace layout;
@@ -116,7 +128,7 @@ Sheet lay_out(const Figure& figure, const Look& look) {
   lay_out_slot(Slot::footer, at.footer, [&](Pen& pen, const Box& box) {
     lay_out_footer(pen, figure, box, scene.frame.view, at.footer_lines);
   });
-  typeset(sheet, *figure.trace);
+  typeset(sheet, *figure.trace, last_rows(figure));
   if (look.crop) return cropped(std::move(sheet), crop_box(at, scene.settled, look, s));
   return sheet;
 }

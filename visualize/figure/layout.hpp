@@ -68,8 +68,11 @@ struct ChainLook {
 };
 /// A line of this role through pixels.
 LineShape line_through(std::vector<dvec2> points, Role role, const ChainLook& look, double scale);
-/// A round marker of this role at a pixel.
-DiscShape disc_at(dvec2 at, Role role, bool ring, double scale);
+/// What a mark's dot and its text are painted with: its quantity's colour, else its role's.
+Paint mark_paint(const Trace& trace, const Mark& mark);
+Paint text_paint(const Trace& trace, const Mark& mark);
+/// A round marker at a pixel, as its paint's role has it.
+DiscShape disc_at(dvec2 at, Paint paint, bool ring, double scale);
 /// Of a thin line, whatever its role, in units.
 inline constexpr double thin_width = 1.6;
 /// The gap that a line has on either side, in units.
@@ -81,15 +84,17 @@ AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade = 
 
 /// A cell's look, `box` being the cell. The outline comes apart, since it is drawn over the grid lines.
 void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box);
-void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box);
+/// `most`: its width as a share of the cell's height.
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box, double most = 0.2);
 
 /// The mark that stands for a role in the legend.
 struct LegendMark {
   Sample sample = Sample::line;
   bool dashed = false;
-  bool outlined = false;  ///< an area whose rim is drawn, too
-  int shade = 0;          ///< of an area
-  bool thin = false;      ///< a line as thin as a guide
+  bool outlined = false;      ///< an area whose rim is drawn, too
+  int shade = 0;              ///< of an area
+  bool thin = false;          ///< a line as thin as a guide
+  std::vector<Paint> dots{};  ///< of dots and rings: each look there is
   std::optional<Rgba8> color{};
   friend bool operator==(const LegendMark&, const LegendMark&) = default;
 };

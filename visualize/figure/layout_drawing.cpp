@@ -310,7 +310,7 @@ class DrawingLayout {
   void take_dot(const Mark& mark, const Dot& dot) {
     const dvec2 at = frame_.point(dot.at);
     if (!inside(at, grown(frame_.box, 1e-6))) return;
-    dots_.emplace_back(mark.id, disc_at(at, mark.role, dot.ring, s_));
+    dots_.emplace_back(mark.id, disc_at(at, mark_paint(trace_, mark), dot.ring, s_));
     const double radius = dots_.back().second.radius;
     free_.taken.push_back({at.x - radius, at.y - radius, 2 * radius, 2 * radius});
   }
@@ -346,7 +346,7 @@ class DrawingLayout {
                       Face::sans,
                       size,
                       text->align,
-                      Paint::text(mark->role),
+                      text_paint(trace_, *mark),
                       true,
                       Paint::of(Tone::paper)};
       const Box box = shape.box(), apart = grown(box, 2 * s_);
@@ -368,17 +368,19 @@ class DrawingLayout {
     if (placed->leader && at_.among_many && mark.role != Role::current && mark.role != Role::measure) return;
     if (placed->leader) {
       free_.leaders.push_back(*placed->leader);
-      leaders_.emplace_back(
-          "leader " + mark.id,
-          LineShape{
-              {placed->leader->a, placed->leader->b}, Paint::text(mark.role), 1.4 * s_, false, false, false});
+      leaders_.emplace_back("leader " + mark.id, LineShape{{placed->leader->a, placed->leader->b},
+                                                           text_paint(trace_, mark),
+                                                           1.4 * s_,
+                                                           false,
+                                                           false,
+                                                           false});
     }
     TextShape shape{{placed->box.x, placed->box.y + 0.78 * placed->box.height},
                     label.text,
                     Face::sans,
                     size,
                     Align::left,
-                    Paint::text(mark.role),
+                    text_paint(trace_, mark),
                     true,
                     Paint::of(Tone::paper)};
     free_.texts.push_back(shape.box());

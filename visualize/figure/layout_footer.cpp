@@ -19,7 +19,8 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
   for (const LegendEntry& entry : figure.trace->legend) {
     const auto mark = legend_mark(figure, view, entry);
     if (!mark) continue;
-    const bool round = mark->sample == Sample::dot || mark->sample == Sample::ring;
+    const bool round =
+        (mark->sample == Sample::dot || mark->sample == Sample::ring) && mark->dots.size() == 1;
     const double swatch_width = (round ? 18 : 32) * s, width = text_width(entry.text, Face::sans, size);
     const double needed = swatch_width + 8 * s + width;
     if (x + needed > box.right() && baseline < last_baseline) {

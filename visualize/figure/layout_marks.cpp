@@ -1,6 +1,7 @@
 // What marks look like, in the drawing and, small, in the legend.
 
 #include <algorithm>
+#include <set>
 
 #include "figure/layout.hpp"
 
@@ -15,9 +16,9 @@ double line_width(Role role) {
       return 5;
     case Role::boundary:
     case Role::accepted:
+    case Role::candidate:
       return 4;
     case Role::input:
-    case Role::candidate:
     case Role::rejected:
       return 3;
     case Role::past:
@@ -37,10 +38,24 @@ LineShape line_through(std::vector<dvec2> points, Role role, const ChainLook& lo
           look.arrow};
 }
 
-DiscShape disc_at(dvec2 at, Role role, bool ring, double scale) {
-  const double radius = (role == Role::current ? 8 : 7) * scale;
-  if (ring) return {at, radius, Paint::of(Tone::paper), Paint::mark(role), 3 * scale};
-  return {at, radius, Paint::mark(role), Paint::of(Tone::paper), 2 * scale};
+namespace {
+Paint paint_of(const Trace& trace, const Mark& mark, Paint otherwise) {
+  const auto quantity = color_of_quantity(trace, mark.quantity);
+  return quantity ? Paint::quantity(*quantity, mark.role) : otherwise;
+}
+}  // namespace
+
+Paint mark_paint(const Trace& trace, const Mark& mark) {
+  return paint_of(trace, mark, Paint::mark(mark.role));
+}
+Paint text_paint(const Trace& trace, const Mark& mark) {
+  return paint_of(trace, mark, Paint::text(mark.role));
+}
+
+DiscShape disc_at(dvec2 at, Paint paint, bool ring, double scale) {
+  const double radius = (paint.role == Role::current ? 8 : 7) * scale;
+  if (ring) return {at, radius, Paint::of(Tone::paper), paint, 3 * scale};
+  return {at, radius, paint, Paint::of(Tone::paper), 2 * scale};
 }
 
 LineShape gap_of(LineShape line, double scale) {
@@ -52,7 +67,7 @@ LineShape gap_of(LineShape line, double scale) {
 
 AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade) {
   if (shade > 0) return {std::move(rings), Paint::tint(role, shade), Hatch::none, {}};
-  return {std::move(rings), Paint::fill(role), channel_of(role).hatch, Paint::mark(role)};
+  return {std::move(rings), Paint::fill(role), area_hatch(role), Paint::mark(role)};
 }
 
 void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box) {
@@ -60,11 +75,11 @@ void draw_cell_ground(Pen& pen, const std::string& id, Role role, const Box& box
   pen.rect(id, {box, Paint::fill(role), {}, 0, 0, false, channel.hatch, Paint::mark(role)});
 }
 
-void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box) {
+void draw_cell_outline(Pen& pen, const std::string& id, Role role, const Box& box, double most) {
   const Channel channel = channel_of(role);
   if (channel.outline == 0) return;
   const double s = pen.scale(), inset = channel.outline * s / 2;
-  const double width = std::min(channel.outline * s, box.height / 5);
+  const double width = std::min(channel.outline * s, box.height * most);
   pen.rect(id, {grown(box, -inset), {}, Paint::mark(role), width, 0, channel.dashed, Hatch::none, {}});
   if (!channel.cross) return;
   const Box in = grown(box, -box.height * 0.3);
@@ -79,9 +94,10 @@ namespace {
 /// The kinds of marks that show a role.
 struct Kinds {
   bool cell = false, area = false, line = false, outline = false, arrow = false, dot = false, ring = false;
-  bool solid = false;  ///< a line that is not dashed
-  bool full = false;   ///< a line that is not thin
-  int shade = 0;       ///< of its areas
+  bool solid = false;                ///< a line that is not dashed
+  bool full = false;                 ///< a line that is not thin
+  int shade = 0;                     ///< of its areas
+  std::set<std::string> quantities;  ///< of its dots
 
   void add(const Mark& mark) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
@@ -94,6 +110,7 @@ struct Kinds {
       full = true;
     } else if (const Dot* found = std::get_if<Dot>(&mark.shape)) {
       (found->ring ? ring : dot) = true;
+      quantities.insert(mark.quantity);
     } else if (const Area* inside = std::get_if<Area>(&mark.shape)) {
       area = true;
       shade = std::max(shade, std::min(inside->shade, 2));
@@ -143,9 +160,25 @@ std::optional<LegendMark> legend_mark(const Figure& figure, const Window& view, 
   const Kinds kinds = kinds_of(figure, view, entry.role);
   const auto sample = kinds.sample();
   if (!sample) return std::nullopt;
-  return LegendMark{entry.sample.value_or(*sample), kinds.lines() && !kinds.solid,
-                    kinds.area && kinds.lines(), kinds.shade, kinds.lines() && !kinds.full};
+  LegendMark mark{entry.sample.value_or(*sample), kinds.lines() && !kinds.solid, kinds.area && kinds.lines(),
+                  kinds.shade, kinds.lines() && !kinds.full};
+  for (const std::string& quantity : kinds.quantities)
+    mark.dots.push_back(mark_paint(*figure.trace, {"", entry.role, Dot{}, quantity}));
+  if (mark.dots.empty()) mark.dots.push_back(Paint::mark(entry.role));
+  return mark;
 }
+
+namespace {
+/// A dot of each look there is, side by side.
+void draw_dots(Pen& pen, const std::string& id, const LegendMark& mark, const Box& box) {
+  const auto count = static_cast<double>(mark.dots.size());
+  double x = box.x + box.width / (2 * count);
+  for (const Paint paint : mark.dots) {
+    pen.disc(id, disc_at({x, box.y + box.height / 2}, paint, mark.sample == Sample::ring, pen.scale()));
+    x += box.width / count;
+  }
+}
+}  // namespace
 
 void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMark& mark, const Box& box) {
   const double s = pen.scale(), middle = box.y + box.height / 2;
@@ -167,7 +200,7 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
       return line({{box.x, middle}, {box.right(), middle}}, {.arrow = true});
     case Sample::dot:
     case Sample::ring:
-      return pen.disc(id, disc_at({box.x + box.width / 2, middle}, role, mark.sample == Sample::ring, s));
+      return draw_dots(pen, id, mark, box);
     case Sample::area:
       pen.area(id, area_in({corners(mark.outlined ? rim : box)}, role, mark.shade));
       if (mark.outlined) line(corners(rim), {.closed = true});
@@ -175,7 +208,7 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
     case Sample::cell:
       if (mark.color) return pen.image(id, {box, Image(1, 1, *mark.color), {}});
       draw_cell_ground(pen, id, role, box);
-      draw_cell_outline(pen, id, role, box);
+      draw_cell_outline(pen, id, role, box, 0.3);  // as heavy as in the drawing
   }
 }
 

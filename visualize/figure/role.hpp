@@ -64,4 +64,9 @@ constexpr Channel channel_of(Role role) {
   return {};
 }
 
+/// Of an area, which has no cross to be told by.
+constexpr Hatch area_hatch(Role role) {
+  return role == Role::rejected ? Hatch::falling : channel_of(role).hatch;
+}
+
 }  // namespace gradus

@@ -65,8 +65,10 @@ struct Paint {
   static constexpr Paint on(Role role) { return {Part::on_role, Tone::ink, role}; }
   /// The paper with a little of the role's mark in it; shade: 1 to 3, light to dark.
   static constexpr Paint tint(Role role, int shade) { return {Part::role_tint, Tone::ink, role, shade}; }
-  /// A name or value of the trace's quantity of this number, below quantity_colors.
-  static constexpr Paint quantity(int number) { return {Part::quantity, Tone::ink, Role::input, 0, number}; }
+  /// A name or value of the trace's quantity of this number, below quantity_colors; a mark keeps its role.
+  static constexpr Paint quantity(int number, Role role = Role::input) {
+    return {Part::quantity, Tone::ink, role, 0, number};
+  }
   friend bool operator==(const Paint&, const Paint&) = default;
 };
 inline constexpr int quantity_colors = 4;
@@ -87,6 +89,7 @@ struct RectShape {
   bool dashed = false;
   Hatch hatch = Hatch::none;  ///< over the fill
   Paint hatch_paint;
+  double hatch_gap = 10;  ///< units
 };
 /// What rings enclose, an odd number of times.
 struct AreaShape {
@@ -94,6 +97,7 @@ struct AreaShape {
   Paint fill;
   Hatch hatch = Hatch::none;  ///< over the fill
   Paint hatch_paint;
+  double hatch_gap = 10;  ///< units
 };
 struct LineShape {
   std::vector<dvec2> points;

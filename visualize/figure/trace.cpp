@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/contract.hpp"
+#include "figure/sheet.hpp"
 
 namespace gradus {
 namespace {
@@ -14,6 +15,17 @@ auto position(const Trace& trace, StepNumber number) {
 }
 
 }  // namespace
+
+std::optional<int> color_of_quantity(const Trace& trace, std::string_view symbol) {
+  const auto found = std::ranges::find(trace.quantities, symbol);
+  const auto number = found - trace.quantities.begin();
+  if (symbol.empty() || found == trace.quantities.end() || number >= quantity_colors) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+std::optional<int> color_of_quantity(const Trace& trace, const Column& column) {
+  return color_of_quantity(trace, column.quantity.empty() ? column.id : column.quantity);
+}
 
 std::string text_of(StepNumber number) {
   return number.fine == 0 ? fmt::format("{}", number.step) : fmt::format("{}.{}", number.step, number.fine);

@@ -76,6 +76,7 @@ struct Column {
   bool numeric = true;  ///< right-aligned digits; else centred text
   std::string name =
       {};  ///< what the reader sees; empty until the trace is finished: see TraceWriter::finish
+  std::string quantity{};  ///< what its cells are values of, where its id does not say it: a for code_a
 };
 
 /// One shown line of an algorithm's real source.
@@ -113,8 +114,9 @@ struct Trace {
   std::vector<SourceLine> listing;  ///< the method's lines, plumbing left out
   std::vector<Column> columns;
   std::vector<LegendEntry> legend;
-  /// Symbols with a colour of their own in picture, code, table and sentence, the first ones first. Where the
-  /// story names none: those that decisions ask about and answer with.
+  /// Symbols with a colour of their own in picture, code, table and sentence, the first ones first; an
+  /// empty one leaves its colour out. Where the story names none: those that decisions ask about and answer
+  /// with.
   std::vector<std::string> quantities;
   Grid grid;
   std::vector<Mark> backdrop;  ///< stands unchanged through all steps
@@ -135,6 +137,11 @@ struct Trace {
   /// The step whose figure tells most: what a figure shows where nobody names a step.
   StepNumber telling;
 };
+
+/// The colour of a quantity by its symbol, below quantity_colors; nothing for those that have none.
+std::optional<int> color_of_quantity(const Trace& trace, std::string_view symbol);
+/// The same of a column's cells.
+std::optional<int> color_of_quantity(const Trace& trace, const Column& column);
 
 /// Position in trace.steps of a step. The number must be recorded: see `find_step`.
 std::size_t index_of(const Trace& trace, StepNumber number);

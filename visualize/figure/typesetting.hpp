@@ -2,6 +2,7 @@
 // Letters by what they stand for: variables in italics, quantities in their own colours. Done at the end, to
 // the texts of a whole sheet, so that neither stories nor layout think of it.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ bool is_variable(std::string_view name);
 std::vector<std::string> variables_of(const Trace& trace);
 
 /// Sets variables of the figure's topic and its quantities so, in sentence, table, title, labels and listing.
-void typeset(Sheet& sheet, const Trace& trace);
+/// Codes in the sentence have the colour of whose they are by these rows of the table, the step's last ones.
+void typeset(Sheet& sheet, const Trace& trace, std::span<const Row> rows = {});
 
 }  // namespace gradus

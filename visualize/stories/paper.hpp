@@ -29,12 +29,13 @@ struct View {
   void add(Mark mark) { marks.insert_or_assign(mark.id, mark); }
   /// A dot, or a ring, with its name beside it; the name is a mark of its own.
   void add_named(const std::string& id, std::string name_id, Role role, dvec2 at, std::string name,
-                 bool ring = false) {
-    add({id, role, Dot{at, ring}});
-    add({std::move(name_id), role, Label{at, std::move(name)}});
+                 bool ring = false, const std::string& quantity = {}) {
+    add({id, role, Dot{at, ring}, quantity});
+    add({std::move(name_id), role, Label{at, std::move(name)}, quantity});
   }
-  void add_named(const std::string& id, Role role, dvec2 at, std::string name, bool ring = false) {
-    add_named(id, id + " name", role, at, std::move(name), ring);
+  void add_named(const std::string& id, Role role, dvec2 at, std::string name, bool ring = false,
+                 const std::string& quantity = {}) {
+    add_named(id, id + " name", role, at, std::move(name), ring, quantity);
   }
 };
 

@@ -225,6 +225,9 @@ class Narrator {
   }
   /// The method's title becomes this text, which asks for {method}.
   void retitle(std::string_view key);
+  /// What has a colour of its own, the most important first; "" leaves a colour out. Without it: what
+  /// decisions ask about.
+  void quantities(std::vector<std::string> symbols) { trace().quantities = std::move(symbols); }
   void legend(std::initializer_list<LegendKey> entries);
   void add_to_legend(Role role, std::string_view key);
   /// Stands unchanged behind all steps.

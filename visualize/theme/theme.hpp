@@ -35,14 +35,23 @@ struct Theme {
   /// Of the texts of quantities, in this order: at least 4.5:1 on every ground that texts stand on.
   std::array<Rgb, quantity_colors> quantity;
   bool quantities_underlined = false;  ///< where colours do not tell them apart
+  bool hatched = false;  ///< grounds are hatched, not tinted: a printer makes dots of light grey
   Rgb operator[](Tone t) const { return tone[static_cast<std::size_t>(t)]; }
   const RoleLook& operator[](Role r) const { return role[static_cast<std::size_t>(r)]; }
 };
 
-/// light (the default), dark, greyscale, high_contrast.
+/// light (the default), dark, greyscale, high_contrast, print.
 std::span<const Theme> themes();
 /// The theme of that name, or nullptr.
 const Theme* find_theme(std::string_view name);
+
+/// A hatching, and the distance of its lines in units.
+struct HatchLook {
+  Hatch hatch = Hatch::none;
+  double gap = 10;
+};
+/// What lies over a ground in a theme: the mark's own hatching, or, of a theme that hatches, its ground's.
+HatchLook hatch_on(Paint ground, Hatch own, const Theme& theme);
 
 /// What a paint looks like in a theme.
 Rgb color_of(Paint paint, const Theme& theme);

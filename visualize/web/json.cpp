@@ -166,6 +166,7 @@ Json mark_json(const Mark& mark) {
   } else if (const auto* label = std::get_if<Label>(&mark.shape)) {
     out.insert(out.end(), {"label", label->at.x, label->at.y, label->text});
   }
+  if (!mark.quantity.empty()) out.push_back({{"quantity", mark.quantity}});
   return out;
 }
 
@@ -401,6 +402,7 @@ Json columns_json(const Trace& trace) {
                        {"name", trace.columns[c].name},
                        {"numeric", trace.columns[c].numeric},
                        {"widest", c < trace.widest.size() ? trace.widest[c] : ""}});
+    if (!trace.columns[c].quantity.empty()) columns.back()["quantity"] = trace.columns[c].quantity;
   }
   return columns;
 }

@@ -27,10 +27,10 @@ std::string role_json(const Theme& theme, Role role) {
   const Channel channel = channel_of(role);
   const auto tint = [&](int shade) { return hex_of(color_of(Paint::tint(role, shade), theme)); };
   return fmt::format(
-      R"({{"role":{},"mark":{},"fill":{},"tints":[{},{},{}],"text":{},"on":{},"hatch":"{}","outline":{},"dashed":{},"cross":{}}})",
+      R"({{"role":{},"mark":{},"fill":{},"tints":[{},{},{}],"text":{},"on":{},"hatch":"{}","areaHatch":"{}","outline":{},"dashed":{},"cross":{}}})",
       json_quoted(name_of(role)), hex_of(look.mark), hex_of(look.fill), tint(1), tint(2), tint(3),
-      hex_of(look.text), hex_of(color_of(Paint::on(role), theme)), name_of(channel.hatch), channel.outline,
-      channel.dashed, channel.cross);
+      hex_of(look.text), hex_of(color_of(Paint::on(role), theme)), name_of(channel.hatch),
+      name_of(area_hatch(role)), channel.outline, channel.dashed, channel.cross);
 }
 
 /// The same looks as Cairo's figures, for the page's script.
@@ -46,6 +46,7 @@ std::string themes_json() {
                                                                     {"accent", Tone::accent}}};
   std::vector<std::string> out;
   for (const Theme& theme : themes()) {
+    if (theme.hatched) continue;  // for paper
     std::vector<std::string> tone_parts, role_parts;
     for (const auto& [name, tone] : tones) {
       tone_parts.push_back(fmt::format("\"{}\":{}", name, hex_of(theme[tone])));

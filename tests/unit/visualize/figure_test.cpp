@@ -36,7 +36,7 @@ TEST(Theme, EveryTextHasContrastOnItsGround) {
 }
 
 TEST(Theme, EveryMarkHasContrastOnThePaper) {
-  ASSERT_EQ(themes().size(), 4u);
+  ASSERT_EQ(themes().size(), 5u);
   for (const Theme& theme : themes()) {
     for (const Role role : all_roles) {
       EXPECT_GE(contrast(theme[role].mark, theme[Tone::paper]), 3) << theme.name << " " << name_of(role);

@@ -313,7 +313,8 @@ TEST(Lecture, FindsAllProblemsInOneGo) {
       {"topic": "Bresenham", "input": 4}, {}, 7
     ]})"),
       ElementsAre(
-          "2: theme: expected one of light, dark, greyscale, high_contrast, found 'drak', did you mean "
+          "2: theme: expected one of light, dark, greyscale, high_contrast, print, found 'drak', did you "
+          "mean "
           "'dark'?",
           "5: figures[0].input.from: expected two whole numbers from -2147483648 to 2147483647 like 3,4, "
           "found '0,0,3'",

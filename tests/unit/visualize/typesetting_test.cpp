@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "figure/figure.hpp"
 #include "figure/metrics.hpp"
@@ -83,6 +84,91 @@ TEST(Typesetting, OneQuantityLooksTheSameEverywhere) {
     EXPECT_EQ(text->paint, first);
   }
   EXPECT_GE(cells, 2u);
+}
+
+/// The paints of all that a mark is drawn with, by the shape's id.
+std::vector<Paint> paints_of(const Sheet& sheet, std::string_view id) {
+  std::vector<Paint> paints;
+  for (const Shape& shape : sheet.shapes) {
+    if (shape.id != id) continue;
+    if (const auto* disc = std::get_if<DiscShape>(&shape.what))
+      paints.push_back(disc->fill == Paint::of(Tone::paper) ? disc->stroke : disc->fill);
+    if (const auto* text = std::get_if<TextShape>(&shape.what); text && !text->is_rim())
+      paints.push_back(text->paint);
+  }
+  return paints;
+}
+
+TEST(Typesetting, AnEndAndItsCodeHaveOneColour) {
+  const Trace trace = test::trace_of("cohen_sutherland_2d", {{"line", "-3,-8,13,16"}});
+  const Paint a = Paint::quantity(0), b = Paint::quantity(2);
+  const Sheet sheet = drawn(trace, {1, 0});
+  const auto only = [&](std::string_view id) {
+    const std::vector<Paint> paints = paints_of(sheet, id);
+    EXPECT_EQ(paints.size(), 1u) << id;
+    return paints.empty() ? std::optional<int>() : std::optional(paints.front().number);
+  };
+  const auto is_quantity = [&](std::string_view id) {
+    for (const Paint paint : paints_of(sheet, id)) EXPECT_EQ(paint.part, Paint::Part::quantity) << id;
+  };
+  for (const char* id : {"end a", "end a name", "cut now", "cut now name", "region 04", "heading code_a"}) {
+    is_quantity(id);
+    EXPECT_EQ(only(id), 0) << id;
+  }
+  for (const char* id : {"end b", "end b name", "region 10", "heading code_b"}) {
+    is_quantity(id);
+    EXPECT_EQ(only(id), 2) << id;
+  }
+  const auto sentence = special_pieces(sheet, Slot::sentence, "sentence");
+  for (const char* word : {"a", "0101", "0100"}) {
+    ASSERT_TRUE(sentence.contains(word)) << word;
+    EXPECT_EQ(sentence.at(word).paint, a) << word;
+  }
+  const auto listing = special_pieces(sheet, Slot::listing, "line");
+  ASSERT_TRUE(listing.contains("a") && listing.contains("b"));
+  EXPECT_EQ(listing.at("a").paint, a);
+  EXPECT_EQ(listing.at("b").paint, b);
+  // A region that neither end lies in
+  for (const Paint paint : paints_of(sheet, "region 01")) EXPECT_EQ(paint, Paint::text(Role::guide));
+}
+
+TEST(Typesetting, ACodeThatBothEndsHaveBelongsToTheOneNamedBeforeIt) {
+  const Trace trace = test::trace_of("cohen_sutherland_2d", {{"line", "-3,5,-5,6"}});
+  const std::string code = trace.steps.front().row[5];
+  ASSERT_EQ(code, trace.steps.front().row[6]);
+  Sheet sheet;
+  const auto add = [&](std::string id, std::string text) {
+    TextShape shape{.baseline = {0, 0}, .text = std::move(text), .paint = Paint::of(Tone::ink)};
+    sheet.shapes.push_back({Slot::sentence, std::move(id), std::move(shape)});
+  };
+  add("sentence 1", "b has the code");
+  add("sentence 2", code + " and 10.0001.");
+  add("sentence 3", "a bit in " + code + ".");
+  add("title", "The code " + code);
+  const std::vector<Row> rows(1, trace.steps.front().row);
+  typeset(sheet, trace, rows);
+  const auto spans = [&](std::size_t i) { return std::get<TextShape>(sheet.shapes[i].what).spans; };
+  ASSERT_EQ(spans(0).size(), 1u);
+  ASSERT_EQ(spans(1).size(), 1u);
+  EXPECT_EQ(spans(1)[0].paint, Paint::quantity(2));
+  ASSERT_EQ(spans(2).size(), 1u) << "a bit: the article";
+  EXPECT_EQ(spans(2)[0].begin, 9u);
+  EXPECT_TRUE(spans(3).empty());
+}
+
+TEST(Typesetting, WhatComesInAndOutIsColouredInPictureAndTable) {
+  const Trace trace = test::trace_of("liang_barsky");
+  const Sheet sheet = drawn(trace, {3, 0});
+  std::map<int, int> dots;
+  for (const Shape& shape : sheet.shapes) {
+    const auto* disc = std::get_if<DiscShape>(&shape.what);
+    if (!disc || shape.slot != Slot::drawing || !shape.id.ends_with(" dot")) continue;
+    const Paint paint = disc->fill.part == Paint::Part::quantity ? disc->fill : disc->stroke;
+    EXPECT_EQ(paint.part, Paint::Part::quantity) << shape.id;
+    ++dots[paint.number];
+  }
+  EXPECT_GT(dots[0], 0) << "enter";
+  EXPECT_GT(dots[2], 0) << "leave";
 }
 
 TEST(Typesetting, AReadersNameIsColouredAndTheCodesOwnStays) {

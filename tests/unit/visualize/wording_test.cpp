@@ -202,11 +202,11 @@ TEST(Wording, ALabelIsTakenLiterally) {
 }
 
 TEST(Wording, AnyLabelAndAnyValueAreTakenLiterally) {
-  constexpr std::string_view letters = "{}[]pxNE<>&\"'\\%: 0";
+  constexpr std::string_view alphabet = "{}[]pxNE<>&\"'\\%: 0";
   std::mt19937 random(test::seed());
   const auto text = [&] {
     std::string out;
-    for (auto n = random() % 8; n > 0; --n) out += letters[random() % letters.size()];
+    for (auto n = random() % 8; n > 0; --n) out += alphabet[random() % alphabet.size()];
     return out;
   };
   for (int i = 0; i < 2000; ++i) {

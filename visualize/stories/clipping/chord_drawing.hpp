@@ -168,6 +168,9 @@ class ChordDrawing {
     const dvec2 at = scene_.segment.a + t * (scene_.segment.b - scene_.segment.a);
     add_point("g " + id, role, at, name, leaves);
     if (shown(t)) add_t(id, role, t, fmt::format("{} {}", name, figure_real(t)), leaves);
+    for (auto& [key, mark] : view_.marks) {
+      if (key.starts_with("g " + id) || key.starts_with("c " + id)) mark.quantity = id;
+    }
   }
 
   /// A part of the segment as a band, so that it is seen on the line.

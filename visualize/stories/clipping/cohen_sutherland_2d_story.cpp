@@ -75,7 +75,7 @@ class Story {
     view.marks.erase("moved " + end(c.of_a) + " name");
     scene_.add_cutting_border(view, c.border);
     scene_.add_point(view, "cut now", Role::measure, c.to(), c.to(),
-                     fmt::format("{}: {}", figure_place(c.to()), digits(c.after())));
+                     fmt::format("{}: {}", figure_place(c.to()), digits(c.after())), false, end(c.of_a));
     board.milestone(std::move(view));
   }
   Event say(const Cut<double>& c) const {
@@ -222,16 +222,23 @@ class Story {
     }
     scene_.add_line(view, "left over", left_over, now_, left_over == Role::rejected);
     const auto& [a, b] = task_.line;
-    add_end(view, "a", a, b, now_.a, codes_.a);
-    add_end(view, "b", b, a, now_.b, codes_.b);
+    const Role moved = left_over == Role::result ? left_over : Role::current;
+    add_end(view, "a", {a, b}, now_.a, codes_.a, moved);
+    add_end(view, "b", {b, a}, now_.b, codes_.b, moved);
     return view;
   }
-  /// An end as it was given, and the code of where it is by now.
-  void add_end(View& view, const std::string& name, dvec2 given, dvec2 other, dvec2 now, Code code) const {
-    const bool moved = given != now;
-    scene_.add_point(view, "end " + name, Role::input, given, other,
-                     moved ? name : name + ": " + digits(code));
-    if (moved) scene_.add_point(view, "moved " + name, Role::current, now, now, digits(code));
+  /// An end as it was given, hollow once it has moved, and the code of where it is by now.
+  void add_end(View& view, const std::string& name, const Line& given, dvec2 now, Code code,
+               Role moved) const {
+    const bool stays = given.a == now;
+    scene_.add_point(view, "end " + name, Role::input, given.a, given.b,
+                     stays ? name + ": " + digits(code) : name, !stays, name);
+    if (!stays) scene_.add_point(view, "moved " + name, moved, now, now, digits(code), false, name);
+  }
+  /// The end whose code a region has; none where both or neither have it.
+  std::string end_in(Code region) const {
+    if ((region == codes_.a) == (region == codes_.b)) return "";
+    return end(region == codes_.a);
   }
   /// Each region's code where the segment leaves room for it, and which digit is which.
   void add_codes(View& view) const {
@@ -246,7 +253,8 @@ class Story {
         const auto place =
             scene_.clear_place({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}}, task_.line, {3.2, 1.7});
         if (!place) continue;
-        view.add({fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}});
+        view.add(
+            {fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}, end_in(region)});
       }
     }
     std::string bits;
@@ -296,6 +304,7 @@ void tell(Narrator& narrator) {
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
+  narrator.quantities({"a", "", "b"});  // the second looks like the border cut at
   narrator.legend(
       {Role::boundary, Role::input, Role::current, Role::measure, Role::rejected, Role::past, Role::result});
   if (narrator.method().standing == Standing::faulty) {
@@ -341,8 +350,13 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .standing = Standing::faulty,
                     .tell = tell<Way::whole_or_nothing>,
                     .sizes = rounded}},
-       .columns =
-           {{"cut"}, {"end", false}, {"border", false}, {"x"}, {"y"}, {"code_a", false}, {"code_b", false}},
+       .columns = {{"cut"},
+                   {"end", false},
+                   {"border", false},
+                   {"x"},
+                   {"y"},
+                   {.id = "code_a", .numeric = false, .quantity = "a"},
+                   {.id = "code_b", .numeric = false, .quantity = "b"}},
        .parameters = {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
                       window_view::order_parameter(),
                       choice(

@@ -112,7 +112,7 @@ void add_ends(View& view, const std::string& prefix, const Words& words, const T
     const Code code = of_a ? state.first_a : state.first_b;
     const std::string text = codes ? name + " " + code_text(code, task.left_first) : name;
     view.add_named(prefix + " t end " + name, prefix + " u end " + name, Role::input, at(given), text,
-                   given != now);
+                   given != now, name);
   }
   for (std::size_t i = 0; i < state.moves.size(); ++i) {
     const auto& move = state.moves[i];
@@ -121,7 +121,8 @@ void add_ends(View& view, const std::string& prefix, const Words& words, const T
     const Role role = last ? Role::current : state.accepted && stands ? Role::result : Role::past;
     const std::string number = std::to_string(i + 1);
     view.add_named(prefix + " t cut " + number, prefix + " u cut " + number, role, at(move.to),
-                   codes ? place_of(words, task.region, move.face) : face_name(words, move.face));
+                   codes ? place_of(words, task.region, move.face) : face_name(words, move.face), false,
+                   move.of_a ? "a" : "b");
   }
 }
 

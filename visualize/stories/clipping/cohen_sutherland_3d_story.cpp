@@ -193,6 +193,7 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
   narrator.paper(paper_width, paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
+  narrator.quantities({"a", "", "b"});  // as in the plane
   narrator.legend({{Role::boundary, N == 3 ? "box" : "volume"},
                    Role::input,
                    Role::current,
@@ -242,7 +243,11 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .tell = tell_correctly_rounded<4>,
                     .function = "correctly_rounded",
                     .unread = {"line", "box"}}},
-       .columns = {{"cut"}, {"code_a"}, {"code_b"}, {"and"}, {"decision", false}},
+       .columns = {{"cut"},
+                   {.id = "code_a", .quantity = "a"},
+                   {.id = "code_b", .quantity = "b"},
+                   {"and"},
+                   {"decision", false}},
        .parameters =
            {numbers("line", "-2,1,2,12,11,9", "-2,1,2,12,11,9", "the segment's ends: x0,y0,z0,x1,y1,z1",
                     {"x0", "y0", "z0", "x1", "y1", "z1"}, {1e-300, 1e300}),

@@ -253,6 +253,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
                                  {"to", scene.segment.b},
                                  {"centre", scene.circle.centre},
                                  {"radius", real(scene.circle.radius)}});
+  narrator.quantities({"enters", "t", "leaves", "D"});
   narrator.legend({Role::boundary, Role::input, Role::candidate, Role::past, Role::measure, Role::accepted,
                    Role::result});
   narrator.key_by_type();

@@ -167,9 +167,10 @@ class Ground<2> {
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     scene_.add_line(view, std::move(id), role, {task_.point(from), task_.point(to)}, dashed);
   }
-  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name) const {
+  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name,
+                    const std::string& quantity) const {
     const dvec2 at = task_.point(c.t);
-    scene_.add_point(view, c.id(), role, at, at, name, c.leaves());
+    scene_.add_point(view, c.id(), role, at, at, name, c.leaves(), quantity);
   }
   void add_border(View& view, Border border) const { scene_.add_cutting_border(view, border); }
 
@@ -193,9 +194,10 @@ class Ground<3> {
   void add_part(View& view, std::string id, Role role, double from, double to, bool dashed) const {
     view.add({std::move(id), role, Stroke{at(from), at(to), false, dashed}});
   }
-  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name) const {
+  void add_crossing(View& view, const Crossed& c, Role role, const std::string& name,
+                    const std::string& quantity) const {
     if (c.t < 0 || 1 < c.t) return;
-    view.add_named(c.id(), role, at(c.t), name, c.leaves());
+    view.add_named(c.id(), role, at(c.t), name, c.leaves(), quantity);
   }
   void add_border(View& view, Border face) const { add_face(view, space_, box_face(task_.box, face)); }
 

@@ -138,9 +138,10 @@ class Story {
     const auto [height, align] = rows_.of(text);
     const dvec2 foot = scale_.at(t), head = foot + dvec2{0, height};
     view.add({c.id() + " stem", Role::guide, Stroke{foot, head - dvec2{0, 0.8}}});
-    view.add({c.id() + " dot", role, Dot{foot, c.leaves()}});
-    view.add({c.id() + " text", role, Text{head, text, align}});
-    ground_.add_crossing(view, c, role, name(c.border));
+    const std::string bound = c.enters() ? "enter" : "leave";
+    view.add({c.id() + " dot", role, Dot{foot, c.leaves()}, bound});
+    view.add({c.id() + " text", role, Text{head, text, align}, bound});
+    ground_.add_crossing(view, c, role, name(c.border), bound);
   }
   /// "in: left"; of a value beyond the scale the number, too.
   std::string mark(Border border, bool enters, double t) const {
@@ -259,6 +260,7 @@ template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip clip) {
   narrator.paper(window_view::paper_width, window_view::paper_height);
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
+  narrator.quantities({"enter", "t", "leave", "p"});
   narrator.legend({Role::boundary, Role::input, Role::current, Role::measure, Role::candidate, Role::past,
                    Role::rejected, Role::result});
   clip();

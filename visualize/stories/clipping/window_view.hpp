@@ -123,10 +123,10 @@ class Scene {
   /// A point with a name. One beyond the panel is named, with its place, where the line to it leaves, behind
   /// a break of that line.
   void add_point(View& view, const std::string& id, Role role, dvec2 at, dvec2 along, const std::string& name,
-                 bool ring = false) const {
+                 bool ring = false, const std::string& quantity = {}) const {
     if (cohen_sutherland_2d::region_code(at, shown_) == 0) {
-      view.add({id, role, Dot{panel_.at(at), ring}});
-      if (!name.empty()) view.add({id + " name", role, Label{panel_.at(at), name}});
+      view.add({id, role, Dot{panel_.at(at), ring}, quantity});
+      if (!name.empty()) view.add({id + " name", role, Label{panel_.at(at), name}, quantity});
       return;
     }
     const auto seen = cohen_sutherland_2d::correctly_rounded(Line{at, along}, shown_);
@@ -134,7 +134,7 @@ class Scene {
     const dvec2 edge = panel_.at(seen->a), way = panel_.at(seen->b) - edge;
     const double length = std::hypot(way.x, way.y);
     if (length > 2) add_break(view, id + " break", role, edge + way * (0.9 / length), way / length);
-    view.add({id + " name", role, Label{edge, fmt::format("{} {}", name, figure_place(at))}});
+    view.add({id + " name", role, Label{edge, fmt::format("{} {}", name, figure_place(at))}, quantity});
   }
 
  private:

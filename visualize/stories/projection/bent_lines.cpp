@@ -263,7 +263,7 @@ class BentStory {
     const dvec3 on_chord = interpolated(image.x);
     const double error = on_chord.z - image.z;
     if (!is_off(error)) return;
-    view.add({"d error", Role::measure, Stroke{in_image(image), in_image(on_chord)}});
+    view.add({"d error", Role::measure, Stroke{in_image(image), in_image(on_chord), false, false, true}});
     view.add(
         {"f error name", Role::measure,
          Label{0.5 * (in_image(image) + in_image(on_chord)), words_.say("error", {{"error", real(error)}})}});

@@ -375,8 +375,10 @@ const hexRgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 /** x and y in turn, of a mark that is a chain of strokes. */
 const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest.slice(0, 4));
 const LINE_WIDTHS = {
-  current: 6, result: 5, measure: 5, boundary: 4, accepted: 4, input: 3, candidate: 3, rejected: 3, past: 2.2, guide: 1.4
+  current: 6, result: 5, measure: 5, boundary: 4, accepted: 4, input: 3, candidate: 4, rejected: 3, past: 2.2, guide: 1.4
 };
+/** Whose value a mark shows, by its symbol. */
+const quantityOf = (rest) => rest.find((part) => part?.quantity)?.quantity;
 const THIN = 1.6;
 const GAP = 3.5;  // on either side of a line that passes in front
 const dashes = (width) => `${3 * width} ${2 * width}`;
@@ -507,7 +509,7 @@ class Drawing {
             `M${size * 0.75} ${size * 1.25}L${size * 1.25} ${size * 0.75}`,
         falling: `M0 0L${size} ${size}`,
         cross: `M0 0L${size} ${size}M0 ${size}L${size} 0`,
-      }[look.hatch];
+      }[look.areaHatch];
       if (!d) return;
       defs.append(svg(
           'pattern', {id: this.patternId(role), width: size, height: size, patternUnits: 'userSpaceOnUse'},
@@ -713,7 +715,7 @@ class Drawing {
   }
   drawMark(mark, pending, standing) {
     const [id, role, kind, ...rest] = mark;
-    const look = this.theme.roles[role];
+    const look = this.lookOf(role, quantityOf(rest));
     const attributes = {
       'data-role': this.run.trace.roles[role],
       ...(standing === 'free' ? {'data-mark': id} : {'pointer-events': 'none'})
@@ -730,6 +732,11 @@ class Drawing {
     else
       this.drawChain(rest, kind, look, attributes);
   }
+  /** A role's look; dots and texts of a quantity have its colour. */
+  lookOf(role, symbol) {
+    const look = this.theme.roles[role], color = this.theme.quantities[this.letters.coded.get(symbol)];
+    return color ? {...look, mark: color, text: color} : look;
+  }
   drawArea(rest, role, attributes) {
     const rings = rest.filter(Array.isArray).map((ring) => {
       let d = '';
@@ -740,10 +747,10 @@ class Drawing {
     const d = rings.map((ring) => `${ring}z`).join('');
     this.layers.areas.append(...this.areaShapes(d, role, rest.find(Number.isFinite) ?? 0, attributes));
   }
-  areaShapes(d, role, shade, attributes = {}) {
+  areaShapes(d, role, shade, attributes = {}, hatched = this.theme.roles[role].areaHatch) {
     const look = this.theme.roles[role], fill = shade ? look.tints[shade - 1] : look.fill;
     const area = svg('path', {d, fill, 'fill-rule': 'evenodd', ...attributes});
-    if (look.hatch === 'none' || shade) return [area];
+    if (hatched === 'none' || shade) return [area];
     const hatch = `url(#${this.patternId(role)})`;
     return [area, svg('path', {d, fill: hatch, 'fill-rule': 'evenodd', 'pointer-events': 'none'})];
   }
@@ -973,23 +980,26 @@ class Drawing {
 
   /** The kinds of marks that show a role now. */
   kindsOf(role) {
-    const kinds = {cell: this.shownCells.some((cell) => cell[2] === role && !cell[4]), solid: false, shade: 0};
+    const kinds = {cell: this.shownCells.some((cell) => cell[2] === role && !cell[4]), solid: false, shade: 0, quantities: []};
     for (const [, of, kind, ...rest] of [...this.run.trace.backdrop, ...this.canvas.marks.values()]) {
       if (of !== role) continue;
       kinds[kind] = true;
       if (kind === 'area') kinds.shade = Math.max(kinds.shade, Math.min(rest.find(Number.isFinite) ?? 0, 2));
       if (LINES.includes(kind)) kinds.solid ||= !rest.includes('dashed');
+      if (kind === 'dot' || kind === 'ring') kinds.quantities.push(quantityOf(rest));
     }
     return kinds;
   }
-  /** The mark that stands for a role in the legend: {as, dashed, outlined, shade, color}; null: it is not seen. */
+  /** The mark that stands for a role in the legend: {as, dashed, outlined, shade, quantities, color}; null: it is not seen. */
   legendMark([role, , color]) {
     if (color) {
       const seen = this.shownCells.some((cell) => cell[2] === role && cell[4] === color);
       return seen ? {as: 'cell', color} : null;
     }
     const kinds = this.kindsOf(role), as = SAMPLES.find((kind) => kinds[kind]), lines = LINES.some((kind) => kinds[kind]);
-    return as ? {as, dashed: lines && !kinds.solid, outlined: Boolean(kinds.area) && lines, shade: kinds.shade} : null;
+    if (!as) return null;
+    const quantities = [...new Set(kinds.quantities)].sort();
+    return {as, dashed: lines && !kinds.solid, outlined: Boolean(kinds.area) && lines, shade: kinds.shade, quantities};
   }
   /** What the legend has to name: roles that can be seen, and colours that cells have. */
   legendRoles() { return this.run.trace.legend.filter((entry) => this.legendMark(entry)); }
@@ -997,7 +1007,8 @@ class Drawing {
   /** A legend entry's mark as it looks in the drawing. */
   swatch(entry, s) {
     const mark = this.legendMark(entry), [role] = entry, look = this.theme.roles[role];
-    const width = (mark.as === 'dot' || mark.as === 'ring' ? 18 : 32) * s, height = 18 * s;
+    const dots = mark.as === 'dot' || mark.as === 'ring' ? mark.quantities.length : 0;
+    const width = (dots === 1 ? 18 : 32) * s, height = 18 * s;
     const image = svg('svg', {width, height, 'aria-hidden': 'true'});
     image.append(...this.sample(mark, role, look, width, height, s));
     return image;
@@ -1012,17 +1023,19 @@ class Drawing {
       const ends = [[0, height / 2], [width, height / 2]];
       return [...line(), this.arrowHead(ends, look, {}, s)];
     }
-    if (as === 'dot' || as === 'ring') return [this.disc(width / 2, height / 2, as === 'ring', look, s)];
+    if (as === 'dot' || as === 'ring')
+      return mark.quantities.map((symbol, i) => this.disc(
+          ((i + 0.5) * width) / mark.quantities.length, height / 2, as === 'ring', this.lookOf(role, symbol), s));
     if (as === 'area') {
       const d = rim(mark.outlined ? (LINE_WIDTHS[look.role] * s) / 2 : 0);
       return [...this.areaShapes(d, role, mark.shade), ...(mark.outlined ? outline() : [])];
     }
     if (mark.color) return [svg('path', {d: rim(0), fill: mark.color})];
-    return [...this.areaShapes(rim(0), role, 0), ...this.cellOutline(look, width, height, s)];
+    return [...this.areaShapes(rim(0), role, 0, {}, look.hatch), ...this.cellOutline(look, width, height, s)];
   }
   cellOutline(look, width, height, s) {
     if (!look.outline) return [];
-    const inset = (look.outline * s) / 2, stroke = Math.min(look.outline * s, height / 5), arm = 0.3 * height;
+    const inset = (look.outline * s) / 2, stroke = Math.min(look.outline * s, 0.3 * height), arm = 0.3 * height;
     const out = [svg('rect', {
       x: inset,
       y: inset,

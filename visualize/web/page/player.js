@@ -348,9 +348,9 @@ class GradusPlayer {
     this.tableWidth = sum;
     this.parts.grid.style.setProperty('--wanted', sum);
     this.parts.columns.replaceChildren(...trace.columns.map(
-        ({name}, c) => html(
+        ({id, name, quantity}, c) => html(
             'th',
-            {scope: 'col', style: `width: ${(100 * (wanted[c] + spare)) / (sum + spare * wanted.length)}%`},
+            {scope: 'col', class: this.letters.className(quantity ?? id), style: `width: ${(100 * (wanted[c] + spare)) / (sum + spare * wanted.length)}%`},
             ...this.letters.html(name))));
   }
   showPhases() { this.scrub.showPhases((role) => this.look(role)); }
@@ -368,9 +368,15 @@ class GradusPlayer {
     if (this.flying) return;
     this.parts.live.textContent = `${this.positionOf(step)}: ${this.said(step)}`;
   }
+  /** What the step read and what it made: the values in the table's last two rows. */
+  valuesAt(index) {
+    const {table, trace} = this.run, count = table.count(index), rows = [];
+    for (let row = Math.max(0, count - 2); row < count; ++row) rows.push(table.cells(row, index));
+    return this.letters.valuesIn(trace.columns, rows);
+  }
   redraw(moving = false) {
     const {parts, run, index} = this, step = run.steps[index];
-    parts.sentence.replaceChildren(...this.letters.sentence(step.sentence ?? ''));
+    parts.sentence.replaceChildren(...this.letters.sentence(step.sentence ?? '', this.valuesAt(index)));
     parts.goal.hidden = !this.statesGoal(step);
     if (run.shows('drawing')) this.redrawDrawing(moving);
     this.redrawListing();
@@ -461,7 +467,7 @@ class GradusPlayer {
     trace.columns.forEach((column, c) => {
       const cell = html('td', {}, html('span', {}, ...this.letters.html(cells[c] ?? '')));
       cell.classList.toggle('numeric', column.numeric);
-      const quantity = this.letters.coded.get(column.id);
+      const quantity = this.letters.coded.get(column.quantity ?? column.id);
       if (quantity !== undefined) cell.classList.add(`quantity-${quantity}`);
       if (changed[c]) {
         cell.classList.add('changed');
