@@ -49,7 +49,7 @@ def of_the_program():
     """What a page of some topics needs, in units: files that are compiled together."""
     stories = [f"visualize/stories/{topic}_story.cpp" for topic in TOPICS]
     return [matching("algorithms/core/**/*.cpp"), matching("visualize/figure/*.cpp"), matching("visualize/stories/*.cpp"),
-            ["visualize/web/html.cpp", "visualize/web/json.cpp", *stories]]
+            ["visualize/web/html.cpp", "visualize/web/json.cpp", "visualize/web/script_safe.cpp", *stories]]
 
 
 def of_all_else():

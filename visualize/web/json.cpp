@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 
-#include "core/shown.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"
+#include "figure/seen_cells.hpp"
 #include "figure/typesetting.hpp"
+#include "web/script_safe.hpp"
 
 namespace gradus {
 namespace {
@@ -21,33 +21,6 @@ using Json = nlohmann::ordered_json;
 using SortedJson = nlohmann::json;
 
 // -- Text -----------------------------------------------------------------------------------------
-
-/// Makes JSON safe inside a <script> element too: no "</", "<!" or "<script" is left, no line separator of
-/// JavaScript, and no character that turns the direction of text. All of these can only stand inside string
-/// literals, where an escape means the same.
-std::string script_safe(const std::string& json) {
-  std::string out;
-  out.reserve(json.size() + json.size() / 64);
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const std::string_view rest = std::string_view(json).substr(i);
-    if (rest[0] == '<' && rest.size() > 1 &&
-        std::string_view("/!sS").find(rest[1]) != std::string_view::npos) {
-      out += "\\u003c";
-    } else if (rest.starts_with("-->")) {
-      out += "--\\u003e";
-      i += 2;
-    } else if (static_cast<unsigned char>(rest[0]) >= 0x7f) {
-      const std::string_view character = rest.substr(0, std::max<std::size_t>(character_size(rest), 1));
-      const char32_t code = code_points(character)[0];
-      out += is_control(code) ? fmt::format("\\u{:04x}", static_cast<std::uint32_t>(code))
-                              : std::string(character);
-      i += character.size() - 1;
-    } else {
-      out += rest[0];
-    }
-  }
-  return out;
-}
 
 /// One line. A byte that is no UTF-8 becomes U+FFFD; a number that JSON lacks (nan, inf) becomes null.
 std::string text_of(const Json& json) {
@@ -220,38 +193,6 @@ class Runs {
   std::optional<CellLook> look_;
   Json out_ = Json::array();
 };
-
-/// Where a canvas is asked for its cells: all of a grid of ordinary size; of a larger one the blocks that a
-/// view following the recorded steps can come to show.
-std::vector<Window> windows_to_look_in(const Trace& trace) {
-  constexpr std::int64_t most_cells = std::int64_t{1} << 26;
-  const Window& all = trace.grid.cells;
-  if (all.empty()) return {};
-  if (all.width() <= most_cells && all.height() <= most_cells / all.width()) return {all};
-
-  constexpr std::int64_t side = 128;
-  std::vector<Window> blocks;
-  std::unordered_set<std::uint64_t> known;
-  const auto block_of = [](std::int64_t coordinate) { return (coordinate + (std::int64_t{1} << 32)) / side; };
-  for (const TraceStep& step : trace.steps) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const std::int64_t column = block_of(step.focus.x) + dx, row = block_of(step.focus.y) + dy;
-        const std::uint64_t id = static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column);
-        if (!known.insert(id).second) continue;
-        const std::int64_t x = column * side - (std::int64_t{1} << 32),
-                           y = row * side - (std::int64_t{1} << 32);
-        const auto bounded = [](std::int64_t v) {
-          return static_cast<int>(std::clamp<std::int64_t>(v, INT32_MIN, INT32_MAX));
-        };
-        if (x > INT32_MAX || y > INT32_MAX || x + side <= INT32_MIN || y + side <= INT32_MIN) continue;
-        const Window block{{bounded(x), bounded(y)}, {bounded(x + side - 1), bounded(y + side - 1)}};
-        if (const Window shared = intersection(block, all); !shared.empty()) blocks.push_back(shared);
-      }
-    }
-  }
-  return blocks;
-}
 
 /// The drawing before the first recorded step, where the recording doesn't start with the run.
 Json before_json(const Trace& trace) {

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""No source file is longer than what one can read in one go: it is parted by subject instead."""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import project
+
+MOST_LINES = 500
+KINDS = (".cpp", ".hpp", ".py", ".js")
+FOLDERS = ("algorithms", "pipeline", "visualize", "examples", "docs", "tests")
+NOT_WRITTEN_BY_HAND = ("tests/fuzz/corpus",)
+
+# Yet to be parted, with the lines that they have: none of these may grow, and none come to them
+STILL_LONG = {
+    "algorithms/clipping/sutherland_hodgman/separate_pieces.hpp": 514,
+    "tests/browser/player_test.py": 1006,
+    "tests/golden/cli_test.py": 780,
+    "tests/golden/figure_flags_test.py": 769,
+    "tests/golden/lecture_test.py": 612,
+    "tests/golden/render_command_test.py": 564,
+    "tests/stress/scan_conversion/flood_fill_stress.cpp": 595,
+    "tests/unit/clipping/sutherland_hodgman_test.cpp": 583,
+    "tests/unit/pipeline/obj_test.cpp": 751,
+    "tests/unit/projection/perspective_test.cpp": 524,
+    "tests/unit/visualize/cli_test.cpp": 623,
+    "tests/unit/visualize/film_test.cpp": 574,
+    "tests/unit/visualize/layout_test.cpp": 723,
+    "tests/unit/visualize/wording_test.cpp": 538,
+    "visualize/stories/pipeline/textbook_chain_story.cpp": 702,
+    "visualize/web/page/drawing.js": 1045,
+    "visualize/web/page/player.js": 849,
+}
+
+
+def lengths(root):
+    """Path -> lines of every source file."""
+    found = {}
+    for top in FOLDERS:
+        for folder, _, names in os.walk(root / top):
+            for name in names:
+                path = pathlib.Path(folder, name)
+                shown = path.relative_to(root).as_posix()
+                if name.endswith(KINDS) and not shown.startswith(NOT_WRITTEN_BY_HAND):
+                    found[shown] = path.read_bytes().count(b"\n")
+    return found
+
+
+def complaints(root, still_long):
+    return [f"{path} has {lines} lines, {max(MOST_LINES, still_long.get(path, 0))} are the most"
+            for path, lines in sorted(lengths(root).items()) if lines > max(MOST_LINES, still_long.get(path, 0))]
+
+
+class FileSize(unittest.TestCase):
+    def test_no_file_is_too_long(self):
+        found = lengths(project.ROOT)
+        self.assertGreater(len(found), 300)
+        self.assertEqual(complaints(project.ROOT, STILL_LONG), [])
+
+    def test_files_that_were_parted_leave_the_list(self):
+        found = lengths(project.ROOT)
+        self.assertEqual([path for path in STILL_LONG if found.get(path, 0) <= MOST_LINES], [])
+
+    def test_a_long_file_is_named_with_its_lines(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "visualize").mkdir()
+            (root / "visualize/long.cpp").write_text("\n" * 501)
+            (root / "visualize/fits.cpp").write_text("\n" * 500)
+            self.assertEqual(complaints(root, {}), ["visualize/long.cpp has 501 lines, 500 are the most"])
+            self.assertEqual(complaints(root, {"visualize/long.cpp": 501}), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
