@@ -86,7 +86,8 @@ class Stage {
     };
   }
   /** A label stands somewhere beside its point: half its width and one line are enough. */
-  noteText(kind, [x, y, text, align = 'centre'], add) {
+  noteText(kind, [x, y, text, aligned], add) {
+    const align = kind === 'text' ? aligned : 'centre';
     if (x < this.lower[0] || x > this.upper[0] || y < this.lower[1] || y > this.upper[1]) return;
     add(x, y);
     this.texts.set(`${x} ${y} ${text}`, {x, y, text, align, half: (kind === 'text' ? 0.65 : 1.5) * TEXT});
