@@ -12,9 +12,9 @@
 
 namespace gradus::cli {
 
-using Kind = JsonNode::Kind;
-
 namespace {
+
+using Kind = JsonNode::Kind;
 
 bool has_control(std::string_view text) {
   return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
