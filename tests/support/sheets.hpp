@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "figure/figure.hpp"
+#include "figure/layout.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus::test {
@@ -85,29 +86,28 @@ inline Box united(const Box& a, const Box& b) {
 }
 
 /// Whether a shape of the drawing is one of its marks: no axis, grid, guide, tinted region, text or leader.
+/// The borders of a window that go on and on are marks: it is they that are cut at.
 inline bool is_mark(const Shape& shape) {
   if (shape.slot != Slot::drawing || shape.id.starts_with("leader ") || shape.id.starts_with("overview"))
     return false;
-  if (shape.id == "colours") return true;
+  if (shape.id == "colours" || shape.id.starts_with("border ")) return true;
   if (std::holds_alternative<TextShape>(shape.what) || std::holds_alternative<AreaShape>(shape.what))
     return false;
   const std::optional<Role> role = role_of(shape);
   return role && *role != Role::guide && shape.id != "centres";
 }
 
-/// How far the marks of a slide reach, as parts of what they shall: 54 % of its width, or 90 % of the height
-/// between title and sentence. At least 1 is enough.
-inline double reach_of(const Sheet& sheet) {
+/// How far the marks of a figure reach on a slide, as parts of what they shall: 54 % of its width, or 90 % of
+/// the height of its body. At least 1 is enough.
+inline double reach_of(const Figure& figure, const Look& look) {
   std::optional<Box> marks;
-  double top = 0, bottom = sheet.height;
-  for (const Shape& shape : sheet.shapes) {
-    const Box box = extent_of(shape);
-    if (shape.slot == Slot::title) top = std::max(top, box.bottom());
-    if (shape.slot == Slot::sentence) bottom = std::min(bottom, box.y);
-    if (is_mark(shape)) marks = marks ? united(*marks, box) : box;
+  for (const Shape& shape : lay_out(figure, look).shapes) {
+    if (is_mark(shape)) marks = marks ? united(*marks, extent_of(shape)) : extent_of(shape);
   }
   if (!marks) return 0;
-  return std::max(marks->width / (0.54 * sheet.width), marks->height / (0.9 * (bottom - top)));
+  const layout::Page page = layout::page_of(*figure.trace, look);
+  const double s = layout::unit_of(look);
+  return std::max(marks->width / (0.54 * page.width * s), marks->height / (0.9 * page.middle.height * s));
 }
 
 /// Recorded once for all tests of a program.

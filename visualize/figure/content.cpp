@@ -28,7 +28,7 @@ class Survey {
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
-      add_text(text->at, left, width - left, 0.65 * layout::text_size);
+      add_text(text->at, left, width - left, 0.65 * layout::text_size, text->aside);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       // Somewhere beside its point: half its width and one line are enough
       const double half = text_width(label->text, Face::sans, layout::text_size) / 2;
@@ -52,11 +52,11 @@ class Survey {
     content_.all.add(p);
     if (counts) content_.core.add(p);
   }
-  void add_text(dvec2 at, double left, double right, double half_height) {
+  void add_text(dvec2 at, double left, double right, double half_height, bool aside = false) {
     if (at != glm::clamp(at, lower_, upper_)) return;
     content_.all.add(at);
     Content::TextRoom& room =
-        texts_.try_emplace({at.x, at.y}, Content::TextRoom{at, 0, 0, 0, 0}).first->second;
+        texts_.try_emplace({at.x, at.y}, Content::TextRoom{at, 0, 0, 0, 0, aside}).first->second;
     room.left = std::max(room.left, left);
     room.right = std::max(room.right, right);
     room.up = std::max(room.up, half_height);

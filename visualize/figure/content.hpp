@@ -26,6 +26,7 @@ struct Content {
   struct TextRoom {
     dvec2 at;
     double left, right, up, down;
+    bool aside = false;  ///< as the text
   };
 
   Part all;   ///< marks, cells and the places of texts

@@ -59,6 +59,7 @@ struct Text {
   dvec2 at;
   std::string text;
   Align align = Align::centre;
+  bool aside = false;  ///< explains the whole drawing: left out where it is one of many
   friend bool operator==(const Text&, const Text&) = default;
 };
 

@@ -48,7 +48,7 @@ Heading heading_of(const Trace& trace, const Look& look, double width, double he
     heading.fault = lines_of(trace.wording.say("figure.faulty", fmt::arg("what", trace.faulty)), Face::bold,
                              text_size, width, 3);
   }
-  heading.first_baseline = tight ? 40 : 50;
+  heading.first_baseline = tight ? 40 : 45;
   heading.height = heading.first_baseline + 40 * (static_cast<double>(heading.title.size()) - 1) +
                    28 * std::max(1, heading.method_line) + 26 * static_cast<double>(heading.fault.size()) +
                    12;
@@ -59,7 +59,7 @@ Page page_of(const Trace& trace, const Look& look) {
   const auto has = [&look](Slot slot) { return look.slots.contains(slot); };
   const double unit = unit_of(look);
   Page page{look.width / unit, look.height / unit, 0, {}, {}};
-  page.margin = std::clamp(page.width / 32, 22.0, 40.0);
+  page.margin = std::clamp(page.width / 40, 22.0, 32.0);
   const double width = page.width - 2 * page.margin;
   double top = page.margin / 2, bottom = page.height - page.margin / 2;
   if (has(Slot::title)) {
@@ -69,7 +69,7 @@ Page page_of(const Trace& trace, const Look& look) {
   }
   if (has(Slot::footer)) {
     page.at.footer_lines = footer_lines(trace, width);
-    const double height = (width < narrow ? 42 : 54) + (page.at.footer_lines - 1) * footer_line;
+    const double height = (width < narrow ? 42 : 46) + (page.at.footer_lines - 1) * footer_line;
     bottom = page.height - height;
     page.at.footer = {page.margin, bottom, width, height};
   }

@@ -260,7 +260,7 @@ class DrawingLayout {
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
       take_area(mark, *area);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
-      texts_.emplace_back(&mark, text);
+      if (!(text->aside && at_.among_many)) texts_.emplace_back(&mark, text);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       (fixed ? fixed_labels_ : labels_).emplace_back(&mark, label);
     }

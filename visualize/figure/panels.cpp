@@ -119,7 +119,7 @@ Stage cut_for(Stage stage, const Content& content, Content& cut, std::size_t run
     return text.at == glm::clamp(text.at, stage.lower, stage.lower + stage.size);
   };
   cut = content;
-  std::erase_if(cut.texts, [&](const Content::TextRoom& text) { return !shown(text); });
+  std::erase_if(cut.texts, [&](const Content::TextRoom& text) { return text.aside || !shown(text); });
   stage.content = &cut;
   return stage;
 }

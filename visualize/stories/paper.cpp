@@ -186,7 +186,7 @@ std::string id_of(std::string_view axis, std::string_view what, const Ticks& tic
                          : fmt::format("{}{} {:.17g}", axis, what, tick.value);
 }
 
-constexpr double tick_length = 0.35, number_gap = 1.3, name_gap = 1.1;
+constexpr double tick_length = 0.35, number_gap = 1.1, name_gap = 1.1;
 
 }  // namespace
 
@@ -209,7 +209,10 @@ void add_axes(View& view, const Panel& panel, std::string_view name, const AxisN
   if (names.y.empty()) return;
   const Ticks ticks = ticks_of(shown.lower.y, shown.upper.y, most);
   mark("y", Stroke{corner, {corner.x, place.upper.y}, true});
-  const dvec2 top{corner.x - 0.7, place.upper.y + 0.2};
+  // Beside the arrow, or above the last number where that stands there
+  double last = place.lower.y;
+  for (const Tick& tick : ticks.all) last = panel.at({0, tick.value}).y;
+  const dvec2 top{corner.x - 0.7, std::max(place.upper.y - 0.35, last + 1.25)};
   mark("y name", ticks.from == 0 ? Text{top, names.y, Align::right}
                                  : Text{top - dvec2{1.6, 0}, ticks.name(names.y), Align::left});
   for (const Tick& tick : ticks.all) {

@@ -153,7 +153,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
     Playhead playhead(trace);
     StepNumber step = figure.spec.step.value_or(telling_step(trace));
     if (!has_step(trace, step)) step = trace.steps.back().number;  // --step last
-    const double reach = test::reach_of(lay_out(figure_of(trace, playhead, step), figure.spec.look));
+    const double reach = test::reach_of(figure_of(trace, playhead, step), figure.spec.look);
     const auto known = smaller.find(figure.name);
     if (known == smaller.end()) {
       EXPECT_GE(reach, 1) << figure.name;

@@ -32,7 +32,7 @@ inline Extent world_of(const Ends& s, const Disc& c) {
   all.add(s.a);
   all.add(s.b);
   const bool fits = c.radius == 0 || std::max(all.size().x, all.size().y) <= 12 * c.radius;
-  return widened(fits ? all : widened(around, 0.5), 0.06);
+  return widened(fits ? all : widened(around, 0.5), 0.015);
 }
 
 /// The values of t to show, moderate ones.

@@ -167,7 +167,7 @@ class ClipSpaceStory {
     // All coordinates alike, so that nothing jumps when another one is cut
     const double reach = std::max(1.1 * most, 0.6 * world.upper.x);
     for (const double y : {-reach, reach}) world.add({0.5 * reach, y});
-    return widened(world, 0.04);
+    return widened(world, 0.015);
   }
   /// The picture, and where dividing first puts the corners, as far as that is near it.
   static Extent picture_world(std::span<const Point<double>> corners) {
@@ -177,7 +177,7 @@ class ClipSpaceStory {
       if (at.w == 0) continue;
       world.add(glm::clamp(dvec2(at) / at.w, dvec2(-2.5), dvec2(2.5)));
     }
-    return widened(world, 0.08);
+    return widened(world, 0.03);
   }
   /// The coordinate of the first plane that cuts; x where none does.
   static int most_telling_axis(const std::vector<Point<double>>& corners) {

@@ -57,7 +57,7 @@ inline Panel panel_of(const Given& given) {
     for (const dvec2 p : ring) all.add(p);
   }
   for (const dvec2 p : given.window()) all.add(p);
-  return tight_panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.06));
+  return tight_panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.015));
 }
 
 /// What of a rectangle of the plane lies right of a line: outside of a border.

@@ -257,9 +257,27 @@ class Story {
             {fmt::format("region {:02}", region), Role::guide, Text{*place, digits(region)}, end_in(region)});
       }
     }
-    std::string bits;
-    for (const char letter : task_.bits) bits += (bits.empty() ? "" : " · ") + name(border_of(letter));
-    view.add({"bits", Role::guide, Text{{18, 2.2}, words_.say("bits", {{"bits", bits}})}});
+    add_order_of_digits(view);
+  }
+  /// Beside the plane, which loses no height to it, or below a wide one.
+  void add_order_of_digits(View& view) const {
+    std::vector<std::string> names;
+    for (const char letter : task_.bits) names.push_back(name(border_of(letter)));
+    const Extent& plane = scene_.panel().place();
+    constexpr double widest_with_room = 22, line_height = 1.5;
+    if (plane.size().x > widest_with_room) {
+      const std::string order = fmt::format("{}", fmt::join(names, " · "));
+      view.add(
+          {"bits", Role::guide, Text{{18, 2.2}, words_.say("bits", {{"bits", order}}), Align::centre, true}});
+      return;
+    }
+    const std::array<std::string, 3> lines{words_.say("bits", {{"bits", ""}}),
+                                           names[0] + " · " + names[1] + " ·", names[2] + " · " + names[3]};
+    dvec2 at = plane.lower + dvec2{plane.size().x + 1.2, 2.5 * line_height};
+    for (const std::string& line : lines) {
+      view.add({fmt::format("bits {}", line), Role::guide, Text{at, line, Align::left, true}});
+      at.y -= line_height;
+    }
   }
 
   const Words& words_;

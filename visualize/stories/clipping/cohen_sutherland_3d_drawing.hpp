@@ -85,7 +85,7 @@ void add_order_of_bits(View& view, const Words& words, const Task<N>& task, dvec
   for (int i = 0; i < 6; ++i) {
     names += (i > 0 ? " · " : "") + face_name(words, static_cast<Border>(task.left_first ? i : 5 - i));
   }
-  view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}})}});
+  view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}}), Align::centre, true}});
 }
 
 /// What is left of the segment, and dashed what was cut off. at(p), near(p): as for SpaceLine.

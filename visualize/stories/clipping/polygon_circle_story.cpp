@@ -4,6 +4,7 @@
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "stories/clipping/covered_area.hpp"
+#include "stories/clipping/unrolled_circle.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
@@ -11,6 +12,7 @@ namespace gradus::polygon_circle {
 namespace {
 
 constexpr int width = 36, height = 27;
+constexpr dvec2 strip_from{6, 3.1}, strip_to{width - 6, 3.1};  ///< a scale below the plane
 
 /// What all steps are drawn from.
 struct Scene {
@@ -28,7 +30,7 @@ Extent world_of(const std::vector<dvec2>& polygon, const Disc& c) {
   all.add(c.centre + c.radius);
   const double far = c.radius > 0 ? 3 * c.radius : 1e300;
   for (const dvec2 p : polygon) all.add(glm::clamp(p, c.centre - far, c.centre + far));
-  return widened(all, 0.06);
+  return widened(all, 0.015);
 }
 
 std::int64_t count(std::size_t n) { return static_cast<std::int64_t>(n); }
@@ -113,6 +115,8 @@ class Story {
     erase("c ");
     std::size_t number = 0;
     for (const Crossing& c : s.crossings) add_crossing(c.at, ++number, c.leaves ? "out" : "in", c.leaves);
+    unrolled_ = UnrolledCircle(s.crossings, scene_.circle, {strip_from, strip_to, -12, 372});
+    unrolled_.add_to(view_, "g order");
   }
   Event say(const Sorted& s) const {
     const bool any = !s.crossings.empty();
@@ -337,7 +341,7 @@ class Story {
   }
   /// Where on the edge, from its start at t = 0 to its end at t = 1.
   void add_values(const Tested& t) {
-    const NumberLine line({6, 3.1}, {width - 6, 3.1}, -0.04, 1.04);
+    const NumberLine line(strip_from, strip_to, -0.04, 1.04);
     View scale;
     line.add_to(scale, "t", words_.symbol("t"));
     for (const auto& [id, mark] : scale.marks) view_.add({"e t " + id, mark.role, mark.shape});
@@ -364,6 +368,7 @@ class Story {
     chain_.insert(chain_.end(), points.begin() + 1, points.end());
     chain_.back() = b.to;
     view_.add({"e now", Role::current, Path{scene_.panel.at(points)}});
+    unrolled_.add_arc(view_, "e now order", b.exit, b.entry);
   }
   void show_chain(dvec2 here) {
     if (chain_.size() > 1) view_.add({"e chain", Role::accepted, Path{scene_.panel.at(chain_)}});
@@ -407,6 +412,7 @@ class Story {
   const Scene& scene_;
   View view_;
   std::vector<dvec2> chain_;  ///< the piece so far
+  UnrolledCircle unrolled_;   ///< from the step on that orders the crossings
   std::size_t crossings_ = 0, flat_corners_ = 0;
   Covered flat_area_;
   bool leaves_ = false;  ///< the edge that the listing looks at

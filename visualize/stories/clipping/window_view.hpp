@@ -35,7 +35,7 @@ inline Extent world_of(const Line& line, const Rectangle& window) {
   for (const dvec2 end : {line.a, line.b}) {
     if (cohen_sutherland_2d::region_code(end, near) == 0) world.add(end);
   }
-  return widened(world, 0.04);
+  return widened(world, 0.015);
 }
 
 /// Refuses a window that no paper can show.

@@ -71,7 +71,7 @@ class BentStory {
     for (const dvec3 p : {task.from, task.to}) space.add({p.x, p.z});
     space.add({0, 0});
     space.add({0, std::min(task.far, std::max({task.from.z, task.to.z, task.wall}) * 1.1)});
-    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.06));
+    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02));
     const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
     image.add({least - margin, std::min({a_.z, b_.z, task.depth_of_wall()})});
     image.add({most + margin, std::max({a_.z, b_.z, task.depth_of_wall()})});

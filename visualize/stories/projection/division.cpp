@@ -184,7 +184,7 @@ class DivisionStory {
     for (const dvec3 p : task_.points) space.add({p.x, p.z});
     space.add(task_.eye());
     for (const double side : {-half_, half_}) space.add({task_.centre.x + side, task_.plane()});
-    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.05), Panel::Fit::stretched);
+    space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02), Panel::Fit::stretched);
     picture_ = Panel({{21.8, 5.2}, {35.2, 18.6}}, {task_.centre - half_, task_.centre + half_});
   }
   dvec2 from_above(std::size_t i) const { return {task_.points[i].x, task_.points[i].z}; }

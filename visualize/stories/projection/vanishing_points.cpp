@@ -101,7 +101,7 @@ class VanishingStory {
       const std::optional<dvec2> point = vanishing_point(matrix_, lines.direction);
       if (point && glm::distance(*point, middle) <= reach) shown.add(*point);
     }
-    panel_ = Panel({{1, 1}, {35, 23}}, widened(shown, 0.06));
+    panel_ = Panel({{1, 1}, {35, 23}}, widened(shown, 0.02));
   }
 
   std::size_t count() const { return lines_.size(); }

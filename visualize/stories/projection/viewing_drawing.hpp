@@ -183,7 +183,7 @@ class Drawing {
     for (const dvec3 tip : {dvec3{size, 0, 0}, dvec3{0, size, 0}, dvec3{0, 0, scene_.distance}})
       all.add(flat(tip));
     const Extent place{{21, 1}, {34.5, 21.5}};
-    const Panel panel(place, widened(all, 0.06));
+    const Panel panel(place, widened(all, 0.02));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
     const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
       view.add({id, role, Stroke{at({0, 0, 0}), at(tip), true}});
@@ -248,7 +248,7 @@ class Drawing {
       all.add(flat(a));
       all.add(flat(b));
     }
-    const Panel panel(place, widened(all, 0.04));
+    const Panel panel(place, widened(all, 0.02));
     int number = 0;
     for (const auto& [a, b] : wires_.edges()) {
       view.add({fmt::format("letter {} {:02}", name, number++), role,
@@ -278,7 +278,7 @@ class Drawing {
         add(scene_.eye + unit * axis_of(frame, i));
         add(scene_.eye + unit * dvec3(inverse[i]));
       }
-      return widened(extent, 0.06);
+      return widened(extent, 0.02);
     }
     for (const auto& [a, b] : wires_.edges()) {
       add(a);
@@ -289,7 +289,7 @@ class Drawing {
       add(scene_.eye + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
-    return widened(extent, 0.06);
+    return widened(extent, 0.02);
   }
   /// Of the world's axes, and of the viewer's as they are drawn.
   double axis_length() const { return std::max(1.3, 0.25 * scene_.distance); }

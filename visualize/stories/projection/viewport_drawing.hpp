@@ -102,7 +102,7 @@ class Drawing {
     const auto& [lower, upper] = input.map.window;
     Extent seen{lower, upper};
     add_near(seen, input.points, (upper - lower) * 0.25);
-    return widened(seen, 0.05);
+    return widened(seen, 0.02);
   }
   static Extent picture_extent(const Input& input) {
     const dvec2 size(input.map.picture);

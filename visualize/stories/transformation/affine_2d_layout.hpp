@@ -145,7 +145,7 @@ class Layout {
       const double room = std::max(1.0, 0.01 * std::max(size.x, size.y));
       world = {world.lower - room, world.upper + room};
     }
-    return widened(world, 0.06);
+    return widened(world, 0.02);
   }
 
   const dvec2 matrices_;
