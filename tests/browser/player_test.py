@@ -922,7 +922,7 @@ def large(check, browser, made):
     current = [c for c in state['cells'] if c[2] == 'current']
     check.equal('huge grid: the view follows', len(current), 1)
     check.that('huge grid: cells stay large', page.run('return player.drawing.at.cell / (player.unit / 20)') >= 24)
-    check.that('huge grid: an overview', page.run('return player.drawing.overview.checkVisibility()'))
+    check.that('huge grid: an overview', page.run('return player.drawing.overview.element.checkVisibility()'))
     moved, half = [], (view['x1'] - view['x0'] + 1) // 2
     for number in range(101, 140):
         page.go(str(number))

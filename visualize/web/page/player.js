@@ -251,7 +251,7 @@ class GradusPlayer {
       marks: this.drawing.canvas.sortedMarks(),
       table: rows.map((row) => run.table.row(row, index)),
       listing: run.listing(index).map((emphasis, i) => [run.lines[i], emphasis]),
-      legend: this.drawing.legendRoles().map(([role]) => run.trace.roles[role]),
+      legend: this.drawing.legend.entries().map(([role]) => run.trace.roles[role]),
     };
   }
 
@@ -488,9 +488,9 @@ class GradusPlayer {
     parts.position.textContent = this.positionOf(step);
     parts.legend.hidden = run.trace.legend.length === 0 || parts.drawing.hidden;
     if (parts.legend.hidden) return;
-    parts.legend.replaceChildren(...this.drawing.legendRoles().map(
+    parts.legend.replaceChildren(...this.drawing.legend.entries().map(
         (entry) =>
-            html('li', {'data-role': run.trace.roles[entry[0]]}, this.drawing.swatch(entry, s), entry[1])));
+            html('li', {'data-role': run.trace.roles[entry[0]]}, this.drawing.legend.swatch(entry, s), entry[1])));
   }
   redrawControls(step) {
     const {parts, run, index} = this;
