@@ -31,7 +31,6 @@ STILL_LONG = {
     "tests/unit/visualize/layout_test.cpp": 723,
     "tests/unit/visualize/wording_test.cpp": 538,
     "visualize/stories/pipeline/textbook_chain_story.cpp": 702,
-    "visualize/web/page/player.js": 855,
 }
 
 

@@ -129,7 +129,7 @@ std::string player_page(const Trace& trace, const Colophon& colophon, const Play
   for (const std::string_view file :
        {"player.css", "words.js", "run.js", "typeset.js", "elements.js", "stage.js", "labels.js",
         "overview.js", "legend.js", "motion.js", "drawing.js", "scrub.js", "address.js", "clipboard.js",
-        "together.js", "player.js"}) {
+        "together.js", "view.js", "player.js", "page.js"}) {
     parts.emplace_back(file, web_asset(file));
   }
   const std::vector<std::pair<std::string, std::string>> words = page_words(language);
