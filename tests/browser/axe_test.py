@@ -19,7 +19,7 @@ import pathlib
 import shutil
 import sys
 
-from player_test import one_a_topic
+from player_page import one_a_topic
 from webdriver import Browser, WebDriverError
 
 THEMES = ('light', 'dark', 'greyscale', 'high_contrast')
