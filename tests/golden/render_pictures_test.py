@@ -19,6 +19,7 @@ from renders import LETTER, LEVELS, OTHERS, Picture, ROOT, SHARE, SPOT, differin
 RENDERS = ROOT / "tests/golden/renders"
 BOX, SHELF = str(OTHERS / "tinyobj/cornell_box.obj"), str(OTHERS / "geometry_central/platonic_shelf.obj")
 TORUS = os.path.join(tempfile.mkdtemp(prefix="gradus_render_"), "torus.obj")
+
 # The committed pictures, all 160 x 120; render_test.cpp makes those of SHARED
 SHARED = ("letter_f", "spot", "cornell_box")
 REFERENCES = {

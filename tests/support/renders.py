@@ -11,6 +11,7 @@ gradus = functools.partial(command.gradus, timeout=120)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODELS, OTHERS = ROOT / "examples/models", ROOT / "tests/support/models"
 SPOT, LETTER = str(MODELS / "spot.obj"), str(MODELS / "letter_f.obj")
+
 # A pixel differs when one of its channels is off by more than LEVELS of 255; SHARE of the pixels may.
 # Rounding may move a rim by a pixel and a shade by a level; anything that is wrong moves more.
 LEVELS, SHARE = 2, 0.002
