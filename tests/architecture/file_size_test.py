@@ -19,7 +19,6 @@ STILL_LONG = {
     "algorithms/clipping/sutherland_hodgman/separate_pieces.hpp": 514,
     "tests/stress/scan_conversion/flood_fill_stress.cpp": 595,
     "tests/unit/clipping/sutherland_hodgman_test.cpp": 583,
-    "tests/unit/pipeline/obj_test.cpp": 751,
     "tests/unit/projection/perspective_test.cpp": 524,
     "tests/unit/visualize/cli_test.cpp": 623,
     "tests/unit/visualize/film_test.cpp": 574,
