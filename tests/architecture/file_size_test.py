@@ -20,7 +20,6 @@ STILL_LONG = {
     "tests/stress/scan_conversion/flood_fill_stress.cpp": 595,
     "tests/unit/clipping/sutherland_hodgman_test.cpp": 583,
     "tests/unit/projection/perspective_test.cpp": 524,
-    "tests/unit/visualize/wording_test.cpp": 538,
 }
 
 
