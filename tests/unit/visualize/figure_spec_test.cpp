@@ -10,6 +10,7 @@
 #include "cli/names.hpp"
 #include "cli/takes.hpp"
 #include "support/complaint.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus::cli {
 namespace {

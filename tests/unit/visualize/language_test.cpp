@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "figure/metrics.hpp"
+#include "stories/topic.hpp"
 
 namespace gradus {
 namespace {
