@@ -1,12 +1,12 @@
 """A player page in the browser for the tests beside it: what is run in it, and what holds for every such page."""
 import json
-import os
 import random
 import re
 import time
 
+from webdriver import EVERYTHING
+
 SEED = 20261121
-EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 MADE = ('line', 'fine', 'long', 'many', 'huge', 'hostile', 'late')
 STATE = '''const everything = () => JSON.stringify([player.state(), player.parts.drawing.querySelector('svg').innerHTML,
                player.parts.rows.innerText, player.parts.table.scrollTop, player.parts.lines.scrollTop]);

@@ -20,7 +20,7 @@
 #include "cli/errors.hpp"
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
-#include "support/films.hpp"
+#include "unit/visualize/films.hpp"
 
 namespace gradus::cli {
 namespace {
