@@ -19,14 +19,13 @@ import pathlib
 import shutil
 import sys
 
-from player_test import one_a_topic
-from webdriver import Browser, WebDriverError
+from player_page import one_a_topic
+from webdriver import EVERYTHING, Browser, WebDriverError
 
 THEMES = ('light', 'dark', 'greyscale', 'high_contrast')
 SIZES = ((1280, 720), (360, 740))
 WAYS = ((SIZES[0], 'light'), (SIZES[1], 'dark'), (SIZES[1], 'light'), (SIZES[0], 'dark'))
 FOLDED = (True, False, False, True)  # in these ways: both in every size and scheme
-EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))
 
 # All of axe-core's rules, its best practices too, and the least size of a target that WCAG 2.2 asks for.
 READ = '''return axe.run(arguments[0] || document, {resultTypes: ['violations'], rules: {'target-size': {enabled: true}}}).then(

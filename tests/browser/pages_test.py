@@ -13,7 +13,7 @@ import re
 import shutil
 import sys
 
-from player_test import Checks, Page
+from player_page import Checks, Page
 from webdriver import Browser
 
 # A topic page is at most three screens: of the usual 1920 x 1080, or of A4 paper

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import os
 import pathlib
 import shutil
 import socket
@@ -16,6 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import programs
 
 programs.use_nothing_else()
+EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))  # every page, not the first one of each topic
 KEYS = {'ArrowLeft': '\ue012', 'ArrowRight': '\ue014', 'ArrowUp': '\ue013', 'ArrowDown': '\ue015', 'Home': '\ue011',
         'End': '\ue010', 'PageUp': '\ue00e', 'PageDown': '\ue00f', 'Enter': '\ue007', 'Escape': '\ue00c',
         'Tab': '\ue004', 'Space': ' ', 'Shift': '\ue008'}

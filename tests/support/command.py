@@ -15,6 +15,7 @@ programs.use_nothing_else()
 GRADUS = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.environ.get("GRADUS_COMMAND", "gradus"))
 PLAIN = {k: v for k, v in os.environ.items()
          if k not in ("NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "COLUMNS", "SLURM_CPUS_PER_TASK")}
+INT32 = "-2147483648 to 2147483647"  # the range of whole numbers, as help and complaints say it
 
 passed = failed = 0
 

@@ -126,8 +126,10 @@ std::string player_page(const Trace& trace, const Colophon& colophon, const Play
               {"language", language.code()},
               {"topic_link", topic_link},
               {"data", data}};
-  for (const std::string_view file : {"player.css", "words.js", "run.js", "typeset.js", "drawing.js",
-                                      "scrub.js", "address.js", "clipboard.js", "together.js", "player.js"}) {
+  for (const std::string_view file :
+       {"player.css", "words.js", "run.js", "typeset.js", "elements.js", "stage.js", "labels.js",
+        "overview.js", "legend.js", "motion.js", "drawing.js", "scrub.js", "address.js", "clipboard.js",
+        "together.js", "view.js", "player.js", "page.js"}) {
     parts.emplace_back(file, web_asset(file));
   }
   const std::vector<std::pair<std::string, std::string>> words = page_words(language);

@@ -1,9 +1,5 @@
 // The promises of fills: exactly the cells that are connected with the seed, by every method, in a window, by
 // tolerance, and without more questions than a fill pixel by pixel.
-//
-// A picture is a few numbers: its size, a pattern, how much of the pattern is kept, and the number of the
-// noise. Whether a cell is free depends on these and on its place alone, so that a smaller picture is a
-// corner of the larger one.
 
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
@@ -16,6 +12,8 @@
 #include "scan_conversion/flood_fill/flood_fill_batch.hpp"
 #include "scan_conversion/flood_fill/maze.hpp"
 #include "stress/scan_conversion/areas.hpp"
+#include "stress/scan_conversion/pictures.hpp"
+#include "stress/scan_conversion/watched_fill.hpp"
 #include "stress/scan_conversion/whole_numbers.hpp"
 
 namespace gradus::stress {
@@ -24,69 +22,6 @@ namespace {
 using namespace flood_fill;
 
 constexpr std::array methods{Method::depth_first, Method::breadth_first, Method::span};
-
-// --- Pictures ---
-
-/// What a picture is made of where nothing is left to chance.
-enum Pattern { full, checkerboard, upright_comb, level_comb, rings, spiral, perfect_maze, patterns };
-
-/// What is drawn, wherever it is looked at.
-struct Picture {
-  int pattern = full;
-  double kept = 1;  ///< the share of cells that are as the pattern says
-  std::uint64_t noise = 0;
-
-  bool free(ivec2 p) const {
-    const auto bits = static_cast<std::uint64_t>(p.y) << 32 ^ static_cast<std::uint32_t>(p.x);
-    return of_pattern(p) == (kept == 1 || Random(noise).unit_at(bits) < kept);
-  }
-
- private:
-  bool of_pattern(ivec2 p) const {
-    // The lowest bit, of negative numbers too
-    const int x = p.x & 1, y = p.y & 1;
-    const ivec2 tile{p.x % 32 - 16, p.y % 32 - 16};
-    switch (pattern) {
-      case checkerboard:
-        return x == y;
-      case upright_comb:
-        return x == 0 || p.y % 16 == 0;
-      case level_comb:
-        return y == 0 || p.x % 64 == 0;
-      case rings:
-        return (std::max(std::abs(tile.x), std::abs(tile.y)) & 1) == 0;
-      case spiral: {
-        // Half rings round a cell, and below it half rings round its neighbour: each leads on to the next
-        const int below = tile.y > 0;
-        return (std::max(std::abs(tile.x - below), std::abs(tile.y)) & 1) == below;
-      }
-      case perfect_maze: {
-        // From each room a door to the right or down
-        if (x == y) return x == 1;
-        const ivec2 room = p - (x == 0 ? ivec2(1, 0) : ivec2(0, 1));
-        const auto bits = static_cast<std::uint64_t>(room.y) << 32 ^ static_cast<std::uint32_t>(room.x);
-        return (Random(noise, 1).unit_at(bits) < 0.5) == (x == 0);
-      }
-      default:
-        return true;
-    }
-  }
-};
-
-/// The three numbers from `first` on, if they are a picture's.
-std::optional<Picture> picture_of(const Input& i, std::size_t first) {
-  if (!is_whole(i[first], 0, patterns - 1) || !(0 <= i[first + 1] && i[first + 1] <= 1) ||
-      !is_whole(i[first + 2], 0, 1e9)) {
-    return std::nullopt;
-  }
-  return Picture{static_cast<int>(i[first]), i[first + 1], static_cast<std::uint64_t>(i[first + 2])};
-}
-void add_picture(Input& input, Kind kind, Random& random) {
-  input.push_back(kind == Kind::random ? 0 : whole(random, 0, patterns - 1));
-  const double all = kind == Kind::ties || random.unit() < 0.2 ? 1 : random.unit();
-  input.push_back(kind == Kind::near_degenerate ? 1 - 0.02 * random.unit() : all);
-  input.push_back(whole(random, 0, 1'000'000));
-}
 
 bool is_connectivity(double x) { return x == 4 || x == 8; }
 Connectivity connectivity_of(double x) { return x == 4 ? Connectivity::four : Connectivity::eight; }
@@ -183,72 +118,6 @@ double fills_error(const RasterCase& given) {
   }
   return error;
 }
-
-/// Watches a fill of an area: cells are painted once, beside one that is painted already; an answer is
-/// whether a cell belongs to the area and is not painted.
-struct Watch {
-  const Mask& area;
-  ivec2 seed;
-  Connectivity connectivity;
-  Mask painted{area.width(), area.height()};
-  std::int64_t count = 0;
-  std::size_t waiting = 0;  ///< on the stack or in the queue
-  bool right = true;
-  bool finished = false;
-
-  void want(bool holds) { right = right && holds; }
-  bool neighbours(ivec2 p, ivec2 q) const {
-    const ivec2 d = glm::abs(p - q);
-    return connectivity == Connectivity::four ? d.x + d.y == 1 : std::max(d.x, d.y) == 1;
-  }
-  bool touches(ivec2 p) const {
-    return p == seed || std::ranges::any_of(ways(connectivity), [&](ivec2 d) { return has(painted, p + d); });
-  }
-  void paint(ivec2 p) {
-    want(has(area, p) && !painted[p]);
-    if (area.contains(p)) painted[p] = 1;
-    ++count;
-  }
-  void all_painted(const Span& s) {
-    want(s.left <= s.right);
-    for (int x = s.left; x <= s.right; ++x) want(has(painted, {x, s.row}));
-  }
-
-  void operator()(const Started& s) { want(s.seed == seed && s.inside == has(area, seed)); }
-  void operator()(const Painted& p) {
-    want(touches(p.pixel) && (p.pixel == seed || has(painted, p.from)) && p.waiting == ++waiting);
-    paint(p.pixel);
-  }
-  void operator()(const Examined& e) {
-    want(has(painted, e.from) && neighbours(e.pixel, e.from));
-    want(e.inside == (has(area, e.pixel) && !painted[e.pixel]));
-  }
-  void operator()(const SpanFilled& filled) {
-    const Span& s = filled.span;
-    bool joined = false;
-    for (int x = s.left; x <= s.right; ++x) joined = joined || touches({x, s.row});
-    want(joined && filled.found.y == s.row && s.left <= filled.found.x && filled.found.x <= s.right);
-    for (int x = s.left; x <= s.right; ++x) paint({x, s.row});
-    // Both ends are stopped
-    for (const ivec2 end : {ivec2{s.left - 1, s.row}, ivec2{s.right + 1, s.row}}) {
-      want(!has(area, end) || painted[end]);
-    }
-  }
-  void operator()(const SpanQueued& q) {
-    all_painted(q.span);
-    want(q.waiting == ++waiting);
-  }
-  void operator()(const SpanTaken& t) {
-    all_painted(t.span);
-    want(t.waiting == --waiting);
-  }
-  void operator()(const Dequeued& d) { want(has(painted, d.pixel) && d.waiting == --waiting); }
-  void operator()(const Retreated& r) { want(has(painted, r.pixel) && r.waiting == --waiting); }
-  void operator()(const Finished& f) {
-    want(!finished && waiting == 0 && f.filled.painted == count && painted == area);
-    finished = true;
-  }
-};
 
 /// Whether the stack or queue of a fill stays as small as is promised.
 bool is_small(const Filled& filled, Method method, const RasterCase& c) {

@@ -62,13 +62,13 @@ TEST(Theme, ReadsHalfWayToTheMiddle) {
 // --- Legends ---------------------------------------------------------------------------------------------
 
 /// What is left of a mark without colour: its form, dashes, hatching, and as a grey how light it is.
-struct Look {
+struct WithoutColour {
   std::string form;
   double light = 0;
   double width = 0;  ///< of a line
 };
 
-Look look_of(const Shape& shape, const Theme& theme) {
+WithoutColour look_of(const Shape& shape, const Theme& theme) {
   const auto light = [&](Paint paint) { return lightness(faded(color_of(paint, theme), theme)); };
   if (const auto* line = std::get_if<LineShape>(&shape.what)) {
     const std::string_view form = line->closed ? "outline" : line->arrow ? "arrow" : "line";
@@ -98,7 +98,7 @@ Look look_of(const Shape& shape, const Theme& theme) {
 /// By a step of the scale of line widths, 3, 4, 5.
 bool heavier(double a, double b) { return a != b && std::max(a, b) >= 1.25 * std::min(a, b) - 1e-9; }
 
-bool differ(const std::vector<Look>& a, const std::vector<Look>& b) {
+bool differ(const std::vector<WithoutColour>& a, const std::vector<WithoutColour>& b) {
   if (a.size() != b.size()) return true;
   // Dots and rings have their names beside them in the drawing
   if (a.size() == 1 && (a[0].form == "dot" || a[0].form == "ring")) return true;
@@ -115,7 +115,7 @@ TEST(Theme, LegendEntriesStayApartWithoutColour) {
   test::for_each_sheet(
       [&](const Trace& trace, const Sheet& sheet, std::size_t) {
         for (const Theme& theme : themes()) {
-          std::map<std::string, std::vector<Look>> entries;
+          std::map<std::string, std::vector<WithoutColour>> entries;
           for (const Shape& shape : sheet.shapes) {
             if (shape.slot == Slot::footer && shape.id.starts_with("legend ") &&
                 !shape.id.starts_with("legend text"))

@@ -1,0 +1,224 @@
+'use strict';
+// Where things go in the drawing: how large a cell can be, which part of the grid is seen, and from the grid's
+// coordinates to pixels.
+
+const TEXT = 20;  // all sizes are those of the C++ layout, in units of which a slide's height has 720
+const LARGEST_CELL = 96, LEAST_CELL = 16, LEAST_WHOLE_CELL = 6, FOLLOWED_CELL = 30, ROOMY_CELL = 44;
+const LEAST_DOTTED = 14, LEAST_RULED = 6;  // smaller cells have no dot in the middle, or no lines between them
+const AXIS_BELOW = 31, AXIS_ABOVE = 27, AXIS_RIM = 4, PAPER_RIM = 4;
+const INSET = 104, INSET_GAP = 8, INSET_WIDTH = 190, INSET_COLUMN_GAP = 16;  // of an overview above, or beside
+
+/** What there is to show: a grid's cells, or of a paper what its steps draw. Sizes in units. */
+class Stage {
+  constructor(trace) {
+    const {grid} = trace, {lower: [x0, y0], upper: [x1, y1]} = grid;
+    this.grid = grid;
+    this.axes = grid.axes !== false;
+    this.cells = {x0, y0, x1, y1};
+    this.lower = [x0 - 0.5, y0 - 0.5];
+    this.upper = [x1 + 0.5, y1 + 0.5];
+    this.texts = new Map();
+    if (!this.axes) this.cutToContent(trace);
+  }
+  get size() { return [this.upper[0] - this.lower[0], this.upper[1] - this.lower[1]]; }
+  /** Whether a view that follows the step may show a part. */
+  get mayFollow() { return this.axes && !this.grid.whole; }
+
+  cutToContent(trace) {
+    const lower = [Infinity, Infinity], upper = [-Infinity, -Infinity];
+    const add = (x, y) => [x, y].forEach((value, i) => {
+      const seen = clamp(value, this.lower[i], this.upper[i]);  // marks are cut there
+      lower[i] = Math.min(lower[i], seen);
+      upper[i] = Math.max(upper[i], seen);
+    });
+    const chain = (numbers) => {
+      for (let i = 0; i + 1 < numbers.length; i += 2) add(numbers[i], numbers[i + 1]);
+    };
+    for (const {set = [], cells = []} of [{set: trace.backdrop}, trace.before ?? {}, ...trace.steps]) {
+      for (const [x, y, count, role] of cells) {
+        if (role >= 0) chain([x - 0.5, y - 0.5, x + count - 0.5, y + 0.5]);
+      }
+      for (const [, , kind, ...rest] of set) {
+        if (kind === 'text' || kind === 'label')
+          this.noteText(kind, rest, add);
+        else if (kind === 'area')
+          rest.filter(Array.isArray).forEach(chain);
+        else
+          chain(kind === 'dot' || kind === 'ring' ? rest.slice(0, 2) : numbersOf(kind, rest));
+      }
+    }
+    if (lower[0] > upper[0]) return;
+    this.lower = lower;
+    this.upper = upper.map((value, i) => Math.max(value, lower[i] + 1));
+    const {cells} = this, first = (i) => Math.floor(this.lower[i] + 0.5), last = (i) => Math.floor(this.upper[i] + 0.5);
+    this.cells = {
+      x0: Math.max(cells.x0, first(0)),
+      y0: Math.max(cells.y0, first(1)),
+      x1: Math.min(cells.x1, last(0)),
+      y1: Math.min(cells.y1, last(1))
+    };
+  }
+  /** A label stands somewhere beside its point: half its width and one line are enough. */
+  noteText(kind, [x, y, text, aligned], add) {
+    const align = kind === 'text' ? aligned : 'centre';
+    if (x < this.lower[0] || x > this.upper[0] || y < this.lower[1] || y > this.upper[1]) return;
+    add(x, y);
+    this.texts.set(`${x} ${y} ${text}`, {x, y, text, align, half: (kind === 'text' ? 0.65 : 1.5) * TEXT});
+  }
+
+  // Room beside what is shown
+
+  /** With the name of the rows above their numbers, or among them, where it takes the place of the last one. */
+  axisMargins(cell, nameAbove) {
+    const {grid, cells} = this, name = (text) => Math.ceil(textWidth(text, TEXT, 'italic'));
+    const numbers = [cells.y0, cells.y1].map((y) => Math.ceil(textWidth(written(y), TEXT)));
+    return {
+      left: Math.max(...numbers, 14, nameAbove ? 0 : name(`${grid.y_name} ↑`)) + 10,
+      right: cell < ROOMY_CELL ? Math.max(24, name(grid.x_name) + 12) : 8,
+      above: nameAbove ? AXIS_ABOVE : AXIS_RIM,
+      below: AXIS_BELOW
+    };
+  }
+  /** What texts need beyond the shown part of a paper when a unit of it is this large. */
+  textMargins(cell) {
+    const margins = {left: PAPER_RIM, right: PAPER_RIM, above: PAPER_RIM, below: PAPER_RIM};
+    const most = (side, asked) => { margins[side] = Math.max(margins[side], asked); };
+    const up = this.grid.y_up;
+    for (const {x, y, text, align, half} of this.texts.values()) {
+      const width = textWidth(text, TEXT), left = {left: 0, centre: 0.5, right: 1}[align] * width;
+      most('left', left - (x - this.lower[0]) * cell);
+      most('right', width - left - (this.upper[0] - x) * cell);
+      most(up ? 'below' : 'above', half - (y - this.lower[1]) * cell);
+      most(up ? 'above' : 'below', half - (this.upper[1] - y) * cell);
+    }
+    return margins;
+  }
+  cellBetween({left, right, above, below}, width, height) {
+    const [across, up] = this.size;
+    return Math.max(Math.min((width - left - right) / across, (height - above - below) / up, LARGEST_CELL), 0);
+  }
+
+  /** The largest cell, with the room that is asked beside it. */
+  largestIn(width, height) {
+    return this.axes ? this.largestOfGrid(width, height) : this.largestOfPaper(width, height);
+  }
+  largestOfGrid(width, height) {
+    let best = {cell: 0, margins: this.axisMargins(0, true)};
+    for (const nameAbove of [true, false]) {
+      for (const from of [ROOMY_CELL, 0]) {
+        const margins = this.axisMargins(from, nameAbove), cell = this.cellBetween(margins, width, height);
+        // Among the numbers the name stands over the last one, or in place of one of many
+        const fits = nameAbove || cell >= 60 || this.size[1] >= 10;
+        if (cell >= from && cell > best.cell * 1.001 && fits) best = {cell, margins};
+      }
+    }
+    return best;
+  }
+  /** The smaller the unit, the more room is asked beside it. */
+  largestOfPaper(width, height) {
+    const none = {left: 0, right: 0, above: 0, below: 0};
+    let low = 0, high = this.cellBetween(none, width, height);
+    for (let i = 0; i < 20; ++i) {
+      const middle = (low + high) / 2;
+      if (middle <= this.cellBetween(this.textMargins(middle), width, height))
+        low = middle;
+      else
+        high = middle;
+    }
+    return {cell: Math.max(low, 1e-3), margins: this.textMargins(low)};
+  }
+
+  /** How a drawing of this size shows it. */
+  fit(width, height) {
+    const {x0, y0, x1, y1} = this.cells, all = {columns: x1 - x0 + 1, rows: y1 - y0 + 1};
+    const sized = this.largestIn(width, height);
+    if (!this.mayFollow || sized.cell >= LEAST_CELL) return {...sized, ...all};
+    const margins = this.axisMargins(FOLLOWED_CELL, true);
+    const across = width - margins.left - margins.right, up = height - margins.above - margins.below;
+    const count = (room, most) => clamp(Math.floor(room / FOLLOWED_CELL), 1, most);
+    const followed = (side, room) => ({
+      cell: FOLLOWED_CELL, margins, follows: side,
+      columns: count(room.x, all.columns),
+      rows: count(room.y, all.rows)
+    });
+    const above = followed('above', {x: across, y: up - INSET - INSET_GAP});
+    const beside = followed('beside', {x: across - INSET_WIDTH - INSET_COLUMN_GAP, y: up});
+    return beside.columns * beside.rows > 1.25 * above.columns * above.rows ? beside : above;
+  }
+}
+
+/** Cells shown along one axis, following `focus` by jumps of half a view: the first one. */
+function followed(lower, upper, count, focus) {
+  if (upper - lower + 1 <= count) return lower;
+  const half = Math.max(Math.floor(count / 2), 1);
+  const page = Math.floor((focus - lower) / half);
+  return clamp(lower + page * half - Math.floor(half / 2), lower, upper - count + 1);
+}
+
+/** Where the parts of the drawing lie, in pixels. Depends on the room and the focus only, never on the way here. */
+function arrange(stage, width, height, s, focus) {
+  const shown = stage.fit(width / s, height / s), {margins, follows} = shown, cell = shown.cell * s;
+  const room = {x: 0, y: 0, width, height};
+  let inset = null, view = stage.cells, origin = stage.lower, size = stage.size;
+  if (follows === 'beside') {
+    room.width -= (INSET_WIDTH + INSET_COLUMN_GAP) * s;
+    inset = {
+      x: width - INSET_WIDTH * s,
+      y: margins.above * s,
+      width: INSET_WIDTH * s,
+      height: height - (margins.above + margins.below) * s
+    };
+  } else if (follows) {
+    inset = {x: 0, y: 4 * s, width, height: INSET * s};
+    room.y = (INSET + INSET_GAP) * s;
+    room.height -= room.y;
+  }
+  if (follows) {
+    const x0 = followed(view.x0, view.x1, shown.columns, focus[0]);
+    const y0 = followed(view.y0, view.y1, shown.rows, focus[1]);
+    view = {x0, y0, x1: x0 + shown.columns - 1, y1: y0 + shown.rows - 1};
+    origin = [x0 - 0.5, y0 - 0.5];
+    size = [shown.columns, shown.rows];
+  }
+  // With its axes in the middle of what is left
+  const needs = {
+    width: size[0] * cell + (margins.left + margins.right) * s,
+    height: size[1] * cell + (margins.above + margins.below) * s
+  };
+  const left = room.x + (room.width - needs.width) / 2, top = room.y + (room.height - needs.height) / 2;
+  const box = {
+    x: left + margins.left * s,
+    y: top + margins.above * s,
+    width: size[0] * cell,
+    height: size[1] * cell
+  };
+  return {view, origin, cell, box, follows, inset, left, top, s, yUp: stage.grid.y_up, width, height, needs, labels: room};
+}
+
+/** From the grid's coordinates to pixels. */
+function toPixels(at, x, y) {
+  const fromLower = (y - at.origin[1]) * at.cell;
+  return [
+    at.box.x + (x - at.origin[0]) * at.cell,
+    at.yUp ? at.box.y + at.box.height - fromLower : at.box.y + fromLower
+  ];
+}
+function toCell(at, px, py) {
+  const fromLower = at.yUp ? at.box.y + at.box.height - py : py - at.box.y;
+  const x = Math.floor(at.origin[0] + (px - at.box.x) / at.cell + 0.5);
+  const y = Math.floor(at.origin[1] + fromLower / at.cell + 0.5);
+  return x < at.view.x0 || x > at.view.x1 || y < at.view.y0 || y > at.view.y1 ? null : [x, y];
+}
+
+/** Distance between labelled integers: 1, 2, 5, 10 … cells, so that the labels keep apart. */
+function tickStep(cell, needed) {
+  for (let power = 1;; power *= 10) {
+    for (const step of [power, 2 * power, 5 * power])
+      if (step * cell >= needed) return step;
+  }
+}
+function ticks(lower, upper, step) {
+  const out = [];
+  for (let v = Math.ceil(lower / step) * step; v <= upper; v += step) out.push(v + 0);
+  return out;
+}
