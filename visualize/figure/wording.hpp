@@ -20,6 +20,8 @@
 #include <string_view>
 #include <vector>
 
+#include "figure/notation.hpp"  // IWYU pragma: export
+
 namespace gradus {
 
 class Language {
@@ -46,12 +48,6 @@ std::span<const Language> languages();
 /// The language of that code, or nullptr.
 const Language* find_language(std::string_view code);
 
-/// A symbol of the algorithm and what the reader calls it: p, d.
-struct SymbolLabel {
-  std::string symbol, text;
-  friend bool operator==(const SymbolLabel&, const SymbolLabel&) = default;
-};
-
 /// A value by the name that a template knows it by: {name}.
 struct NamedText {
   std::string name, text;
@@ -74,11 +70,24 @@ class Wording {
   const Language& language() const { return *language_; }
   const std::vector<SymbolLabel>& labels() const { return labels_; }
   Numbers numbers() const { return numbers_; }
+  const Notation& notation() const { return notation_; }
+
+  Wording with(const Language& language) const;
+  Wording with(std::vector<SymbolLabel> labels) const;
+  Wording with(Numbers numbers) const;
+  Wording with(Notation notation) const;
+  /// The same for a run of this topic: from now on the notation's symbols for it are known.
+  Wording about(std::string_view topic) const;
+
   /// Whether numbers are 2,333, and points (2,333; 0): the language's text "decimal_point".
   bool decimal_comma() const { return language_->text("decimal_point") == ","; }
 
-  /// What the reader calls this symbol.
+  /// What the reader calls this symbol: by a label, else as the notation has it.
   std::string symbol(std::string_view name) const;
+  /// Whether the reader calls it otherwise than the code does.
+  bool renames(std::string_view name) const { return symbol(name) != name; }
+  /// All symbols that are renamed, sorted.
+  std::vector<SymbolLabel> renamed() const;
 
   /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
   /// labels are taken as they are, whatever they hold. Throws ContractViolation for a key that there is not
@@ -101,6 +110,8 @@ class Wording {
   const Language* language_;
   std::vector<SymbolLabel> labels_;
   Numbers numbers_ = Numbers::decimals;
+  Notation notation_{};
+  std::string topic_{};
 };
 
 /// The symbols that a template names, in the order of their first use.

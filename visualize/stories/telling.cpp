@@ -65,6 +65,12 @@ void require_exact(const TopicEntry& topic, const Method& method, const Argument
   refuse("exact", "expected one of the methods {} with it, found {}", fmt::join(names, ", "), method.name);
 }
 
+/// Told in the reader's words for this topic.
+Recording about(const TopicEntry& topic, Recording recording) {
+  recording.wording = recording.wording.about(topic.name);
+  return recording;
+}
+
 }  // namespace
 
 // --- Words
@@ -161,7 +167,7 @@ void Board::keep(std::string id, Role role, decltype(Mark::shape) shape) {
 
 Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recording recording)
     : arguments_(arguments),
-      recording_(std::move(recording)),
+      recording_(about(topic, std::move(recording))),
       topic_(topic),
       method_(method_of(topic, arguments)),
       writer_(recording_),

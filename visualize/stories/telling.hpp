@@ -82,6 +82,7 @@ class Words {
   /// What the reader calls a move to a neighbouring pixel: "NE".
   std::string move(ivec2 move) const { return move_name(wording_, move); }
   const Wording& wording() const { return wording_; }
+  const Notation& notation() const { return wording_.notation(); }
 
  private:
   std::string of(std::string_view section, std::string_view key, std::span<const Word> words) const;
@@ -225,6 +226,11 @@ class Narrator {
   }
   /// The method's title becomes this text, which asks for {method}.
   void retitle(std::string_view key);
+  /// The figure says once how the code has it, where it differs from the reader's notation: a text of the
+  /// section "notation".
+  void in_the_code(std::string_view key, std::initializer_list<Word> words = {}) {
+    trace().in_the_code.push_back(words_.shared("notation", key, words));
+  }
   /// What has a colour of its own, the most important first; "" leaves a colour out. Without it: what
   /// decisions ask about.
   void quantities(std::vector<std::string> symbols) { trace().quantities = std::move(symbols); }
