@@ -131,6 +131,7 @@ JsonNode notation_schema() {
                                     {"bits_in_space", 0, names},
                                     {"vectors", 0, one_of({"columns", "rows"})},
                                     {"handedness", 0, one_of({"left", "right"})},
+                                    {"axes", 0, tuple_of(3, {"string"})},
                                     {"depth", 0, tuple_of(2, {"number"})}})},
                       {"additionalProperties", 0, json_truth(false)}});
 }

@@ -67,7 +67,7 @@ class Reader {
     std::string_view name;
     void (Reader::*read)(const JsonNode& node, const std::string& way);
   };
-  static const Key keys[6];
+  static const Key keys[7];
 
   void complain(const JsonNode& node, const std::string& way, const std::string& expected,
                 const std::string& found) {
@@ -173,6 +173,18 @@ class Reader {
     notation_.handedness = second_of(node, way, "left", "right") ? Handedness::right : Handedness::left;
   }
 
+  void read_axes(const JsonNode& node, const std::string& way) {
+    if (node.kind != Kind::list || node.elements.size() != 3) {
+      return complain(node, way, "names of the three axes of view space like [\"u\", \"v\", \"n\"]",
+                      described(node));
+    }
+    std::vector<std::string> axes;
+    for (const JsonNode& element : node.elements) {
+      if (is_drawable(element, way)) axes.push_back(element.text);
+    }
+    if (axes.size() == 3) notation_.axes = axes;
+  }
+
   void read_depth(const JsonNode& node, const std::string& way) {
     std::vector<double> planes;
     for (const JsonNode& element : node.elements) {
@@ -193,11 +205,12 @@ class Reader {
   Notation notation_{};
 };
 
-const Reader::Key Reader::keys[6] = {{"symbols", &Reader::read_symbols},
+const Reader::Key Reader::keys[7] = {{"symbols", &Reader::read_symbols},
                                      {"bits", &Reader::read_bits},
                                      {"bits_in_space", &Reader::read_bits_in_space},
                                      {"vectors", &Reader::read_vectors},
                                      {"handedness", &Reader::read_handedness},
+                                     {"axes", &Reader::read_axes},
                                      {"depth", &Reader::read_depth}};
 
 Notation own(std::string_view text, const std::string& called) {

@@ -32,6 +32,7 @@ struct Notation {
   std::string bits_in_space{};  ///< the same with near and far: "FNTBRL"
   bool rows = false;            ///< vectors are rows: matrices are transposed, products run the other way
   Handedness handedness = Handedness::left;
+  std::vector<std::string> axes{};  ///< of view space: right, up and the third one; empty or three
   std::optional<std::array<double, 2>> depth{};  ///< after the projection, at the near and at the far plane
 
   friend bool operator==(const Notation&, const Notation&) = default;
@@ -42,8 +43,13 @@ struct Notation {
   double clip_depth_of(double z, double w) const {
     return depth ? (*depth)[0] * w + ((*depth)[1] - (*depth)[0]) * z : z;
   }
+  bool looks_backward() const { return handedness == Handedness::right; }
   /// A coordinate on the third axis of view space.
-  double third(double forward) const { return handedness == Handedness::left ? forward : 0 - forward; }
+  double third(double forward) const { return looks_backward() ? 0 - forward : forward; }
+  /// The name of an axis of view space, by what the reader calls the directions right, up and forward.
+  std::string axis_name(int axis, const std::string& direction) const;
+  /// The same of the direction forward: "−n" where the third axis, n, points backward.
+  std::string forward_name(const std::string& direction) const;
 };
 
 }  // namespace gradus

@@ -59,12 +59,6 @@ std::vector<std::string> decided_quantities(const Trace& trace) {
   return found;
 }
 
-/// Whether a listing with these names has this symbol: also that of the reversed axis, "−forward".
-bool is_listed(const std::set<std::string>& listed, const std::string& symbol) {
-  constexpr std::string_view minus = "−";
-  return listed.contains(symbol.starts_with(minus) ? symbol.substr(minus.size()) : symbol);
-}
-
 std::string joined(const std::string& list, const std::string& more) {
   return list.empty() ? more : list + ", " + more;
 }
@@ -79,8 +73,10 @@ std::string told_of_the_code(const Trace& trace) {
   }
   std::string names, what;
   for (const auto& [symbol, text] : trace.wording.renamed()) {
-    if (is_listed(listed, symbol)) names = joined(names, fmt::format("{} = {}", text, symbol));
+    if (listed.contains(symbol)) names = joined(names, fmt::format("{} = {}", text, symbol));
   }
+  for (const auto& [symbol, text] : trace.named_in_the_code)
+    names = joined(names, fmt::format("{} = {}", text, symbol));
   for (const std::string& difference : trace.in_the_code) what = joined(what, difference);
   if (names.empty() && what.empty()) return "";
   const std::string_view key = what.empty()    ? "figure.in_the_code"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 
 #include "core/contract.hpp"
@@ -181,10 +182,17 @@ std::string Wording::fill(std::string_view key, std::span<const NamedText> value
   return filled(key, store);
 }
 
+const std::string& Wording::text(std::string_view key) const {
+  if (!notation_.rows) return language_->text(key);
+  std::string of_rows(key);
+  of_rows.insert(of_rows.find('.') + 1, "rows.");
+  return language_->text(language_->has(of_rows) ? std::string_view(of_rows) : key);
+}
+
 std::string Wording::filled(std::string_view key, fmt::format_args values) const {
   std::string text;
   const std::string_view rest =
-      split_at_symbols(language_->text(key), [&](std::string_view before, std::string_view name) {
+      split_at_symbols(this->text(key), [&](std::string_view before, std::string_view name) {
         text += before;
         text += without_places(symbol(name));
       });

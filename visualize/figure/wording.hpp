@@ -6,6 +6,8 @@
 //   [bresenham_line]
 //   started = Start at {from}; [p] = {p}.
 //
+// Where the reader's vectors are rows, a text "rows.started" of the section stands in the place of "started".
+//
 // {name} is replaced by a value; [p] is a symbol, shown as itself unless the reader has a label for it: a
 // name in brackets; other brackets, as in [0, 1], stand for themselves. The key of that text is
 // "bresenham_line.started". Every language has the same keys, and in each text the same values and symbols
@@ -106,6 +108,7 @@ class Wording {
 
  private:
   std::string filled(std::string_view key, fmt::format_args values) const;
+  const std::string& text(std::string_view key) const;
 
   const Language* language_;
   std::vector<SymbolLabel> labels_;

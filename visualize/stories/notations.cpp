@@ -10,41 +10,34 @@ using Depth = std::array<double, 2>;
 /// Foley, van Dam, Feiner, Hughes: Computer Graphics, Principles and Practice, 2nd edition.
 Notation foley() {
   return {.name = "foley",
-          .symbols = {{"bresenham_line", {{"p", "d"}}},
-                      {"liang_barsky", {{"enter", "tE"}, {"leave", "tL"}}},
-                      {"viewing", {{"right", "u"}, {"up", "v"}, {"−forward", "n"}}}},
+          .symbols = {{"bresenham_line", {{"p", "d"}}}, {"liang_barsky", {{"enter", "tE"}, {"leave", "tL"}}}},
           .bits = "TBRL",
           .bits_in_space = "TBRLFN",
           .handedness = Handedness::right,
+          .axes = {"u", "v", "n"},
           .depth = Depth{0, -1}};
 }
 
 /// Hearn, Baker: Computer Graphics with OpenGL, 3rd edition; its line clipping is that of the C version.
 Notation hearn() {
   return {.name = "hearn",
-          .symbols = {{"liang_barsky", {{"t", "u"}, {"enter", "u1"}, {"leave", "u2"}}},
-                      {"viewing", {{"right", "u"}, {"up", "v"}, {"−forward", "n"}}}},
+          .symbols = {{"liang_barsky", {{"t", "u"}, {"enter", "u1"}, {"leave", "u2"}}}},
           .bits = "TBRL",
           .bits_in_space = "FNTBRL",
           .handedness = Handedness::right,
+          .axes = {"u", "v", "n"},
           .depth = Depth{-1, 1}};
 }
 
 /// Marschner, Shirley: Fundamentals of Computer Graphics, 4th edition. Its canonical volume is seen along −z:
 /// the near plane lies at 1.
 Notation shirley() {
-  return {.name = "shirley",
-          .symbols = {{"viewing", {{"right", "u"}, {"up", "v"}, {"−forward", "w"}}}},
-          .handedness = Handedness::right,
-          .depth = Depth{1, -1}};
+  return {.name = "shirley", .handedness = Handedness::right, .axes = {"u", "v", "w"}, .depth = Depth{1, -1}};
 }
 
 /// The OpenGL specification and the red book, with gluLookAt.
 Notation opengl() {
-  return {.name = "opengl",
-          .symbols = {{"viewing", {{"right", "s"}, {"up", "u"}, {"forward", "f"}}}},
-          .handedness = Handedness::right,
-          .depth = Depth{-1, 1}};
+  return {.name = "opengl", .handedness = Handedness::right, .axes = {"s", "u", "−f"}, .depth = Depth{-1, 1}};
 }
 
 }  // namespace

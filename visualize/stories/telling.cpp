@@ -65,9 +65,11 @@ void require_exact(const TopicEntry& topic, const Method& method, const Argument
   refuse("exact", "expected one of the methods {} with it, found {}", fmt::join(names, ", "), method.name);
 }
 
-/// Told in the reader's words for this topic.
-Recording about(const TopicEntry& topic, Recording recording) {
-  recording.wording = recording.wording.about(topic.name);
+/// Told in the reader's words for this method of the topic.
+Recording about(const TopicEntry& topic, const Method& method, Recording recording) {
+  Notation notation = recording.wording.notation();
+  notation.rows = notation.rows && !method.of_columns;
+  recording.wording = recording.wording.with(std::move(notation)).about(topic.name);
   return recording;
 }
 
@@ -167,7 +169,7 @@ void Board::keep(std::string id, Role role, decltype(Mark::shape) shape) {
 
 Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recording recording)
     : arguments_(arguments),
-      recording_(about(topic, std::move(recording))),
+      recording_(about(topic, method_of(topic, arguments), std::move(recording))),
       topic_(topic),
       method_(method_of(topic, arguments)),
       writer_(recording_),

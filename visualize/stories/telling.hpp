@@ -231,6 +231,18 @@ class Narrator {
   void in_the_code(std::string_view key, std::initializer_list<Word> words = {}) {
     trace().in_the_code.push_back(words_.shared("notation", key, words));
   }
+  /// The same of a name that is no symbol of the topic: "u = right".
+  void named_in_the_code(std::string name, std::string of_code) {
+    trace().named_in_the_code.push_back({std::move(of_code), std::move(name)});
+  }
+  /// Its drawings or its table show matrices.
+  void shows_matrices() {
+    if (words_.notation().rows) in_the_code("columns");
+  }
+  /// Its drawings or its table show depths after the projection.
+  void shows_depths() {
+    if (words_.notation().depth) in_the_code("depth");
+  }
   /// What has a colour of its own, the most important first; "" leaves a colour out. Without it: what
   /// decisions ask about.
   void quantities(std::vector<std::string> symbols) { trace().quantities = std::move(symbols); }
