@@ -182,6 +182,12 @@ Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recordin
   list(method_.function.empty() ? method_.name : method_.function);
 }
 
+void Narrator::in_the_code(std::string_view key, std::initializer_list<Word> words) {
+  std::vector<NamedText> values;
+  for (const Word& word : words) values.push_back({std::string(word.name), word.said.text});
+  trace().in_the_code.push_back(words_.wording().fill(key, values));
+}
+
 void Narrator::grid(const Window& cells) {
   trace().grid.cells = cells;
   trace().grid.y_up = true;

@@ -51,7 +51,7 @@ template <class Name>
 void say_digits_of_code(Narrator& narrator, const std::string& of_notation, std::string_view of_code,
                         Name name) {
   if (of_notation.empty() || of_notation == of_code) return;
-  narrator.in_the_code("digits", {{"digits", digit_names(of_code, " ", name)}});
+  narrator.in_the_code("notation.digits", {{"digits", digit_names(of_code, " ", name)}});
 }
 
 }  // namespace gradus

@@ -1,8 +1,8 @@
 // The story of the textbook chain: a small model's data before and after each stage, and one triangle and one
 // pixel followed through all eight.
 
-#include "core/arithmetic/exact_scalar.hpp"
 #include "stories/parameters.hpp"
+#include "stories/pipeline/chain_coordinates.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/pipeline/chain_views.hpp"
 #include "stories/telling.hpp"
@@ -230,37 +230,30 @@ class Tour {
   void perspective() {
     for (std::size_t i = 0; i < 3; ++i) {
       const Projected& p = run_.clip[vertex(i)];
-      const glm::dvec4 at = p.clip.at;
+      const glm::dvec4 at = p.clip.at, shown = coordinates_.clip(at);
       const std::string name = vertex_name(i);
       fine(views_.clip_space({i, ""}), "Projected",
            {.text = "projected",
             .facts = fields_of(at),
             .words = {{"name", name},
                       {"depth", length_text(p.view.z)},
-                      {"view", at_text(p.view)},
+                      {"view", at_text(coordinates_.view(p.view))},
                       {"x", length_text(at.x)},
                       {"y", length_text(at.y)},
-                      {"z", length_text(at.z)}},
-            .row = row(name, at, run_.noise),
+                      {"z", length_text(shown.z)}},
+            .row = row(name, shown, run_.noise),
             .key = name});
     }
     const auto behind = std::ranges::count_if(run_.clip, [](const Projected& p) { return p.clip.at.z < 0; });
     milestone(views_.clip_space(), "PerspectiveTransformation",
               {.text = "perspective",
                .facts = {{"before_near", behind}},
-               .words = {{"vertices", run_.clip.size()}},
+               .words = {{"vertices", run_.clip.size()}, {"test", coordinates_.before_near()}},
                .count = behind});
   }
 
-  /// Of the corners' x, y and w, with the sign that the stage finds, which decides exactly.
-  double exact_determinant() const {
-    const ExactScope scope;
-    std::array<glm::vec<3, Exact>, 3> c;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const glm::dvec4 at = run_.clip[vertex(i)].clip.at;
-      c[i] = {Exact(at.x), Exact(at.y), Exact(at.w)};
-    }
-    return to_double(glm::dot(c[0], glm::cross(c[1], c[2])));
+  std::array<glm::dvec4, 3> corners() const {
+    return {run_.clip[vertex(0)].clip.at, run_.clip[vertex(1)].clip.at, run_.clip[vertex(2)].clip.at};
   }
 
   /// What is found of the followed piece's side: its text and its branch.
@@ -281,14 +274,15 @@ class Tour {
 
   /// Stage 4 after the division, which mirrors the corners behind the eye.
   void facing_after_division() {
-    std::array<glm::dvec4, 3> c;
-    for (std::size_t i = 0; i < 3; ++i) c[i] = run_.clip[vertex(i)].clip.at;
+    const auto c = corners();
     const double area = back_face_culling::area_after_division(c[0], c[1], c[2]);
     const auto behind = std::ranges::count_if(c, [](const glm::dvec4& at) { return at.w < 0; });
     const bool front = faced_.facing == back_face_culling::Facing::front;
     fine(views_.facing(), "Faced",
          {.text = faulty_verdict(),
-          .facts = {{"area", area}, {"determinant", exact_determinant()}, {"removed", faced_.removed}},
+          .facts = {{"area", area},
+                    {"determinant", exact_determinant(corners())},
+                    {"removed", faced_.removed}},
           .words = {face_word(), {"names", corner_names()}, {"behind", behind}},
           .row = row("area", {area}),
           .key = figure_number(face()),
@@ -304,7 +298,7 @@ class Tour {
 
   void facing() {
     if (run_.fault == Fault::cull_after_division) return facing_after_division();
-    const double determinant = exact_determinant();
+    const double determinant = exact_determinant(corners());
     const auto [text, branch] = verdict();
     fine(views_.facing(), "Faced",
          {.text = text,
@@ -340,8 +334,9 @@ class Tour {
   }
 
   void clipped_corner(const Clipped& own, std::size_t k) {
-    const glm::dvec4 at = own.after[k].at;
-    const dvec3 ndc = own.divided[k].at;
+    const glm::dvec4 at = own.after[k].at, shown = coordinates_.clip(at);
+    const dvec3 divided = own.divided[k].at, ndc = coordinates_.divided(divided);
+    const auto [low, high] = coordinates_.bounds(at.w, length_text(at.w));
     const std::string name = fmt::format("c{}", k);
     const auto old = std::ranges::find(own.before, at, &ClipPoint::at);
     const bool kept = old != own.before.end();
@@ -349,15 +344,20 @@ class Tour {
     fine(views_.clipping({k, ""}), "Clipped",
          {.text = kept ? "clipped.kept" : "clipped.new",
           .facts = fields_of(at),
-          .words = {{"name", name}, {"vertex", from}, {"z", length_text(at.z)}, {"w", length_text(at.w)}},
-          .row = row(name, at, run_.noise),
+          .words = {{"name", name},
+                    {"vertex", from},
+                    {"z", length_text(shown.z)},
+                    {"w", length_text(at.w)},
+                    {"low", low},
+                    {"high", high}},
+          .row = row(name, shown, run_.noise),
           .key = name,
           .decides = kept ? yes_or_no(words_, "question.within", {{"vertex", from}}, true, "inside")
                           : yes_or_no(words_, "question.edge", {{"name", name}}, true, "cut")});
     const std::string place = place_text(ndc);
     fine(views_.clipping({k, place}), "Divided",
          {.text = "divided",
-          .facts = fields_of(ndc),
+          .facts = fields_of(divided),
           .words = {{"name", name}, {"w", at.w}, {"place", place}},
           .row = row(fmt::format("{} / {}", name, words_.symbol("w")), ndc),
           .key = name},
@@ -573,6 +573,7 @@ class Tour {
   Narrator& narrator_;
   const std::size_t listed_, last_, exchanged_;
   const Words& words_;
+  const ChainCoordinates coordinates_{words_};
   const Run& run_;
   const std::size_t followed_;
   const Piece& piece_;
@@ -603,6 +604,7 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   grid.whole = true;
   grid.x_name = narrator.words().say("column_name");
   grid.y_name = narrator.words().say("row_name");
+  narrator.shows_depths(true);
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
   if (exchanged.stage == raster_stage) {

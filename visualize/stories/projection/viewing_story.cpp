@@ -325,7 +325,7 @@ void say_axes_of_code(Narrator& narrator) {
   const Notation& notation = narrator.words().notation();
   narrator.shows_matrices();
   if (notation.axes.empty()) {
-    if (notation.looks_backward()) narrator.in_the_code("forward");
+    if (notation.looks_backward()) narrator.in_the_code("notation.forward");
     return;
   }
   constexpr std::string_view minus = "−";
