@@ -1,7 +1,7 @@
 #pragma once
 // Notations as people name and write them: one of ours, or their own in JSON.
 //
-//   {"symbols": {"p": "d", "liang_barsky": {"t": "u"}}, "bits": "LRBT", "vectors": "rows",
+//   {"symbols": {"p": "d", "TOPIC": {"t": "u"}}, "bits": "LRBT", "vectors": "rows",
 //    "handedness": "right", "depth": [-1, 1]}
 
 #include <string>

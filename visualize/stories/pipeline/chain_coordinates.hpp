@@ -9,40 +9,35 @@
 
 namespace gradus::textbook_chain {
 
-class ChainCoordinates {
- public:
-  explicit ChainCoordinates(const Words& words) : words_(words) {}
+inline dvec3 shown_view(const Words& words, dvec3 p) { return {p.x, p.y, words.notation().third(p.z)}; }
+inline glm::dvec4 shown_clip(const Words& words, glm::dvec4 p) {
+  return {p.x, p.y, words.notation().clip_depth_of(p.z, p.w), p.w};
+}
+inline dvec3 shown_divided(const Words& words, dvec3 p) { return {p.x, p.y, words.notation().depth_of(p.z)}; }
 
-  dvec3 view(dvec3 p) const { return {p.x, p.y, notation().third(p.z)}; }
-  glm::dvec4 clip(glm::dvec4 p) const { return {p.x, p.y, notation().clip_depth_of(p.z, p.w), p.w}; }
-  dvec3 divided(dvec3 p) const { return {p.x, p.y, notation().depth_of(p.z)}; }
+/// "0", "w", "−w", "0.5·w".
+inline std::string multiple_of_w(const Words& words, double factor) {
+  const std::string w = words.symbol("w");
+  if (factor == 0) return "0";
+  return factor == 1 ? w : factor == -1 ? "−" + w : figure_real(factor) + "·" + w;
+}
 
-  /// What holds before the near plane: "z < 0".
-  std::string before_near() const {
-    const double near = notation().depth_of(0);
-    return fmt::format("{} {} {}", words_.symbol("z"), near < notation().depth_of(1) ? "<" : ">",
-                       multiple(near));
-  }
-  /// Between what a depth lies within the view: "0" and "w = 2".
-  std::pair<std::string, std::string> bounds(double w, const std::string& w_text) const {
-    const auto text = [&](double depth) {
-      if (depth == 0) return multiple(depth);
-      return fmt::format("{} = {}", multiple(depth), depth == 1 ? w_text : figure_real(depth * w));
-    };
-    const auto [low, high] = std::minmax({notation().depth_of(0), notation().depth_of(1)});
-    return {text(low), text(high)};
-  }
+/// What holds before the near plane: "z < 0".
+inline std::string before_near(const Words& words) {
+  const double near = words.notation().depth_of(0), far = words.notation().depth_of(1);
+  return fmt::format("{} {} {}", words.symbol("z"), near < far ? "<" : ">", multiple_of_w(words, near));
+}
 
- private:
-  const Notation& notation() const { return words_.notation(); }
-  /// Of w: "0", "w", "−w", "0.5·w".
-  std::string multiple(double factor) const {
-    const std::string w = words_.symbol("w");
-    if (factor == 0) return "0";
-    return factor == 1 ? w : factor == -1 ? "−" + w : figure_real(factor) + "·" + w;
-  }
-
-  const Words& words_;
-};
+/// Between what a depth lies within the view: "0" and "w = 2".
+inline std::pair<std::string, std::string> bounds_of_depth(const Words& words, double w,
+                                                           const std::string& w_text) {
+  const auto text = [&](double factor) {
+    if (factor == 0) return multiple_of_w(words, factor);
+    return fmt::format("{} = {}", multiple_of_w(words, factor),
+                       factor == 1 ? w_text : figure_real(factor * w));
+  };
+  const auto [low, high] = std::minmax({words.notation().depth_of(0), words.notation().depth_of(1)});
+  return {text(low), text(high)};
+}
 
 }  // namespace gradus::textbook_chain

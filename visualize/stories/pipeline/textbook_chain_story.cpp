@@ -230,14 +230,14 @@ class Tour {
   void perspective() {
     for (std::size_t i = 0; i < 3; ++i) {
       const Projected& p = run_.clip[vertex(i)];
-      const glm::dvec4 at = p.clip.at, shown = coordinates_.clip(at);
+      const glm::dvec4 at = p.clip.at, shown = shown_clip(words_, at);
       const std::string name = vertex_name(i);
       fine(views_.clip_space({i, ""}), "Projected",
            {.text = "projected",
             .facts = fields_of(at),
             .words = {{"name", name},
                       {"depth", length_text(p.view.z)},
-                      {"view", at_text(coordinates_.view(p.view))},
+                      {"view", at_text(shown_view(words_, p.view))},
                       {"x", length_text(at.x)},
                       {"y", length_text(at.y)},
                       {"z", length_text(shown.z)}},
@@ -248,7 +248,7 @@ class Tour {
     milestone(views_.clip_space(), "PerspectiveTransformation",
               {.text = "perspective",
                .facts = {{"before_near", behind}},
-               .words = {{"vertices", run_.clip.size()}, {"test", coordinates_.before_near()}},
+               .words = {{"vertices", run_.clip.size()}, {"test", before_near(words_)}},
                .count = behind});
   }
 
@@ -334,9 +334,9 @@ class Tour {
   }
 
   void clipped_corner(const Clipped& own, std::size_t k) {
-    const glm::dvec4 at = own.after[k].at, shown = coordinates_.clip(at);
-    const dvec3 divided = own.divided[k].at, ndc = coordinates_.divided(divided);
-    const auto [low, high] = coordinates_.bounds(at.w, length_text(at.w));
+    const glm::dvec4 at = own.after[k].at, shown = shown_clip(words_, at);
+    const dvec3 divided = own.divided[k].at, ndc = shown_divided(words_, divided);
+    const auto [low, high] = bounds_of_depth(words_, at.w, length_text(at.w));
     const std::string name = fmt::format("c{}", k);
     const auto old = std::ranges::find(own.before, at, &ClipPoint::at);
     const bool kept = old != own.before.end();
@@ -354,11 +354,10 @@ class Tour {
           .key = name,
           .decides = kept ? yes_or_no(words_, "question.within", {{"vertex", from}}, true, "inside")
                           : yes_or_no(words_, "question.edge", {{"name", name}}, true, "cut")});
-    const std::string place = place_text(ndc);
-    fine(views_.clipping({k, place}), "Divided",
+    fine(views_.clipping({k, place_text(ndc)}), "Divided",
          {.text = "divided",
           .facts = fields_of(divided),
-          .words = {{"name", name}, {"w", at.w}, {"place", place}},
+          .words = {{"name", name}, {"w", at.w}, {"place", place_text(ndc)}},
           .row = row(fmt::format("{} / {}", name, words_.symbol("w")), ndc),
           .key = name},
          "Clipped");
@@ -573,7 +572,6 @@ class Tour {
   Narrator& narrator_;
   const std::size_t listed_, last_, exchanged_;
   const Words& words_;
-  const ChainCoordinates coordinates_{words_};
   const Run& run_;
   const std::size_t followed_;
   const Piece& piece_;
