@@ -34,6 +34,9 @@ const Flag format{
 /// How texts are worded.
 const std::vector<Flag> words{
     {"label", 0, "SYMBOL=TEXT", "your own name for a symbol, as in p=d; everywhere but in the source", true},
+    {"notation", 0, "BOOK",
+     "foley, hearn, shirley or opengl, or a file like own.json: symbols, codes, vectors, axes and depth as "
+     "written there"},
     {"language", 0, "CODE", "en or de: the language of sentences and headings"},
     {"numbers", 0, "HOW",
      "decimals (default), with ≈ where they are rounded, or fractions like 23/3 where they are short"},
@@ -259,7 +262,7 @@ std::span<const Flag> lecture_looks() {
     for (const char* name : {"theme", "background", "size", "scale", "layout", "crop", "svg-text"}) {
       chosen.push_back(*std::ranges::find(looks, name, &Flag::name));
     }
-    for (const char* name : {"language", "numbers"}) {
+    for (const char* name : {"notation", "language", "numbers"}) {
       chosen.push_back(*std::ranges::find(words, name, &Flag::name));
     }
     return chosen;

@@ -14,6 +14,7 @@
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/notation_reader.hpp"
 #include "cli/shipped.hpp"
 #include "figure/sheet.hpp"
 #include "figure/wording.hpp"
@@ -158,6 +159,9 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
     words.add_all(Texts{"16:9", "4:3", "1:1"});
   } else if (name == "only") {
     add_topics(words);
+  } else if (name == "notation") {
+    words.add_all(notation_names());
+    add_files(words, {".json"});
   } else if (name == "label" && topic) {
     for (const std::string& symbol : topic_symbols(topic->name))
       words.add(symbol + "=", "your own name for it");

@@ -11,6 +11,7 @@
 #include "cli/figure_size.hpp"
 #include "cli/inputs.hpp"
 #include "cli/names.hpp"
+#include "cli/notation_reader.hpp"
 #include "figure/metrics.hpp"
 #include "stories/point_text.hpp"
 
@@ -287,14 +288,19 @@ std::string read_language(FigureSpec& spec, const std::string& text) {
   Texts codes;
   for (const Language& language : languages()) codes.push_back(language.code());
   const Language& language = languages()[chosen("language", text, codes)];
-  spec.wording = Wording(language, spec.wording.labels(), spec.wording.numbers());
+  spec.wording = spec.wording.with(language);
   return &language == &languages().front() ? "" : language.code();
 }
 
 std::string read_numbers(FigureSpec& spec, const std::string& text) {
   const auto numbers = static_cast<Numbers>(chosen("numbers", text, {"decimals", "fractions"}));
-  spec.wording = Wording(spec.wording.language(), spec.wording.labels(), numbers);
+  spec.wording = spec.wording.with(numbers);
   return numbers == Numbers::decimals ? "" : text;
+}
+
+std::string read_notation_flag(FigureSpec& spec, const std::string& text) {
+  spec.wording = spec.wording.with(read_notation(text));
+  return spec.wording.notation().name;
 }
 
 /// "p=d": the topic's symbol and what the reader calls it.
@@ -313,13 +319,18 @@ void apply_labels(FigureSpec& spec, const Texts& given) {
   std::vector<SymbolLabel> labels = spec.wording.labels();
   if (given.empty()) return;
   const Texts symbols = spec.topic ? topic_symbols(spec.topic->name) : Texts{};
+  const auto known_to_notation = [&spec](const std::string& symbol) {
+    return spec.topic &&
+           spec.wording.with(std::vector<SymbolLabel>{}).about(spec.topic->name).renames(symbol);
+  };
   for (const std::string& text : given) {
     const SymbolLabel label = label_in(text, symbols);
     std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
-    if (label.symbol != label.text) labels.push_back(label);
+    // A symbol of the code under its own name says something where the notation has another
+    if (label.symbol != label.text || known_to_notation(label.symbol)) labels.push_back(label);
   }
   std::ranges::sort(labels, {}, &SymbolLabel::symbol);
-  spec.wording = Wording(spec.wording.language(), std::move(labels), spec.wording.numbers());
+  spec.wording = spec.wording.with(std::move(labels));
 }
 
 // --- All of it -------------------------------------------------------------------------------------------
@@ -350,6 +361,7 @@ constexpr FlagReader readers[] = {
     {"svg-text", read_svg_text},
     {"language", read_language},
     {"numbers", read_numbers},
+    {"notation", read_notation_flag},
     {"title", read_title},
     {"caption", read_caption},
     {"handout", read_handout},

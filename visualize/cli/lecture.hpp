@@ -24,17 +24,18 @@ namespace gradus::cli {
 /// What may stand as a key's value.
 enum class KeyKind {
   text,
-  number,   ///< or the same as a text
-  toggle,   ///< true or false
-  list,     ///< texts and numbers, or the same as one text with commas
-  place,    ///< three numbers, or the same as one text with commas
-  labels,   ///< an object: symbol -> the reader's name for it
-  topic,    ///< the name of a topic
-  method,   ///< one of the topic's methods
-  input,    ///< an object of the topic's parameters
-  outputs,  ///< a list of formats
-  figures,  ///< the list of figures
-  renders,  ///< the list of renders
+  number,    ///< or the same as a text
+  toggle,    ///< true or false
+  list,      ///< texts and numbers, or the same as one text with commas
+  place,     ///< three numbers, or the same as one text with commas
+  labels,    ///< an object: symbol -> the reader's name for it
+  notation,  ///< a name, a file, or an object
+  topic,     ///< the name of a topic
+  method,    ///< one of the topic's methods
+  input,     ///< an object of the topic's parameters
+  outputs,   ///< a list of formats
+  figures,   ///< the list of figures
+  renders,   ///< the list of renders
 };
 
 struct LectureKey {

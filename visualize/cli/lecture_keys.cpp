@@ -22,6 +22,7 @@ bool is_about_output(const Flag& flag) {
 KeyKind kind_of(const Flag& flag) {
   if (flag.value.empty()) return KeyKind::toggle;
   if (flag.name == "label") return KeyKind::labels;
+  if (flag.name == "notation") return KeyKind::notation;
   if (flag.value == "N" || flag.value == "DEGREES") return KeyKind::number;
   if (flag.value == "X,Y,Z") return KeyKind::place;
   return flag.value == "LIST" || flag.value.find(',') != std::string::npos ? KeyKind::list : KeyKind::text;
@@ -116,6 +117,25 @@ Texts output_names() {
   return {names.begin(), names.end()};
 }
 
+/// A notation of one's own: see notation_in.
+JsonNode notation_schema() {
+  const JsonNode names = of_type({"string"});
+  const JsonNode by_topic =
+      json_object({{"type", 0, json_text("object")}, {"additionalProperties", 0, names}});
+  const JsonNode symbols =
+      json_object({{"type", 0, json_text("object")}, {"additionalProperties", 0, either({names, by_topic})}});
+  return json_object({{"type", 0, json_text("object")},
+                      {"properties", 0,
+                       json_object({{"symbols", 0, symbols},
+                                    {"bits", 0, names},
+                                    {"bits_in_space", 0, names},
+                                    {"vectors", 0, one_of({"columns", "rows"})},
+                                    {"handedness", 0, one_of({"left", "right"})},
+                                    {"axes", 0, tuple_of(3, {"string"})},
+                                    {"depth", 0, tuple_of(2, {"number"})}})},
+                      {"additionalProperties", 0, json_truth(false)}});
+}
+
 JsonNode schema_of(const LectureKey& key) {
   switch (key.kind) {
     case KeyKind::text: {
@@ -137,6 +157,8 @@ JsonNode schema_of(const LectureKey& key) {
     case KeyKind::labels:
       return json_object(
           {{"type", 0, json_text("object")}, {"additionalProperties", 0, of_type({"string"})}});
+    case KeyKind::notation:
+      return either({of_type({"string"}), notation_schema()});
     case KeyKind::topic:
       return one_of(topic_names());
     case KeyKind::method:

@@ -11,6 +11,7 @@
 #include "cli/lecture_problem.hpp"
 #include "cli/lecture_values.hpp"
 #include "cli/names.hpp"
+#include "cli/notation_reader.hpp"
 #include "figure/wording.hpp"
 #include "stories/point_text.hpp"
 
@@ -125,8 +126,9 @@ class LectureReader : LectureValues {
       const Flag* flag = flag_of(key);
       if (!flag || (key.name == "title" && path.empty())) continue;
       settings.flags.erase(flag->name);
-      if (const auto text = flag_value(key, member->value, place))
-        settings.flags[flag->name] = {*text, place};
+      const auto text = key.kind == KeyKind::notation ? notation_value(member->value, place)
+                                                      : flag_value(key, member->value, place);
+      if (text) settings.flags[flag->name] = {*text, place};
     }
   }
 
@@ -147,6 +149,27 @@ class LectureReader : LectureValues {
       const auto format = static_cast<Format>(*which);
       if (std::ranges::find(settings.outputs, format) == settings.outputs.end())
         settings.outputs.push_back(format);
+    }
+  }
+
+  /// As --notation takes it: one of ours by name, all others as JSON, for the figure's command to be whole.
+  std::optional<std::string> notation_value(const JsonNode& node, const Place& place) {
+    if (node.kind == Kind::object) {
+      std::vector<NotationMistake> mistakes;
+      Notation notation = notation_in(node, mistakes);
+      for (const NotationMistake& mistake : mistakes)
+        complain({mistake.line, way(place.path, mistake.way)}, mistake.what);
+      return mistakes.empty() ? std::optional(std::move(notation.name)) : std::nullopt;
+    }
+    if (node.kind != Kind::text) {
+      complain(place, "a text or an object", node);
+      return std::nullopt;
+    }
+    try {
+      return read_notation(node.text, file_.find).name;
+    } catch (const UsageError& error) {
+      complain(place, std::string(error.what()).substr(std::string_view("--notation: ").size()));
+      return std::nullopt;
     }
   }
 

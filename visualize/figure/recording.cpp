@@ -59,18 +59,31 @@ std::vector<std::string> decided_quantities(const Trace& trace) {
   return found;
 }
 
-/// "d = p in the code": the reader's names for what the listing calls otherwise; empty where there are none.
-std::string names_in_code(const Trace& trace) {
+std::string joined(const std::string& list, const std::string& more) {
+  return list.empty() ? more : list + ", " + more;
+}
+
+/// "d = p in the code; there vectors are columns": the reader's names for what the listing calls otherwise,
+/// and what else the figure shows otherwise; empty where there is nothing to say.
+std::string told_of_the_code(const Trace& trace) {
   std::set<std::string> listed;
   for (const SourceLine& line : trace.listing) {
     for (const Token& token : tokens_of(line.text))
       listed.insert(line.text.substr(token.begin, token.end - token.begin));
   }
-  std::string names;
-  for (const auto& [symbol, text] : trace.wording.labels()) {
-    if (listed.contains(symbol)) names += fmt::format("{}{} = {}", names.empty() ? "" : ", ", text, symbol);
+  std::string names, what;
+  for (const auto& [symbol, text] : trace.wording.renamed()) {
+    if (listed.contains(symbol)) names = joined(names, fmt::format("{} = {}", text, symbol));
   }
-  return names.empty() ? "" : trace.wording.say("figure.in_the_code", fmt::arg("names", names));
+  for (const auto& [symbol, text] : trace.named_in_the_code)
+    names = joined(names, fmt::format("{} = {}", text, symbol));
+  for (const std::string& difference : trace.in_the_code) what = joined(what, difference);
+  if (names.empty() && what.empty()) return "";
+  const std::string_view key = what.empty()    ? "figure.in_the_code"
+                               : names.empty() ? "figure.otherwise_in_the_code"
+                                               : "figure.named_and_otherwise_in_the_code";
+  const std::vector<NamedText> values{{"names", names}, {"what", what}};
+  return trace.wording.fill(key, values);
 }
 
 }  // namespace
@@ -92,7 +105,7 @@ Trace TraceWriter::finish() && {
     if (column.name.empty()) column.name = heading(trace_, column);
   }
   settle_numbers(trace_);
-  if (const std::string others = names_in_code(trace_); !others.empty())
+  if (const std::string others = told_of_the_code(trace_); !others.empty())
     trace_.method_title += " · " + others;
   if (trace_.quantities.empty()) trace_.quantities = decided_quantities(trace_);
   measure_texts(trace_);

@@ -107,8 +107,10 @@ struct Trace {
   std::string faulty;  ///< empty, or what is wrong with this run; goes into title, caption and JSON
   std::string goal;    ///< the idea in one sentence
   Wording wording;     ///< in which all these texts are told
-  std::vector<Argument> arguments;  ///< canonical: the command that makes this trace again
-  std::string input_hash;           ///< of input files' contents; empty where there were none
+  std::vector<SymbolLabel> named_in_the_code{};  ///< besides labels of what the listing has
+  std::vector<std::string> in_the_code{};        ///< what the code has otherwise than the reader's notation
+  std::vector<Argument> arguments;               ///< canonical: the command that makes this trace again
+  std::string input_hash;                        ///< of input files' contents; empty where there were none
 
   std::string source_file;          ///< "algorithms/scan_conversion/…/….hpp"
   std::vector<SourceLine> listing;  ///< the method's lines, plumbing left out

@@ -178,6 +178,7 @@ bool is_variable(std::string_view name) {
 std::vector<std::string> variables_of(const Trace& trace) {
   std::set<std::string> names{"x", "y", "z", "w", "t"};
   for (const std::string& symbol : topic_symbols(trace.topic)) names.insert(trace.wording.symbol(symbol));
+  for (const SymbolLabel& named : trace.named_in_the_code) names.insert(named.text);
   std::erase_if(names, [](const std::string& name) { return !is_variable(name); });
   return {names.begin(), names.end()};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 
 #include "core/contract.hpp"
@@ -125,9 +126,54 @@ const Language* find_language(std::string_view code) {
 
 Wording::Wording() : language_(&languages().front()) {}
 
+Wording Wording::with(const Language& language) const {
+  Wording other = *this;
+  other.language_ = &language;
+  return other;
+}
+
+Wording Wording::with(std::vector<SymbolLabel> labels) const {
+  Wording other = *this;
+  other.labels_ = std::move(labels);
+  return other;
+}
+
+Wording Wording::with(Numbers numbers) const {
+  Wording other = *this;
+  other.numbers_ = numbers;
+  return other;
+}
+
+Wording Wording::with(Notation notation) const {
+  Wording other = *this;
+  other.notation_ = std::move(notation);
+  return other;
+}
+
+Wording Wording::about(std::string_view topic) const {
+  Wording other = *this;
+  other.topic_ = topic;
+  return other;
+}
+
 std::string Wording::symbol(std::string_view name) const {
-  const auto found = std::ranges::find(labels_, name, &SymbolLabel::symbol);
-  return found == labels_.end() ? std::string(name) : found->text;
+  const auto label = std::ranges::find(labels_, name, &SymbolLabel::symbol);
+  if (label != labels_.end()) return label->text;
+  const auto of_topic = notation_.symbols.find(topic_);
+  if (of_topic == notation_.symbols.end()) return std::string(name);
+  const auto found = std::ranges::find(of_topic->second, name, &SymbolLabel::symbol);
+  return found == of_topic->second.end() ? std::string(name) : found->text;
+}
+
+std::vector<SymbolLabel> Wording::renamed() const {
+  std::vector<SymbolLabel> all = labels_;
+  if (const auto found = notation_.symbols.find(topic_); found != notation_.symbols.end())
+    std::ranges::copy(found->second, std::back_inserter(all));
+  std::set<std::string> seen;
+  std::erase_if(all,
+                [&](const SymbolLabel& l) { return !seen.insert(l.symbol).second || l.symbol == l.text; });
+  std::ranges::sort(all, {}, &SymbolLabel::symbol);
+  return all;
 }
 
 std::string Wording::fill(std::string_view key, std::span<const NamedText> values) const {
@@ -136,10 +182,17 @@ std::string Wording::fill(std::string_view key, std::span<const NamedText> value
   return filled(key, store);
 }
 
+const std::string& Wording::text(std::string_view key) const {
+  if (!notation_.rows) return language_->text(key);
+  std::string of_rows(key);
+  of_rows.insert(of_rows.find('.') + 1, "rows.");
+  return language_->text(language_->has(of_rows) ? std::string_view(of_rows) : key);
+}
+
 std::string Wording::filled(std::string_view key, fmt::format_args values) const {
   std::string text;
   const std::string_view rest =
-      split_at_symbols(language_->text(key), [&](std::string_view before, std::string_view name) {
+      split_at_symbols(this->text(key), [&](std::string_view before, std::string_view name) {
         text += before;
         text += without_places(symbol(name));
       });

@@ -6,6 +6,8 @@
 //   [bresenham_line]
 //   started = Start at {from}; [p] = {p}.
 //
+// Where the reader's vectors are rows, a text "rows.started" of the section stands in the place of "started".
+//
 // {name} is replaced by a value; [p] is a symbol, shown as itself unless the reader has a label for it: a
 // name in brackets; other brackets, as in [0, 1], stand for themselves. The key of that text is
 // "bresenham_line.started". Every language has the same keys, and in each text the same values and symbols
@@ -19,6 +21,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "figure/notation.hpp"  // IWYU pragma: export
 
 namespace gradus {
 
@@ -46,12 +50,6 @@ std::span<const Language> languages();
 /// The language of that code, or nullptr.
 const Language* find_language(std::string_view code);
 
-/// A symbol of the algorithm and what the reader calls it: p, d.
-struct SymbolLabel {
-  std::string symbol, text;
-  friend bool operator==(const SymbolLabel&, const SymbolLabel&) = default;
-};
-
 /// A value by the name that a template knows it by: {name}.
 struct NamedText {
   std::string name, text;
@@ -74,11 +72,24 @@ class Wording {
   const Language& language() const { return *language_; }
   const std::vector<SymbolLabel>& labels() const { return labels_; }
   Numbers numbers() const { return numbers_; }
+  const Notation& notation() const { return notation_; }
+
+  Wording with(const Language& language) const;
+  Wording with(std::vector<SymbolLabel> labels) const;
+  Wording with(Numbers numbers) const;
+  Wording with(Notation notation) const;
+  /// The same for a run of this topic: from now on the notation's symbols for it are known.
+  Wording about(std::string_view topic) const;
+
   /// Whether numbers are 2,333, and points (2,333; 0): the language's text "decimal_point".
   bool decimal_comma() const { return language_->text("decimal_point") == ","; }
 
-  /// What the reader calls this symbol.
+  /// What the reader calls this symbol: by a label, else as the notation has it.
   std::string symbol(std::string_view name) const;
+  /// Whether the reader calls it otherwise than the code does.
+  bool renames(std::string_view name) const { return symbol(name) != name; }
+  /// All symbols that are renamed, sorted.
+  std::vector<SymbolLabel> renamed() const;
 
   /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
   /// labels are taken as they are, whatever they hold. Throws ContractViolation for a key that there is not
@@ -97,10 +108,13 @@ class Wording {
 
  private:
   std::string filled(std::string_view key, fmt::format_args values) const;
+  const std::string& text(std::string_view key) const;
 
   const Language* language_;
   std::vector<SymbolLabel> labels_;
   Numbers numbers_ = Numbers::decimals;
+  Notation notation_{};
+  std::string topic_{};
 };
 
 /// The symbols that a template names, in the order of their first use.

@@ -56,6 +56,15 @@ Tuple negated(const Tuple& tuple) {
 
 }  // namespace
 
+MatrixRows oriented(const Wording& words, MatrixRows rows) {
+  if (!words.notation().rows) return rows;
+  MatrixRows transposed(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) transposed[c].push_back(row[c]);
+  }
+  return transposed;
+}
+
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
                 Role role) {
   const std::size_t columns = rows.front().size();
@@ -146,10 +155,11 @@ std::string product_name(const Wording& words, std::size_t factors) {
   if (factors == 0) return words.symbol("M");
   std::vector<std::string> names;
   for (std::size_t k = factors; k-- > 0;) names.push_back(factor_name(words, k));
-  return chained(names);
+  return chained(words, std::move(names));
 }
 
-std::string chained(const std::vector<std::string>& names) {
+std::string chained(const Wording& words, std::vector<std::string> names) {
+  if (words.notation().rows) std::ranges::reverse(names);
   if (names.size() <= 4) return fmt::format("{}", fmt::join(names, "·"));
   return fmt::format("{}·{}·…·{}", names[0], names[1], names.back());
 }

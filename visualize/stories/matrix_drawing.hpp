@@ -14,6 +14,9 @@ namespace gradus {
 /// Numbers by rows, as a matrix is printed.
 using MatrixRows = std::vector<std::vector<double>>;
 
+/// As the reader's notation has it: for vectors as rows transposed.
+MatrixRows oriented(const Wording& words, MatrixRows rows);
+
 /// A matrix in brackets with its name, if it has one, to the left; `right` is the middle of its right
 /// bracket.
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
@@ -34,13 +37,14 @@ std::string factor_words(const Wording& words, const FactorText& factor);
 /// The same of all factors, with semicolons between them.
 std::string factors_words(const Wording& words, const std::vector<FactorText>& factors);
 
-/// "M3·M2·M1", or "M" where there is no factor.
+/// "M3·M2·M1", or "M" where there is no factor; "M1·M2·M3" for vectors as rows.
 std::string product_name(const Wording& words, std::size_t factors);
 /// "M2"; factors count from 0.
 std::string factor_name(const Wording& words, std::size_t factor);
 
-/// "M3·M2·M1"; of many names only the first two and the last.
-std::string chained(const std::vector<std::string>& names);
+/// "M3·M2·M1" of names in this order, for vectors as rows the other way; of many names only the first two
+/// and the last.
+std::string chained(const Wording& words, std::vector<std::string> names);
 
 /// Sums as they are computed: "1.732·2 + (−1)·1 + 0.268".
 std::string sum_text(const std::vector<double>& factors, const std::vector<double>& values);

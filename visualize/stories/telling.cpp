@@ -65,6 +65,14 @@ void require_exact(const TopicEntry& topic, const Method& method, const Argument
   refuse("exact", "expected one of the methods {} with it, found {}", fmt::join(names, ", "), method.name);
 }
 
+/// Told in the reader's words for this method of the topic.
+Recording about(const TopicEntry& topic, const Method& method, Recording recording) {
+  Notation notation = recording.wording.notation();
+  notation.rows = notation.rows && !method.of_columns;
+  recording.wording = recording.wording.with(std::move(notation)).about(topic.name);
+  return recording;
+}
+
 }  // namespace
 
 // --- Words
@@ -161,7 +169,7 @@ void Board::keep(std::string id, Role role, decltype(Mark::shape) shape) {
 
 Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recording recording)
     : arguments_(arguments),
-      recording_(std::move(recording)),
+      recording_(about(topic, method_of(topic, arguments), std::move(recording))),
       topic_(topic),
       method_(method_of(topic, arguments)),
       writer_(recording_),
@@ -172,6 +180,12 @@ Narrator::Narrator(const TopicEntry& topic, const Arguments& arguments, Recordin
                 [&](const Argument& a) { return std::ranges::count(method_.unread, a.name) > 0; });
   trace().columns = topic.columns;
   list(method_.function.empty() ? method_.name : method_.function);
+}
+
+void Narrator::in_the_code(std::string_view key, std::initializer_list<Word> words) {
+  std::vector<NamedText> values;
+  for (const Word& word : words) values.push_back({std::string(word.name), word.said.text});
+  trace().in_the_code.push_back(words_.wording().fill(key, values));
 }
 
 void Narrator::grid(const Window& cells) {

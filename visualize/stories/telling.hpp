@@ -82,6 +82,7 @@ class Words {
   /// What the reader calls a move to a neighbouring pixel: "NE".
   std::string move(ivec2 move) const { return move_name(wording_, move); }
   const Wording& wording() const { return wording_; }
+  const Notation& notation() const { return wording_.notation(); }
 
  private:
   std::string of(std::string_view section, std::string_view key, std::span<const Word> words) const;
@@ -225,6 +226,22 @@ class Narrator {
   }
   /// The method's title becomes this text, which asks for {method}.
   void retitle(std::string_view key);
+  /// The figure says once how the code has it, where it differs from the reader's notation: the text
+  /// "notation.columns".
+  void in_the_code(std::string_view key, std::initializer_list<Word> words = {});
+  /// The same of a name that is no symbol of the topic: "u = right".
+  void named_in_the_code(std::string name, std::string of_code) {
+    trace().named_in_the_code.push_back({std::move(of_code), std::move(name)});
+  }
+  /// Its drawings or its table show matrices.
+  void shows_matrices() {
+    if (words_.notation().rows) in_the_code("notation.columns");
+  }
+  /// Its drawings or its table show depths after the projection; `before`: those of view space, too.
+  void shows_depths(bool before = false) {
+    if (before && words_.notation().looks_backward()) in_the_code("notation.forward");
+    if (words_.notation().depth) in_the_code("notation.depth");
+  }
   /// What has a colour of its own, the most important first; "" leaves a colour out. Without it: what
   /// decisions ask about.
   void quantities(std::vector<std::string> symbols) { trace().quantities = std::move(symbols); }

@@ -99,6 +99,7 @@ struct Method {
   std::vector<AtMost> within{};
   std::vector<SizesOf> sizes{};
   std::vector<std::string> unread{};  ///< parameters that it takes no notice of: its traces don't name them
+  bool of_columns = false;            ///< its vectors are columns whatever the reader's notation has
   bool exact = false;                 ///< its numbers can be told in three arithmetics side by side
 };
 

@@ -201,6 +201,9 @@ TEST(Telling, EverySentenceIsSaid) {
   const Language language = marked();
   std::set<std::string> said;
   for (const Trace& trace : test::telling_traces(Wording(language))) collect(trace, said);
+  for (const Notation& notation : {Notation{.rows = true}, Notation{.depth = {{1, -1}}}}) {
+    for (const Trace& trace : test::telling_traces(Wording(language).with(notation))) collect(trace, said);
+  }
   for (const Rare& run : rare_runs()) collect(told(run, Wording(language)), said);
   std::set<std::string> unsaid;
   for (const auto& [key, text] : language.texts()) {

@@ -25,11 +25,14 @@ struct Task {
   std::optional<Line> right;
 };
 
-Task task_of(const Arguments& arguments) {
+constexpr std::string_view usual_bits = "TBRL";
+
+Task task_of(const Arguments& arguments, const Notation& notation) {
   const Line line = window_view::line_in(arguments);
   const Rectangle<double> window = window_view::window_in(arguments);
   window_view::require_scale(arguments, line, window);
-  return {line, window, order_in<2>(arguments), arguments.text("code_bits"), correctly_rounded(line, window)};
+  return {line, window, order_in<2>(arguments), digit_letters(arguments, notation.bits, usual_bits),
+          correctly_rounded(line, window)};
 }
 
 /// The codes of both ends.
@@ -175,13 +178,7 @@ class Story {
   std::string name(Border border) const { return words_.say(fmt::format("border.{}", name_of(border))); }
   std::string beyond(Border border) const { return words_.say(fmt::format("beyond.{}", name_of(border))); }
   static std::string end(bool of_a) { return of_a ? "a" : "b"; }
-  static Border border_of(char letter) { return static_cast<Border>(std::string_view("LRBT").find(letter)); }
-  /// The digits of a code in the order asked for: "1001".
-  std::string digits(Code code) const {
-    std::string text;
-    for (const char letter : task_.bits) text += code & bit(border_of(letter)) ? '1' : '0';
-    return text;
-  }
+  std::string digits(Code code) const { return code_text(code, task_.bits); }
   std::vector<Said> row(std::size_t number, bool of_a, Border border, dvec2 at) const {
     return {number, end(of_a), name(border), at.x, at.y, digits(codes_.a), digits(codes_.b)};
   }
@@ -262,7 +259,8 @@ class Story {
   /// Beside the plane, which loses no height to it, or below a wide one.
   void add_order_of_digits(View& view) const {
     std::vector<std::string> names;
-    for (const char letter : task_.bits) names.push_back(name(border_of(letter)));
+    for (const char letter : task_.bits)
+      names.push_back(name(static_cast<Border>(border_letters.find(letter))));
     const Extent& plane = scene_.panel().place();
     constexpr double widest_with_room = 22, line_height = 1.5;
     if (plane.size().x > widest_with_room) {
@@ -317,10 +315,13 @@ struct Numbers {
 
 template <Way way>
 void tell(Narrator& narrator) {
-  const Task task = task_of(narrator.arguments());
+  const Task task = task_of(narrator.arguments(), narrator.words().notation());
   const auto& [line, window, order, bits, right] = task;
   const Words& words = narrator.words();
   narrator.paper(window_view::paper_width, window_view::paper_height);
+  say_digits_of_code(narrator, words.notation().bits, usual_bits, [&words](std::size_t border) {
+    return words.say(fmt::format("border.{}", name_of(static_cast<Border>(border))));
+  });
   narrator.subtitle("subtitle", {{"from", line.a}, {"to", line.b}});
   narrator.quantities({"a", "", "b"});  // the second looks like the border cut at
   narrator.legend(

@@ -7,6 +7,7 @@
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d_volume.hpp"
 #include "stories/clipping/axis_arguments.hpp"
 #include "stories/clipping/box_view.hpp"
+#include "stories/clipping/region_codes.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::cohen_sutherland_3d {
@@ -21,8 +22,8 @@ struct Task {
   Segment<N, double> line;
   std::conditional_t<N == 3, AxisBox<3, double>, ViewVolume> region;
   Order order;
-  bool left_first;  ///< whether a code begins with the bit of the left face, not that of the far one
-  int plane = 0;    ///< of the view volume: the axis that is drawn against w
+  std::string bits;  ///< which face each digit of a code stands for, the first to the left
+  int plane = 0;     ///< of the view volume: the axis that is drawn against w
 };
 
 /// What is known after a step.
@@ -45,12 +46,6 @@ struct State {
     return moves.back().face;
   }
 };
-
-inline std::string code_text(Code code, bool left_first) {
-  std::string text;
-  for (int i = 0; i < 6; ++i) text += (code >> (left_first ? i : 5 - i) & 1) != 0 ? '1' : '0';
-  return text;
-}
 
 /// The test that sets a face's bit: "x < 0", "y > w".
 inline std::string test_of(const Words& words, const AxisBox<3, double>& box, Border face) {
@@ -81,10 +76,8 @@ inline std::string place_of(const Words& words, const ViewVolume&, Border face) 
 /// Which bit of a code is which face's.
 template <int N>
 void add_order_of_bits(View& view, const Words& words, const Task<N>& task, dvec2 at) {
-  std::string names;
-  for (int i = 0; i < 6; ++i) {
-    names += (i > 0 ? " · " : "") + face_name(words, static_cast<Border>(task.left_first ? i : 5 - i));
-  }
+  const std::string names = digit_names(
+      task.bits, " · ", [&words](std::size_t face) { return face_name(words, static_cast<Border>(face)); });
   view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}}), Align::centre, true}});
 }
 
@@ -110,7 +103,7 @@ void add_ends(View& view, const std::string& prefix, const Words& words, const T
     const auto given = of_a ? task.line.a : task.line.b, now = of_a ? state.rest.a : state.rest.b;
     const std::string name = of_a ? "a" : "b";
     const Code code = of_a ? state.first_a : state.first_b;
-    const std::string text = codes ? name + " " + code_text(code, task.left_first) : name;
+    const std::string text = codes ? name + " " + code_text(code, task.bits) : name;
     view.add_named(prefix + " t end " + name, prefix + " u end " + name, Role::input, at(given), text,
                    given != now, name);
   }

@@ -97,7 +97,7 @@ class Story {
  private:
   void draw(Board& board) const { board.milestone(view_of(words_, task_, state_)); }
 
-  std::string text(Code code) const { return code_text(code, task_.left_first); }
+  std::string text(Code code) const { return code_text(code, task_.bits); }
   std::string faces(Code code) const {
     std::string list;
     for (const Border face : usual_order<3>()) {
@@ -175,23 +175,28 @@ int plane_of(const Task<4>& task) {
   return axis.value_or(0);
 }
 
+constexpr std::string_view usual_bits = "FNTBRL";
+
 template <int N>
-Task<N> task_of(const Arguments& arguments) {
+Task<N> task_of(const Arguments& arguments, const Notation& notation) {
   const auto seen = seen_in(arguments);
   const auto order = order_in<3>(arguments);
-  const bool left_first = arguments.text("code_bits") == "LRBTNF";
+  const std::string bits = digit_letters(arguments, notation.bits_in_space, usual_bits);
   if constexpr (N == 4) {
-    Task<4> task{seen, {}, order, left_first};
+    Task<4> task{seen, {}, order, bits};
     task.plane = plane_of(task);
     return task;
   } else {
-    return {segment_in<3>(arguments, "line"), box_in<3>(arguments, "box"), order, left_first};
+    return {segment_in<3>(arguments, "line"), box_in<3>(arguments, "box"), order, bits};
   }
 }
 
 template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
   narrator.paper(paper_width, paper_height);
+  const Words& words = narrator.words();
+  say_digits_of_code(narrator, words.notation().bits_in_space, usual_bits,
+                     [&words](std::size_t face) { return face_name(words, static_cast<Border>(face)); });
   narrator.subtitle("subtitle", {{"from", task.line.a}, {"to", task.line.b}});
   narrator.quantities({"a", "", "b"});  // as in the plane
   narrator.legend({{Role::boundary, N == 3 ? "box" : "volume"},
@@ -204,7 +209,7 @@ void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
 }
 
 void tell_cut_of_a_cut(Narrator& narrator) {
-  const auto task = task_of<3>(narrator.arguments());
+  const auto task = task_of<3>(narrator.arguments(), narrator.words().notation());
   tell(narrator, task,
        [&](auto watcher) { return cut_of_a_cut(task.line, task.region, task.order, watcher); });
   tell_side_by_side<Numbers>(narrator, [task]<class T>(T, const auto& observer) {
@@ -215,7 +220,7 @@ void tell_cut_of_a_cut(Narrator& narrator) {
 /// In a box, or in the view volume before the division by w.
 template <int N>
 void tell_correctly_rounded(Narrator& narrator) {
-  const auto task = task_of<N>(narrator.arguments());
+  const auto task = task_of<N>(narrator.arguments(), narrator.words().notation());
   tell(narrator, task,
        [&](auto watcher) { return correctly_rounded(task.line, task.region, task.order, watcher); });
 }

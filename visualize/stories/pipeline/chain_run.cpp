@@ -5,6 +5,7 @@
 #include <iterator>
 #include <type_traits>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "scene/framing.hpp"
 #include "scene/obj.hpp"
@@ -299,6 +300,13 @@ Followed followed_in(const Run& run, const Arguments& arguments) {
   followed.pixel = pixel ? *pixel : pixel_to_follow(run, run.pieces[followed.piece].id);
   if (const Shaded* seen = run.shaded_at(followed.pixel)) followed.seen = seen->fragment.id.face;
   return followed;
+}
+
+double exact_determinant(const std::array<glm::dvec4, 3>& corners) {
+  const ExactScope scope;
+  std::array<glm::vec<3, Exact>, 3> c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = {Exact(corners[i].x), Exact(corners[i].y), Exact(corners[i].w)};
+  return to_double(glm::dot(c[0], glm::cross(c[1], c[2])));
 }
 
 }  // namespace gradus::textbook_chain

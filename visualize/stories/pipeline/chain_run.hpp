@@ -2,6 +2,7 @@
 // One run of the textbook chain, kept stage by stage for its story: what each stage told, by vertex and
 // piece.
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -52,6 +53,9 @@ struct Run {
   const pipeline::Clipped* clipped_of(pipeline::PieceId id) const;
   const pipeline::Shaded* shaded_at(ivec2 pixel) const;
 };
+
+/// Of the corners' x, y and w, with the sign that the stage finds, which decides exactly.
+double exact_determinant(const std::array<glm::dvec4, 3>& corners);
 
 /// The most triangles a model may have for its tour.
 inline constexpr std::int64_t most_triangles = 2000;

@@ -2,7 +2,7 @@
 
 #include "stories/pipeline/chain_tour.hpp"
 
-#include "core/arithmetic/exact_scalar.hpp"
+#include "stories/pipeline/chain_coordinates.hpp"
 
 namespace gradus::textbook_chain {
 
@@ -131,36 +131,30 @@ void Tour::world() {
 void Tour::perspective() {
   for (std::size_t i = 0; i < 3; ++i) {
     const Projected& p = run_.clip[vertex(i)];
-    const glm::dvec4 at = p.clip.at;
+    const glm::dvec4 at = p.clip.at, shown = shown_clip(words_, at);
     const std::string name = vertex_name(i);
     fine(views_.clip_space({i, ""}), "Projected",
          {.text = "projected",
           .facts = fields_of(at),
           .words = {{"name", name},
                     {"depth", length_text(p.view.z)},
-                    {"view", at_text(p.view)},
+                    {"view", at_text(shown_view(words_, p.view))},
                     {"x", length_text(at.x)},
                     {"y", length_text(at.y)},
-                    {"z", length_text(at.z)}},
-          .row = row(name, at, run_.noise),
+                    {"z", length_text(shown.z)}},
+          .row = row(name, shown, run_.noise),
           .key = name});
   }
   const auto behind = std::ranges::count_if(run_.clip, [](const Projected& p) { return p.clip.at.z < 0; });
   milestone(views_.clip_space(), "PerspectiveTransformation",
             {.text = "perspective",
              .facts = {{"before_near", behind}},
-             .words = {{"vertices", run_.clip.size()}},
+             .words = {{"vertices", run_.clip.size()}, {"test", before_near(words_)}},
              .count = behind});
 }
 
-double Tour::exact_determinant() const {
-  const ExactScope scope;
-  std::array<glm::vec<3, Exact>, 3> c;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const glm::dvec4 at = run_.clip[vertex(i)].clip.at;
-    c[i] = {Exact(at.x), Exact(at.y), Exact(at.w)};
-  }
-  return to_double(glm::dot(c[0], glm::cross(c[1], c[2])));
+std::array<glm::dvec4, 3> Tour::corners() const {
+  return {run_.clip[vertex(0)].clip.at, run_.clip[vertex(1)].clip.at, run_.clip[vertex(2)].clip.at};
 }
 
 std::pair<std::string_view, std::string_view> Tour::verdict() const {
@@ -179,14 +173,13 @@ std::string_view Tour::faulty_verdict() const {
 }
 
 void Tour::facing_after_division() {
-  std::array<glm::dvec4, 3> c;
-  for (std::size_t i = 0; i < 3; ++i) c[i] = run_.clip[vertex(i)].clip.at;
+  const auto c = corners();
   const double area = back_face_culling::area_after_division(c[0], c[1], c[2]);
   const auto behind = std::ranges::count_if(c, [](const glm::dvec4& at) { return at.w < 0; });
   const bool front = faced_.facing == back_face_culling::Facing::front;
   fine(views_.facing(), "Faced",
        {.text = faulty_verdict(),
-        .facts = {{"area", area}, {"determinant", exact_determinant()}, {"removed", faced_.removed}},
+        .facts = {{"area", area}, {"determinant", exact_determinant(corners())}, {"removed", faced_.removed}},
         .words = {face_word(), {"names", corner_names()}, {"behind", behind}},
         .row = row("area", {area}),
         .key = figure_number(face()),
@@ -201,7 +194,7 @@ void Tour::facing_after_division() {
 
 void Tour::facing() {
   if (run_.fault == Fault::cull_after_division) return facing_after_division();
-  const double determinant = exact_determinant();
+  const double determinant = exact_determinant(corners());
   const auto [text, branch] = verdict();
   fine(views_.facing(), "Faced",
        {.text = text,
@@ -237,8 +230,9 @@ void Tour::clipping() {
 }
 
 void Tour::clipped_corner(const Clipped& own, std::size_t k) {
-  const glm::dvec4 at = own.after[k].at;
-  const dvec3 ndc = own.divided[k].at;
+  const glm::dvec4 at = own.after[k].at, shown = shown_clip(words_, at);
+  const dvec3 divided = own.divided[k].at, ndc = shown_divided(words_, divided);
+  const auto [low, high] = bounds_of_depth(words_, at.w, length_text(at.w));
   const std::string name = fmt::format("c{}", k);
   const auto old = std::ranges::find(own.before, at, &ClipPoint::at);
   const bool kept = old != own.before.end();
@@ -246,16 +240,20 @@ void Tour::clipped_corner(const Clipped& own, std::size_t k) {
   fine(views_.clipping({k, ""}), "Clipped",
        {.text = kept ? "clipped.kept" : "clipped.new",
         .facts = fields_of(at),
-        .words = {{"name", name}, {"vertex", from}, {"z", length_text(at.z)}, {"w", length_text(at.w)}},
-        .row = row(name, at, run_.noise),
+        .words = {{"name", name},
+                  {"vertex", from},
+                  {"z", length_text(shown.z)},
+                  {"w", length_text(at.w)},
+                  {"low", low},
+                  {"high", high}},
+        .row = row(name, shown, run_.noise),
         .key = name,
         .decides = kept ? yes_or_no(words_, "question.within", {{"vertex", from}}, true, "inside")
                         : yes_or_no(words_, "question.edge", {{"name", name}}, true, "cut")});
-  const std::string place = place_text(ndc);
-  fine(views_.clipping({k, place}), "Divided",
+  fine(views_.clipping({k, place_text(ndc)}), "Divided",
        {.text = "divided",
-        .facts = fields_of(ndc),
-        .words = {{"name", name}, {"w", at.w}, {"place", place}},
+        .facts = fields_of(divided),
+        .words = {{"name", name}, {"w", at.w}, {"place", place_text(ndc)}},
         .row = row(fmt::format("{} / {}", name, words_.symbol("w")), ndc),
         .key = name},
        "Clipped");

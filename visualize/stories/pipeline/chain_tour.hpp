@@ -92,8 +92,8 @@ class Tour {
   void world();
   void perspective();
 
-  /// Of the corners' x, y and w, with the sign that the stage finds, which decides exactly.
-  double exact_determinant() const;
+  /// Of the followed piece, in clip space.
+  std::array<glm::dvec4, 3> corners() const;
 
   /// What is found of the followed piece's side: its text and its branch.
   std::pair<std::string_view, std::string_view> verdict() const;

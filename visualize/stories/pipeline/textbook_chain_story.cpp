@@ -72,6 +72,7 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   grid.whole = true;
   grid.x_name = narrator.words().say("column_name");
   grid.y_name = narrator.words().say("row_name");
+  narrator.shows_depths(true);
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
   if (exchanged.stage == raster_stage) {

@@ -73,8 +73,10 @@ class BentStory {
     space.add({0, std::min(task.far, std::max({task.from.z, task.to.z, task.wall}) * 1.1)});
     space_ = Panel({{3.4, 2.6}, {17, 21.4}}, widened(space, 0.02));
     const double least = std::min(a_.x, b_.x), most = std::max(a_.x, b_.x), margin = 0.12 * (most - least);
-    image.add({least - margin, std::min({a_.z, b_.z, task.depth_of_wall()})});
-    image.add({most + margin, std::max({a_.z, b_.z, task.depth_of_wall()})});
+    for (const double z : {a_.z, b_.z, task.depth_of_wall()}) {
+      image.add({least - margin, depth(z)});
+      image.add({most + margin, depth(z)});
+    }
     image.lower.y -= 0.1 * image.size().y;
     image.upper.y += 0.1 * image.size().y;
     image_ = Panel({{21.8, 2.6}, {35.2, 21.4}}, image, Panel::Fit::stretched);
@@ -88,7 +90,11 @@ class BentStory {
   void show(Board& board, const steps::Started&) { board.milestone(view()); }
   Event say(const steps::Started&) const {
     return {.text = task_.bent ? "started.keep_z" : "started.transformation",
-            .words = {{"wall", real(task_.wall)}, {"near", real(task_.near)}, {"far", real(task_.far)}},
+            .words = {{"wall", real(task_.wall)},
+                      {"near", real(task_.near)},
+                      {"far", real(task_.far)},
+                      {"first", depth(0)},
+                      {"last", depth(1)}},
             .level = Level::idea};
   }
 
@@ -96,7 +102,9 @@ class BentStory {
   Event say(const Multiplied<double>& m) const {
     return {.text = "multiplied",
             .facts = {{"point", now_.name}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
-            .words = {{"name", now_.name}, {"x", real(m.clip.x)}, {"z", real(m.clip.z)}},
+            .words = {{"name", now_.name},
+                      {"x", real(m.clip.x)},
+                      {"z", real(words_.notation().clip_depth_of(m.clip.z, m.clip.w))}},
             .key = now_.name};
   }
   void show(Board& board, const Divided<double>& d) { arrive(board, d.ndc); }
@@ -136,7 +144,7 @@ class BentStory {
                     : task_.bent   ? "done.level"
                                    : "done.transformation",
             .facts = {{"largest_error", worst_, "error"}},
-            .words = {{"error", real(worst_)}, {"wall", real(task_.wall)}}};
+            .words = {{"error", real(difference(worst_))}, {"wall", real(task_.wall)}}};
   }
 
  private:
@@ -145,7 +153,10 @@ class BentStory {
     return std::abs(error) > 1e-9 * std::max({std::abs(a_.z), std::abs(b_.z), 1e-3});
   }
   dvec2 in_space(dvec3 p) const { return space_.at({p.x, p.z}); }
-  dvec2 in_image(dvec3 p) const { return image_.at({p.x, p.z}); }
+  dvec2 in_image(dvec3 p) const { return image_.at({p.x, depth(p.z)}); }
+  /// A depth after the transformation, and a difference of two, in the reader's notation; the notes keep z.
+  double depth(double z) const { return task_.bent ? z : words_.notation().depth_of(z); }
+  double difference(double z) const { return depth(z) - depth(0); }
   /// What stands between A and B at this x: a scan line's depth.
   dvec3 interpolated(double x) const { return {x, 0, interpolated_depth(a_, b_, x)}; }
   double error_at(dvec3 image) const { return interpolated(image.x).z - image.z; }
@@ -172,15 +183,15 @@ class BentStory {
         fmt::format("{} ({},\u00a0{})", now_.name, short_real(point.x), short_real(point.z));
     Event event{.text = "end_point",
                 .facts = {{"point", now_.name}, {"x", image.x}, {"z", image.z}},
-                .words = {{"name", now_.name}, {"x", real(image.x)}, {"z", real(image.z)}},
-                .row = {place, real(image.x), real(image.z)},
+                .words = {{"name", now_.name}, {"x", real(image.x)}, {"z", real(depth(image.z))}},
+                .row = {place, real(image.x), real(depth(image.z))},
                 .key = now_.name};
     if (arrived_.size() <= 2) return event;
     const double guess = interpolated(image.x).z, error = error_at(image);
     event.text = is_off(error) ? "off_the_line" : "on_the_line";
     event.facts.push_back({"error", error});
-    event.words.push_back({"guess", real(guess)});
-    event.row.insert(event.row.end(), {real(guess), real(error)});
+    event.words.push_back({"guess", real(depth(guess))});
+    event.row.insert(event.row.end(), {real(depth(guess)), real(difference(error))});
     event.decides = before_wall(guess);
     return event;
   }
@@ -188,9 +199,10 @@ class BentStory {
   /// What whoever draws the scan line reads there.
   Decision before_wall(double guess) const {
     const double wall = task_.depth_of_wall();
-    return yes_or_no(words_, "question.before_wall",
-                     {{"name", now_.name}, {"guess", real(guess)}, {"wall", real(wall)}}, guess < wall,
-                     "nearer", "farther");
+    const bool grows = depth(0) < depth(1);
+    return yes_or_no(words_, grows ? "question.before_wall" : "question.before_wall_falling",
+                     {{"name", now_.name}, {"guess", real(depth(guess))}, {"wall", real(depth(wall))}},
+                     guess < wall, "nearer", "farther");
   }
 
   // --- The drawing
@@ -230,7 +242,7 @@ class BentStory {
 
   void add_wall_in_image(View& view) const {
     const Extent shown = image_.shown();
-    const double wall = task_.depth_of_wall();
+    const double wall = depth(task_.depth_of_wall());
     view.add({"b wall image", Role::boundary,
               Stroke{image_.at({shown.lower.x, wall}), image_.at({shown.upper.x, wall})}});
     view.add({"f wall name", Role::boundary,
@@ -264,9 +276,9 @@ class BentStory {
     const double error = on_chord.z - image.z;
     if (!is_off(error)) return;
     view.add({"d error", Role::measure, Stroke{in_image(image), in_image(on_chord), false, false, true}});
-    view.add(
-        {"f error name", Role::measure,
-         Label{0.5 * (in_image(image) + in_image(on_chord)), words_.say("error", {{"error", real(error)}})}});
+    view.add({"f error name", Role::measure,
+              Label{0.5 * (in_image(image) + in_image(on_chord)),
+                    words_.say("error", {{"error", real(difference(error))}})}});
   }
 
   const Words& words_;
@@ -302,6 +314,7 @@ void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
 void tell_transformation(Narrator& narrator) {
   const BentTask task = task_of(narrator.arguments(), false);
   narrator.list_below("divide");
+  narrator.shows_depths();
   tell_line(narrator, task, [&task](dvec3 point, const auto& watch) {
     divide(transform(task.projection(), point, watch), watch);
   });

@@ -66,7 +66,9 @@ class DivisionStory {
   Event say(const Multiplied<double>& m) const {
     return {.text = "multiplied",
             .facts = {{"point", name()}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
-            .words = {{"name", name()}, {"x", real(m.clip.x)}, {"z", real(m.clip.z)}},
+            .words = {{"name", name()},
+                      {"x", real(m.clip.x)},
+                      {"z", real(words_.notation().clip_depth_of(m.clip.z, m.clip.w))}},
             .key = name(),
             .decides = divisible(m.clip.w),
             .line = multiplied_line_};
@@ -149,7 +151,8 @@ class DivisionStory {
     event.words.insert(event.words.end(), {{"name", name()},
                                            {"image", image_text(image)},
                                            {"right", image_text(task_.right_image(task_.points[current_]))}});
-    event.row = {point_text(), w ? Said(*w) : "", image_text(image), has_z ? real(*z) : ""};
+    event.row = {point_text(), w ? Said(*w) : "", image_text(image),
+                 has_z ? real(words_.notation().depth_of(*z)) : ""};
     return event;
   }
   Event zoomed(double w) const {
@@ -300,7 +303,10 @@ void tell_points(Narrator& narrator, const DivisionTask& task, std::optional<int
       narrator.words().count("subtitle.points", std::ssize(task.points), {{"points", list}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"w"}, {"image", false}});
-  if (!task.zooms()) narrator.trace().columns.push_back({"z_image"});
+  if (!task.zooms()) {
+    narrator.trace().columns.push_back({"z_image"});
+    narrator.shows_depths();
+  }
   narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
   if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
   DivisionStory story(narrator.words(), task, multiplied_line);

@@ -13,6 +13,17 @@ using DFrame = Frame<double>;
 
 constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
 
+/// What the reader calls the directions right, up and forward.
+inline std::string direction_name(const Words& words, int number) {
+  const std::string own = words.say(fmt::format("name.{}", axis_names[static_cast<std::size_t>(number)]));
+  return number == 2 ? words.notation().forward_name(own) : words.notation().axis_name(number, own);
+}
+/// The same of the axes of view space: the third one may point backward.
+inline std::string axis_name(const Words& words, int number) {
+  const std::string own = words.say(fmt::format("name.{}", axis_names[static_cast<std::size_t>(number)]));
+  return words.notation().axis_name(number, own);
+}
+
 /// Of coordinates: farther away the letter is a dot, and numbers don't fit.
 constexpr Sizes coordinate_sizes{1e-100, 1e6};
 
@@ -133,7 +144,7 @@ class Drawing {
       if (!known.axes[static_cast<std::size_t>(i)]) continue;
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
       arrow(view, "axis " + name, i == known.newest ? Role::current : Role::accepted,
-            size * axis_of(frame, i), words_.say("name." + name), false);
+            size * shown_axis(frame, i), axis_name(words_, i), false);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     point(view, "target", Role::input, scene_.target, words_.say("name.target"));
@@ -185,13 +196,13 @@ class Drawing {
     const Extent place{{21, 1}, {34.5, 21.5}};
     const Panel panel(place, widened(all, 0.02));
     const auto at = [&](dvec3 v) { return panel.at(flat(v)); };
-    const auto line = [&](std::string id, Role role, dvec3 tip, std::string_view name) {
+    const auto line = [&](std::string id, Role role, dvec3 tip, int axis) {
       view.add({id, role, Stroke{at({0, 0, 0}), at(tip), true}});
-      view.add({id + " name", role, Label{at(tip), words_.say("name." + std::string(name))}});
+      view.add({id + " name", role, Label{at(tip), direction_name(words_, axis)}});
     };
-    line("space right", Role::guide, {size, 0, 0}, "right");
-    line("space up", Role::guide, {0, size, 0}, "up");
-    line("space forward", Role::guide, {0, 0, scene_.distance}, "forward");
+    line("space right", Role::guide, {size, 0, 0}, 0);
+    line("space up", Role::guide, {0, size, 0}, 1);
+    line("space forward", Role::guide, {0, 0, scene_.distance}, 2);
     view.add({"space eye", Role::input, Dot{at({0, 0, 0})}});
     if (!known.seen) return;
     const dvec3 there = through(wrong, scene_.target), here = through(right, scene_.target);
@@ -210,11 +221,10 @@ class Drawing {
     const double unit = arrow_unit(frame);
     for (int i = 0; i < 3; ++i) {
       const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, Role::input, unit * axis_of(frame, i), words_.say("name." + name), false);
+      arrow(view, "axis " + name, Role::input, unit * axis_of(frame, i), direction_name(words_, i), false);
       if (i >= known.rows) continue;
       arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted,
-            unit * dvec3(inverse[i]), words_.say("column_name", {{"axis", words_.say("name." + name)}}),
-            true);
+            unit * dvec3(inverse[i]), words_.say("column_name", {{"axis", direction_name(words_, i)}}), true);
     }
     point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     return view;
@@ -255,6 +265,11 @@ class Drawing {
                 Stroke{panel.at(flat(a)), panel.at(flat(b))}});
     }
   }
+  /// An axis of view space as the reader's notation has it.
+  dvec3 shown_axis(const DFrame& frame, int number) const {
+    const dvec3 axis = axis_of(frame, number);
+    return number == 2 && words_.notation().looks_backward() ? dvec3(0) - axis : axis;
+  }
   /// Paper lengths of given axes and the inverse's columns have one scale.
   double arrow_unit(const DFrame& frame) const {
     const glm::dmat4 inverse = inverse_of_any_frame(frame);
@@ -285,7 +300,8 @@ class Drawing {
       add(b);
     }
     add(scene_.target);
-    for (const dvec3 way : {frame.right, frame.up, frame.forward, unit_vector(scene_.up), dvec3{0}})
+    for (const dvec3 way :
+         {frame.right, frame.up, frame.forward, shown_axis(frame, 2), unit_vector(scene_.up), dvec3{0}})
       add(scene_.eye + size * way);
     for (const dvec3 tip : {dvec3{1, 0, 0}, dvec3{0, 1, 0}, dvec3{0, 0, 1}, dvec3{0}})
       add(axis_length() * tip);
@@ -301,7 +317,7 @@ class Drawing {
     const Role role = number == known.newest ? Role::current : Role::accepted;
     const dvec2 from = seen_place.centre(), to = from + way;
     view.add({"picture axis " + name, role, Stroke{from, to, true}});
-    view.add({"picture axis " + name + " name", role, Label{to, words_.say("name." + name)}});
+    view.add({"picture axis " + name + " name", role, Label{to, axis_name(words_, number)}});
   }
 
   /// What the picture shows round its middle, the target: the letter, where it is in front.

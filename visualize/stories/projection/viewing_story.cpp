@@ -47,6 +47,7 @@ class Story {
         way_(way),
         drawing_(scene, words),
         frame_(scene.frame()),
+        backward_(words.notation().looks_backward() && !faulty() && way != Way::any_frame),
         right_(world_to_view(frame_)),
         wrong_(way == Way::minus_position ? minus_position(frame_) : transposed(frame_)) {}
 
@@ -54,7 +55,12 @@ class Story {
   Event say(const Input&) const {
     if (way_ == Way::any_frame) {
       return {.text = "input_axes",
-              .words = {{"right", frame_.right}, {"up", frame_.up}, {"forward", frame_.forward}},
+              .words = {{"right", frame_.right},
+                        {"up", frame_.up},
+                        {"forward", frame_.forward},
+                        {"r", direction(0)},
+                        {"u", direction(1)},
+                        {"f", direction(2)}},
               .key = "eye",
               .begins = true};
     }
@@ -75,9 +81,11 @@ class Story {
   }
   void show(Board& board, const Aimed<double>&) { learn_axis(board, 2); }
   Event say(const Aimed<double>& a) const {
-    Event event = of_frame(
-        "aimed", "forward", a.forward,
-        {{"along", a.target - a.eye}, {"distance", scene_.distance}, {"forward", neat(a.forward, 1)}});
+    Event event = of_frame("aimed", "forward", a.forward,
+                           {{"along", a.target - a.eye},
+                            {"distance", scene_.distance},
+                            {"f", direction(2)},
+                            {"forward", neat(a.forward, 1)}});
     if (scene_.along == Along::replaced && !replaced_) event.decides = hint_along_the_view(false);
     return event;
   }
@@ -86,11 +94,17 @@ class Story {
     const dvec3 across = glm::cross(frame_.forward, l.up_hint);
     const double length = length_of(across);
     return of_frame("levelled", "right", l.right,
-                    {{"across", neat(across, length)}, {"length", length}, {"right", neat(l.right, 1)}});
+                    {{"across", neat(across, length)},
+                     {"length", length},
+                     {"f", direction(2)},
+                     {"r", direction(0)},
+                     {"right", neat(l.right, 1)}});
   }
   void show(Board& board, const Framed<double>&) { learn_axis(board, 1); }
   Event say(const Framed<double>& f) const {
-    return of_frame("framed", "up", f.frame.up, {{"up", neat(f.frame.up, 1)}});
+    return of_frame(
+        "framed", "up", f.frame.up,
+        {{"r", direction(0)}, {"u", direction(1)}, {"f", direction(2)}, {"up", neat(f.frame.up, 1)}});
   }
 
   void show(Board& board, const RowWritten<double>& r) {
@@ -100,7 +114,7 @@ class Story {
     milestone(board);
   }
   Event say(const RowWritten<double>& r) const {
-    const dvec3 axis = neat(r.axis, 1);
+    const dvec3 axis = in_notation(r.row, neat(r.axis, 1));
     // The sum of the products as they are shown
     const double along = neat(-glm::dot(axis, scene_.eye), largest_product(axis, scene_.eye));
     const double shift = faulty() ? r.shift : along;
@@ -131,7 +145,7 @@ class Story {
   Event say(const ColumnWritten<double>& c) const {
     const bool eye = c.column == 3;
     const double size = way_ == Way::any_frame ? length_of(c.entries) : 1;
-    const dvec3 entries = eye ? c.entries : neat(c.entries, size);
+    const dvec3 entries = eye ? c.entries : in_notation(c.column, neat(c.entries, size));
     const std::string name = eye ? words_.say("name.eye") : axis_name(c.column);
     Event event{.text = eye ? "eye_column" : "column",
                 .facts = {{"column", c.column}, {"x", c.entries.x}, {"y", c.entries.y}, {"z", c.entries.z}},
@@ -200,7 +214,7 @@ class Story {
     if (way_ == Way::inverse) {
       return {.text = "led_back",
               .facts = fields("world", v.world),
-              .words = {{"view", v.view}, {"target", neat(v.world, size)}},
+              .words = {{"view", in_notation(v.view)}, {"target", neat(v.world, size)}},
               .key = "target",
               .ends = true,
               .level = Level::step};
@@ -211,7 +225,8 @@ class Story {
                     : faulty() ? "off_the_axis"
                                : "viewed",
             .facts = fields("view", v.view),
-            .words = {{"view", neat(v.view, size)},
+            .words = {{"view", in_notation(neat(v.view, size))},
+                      {"r", direction(0)},
                       {"sine", sine},
                       {"right", neat(frame_.right, 1)},
                       {"distance", scene_.distance}},
@@ -223,7 +238,14 @@ class Story {
 
  private:
   bool faulty() const { return way_ == Way::minus_position || way_ == Way::transposed; }
-  std::string axis_name(int number) const { return words_.say("name." + axis_id(number)); }
+  /// Of a row or column of the matrix.
+  std::string axis_name(int number) const {
+    return backward_ ? viewing::axis_name(words_, number % 3) : direction(number);
+  }
+  std::string direction(int number) const { return direction_name(words_, number % 3); }
+  /// A row, column or place in view space, its third axis as the reader has it.
+  dvec3 in_notation(dvec3 view) const { return backward_ ? dvec3(view.x, view.y, 0 - view.z) : view; }
+  dvec3 in_notation(int axis, dvec3 v) const { return backward_ && axis == 2 ? dvec3(0) - v : v; }
   static std::vector<Field> fields(const std::string& name, dvec3 v) {
     return {{name + ".x", v.x, "x"}, {name + ".y", v.y, "y"}, {name + ".z", v.z, "z"}};
   }
@@ -269,7 +291,8 @@ class Story {
   const Scene& scene_;
   const Way way_;
   const Drawing drawing_;
-  const DFrame frame_;  ///< where axes will be, so that nothing jumps
+  const DFrame frame_;   ///< where axes will be, so that nothing jumps
+  const bool backward_;  ///< the third axis of the matrix is the reader's; exhibits have the code's
   const glm::dmat4 right_, wrong_;
   Drawing::Known known_;
   bool replaced_ = false;
@@ -297,6 +320,27 @@ void conclude(Narrator& narrator, const glm::dmat4& matrix) {
   narrator.result(std::move(result));
 }
 
+/// Says once what the reader's notation calls otherwise than the code.
+void say_axes_of_code(Narrator& narrator) {
+  const Notation& notation = narrator.words().notation();
+  narrator.shows_matrices();
+  if (notation.axes.empty()) {
+    if (notation.looks_backward()) narrator.in_the_code("notation.forward");
+    return;
+  }
+  constexpr std::string_view minus = "−";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string name(axis_names[i]);
+    if (i < 2 || !notation.looks_backward()) {
+      narrator.named_in_the_code(notation.axes[i], name);
+    } else if (notation.axes[i].starts_with(minus)) {
+      narrator.named_in_the_code(notation.forward_name(name), name);
+    } else {
+      narrator.named_in_the_code(notation.axes[i], std::string(minus) + name);
+    }
+  }
+}
+
 /// Where the matrix is returned.
 int last_line(Narrator& narrator) { return narrator.trace().listing.back().number; }
 
@@ -311,6 +355,7 @@ void tell_view(Narrator& narrator) {
   introduce(narrator, faulty ? Role::rejected : Role::result, faulty ? "rejected" : "result");
   narrator.subtitle("subtitle", {{"eye", scene.eye}, {"target", scene.target}});
   narrator.paper(36, 24);
+  say_axes_of_code(narrator);
   // The matrix is whole after its third row or column
   const bool replaced =
       along == Along::replaced && sine_between(scene.target - scene.eye, scene.up) < least_sine<double>;
@@ -344,6 +389,7 @@ void tell_any_frame(Narrator& narrator) {
   introduce_axes(narrator);
   narrator.subtitle("subtitle_axes", {{"eye", scene.eye}});
   narrator.paper(36, 24);
+  say_axes_of_code(narrator);
   narrator.telling({3, 0});
   Story story(narrator.words(), scene, Way::any_frame);
   const auto watch = narrator.watcher(story);

@@ -29,8 +29,9 @@ inline std::vector<dvec2> arc_round(dvec2 pivot, dvec2 from, double degrees) {
 class Layout {
  public:
   /// undo: the matrices are inverses. world: all that has to be seen. largest: the size of the largest shape.
-  Layout(const Task& task, bool undo, Extent world, double largest)
-      : matrices_(room_for_matrices(task, undo)),
+  Layout(const Wording& words, const Task& task, bool undo, Extent world, double largest)
+      : words_(words),
+        matrices_(room_for_matrices(task, undo)),
         far_(longer_side(world) > most_apart * largest && largest > 0),
         above_(far_ ? beside().size().x < least_apart : is_wide(world)),
         panel_(place(), roomy(world)) {}
@@ -109,15 +110,15 @@ class Layout {
     if (std::abs(x) < 1000) return std::round(x * 100) / 100;
     return std::abs(x) < 1e6 ? x : std::strtod(fmt::format("{:.2e}", x).c_str(), nullptr);
   }
-  static MatrixRows shown(MatrixRows rows) {
+  MatrixRows shown(MatrixRows rows) const {
     for (auto& row : rows) {
       for (double& x : row) x = brief(x);
     }
-    return rows;
+    return oriented(words_, std::move(rows));
   }
 
   /// The largest of the matrices that will be shown.
-  static dvec2 room_for_matrices(const Task& task, bool undo) {
+  dvec2 room_for_matrices(const Task& task, bool undo) const {
     dvec2 most = matrix_size(shown(rows_of(Matrix<double>(1.0))));
     Matrix<double> product(1.0);
     const auto show = [&](const Matrix<double>& m) { most = glm::max(most, matrix_size(shown(rows_of(m)))); };
@@ -148,6 +149,7 @@ class Layout {
     return widened(world, 0.02);
   }
 
+  const Wording& words_;
   const dvec2 matrices_;
   const bool far_, above_;
   const Panel panel_;

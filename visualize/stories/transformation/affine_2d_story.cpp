@@ -23,7 +23,7 @@ class Story {
         task_(task),
         way_(way),
         stages_{first_stage()},
-        layout_(task, way == Way::undo, world(), largest_shape()) {}
+        layout_(words.wording(), task, way == Way::undo, world(), largest_shape()) {}
 
   const Panel& panel() const { return layout_.panel(); }
 
@@ -320,7 +320,7 @@ class Story {
     if (way_ != Way::undo) return product_name(words_.wording(), done_);
     std::vector<std::string> names;
     for (std::size_t k = count() - done_; k < count(); ++k) names.push_back(name_of(k) + "⁻¹");
-    return chained(names);
+    return chained(words_.wording(), std::move(names));
   }
 
   /// The matrix of the last factor, and the product so far; whole: only this.
@@ -352,6 +352,7 @@ class Story {
 /// What stands around the steps.
 void introduce(Narrator& narrator, const Task& task, const Panel& panel) {
   require_scale(panel, narrator.arguments(), {"polygon", "factors"});
+  narrator.shows_matrices();
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   narrator.paper(36, 24);
   narrator.legend({Role::input, Role::past, Role::current, Role::result, Role::measure, Role::rejected});

@@ -123,7 +123,7 @@ class ProductStory {
     if (half == 0) return product_name(words_.wording(), n);
     std::vector<std::string> names;
     for (std::size_t k = 0; k < n; ++k) names.push_back(factor_name(words_.wording(), k));
-    return chained(names);
+    return chained(words_.wording(), std::move(names));
   }
 
   const Words& words_;
@@ -209,6 +209,7 @@ void introduce_turn(Narrator& narrator, const Task& task) {
 
 void tell_product(Narrator& narrator, const Task& task, bool rows) {
   introduce(narrator);
+  narrator.shows_matrices();
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   ProductStory story(narrator.words(), task, rows);
   require_scale(story.panel(), narrator.arguments(), {"box", "factors"});
@@ -230,6 +231,7 @@ void tell_row_vectors(Narrator& narrator) { tell_product(narrator, task_of(narra
 void tell_decomposition(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   introduce_turn(narrator, task);
+  narrator.shows_matrices();
   PartsStory story(narrator.words(), task);
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
@@ -279,7 +281,10 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
            {{.name = "one_matrix", .standing = Standing::taught, .tell = tell_one_matrix, .exact = true},
             {.name = "decomposition", .tell = tell_decomposition},
             {.name = "turn_vector", .tell = tell_turn_vector, .exact = true},
-            {.name = "row_vectors", .standing = Standing::faulty, .tell = tell_row_vectors},
+            {.name = "row_vectors",
+             .standing = Standing::faulty,
+             .tell = tell_row_vectors,
+             .of_columns = true},
             {.name = "constant_offset", .standing = Standing::faulty, .tell = tell_constant_offset}},
        .columns = {{"k"}, {"x"}, {"y"}, {"z"}},
        .parameters =

@@ -123,7 +123,8 @@ inline void add_product(View& view, const Mat& m, const Words& words) {
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
   }
-  add_matrix(view, "m", {35.2, 19.2}, words.symbol("M"), rows, Role::input);
+  add_matrix(view, "m", {35.2, 19.2}, words.symbol("M"), oriented(words.wording(), std::move(rows)),
+             Role::input);
 }
 
 }  // namespace gradus::affine_3d

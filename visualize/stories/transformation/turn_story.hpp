@@ -113,7 +113,7 @@ class PartsStory {
     if (done_ == 0) return words_.symbol("M");
     const std::vector<std::string> newest_first(parts_.rend() - static_cast<std::ptrdiff_t>(done_),
                                                 parts_.rend());
-    return words_.symbol("M") + " = " + chained(newest_first);
+    return words_.symbol("M") + " = " + chained(words_.wording(), newest_first);
   }
 
   void milestone(Board& board, Role role) const {
