@@ -117,11 +117,12 @@ Box with_room_for_labels(const Box& settled, const Box& slot, double s) {
   return {x, settled.y, std::min(slot.right(), settled.right() + missing / 2) - x, settled.height};
 }
 
-/// Cuts the stage to what is drawn on the paper.
+/// Cuts the stage to what is drawn on the paper, and a hair more: no rounding may cut off what ends there.
 void cut_to(Stage& stage, const Content& content) {
+  constexpr double hair = 1e-6;
   stage.content = &content;
-  stage.lower = content.all.lower;
-  stage.size = glm::max(content.all.size(), dvec2{1});
+  stage.lower = content.all.lower - hair;
+  stage.size = glm::max(content.all.size(), dvec2{1}) + 2 * hair;
   const auto whole = [](dvec2 p, double up) {
     return ivec2{static_cast<int>(std::floor(p.x + up)), static_cast<int>(std::floor(p.y + up))};
   };
