@@ -53,9 +53,12 @@ Incomplete& incomplete() {
   return *files;
 }
 
-void remember(const std::string& path) {
+/// A new file that is known to be incomplete from its first moment: no signal comes between.
+int open_incomplete(const std::string& path) {
   const std::lock_guard lock(incomplete().mutex);
-  incomplete().paths.insert(path);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor >= 0) incomplete().paths.insert(path);
+  return descriptor;
 }
 
 void forget(const std::string& path) {
@@ -114,7 +117,7 @@ int open_beside(const std::string& path, std::string& temporary) {
   remove_leftovers(folder);
   while (true) {
     temporary = folder + temporary_name();
-    const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int descriptor = open_incomplete(temporary);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
   }
 }
@@ -240,7 +243,6 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
   std::string temporary;
   Descriptor file(open_beside(*target, temporary));
   if (file.number() < 0) cannot_write(path);
-  remember(temporary);
   pending_.push_back({temporary, *target});
   if (exists) static_cast<void>(fchmod(file.number(), known.st_mode & 07777));
   if (!write_all(file.number(), bytes) || !file.close()) cannot_write(path);
