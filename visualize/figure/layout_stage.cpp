@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "core/contract.hpp"
 #include "figure/layout.hpp"
@@ -129,6 +131,16 @@ void cut_to(Stage& stage, const Content& content) {
   stage.cells = intersection(stage.cells, {whole(stage.lower, 0.5), whole(stage.lower + stage.size, 0.5)});
 }
 
+/// As if all its digits were the widest: views with as many digits get the same room beside them.
+double number_width(int n) {
+  static const char widest = std::ranges::max(std::string_view("0123456789"), {}, [](char digit) {
+    return text_width(std::string(1, digit), Face::sans, text_size);
+  });
+  std::string text = figure_number(n);
+  std::ranges::replace_if(text, [](char c) { return c >= '0' && c <= '9'; }, widest);
+  return text_width(text, Face::sans, text_size);
+}
+
 void show_cells(Stage& stage) {
   stage.lower = dvec2(stage.cells.lower) - 0.5;
   stage.size = {static_cast<double>(stage.cells.width()), static_cast<double>(stage.cells.height())};
@@ -150,7 +162,6 @@ Stage stage_of(const Trace& trace, const Look& look) {
   const Content& content = trace.content;
   if (!grid.axes && !look.view && !content.all.empty()) cut_to(stage, content);
   stage.core = content.core.empty() ? stage.size : glm::min(content.core.size(), stage.size);
-  const auto number_width = [](int n) { return text_width(figure_number(n), Face::sans, text_size); };
   if (grid.axes) {
     stage.axes = &grid;
     stage.numbers = std::max(number_width(stage.cells.lower.y), number_width(stage.cells.upper.y));
