@@ -115,7 +115,7 @@ TEST(Typesetting, AnEndAndItsCodeHaveOneColour) {
     is_quantity(id);
     EXPECT_EQ(only(id), 0) << id;
   }
-  for (const char* id : {"end b", "end b name", "region 10", "heading code_b"}) {
+  for (const char* id : {"end b", "end b name", "heading code_b"}) {
     is_quantity(id);
     EXPECT_EQ(only(id), 2) << id;
   }

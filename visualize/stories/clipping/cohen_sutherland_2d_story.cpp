@@ -272,10 +272,8 @@ class Story {
     const std::array<std::string, 3> lines{words_.say("bits", {{"bits", ""}}),
                                            names[0] + " · " + names[1] + " ·", names[2] + " · " + names[3]};
     dvec2 at = plane.lower + dvec2{plane.size().x + 1.2, 2.5 * line_height};
-    for (const std::string& line : lines) {
-      view.add({fmt::format("bits {}", line), Role::guide, Text{at, line, Align::left, true}});
-      at.y -= line_height;
-    }
+    for (std::size_t i = 0; i < lines.size(); ++i, at.y -= line_height)
+      view.add({fmt::format("bits {}", i), Role::guide, Text{at, lines[i], Align::left, true}});
   }
 
   const Words& words_;
