@@ -1,12 +1,16 @@
 #include "figure/content.hpp"
 
 #include <map>
+#include <string_view>
 
 #include "figure/layout.hpp"
 #include "figure/trace.hpp"
 
 namespace gradus {
 namespace {
+
+/// Whether letters of a text reach below its line.
+bool descends(std::string_view text) { return text.find_first_of("gjpqyQ,;()[]/") != std::string_view::npos; }
 
 class Survey {
  public:
@@ -28,11 +32,12 @@ class Survey {
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
       const double width = text_width(text->text, Face::sans, layout::text_size);
       const double left = text->align == Align::left ? 0 : text->align == Align::centre ? width / 2 : width;
-      add_text(text->at, left, width - left, 0.65 * layout::text_size, text->aside);
+      add_text(text->at, left, width - left, 0.45 * layout::text_size,
+               (descends(text->text) ? 0.65 : 0.42) * layout::text_size, text->aside);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
-      // Somewhere beside its point: half its width and one line are enough
+      // Somewhere beside its point: half its width and a line are enough
       const double half = text_width(label->text, Face::sans, layout::text_size) / 2;
-      add_text(label->at, half, half, 1.5 * layout::text_size);
+      add_text(label->at, half, half, layout::text_size, layout::text_size);
     }
   }
   void add(const CellChange& change) {
@@ -52,15 +57,15 @@ class Survey {
     content_.all.add(p);
     if (counts) content_.core.add(p);
   }
-  void add_text(dvec2 at, double left, double right, double half_height, bool aside = false) {
+  void add_text(dvec2 at, double left, double right, double up, double down, bool aside = false) {
     if (at != glm::clamp(at, lower_, upper_)) return;
     content_.all.add(at);
     Content::TextRoom& room =
         texts_.try_emplace({at.x, at.y}, Content::TextRoom{at, 0, 0, 0, 0, aside}).first->second;
     room.left = std::max(room.left, left);
     room.right = std::max(room.right, right);
-    room.up = std::max(room.up, half_height);
-    room.down = std::max(room.down, half_height);
+    room.up = std::max(room.up, up);
+    room.down = std::max(room.down, down);
   }
 
   dvec2 lower_, upper_;

@@ -180,7 +180,7 @@ class DrawingLayout {
   void draw_axes() {
     const Box& b = frame_.box;
     const Window& view = frame_.view;
-    const double size = text_size * s_, below = b.bottom() + 23 * s_;
+    const double size = text_size * s_, below = b.bottom() + 22 * s_;
     const double widest = std::max(text_width(figure_number(view.lower.x), Face::sans, size),
                                    text_width(figure_number(view.upper.x), Face::sans, size));
     const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
@@ -219,7 +219,7 @@ class DrawingLayout {
     } else {
       // A long name may stand over the grid's corner, but not in the margin
       const double y_name = text_width(trace_.grid.y_name, Face::italic, size);
-      name_axis("y axis", {std::max(b.x - 8 * s_ - y_name, at_.left), b.y - 7 * s_}, name);
+      name_axis("y axis", {std::max(b.x - 8 * s_ - y_name, at_.left), b.y - 5 * s_}, name);
     }
     return free_.texts.back().bottom();
   }
@@ -350,7 +350,9 @@ class DrawingLayout {
                       true,
                       Paint::of(Tone::paper)};
       const Box box = shape.box(), apart = grown(box, 2 * s_);
-      if (!inside(box, grown(at_.labels, s_)) ||
+      const double spare = 0.2 * size;  // above capitals and, but for tails, below the line
+      const Box letters{box.x, box.y + spare, box.width, box.height - 2 * spare};
+      if (!inside(letters, grown(at_.labels, s_)) ||
           std::ranges::any_of(free_.texts, [&](const Box& other) { return overlap(apart, other); }))
         continue;
       free_.texts.push_back(box);

@@ -14,7 +14,7 @@ namespace {
 
 /// The drawing is the hero: so much of a slide's width, or of the height between title and sentence, the
 /// marks of all its steps fill if they can. A little above the 54 and 90 % that one step's shall reach.
-constexpr double hero_width = 0.58, hero_height = 0.95;
+constexpr double hero_width = 0.61, hero_height = 0.97;
 /// Where the code stands below: of what there is between title and sentence.
 constexpr double upright_width = 0.9, upright_height = 0.62;
 constexpr double wide_sheet = 1.6;  ///< width to height: from here on the code may stand beside the drawing

@@ -15,9 +15,9 @@ namespace gradus::layout {
 namespace {
 
 constexpr double followed_cell = 30;
-constexpr double axis_below = 31, axis_above = 27, axis_rim = 4;
+constexpr double axis_below = 27, axis_above = 22, axis_rim = 4;
 constexpr double roomy_cell = 44;  ///< from here on the name of the columns stands below the last one
-constexpr double paper_rim = 4;    ///< of a line's width at the border of a paper
+constexpr double paper_rim = 2;    ///< of a line's width at the border of a paper
 constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
 constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
 

@@ -186,7 +186,7 @@ std::string id_of(std::string_view axis, std::string_view what, const Ticks& tic
                          : fmt::format("{}{} {:.17g}", axis, what, tick.value);
 }
 
-constexpr double tick_length = 0.35, number_gap = 1.1, name_gap = 1.1;
+constexpr double tick_length = 0.35, number_gap = 0.9, name_gap = 1.1;
 
 }  // namespace
 

@@ -186,7 +186,7 @@ class PlaneDrawing {
     const dvec2 upper = (upward ? along.y > 0 : along.x > 0) ? to - 1.1 * along : from + 1.1 * along;
     const auto put_side = [&](const char* id, Role role, dvec2 aside, std::string_view key) {
       const Align align = !upward ? Align::right : aside.x > 0 ? Align::left : Align::right;
-      view_.add({id, role, Text{upper + (upward ? 0.5 : 0.9) * aside, words_.say(key), align}});
+      view_.add({id, role, Text{upper + (upward ? 0.5 : 0.65) * aside, words_.say(key), align}});
     };
     put_side("b window border in", Role::result, -outward, "side.inside");
     put_side("b window border out", Role::measure, outward, "side.outside");
