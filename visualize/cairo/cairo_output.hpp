@@ -17,10 +17,8 @@ namespace gradus {
 ///     <rect id="paper" class="tone-paper">         the ground; absent when transparent
 ///     <g id="drawing" class="slot-drawing">        a slot: title, drawing, listing, table, sentence, footer
 ///       <g id="drawing-current" class="role-current">  in it what has one role (see Role) …
-///       <g id="drawing-rule" class="tone-rule">        … or belongs to the furniture (see Tone), or is a
-///       picture
-///         <rect data-id="cell 3,2">                what the figure calls a shape or text: once per part of
-///         it
+///       <g id="drawing-rule" class="tone-rule">        … or belongs to the furniture (see Tone)
+///         <rect data-id="cell 3,2">                what the figure calls a shape or text, once a part of it
 ///
 /// Groups don't change the drawing order: one that is interrupted goes on as drawing-current-2, -3, …, so an
 /// id names one stretch and a class all. `.slot-drawing .role-current { visibility: hidden }` hides the

@@ -35,7 +35,7 @@ std::string document_name(Format format) {
 }
 
 void refuse_binary_in_terminal(Format format) {
-  const bool binary = format == Format::png || is_document(format) || is_film(format);
+  const bool binary = facts_of(format).pixels || is_document(format);
   if (binary && is_terminal(Stream::out)) {
     throw UsageError(fmt::format("-o: expected a file or a pipe for {}, found a terminal", name_of(format)));
   }
@@ -45,7 +45,7 @@ void refuse_binary_in_terminal(Format format) {
 
 bool drawn_or_played(Format format) { return is_drawn(format) || format == Format::html; }
 bool drawn_at_once(Format format) { return is_drawn(format) && !is_film(format); }
-bool made_of_pixels(Format format) { return format == Format::png || is_film(format); }
+bool made_of_pixels(Format format) { return facts_of(format).pixels; }
 
 struct FlagUse {
   const char* flag;

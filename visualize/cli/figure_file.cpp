@@ -76,52 +76,8 @@ StepNumber named_step(StepNumber step, const Takes& takes) {
 
 }  // namespace
 
-bool is_film(Format format) {
-  return format == Format::gif || format == Format::mp4 || format == Format::webp;
-}
-
-bool is_document(Format format) { return format == Format::pdf || format == Format::pptx; }
-
-bool is_drawn(Format format) {
-  return format == Format::svg || format == Format::png || is_document(format) || is_film(format);
-}
-
-std::span<const std::string> format_names() {
-  static const std::vector<std::string> names{"svg",  "png", "pdf", "html", "csv",  "md",  "tex",
-                                              "json", "txt", "gif", "mp4",  "webp", "pptx"};
-  return names;
-}
-
 FilmFormat film_format(Format format) {
   return format == Format::gif ? FilmFormat::gif : format == Format::mp4 ? FilmFormat::mp4 : FilmFormat::webp;
-}
-
-std::string_view name_of(Format format) { return format_names()[static_cast<std::size_t>(format)]; }
-
-std::optional<Format> format_by_ending(std::string_view path) {
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string_view::npos || path[dot] == '/') return std::nullopt;
-  const std::string ending = folded(path.substr(dot + 1));
-  const auto found = std::ranges::find(format_names(), ending);
-  if (found == format_names().end()) return std::nullopt;
-  return static_cast<Format>(found - format_names().begin());
-}
-
-std::optional<Format> format_by_content(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return Format::png;
-  if (bytes.starts_with("%PDF")) return Format::pdf;
-  if (bytes.starts_with("GIF8")) return Format::gif;
-  if (bytes.starts_with("RIFF") && bytes.size() > 8 && bytes.substr(8).starts_with("WEBP"))
-    return Format::webp;
-  if (bytes.size() > 8 && bytes.substr(4).starts_with("ftyp")) return Format::mp4;
-  if (bytes.starts_with("PK") && bytes.find("ppt/presentation.xml") != std::string_view::npos)
-    return Format::pptx;
-  const std::string start = folded(bytes.substr(0, 512));
-  if (start.find("<!doctype html") != std::string::npos || start.find("<html") != std::string::npos) {
-    return Format::html;
-  }
-  if (start.find("<svg") != std::string::npos) return Format::svg;
-  return std::nullopt;
 }
 
 Format read_format(const Request& request, const std::string& output) {
@@ -301,6 +257,25 @@ Trace widened(Trace trace, const Trace& other) {
   return trace;
 }
 
+/// A run as a text, and whether a last line names the command that makes it.
+struct TextWriter {
+  Format format;
+  std::string (*write)(const Trace& trace);
+  bool names_command;
+};
+
+const TextWriter* writer_of(Format format) {
+  static constexpr std::array<TextWriter, 5> writers{{
+      {Format::csv, csv_of, false},
+      {Format::md, markdown_of, true},
+      {Format::tex, latex_of, true},
+      {Format::json, run_json, false},
+      {Format::txt, [](const Trace& trace) { return text_of(trace, false); }, true},
+  }};
+  const auto found = std::ranges::find(writers, format, &TextWriter::format);
+  return found == writers.end() ? nullptr : &*found;
+}
+
 /// Both runs side by side: their drawings, for there is no room for listings and tables.
 std::string players_page(const FigureSpec& spec, const Trace& trace, const Takes& takes,
                          const Colophon& colophon, PlayerOptions options) {
@@ -318,19 +293,9 @@ std::string players_page(const FigureSpec& spec, const Trace& trace, const Takes
 
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
                         const std::string& topic_page, const Takes* takes) {
-  switch (format) {
-    case Format::csv:
-      return csv_of(trace);
-    case Format::md:
-      return markdown_of(trace) + closing_line("md", command_of(spec));
-    case Format::tex:
-      return latex_of(trace) + closing_line("tex", command_of(spec));
-    case Format::json:
-      return run_json(trace);
-    case Format::txt:
-      return text_of(trace, false) + closing_line("txt", command_of(spec));
-    default:
-      break;
+  if (const TextWriter* writer = writer_of(format)) {
+    const std::string text = writer->write(trace);
+    return writer->names_command ? text + closing_line(name_of(format), command_of(spec)) : text;
   }
   const std::vector<StepNumber> ends{{trace.steps.front().number.step, 0},
                                      {trace.steps.back().number.step, 0}};

@@ -8,24 +8,12 @@
 #include <vector>
 
 #include "cli/figure_spec.hpp"
+#include "cli/formats.hpp"
 #include "cli/takes.hpp"
 
 namespace gradus::cli {
 
-enum class Format { svg, png, pdf, html, csv, md, tex, json, txt, gif, mp4, webp, pptx };
-/// Steps as pictures: all but a player and tables.
-bool is_drawn(Format format);
-bool is_film(Format format);
-/// A page or slide a step, all in one file: PDF and PPTX.
-bool is_document(Format format);
 FilmFormat film_format(Format format);
-std::string_view name_of(Format format);
-/// The names of all formats, in their order.
-std::span<const std::string> format_names();
-/// By the file name's ending; nothing for an unknown one.
-std::optional<Format> format_by_ending(std::string_view path);
-/// By the file's first bytes; nothing for a file that holds no command.
-std::optional<Format> format_by_content(std::string_view bytes);
 
 /// A figure has one page a step in PDF; more than this are not put into one file.
 inline constexpr std::int64_t most_pages = 1000;

@@ -99,35 +99,6 @@ std::vector<std::pair<std::string, std::string>> snippets_of(const LectureFigure
   return snippets;
 }
 
-std::string_view label_of(Format format) {
-  switch (format) {
-    case Format::pdf:
-      return "PDF, a page a step";
-    case Format::pptx:
-      return "PowerPoint, a slide a step";
-    case Format::svg:
-      return "SVG";
-    case Format::png:
-      return "PNG";
-    case Format::csv:
-      return "table (CSV)";
-    case Format::json:
-      return "data (JSON)";
-    case Format::md:
-      return "table (Markdown)";
-    case Format::tex:
-      return "table (LaTeX)";
-    case Format::gif:
-      return "film (GIF)";
-    case Format::mp4:
-      return "film (MP4)";
-    case Format::webp:
-      return "film (WebP)";
-    default:
-      return "text";
-  }
-}
-
 /// Links to the copies of its inputs.
 void add_inputs(Card& card, const LecturePart& part) {
   for (const std::string& name : copied_names(part)) {
@@ -142,21 +113,21 @@ void add_downloads(Card& card, const LectureFigure& figure, std::span<const Mani
   std::vector<std::string> steps;
   for (const ManifestFile& file : files) {
     if (file.path == stem + ending) {
-      card.downloads.emplace_back(label_of(format), file.path);
+      card.downloads.emplace_back(facts_of(format).label, file.path);
     } else if (file.path.starts_with(stem + "-") && file.path.ends_with(ending) &&
                file.path != card.thumbnail) {
       steps.push_back(file.path);
     }
   }
   if (steps.size() > most_links) {
-    card.downloads.emplace_back(fmt::format("{} of {} steps", label_of(format), steps.size()),
+    card.downloads.emplace_back(fmt::format("{} of {} steps", facts_of(format).label, steps.size()),
                                 figure.name + "/");
     return;
   }
   for (const std::string& path : steps) {
     const std::size_t start = stem.size() + 1;
     const std::string step = path.substr(start, path.size() - ending.size() - start);
-    card.downloads.emplace_back(fmt::format("{}, step {}", label_of(format), step), path);
+    card.downloads.emplace_back(fmt::format("{}, step {}", facts_of(format).label, step), path);
   }
 }
 

@@ -33,8 +33,6 @@ std::vector<StepNumber> chosen_steps(const FigureSpec& spec, const Takes& takes)
 
 }  // namespace
 
-bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
-
 bool is_cut(std::int64_t last) { return last + 1 > most_gallery_pages; }
 
 std::int64_t last_page(const Takes& takes) { return takes.opening().steps.back().number.step; }

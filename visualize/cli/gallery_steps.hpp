@@ -11,9 +11,6 @@ namespace gradus::cli {
 /// Pages of a PDF whose steps nobody chose; longer runs show steps evenly spaced.
 constexpr std::int64_t most_gallery_pages = 120;
 
-/// One that has a file for each step.
-bool is_picture(Format format);
-
 /// Whether a run has more steps than the pages of its PDF.
 bool is_cut(std::int64_t last);
 

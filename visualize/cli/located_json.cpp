@@ -251,7 +251,9 @@ class JsonReader {
 
 constexpr std::size_t widest_line = 110;
 
-std::string on_one_line(const JsonNode& node) {
+}  // namespace
+
+std::string json_on_one_line(const JsonNode& node) {
   std::string text;
   switch (node.kind) {
     case Kind::null:
@@ -264,21 +266,23 @@ std::string on_one_line(const JsonNode& node) {
       return json_quoted(node.text);
     case Kind::list:
       for (const JsonNode& element : node.elements) {
-        text += (text.empty() ? "" : ", ") + on_one_line(element);
+        text += (text.empty() ? "" : ", ") + json_on_one_line(element);
       }
       return "[" + text + "]";
     case Kind::object:
       for (const JsonMember& member : node.members) {
-        text += (text.empty() ? "" : ", ") + json_quoted(member.key) + ": " + on_one_line(member.value);
+        text += (text.empty() ? "" : ", ") + json_quoted(member.key) + ": " + json_on_one_line(member.value);
       }
       return "{" + text + "}";
   }
   return text;
 }
 
+namespace {
+
 /// `before`: columns that are taken on the first line.
 std::string indented(const JsonNode& node, std::size_t indent, std::size_t before) {
-  std::string line = on_one_line(node);
+  std::string line = json_on_one_line(node);
   const bool has_parts = !node.elements.empty() || !node.members.empty();
   if (!has_parts || before + line.size() < widest_line) return line;
   const std::string margin(indent + 2, ' '), end = "\n" + std::string(indent, ' ');
@@ -313,7 +317,7 @@ std::string described(const JsonNode& node) {
     case Kind::object:
       return "an object";
     default:
-      return on_one_line(node);
+      return json_on_one_line(node);
   }
 }
 

@@ -46,5 +46,7 @@ JsonNode json_object(std::vector<JsonMember> members);
 
 /// The node as text, indented; what fits on a line stands on one line. Ends with a line end.
 std::string write_json(const JsonNode& node);
+/// The same without line ends.
+std::string json_on_one_line(const JsonNode& node);
 
 }  // namespace gradus::cli

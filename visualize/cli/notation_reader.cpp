@@ -22,22 +22,6 @@ namespace {
 using Kind = JsonNode::Kind;
 using Texts = std::vector<std::string>;
 
-/// JSON has line ends between its tokens alone.
-std::string on_one_line(const JsonNode& node) {
-  std::string line;
-  bool indent = false;
-  for (const char c : write_json(node)) {
-    if (c == '\n' || (indent && c == ' ')) {
-      indent = true;
-      continue;
-    }
-    if (indent && line.back() != '{' && line.back() != '[' && c != '}' && c != ']') line += ' ';
-    indent = false;
-    line += c;
-  }
-  return line;
-}
-
 class Reader {
  public:
   explicit Reader(std::vector<NotationMistake>& mistakes) : mistakes_(mistakes) {}
@@ -47,7 +31,7 @@ class Reader {
       complain(node, "", "an object like {\"symbols\": {\"p\": \"d\"}}", described(node));
       return {};
     }
-    notation_.name = on_one_line(node);
+    notation_.name = json_on_one_line(node);
     for (const JsonMember& member : node.members) {
       const auto known = std::ranges::find(keys, member.key, &Key::name);
       if (known != std::end(keys)) {
