@@ -51,8 +51,7 @@ bool guarded(png_structp png, Body body) {
   return true;
 }
 
-// --- Reading
-// -----------------------------------------------------------------------------------------------------
+// --- Reading ----------------------------------------------------------------------------------------------
 
 struct Source {
   std::span<const std::uint8_t> bytes;
@@ -179,8 +178,7 @@ std::vector<PngText> PngReader::texts() const {
   return texts;
 }
 
-// --- Writing
-// -----------------------------------------------------------------------------------------------------
+// --- Writing ----------------------------------------------------------------------------------------------
 
 bool append(std::vector<std::uint8_t>& to, png_const_bytep bytes, std::size_t count) noexcept {
   try {
@@ -263,8 +261,7 @@ class PngWriter {
   png_infop info_ = nullptr;
 };
 
-// --- Files
-// -------------------------------------------------------------------------------------------------------
+// --- Files ------------------------------------------------------------------------------------------------
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }

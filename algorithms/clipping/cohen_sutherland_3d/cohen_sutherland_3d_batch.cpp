@@ -78,8 +78,7 @@ HWY_INLINE void copy(const Space* from, Space* to) {
   }
 }
 
-// --- Cuts
-// ----------------------------------------------------------------------------------------------------
+// --- Cuts -------------------------------------------------------------------------------------------------
 
 // One coordinate of both ends, how large both are together, the faces across it, and beyond which of them the
 // ends lie
@@ -223,8 +222,7 @@ HWY_INLINE M cut_lanes(Lanes& p, const Axis& x, const Axis& y, const Axis& z, Pa
   return hn::Not(hn::And(undecided, hn::Or(a_unsure, b_unsure)));
 }
 
-// --- Loops
-// ---------------------------------------------------------------------------------------------------
+// --- Loops ------------------------------------------------------------------------------------------------
 
 // Lines that are not certain, one by one, from what stands in `lines`, which `clipped` may be; returns for
 // which lanes something is left
