@@ -243,7 +243,9 @@ def test_language():
     check("d = 3 + 2·(3 − 7) = −5" in everything, "the same numbers, under the same labels")
     english = texts(svg(figure("--step", "4", "--svg-text", "text", to="b.svg")))
     listed = [key for key in own if key[0] == "listing" and key in english]
-    equal([own[key] for key in listed], [english[key] for key in listed], "source")
+    # A comment behind a line is left out where a language's table leaves too little room for it
+    code = lambda texts: [re.sub(r" +//.*", "", texts[key]) for key in listed]
+    equal(code(own), code(english), "source")
     check(len(listed) > 10, f"lines of the listing: {listed}")
     check("Schritt 4 von 7" in described(svg("a.svg"))[0], described(svg("a.svg"))[0])
     check("Schritt" in gradus("run", *LINE, "--language", "de").stdout, "gradus run")

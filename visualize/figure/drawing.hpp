@@ -149,6 +149,9 @@ struct Grid {
                   ///< cells that a story puts there are drawn, without lines, centres and numbers
   /// The input picture, if there is one: one texel a cell, from cells.lower, row 0 first. Copies share it.
   std::shared_ptr<const Image> picture;
+
+  /// The cells that are the grid's own: those of a shelf are not.
+  Window own() const { return {{cells.lower.x, cells.lower.y + shelf}, cells.upper}; }
 };
 
 }  // namespace gradus

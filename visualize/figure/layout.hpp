@@ -107,6 +107,7 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
 /// What there is to show of the grid.
 struct Stage {
   Window cells;        ///< the grid's, or the reader's view of them
+  Window own;          ///< those of them that a view follows the step in: all but a shelf's
   bool fixed = false;  ///< the reader chose the cells: all of them are shown, or none
   bool y_up = true;
   dvec2 lower{0}, size{0};                  ///< what is shown: the cells, or of a paper what is drawn on it

@@ -124,11 +124,7 @@ class DrawingLayout {
   }
 
   /// The cells in view that are the grid's own: those of a shelf are not.
-  Window own_cells() const {
-    Window cells = frame_.view;
-    cells.lower.y = std::max(cells.lower.y, trace_.grid.cells.lower.y + trace_.grid.shelf);
-    return cells;
-  }
+  Window own_cells() const { return intersection(frame_.view, trace_.grid.own()); }
 
   void draw_grid() {
     constexpr double least_ruled = 6;  // smaller cells are the pixels of a picture
@@ -180,7 +176,7 @@ class DrawingLayout {
   void draw_axes() {
     const Box& b = frame_.box;
     const Window& view = frame_.view;
-    const double size = text_size * s_, below = b.bottom() + 22 * s_;
+    const double size = text_size * s_, below = b.bottom() + 23 * s_;
     const double widest = std::max(text_width(figure_number(view.lower.x), Face::sans, size),
                                    text_width(figure_number(view.upper.x), Face::sans, size));
     const std::int64_t across = tick_step(frame_.cell, widest + 10 * s_);
@@ -245,8 +241,7 @@ class DrawingLayout {
     }
   }
 
-  // --- Marks: taken first, drawn once the texts have their places
-  // --------------------------------------------
+  // --- Marks: taken first, drawn once the texts have their places -----------------------------------------
 
   void take(const Mark& mark, bool fixed) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {

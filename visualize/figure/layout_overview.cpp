@@ -18,7 +18,7 @@ class OverviewLayout {
       : pen_(pen), figure_(figure), trace_(*figure.trace), s_(pen.scale()), at_(scene), frame_(scene.frame) {}
 
   void draw() {
-    const Window& all = trace_.grid.cells;
+    const Window all = trace_.grid.own();
     const double ratio = static_cast<double>(all.width()) / static_cast<double>(all.height());
     const double most_width = (at_.beside ? 1 : 0.55) * at_.inset.width;
     const bool captions = !at_.beside || at_.inset.height > 160 * s_;
@@ -73,7 +73,7 @@ class OverviewLayout {
   }
 
   void draw_overview_cells(const Box& whole) {
-    const Window& all = trace_.grid.cells;
+    const Window all = trace_.grid.own();
     constexpr int most = 208;  // samples a side: twice the pixels it has at 720 lines
     if (!trace_.grid.picture && static_cast<double>(all.width()) * static_cast<double>(all.height()) > 4e6)
       return;
@@ -84,7 +84,7 @@ class OverviewLayout {
 
   /// One sample a cell of the small picture; cells with a role win over the input picture.
   ImageShape overview_image(const Box& whole, int width, int height) const {
-    const Window& all = trace_.grid.cells;
+    const Window all = trace_.grid.own();
     ImageShape small{whole, Image(width, height, Rgba8{0, 0, 0, 0}), Raster<std::uint8_t>(width, height)};
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
@@ -106,7 +106,7 @@ class OverviewLayout {
   /// Beside or below the small picture: its size, and which part of it is in view. What doesn't fit is left
   /// out: the axes say it too.
   void caption_overview(const Box& whole) {
-    const Window& all = trace_.grid.cells;
+    const Window all = trace_.grid.own();
     const Window& view = frame_.view;
     const double x = at_.beside ? at_.inset.x : whole.right() + 14 * s_;
     const double room = at_.inset.right() - x;

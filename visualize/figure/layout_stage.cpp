@@ -15,7 +15,7 @@ namespace gradus::layout {
 namespace {
 
 constexpr double followed_cell = 30;
-constexpr double axis_below = 27, axis_above = 22, axis_rim = 4;
+constexpr double axis_below = 28, axis_above = 22, axis_rim = 4;
 constexpr double roomy_cell = 44;  ///< from here on the name of the columns stands below the last one
 constexpr double paper_rim = 2;    ///< of a line's width at the border of a paper
 constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
@@ -150,7 +150,7 @@ void show_cells(Stage& stage) {
 
 Stage stage_of(const Trace& trace, const Look& look) {
   const Grid& grid = trace.grid;
-  Stage stage{grid.cells, look.view.has_value(), look.y_up.value_or(grid.y_up)};
+  Stage stage{grid.cells, grid.own(), look.view.has_value(), look.y_up.value_or(grid.y_up)};
   if (look.view) stage.cells = intersection(*look.view, grid.cells);
   if (look.view && stage.cells.empty()) {
     const Window &all = grid.cells, &view = *look.view;
@@ -188,14 +188,14 @@ std::optional<Fit> fit(const Stage& stage, double width, double height) {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(room / followed_cell), 0, all);
   };
   const Fit above{followed_cell,
-                  count(across, stage.cells.width()),
-                  count(up - inset_height - inset_gap, stage.cells.height()),
+                  count(across, stage.own.width()),
+                  count(up - inset_height - inset_gap, stage.own.height()),
                   true,
                   false,
                   margins};
   const Fit beside{followed_cell,
-                   count(across - inset_width - inset_column_gap, stage.cells.width()),
-                   count(up, stage.cells.height()),
+                   count(across - inset_width - inset_column_gap, stage.own.width()),
+                   count(up, stage.own.height()),
                    true,
                    true,
                    margins};
@@ -240,7 +240,7 @@ Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const
   scene.settled = {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
   scene.left = scene.settled.x;
   scene.right = scene.settled.right();
-  const Window view = scene.follows ? followed_view(stage.cells, *shown, figure.focus) : stage.cells;
+  const Window view = scene.follows ? followed_view(stage.own, *shown, figure.focus) : stage.cells;
   scene.frame = {view,
                  scene.follows ? dvec2(view.lower) - 0.5 : stage.lower,
                  {scene.settled.x + margins.left * s, scene.settled.y + margins.above * s, size.x, size.y},

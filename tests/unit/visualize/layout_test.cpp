@@ -258,6 +258,24 @@ TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
   EXPECT_GT(compared, test::thinned(100000, 20));
 }
 
+TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
+  const Trace trace = test::trace_of("flood_fill", {{"method", "recursive"}});
+  const Look look{.width = 720, .height = 720};
+  Playhead playhead(trace);
+  std::size_t followed = 0;
+  for (const TraceStep& step : trace.steps) {
+    const Figure figure = figure_of(trace, playhead, step.number);
+    const Window view = layout::visible_cells(figure, look);
+    ASSERT_NE(view, trace.grid.cells) << "this size shows all of it: choose a smaller one";
+    EXPECT_EQ(view, intersection(view, trace.grid.own())) << text_of(step.number);
+    for (const Shape& shape : lay_out(figure, look).shapes) {
+      if (shape.id == "overview size")
+        followed += std::get<TextShape>(shape.what).text.ends_with("10 × 7") ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(followed, trace.steps.size());
+}
+
 TEST(Layout, TheIdealLinesNameStaysPut) {
   for (const Case& aspect : aspects()) {
     SCOPED_TRACE(aspect.name);
