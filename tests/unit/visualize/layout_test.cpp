@@ -269,8 +269,7 @@ TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
     ASSERT_NE(view, trace.grid.cells) << "this size shows all of it: choose a smaller one";
     EXPECT_EQ(view, intersection(view, trace.grid.own())) << text_of(step.number);
     for (const Shape& shape : lay_out(figure, look).shapes) {
-      if (shape.id == "overview size")
-        followed += std::get<TextShape>(shape.what).text.ends_with("10 × 7") ? 1 : 0;
+      if (shape.id == "overview size" && std::get<TextShape>(shape.what).text.ends_with("10 × 7")) ++followed;
     }
   }
   EXPECT_EQ(followed, trace.steps.size());
