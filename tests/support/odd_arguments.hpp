@@ -67,6 +67,7 @@ class OddArguments {
       case ParameterType::bounds:
       case ParameterType::points:
       case ParameterType::rings:
+      case ParameterType::faces:
       case ParameterType::factors:
         return true;
       default:
@@ -195,6 +196,8 @@ class OddArguments {
                       static_cast<std::size_t>(std::min<std::int64_t>(p.most, 7)));
       case ParameterType::rings:
         return below(3) ? points(p, way, 3, 6) : points(p, way, 3, 4) + "; " + points(p, way, 3, 4);
+      case ParameterType::faces:
+        return below(3) ? faces(p, way, 1) : faces(p, way, 3);
       case ParameterType::factors:
         return factors(p, way);
       default:
@@ -272,6 +275,11 @@ class OddArguments {
       all += (all.empty() ? "" : " ") + point;
       last = point;
     }
+    return all;
+  }
+  std::string faces(const Parameter& p, const Way& way, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += (i == 0 ? "" : "; ") + points(p, way, 3, 5);
     return all;
   }
   std::string factors(const Parameter& p, const Way& way) {

@@ -26,7 +26,7 @@ bool is_a_file(const Parameter& parameter) {
 /// What a run is about; all else says how it goes.
 bool is_a_shape(const Parameter& parameter) {
   return parameter.type == ParameterType::cell || parameter.type == ParameterType::points ||
-         parameter.type == ParameterType::rings;
+         parameter.type == ParameterType::rings || parameter.type == ParameterType::faces;
 }
 
 const Parameter* parameter_of(const TopicEntry& topic, std::string_view name) {

@@ -119,6 +119,9 @@ void add_values(Words& words, const Parameter& parameter) {
       return add_files(words, {".png"});
     case ParameterType::maze:
       return add_files(words, {});
+    case ParameterType::faces:
+      for (const std::string& name : shipped_examples(".obj")) words.add(name, "comes with gradus");
+      return add_files(words, {".json", ".obj"});
     case ParameterType::model:
       return add_models(words);
     case ParameterType::flag:

@@ -87,6 +87,10 @@ std::string range_of(const Parameter& parameter) {
                    "[through X,Y,Z], with ; between them"
                  : "translate X,Y, scale S or X,Y, rotate DEGREES, shear X,Y, each but the first with [about "
                    "X,Y], reflect x, y, origin, y=x or X,Y X,Y, with ; between them";
+    case ParameterType::faces:
+      return fmt::format(
+          "a JSON or OBJ file, or faces NAME: x,y,z x,y,z x,y,z with ; between them, of up to {} corners",
+          parameter.most);
     case ParameterType::model:
       return "an OBJ file, or - for standard input; the flag may be left out";
     case ParameterType::flag:

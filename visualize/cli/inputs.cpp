@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/errors.hpp"
+#include "cli/faces_file.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "cli/shipped.hpp"
@@ -22,6 +23,8 @@ namespace fs = std::filesystem;
 /// A maze up to this long is written out in a figure's command, so that the figure needs no file to be made
 /// again.
 constexpr std::size_t longest_inline_maze = 1024;
+/// The same of faces.
+constexpr std::size_t longest_inline_faces = 4096;
 
 bool is_flag(const TopicEntry& topic, std::string_view name) {
   const auto known = std::ranges::find(topic.parameters, name, &Parameter::name);
@@ -80,6 +83,8 @@ class InputReader {
         return maze(parameter, text);
       case ParameterType::model:
         return model(parameter, text);
+      case ParameterType::faces:
+        return faces(parameter, text);
       case ParameterType::choice: {
         const std::size_t chosen = choose_name(flag_of(parameter), text, parameter.choices);
         return {.name = parameter.name, .text = parameter.choices[chosen]};
@@ -121,6 +126,17 @@ class InputReader {
             .quotable = quotable};
   }
 
+  /// Finds the libraries that lie beside a model, and keeps them with the entry.
+  pipeline::FileReader libraries_of(const std::string& path, Arguments::Entry& entry) {
+    const auto took = [&](const std::string& library, const std::string& file,
+                          const pipeline::LibraryText& found) {
+      if (std::ranges::find(inputs_.files, file) == inputs_.files.end()) inputs_.files.push_back(file);
+      if (entry.libraries.emplace(library, found.text).second) entry.hash += " " + fingerprint(found.text);
+    };
+    const auto none = [](const std::string&) { return std::optional<pipeline::LibraryText>(); };
+    return path == dash ? pipeline::FileReader(none) : pipeline::libraries_beside(path, took);
+  }
+
   /// A model and the material libraries that lie beside it.
   Arguments::Entry model(const Parameter& parameter, const std::string& text) {
     const std::string name = canonical(parameter, text);
@@ -128,18 +144,28 @@ class InputReader {
     const std::string path = inputs_.files.back();
     Arguments::Entry entry{
         .name = parameter.name, .text = name, .content = bytes, .hash = fingerprint(bytes)};
-    const auto took = [&](const std::string& library, const std::string& file,
-                          const pipeline::LibraryText& found) {
-      if (std::ranges::find(inputs_.files, file) == inputs_.files.end()) inputs_.files.push_back(file);
-      if (entry.libraries.emplace(library, found.text).second) entry.hash += " " + fingerprint(found.text);
-    };
-    const auto none = [](const std::string&) { return std::optional<pipeline::LibraryText>(); };
     // Reading it shows which libraries it names, and whether it can be read
     const pipeline::ModelFile model = pipeline::parse_obj(
-        bytes, {path == dash ? "standard input" : path, quotable},
-        path == dash ? pipeline::FileReader(none) : pipeline::libraries_beside(path, took));
+        bytes, {path == dash ? "standard input" : path, quotable}, libraries_of(path, entry));
     for (std::string& remark : first_notes(model.notes)) inputs_.remarks.push_back(std::move(remark));
     return entry;
+  }
+
+  /// Faces as they are written, or those of a file.
+  Arguments::Entry faces(const Parameter& parameter, const std::string& text) {
+    if (text != dash && !text.starts_with('@') && text.find(',') != std::string::npos)
+      return read_argument(parameter, text);
+    const auto [bytes, quotable] = file_bytes(parameter, text);
+    const std::string path = inputs_.files.back();
+    Arguments::Entry file{.name = parameter.name,
+                          .text = path == dash ? path : fs::path(path).filename().string(),
+                          .hash = fingerprint(bytes)};
+    Arguments::Entry entry =
+        read_argument(parameter, faces_of_file(bytes, {path == dash ? "standard input" : path, quotable},
+                                               libraries_of(path, file), parameter.most));
+    if (entry.text.size() <= longest_inline_faces) return entry;
+    file.value = std::move(entry.value);
+    return file;
   }
 
   /// A maze with uneven rows keeps its file's name, for the message that the topic will have to give.

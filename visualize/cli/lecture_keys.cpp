@@ -180,6 +180,17 @@ JsonNode with_description(JsonNode schema, const std::string& text) {
   return schema;
 }
 
+/// A face in space as an object.
+JsonNode face_schema() {
+  return json_object({{"type", 0, json_text("object")},
+                      {"properties", 0,
+                       json_object({{"name", 0, of_type({"string"})},
+                                    {"color", 0, of_type({"string"})},
+                                    {"points", 0, list_of(tuple_of(3, {"number"}))}})},
+                      {"required", 0, json_texts({"points"})},
+                      {"additionalProperties", 0, json_truth(false)}});
+}
+
 JsonNode schema_of(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::cell:
@@ -202,6 +213,8 @@ JsonNode schema_of(const Parameter& parameter) {
       const JsonNode ring = list_of(tuple_of(parameter.parts.size(), {"number"}));
       return either({of_type({"string"}), ring, list_of(ring)});
     }
+    case ParameterType::faces:
+      return either({of_type({"string"}), list_of(face_schema())});
     case ParameterType::order: {
       const JsonNode names = list_of(one_of(parameter.choices));
       if (!parameter.numbered) return either({of_type({"string"}), names});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cli/faces_file.hpp"
 #include "cli/files.hpp"
 #include "cli/lecture_problem.hpp"
 #include "cli/names.hpp"
@@ -179,6 +180,8 @@ std::optional<std::string> LectureValues::input_value(const Parameter& parameter
     text = joined_points(node, place, parameter);
   } else if (parameter.type == ParameterType::rings) {
     text = joined_rings(node, place, parameter);
+  } else if (parameter.type == ParameterType::faces && node.kind == Kind::list) {
+    text = faces_text(node, [&](int line, const std::string& what) { complain({line, place.path}, what); });
   } else {
     text = number_or_text(node, place, is_file ? "a file's name" : "a text or a number");
   }

@@ -47,6 +47,7 @@ struct Holding {
   bool operator()(const std::vector<T>& several) const {
     return std::ranges::all_of(several, *this);
   }
+  bool operator()(const FaceText& face) const { return (*this)(face.points); }
   bool operator()(const std::vector<FactorText>&) const { return true; }
   bool operator()(const auto&) const { return true; }
 };
@@ -161,6 +162,14 @@ std::vector<std::vector<dvec2>> Arguments::rings(std::string_view name) const {
   if (const auto* const lists = value_if_given<std::vector<std::vector<Tuple>>>(name, "rings"))
     std::ranges::transform(*lists, std::back_inserter(rings), points_of<2>);
   return rings;
+}
+
+std::vector<NamedFace> Arguments::faces(std::string_view name) const {
+  std::vector<NamedFace> faces;
+  if (const auto* const texts = value_if_given<std::vector<FaceText>>(name, "faces")) {
+    for (const FaceText& face : *texts) faces.push_back({face.name, face.color, points_of<3>(face.points)});
+  }
+  return faces;
 }
 
 std::optional<std::vector<std::size_t>> Arguments::numbered_order(std::string_view name) const {

@@ -53,6 +53,16 @@ inline Parameter points(int least, int most, std::string name, std::string value
   return parameter;
 }
 
+/// Faces in space of up to so many corners in all.
+inline Parameter faces(int most, std::string name, std::string value, std::string example, std::string help,
+                       Sizes sizes = {}) {
+  Parameter parameter = number(std::move(name), std::move(value), std::move(example), std::move(help), sizes);
+  parameter.type = ParameterType::faces;
+  parameter.parts = xyz;
+  parameter.most = most;
+  return parameter;
+}
+
 /// One of these.
 inline Parameter choice(std::string name, Names choices, std::string value, std::string example,
                         std::string help) {

@@ -69,17 +69,6 @@ int hex_digit(char c) {
   return 'a' <= c && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/// "#rgb" and "#rrggbb" become "#rrggbb"; "" when it is neither.
-std::string hex_color(std::string_view text) {
-  if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7)) return "";
-  std::string hex = "#";
-  for (const char c : text.substr(1)) {
-    if (hex_digit(c) < 0) return "";
-    hex.append(text.size() == 4 ? 2 : 1, c);
-  }
-  return hex;
-}
-
 /// Of "#rrggbb".
 Rgba8 color_of(std::string_view hex) {
   const auto part = [hex](std::size_t at) {
@@ -296,6 +285,18 @@ Taken read_order(const Parameter& parameter, std::string_view text) {
   return {Order{std::move(*places)}, written};
 }
 
+Taken read_all_faces(const Parameter& parameter, std::string_view text) {
+  const auto faces = taken_or_refused(parameter, read_faces(text));
+  std::int64_t corners = 0;
+  for (const FaceText& face : faces) {
+    corners += std::ssize(face.points);
+    require_sizes(parameter, face.points, text_of(face.points));
+  }
+  if (corners > parameter.most)
+    refuse(parameter.name, "expected at most {} corners in all, found {}", parameter.most, corners);
+  return {faces, text_of(faces)};
+}
+
 Taken read_all_factors(const Parameter& parameter, std::string_view text) {
   const auto factors = taken_or_refused(parameter, read_factors(text, parameter.parts));
   return {factors, text_of(factors)};
@@ -333,6 +334,8 @@ Taken read(const Parameter& parameter, std::string_view text) {
       return read_order(parameter, text);
     case ParameterType::factors:
       return read_all_factors(parameter, text);
+    case ParameterType::faces:
+      return read_all_faces(parameter, text);
     case ParameterType::model:
       return read_model(parameter, text);
     case ParameterType::flag:
@@ -342,6 +345,16 @@ Taken read(const Parameter& parameter, std::string_view text) {
 }
 
 }  // namespace
+
+std::string hex_color(std::string_view text) {
+  if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7)) return "";
+  std::string hex = "#";
+  for (const char c : text.substr(1)) {
+    if (hex_digit(c) < 0) return "";
+    hex.append(text.size() == 4 ? 2 : 1, c);
+  }
+  return hex;
+}
 
 std::vector<std::string> color_names() {
   std::vector<std::string> names;

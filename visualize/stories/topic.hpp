@@ -22,6 +22,7 @@
 #include "core/refusal.hpp"
 #include "figure/recording.hpp"
 #include "figure/trace.hpp"
+#include "stories/face_text.hpp"
 #include "stories/factor_text.hpp"
 #include "stories/point_text.hpp"
 
@@ -44,6 +45,7 @@ enum class ParameterType {
   rings,    ///< several such lists: "0,0 6,0 6,3; 8,1 9,1 9,2"; `least` points a ring, `most` in all
   order,    ///< all of `choices`, each once: "left,right,bottom,top"; where `numbered`, "2,1,3", too
   factors,  ///< transformations in the order of acting: "rotate 30 about 1,1; scale 2"; `parts`: x,y or x,y,z
+  faces,    ///< faces in space, "a: 0,0,0 4,0,0 4,3,0; b: …", or a JSON or OBJ file; `most` corners in all
   model,    ///< an OBJ file; commands take it as an operand too
   flag,     ///< given or not: "yes", else empty
 };
@@ -122,6 +124,7 @@ using ArgumentValue = std::variant<std::monostate,
                                    std::vector<Tuple>,               // points
                                    std::vector<std::vector<Tuple>>,  // rings
                                    Order,                            // order
+                                   std::vector<FaceText>,            // faces
                                    std::vector<FactorText>>;         // factors
 
 /// Whether the sizes hold each real number of a value.
@@ -163,6 +166,8 @@ class Arguments {
   std::vector<dvec3> places(std::string_view name) const;
   /// Lists of points of two numbers; empty where none was given.
   std::vector<std::vector<dvec2>> rings(std::string_view name) const;
+  /// Empty where none were given.
+  std::vector<NamedFace> faces(std::string_view name) const;
   /// For each place in the order wanted, the position among the parameter's choices.
   std::vector<std::size_t> order(std::string_view name) const;
   /// The same where the order is one of numbers, 1 at position 0; nothing where it is one of choices.

@@ -91,9 +91,9 @@ std::string_view name_of(Level level) {
 }
 
 std::string_view name_of(ParameterType type) {
-  constexpr std::array<std::string_view, 17> names{
-      "cell",    "window", "integer", "choice", "color", "paint",   "picture", "maze", "number",
-      "numbers", "bounds", "points",  "rings",  "order", "factors", "model",   "flag"};
+  constexpr std::array<std::string_view, 18> names{
+      "cell",    "window", "integer", "choice", "color", "paint",   "picture", "maze",  "number",
+      "numbers", "bounds", "points",  "rings",  "order", "factors", "faces",   "model", "flag"};
   return names[static_cast<std::size_t>(type)];
 }
 
