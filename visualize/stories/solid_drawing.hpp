@@ -8,18 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "stories/paper.hpp"
+#include "stories/space_drawing.hpp"
 
 namespace gradus {
-
-/// How dark a face is drawn: from 1, turned to the light, to 3.
-/// normal: outwards, as the reader has it: right, up, towards him; of any length.
-inline int shade_of(dvec3 normal) {
-  constexpr dvec3 light{-0.35, 0.8, 0.5};
-  const double length = length_between(dvec3(0), normal);
-  const double facing = length > 0 ? glm::dot(normal / length, light) : 0;
-  return facing > 0.6 ? 1 : facing > 0.25 ? 2 : 3;
-}
 
 /// Corners of a face, counter-clockwise from outside.
 using SolidFace = std::vector<std::size_t>;
