@@ -245,9 +245,8 @@ class DrawingLayout {
 
   void take(const Mark& mark, bool fixed) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
-      take_chain(
-          mark, {stroke->a, stroke->b},
-          {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin, .gap = stroke->gap});
+      take_chain(mark, {stroke->a, stroke->b},
+                 {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
@@ -278,7 +277,6 @@ class DrawingLayout {
     const auto keep = [&] {
       if (line.points.size() >= 2) {
         auto& among = mark.role == Role::guide ? guides_ : lines_;
-        if (look.gap) among.emplace_back(mark.id + " gap", gap_of(line, s_));
         among.emplace_back(mark.id, line);
       }
       line.points.clear();

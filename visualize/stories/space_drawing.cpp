@@ -284,15 +284,17 @@ void SpaceDrawing::draw(View& view, const SpaceEdge& edge, const Spans& spans, b
 
 void SpaceDrawing::add_lines(View& view) const {
   const double all = size();
-  std::vector<std::vector<dvec3>> rings;
+  std::vector<std::vector<dvec3>> rings, opaque;
   for (const SpaceFace& face : faces_) {
-    if (!face.glass) rings.push_back(face.ring);
+    rings.push_back(face.ring);
+    if (!face.glass) opaque.push_back(face.ring);
   }
-  const HiddenLines hidden(rings, look_.viewer, all);
+  const HiddenLines by_all(rings, look_.viewer, all), by_opaque(opaque, look_.viewer, all);
   std::vector<SpaceEdge> edges = edges_;
   std::ranges::move(piercings(), std::back_inserter(edges));
   std::vector<Spans> seen(edges.size()), unseen(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    const HiddenLines& hidden = edges[i].of_glass ? by_all : by_opaque;
     for (const auto& [from, to, behind] : hidden.pieces(edges[i].a, edges[i].b))
       (behind ? unseen : seen)[i].emplace_back(from, to);
   }

@@ -50,11 +50,20 @@ struct SpaceEdge {
   bool arrow = false;                 ///< a head at b
   bool dashed = false, thin = false;  ///< also where it is seen
   bool behind = true;                 ///< its hidden parts are drawn, thin and dashed
+  bool of_glass = false;              ///< glass hides it, too
   std::string quantity{};
 };
 
 /// The edges between a mesh's faces, each once.
 std::vector<std::pair<dvec3, dvec3>> edges_of(const Mesh& mesh);
+
+/// Corners of a face by their numbers, counter-clockwise from outside.
+using Corners = std::vector<std::size_t>;
+
+/// The faces of a box whose corner i lies at x, y, z = its bits 0, 1, 2.
+inline std::vector<Corners> faces_of_box() {
+  return {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+}
 
 /// Which edges of a mesh are drawn: hidden ones are thin and dashed.
 enum class EdgesShown { none, seen, all };

@@ -75,7 +75,7 @@ Panel Views::panel(double left, double right, const Extent& world) const {
           false};
 }
 
-Views::Sight Views::from_the_front() const { return {distant_viewer({0.42, 0.3, 1}), {1, 0, 0}, {0, 0, 1}}; }
+Views::Sight Views::from_the_front() const { return {distant_viewer(towards_oblique), {1, 0, 0}, {0, 0, 1}}; }
 Views::Sight Views::from_the_right() const {
   return {distant_viewer({1, 0.3, -0.42}), {0, 0, -1}, {1, 0, 0}};
 }

@@ -132,7 +132,7 @@ class Drawing {
   View world(const Known& known, const DFrame& frame) const {
     View view;
     caption(view, "world", {world_place.centre().x, world_place.upper.y + 1.2});
-    SpaceDrawing space({.viewer = distant_viewer({0.42, 0.3, 1}),
+    SpaceDrawing space({.viewer = distant_viewer(towards_oblique),
                         .at = [this](dvec3 p) { return std::optional(world_.at(oblique(p))); },
                         .frame = world_place});
     space.add("letter world", Role::past, scene_.letter);
