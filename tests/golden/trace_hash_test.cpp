@@ -42,7 +42,6 @@ std::string text_of_shape(const Mark& mark) {
     flag(stroke->arrow, " arrow");
     flag(stroke->dashed, " dashed");
     flag(stroke->thin, " thin");
-    flag(stroke->gap, " gap");
   } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
     points(path->points);
     flag(path->closed, " closed");

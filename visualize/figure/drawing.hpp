@@ -32,7 +32,6 @@ struct Stroke {
   bool arrow = false;
   bool dashed = false;
   bool thin = false;  ///< whatever its role: it lies behind, or only leads from one thing to another
-  bool gap = false;   ///< what was drawn before it ends a little beside it: it passes in front of that
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 

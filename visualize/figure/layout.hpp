@@ -64,7 +64,6 @@ constexpr bool is_dashed(Role role) { return role == Role::candidate || role == 
 struct ChainLook {
   bool closed = false, arrow = false, dashed = false;
   bool thin = false;  ///< of thin_width
-  bool gap = false;   ///< what was drawn before ends a little beside it
 };
 /// A line of this role through pixels.
 LineShape line_through(std::vector<dvec2> points, Role role, const ChainLook& look, double scale);
@@ -75,10 +74,6 @@ Paint text_paint(const Trace& trace, const Mark& mark);
 DiscShape disc_at(dvec2 at, Paint paint, bool ring, double scale);
 /// Of a thin line, whatever its role, in units.
 inline constexpr double thin_width = 1.6;
-/// The gap that a line has on either side, in units.
-inline constexpr double gap_width = 3.5;
-/// What is drawn below a line that passes in front of others.
-LineShape gap_of(LineShape line, double scale);
 /// The inside of rings of pixels; shade: of an Area.
 AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade = 0);
 

@@ -109,6 +109,7 @@ class DrawingLayout {
       const auto look = figure_.canvas->at(p);
       if (!look || !look->color) return;
       part[pixel_of(p)] = *look->color;
+      if (!look->text.empty()) cell_texts_.emplace_back(p, *look);
       any = true;
     });
     if (any) pen_.image("colours", {cells_box(), std::move(part), {}});
@@ -230,14 +231,12 @@ class DrawingLayout {
       const double size = text_size * s_;
       if (text_width(look.text, Face::sans, size) > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
       const dvec2 centre = frame_.point({p.x, p.y});
-      pen_.text(fmt::format("text {},{}", p.x, p.y), {{centre.x, centre.y + 7 * s_},
-                                                      look.text,
-                                                      Face::sans,
-                                                      size,
-                                                      Align::centre,
-                                                      Paint::on(look.role),
-                                                      true,
-                                                      Paint::fill(look.role)});
+      // On a colour of its own a text brings its ground along
+      const Paint ink = look.color ? Paint::of(Tone::ink) : Paint::on(look.role);
+      const Paint ground = look.color ? Paint::of(Tone::paper) : Paint::fill(look.role);
+      pen_.text(
+          fmt::format("text {},{}", p.x, p.y),
+          {{centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground});
     }
   }
 
@@ -245,9 +244,8 @@ class DrawingLayout {
 
   void take(const Mark& mark, bool fixed) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
-      take_chain(
-          mark, {stroke->a, stroke->b},
-          {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin, .gap = stroke->gap});
+      take_chain(mark, {stroke->a, stroke->b},
+                 {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
@@ -278,7 +276,6 @@ class DrawingLayout {
     const auto keep = [&] {
       if (line.points.size() >= 2) {
         auto& among = mark.role == Role::guide ? guides_ : lines_;
-        if (look.gap) among.emplace_back(mark.id + " gap", gap_of(line, s_));
         among.emplace_back(mark.id, line);
       }
       line.points.clear();

@@ -58,13 +58,6 @@ DiscShape disc_at(dvec2 at, Paint paint, bool ring, double scale) {
   return {at, radius, paint, Paint::of(Tone::paper), 2 * scale};
 }
 
-LineShape gap_of(LineShape line, double scale) {
-  line.stroke = Paint::of(Tone::paper);
-  line.width += 2 * gap_width * scale;
-  line.dashed = line.arrow = false;
-  return line;
-}
-
 AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade) {
   if (shade > 0) return {std::move(rings), Paint::tint(role, shade), Hatch::none, {}};
   return {std::move(rings), Paint::fill(role), area_hatch(role), Paint::mark(role)};

@@ -160,6 +160,8 @@ class NumberLine {
 
 /// Space to paper, oblique: x to the right, y up, z towards the reader down to the left, shortened.
 constexpr dvec2 oblique(dvec3 p) { return {p.x - 0.42 * p.z, p.y - 0.3 * p.z}; }
+/// From any point there to the reader.
+inline constexpr dvec3 towards_oblique{0.42, 0.3, 1};
 
 /// A number as figures show it: four significant digits or so, the typographic minus.
 std::string figure_real(double value);

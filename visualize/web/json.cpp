@@ -123,7 +123,6 @@ Json mark_json(const Mark& mark) {
     out.insert(out.end(), {stroke->a.x, stroke->a.y, stroke->b.x, stroke->b.y});
     if (stroke->dashed) out.push_back("dashed");
     if (stroke->thin) out.push_back("thin");
-    if (stroke->gap) out.push_back("gap");
   } else if (const auto* path = std::get_if<Path>(&mark.shape)) {
     out.push_back(path->closed ? "polygon" : "path");
     out.push_back(points_json(path->points));

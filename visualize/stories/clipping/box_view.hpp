@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/axis_cut.hpp"
-#include "stories/solid_drawing.hpp"
+#include "stories/space_drawing.hpp"
 
 namespace gradus {
 
@@ -45,8 +46,11 @@ class SpaceView {
   }
   dvec2 on_paper(dvec3 turned) const { return panel_.at(oblique(turned)); }
   dvec2 at(dvec3 p) const { return on_paper(turned(p)); }
-  /// How near to the reader a point is.
-  double near(dvec3 p) const { return turned(p).z; }
+  /// A drawing of what has been turned.
+  SpaceDrawing drawing() const {
+    return SpaceDrawing({.viewer = distant_viewer(towards_oblique),
+                         .at = [this](dvec3 p) { return std::optional(on_paper(p)); }});
+  }
 
  private:
   dvec3 middle_{0}, half_{0}, size_{0};
@@ -70,20 +74,27 @@ inline std::vector<dvec3> box_face(const AxisBox<3, double>& box, Border face) {
   return outline;
 }
 
-/// A convex solid as a view of space shows it.
-inline FlatSolid flat_solid(const SpaceView& space, const std::vector<dvec3>& corners,
-                            std::vector<SolidFace> faces) {
-  std::vector<dvec3> turned;
-  for (const dvec3 p : corners) turned.push_back(space.turned(p));
-  return flat_solid(turned, std::move(faces), [&](dvec3 p) { return space.on_paper(p); });
-}
-
-/// A convex solid as glass: its faces are added, its edges appended to the lines of space.
-inline void add_glass(View& view, std::vector<SpaceLine>& lines, const SpaceView& space,
-                      const std::vector<dvec3>& corners, std::vector<SolidFace> faces) {
-  const FlatSolid solid = flat_solid(space, corners, std::move(faces));
-  add_faces(view, "box", Role::boundary, solid);
-  append_edges(lines, "box", Role::boundary, solid, [&](std::size_t i) { return space.near(corners[i]); });
+/// A convex solid as glass. faces: their corners may run either way.
+inline void add_glass(SpaceDrawing& drawing, const SpaceView& space, const std::vector<dvec3>& corners,
+                      const std::vector<Corners>& faces) {
+  dvec3 middle{0};
+  for (const dvec3 p : corners) middle += space.turned(p) / static_cast<double>(corners.size());
+  std::set<std::pair<std::size_t, std::size_t>> known;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    SpaceFace face{.id = fmt::format("{}", i), .role = Role::boundary, .ring = {}, .glass = true};
+    for (std::size_t k = 0; k < faces[i].size(); ++k) {
+      const std::size_t a = faces[i][k], b = faces[i][(k + 1) % faces[i].size()];
+      face.ring.push_back(space.turned(corners[a]));
+      if (!known.insert(std::minmax(a, b)).second) continue;
+      drawing.add(SpaceEdge{.id = fmt::format("box edge {:02}", known.size()),
+                            .role = Role::boundary,
+                            .a = space.turned(corners[a]),
+                            .b = space.turned(corners[b]),
+                            .of_glass = true});
+    }
+    if (glm::dot(area_vector(face.ring), face.ring[0] - middle) < 0) std::ranges::reverse(face.ring);
+    drawing.add(std::move(face));
+  }
 }
 
 inline std::vector<dvec3> corners_of(const AxisBox<3, double>& box) {
@@ -94,9 +105,9 @@ inline std::vector<dvec3> corners_of(const AxisBox<3, double>& box) {
 
 /// A box of glass alone.
 inline void add_box(View& view, const SpaceView& space, const AxisBox<3, double>& box) {
-  std::vector<SpaceLine> lines;
-  add_glass(view, lines, space, corners_of(box), faces_of_box());
-  add_lines(view, "box gap", lines);
+  SpaceDrawing drawing = space.drawing();
+  add_glass(drawing, space, corners_of(box), faces_of_box());
+  drawing.add_to(view, "box");
 }
 
 /// A part of a plane of space, as the one that a step is about.

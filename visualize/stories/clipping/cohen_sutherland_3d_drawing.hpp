@@ -81,18 +81,15 @@ void add_order_of_bits(View& view, const Words& words, const Task<N>& task, dvec
   view.add({"z bits", Role::guide, Text{at, words.say("bits", {{"faces", names}}), Align::centre, true}});
 }
 
-/// What is left of the segment, and dashed what was cut off. at(p), near(p): as for SpaceLine.
-template <int N, class At, class Near>
-void append_segment(std::vector<SpaceLine>& lines, const std::string& prefix, const State<N>& state, At at,
-                    Near near) {
-  const auto append = [&](const std::string& id, Role role, const auto& a, const auto& b, bool dashed) {
-    lines.push_back({prefix + " " + id, role, at(a), at(b), near(a), near(b), dashed});
-  };
+/// What is left of the segment, and dashed what was cut off: add(id, role, a, b, dashed) for each part.
+template <int N, class Add>
+void each_part(const std::string& prefix, const State<N>& state, Add add) {
   for (std::size_t i = 0; i < state.moves.size(); ++i) {
-    append("off " + std::to_string(i + 1), Role::rejected, state.moves[i].from, state.moves[i].to, true);
+    add(fmt::format("{} off {}", prefix, i + 1), Role::rejected, state.moves[i].from, state.moves[i].to,
+        true);
   }
   const Role left = state.accepted ? Role::result : state.rejected ? Role::rejected : Role::input;
-  append("rest", left, state.rest.a, state.rest.b, state.rejected);
+  add(prefix + " rest", left, state.rest.a, state.rest.b, state.rejected);
 }
 
 /// The ends as they were given, with their codes where `codes` says so, and the cuts with their faces.
@@ -134,6 +131,18 @@ inline dvec2 free_corner(const Extent& place, const std::vector<dvec2>& shown) {
   return best;
 }
 
+/// The segment in space. in_space(p): a point's place there.
+template <int N, class InSpace>
+void add_segment(SpaceDrawing& drawing, const SpaceView& space, const State<N>& state, InSpace in_space) {
+  each_part("line", state, [&](std::string id, Role role, const auto& a, const auto& b, bool dashed) {
+    drawing.add(SpaceEdge{.id = std::move(id),
+                          .role = role,
+                          .a = space.turned(in_space(a)),
+                          .b = space.turned(in_space(b)),
+                          .dashed = dashed});
+  });
+}
+
 inline View view_of(const Words& words, const Task<3>& task, const State<3>& state) {
   View view;
   const std::vector<dvec3> corners = corners_of(task.region);
@@ -141,11 +150,11 @@ inline View view_of(const Words& words, const Task<3>& task, const State<3>& sta
   shown.insert(shown.end(), corners.begin(), corners.end());
   const SpaceView space({{3, 2.2}, {33, 23.4}}, shown);
   const auto at = [&](dvec3 p) { return space.at(p); };
-  std::vector<SpaceLine> lines;
-  add_glass(view, lines, space, corners, faces_of_box());
+  SpaceDrawing drawing = space.drawing();
+  add_glass(drawing, space, corners, faces_of_box());
   if (const auto cut = state.cut()) add_face(view, space, box_face(task.region, *cut));
-  append_segment(lines, "line", state, at, [&](dvec3 p) { return space.near(p); });
-  add_lines(view, "line s", lines);
+  add_segment(drawing, space, state, [](dvec3 p) { return p; });
+  drawing.add_to(view, "box");
   add_ends(view, "line", words, task, state, at, true);
   std::vector<dvec2> drawn;
   for (const dvec3 p : shown) drawn.push_back(at(p));
@@ -187,18 +196,19 @@ inline void add_plane(View& view, const Words& words, const Task<4>& task, const
   add_side(id + "upper", upper, 2 * axis + 1, fmt::format("{} = {}", name, w));
   add_side(id + "lower", lower, 2 * axis, fmt::format("{} = {}", name, depth ? "0" : "−" + w));
   const auto at = [&](const dvec4& p) { return panel.at(flat(p)); };
-  std::vector<SpaceLine> lines;
-  append_segment(lines, id + "line", state, at, [](const dvec4&) { return 0.0; });
-  add_lines(view, id + "line s", lines);
+  each_part(id + "line", state,
+            [&](std::string part, Role role, const auto& from, const auto& to, bool dashed) {
+              view.add({std::move(part), role, Stroke{at(from), at(to), false, dashed}});
+            });
   add_ends(view, id + "line", words, task, state, at, false);
 }
 
 /// The pyramid of the volume's sides, its top at the eye, and the side at which something is cut.
-inline void add_pyramid(View& view, std::vector<SpaceLine>& lines, const SpaceView& space,
+inline void add_pyramid(View& view, SpaceDrawing& drawing, const SpaceView& space,
                         const std::vector<dvec3>& base, std::optional<Border> cut) {
   std::vector<dvec3> corners = base;
   corners.push_back(dvec3(0));
-  add_glass(view, lines, space, corners, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  add_glass(drawing, space, corners, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
   view.add({"line t eye", Role::boundary, Dot{space.at(dvec3(0)), true}});
   if (!cut || axis_of(*cut) == 2) return;
   constexpr std::array<std::array<std::size_t, 2>, 4> sides{{{3, 0}, {1, 2}, {0, 1}, {2, 3}}};
@@ -219,10 +229,10 @@ inline View view_of(const Words& words, const Task<4>& task, const State<4>& sta
   shown.insert(shown.end(), {dvec3(0), in_space(task.line.a), in_space(task.line.b)});
   const SpaceView space({{2, 3.4}, {16.4, 23}}, shown);
   const auto at = [&](const dvec4& p) { return space.at(in_space(p)); };
-  std::vector<SpaceLine> lines;
-  add_pyramid(view, lines, space, base, state.cut());
-  append_segment(lines, "line", state, at, [&](const dvec4& p) { return space.near(in_space(p)); });
-  add_lines(view, "line s", lines);
+  SpaceDrawing drawing = space.drawing();
+  add_pyramid(view, drawing, space, base, state.cut());
+  add_segment(drawing, space, state, in_space);
+  drawing.add_to(view, "box");
   add_ends(view, "line", words, task, state, at, true);
   add_directions(view, {1.6, 2.4}, {words.symbol("w"), words.symbol("y"), words.symbol("x")}, true);
   add_order_of_bits(view, words, task, {18, 0.8});

@@ -75,14 +75,9 @@ Panel Views::panel(double left, double right, const Extent& world) const {
           false};
 }
 
-MeshLook Views::from_the_front() const {
-  return {.sight = parallel_sight({0.42, 0.3, 1}), .both_sides = run_.scene.objects[0].two_sided};
-}
-MeshLook Views::from_the_right() const {
-  return {.sight = parallel_sight({1, 0.3, -0.42}),
-          .right = {0, 0, -1},
-          .towards = {1, 0, 0},
-          .both_sides = run_.scene.objects[0].two_sided};
+Views::Sight Views::from_the_front() const { return {distant_viewer(towards_oblique), {1, 0, 0}, {0, 0, 1}}; }
+Views::Sight Views::from_the_right() const {
+  return {distant_viewer({1, 0.3, -0.42}), {0, 0, -1}, {1, 0, 0}};
 }
 
 template <class At>
@@ -107,25 +102,25 @@ void Views::caption(View& view, const Panel& panel, const std::string& key) cons
       {"caption " + key, Role::guide, Text{{place.centre().x, 0.4 * unit_}, words_.say("space." + key)}});
 }
 
-/// The model as a solid: the faces that look to the reader, the far ones first, and the edges that he sees.
+/// The model as a solid.
 /// flat(p): a place on the panel's plane.
 template <class At>
 void Views::solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh,
-                  const MeshLook& look, At flat) const {
-  add_mesh_faces(view, "a " + name, Role::past, mesh, look, panel.place(),
-                 [&](dvec3 p) { return std::optional(panel.at(flat(p))); });
-  const Wireframe wires(mesh);
-  int number = 0;
-  for (const auto& [a, b] : wires.edges()) {
-    // Of a large model every edge is drawn: to find what is hidden takes long
-    const auto parts = mesh.faces.size() <= most_faces ? wires.pieces(a, b, look.sight)
-                                                       : std::vector<SightPiece>{{0, 1, false}};
-    for (const auto& [from, to, hidden] : parts) {
-      if (hidden) continue;
-      view.add({padded("b " + name + " edge", number++), Role::past,
-                Stroke{panel.at(flat(a + from * (b - a))), panel.at(flat(a + to * (b - a)))}});
-    }
+                  const Sight& sight, At flat) const {
+  // It stays the same from step to step
+  const auto [known, fresh] = solids_.try_emplace(fmt::format("{} {}", name, panel.scale().x));
+  if (fresh) {
+    SpaceDrawing drawing({.viewer = sight.viewer,
+                          .at = [&](dvec3 p) { return std::optional(panel.at(flat(p))); },
+                          .right = sight.right,
+                          .towards = sight.towards,
+                          .frame = panel.place()});
+    // The lines of a large model would only hide it
+    const EdgesShown edges = mesh.faces.size() <= most_faces ? EdgesShown::seen : EdgesShown::none;
+    drawing.add("b " + name, Role::past, mesh, edges);
+    drawing.add_to(known->second, "a " + name);
   }
+  for (const auto& [id, mark] : known->second.marks) view.add(mark);
 }
 
 /// The followed piece, with its corners named.

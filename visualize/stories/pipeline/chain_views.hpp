@@ -2,8 +2,8 @@
 // The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
 
 #include "figure/drawing.hpp"
-#include "stories/mesh_faces.hpp"
 #include "stories/pipeline/chain_run.hpp"
+#include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::textbook_chain {
@@ -37,6 +37,11 @@ class Views {
   View output(bool whole) const;
 
  private:
+  /// From where a solid is looked at, and what is right and towards the reader there.
+  struct Sight {
+    Viewer viewer;
+    dvec3 right, towards;
+  };
   /// The paper from `left` to `right`, as parts of its width.
   Panel panel(double left, double right, const Extent& world) const;
 
@@ -46,11 +51,11 @@ class Views {
   template <class At>
   Extent extent(At at, const std::vector<dvec2>& more = {}) const;
   template <class At>
-  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh, const MeshLook& look,
+  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh, const Sight& sight,
              At flat) const;
   /// Seen along z, as the model was made, or from its right side, where what looks at its front looks right.
-  MeshLook from_the_front() const;
-  MeshLook from_the_right() const;
+  Sight from_the_front() const;
+  Sight from_the_right() const;
   void followed(View& view, const Panel& panel, const std::string& name, const std::vector<dvec2>& corners,
                 const Pointer& pointer, bool labelled) const;
   void wedge_axes(View& view, const Panel& panel, const std::string& name, double depth,
@@ -69,8 +74,9 @@ class Views {
   const pipeline::Piece& piece_;
   ivec2 pixel_;
   const Words& words_;
-  const double unit_;  ///< a thirty-sixth of the paper's width
-  Mesh world_;         ///< the model where it stands
+  const double unit_;                           ///< a thirty-sixth of the paper's width
+  Mesh world_;                                  ///< the model where it stands
+  mutable std::map<std::string, View> solids_;  ///< that were drawn already
 };
 
 /// "E0", "E1", "E2": the edge functions, each of the edge opposite a corner.

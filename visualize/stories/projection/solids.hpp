@@ -14,7 +14,7 @@
 #include "core/arithmetic/elementary.hpp"
 #include "core/geometry.hpp"
 #include "figure/wording.hpp"
-#include "stories/solid_drawing.hpp"
+#include "stories/space_drawing.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus::solids {
@@ -132,8 +132,7 @@ inline Facing facing_origin(const Solid& solid) {
 inline dvec2 from_right(dvec3 p) { return oblique(dvec3{p.z, p.y, p.x}); }
 /// Where that looks, in view space.
 inline constexpr dvec3 looking_from_right{-1, -0.3, -0.42};
-/// A direction of view space as the reader has it there, and as the viewer has it: right, up, towards him.
-inline dvec3 seen_from_right(dvec3 p) { return {p.z, p.y, p.x}; }
+/// A direction of view space as the viewer has it: right, up, towards him.
 inline dvec3 seen_by_viewer(dvec3 p) { return {p.x, p.y, -p.z}; }
 
 /// The picture plane in space, with the directions that are right and up in the picture.
@@ -194,12 +193,7 @@ class Scenery {
   /// as they will be; other: what else the picture has to have room for.
   Scenery(const Wording& words, Solid solid, Sheet sheet, Facing facing, std::optional<dvec3> eye,
           const Images& images, const std::vector<dvec3>& other = {})
-      : words_(words),
-        solid_(std::move(solid)),
-        sheet_(sheet),
-        facing_(std::move(facing)),
-        eye_(eye),
-        facing_reader_(facing_along(solid_, looking_from_right)) {
+      : words_(words), solid_(std::move(solid)), sheet_(sheet), facing_(std::move(facing)), eye_(eye) {
     Extent picture;
     for (const std::optional<dvec3>& p : images) {
       if (p) picture.add(sheet_.picture(*p));
@@ -222,9 +216,16 @@ class Scenery {
   dvec2 in_space(dvec3 p) const { return space_.at(from_right(p)); }
   dvec2 in_picture(dvec3 p) const { return picture_.at(sheet_.picture(p)); }
 
+  /// Space as the reader sees it, from the viewer's right.
+  SpaceDrawing space() const {
+    return SpaceDrawing({.viewer = distant_viewer(-looking_from_right),
+                         .at = [this](dvec3 p) { return std::optional(in_space(p)); },
+                         .right = {0, 0, 1},
+                         .towards = {1, 0, 0}});
+  }
+
   /// Space, plane and solid alone.
-  View empty() const {
-    View view;
+  void add_scene(View& view, SpaceDrawing& space) const {
     const auto caption = [&](std::string id, const Panel& panel, double top, std::string_view text) {
       view.add({std::move(id), Role::guide, Text{{panel.place().centre().x, top + 1.3}, words_.say(text)}});
     };
@@ -233,49 +234,40 @@ class Scenery {
     const double highest = std::max(space_top_, picture_top_);
     caption("caption space", space_, beside ? highest : space_top_, "projection.space");
     caption("caption picture", picture_, beside ? highest : picture_top_, "projection.picture");
-    add_plane(view);
-    add_solid(view);
+    add_plane(view, space);
+    add_solid(space);
     if (eye_)
       view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
-    return view;
   }
 
   /// The image of every corner that has one, and the edges between them; `whole`: with its faces.
-  void add_images(View& view, const Images& images, Role role, bool whole) const {
+  void add_images(View& view, SpaceDrawing& space, const Images& images, Role role, bool whole) const {
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
       const auto [a, b, left, right] = solid_.edges[i];
       if (!images[a] || !images[b]) continue;
-      const auto add = [&](const char* id, dvec2 from, dvec2 to) {
-        Stroke stroke{from, to, false, facing_.hidden[i]};
-        stroke.thin = stroke.dashed;
-        view.add({fmt::format("d {} {} {:02}", id, stroke.dashed ? "behind" : "edge", i), role, stroke});
-      };
-      add("image", in_space(*images[a]), in_space(*images[b]));
-      add("picture", in_picture(*images[a]), in_picture(*images[b]));
+      const bool hidden = facing_.hidden[i];
+      space.add(SpaceEdge{.id = fmt::format("d image {} {:02}", hidden ? "behind" : "edge", i),
+                          .role = role,
+                          .a = *images[a],
+                          .b = *images[b],
+                          .dashed = hidden,
+                          .thin = hidden});
+      Stroke stroke{in_picture(*images[a]), in_picture(*images[b]), false, hidden};
+      stroke.thin = hidden;
+      view.add({fmt::format("d picture {} {:02}", hidden ? "behind" : "edge", i), role, stroke});
     }
-    if (!whole) return;
-    for (std::size_t i = 0; i < solid_.faces.size(); ++i) {
-      if (!facing_.seen[i]) continue;
-      std::vector<dvec2> space, picture;
-      for (const std::size_t corner : solid_.faces[i]) {
-        if (!images[corner]) break;
-        space.push_back(in_space(*images[corner]));
-        picture.push_back(in_picture(*images[corner]));
-      }
-      if (space.size() < solid_.faces[i].size()) continue;
-      const int shade = shade_of(seen_by_viewer(outward(solid_, i)));
-      view.add({fmt::format("d image face {}", i), role, Area{{space}, shade}});
-      view.add({fmt::format("d picture face {}", i), role, Area{{picture}, shade}});
+    for (std::size_t i = 0; whole && i < solid_.faces.size(); ++i) {
+      if (facing_.seen[i]) add_image_face(view, space, images, role, i);
     }
   }
 
   /// The corner at hand, and once its image is known its projector.
-  void point_at(View& view, std::size_t corner, std::optional<dvec3> image) const {
+  void point_at(View& view, SpaceDrawing& space, std::size_t corner, std::optional<dvec3> image) const {
     const dvec3 p = solid_.corners[corner];
     const std::string name = fmt::format("{}", corner + 1);
     view.add_named("g corner", "h corner name", Role::current, in_space(p), name);
     if (!image) return;
-    add_projector(view, p, *image);
+    add_projector(space, p, *image);
     view.add({"g image", Role::current, Dot{in_space(*image)}});
     view.add_named("g picture", "h picture name", Role::current, in_picture(*image), name + "′");
   }
@@ -290,53 +282,70 @@ class Scenery {
   }
 
   /// The picture plane, as far as the picture goes, in space and as the picture's frame.
-  void add_plane(View& view) const {
-    std::vector<dvec2> plane, frame;
-    for (const dvec3 p : outline()) {
-      plane.push_back(in_space(p));
-      frame.push_back(in_picture(p));
+  void add_plane(View& view, SpaceDrawing& space) const {
+    const std::vector<dvec3> border = outline();
+    space.add(SpaceFace{.id = "plane",
+                        .role = Role::boundary,
+                        .ring = border,
+                        .one_sided = false,
+                        .glass = true,
+                        .shade = 2});
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      space.add(SpaceEdge{.id = fmt::format("a plane {}", i),
+                          .role = Role::boundary,
+                          .a = border[i],
+                          .b = border[(i + 1) % border.size()],
+                          .behind = false});
     }
-    view.add({"a plane glass", Role::boundary, Area{{plane}, 2}});
+    std::vector<dvec2> frame;
+    for (const dvec3 p : border) frame.push_back(in_picture(p));
     view.add({"a picture glass", Role::boundary, Area{{frame}, 2}});
     view.add({"a picture frame", Role::boundary, Path{frame, true}});
   }
 
-  /// The solid as the reader sees it, and the plane's border, with gaps where one passes in front of the
-  /// other.
-  void add_solid(View& view) const {
+  void add_solid(SpaceDrawing& space) const {
     for (std::size_t i = 0; i < solid_.faces.size(); ++i) {
-      if (!facing_reader_.seen[i]) continue;
-      std::vector<dvec2> ring;
-      for (const std::size_t corner : solid_.faces[i]) ring.push_back(in_space(solid_.corners[corner]));
-      view.add({fmt::format("c solid face {}", i), Role::input,
-                Area{{ring}, shade_of(seen_from_right(outward(solid_, i)))}});
-    }
-    std::vector<SpaceLine> lines;
-    const auto append = [&](std::string id, Role role, dvec3 a, dvec3 b, bool hidden) {
-      lines.push_back({std::move(id), role, in_space(a), in_space(b), a.x, b.x, hidden, hidden});
-    };
-    const std::vector<dvec3> border = outline();
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      append(fmt::format("a plane {}", i), Role::boundary, border[i], border[(i + 1) % border.size()], false);
+      SpaceFace face{.id = fmt::format("face {}", i), .role = Role::input, .ring = {}};
+      for (const std::size_t corner : solid_.faces[i]) face.ring.push_back(solid_.corners[corner]);
+      if (glm::dot(area_vector(face.ring), outward(solid_, i)) < 0) std::ranges::reverse(face.ring);
+      space.add(std::move(face));
     }
     for (std::size_t i = 0; i < solid_.edges.size(); ++i) {
-      const bool hidden = facing_reader_.hidden[i];
-      append(fmt::format("c solid {} {:02}", hidden ? "behind" : "edge", i), Role::input,
-             solid_.corners[solid_.edges[i].a], solid_.corners[solid_.edges[i].b], hidden);
+      space.add(SpaceEdge{.id = fmt::format("c solid edge {:02}", i),
+                          .role = Role::input,
+                          .a = solid_.corners[solid_.edges[i].a],
+                          .b = solid_.corners[solid_.edges[i].b]});
     }
-    add_lines(view, "c z", lines);
+  }
+
+  /// A face's image on the plane in space, and in the picture.
+  void add_image_face(View& view, SpaceDrawing& space, const Images& images, Role role,
+                      std::size_t face) const {
+    std::vector<dvec3> ring;
+    std::vector<dvec2> picture;
+    for (const std::size_t corner : solid_.faces[face]) {
+      if (!images[corner]) return;
+      ring.push_back(*images[corner]);
+      picture.push_back(in_picture(*images[corner]));
+    }
+    const int shade = shade_of(seen_by_viewer(outward(solid_, face)));
+    view.add({fmt::format("d picture face {}", face), role, Area{{picture}, shade}});
+    space.add(SpaceFace{.id = fmt::format("image {}", face),
+                        .role = role,
+                        .ring = std::move(ring),
+                        .one_sided = false,
+                        .glass = true,
+                        .shade = shade});
   }
 
   /// A point's projector: to its image, or from the eye, through whichever is farther.
-  void add_projector(View& view, dvec3 point, dvec3 image) const {
+  void add_projector(SpaceDrawing& space, dvec3 point, dvec3 image) const {
     dvec3 from = point, to = image;
     if (eye_) {
       from = *eye_;
       to = point.z > image.z ? point : image;
     }
-    Stroke stroke{in_space(from), in_space(to)};
-    stroke.thin = true;
-    view.add({"e projector", Role::current, stroke});
+    space.add(SpaceEdge{.id = "e projector", .role = Role::current, .a = from, .b = to, .thin = true});
   }
 
   const Wording& words_;
@@ -344,7 +353,6 @@ class Scenery {
   Sheet sheet_;
   Facing facing_;
   std::optional<dvec3> eye_;
-  Facing facing_reader_;
   Extent patch_{};
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
   double space_top_ = 0, picture_top_ = 0;  ///< of what is drawn there
@@ -367,18 +375,20 @@ class Progress {
   std::string key() const { return fmt::format("{}", corner_); }
 
   /// whole: the picture is complete, and its faces are shown.
-  View drawing(bool whole) const {
-    View view = scenery_.empty();
-    scenery_.add_images(view, images_, Role::result, whole);
-    return view;
-  }
-  View with_corner() const {
-    View view = drawing(false);
-    scenery_.point_at(view, corner_, images_[corner_]);
+  View drawing(bool whole) const { return drawing(whole, false); }
+  View with_corner() const { return drawing(false, true); }
+
+ private:
+  View drawing(bool whole, bool pointed) const {
+    View view;
+    SpaceDrawing space = scenery_.space();
+    scenery_.add_scene(view, space);
+    scenery_.add_images(view, space, images_, Role::result, whole);
+    if (pointed) scenery_.point_at(view, space, corner_, images_[corner_]);
+    space.add_to(view, "c solid");
     return view;
   }
 
- private:
   Scenery scenery_;
   Scenery::Images images_;
   std::size_t corner_ = 0;

@@ -4,7 +4,7 @@
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
-#include "stories/mesh_faces.hpp"
+#include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::viewing {
@@ -118,7 +118,7 @@ class Drawing {
   Drawing(const Scene& scene, const Words& words)
       : scene_(scene),
         words_(words),
-        wires_(scene.letter),
+        edges_(edges_of(scene.letter)),
         world_(scene.axes ? axes_place : world_place, world_extent()) {}
 
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
@@ -132,12 +132,14 @@ class Drawing {
   View world(const Known& known, const DFrame& frame) const {
     View view;
     caption(view, "world", {world_place.centre().x, world_place.upper.y + 1.2});
-    add_world_axes(view);
-    letter(
-        view, "world", Role::past, {.sight = parallel_sight({0.42, 0.3, 1})},
-        [&](dvec3 p) { return std::optional(world_.at(oblique(p))); }, world_place);
+    SpaceDrawing space({.viewer = distant_viewer(towards_oblique),
+                        .at = [this](dvec3 p) { return std::optional(world_.at(oblique(p))); },
+                        .frame = world_place});
+    space.add("letter world", Role::past, scene_.letter);
+    add_world_axes(view, space);
+    space.add(SpaceEdge{.id = "sight", .role = Role::guide, .a = scene_.eye, .b = scene_.target});
+    space.add_to(view, "a letter world");
     const double size = axis_size();
-    hidden_aware(view, "sight", Role::guide, scene_.eye, scene_.target);
     if (!known.axes[1])
       arrow(view, "hint", Role::candidate, size * unit_vector(scene_.up), words_.say("hint"), true);
     for (int i = 0; i < 3; ++i) {
@@ -175,10 +177,14 @@ class Drawing {
       return panel.at(dvec2(v) / v.z);
     };
     const DFrame frame = scene_.frame();
-    letter(
-        view, "picture", Role::result,
-        {.sight = central_sight(scene_.eye), .right = frame.right, .up = frame.up, .towards = -frame.forward},
-        seen, seen_place);
+    SpaceDrawing picture({.viewer = viewer_at(scene_.eye),
+                          .at = seen,
+                          .right = frame.right,
+                          .up = frame.up,
+                          .towards = -frame.forward,
+                          .frame = seen_place});
+    picture.add("letter picture", Role::result, scene_.letter);
+    picture.add_to(view, "a letter picture");
   }
 
   /// View space from aside, where a faulty matrix leaves the letter: right to the right, up up, depth to the
@@ -254,13 +260,13 @@ class Drawing {
   template <class Flat>
   void add_wires(View& view, const std::string& name, Role role, const Extent& place, Flat flat) const {
     Extent all;
-    for (const auto& [a, b] : wires_.edges()) {
+    for (const auto& [a, b] : edges_) {
       all.add(flat(a));
       all.add(flat(b));
     }
     const Panel panel(place, widened(all, 0.02));
     int number = 0;
-    for (const auto& [a, b] : wires_.edges()) {
+    for (const auto& [a, b] : edges_) {
       view.add({fmt::format("letter {} {:02}", name, number++), role,
                 Stroke{panel.at(flat(a)), panel.at(flat(b))}});
     }
@@ -295,7 +301,7 @@ class Drawing {
       }
       return widened(extent, 0.02);
     }
-    for (const auto& [a, b] : wires_.edges()) {
+    for (const auto& [a, b] : edges_) {
       add(a);
       add(b);
     }
@@ -323,7 +329,7 @@ class Drawing {
   /// What the picture shows round its middle, the target: the letter, where it is in front.
   Extent picture_extent(const glm::dmat4& matrix) const {
     double half = 0.05;
-    for (const auto& [a, b] : wires_.edges()) {
+    for (const auto& [a, b] : edges_) {
       for (const dvec3 p : {a, b}) {
         const dvec3 v = through(matrix, p);
         if (v.z > 0) half = std::max({half, std::abs(v.x / v.z), std::abs(v.y / v.z)});
@@ -343,12 +349,14 @@ class Drawing {
   static void guide_line(View& view, std::string id, dvec2 a, dvec2 b) {
     view.add({std::move(id), Role::guide, Stroke{a, b, false, true}});
   }
-  void add_world_axes(View& view) const {
+  void add_world_axes(View& view, SpaceDrawing& space) const {
     for (const auto& [name, way] :
          {std::pair{"x", dvec3{1, 0, 0}}, {"y", dvec3{0, 1, 0}}, {"z", dvec3{0, 0, 1}}}) {
-      const dvec2 tip = world_.at(oblique(axis_length() * way));
-      view.add({fmt::format("world {}", name), Role::guide, Stroke{world_.at({0, 0}), tip, true}});
-      view.add({fmt::format("world {} name", name), Role::guide, Label{tip, words_.symbol(name)}});
+      const dvec3 tip = axis_length() * way;
+      space.add(SpaceEdge{
+          .id = fmt::format("world {}", name), .role = Role::guide, .a = dvec3{0}, .b = tip, .arrow = true});
+      view.add({fmt::format("world {} name", name), Role::guide,
+                Label{world_.at(oblique(tip)), words_.symbol(name)}});
     }
   }
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
@@ -360,38 +368,9 @@ class Drawing {
     view.add({id, role, Stroke{from, to, true, dashed}});
     view.add({id + " name", role, Label{to, std::move(name)}});
   }
-  /// A segment of the world, dashed where the letter hides it.
-  void hidden_aware(View& view, const std::string& id, Role role, dvec3 a, dvec3 b) const {
-    int number = 0;
-    for (const auto& [from, to, hidden] : wires_.pieces(a, b, parallel_sight({0.42, 0.3, 1}))) {
-      view.add({fmt::format("{} {}", id, number++), role,
-                Stroke{world_.at(oblique(a + from * (b - a))), world_.at(oblique(a + to * (b - a))), false,
-                       hidden}});
-    }
-  }
-  template <class At>
-  void letter(View& view, const std::string& name, Role role, const MeshLook& look, At at,
-              const Extent& place) const {
-    add_mesh_faces(view, "a letter " + name, role, scene_.letter, look, place, at);
-    int edge = 0;
-    for (const auto& [a, b] : wires_.edges()) {
-      int number = 0;
-      for (const auto& [from, to, hidden] : wires_.pieces(a, b, look.sight)) {
-        const auto p = at(a + from * (b - a)), q = at(a + to * (b - a));
-        if (!p || !q) continue;
-        if (auto part = shown_part(place, *p, *q)) {
-          part->dashed = part->thin = hidden;
-          view.add({fmt::format("letter {} {:02} {}", name, edge, number), role, *part});
-        }
-        ++number;
-      }
-      ++edge;
-    }
-  }
-
   const Scene& scene_;
   const Words& words_;
-  Wireframe wires_;
+  std::vector<std::pair<dvec3, dvec3>> edges_;  ///< of the letter
   Panel world_;
 };
 

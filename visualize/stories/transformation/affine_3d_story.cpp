@@ -108,12 +108,12 @@ class ProductStory {
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
     const std::string id = i == 0 ? "left" : "right";
     const Panel& panel = panels_[i];
-    add_axes_of_space(view, panel, id, reach_of(task_.size), words_);
-    std::vector<SpaceLine> lines;
-    add_box(view, lines, panel, id + " 0", Role::input, list[0], done_ ? BoxLook::outline : BoxLook::solid);
-    if (done_ > 1) add_box(view, lines, panel, id + " 1", Role::past, list[done_ - 1], BoxLook::outline);
-    if (done_ > 0) add_box(view, lines, panel, id + " 2", role, list[done_], BoxLook::solid);
-    add_lines(view, "b z" + id, lines);
+    SpaceDrawing space = drawing_in(panel);
+    add_axes_of_space(view, space, panel, id, reach_of(task_.size), words_);
+    if (done_ > 0) add_outline(space, id + " 0", Role::input, list[0]);
+    if (done_ > 1) add_outline(space, id + " 1", Role::past, list[done_ - 1]);
+    add_box(space, id + " 2", done_ > 0 ? role : Role::input, list[done_]);
+    space.add_to(view, "a " + id);
     add_dot(view, panel, id + " corner", done_ ? role : Role::input, list[done_][corner_a], "A");
     view.add({"l " + id + " caption", Role::guide, Text{{panel.place().centre().x, 0.8}, caption(i)}});
   }

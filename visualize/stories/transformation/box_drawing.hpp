@@ -1,7 +1,7 @@
 #pragma once
 // A box with an F on its front, and the axes of space, as the stories of space draw them: obliquely.
 
-#include "stories/solid_drawing.hpp"
+#include "stories/space_drawing.hpp"
 #include "stories/transformation/affine_3d_task.hpp"
 
 namespace gradus::affine_3d {
@@ -17,7 +17,6 @@ inline Shape box_of(dvec3 size) {
   }
   return corners;
 }
-constexpr std::size_t front = 1;  ///< of its faces, the one with the F
 /// Corner A, on the front, from where the F is read.
 constexpr std::size_t corner_a = 7;
 
@@ -42,34 +41,61 @@ inline void add_to(Extent& world, const Shape& shape) {
   for (const dvec3 p : shape) world.add(oblique(p));
 }
 
-/// How a box is drawn: as a solid, or as what it was, by the edges that are seen.
-enum class BoxLook { solid, outline };
+/// Space as a panel shows it: obliquely.
+inline SpaceDrawing drawing_in(const Panel& panel) {
+  return SpaceDrawing({.viewer = distant_viewer(towards_oblique),
+                       .at = [&panel](dvec3 p) { return std::optional(panel.at(oblique(p))); }});
+}
 
-/// A box in an oblique view: its faces and its F are added, its edges appended to the lines of space.
-inline void add_box(View& view, std::vector<SpaceLine>& lines, const Panel& panel, const std::string& id,
-                    Role role, const Shape& shape, BoxLook look) {
-  const std::vector<dvec3> corners(shape.begin(), shape.begin() + 8);
-  const FlatSolid solid = flat_solid(corners, faces_of_box(), [&](dvec3 p) { return panel.at(oblique(p)); });
-  const bool filled = look == BoxLook::solid, f_seen = is_seen(solid, solid.faces[front]);
-  if (filled) add_faces(view, "a " + id, role, solid);
-  std::vector<SpaceLine> edges;
-  append_edges(edges, "b " + id, role, solid, [&](std::size_t i) { return corners[i].z; });
-  for (SpaceLine& edge : edges) {
-    if (!filled && edge.dashed) continue;
-    edge.thin = edge.thin || !filled;
-    lines.push_back(edge);
+/// A box's faces, each counter-clockwise from outside, whichever way a matrix has turned them.
+inline std::vector<std::vector<dvec3>> faces_of(const Shape& shape) {
+  dvec3 middle{0};
+  for (std::size_t i = 0; i < 8; ++i) middle += shape[i] / 8.0;
+  std::vector<std::vector<dvec3>> rings;
+  for (const auto& face : faces_of_box()) {
+    std::vector<dvec3>& ring = rings.emplace_back();
+    for (const std::size_t corner : face) ring.push_back(shape[corner]);
+    if (glm::dot(area_vector(ring), ring[0] - middle) < 0) std::ranges::reverse(ring);
   }
-  if (!filled && !f_seen) return;
-  const auto f = on_paper(panel, {shape.begin() + 8, shape.end()});
-  if (filled && f_seen) {
-    view.add({"c " + id + " F", role, Path{{f[0], f[1], f[2]}}});
-    view.add({"c " + id + " F bar", role, Path{{f[3], f[4]}}});
-    return;
+  return rings;
+}
+
+/// The edges of a box, then the lines of its F.
+inline std::vector<std::pair<dvec3, dvec3>> lines_of(const Shape& shape) {
+  std::vector<std::pair<dvec3, dvec3>> lines;
+  for (std::size_t a = 0; a < 8; ++a) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((a & bit) == 0) lines.emplace_back(shape[a], shape[a | bit]);
+    }
   }
-  for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {3, 4}}) {
-    Stroke stroke{f[static_cast<std::size_t>(from)], f[static_cast<std::size_t>(to)], false, !f_seen};
-    stroke.thin = true;
-    view.add({fmt::format("c {} F {}", id, from), role, stroke});
+  for (const auto& [from, to] : {std::pair{8, 9}, {9, 10}, {11, 12}})
+    lines.emplace_back(shape[static_cast<std::size_t>(from)], shape[static_cast<std::size_t>(to)]);
+  return lines;
+}
+
+/// A box as a solid.
+inline void add_box(SpaceDrawing& space, const std::string& id, Role role, const Shape& shape) {
+  int number = 0;
+  for (auto& ring : faces_of(shape))
+    space.add(SpaceFace{.id = fmt::format("{} {}", id, number++), .role = role, .ring = std::move(ring)});
+  for (const auto& [a, b] : lines_of(shape))
+    space.add(SpaceEdge{.id = fmt::format("b {} {:02}", id, number++), .role = role, .a = a, .b = b});
+}
+
+/// What a box was: the lines of it that were seen.
+inline void add_outline(SpaceDrawing& space, const std::string& id, Role role, const Shape& shape) {
+  const HiddenLines own(faces_of(shape), distant_viewer(towards_oblique), length_between(shape[0], shape[7]));
+  int number = 0;
+  for (const auto& [a, b] : lines_of(shape)) {
+    for (const auto& [from, to, hidden] : own.pieces(a, b)) {
+      if (hidden) continue;
+      space.add(SpaceEdge{.id = fmt::format("b {} {:02}", id, number++),
+                          .role = role,
+                          .a = a + from * (b - a),
+                          .b = a + to * (b - a),
+                          .thin = true,
+                          .behind = false});
+    }
   }
 }
 
@@ -98,12 +124,18 @@ constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.8, 2}, {
 
 inline Shape tips_of_axes(double reach) { return {{reach, 0, 0}, {0, reach, 0}, {0, 0, reach}}; }
 
-inline void add_axes_of_space(View& view, const Panel& panel, const std::string& id, double reach,
-                              const Words& words) {
-  const std::vector<dvec2> tips = on_paper(panel, tips_of_axes(reach));
+inline void add_axes_of_space(View& view, SpaceDrawing& space, const Panel& panel, const std::string& id,
+                              double reach, const Words& words) {
+  const Shape tips = tips_of_axes(reach);
+  const std::vector<dvec2> at = on_paper(panel, tips);
   for (std::size_t i = 0; i < 3; ++i) {
-    const dvec2 name = tips[i] + unit(tips[i] - panel.at({0, 0}));
-    view.add({fmt::format("0 {} axis {}", id, i), Role::guide, Stroke{panel.at({0, 0}), tips[i], true}});
+    const dvec2 name = at[i] + unit(at[i] - panel.at({0, 0}));
+    space.add(SpaceEdge{.id = fmt::format("0 {} axis {}", id, i),
+                        .role = Role::guide,
+                        .a = dvec3{0},
+                        .b = tips[i],
+                        .arrow = true,
+                        .behind = false});
     view.add(
         {fmt::format("0 {} axis name {}", id, i), Role::guide, Text{name, words.axis(static_cast<int>(i))}});
   }

@@ -118,15 +118,14 @@ class PartsStory {
 
   void milestone(Board& board, Role role) const {
     View view;
-    add_axes_of_space(view, *panel_, "space", reach_of(task_.size), words_);
-    std::vector<SpaceLine> lines;
-    add_box(view, lines, *panel_, "input", Role::input, box_, done_ ? BoxLook::outline : BoxLook::solid);
-    if (done_ > 0) add_box(view, lines, *panel_, "now", role, moved(product_, box_), BoxLook::solid);
+    SpaceDrawing space = drawing_in(*panel_);
+    add_axes_of_space(view, space, *panel_, "space", reach_of(task_.size), words_);
+    if (done_ > 0) add_outline(space, "input", Role::input, box_);
+    add_box(space, "now", done_ > 0 ? role : Role::input, moved(product_, box_));
     const Shape ends = axis(product_);
-    const std::vector<dvec2> at = on_paper(*panel_, ends);
-    lines.push_back({"b axis", Role::boundary, at[0], at[1], ends[0].z, ends[1].z, false, false, true});
-    add_lines(view, "b z", lines);
-    view.add({"k axis", Role::boundary, Label{at[1], words_.say("axis")}});
+    space.add(SpaceEdge{.id = "b axis", .role = Role::boundary, .a = ends[0], .b = ends[1], .arrow = true});
+    space.add_to(view, "a box");
+    view.add({"k axis", Role::boundary, Label{on_paper(*panel_, ends)[1], words_.say("axis")}});
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
     view.add({"l formula", Role::guide, Text{{18, 0.8}, formula()}});
     add_product(view, product_, words_);

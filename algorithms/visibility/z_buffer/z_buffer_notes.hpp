@@ -1,0 +1,82 @@
+#pragma once
+// The z-buffer of the notes, as exhibits: what its listing does to colours, and what it leaves open.
+
+#include <glm/vec3.hpp>
+
+#include "visibility/z_buffer/z_buffer.hpp"
+
+namespace gradus::z_buffer {
+
+/// FAULTY: the colour buffer is filled with whole numbers, the background's, so it takes nothing else: 0.5,
+/// 0.2 and 0.9 become 0 (errata E001-33). Depths are right.
+///
+/// faces, depths: as for per_polygon. colour_of(id): red, green and blue from 0 to 1. colours: the colour
+///   buffer, as large as the depths.
+///
+/// Steps, Cost, Errors: those of per_polygon.
+template <class ColourOf, Observer<FaceTaken, Compared<double, Id>, FaceDone, Finished> O = Unobserved>
+void integer_colours(std::span<const Face> faces, Raster<Cell<double, Id>>& depths,
+                     Raster<glm::ivec3>& colours, ColourOf&& colour_of, O&& observer = {}) {
+  std::int64_t compared = 0, kept = 0;
+  for (const Face& face : faces) {
+    const auto id = face.id;
+    const auto plane = plane_of(face);
+    const Outline outline(  // convex
+        face, depths.window());
+    const auto compared_before = compared, kept_before = kept;
+    if constexpr (observed<O>) observer(FaceTaken{id, plane});
+    const auto visit = [&](ivec2 p) {
+      const auto z = plane->at(p);
+      auto& cell = depths[p];
+      const auto old = held(cell);
+      const bool nearer = beats(cell, z, id);
+      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, nearer});
+      if (nearer) {
+        cell = {z, id, true};
+        // Whole numbers: the rest is lost
+        auto& colour = colours[p];
+        colour = glm::ivec3(colour_of(id));
+      }
+      ++compared;
+      kept += nearer;
+    };
+    const auto [top, bottom] = rows(outline);
+    for (int y = top; plane && y <= bottom; ++y) outline.visit_row(y, visit);
+    if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
+  }
+  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(depths.cells())});
+}
+
+/// FAULTY: of equal depths the one drawn first stays, so faces in one plane change places with the order in
+/// which they come. The notes' "always correct for any arrangement" (errata E001-31) leaves the case open.
+///
+/// Parameters, Domain, Steps, Cost, Errors: those of per_polygon.
+template <Observer<FaceTaken, Compared<double, Id>, FaceDone, Finished> O = Unobserved>
+void first_come(std::span<const Face> faces, Raster<Cell<double, Id>>& buffer, O&& observer = {}) {
+  std::int64_t compared = 0, kept = 0;
+  for (const Face& face : faces) {
+    const auto id = face.id;
+    const auto plane = plane_of(face);
+    const Outline outline(  // convex
+        face, buffer.window());
+    const auto compared_before = compared, kept_before = kept;
+    if constexpr (observed<O>) observer(FaceTaken{id, plane});
+    const auto visit = [&](ivec2 p) {
+      const auto z = plane->at(p);
+      auto& cell = buffer[p];
+      const auto old = held(cell);
+      // Equal depths: nobody asks who
+      const bool nearer = !old || z < *old;
+      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, nearer});
+      if (nearer) cell = {z, id, true};
+      ++compared;
+      kept += nearer;
+    };
+    const auto [top, bottom] = rows(outline);
+    for (int y = top; plane && y <= bottom; ++y) outline.visit_row(y, visit);
+    if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
+  }
+  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(buffer.cells())});
+}
+
+}  // namespace gradus::z_buffer

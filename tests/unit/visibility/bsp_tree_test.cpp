@@ -1,0 +1,246 @@
+// The walk from back to front, judged along rays in rational numbers.
+
+#include "core/arithmetic/exact_scalar.hpp"
+
+#include "visibility/bsp_tree/bsp_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/record.hpp"
+#include "support/seed.hpp"
+
+namespace gradus::bsp_tree {
+namespace {
+
+template <class T>
+Polygon<T> in_scalar(const Polygon<double>& polygon) {
+  Polygon<T> other{{}, polygon.face};
+  for (const dvec3 p : polygon.corners) other.corners.emplace_back(T(p.x), T(p.y), T(p.z));
+  return other;
+}
+
+template <class T>
+std::vector<Polygon<T>> in_scalar(const std::vector<Polygon<double>>& polygons) {
+  std::vector<Polygon<T>> others;
+  for (const auto& polygon : polygons) others.push_back(in_scalar<T>(polygon));
+  return others;
+}
+
+template <class T>
+std::vector<Polygon<T>> drawn(const Tree<T>& tree, const Eye<T>& eye) {
+  std::vector<Polygon<T>> order;
+  back_to_front(tree, eye, [&](const Polygon<T>& polygon) { order.push_back(polygon); });
+  return order;
+}
+
+/// Where the ray from `from` along `way` meets a convex polygon, as a multiple of `way`; nothing where it
+/// misses it or runs along it.
+std::optional<Exact> hit(const Polygon<Exact>& polygon, const ExactVec3& from, const ExactVec3& way) {
+  const auto& p = polygon.corners;
+  const ExactVec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+  const Exact along = glm::dot(normal, way);
+  if (along == Exact{0}) return std::nullopt;
+  const Exact t = glm::dot(normal, p[0] - from) / along;
+  const ExactVec3 at = from + t * way;
+  int turn = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const int side = sign(glm::dot(normal, glm::cross(p[(i + 1) % p.size()] - p[i], at - p[i])));
+    if (side == 0 || side == -turn) return std::nullopt;
+    turn = side;
+  }
+  return t;
+}
+
+/// Three corners with small whole coordinates, not on a line.
+Polygon<double> random_triangle(Random& random, std::size_t face) {
+  while (true) {
+    Polygon<double> triangle{{}, face};
+    for (int i = 0; i < 3; ++i) {
+      const auto number = [&] { return static_cast<double>(random.uniform_int(-6, 6)); };
+      triangle.corners.emplace_back(number(), number(), number());
+    }
+    const auto& p = triangle.corners;
+    if (glm::cross(p[1] - p[0], p[2] - p[0]) != dvec3(0)) return triangle;
+  }
+}
+
+std::vector<Polygon<double>> random_scene(Random& random, int count) {
+  std::vector<Polygon<double>> scene;
+  for (int i = 0; i < count; ++i) scene.push_back(random_triangle(random, static_cast<std::size_t>(i)));
+  return scene;
+}
+
+/// Three bars round a triangle, each over the next: G001-77.
+std::vector<Polygon<double>> three_bars() {
+  const std::array<dvec3, 6> ends{{{0, 0, 0}, {10, 0, 2}, {10, 0, 0}, {5, 8, 2}, {5, 8, 0}, {0, 0, 2}}};
+  std::vector<Polygon<double>> bars;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec3 a = ends[2 * i], b = ends[2 * i + 1], way = b - a;
+    // Half a unit to either side, and a little beyond the ends, where they cross the others
+    const dvec3 aside = dvec3{-way.y, way.x, 0} / 16.0, ahead = way / 8.0;
+    bars.push_back({{a - ahead - aside, b + ahead - aside, b + ahead + aside, a - ahead + aside}, i});
+  }
+  return bars;
+}
+
+TEST(BspTree, ThreeBarsInACycleAreCut) {
+  // G001-77: B over A at (10, 0), C over B at (5, 8), A over C at (0, 0), seen from below
+  const Tree<double> tree = build(three_bars());
+  const auto order = drawn(tree, {0, 0, -1, 0});
+  EXPECT_GT(order.size(), 3U);
+  const auto last_at = [&](dvec2 place) {
+    std::size_t last = none;
+    for (const auto& polygon : order) {
+      if (hit(in_scalar<Exact>(polygon), {Exact(place.x), Exact(place.y), Exact(0)},
+              {Exact(0), Exact(0), Exact(1)}))
+        last = polygon.face;
+    }
+    return last;
+  };
+  EXPECT_EQ(last_at({10, 0}), 1U);
+  EXPECT_EQ(last_at({5, 8}), 2U);
+  EXPECT_EQ(last_at({0, 0}), 0U);
+}
+
+TEST(BspTree, PiercingSquaresAreCut) {
+  const std::vector<Polygon<double>> squares{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, 0},
+                                             {{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, 1}};
+  const Tree<double> tree = build(squares);
+  ASSERT_EQ(tree.size(), 3U);
+  EXPECT_EQ(polygon_count(tree), 3U);
+  const auto order = drawn(tree, {0, 1, 1, 0});
+  ASSERT_EQ(order.size(), 3U);
+  EXPECT_EQ(order[1].face, 0U) << "the halves of the other lie behind it and in front of it";
+}
+
+TEST(BspTree, WhatLiesInOnePlaneIsNotCut) {
+  const std::vector<Polygon<double>> squares{{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 0},
+                                             {{{1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}}, 1},
+                                             {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 2}};
+  const Tree<double> tree = build(squares);
+  ASSERT_EQ(tree.size(), 1U);
+  EXPECT_EQ(tree[0].polygons.size(), 3U);
+}
+
+TEST(BspTree, NothingGivesNoTree) {
+  EXPECT_TRUE(build(std::vector<Polygon<double>>{}).empty());
+  EXPECT_TRUE(drawn(Tree<double>{}, {0, 0, 1, 0}).empty());
+}
+
+TEST(BspTree, RefusesWhatHasNoInside) {
+  const std::vector<Polygon<double>> line{{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, 7}};
+  EXPECT_THROW(build(line), ContractViolation);
+  EXPECT_THROW(build(std::vector<Polygon<double>>{{{{0, 0, 0}, {1, 1, 1}}, 7}}), ContractViolation);
+}
+
+/// Along any ray, what comes later in the order is never farther from the eye.
+TEST(BspTree, NothingCoversWhatComesLater) {
+  Random random(test::seed());
+  int hits = 0, cuts = 0;
+  for (int round = 0; round < 60; ++round) {
+    const ExactScope scope;
+    const auto scene = random_scene(random, 8);
+    const Tree<Exact> tree = build(in_scalar<Exact>(scene));
+    cuts += static_cast<int>(polygon_count(tree)) - 8;
+    const bool distant = round % 2 == 0;
+    const auto whole = [&](int most) { return Exact(random.uniform_int(-most, most)); };
+    const ExactVec3 eye{whole(20), whole(20), Exact(random.uniform_int(7, 20))};
+    const auto order = drawn(tree, Eye<Exact>{eye, distant ? Exact(0) : Exact(1)});
+    for (int ray = 0; ray < 40; ++ray) {
+      const ExactVec3 place{whole(60) / Exact(10), whole(60) / Exact(10), whole(60) / Exact(10)};
+      const ExactVec3 from = distant ? place : eye, way = distant ? -eye : place - eye;
+      std::optional<Exact> before;
+      for (const auto& polygon : order) {
+        const auto at = hit(polygon, from, way);
+        if (!at || (!distant && *at <= Exact(0))) continue;
+        if (before) EXPECT_LE(*at, *before);
+        before = at;
+        ++hits;
+      }
+    }
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(cuts, 200);
+}
+
+/// The parts of a polygon have its whole area, and its own normal.
+TEST(BspTree, PartsMakeTheWhole) {
+  Random random(test::seed());
+  for (int round = 0; round < 60; ++round) {
+    const ExactScope scope;
+    const auto scene = in_scalar<Exact>(random_scene(random, 8));
+    std::map<std::size_t, ExactVec3> areas;
+    const auto area_of = [](const Polygon<Exact>& polygon) {
+      ExactVec3 area{Exact(0), Exact(0), Exact(0)};
+      const auto& p = polygon.corners;
+      for (std::size_t i = 1; i + 1 < p.size(); ++i) area = area + glm::cross(p[i] - p[0], p[i + 1] - p[0]);
+      return area;
+    };
+    for (const auto& node : build(scene)) {
+      for (const auto& polygon : node.polygons) {
+        auto [sum, first] = areas.try_emplace(polygon.face, ExactVec3{Exact(0), Exact(0), Exact(0)});
+        sum->second = sum->second + area_of(polygon);
+      }
+    }
+    for (const auto& polygon : scene) EXPECT_EQ(areas.at(polygon.face), area_of(polygon));
+  }
+}
+
+TEST(BspTree, CutsAreTheNearestDoubles) {
+  Random random(test::seed());
+  int cuts = 0;
+  for (int round = 0; round < 300; ++round) {
+    const ExactScope scope;
+    std::array<dvec3, 5> p;
+    for (dvec3& corner : p) corner = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Plane<double> plane{p[0], p[1], p[2]};
+    if (orient3d(p[0], p[1], p[2], p[3]) * orient3d(p[0], p[1], p[2], p[4]) >= 0) continue;
+    const auto exactly = [](dvec3 q) { return ExactVec3{Exact(q.x), Exact(q.y), Exact(q.z)}; };
+    const ExactVec3 right =
+        crossing(Plane<Exact>{exactly(p[0]), exactly(p[1]), exactly(p[2])}, exactly(p[3]), exactly(p[4]));
+    const dvec3 at = crossing(plane, p[3], p[4]);
+    EXPECT_EQ(at, (dvec3{to_double(right.x), to_double(right.y), to_double(right.z)}));
+    ++cuts;
+  }
+  EXPECT_GT(cuts, 40);
+}
+
+TEST(BspTree, ADistantEyeIsOnTheSideToWhichItLooks) {
+  const Plane<double> plane{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 1e-300, 0}), 1);
+  EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, -1e-300, 0}), -1);
+  EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 0, 0}), 0);
+  EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 1, 1}), 0);
+  EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 2, 1}), 1);
+}
+
+TEST(BspTree, WatchingChangesNothing) {
+  Random random(test::seed());
+  const auto scene = random_scene(random, 12);
+  Recorder<PlaneTaken, Placed<double>, Split<double>, Built> recorder;
+  const Tree<double> watched = build(scene, ExactSide{}, recorder), plain = build(scene);
+  ASSERT_EQ(watched.size(), plain.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    ASSERT_EQ(watched[i].polygons.size(), plain[i].polygons.size());
+    for (std::size_t k = 0; k < plain[i].polygons.size(); ++k)
+      EXPECT_EQ(watched[i].polygons[k].corners, plain[i].polygons[k].corners);
+  }
+  std::vector<std::size_t> seen;
+  const auto watch = [&](const auto& step) {
+    if constexpr (requires { step.polygon; }) seen.push_back(step.polygon.face);
+  };
+  std::vector<std::size_t> order;
+  back_to_front(
+      plain, Eye<double>{1, 2, 3, 0}, [&](const Polygon<double>& p) { order.push_back(p.face); }, watch);
+  EXPECT_EQ(seen, order);
+}
+
+}  // namespace
+}  // namespace gradus::bsp_tree
