@@ -57,6 +57,12 @@ constexpr bool beats(const Cell<T, Key>& cell, T depth, const Key& key) {
   return depth == cell.depth && key < cell.key;
 }
 
+/// The cell holds this from now on.
+template <class T, class Key>
+constexpr void take(Cell<T, Key>& cell, T depth, const Key& key) {
+  cell = {depth, key, true};
+}
+
 /// Tests a depth at a pixel and keeps it when it is the nearest so far. Returns whether it was kept.
 /// Source: W. Straßer, Schnelle Kurven- und Flächendarstellung auf grafischen Sichtgeräten, 1974; E. Catmull,
 /// A subdivision algorithm for computer display of curved surfaces, 1974.
@@ -75,7 +81,7 @@ constexpr bool keep_nearest(Raster<Cell<T, Key>>& buffer, ivec2 pixel, T depth, 
   auto& cell = buffer[pixel];
   const bool nearer = beats(cell, depth, key);
   if constexpr (observed<O>) observer(Compared<T, Key>{pixel, depth, key, held(cell), nearer});
-  if (nearer) cell = {depth, key, true};
+  if (nearer) take(cell, depth, key);
   return nearer;
 }
 
@@ -158,6 +164,11 @@ class Outline {
     for (int x = box_.lower.x; x <= box_.upper.x; ++x) {
       if (holds({x, y})) visit(ivec2{x, y});
     }
+  }
+  /// The same for all rows, from top to bottom.
+  template <class Visit>
+  void visit(Visit&& visit_pixel) const {
+    for (int y = box_.lower.y; y <= box_.upper.y; ++y) visit_row(y, visit_pixel);
   }
 
  private:
@@ -258,10 +269,6 @@ inline std::vector<Prepared> outlines(std::span<const Face> faces, const Window&
   for (const Face& face : faces) all.push_back({face.id, plane_of(face), Outline(face, picture)});
   return all;
 }
-/// The first and the last row that an outline asks for.
-inline std::pair<int, int> rows(const Outline& outline) {
-  return {outline.box().lower.y, outline.box().upper.y};
-}
 template <class T, class Key>
 constexpr std::int64_t bytes_of(std::span<Cell<T, Key>> cells) {
   return static_cast<std::int64_t>(cells.size_bytes());
@@ -299,18 +306,17 @@ void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, S
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
       // Its depth at the pixel's centre
-      const auto z = store(plane->at(p));
+      auto z = store(plane->at(p));
       auto& cell = buffer[p];
       const auto old = held(cell);
-      const bool nearer = beats(cell, z, id);
-      if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, nearer});
+      bool wins = beats(cell, z, id);
+      if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
       // The nearer one stays
-      if (nearer) cell = {z, id, true};
+      if (wins) take(cell, z, id);
       ++compared;
-      kept += nearer;
+      kept += wins;
     };
-    const auto [top, bottom] = rows(outline);
-    for (int y = top; plane && y <= bottom; ++y) outline.visit_row(y, visit);
+    if (plane) outline.visit(visit);
     if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
   }
   if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(buffer.cells())});
@@ -343,16 +349,17 @@ void scanline(std::span<const Face> faces, const Window& picture, std::span<Cell
     std::ranges::fill(line, Cell<Depth, Id>{});
     const auto compared_before = compared, kept_before = kept;
     if constexpr (observed<O>) observer(RowBegun{y});
-    for (auto& [id, plane, outline] : prepared) {
+    for (auto& face : prepared) {
+      auto& [id, plane, outline] = face;
       const auto visit = [&](ivec2 p) {
-        const auto z = store(plane->at(p));
+        auto z = store(plane->at(p));
         auto& cell = cell_of(line, p.x - left);
         const auto old = held(cell);
-        const bool nearer = beats(cell, z, id);
-        if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, nearer});
-        if (nearer) cell = {z, id, true};
+        bool wins = beats(cell, z, id);
+        if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
+        if (wins) take(cell, z, id);
         ++compared;
-        kept += nearer;
+        kept += wins;
       };
       if (plane) outline.visit_row(y, visit);
     }

@@ -26,22 +26,21 @@ void integer_colours(std::span<const Face> faces, Raster<Cell<double, Id>>& dept
     const auto compared_before = compared, kept_before = kept;
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
-      const auto z = plane->at(p);
+      auto z = plane->at(p);
       auto& cell = depths[p];
       const auto old = held(cell);
-      const bool nearer = beats(cell, z, id);
-      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, nearer});
-      if (nearer) {
-        cell = {z, id, true};
+      bool wins = beats(cell, z, id);
+      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, wins});
+      if (wins) {
+        take(cell, z, id);
         // Whole numbers: the rest is lost
         auto& colour = colours[p];
         colour = glm::ivec3(colour_of(id));
       }
       ++compared;
-      kept += nearer;
+      kept += wins;
     };
-    const auto [top, bottom] = rows(outline);
-    for (int y = top; plane && y <= bottom; ++y) outline.visit_row(y, visit);
+    if (plane) outline.visit(visit);
     if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
   }
   if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(depths.cells())});
@@ -62,18 +61,17 @@ void first_come(std::span<const Face> faces, Raster<Cell<double, Id>>& buffer, O
     const auto compared_before = compared, kept_before = kept;
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
-      const auto z = plane->at(p);
+      auto z = plane->at(p);
       auto& cell = buffer[p];
       const auto old = held(cell);
       // Equal depths: nobody asks who
-      const bool nearer = !old || z < *old;
-      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, nearer});
-      if (nearer) cell = {z, id, true};
+      bool wins = !old || z < *old;
+      if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, wins});
+      if (wins) take(cell, z, id);
       ++compared;
-      kept += nearer;
+      kept += wins;
     };
-    const auto [top, bottom] = rows(outline);
-    for (int y = top; plane && y <= bottom; ++y) outline.visit_row(y, visit);
+    if (plane) outline.visit(visit);
     if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
   }
   if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(buffer.cells())});

@@ -10,7 +10,7 @@ namespace gradus::z_buffer {
 namespace {
 
 /// What a picture shows at last: whose each pixel is.
-using Shown = std::map<std::pair<int, int>, Id>;
+using Owners = std::map<std::pair<int, int>, Id>;
 
 /// What the run is asked for besides its faces.
 struct Look {
@@ -21,7 +21,7 @@ struct Look {
 template <class T>
 class Story {
  public:
-  Story(const Words& words, const Subject& subject, DepthText<T> text, Look look, const Shown& right)
+  Story(const Words& words, const Subject& subject, DepthText<T> text, Look look, const Owners& right)
       : words_(words), subject_(subject), text_(text), look_(look), right_(right) {}
 
   /// The step that tells most: the first pixel of the last face that changes hands.
@@ -45,6 +45,7 @@ class Story {
   }
 
   void show(Board& board, const FaceTaken& f) {
+    settle(board);
     count();
     board.milestone();
     keep_outline(board, f.id, Role::input);
@@ -69,16 +70,26 @@ class Story {
   void show(Board& board, const Compared<T, Id>& c) {
     board.detail(c.pixel);
     ++fine_;
+    tested_ = c.key;
     const auto there = holder_.find(place(c.pixel));
     before_ = there == holder_.end() ? std::nullopt : std::optional(there->second);
     if (c.nearer) {
       holder_[place(c.pixel)] = c.key;
-      board.put(c.pixel, Role::result, text_(c.depth), fill(c.key));
-      if (before_ && tells(c.key)) telling_ = {milestones_, fine_};
     }
+    if (before_ && tells(c)) {
+      telling_ = {milestones_, fine_};
+      told_ = c.key;
+    }
+    settle(board);
+    // The two depths stand in the pixel, one above the other, until the next step
+    const std::string kept = text_(c.nearer ? c.depth : *c.before);
+    at_hand_ = {c.pixel, {Role::result, kept, fill(holder_[place(c.pixel)])}};
+    board.put(c.pixel, Role::result, "", at_hand_->second.color);
     const Role role = c.nearer ? Role::current : Role::rejected;
+    const dvec2 p(c.pixel), half{0, 0.23};
     board.mark("at", role, square(c.pixel));
-    board.mark("at test", role, Label{dvec2(c.pixel), test_text(c)});
+    board.mark("at new", Role::input, Text{p - half, text_(c.depth)});
+    board.mark("at old", Role::input, Text{p + half, relation(c)});
   }
   Event say(const Compared<T, Id>& c) const {
     const std::string face = subject_.name(c.key), z = text_(c.depth);
@@ -94,6 +105,17 @@ class Story {
                 .row = {face, c.pixel.x, c.pixel.y, z, old, c.nearer ? face : other},
                 .key = pixel_key(c.pixel)};
     event.level = Level::step;
+    if (look_.whole && c.nearer) {
+      event.text = "whole";
+      event.words.push_back({"colour", channels(subject_.color(c.key))});
+      event.words.push_back({"rest", channels(fill(c.key))});
+    }
+    if (before_ && !c.nearer && is_wrong(c.pixel)) {
+      const double exact = depth_at(c.key, c.pixel), held = depth_at(*before_, c.pixel);
+      event.text = exact == held ? "tie_wrong" : "fight";
+      event.words.push_back({"exact", digits(exact)});
+      event.words.push_back({"held", digits(held)});
+    }
     event.decides = yes_or_no(words_, tie ? "question.tie" : "question",
                               {{"z", z}, {"old", old}, {"face", face}, {"other", other}}, c.nearer,
                               c.before ? "nearer" : "free", tie ? "tie" : "farther");
@@ -101,6 +123,7 @@ class Story {
   }
 
   void show(Board& board, const FaceDone& f) {
+    settle(board);
     count();
     board.milestone();
     keep_outline(board, f.id, Role::input);
@@ -109,13 +132,14 @@ class Story {
     return {.text = "face_done",
             .facts = {{"compared", f.compared}, {"kept", f.kept}},
             .words = {{"face", subject_.name(f.id)}, {"kept", f.kept}, {"left", f.compared - f.kept}},
-            .note = words_.say("note.face_done", {{"face", subject_.name(f.id)}}),
             .count = f.compared,
+            .note = words_.say("note.face_done", {{"face", subject_.name(f.id)}}),
             .key = subject_.name(f.id),
             .level = Level::idea};
   }
 
   void show(Board& board, const RowBegun& r) {
+    settle(board);
     count();
     board.milestone({0, r.y});
     clear_row(board, r.y);
@@ -128,6 +152,7 @@ class Story {
             .key = figure_number(r.y)};
   }
   void show(Board& board, const RowDone& r) {
+    settle(board);
     count();
     board.milestone({0, r.y});
     for (int x = 0; x < subject_.size.x; ++x) {
@@ -150,6 +175,7 @@ class Story {
   }
 
   void show(Board& board, const Finished&) {
+    settle(board);
     board.detail();
     board.remove(look_.rows ? "row" : "face");
     if (look_.rows) {
@@ -160,9 +186,9 @@ class Story {
       if (there != holder_.end() && there->second == id) continue;
       const ivec2 pixel{at.first, at.second};
       wrong_.push_back(pixel);
-      const dvec2 p(pixel), corner{0.42, 0.42}, other{0.42, -0.42};
-      board.keep(fmt::format("wrong {}", pixel_key(pixel)), Role::rejected, Stroke{p - corner, p + corner});
-      board.keep(fmt::format("wrong {} b", pixel_key(pixel)), Role::rejected, Stroke{p - other, p + other});
+      const dvec2 p = dvec2(pixel) + dvec2{0.32, -0.32}, down{0.1, 0.1}, up{0.1, -0.1};
+      board.keep(fmt::format("wrong {}", pixel_key(pixel)), Role::measure, Stroke{p - down, p + down});
+      board.keep(fmt::format("wrong {} b", pixel_key(pixel)), Role::measure, Stroke{p - up, p + up});
     }
   }
   Event say(const Finished& f) const {
@@ -188,7 +214,21 @@ class Story {
     ++milestones_;
     fine_ = 0;
   }
-  bool tells(Id id) const { return !telling_ || subject_.faces.back().id == id; }
+  /// Whether this pixel tells more than those before: one that goes wrong, or else one that changes hands.
+  bool tells(const Compared<T, Id>& c) {
+    if (is_wrong(c.pixel)) return !std::exchange(told_wrong_, true);
+    return c.nearer && !told_wrong_ && told_ != c.key;
+  }
+  /// Whether the pixel shows another face than it will in the end.
+  bool is_wrong(ivec2 pixel) const {
+    const auto end = right_.find(place(pixel));
+    return end != right_.end() && *before_ != end->second && holder_.at(place(pixel)) != end->second &&
+           tested_ == end->second;
+  }
+  double depth_at(Id id, ivec2 pixel) const {
+    const auto plane = plane_of({subject_.corners(id), id});
+    return plane ? plane->at(pixel) : 0;
+  }
 
   Rgba8 fill(Id id) const {
     const Rgba8 c = subject_.color(id);
@@ -196,12 +236,23 @@ class Story {
     const auto whole = [](std::uint8_t channel) { return static_cast<std::uint8_t>(channel / 255 * 255); };
     return {whole(c.r), whole(c.g), whole(c.b), 255};
   }
-  std::string test_text(const Compared<T, Id>& c) const {
-    const std::string z = text_(c.depth);
-    if (!c.before) return z + " < ∞";
-    const std::string old = text_(*c.before);
-    if (*c.before == c.depth) return z + " = " + old;
-    return z + (c.nearer ? " < " : " > ") + old;
+  /// Red, green and blue from 0 to 1.
+  static dvec3 channels(Rgba8 c) {
+    const auto share = [](std::uint8_t channel) { return std::round(channel / 2.55) / 100; };
+    return {share(c.r), share(c.g), share(c.b)};
+  }
+  /// As many digits as tell nearly coplanar faces apart.
+  static std::string digits(double z) { return fmt::format("{}{:.9g}", z < 0 ? "−" : "", std::abs(z)); }
+  /// How the new depth, which stands above, compares with the old one.
+  std::string relation(const Compared<T, Id>& c) const {
+    if (!c.before) return "< ∞";
+    return (*c.before == c.depth ? "= " : c.depth < *c.before ? "< " : "> ") + text_(*c.before);
+  }
+  /// The pixel of the last step shows its depth alone again.
+  void settle(Board& board) {
+    if (at_hand_)
+      board.put(at_hand_->first, at_hand_->second.role, at_hand_->second.text, at_hand_->second.color);
+    at_hand_.reset();
   }
   static Path square(ivec2 pixel) {
     const dvec2 p(pixel);
@@ -241,9 +292,11 @@ class Story {
   const Subject& subject_;
   const DepthText<T> text_;
   const Look look_;
-  const Shown& right_;
-  Shown holder_;
-  std::optional<Id> before_;
+  const Owners& right_;
+  Owners holder_;
+  std::optional<Id> before_, tested_, told_;
+  bool told_wrong_ = false;
+  std::optional<std::pair<ivec2, CellLook>> at_hand_;
   std::vector<ivec2> wrong_;
   std::int64_t milestones_ = -1;
   int fine_ = 0;
@@ -253,10 +306,10 @@ class Story {
 // --- The methods
 
 /// What is right, drawn with depths as they are.
-Shown right_of(const Subject& subject) {
+Owners right_of(const Subject& subject) {
   Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
   per_polygon<double>(subject.faces, buffer);
-  Shown shown;
+  Owners shown;
   for (int y = 0; y < subject.size.y; ++y) {
     for (int x = 0; x < subject.size.x; ++x) {
       const auto& cell = buffer[{x, y}];
@@ -266,23 +319,27 @@ Shown right_of(const Subject& subject) {
   return shown;
 }
 
+/// What stands unchanged behind all steps. base: of the codes in the cells.
 void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   const Words& words = narrator.words();
   narrator.subtitle("subtitle",
                     {{"faces", subject.faces.size()}, {"columns", subject.size.x}, {"rows", subject.size.y}});
-  narrator.trace().grid = {
-      .cells = subject.picture(), .y_up = false, .x_name = "x", .y_name = "y", .whole = true};
+  Grid& grid = narrator.trace().grid;
+  grid.cells = subject.picture();
+  grid.y_up = false;
+  grid.whole = true;
   narrator.legend({{Role::input, "input"},
                    {Role::boundary, "boundary"},
                    {Role::candidate, "candidate"},
                    Role::current,
-                   Role::rejected});
+                   {Role::rejected, marks_wrong ? "rejected_wrong" : "rejected"}});
   for (const Face& face : subject.faces) {
     narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});
   }
   if (base != 0) {
     narrator.trace().subtitle +=
-        words.say("subtitle.base", {{"base", base}, {"depth", narrator.arguments().text("depth")}});
+        words.say("subtitle.base",
+                  {{"base", base}, {"depth", words.say("depth." + narrator.arguments().text("depth"))}});
   }
 }
 
@@ -290,7 +347,7 @@ template <class T, class Run>
 void tell_walk(Narrator& narrator, const Subject& subject, auto store, Look look, const Run& run) {
   const DepthText<T> text(subject, store);
   set_scene(narrator, subject, text.base());
-  const Shown right = right_of(subject);
+  const Owners right = right_of(subject);
   Story<T> story(narrator.words(), subject, text, look, right);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
@@ -367,13 +424,11 @@ const TopicEntry& entry() {
                    {.name = "first_come",
                     .standing = Standing::faulty,
                     .tell = tell_first_come,
-                    .without = {"depth", "near", "far"},
-                    .why_without = "it keeps depths as they are"},
+                    .unread = {"depth", "near", "far"}},
                    {.name = "integer_colours",
                     .standing = Standing::faulty,
                     .tell = tell_integer_colours,
-                    .without = {"depth", "near", "far"},
-                    .why_without = "it keeps depths as they are"}},
+                    .unread = {"depth", "near", "far"}}},
        .default_method = "per_polygon",
        .columns = {{"face", false}, {"x"}, {"y"}, {"z"}, {"old"}, {"shown", false}},
        .parameters =

@@ -14,10 +14,10 @@ inline constexpr std::array<Rgba8, 4> own_colors{Rgba8{86, 180, 233, 255}, Rgba8
 
 struct Subject {
   std::vector<NamedFace> named;  ///< as given
-  std::vector<Rgba8> colors;     ///< by face
-  std::vector<Face> faces;       ///< in the order of drawing
   ivec2 size;
   Range range;
+  std::vector<Rgba8> colors{};  ///< by face
+  std::vector<Face> faces{};    ///< in the order of drawing
 
   const std::string& name(Id id) const { return named[static_cast<std::size_t>(id.face)].name; }
   Rgba8 color(Id id) const { return colors[static_cast<std::size_t>(id.face)]; }
