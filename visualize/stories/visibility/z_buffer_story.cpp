@@ -332,7 +332,8 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
                    {Role::boundary, "boundary"},
                    {Role::candidate, "candidate"},
                    Role::current,
-                   {Role::rejected, marks_wrong ? "rejected_wrong" : "rejected"}});
+                   Role::rejected,
+                   Role::measure});
   for (const Face& face : subject.faces) {
     narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});
   }
