@@ -26,6 +26,8 @@ class Story {
 
   /// The step that tells most: the first pixel of the last face that changes hands.
   std::optional<StepNumber> telling() const { return telling_; }
+  /// How far apart depths must lie to be stored as two.
+  void precision(double distance) { precision_ = distance; }
   std::int64_t wrong() const { return std::ssize(wrong_); }
 
   void show(Board& board, const steps::Started&) {
@@ -33,7 +35,7 @@ class Story {
     board.milestone();
     for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(board, y);
     if (look_.rows) {
-      for (const Face& face : subject_.faces) keep_outline(board, face.id, Role::boundary);
+      for (const Face& face : subject_.faces) keep_outline(board, face.id, Role::guide);
     }
   }
   Event say(const steps::Started&) const {
@@ -204,7 +206,12 @@ class Story {
                           {"compared", f.compared},
                           {"kept", f.kept}},
                 .count = f.compared};
-    if (!wrong_.empty()) event.count = std::ssize(wrong_);
+    if (wrong_.empty()) return event;
+    event.count = std::ssize(wrong_);
+    if constexpr (!std::same_as<T, double>) {
+      event.text = "finished_fight";
+      event.words.push_back({"precision", precision_});
+    }
     return event;
   }
 
@@ -301,6 +308,7 @@ class Story {
   std::int64_t milestones_ = -1;
   int fine_ = 0;
   std::optional<StepNumber> telling_;
+  double precision_ = 0;
 };
 
 // --- The methods
@@ -328,20 +336,14 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   grid.cells = subject.picture();
   grid.y_up = false;
   grid.whole = true;
-  narrator.legend({{Role::input, "input"},
-                   {Role::boundary, "boundary"},
-                   {Role::candidate, "candidate"},
-                   Role::current,
-                   Role::rejected,
-                   Role::measure});
+  narrator.legend(
+      {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
   for (const Face& face : subject.faces) {
     narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});
   }
-  if (base != 0) {
-    narrator.trace().subtitle +=
-        words.say("subtitle.base",
-                  {{"base", base}, {"depth", words.say("depth." + narrator.arguments().text("depth"))}});
-  }
+  if (base == 0) return;
+  const std::string& depth = narrator.arguments().text("depth");
+  narrator.trace().subtitle += words.say("codes." + depth, {{"base", base}});
 }
 
 template <class T, class Run>
@@ -350,6 +352,7 @@ void tell_walk(Narrator& narrator, const Subject& subject, auto store, Look look
   set_scene(narrator, subject, text.base());
   const Owners right = right_of(subject);
   Story<T> story(narrator.words(), subject, text, look, right);
+  story.precision(distance_between_codes(subject, store));
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   run(watch);

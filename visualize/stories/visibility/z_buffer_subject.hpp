@@ -92,7 +92,7 @@ inline Subject subject_of(const Arguments& arguments) {
            subject.faces.size());
   }
   const std::vector<Face> given = subject.faces;
-  for (std::size_t i = 0; i < order->size(); ++i) subject.faces[i] = given[(*order)[i] - 1];
+  for (std::size_t i = 0; i < order->size(); ++i) subject.faces[i] = given[(*order)[i]];
   return subject;
 }
 
@@ -101,6 +101,17 @@ inline std::int64_t code_of(std::int32_t depth) { return depth; }
 inline std::int64_t code_of(float depth) {
   const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(depth) & 0x7fffffff);
   return std::signbit(depth) ? -bits : bits;
+}
+
+/// How far two depths lie apart, at least, to be stored as two, where the faces begin.
+inline double distance_between_codes(const Subject&, Exactly) { return 0; }
+inline double distance_between_codes(const Subject& subject, AsFixed24) {
+  return (subject.range.far - subject.range.near) / AsFixed24::most;
+}
+template <class Store>
+double distance_between_codes(const Subject& subject, const Store& store) {
+  const float at = std::abs(store(subject.faces.front().corners.front().z));
+  return (double{std::nextafter(at, 2.0f)} - double{at}) * (subject.range.far - subject.range.near);
 }
 
 /// Depths as figures write them: as they are, or as codes from a round number on.
