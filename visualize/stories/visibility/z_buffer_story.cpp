@@ -206,10 +206,10 @@ class Story {
                           {"compared", f.compared},
                           {"kept", f.kept}},
                 .count = f.compared};
-    if (wrong_.empty()) return event;
-    event.count = std::ssize(wrong_);
+    if (!wrong_.empty()) event.count = std::ssize(wrong_);
     if constexpr (!std::same_as<T, double>) {
-      event.text = "finished_fight";
+      event.text = wrong_.empty() ? "finished_precise" : "finished_fight";
+      if (wrong_.empty()) event.count = std::ssize(holder_);
       event.words.push_back({"precision", precision_});
     }
     return event;
