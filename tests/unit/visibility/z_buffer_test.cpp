@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/record.hpp"
+#include "visibility/z_buffer/z_buffer_notes.hpp"
 
 namespace gradus::z_buffer {
 namespace {
@@ -238,6 +239,33 @@ TEST(ZBuffer, WalksAreTheSameWatched) {
   const auto compared = all<Compared<double, Id>>(seen);
   EXPECT_EQ(compared.size(), 25u + 25 + 30);
   EXPECT_EQ(all<Finished>(seen).front().compared, 80);
+}
+
+// --- The notes
+
+TEST(ZBufferNotes, FacesInOnePlaneDependOnTheOrder) {
+  // E001-31
+  const Scene scene({rectangle({0, 0}, {2, 1}, 3, 3), rectangle({1, 0}, {3, 1}, 3, 3)});
+  const std::vector<Face> turned{scene.faces[1], scene.faces[0]};
+  const auto first = [](std::span<const Face> faces) {
+    Depths buffer(3, 1);
+    first_come(faces, buffer);
+    return picture_of(buffer);
+  };
+  EXPECT_EQ(first(scene.faces), "aab\n");
+  EXPECT_EQ(first(turned), "abb\n");
+  EXPECT_EQ(picture_of(drawn(scene.faces, 3, 1)), "aab\n");
+  EXPECT_EQ(picture_of(drawn(turned, 3, 1)), "aab\n");
+}
+
+TEST(ZBufferNotes, ColoursBecomeWholeNumbers) {
+  // E001-33
+  const Scene scene({rectangle({0, 0}, {2, 1}, 3, 3)});
+  Depths depths(2, 1);
+  Raster<glm::ivec3> colours(2, 1, glm::ivec3(1));
+  integer_colours(scene.faces, depths, colours, [](Id) { return dvec3(0.5, 0.2, 0.9); });
+  EXPECT_EQ((colours[{0, 0}]), glm::ivec3(0));
+  EXPECT_EQ(picture_of(depths), "aa\n");
 }
 
 }  // namespace
