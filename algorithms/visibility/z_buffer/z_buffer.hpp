@@ -258,13 +258,26 @@ struct Finished {
   std::int64_t bytes;           ///< of the depths and ids that were held at once
 };
 
+/// Pixels that were compared, and those that changed hands.
+struct Work {
+  std::int64_t compared = 0, kept = 0;
+
+  constexpr void count(bool wins) {
+    ++compared;
+    kept += wins;
+  }
+  constexpr void add(const Work& more) {
+    compared += more.compared;
+    kept += more.kept;
+  }
+};
 /// What each row of scanline asks a face for.
 struct Prepared {
   Id id;
   std::optional<Plane> plane;
   Outline outline;
 };
-inline std::vector<Prepared> outlines(std::span<const Face> faces, const Window& picture) {
+inline std::vector<Prepared> prepare(std::span<const Face> faces, const Window& picture) {
   std::vector<Prepared> all;
   for (const Face& face : faces) all.push_back({face.id, plane_of(face), Outline(face, picture)});
   return all;
@@ -273,8 +286,13 @@ template <class T, class Key>
 constexpr std::int64_t bytes_of(std::span<Cell<T, Key>> cells) {
   return static_cast<std::int64_t>(cells.size_bytes());
 }
+/// Nothing is in the line yet.
 template <class T, class Key>
-constexpr Cell<T, Key>& cell_of(std::span<Cell<T, Key>> line, int column) {
+constexpr void clear(std::span<Cell<T, Key>> line) {
+  std::ranges::fill(line, Cell<T, Key>{});
+}
+template <class T, class Key>
+constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
   return line[static_cast<std::size_t>(column)];
 }
 
@@ -296,13 +314,13 @@ template <class Depth, class Store = Exactly,
           Observer<FaceTaken, Compared<Depth, Id>, FaceDone, Finished> O = Unobserved>
 void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, Store store = {},
                  O&& observer = {}) {
-  std::int64_t compared = 0, kept = 0;
+  Work all;
   for (const Face& face : faces) {
     const auto id = face.id;
     const auto plane = plane_of(face);
     const Outline outline(  // convex
         face, buffer.window());
-    const auto compared_before = compared, kept_before = kept;
+    Work work;
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
       // Its depth at the pixel's centre
@@ -313,13 +331,13 @@ void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, S
       if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
       // The nearer one stays
       if (wins) take(cell, z, id);
-      ++compared;
-      kept += wins;
+      work.count(wins);
     };
     if (plane) outline.visit(visit);
-    if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
+    all.add(work);
+    if constexpr (observed<O>) observer(FaceDone{id, work.compared, work.kept});
   }
-  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(buffer.cells())});
+  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(buffer.cells())});
 }
 
 /// The same picture row by row, with the depths of one row alone. Every face is asked for its pixels of the
@@ -340,37 +358,38 @@ void scanline(std::span<const Face> faces, const Window& picture, std::span<Cell
               Store store, Paint&& paint, O&& observer = {}) {
   expects(std::ssize(line) == picture.width(), "a line of {} cells is not as wide as the picture",
           line.size());
-  const auto left = picture.lower.x;
-  const auto prepared = outlines(faces, picture);
-  std::int64_t compared = 0, kept = 0;
-  const int top = picture.lower.y;
-  for (int y = top; y <= picture.upper.y; ++y) {
-    // Nothing is in the line yet
-    std::ranges::fill(line, Cell<Depth, Id>{});
-    const auto compared_before = compared, kept_before = kept;
+  const auto [lower, upper] = picture;
+  const int left = lower.x;
+  auto prepared = prepare(faces, picture);
+  Work all;
+  for (int y = lower.y; y <= upper.y; ++y) {
+    // All depths are free again
+    clear(line);
+    Work work;
     if constexpr (observed<O>) observer(RowBegun{y});
     for (auto& face : prepared) {
       auto& [id, plane, outline] = face;
       const auto visit = [&](ivec2 p) {
         auto z = store(plane->at(p));
-        auto& cell = cell_of(line, p.x - left);
+        auto& cell = at(line, p.x - left);
         const auto old = held(cell);
         bool wins = beats(cell, z, id);
         if constexpr (observed<O>) observer(Compared<Depth, Id>{p, z, id, old, wins});
         if (wins) take(cell, z, id);
-        ++compared;
-        kept += wins;
+        work.count(wins);
       };
       if (plane) outline.visit_row(y, visit);
     }
     // The row's colours are final
-    for (int x = left; x <= picture.upper.x; ++x) {
-      const auto& cell = cell_of(line, x - left);
-      if (cell.taken) paint(ivec2{x, y}, cell.key);
+    for (int x = left; x <= upper.x; ++x) {
+      auto& cell = at(line, x - left);
+      const auto [z, id, taken] = cell;
+      if (taken) paint(ivec2{x, y}, id);
     }
-    if constexpr (observed<O>) observer(RowDone{y, compared - compared_before, kept - kept_before});
+    all.add(work);
+    if constexpr (observed<O>) observer(RowDone{y, work.compared, work.kept});
   }
-  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(line)});
+  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(line)});
 }
 
 }  // namespace gradus::z_buffer

@@ -17,13 +17,13 @@ namespace gradus::z_buffer {
 template <class ColourOf, Observer<FaceTaken, Compared<double, Id>, FaceDone, Finished> O = Unobserved>
 void integer_colours(std::span<const Face> faces, Raster<Cell<double, Id>>& depths,
                      Raster<glm::ivec3>& colours, ColourOf&& colour_of, O&& observer = {}) {
-  std::int64_t compared = 0, kept = 0;
+  Work all;
   for (const Face& face : faces) {
     const auto id = face.id;
     const auto plane = plane_of(face);
     const Outline outline(  // convex
         face, depths.window());
-    const auto compared_before = compared, kept_before = kept;
+    Work work;
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
       auto z = plane->at(p);
@@ -37,13 +37,13 @@ void integer_colours(std::span<const Face> faces, Raster<Cell<double, Id>>& dept
         auto& colour = colours[p];
         colour = glm::ivec3(colour_of(id));
       }
-      ++compared;
-      kept += wins;
+      work.count(wins);
     };
     if (plane) outline.visit(visit);
-    if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
+    all.add(work);
+    if constexpr (observed<O>) observer(FaceDone{id, work.compared, work.kept});
   }
-  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(depths.cells())});
+  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(depths.cells())});
 }
 
 /// FAULTY: of equal depths the one drawn first stays, so faces in one plane change places with the order in
@@ -52,13 +52,13 @@ void integer_colours(std::span<const Face> faces, Raster<Cell<double, Id>>& dept
 /// Parameters, Domain, Steps, Cost, Errors: those of per_polygon.
 template <Observer<FaceTaken, Compared<double, Id>, FaceDone, Finished> O = Unobserved>
 void first_come(std::span<const Face> faces, Raster<Cell<double, Id>>& buffer, O&& observer = {}) {
-  std::int64_t compared = 0, kept = 0;
+  Work all;
   for (const Face& face : faces) {
     const auto id = face.id;
     const auto plane = plane_of(face);
     const Outline outline(  // convex
         face, buffer.window());
-    const auto compared_before = compared, kept_before = kept;
+    Work work;
     if constexpr (observed<O>) observer(FaceTaken{id, plane});
     const auto visit = [&](ivec2 p) {
       auto z = plane->at(p);
@@ -68,13 +68,13 @@ void first_come(std::span<const Face> faces, Raster<Cell<double, Id>>& buffer, O
       bool wins = !old || z < *old;
       if constexpr (observed<O>) observer(Compared<double, Id>{p, z, id, old, wins});
       if (wins) take(cell, z, id);
-      ++compared;
-      kept += wins;
+      work.count(wins);
     };
     if (plane) outline.visit(visit);
-    if constexpr (observed<O>) observer(FaceDone{id, compared - compared_before, kept - kept_before});
+    all.add(work);
+    if constexpr (observed<O>) observer(FaceDone{id, work.compared, work.kept});
   }
-  if constexpr (observed<O>) observer(Finished{compared, kept, bytes_of(buffer.cells())});
+  if constexpr (observed<O>) observer(Finished{all.compared, all.kept, bytes_of(buffer.cells())});
 }
 
 }  // namespace gradus::z_buffer

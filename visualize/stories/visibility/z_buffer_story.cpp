@@ -40,10 +40,10 @@ class Story {
   }
   Event say(const steps::Started&) const {
     return {.text = look_.rows ? "started_rows" : "started",
-            .words = {{"faces", subject_.faces.size()},
-                      {"columns", subject_.size.x},
+            .words = {{"columns", subject_.size.x},
                       {"rows", subject_.size.y},
-                      {"pixels", subject_.size.x * subject_.size.y}}};
+                      {"pixels", subject_.size.x * subject_.size.y}},
+            .count = std::ssize(subject_.faces)};
   }
 
   void show(Board& board, const FaceTaken& f) {
@@ -330,8 +330,8 @@ Owners right_of(const Subject& subject) {
 /// What stands unchanged behind all steps. base: of the codes in the cells.
 void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   const Words& words = narrator.words();
-  narrator.subtitle("subtitle",
-                    {{"faces", subject.faces.size()}, {"columns", subject.size.x}, {"rows", subject.size.y}});
+  narrator.trace().subtitle = words.count("subtitle", std::ssize(subject.faces),
+                                          {{"columns", subject.size.x}, {"rows", subject.size.y}});
   Grid& grid = narrator.trace().grid;
   grid.cells = subject.picture();
   grid.y_up = false;
