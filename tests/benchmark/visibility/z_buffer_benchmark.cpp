@@ -16,7 +16,7 @@ namespace {
 using namespace z_buffer;
 
 constexpr int width = 256;
-constexpr Range range{0, 1000};
+constexpr Range range{-100, 1000};
 
 /// So many rectangles of a side of about `side` pixels.
 struct Workload {
