@@ -16,7 +16,8 @@ namespace {
 using namespace z_buffer;
 
 constexpr int width = 256;
-constexpr Range range{-100, 1000};
+/// Far enough for formats to differ: 24 bits are 0.06 apart.
+constexpr Range range{-100, 1e6};
 
 /// So many rectangles of a side of about `side` pixels.
 struct Workload {
@@ -61,12 +62,16 @@ Case case_of(const Workload& work, const std::shared_ptr<Scene>& scene, std::str
   for (int y = 0; y < width; ++y) {
     for (int x = 0; x < width; ++x) {
       const auto& cell = scene->right[{x, y}];
-      if (cell.taken && cell.key != (*ids)[{x, y}]) sum.wrong_decision();
+      if (!cell.taken) continue;
+      const Id shown = (*ids)[{x, y}];
+      const auto plane = plane_of(scene->faces[static_cast<std::size_t>(shown.face)]);
+      sum.add(plane->at({x, y}) - cell.depth);
+      if (cell.key != shown) sum.wrong_decision();
     }
   }
   return {.method = std::move(name),
           .standing = standing,
-          .workload = {work.name, static_cast<double>(work.count)},
+          .workload = {work.name, static_cast<double>(scene->covered)},
           .items = scene->covered,
           .run = run,
           .error = sum.error()};
@@ -106,8 +111,8 @@ Subject z_buffer() {
   return {.topic = "z_buffer",
           .title = "Faces through the z-buffer",
           .item = "covered pixel",
-          .unit = "pixels",
-          .measure = "faces",
+          .unit = "units of depth",
+          .measure = "covered pixels",
           .telling = "heavy overdraw",
           .cases = cases};
 }
