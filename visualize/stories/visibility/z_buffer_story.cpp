@@ -335,6 +335,8 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   Grid& grid = narrator.trace().grid;
   grid.cells = subject.picture();
   grid.y_up = false;
+  grid.x_name = words.symbol("x");
+  grid.y_name = words.symbol("y");
   grid.whole = true;
   narrator.legend(
       {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
