@@ -86,12 +86,15 @@ class Story {
     // The two depths stand in the pixel, one above the other, until the next step
     const std::string kept = text_(c.nearer ? c.depth : *c.before);
     at_hand_ = {c.pixel, {Role::result, kept, fill(holder_[place(c.pixel)])}};
-    board.put(c.pixel, Role::result, "", at_hand_->second.color);
+    const std::string now = text_(c.depth), before = relation(c);
+    const bool fits = std::max(now.size() + 2, before.size()) <= widest;
+    board.put(c.pixel, Role::result, fits ? "" : kept, at_hand_->second.color);
     const Role role = c.nearer ? Role::current : Role::rejected;
     const dvec2 p(c.pixel), half{0, 0.23};
     board.mark("at", role, square(c.pixel));
-    board.mark("at new", Role::input, Text{p - half, text_(c.depth)});
-    board.mark("at old", Role::input, Text{p + half, relation(c)});
+    if (!fits) return;
+    board.mark("at new", Role::input, Text{p - half, now});
+    board.mark("at old", Role::input, Text{p + half, before});
   }
   Event say(const Compared<T, Id>& c) const {
     const std::string face = subject_.name(c.key), z = text_(c.depth);
@@ -216,6 +219,9 @@ class Story {
   }
 
  private:
+  /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞".
+  static constexpr std::size_t widest = 5;
+
   static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
   void count() {
     ++milestones_;
