@@ -128,7 +128,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   }
   z_buffer("first_come", level, "2,1,3", "exact", "10");
   const std::string behind =
-      "A: 0,0,500 1,0,500 1,1,500 0,1,500; B: 0,0,499.99 1,0,499.99 1,1,499.99 0,1,499.99";
+      "A: 0,0,500 1,0,500 1,1,500 0,1,500; B: 0,0,499.999 1,0,499.999 1,1,499.999 0,1,499.999";
   z_buffer("per_polygon", behind, "given", "fixed24", "1000000");
   z_buffer("first_come", pixel + "; B: 0,0,5 1,0,5 1,1,5 0,1,5", "2,1", "exact", "10");
   z_buffer("integer_colours", pixel, "given", "exact", "10");
