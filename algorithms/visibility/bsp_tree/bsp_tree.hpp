@@ -259,6 +259,18 @@ struct Subspace {
   void add(const Polygon<T>& polygon) { polygons.push_back(polygon); }
 };
 
+/// What there is to part at first.
+template <class T>
+std::vector<Subspace<T>> whole_space(const std::vector<Polygon<T>>& polygons) {
+  return {{none, false, polygons}};
+}
+
+/// A polygon lies in a node's plane.
+template <class T>
+void add_to_node(Tree<T>& tree, std::size_t node, const Polygon<T>& polygon) {
+  tree[node].polygons.push_back(polygon);
+}
+
 /// Makes the node of the first polygon's plane, and links it to its parent.
 template <class T>
 std::size_t add_node(Tree<T>& tree, const Subspace<T>& space) {
@@ -314,9 +326,9 @@ template <class T, class SideOf = ExactSide,
           Observer<PlaneTaken<T>, Placed<T>, Split<T>, Built> O = Unobserved>
 Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, O&& observer = {}) {
   Tree<T> tree;
-  std::vector<Subspace<T>> rest{{none, false, polygons}};
+  auto rest = whole_space(polygons);
   while (!rest.empty()) {
-    const Subspace<T> space = taken_from(rest);
+    const auto space = taken_from(rest);
     if (space.empty()) continue;
     // The first one's plane parts the others
     const auto node = add_node(tree, space);
@@ -326,19 +338,19 @@ Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, 
     Subspace<T> back{node, false};
     for (const auto& p : space.others()) {
       const auto on = sides(plane, p, side);
-      const Side found = side_of(on);
-      if constexpr (observed<O>) observer(Placed<T>{node, p, found});
-      if (found == Side::in_front) front.add(p);
-      if (found == Side::behind) back.add(p);
-      if (found == Side::in_plane) {
-        tree[node].polygons.push_back(p);
+      const Side at = side_of(on);
+      if constexpr (observed<O>) observer(Placed<T>{node, p, at});
+      if (at == Side::in_front) front.add(p);
+      if (at == Side::behind) back.add(p);
+      if (at == Side::in_plane) {
+        add_to_node(tree, node, p);
       }
-      if (found == Side::both) {
+      if (at == Side::both) {
         // Cut along the plane
-        const auto parts = split(plane, p, on);
-        if constexpr (observed<O>) observer(Split<T>{node, parts.in_front, parts.behind});
-        front.add(parts.in_front);
-        back.add(parts.behind);
+        const auto cut = split(plane, p, on);
+        if constexpr (observed<O>) observer(Split<T>{node, cut.in_front, cut.behind});
+        front.add(cut.in_front);
+        back.add(cut.behind);
       }
     }
     rest.push_back(back);
@@ -370,6 +382,12 @@ int side_of_eye(const Plane<T>& plane, const Eye<T>& eye) {
   return (height > T{0}) - (height < T{0});
 }
 
+/// The same of a node's plane.
+template <class T>
+int eye_side(const Node<T>& node, const Eye<T>& eye) {
+  return side_of_eye(node.plane, eye);
+}
+
 /// What is still to be done on the walk: a node's subtree, or its own polygons.
 struct Turn {
   std::size_t node;
@@ -384,12 +402,12 @@ Turn root_of(const Tree<T>& tree) {
 /// The subtree on the eye's side of a node's plane, and the one beyond it. In the plane itself the eye sees
 /// no polygon of it: either may come first.
 template <class T>
-std::size_t near_side(const Node<T>& node, int eye_side) {
-  return eye_side > 0 ? node.in_front : node.behind;
+std::size_t near_side(const Node<T>& node, int side) {
+  return side > 0 ? node.in_front : node.behind;
 }
 template <class T>
-std::size_t far_side(const Node<T>& node, int eye_side) {
-  return eye_side > 0 ? node.behind : node.in_front;
+std::size_t far_side(const Node<T>& node, int side) {
+  return side > 0 ? node.behind : node.in_front;
 }
 
 /// Gives a tree's polygons to `draw` from back to front: before those of a plane all that lies beyond it,
@@ -410,18 +428,18 @@ void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& obse
   while (!turns.empty()) {
     const auto [at, own] = taken_from(turns);
     if (at == none) continue;
-    const Node<T>& node = tree[at];
+    const auto& node = tree[at];
     if (own) {
       // All beyond its plane is drawn
-      for (const Polygon<T>& p : node.polygons) {
+      for (const auto& p : node.polygons) {
         draw(p);
         if constexpr (observed<O>) observer(Drawn<T>{at, p});
       }
       continue;
     }
-    const int side = side_of_eye(node.plane, eye);
+    const int side = eye_side(node, eye);
     if constexpr (observed<O>) observer(Visited{at, side});
-    // The eye's side last, the other one first
+    // The eye's side last, the other first
     turns.push_back({near_side(node, side)});
     turns.push_back({at, true});
     turns.push_back({far_side(node, side)});

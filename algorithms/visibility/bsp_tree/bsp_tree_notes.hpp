@@ -27,9 +27,9 @@ constexpr Side first_side(std::span<const int> sides) {
 template <class T, class SideOf = ExactSide, Observer<PlaneTaken<T>, Placed<T>, Built> O = Unobserved>
 Tree<T> build_uncut(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, O&& observer = {}) {
   Tree<T> tree;
-  std::vector<Subspace<T>> rest{{none, false, polygons}};
+  auto rest = whole_space(polygons);
   while (!rest.empty()) {
-    const Subspace<T> space = taken_from(rest);
+    const auto space = taken_from(rest);
     if (space.empty()) continue;
     // The first one's plane parts the others
     const auto node = add_node(tree, space);
@@ -40,12 +40,12 @@ Tree<T> build_uncut(const std::vector<Polygon<T>>& polygons, const SideOf& side 
     for (const auto& p : space.others()) {
       const auto on = sides(plane, p, side);
       // Cut? The first corner's side will do
-      const Side found = first_side(on);
-      if constexpr (observed<O>) observer(Placed<T>{node, p, found});
-      if (found == Side::in_front) front.add(p);
-      if (found == Side::behind) back.add(p);
-      if (found == Side::in_plane) {
-        tree[node].polygons.push_back(p);
+      const Side at = first_side(on);
+      if constexpr (observed<O>) observer(Placed<T>{node, p, at});
+      if (at == Side::in_front) front.add(p);
+      if (at == Side::behind) back.add(p);
+      if (at == Side::in_plane) {
+        add_to_node(tree, node, p);
       }
     }
     rest.push_back(back);
