@@ -315,8 +315,8 @@ Item taken_from(std::vector<Item>& list) {
 ///   of a plane a point lies; exactly unless another is given, which may take a little as 0 where corners are
 ///   rounded and faces thus not quite flat.
 ///
-/// Domain: the polygons may touch, pierce each other, overlap in a cycle and stand twice in
-///   the list. A part may have no area where rounding has closed it.
+/// Domain: the polygons may touch, pierce each other, overlap in a cycle and stand twice in the list. A part
+///   may have no area where rounding has closed it.
 /// Steps: (PlaneTaken (Placed | Placed Split)*)* Built
 /// Accuracy: sides are exact; corners where a plane cuts are the nearest doubles, and count from then on as
 ///   they stand. With a rational scalar nothing is rounded.
@@ -340,12 +340,13 @@ Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, 
       const auto on = sides(plane, p, side);
       const Side at = side_of(on);
       if constexpr (observed<O>) observer(Placed<T>{node, p, at});
-      if (at == Side::in_front) front.add(p);
-      if (at == Side::behind) back.add(p);
-      if (at == Side::in_plane) {
+      if (at == Side::in_front) {
+        front.add(p);
+      } else if (at == Side::behind) {
+        back.add(p);
+      } else if (at == Side::in_plane) {
         add_to_node(tree, node, p);
-      }
-      if (at == Side::both) {
+      } else {
         // Cut along the plane
         const auto cut = split(plane, p, on);
         if constexpr (observed<O>) observer(Split<T>{node, cut.in_front, cut.behind});

@@ -42,9 +42,11 @@ Tree<T> build_uncut(const std::vector<Polygon<T>>& polygons, const SideOf& side 
       // Cut? The first corner's side will do
       const Side at = first_side(on);
       if constexpr (observed<O>) observer(Placed<T>{node, p, at});
-      if (at == Side::in_front) front.add(p);
-      if (at == Side::behind) back.add(p);
-      if (at == Side::in_plane) {
+      if (at == Side::in_front) {
+        front.add(p);
+      } else if (at == Side::behind) {
+        back.add(p);
+      } else if (at == Side::in_plane) {
         add_to_node(tree, node, p);
       }
     }
