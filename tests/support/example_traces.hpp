@@ -171,6 +171,16 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   for (const char* method : {"vanishing_points", "parallel_by_plane"}) {
     tell("perspective", {{"method", method}, {"turn", "-45,0"}, {"direction", "1,0,1"}, {"at", "0.4,-2,6"}});
   }
+  const auto part = [&](std::string method, std::string faces, std::string towards = "1,2,3") {
+    tell("bsp_tree", {{"method", method}, {"faces", faces}, {"towards", towards}});
+  };
+  const std::string floors =
+      "A: 0,0,0 4,0,0 4,3,0; B: 4,0,0 8,0,0 8,3,0; C: 0,0,2 4,0,2 4,3,2; D: 0,0,-2 4,0,-2 4,3,-2";
+  for (const char* method : {"build", "back_to_front", "uncut"}) part(method, "A: 0,0,0 4,0,0 4,3,0");
+  part("build", floors);
+  part("back_to_front", floors, "0,0,-1");
+  part("back_to_front", floors, "1,0,0");
+  part("uncut", "A: 0,0,0 4,0,0 4,3,0; B: 1,1,2 3,1,-2 3,2,-2 1,2,2");
   const auto clip = [&](std::string polygon, std::map<std::string, std::string> more = {}) {
     more["polygon"] = polygon;
     tell("sutherland_hodgman", more);

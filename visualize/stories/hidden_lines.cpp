@@ -45,6 +45,10 @@ dvec3 area_vector(std::span<const dvec3> ring) {
 
 std::vector<std::vector<dvec3>> convex_parts(const std::vector<dvec3>& ring) {
   if (is_convex(ring, area_vector(ring))) return {ring};
+  return triangles_of(ring);
+}
+
+std::vector<std::vector<dvec3>> triangles_of(const std::vector<dvec3>& ring) {
   std::vector<std::vector<dvec3>> parts;
   ear_clipping::triangulate(ring, [&](const ear_clipping::Triangle& triangle) {
     const auto corner = [&](std::size_t i) { return ring[static_cast<std::size_t>(triangle[i])]; };

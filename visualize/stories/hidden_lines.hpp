@@ -32,6 +32,9 @@ dvec3 area_vector(std::span<const dvec3> ring);
 /// The convex parts of a flat polygon: itself, or triangles.
 std::vector<std::vector<dvec3>> convex_parts(const std::vector<dvec3>& ring);
 
+/// A flat polygon's triangles.
+std::vector<std::vector<dvec3>> triangles_of(const std::vector<dvec3>& ring);
+
 /// What faces hide. The shadow of a convex face, its viewer the lamp, lies behind its plane and within the
 /// planes through its edges and the viewer; the part of a segment in it is an interval, found as Cyrus and
 /// Beck clip. So there are no samples, and faces may be concave, open, touch and pierce each other.

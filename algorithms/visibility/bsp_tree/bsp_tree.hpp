@@ -2,7 +2,6 @@
 // The BSP tree: planes of polygons part space again and again, until the polygons can be walked from back to
 // front for any eye.
 
-#include <array>
 #include <cstddef>
 #include <glm/vec4.hpp>
 #include <span>
@@ -22,11 +21,51 @@ struct Plane {
   glm::vec<3, T> a, b, c;
 };
 
-/// A convex polygon of one plane, or a part of one.
+/// The plane of a polygon, through three corners that lie on no line: those of the largest triangle from the
+/// first corner on, so that their rounding turns it least.
+/// Domain: as Polygon. Errors: ContractViolation for corners without an inside.
+template <class T>
+Plane<T> plane_of(const std::vector<glm::vec<3, T>>& p) {
+  expects(p.size() >= 3, "expected polygons of at least 3 corners, found {}", p.size());
+  std::size_t best = 1;
+  T largest{0};
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    const auto normal = glm::cross(p[i] - p[0], p[i + 1] - p[0]);
+    const T size = glm::dot(normal, normal);
+    if (size > largest) {
+      largest = size;
+      best = i;
+    }
+  }
+  expects(largest > T{0}, "expected polygons with an inside, found one of {} corners without", p.size());
+  return {p[0], p[best], p[best + 1]};
+}
+
+/// A convex polygon, or a part of one that a plane has cut.
+///
+/// corners: counter-clockwise seen from its front. face: who it is.
+///
+/// Domain: at least 3 corners, not all on a line; finite, extents from 1e-75 to 1e75 (of double), so that the
+///   squares of areas neither overflow nor vanish. A corner beside the plane of the others counts as it
+///   stands.
+/// Errors: ContractViolation for corners without an inside.
 template <class T>
 struct Polygon {
-  std::vector<glm::vec<3, T>> corners;
-  std::size_t face = 0;  ///< whose part it is
+  std::vector<glm::vec<3, T>> corners{};
+  std::size_t face = 0;
+  Plane<T> plane{};
+
+  Polygon() = default;
+  Polygon(std::vector<glm::vec<3, T>> its_corners, std::size_t its_face = 0)
+      : corners(std::move(its_corners)), face(its_face), plane(plane_of(corners)) {}
+
+  /// A part of it, without corners as yet. Its plane is not found anew from rounded ones.
+  Polygon part() const {
+    Polygon part;
+    part.face = face;
+    part.plane = plane;
+    return part;
+  }
 };
 
 /// Where a polygon lies.
@@ -47,8 +86,12 @@ template <class T>
 using Tree = std::vector<Node<T>>;
 
 /// A polygon's plane parts a subspace.
+template <class T>
 struct PlaneTaken {
-  std::size_t node, face;
+  std::size_t node;
+  std::size_t parent;  ///< none for the root
+  bool in_front;       ///< of the parent's plane, or behind it
+  Polygon<T> polygon;
   std::size_t others;  ///< polygons that it parts
 };
 
@@ -169,50 +212,36 @@ glm::vec<3, T> crossing(const Plane<T>& plane, glm::vec<3, T> p, glm::vec<3, T> 
 
 /// The sides of a plane on which a polygon's corners lie.
 template <class T, class SideOf>
-std::vector<int> sides_of(const Plane<T>& plane, const Polygon<T>& polygon, const SideOf& side) {
-  std::vector<int> sides;
-  for (const auto& corner : polygon.corners) sides.push_back(side(plane, corner));
-  return sides;
+std::vector<int> sides(const Plane<T>& plane, const Polygon<T>& polygon, const SideOf& side) {
+  std::vector<int> all;
+  for (const auto& corner : polygon.corners) all.push_back(side(plane, corner));
+  return all;
 }
+
+/// The parts of a polygon on the two sides of a plane.
+template <class T>
+struct Parts {
+  Polygon<T> in_front, behind;
+};
 
 /// The two parts of a polygon with corners on both sides of a plane, as Sutherland and Hodgman clip.
 template <class T>
-std::pair<Polygon<T>, Polygon<T>> split(const Plane<T>& plane, const Polygon<T>& polygon,
-                                        std::span<const int> sides) {
-  Polygon<T> front{{}, polygon.face}, back{{}, polygon.face};
+Parts<T> split(const Plane<T>& plane, const Polygon<T>& polygon, std::span<const int> sides) {
+  Parts<T> parts{polygon.part(), polygon.part()};
+  auto &front = parts.in_front.corners, &back = parts.behind.corners;
   const std::size_t n = polygon.corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     const auto &p = polygon.corners[i], &q = polygon.corners[next];
-    if (sides[i] >= 0) front.corners.push_back(p);
-    if (sides[i] <= 0) back.corners.push_back(p);
+    if (sides[i] >= 0) front.push_back(p);
+    if (sides[i] <= 0) back.push_back(p);
     if (sides[i] * sides[next] < 0) {
       const auto cut = crossing(plane, p, q);
-      front.corners.push_back(cut);
-      back.corners.push_back(cut);
+      front.push_back(cut);
+      back.push_back(cut);
     }
   }
-  return {std::move(front), std::move(back)};
-}
-
-/// Three corners of the polygon that lie on no line, as its plane; those of the largest triangle from its
-/// first corner on, so that rounded corners turn it least. Domain: some three do (refused otherwise).
-template <class T>
-Plane<T> plane_of(const Polygon<T>& polygon) {
-  const auto& p = polygon.corners;
-  expects(p.size() >= 3, "expected polygons of at least 3 corners, found {}", p.size());
-  std::size_t best = 1;
-  T largest{0};
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-    const auto normal = glm::cross(p[i] - p[0], p[i + 1] - p[0]);
-    const T size = glm::dot(normal, normal);
-    if (size > largest) {
-      largest = size;
-      best = i;
-    }
-  }
-  expects(largest > T{0}, "expected polygons with an inside, found face {} without", polygon.face);
-  return {p[0], p[best], p[best + 1]};
+  return parts;
 }
 
 // --- The tree
@@ -220,22 +249,45 @@ Plane<T> plane_of(const Polygon<T>& polygon) {
 /// Polygons that no plane has parted yet, and the node below which they belong.
 template <class T>
 struct Subspace {
-  std::vector<Polygon<T>> polygons;
   std::size_t parent = none;
   bool in_front = false;
+  std::vector<Polygon<T>> polygons{};
+
+  bool empty() const { return polygons.empty(); }
+  /// All but the one whose plane parts them.
+  std::span<const Polygon<T>> others() const { return std::span(polygons).subspan(1); }
+  void add(const Polygon<T>& polygon) { polygons.push_back(polygon); }
 };
+
+/// What there is to part at first.
+template <class T>
+std::vector<Subspace<T>> whole_space(const std::vector<Polygon<T>>& polygons) {
+  return {{none, false, polygons}};
+}
+
+/// A polygon lies in a node's plane.
+template <class T>
+void add_to_node(Tree<T>& tree, std::size_t node, const Polygon<T>& polygon) {
+  tree[node].polygons.push_back(polygon);
+}
 
 /// Makes the node of the first polygon's plane, and links it to its parent.
 template <class T>
-std::size_t add_node(Tree<T>& tree, Subspace<T>& space) {
+std::size_t add_node(Tree<T>& tree, const Subspace<T>& space) {
   const std::size_t node = tree.size();
   if (space.parent != none) {
     Node<T>& parent = tree[space.parent];
     (space.in_front ? parent.in_front : parent.behind) = node;
   }
-  const Plane<T> plane = plane_of(space.polygons.front());
-  tree.push_back({plane, {std::move(space.polygons.front())}});
+  const Polygon<T>& first = space.polygons.front();
+  tree.push_back({first.plane, {first}});
   return node;
+}
+
+/// What is reported of a new node.
+template <class T>
+PlaneTaken<T> taken(const Tree<T>& tree, std::size_t node, const Subspace<T>& space) {
+  return {node, space.parent, space.in_front, tree[node].polygons.front(), space.polygons.size() - 1};
 }
 
 /// How many polygons a tree holds, whole or in parts.
@@ -263,48 +315,47 @@ Item taken_from(std::vector<Item>& list) {
 ///   of a plane a point lies; exactly unless another is given, which may take a little as 0 where corners are
 ///   rounded and faces thus not quite flat.
 ///
-/// Domain: finite coordinates; every polygon with an inside (ContractViolation otherwise) and up to 1e75 in
-///   size (of double), so that the squares of areas don't overflow. Polygons may touch, pierce each other,
-///   overlap in a cycle and stand twice in the list.
+/// Domain: the polygons may touch, pierce each other, overlap in a cycle and stand twice in the list. A part
+///   may have no area where rounding has closed it.
 /// Steps: (PlaneTaken (Placed | Placed Split)*)* Built
 /// Accuracy: sides are exact; corners where a plane cuts are the nearest doubles, and count from then on as
 ///   they stand. With a rational scalar nothing is rounded.
 /// Cost: at worst n^2 tests and parts, in practice some n log n; a test some 6 ns, a cut some 30 us.
-/// Errors: ContractViolation.
-template <class T, class SideOf = ExactSide, Observer<PlaneTaken, Placed<T>, Split<T>, Built> O = Unobserved>
-Tree<T> build(std::vector<Polygon<T>> polygons, const SideOf& side = {}, O&& observer = {}) {
+/// Errors: ContractViolation for coordinates that are not finite.
+template <class T, class SideOf = ExactSide,
+          Observer<PlaneTaken<T>, Placed<T>, Split<T>, Built> O = Unobserved>
+Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, O&& observer = {}) {
   Tree<T> tree;
-  std::vector<Subspace<T>> waiting{{std::move(polygons)}};
-  while (!waiting.empty()) {
-    Subspace<T> space = taken_from(waiting);
-    if (space.polygons.empty()) continue;
-    // The first one's plane parts the rest
-    const std::size_t node = add_node(tree, space);
-    if constexpr (observed<O>)
-      observer(PlaneTaken{node, tree[node].polygons.front().face, space.polygons.size() - 1});
+  auto rest = whole_space(polygons);
+  while (!rest.empty()) {
+    const auto space = taken_from(rest);
+    if (space.empty()) continue;
+    // The first one's plane parts the others
+    const auto node = add_node(tree, space);
     const Plane<T> plane = tree[node].plane;
-    Subspace<T> front{{}, node, true}, back{{}, node, false};
-    for (std::size_t i = 1; i < space.polygons.size(); ++i) {
-      Polygon<T>& polygon = space.polygons[i];
-      const auto sides = sides_of(plane, polygon, side);
-      const Side found = side_of(sides);
-      if constexpr (observed<O>) observer(Placed<T>{node, polygon, found});
-      if (found == Side::both) {
-        // Cut along the plane
-        auto [before, beyond] = split(plane, polygon, sides);
-        if constexpr (observed<O>) observer(Split<T>{node, before, beyond});
-        front.polygons.push_back(before);
-        back.polygons.push_back(beyond);
-      } else if (found == Side::in_front) {
-        front.polygons.push_back(polygon);
-      } else if (found == Side::behind) {
-        back.polygons.push_back(polygon);
+    if constexpr (observed<O>) observer(taken(tree, node, space));
+    Subspace<T> front{node, true};
+    Subspace<T> back{node, false};
+    for (const auto& p : space.others()) {
+      const auto on = sides(plane, p, side);
+      const Side at = side_of(on);
+      if constexpr (observed<O>) observer(Placed<T>{node, p, at});
+      if (at == Side::in_front) {
+        front.add(p);
+      } else if (at == Side::behind) {
+        back.add(p);
+      } else if (at == Side::in_plane) {
+        add_to_node(tree, node, p);
       } else {
-        tree[node].polygons.push_back(polygon);
+        // Cut along the plane
+        const auto cut = split(plane, p, on);
+        if constexpr (observed<O>) observer(Split<T>{node, cut.in_front, cut.behind});
+        front.add(cut.in_front);
+        back.add(cut.behind);
       }
     }
-    waiting.push_back(std::move(back));
-    waiting.push_back(std::move(front));
+    rest.push_back(back);
+    rest.push_back(front);
   }
   if constexpr (observed<O>) observer(Built{tree.size(), polygon_count(tree)});
   return tree;
@@ -332,6 +383,34 @@ int side_of_eye(const Plane<T>& plane, const Eye<T>& eye) {
   return (height > T{0}) - (height < T{0});
 }
 
+/// The same of a node's plane.
+template <class T>
+int eye_side(const Node<T>& node, const Eye<T>& eye) {
+  return side_of_eye(node.plane, eye);
+}
+
+/// What is still to be done on the walk: a node's subtree, or its own polygons.
+struct Turn {
+  std::size_t node;
+  bool own = false;
+};
+
+template <class T>
+Turn root_of(const Tree<T>& tree) {
+  return {tree.empty() ? none : 0};
+}
+
+/// The subtree on the eye's side of a node's plane, and the one beyond it. In the plane itself the eye sees
+/// no polygon of it: either may come first.
+template <class T>
+std::size_t near_side(const Node<T>& node, int side) {
+  return side > 0 ? node.in_front : node.behind;
+}
+template <class T>
+std::size_t far_side(const Node<T>& node, int side) {
+  return side > 0 ? node.behind : node.in_front;
+}
+
 /// Gives a tree's polygons to `draw` from back to front: before those of a plane all that lies beyond it,
 /// seen from the eye, and after them all on the eye's own side. None can cover one that comes later.
 /// Source: Fuchs, Kedem and Naylor 1980, as build.
@@ -346,30 +425,25 @@ int side_of_eye(const Plane<T>& plane, const Eye<T>& eye) {
 /// Errors: none.
 template <class T, class Draw, Observer<Visited, Drawn<T>> O = Unobserved>
 void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
-  struct Turn {
-    std::size_t node;
-    bool drawn;  // its polygons' turn, after what lies beyond
-  };
-  std::vector<Turn> waiting;
-  if (!tree.empty()) waiting.push_back({0, false});
-  while (!waiting.empty()) {
-    const auto [at, own] = taken_from(waiting);
-    const Node<T>& node = tree[at];
+  std::vector<Turn> turns{root_of(tree)};
+  while (!turns.empty()) {
+    const auto [at, own] = taken_from(turns);
+    if (at == none) continue;
+    const auto& node = tree[at];
     if (own) {
-      for (const Polygon<T>& polygon : node.polygons) {
-        draw(polygon);
-        if constexpr (observed<O>) observer(Drawn<T>{at, polygon});
+      // All beyond its plane is drawn
+      for (const auto& p : node.polygons) {
+        draw(p);
+        if constexpr (observed<O>) observer(Drawn<T>{at, p});
       }
       continue;
     }
-    const int side = side_of_eye(node.plane, eye);
+    const int side = eye_side(node, eye);
     if constexpr (observed<O>) observer(Visited{at, side});
-    // Beyond the plane first, the eye's own side last
-    const auto [near, far] =
-        side > 0 ? std::pair(node.in_front, node.behind) : std::pair(node.behind, node.in_front);
-    if (near != none) waiting.push_back({near, false});
-    waiting.push_back({at, true});
-    if (far != none) waiting.push_back({far, false});
+    // The eye's side last, the other first
+    turns.push_back({near_side(node, side)});
+    turns.push_back({at, true});
+    turns.push_back({far_side(node, side)});
   }
 }
 

@@ -21,9 +21,9 @@ namespace {
 
 template <class T>
 Polygon<T> in_scalar(const Polygon<double>& polygon) {
-  Polygon<T> other{{}, polygon.face};
-  for (const dvec3 p : polygon.corners) other.corners.emplace_back(T(p.x), T(p.y), T(p.z));
-  return other;
+  std::vector<glm::vec<3, T>> corners;
+  for (const dvec3 p : polygon.corners) corners.emplace_back(T(p.x), T(p.y), T(p.z));
+  return {std::move(corners), polygon.face};
 }
 
 template <class T>
@@ -61,13 +61,12 @@ std::optional<Exact> hit(const Polygon<Exact>& polygon, const ExactVec3& from, c
 /// Three corners with small whole coordinates, not on a line.
 Polygon<double> random_triangle(Random& random, std::size_t face) {
   while (true) {
-    Polygon<double> triangle{{}, face};
+    std::vector<dvec3> p;
     for (int i = 0; i < 3; ++i) {
       const auto number = [&] { return static_cast<double>(random.uniform_int(-6, 6)); };
-      triangle.corners.emplace_back(number(), number(), number());
+      p.emplace_back(number(), number(), number());
     }
-    const auto& p = triangle.corners;
-    if (glm::cross(p[1] - p[0], p[2] - p[0]) != dvec3(0)) return triangle;
+    if (glm::cross(p[1] - p[0], p[2] - p[0]) != dvec3(0)) return {p, face};
   }
 }
 
@@ -85,7 +84,8 @@ std::vector<Polygon<double>> three_bars() {
     const dvec3 a = ends[2 * i], b = ends[2 * i + 1], way = b - a;
     // Half a unit to either side, and a little beyond the ends, where they cross the others
     const dvec3 aside = dvec3{-way.y, way.x, 0} / 16.0, ahead = way / 8.0;
-    bars.push_back({{a - ahead - aside, b + ahead - aside, b + ahead + aside, a - ahead + aside}, i});
+    bars.push_back(
+        Polygon<double>({a - ahead - aside, b + ahead - aside, b + ahead + aside, a - ahead + aside}, i));
   }
   return bars;
 }
@@ -110,8 +110,9 @@ TEST(BspTree, ThreeBarsInACycleAreCut) {
 }
 
 TEST(BspTree, PiercingSquaresAreCut) {
-  const std::vector<Polygon<double>> squares{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, 0},
-                                             {{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, 1}};
+  const std::vector<Polygon<double>> squares{
+      Polygon<double>({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, 0),
+      Polygon<double>({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, 1)};
   const Tree<double> tree = build(squares);
   ASSERT_EQ(tree.size(), 3U);
   EXPECT_EQ(polygon_count(tree), 3U);
@@ -121,9 +122,10 @@ TEST(BspTree, PiercingSquaresAreCut) {
 }
 
 TEST(BspTree, WhatLiesInOnePlaneIsNotCut) {
-  const std::vector<Polygon<double>> squares{{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 0},
-                                             {{{1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}}, 1},
-                                             {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 2}};
+  const std::vector<Polygon<double>> squares{
+      Polygon<double>({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 0),
+      Polygon<double>({{1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}}, 1),
+      Polygon<double>({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 2)};
   const Tree<double> tree = build(squares);
   ASSERT_EQ(tree.size(), 1U);
   EXPECT_EQ(tree[0].polygons.size(), 3U);
@@ -135,9 +137,18 @@ TEST(BspTree, NothingGivesNoTree) {
 }
 
 TEST(BspTree, RefusesWhatHasNoInside) {
-  const std::vector<Polygon<double>> line{{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, 7}};
-  EXPECT_THROW(build(line), ContractViolation);
-  EXPECT_THROW(build(std::vector<Polygon<double>>{{{{0, 0, 0}, {1, 1, 1}}, 7}}), ContractViolation);
+  EXPECT_THROW(Polygon<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, 7), ContractViolation);
+  EXPECT_THROW(Polygon<double>({{0, 0, 0}, {1, 1, 1}}, 7), ContractViolation);
+}
+
+TEST(BspTree, PartsThatRoundingHasClosedDoNoHarm) {
+  // The plane cuts off a corner less than a last place long: all corners of that part round to one
+  const std::vector<Polygon<double>> polygons{
+      Polygon<double>({{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, 0),
+      Polygon<double>({{0, 0, 0}, {1 + 0x1p-52, 0.3, 0.3}, {0, 0, 1}}, 1),
+      Polygon<double>({{0, 0.2, 0}, {1 + 0x1p-52, 0.3, 0.3}, {0, 0, 1}}, 2)};
+  const Tree<double> tree = build(polygons);
+  EXPECT_EQ(drawn(tree, {1, 2, 3, 1}).size(), polygon_count(tree));
 }
 
 /// Along any ray, what comes later in the order is never farther from the eye.
@@ -224,7 +235,7 @@ TEST(BspTree, ADistantEyeIsOnTheSideToWhichItLooks) {
 TEST(BspTree, WatchingChangesNothing) {
   Random random(test::seed());
   const auto scene = random_scene(random, 12);
-  Recorder<PlaneTaken, Placed<double>, Split<double>, Built> recorder;
+  Recorder<PlaneTaken<double>, Placed<double>, Split<double>, Built> recorder;
   const Tree<double> watched = build(scene, ExactSide{}, recorder), plain = build(scene);
   ASSERT_EQ(watched.size(), plain.size());
   for (std::size_t i = 0; i < plain.size(); ++i) {

@@ -1,0 +1,157 @@
+// The promises of BSP trees: cuts are the nearest doubles, and no polygon is drawn before what it covers.
+
+#include "core/arithmetic/exact_scalar.hpp"
+
+#include "visibility/bsp_tree/bsp_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "stress/numbers.hpp"
+#include "stress/scales.hpp"
+
+namespace gradus::stress {
+namespace {
+
+using namespace bsp_tree;
+
+template <class T>
+glm::vec<3, T> point(const Input& i, std::size_t k) {
+  return {T(i[3 * k]), T(i[3 * k + 1]), T(i[3 * k + 2])};
+}
+
+// --- Where planes cut
+
+/// Three points of a plane and the two ends of an edge.
+Input edge_and_plane(Kind kind, Random& random) {
+  Input input(15);
+  for (double& x : input) x = number(kind, random);
+  if (kind == Kind::near_degenerate || kind == Kind::grazing) {
+    // Both ends close to the plane, on its two sides or not
+    for (const std::size_t end : {std::size_t{3}, std::size_t{4}}) {
+      const double s = random.uniform(-2, 2), t = random.uniform(-2, 2);
+      for (std::size_t k = 0; k < 3; ++k) {
+        input[3 * end + k] =
+            nudged(input[k] + s * (input[3 + k] - input[k]) + t * (input[6 + k] - input[k]), random);
+      }
+    }
+  }
+  return input;
+}
+
+double crossing_error(const Input& i) {
+  if (!all_finite(i)) return 0;
+  const Plane<double> plane{point<double>(i, 0), point<double>(i, 1), point<double>(i, 2)};
+  const dvec3 p = point<double>(i, 3), q = point<double>(i, 4);
+  if (ExactSide{}(plane, p) * ExactSide{}(plane, q) >= 0) return 0;
+  const dvec3 at = crossing(plane, p, q);
+  const ExactScope scope;
+  const Plane<Exact> same{point<Exact>(i, 0), point<Exact>(i, 1), point<Exact>(i, 2)};
+  const ExactVec3 right = crossing(same, point<Exact>(i, 3), point<Exact>(i, 4));
+  for (int k = 0; k < 3; ++k) {
+    if (at[k] != to_double(right[k])) return wrong;
+  }
+  return 0;
+}
+
+// --- The order
+
+constexpr std::size_t triangles = 4;
+
+/// Corners of triangles, then an eye.
+Input scene(Kind kind, Random& random) {
+  Input input(9 * triangles + 3);
+  for (double& x : input) {
+    x = random.uniform(-6, 6);
+    if (kind == Kind::ties) x = std::floor(x);
+  }
+  input.back() = random.uniform(7, 20);
+  return input;
+}
+
+/// Where the ray meets a convex polygon's inside, apart from its border.
+std::optional<double> hit(const Polygon<double>& polygon, dvec3 eye, dvec3 way) {
+  const auto& p = polygon.corners;
+  const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+  const double along = glm::dot(normal, way);
+  if (std::abs(along) < 1e-9) return std::nullopt;
+  const double t = glm::dot(normal, p[0] - eye) / along;
+  const dvec3 at = eye + t * way;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const dvec3 edge = p[(k + 1) % p.size()] - p[k];
+    if (glm::dot(normal, glm::cross(edge, at - p[k])) <= 1e-6 * glm::dot(normal, normal)) return std::nullopt;
+  }
+  return t;
+}
+
+bool is_scene(const Input& i) {
+  return std::ranges::all_of(i, [](double x) { return std::abs(x) <= 30; }) && i.back() > 6;
+}
+
+/// Along rays to the middle of every part no later polygon may be farther than an earlier one.
+double order_error(const Input& i) {
+  if (!is_scene(i)) return 0;
+  std::vector<Polygon<double>> polygons;
+  for (std::size_t k = 0; k < triangles; ++k) {
+    const dvec3 a = point<double>(i, 3 * k), b = point<double>(i, 3 * k + 1), c = point<double>(i, 3 * k + 2);
+    if (glm::length(glm::cross(b - a, c - a)) < 1e-3) return 0;
+    polygons.push_back({{a, b, c}, k});
+  }
+  const dvec3 eye = point<double>(i, 3 * triangles);
+  std::vector<Polygon<double>> order;
+  back_to_front(build(polygons), Eye<double>(eye, 1), [&](const auto& part) { order.push_back(part); });
+  for (const auto& part : order) {
+    const dvec3 middle = (part.corners[0] + part.corners[1] + part.corners[2]) / 3.0;
+    double before = std::numeric_limits<double>::infinity();
+    for (const auto& polygon : order) {
+      const auto t = hit(polygon, eye, middle - eye);
+      if (!t || *t <= 0) continue;
+      if (*t > before + 1e-9) return wrong;
+      before = *t;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+Domain bsp_tree() {
+  return {
+      "bsp_tree",
+      {{.name = "crossing",
+        .states = "where a plane cuts an edge: the nearest double in each coordinate",
+        .unit = "decisions",
+        .bound = 0,
+        .numbers = 15,
+        .generate = at_every_scale(edge_and_plane),
+        .error = crossing_error,
+        .traps = {{"a plane of subnormal size",
+                   {0, 0, 0, 5e-324, 0, 0, 0, 5e-324, 0, 1, 2, -1, 3, 4, 1e-300}},
+                  {"an edge from one end of the range to the other",
+                   {0, 0, 1, 1, 0, 1, 0, 1, 1, -1e308, 0, -1e308, 1e308, 0, 1e308}},
+                  {"an end a last place beside the plane",
+                   {0, 0, 1, 1, 0, 1, 0, 1, 1, 3, 4, 1 + 0x1p-52, 5, 6, 0}}},
+        .shares = {{"the plane cuts the edge", 0.1,
+                    [](const Input& i) {
+                      if (!all_finite(i)) return false;
+                      const Plane<double> plane{point<double>(i, 0), point<double>(i, 1),
+                                                point<double>(i, 2)};
+                      return ExactSide{}(plane, point<double>(i, 3)) *
+                                 ExactSide{}(plane, point<double>(i, 4)) <
+                             0;
+                    }}}},
+       {.name = "back_to_front",
+        .states = "no polygon is drawn before one that it covers, whether they pierce or overlap in a cycle",
+        .unit = "decisions",
+        .bound = 0,
+        .numbers = 9 * triangles + 3,
+        .kinds = {Kind::random, Kind::ties},
+        .generate = scene,
+        .error = order_error,
+        .traps = {{"three bars' first triangles, each over the next, and one behind",
+                   {-6, -4, -1, 6, -4, 1,  6, -2, 1,  6,  -4, -1, 0,  6, 1, -2, 6, 1, 0, 6,
+                    -1, -6, -4, 1, -4, -5, 1, -6, -6, -3, 6,  -6, -3, 0, 6, -3, 0, 0, 20}}}}}};
+}
+
+}  // namespace gradus::stress

@@ -1,0 +1,168 @@
+#pragma once
+// A BSP tree as it grows: the polygons in space, the plane at hand seen edge-on, and the tree.
+
+#include <functional>
+#include <map>
+
+#include "stories/visibility/faces_picture.hpp"
+#include "visibility/bsp_tree/bsp_tree.hpp"
+
+namespace gradus::bsp_tree {
+
+using DPolygon = Polygon<double>;
+using DTree = Tree<double>;
+
+inline constexpr int paper_width = 36, paper_height = 24;
+
+/// What the polygons are called. Parts are told by their corners, which are just those that were reported.
+class PartNames {
+ public:
+  explicit PartNames(const std::vector<faces_task::NamedPart>& parts) {
+    for (const auto& part : parts) names_[text_of(part.ring)] = part.name;
+  }
+  const std::string& operator()(const DPolygon& polygon) const { return names_.at(text_of(polygon.corners)); }
+  /// The parts of one that was cut.
+  void cut(const DPolygon& whole, const DPolygon& in_front, const DPolygon& behind) {
+    const std::string name = (*this)(whole);
+    names_[text_of(in_front.corners)] = faces_task::part_name(name, 0);
+    names_[text_of(behind.corners)] = faces_task::part_name(name, 1);
+  }
+
+ private:
+  static std::string text_of(const std::vector<dvec3>& ring) {
+    std::string text;
+    for (const dvec3 p : ring) text += fmt::format("{},{},{};", p.x, p.y, p.z);
+    return text;
+  }
+  std::map<std::string, std::string> names_;
+};
+
+// --- The tree
+
+/// Where each node of a whole tree stands: what lies behind to the left, what lies in front to the right.
+class TreeDrawing {
+ public:
+  TreeDrawing(const DTree& tree, const Extent& place) : tree_(tree), at_(tree.size()) {
+    std::size_t rank = 0, deepest = 0;
+    std::vector<std::size_t> ranks(tree.size()), depths(tree.size());
+    const std::function<void(std::size_t, std::size_t)> walk = [&](std::size_t node, std::size_t depth) {
+      if (node == none) return;
+      walk(tree[node].behind, depth + 1);
+      ranks[node] = rank++;
+      depths[node] = depth;
+      deepest = std::max(deepest, depth);
+      walk(tree[node].in_front, depth + 1);
+    };
+    if (!tree.empty()) walk(0, 0);
+    const double across =
+        (place.size().x - 2 * radius) / static_cast<double>(std::max<std::size_t>(rank, 2) - 1);
+    const double down =
+        std::min(4.4, (place.size().y - 2 * radius) / static_cast<double>(std::max<std::size_t>(deepest, 1)));
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+      const double x =
+          rank == 1 ? place.centre().x : place.lower.x + radius + across * static_cast<double>(ranks[i]);
+      at_[i] = {x, place.upper.y - radius - down * static_cast<double>(depths[i])};
+    }
+  }
+
+  /// A node with its text.
+  void add_node(View& view, std::size_t node, Role role, const std::string& text) const {
+    constexpr int corners = 28;
+    std::vector<dvec2> circle;
+    for (int i = 0; i < corners; ++i) {
+      const double turn = 2 * 3.14159265358979 * i / corners;
+      circle.push_back(at_[node] + radius * dvec2{std::cos(turn), std::sin(turn)});
+    }
+    const std::string id = fmt::format("t node {:02}", node);
+    view.add({id + " inside", role, Area{{circle}, 1}});
+    view.add({id, role, Path{circle, true}});
+    view.add({id + " text", role, Text{at_[node], text}});
+  }
+  /// The branch from a node to its parent, "+" where it leads in front of the parent's plane.
+  void add_branch(View& view, std::size_t parent, std::size_t node, bool in_front, Role role) const {
+    const dvec2 from = at_[parent], to = at_[node], way = (to - from) / glm::length(to - from);
+    view.add({fmt::format("s branch {:02}", node), role, Stroke{from + radius * way, to - radius * way}});
+    const dvec2 aside = in_front ? dvec2{0.75, 0.25} : dvec2{-0.75, 0.25};
+    view.add({fmt::format("s side {:02}", node), Role::guide,
+              Text{0.5 * (from + to) + aside, in_front ? "+" : "−"}});
+  }
+
+  /// Its turn in the order, beside a node.
+  void add_number(View& view, std::size_t node, std::size_t number) const {
+    view.add({fmt::format("t node {:02} turn", node), Role::result,
+              Text{at_[node] + dvec2{0, -radius - 0.75}, fmt::format("{}.", number)}});
+  }
+
+  static constexpr double radius = 1.15;
+
+ private:
+  const DTree& tree_;
+  std::vector<dvec2> at_;
+};
+
+// --- The plane at hand, edge-on
+
+/// Polygons seen along a plane: it is a straight line, above which is what lies in front of it.
+class EdgeOnPicture {
+ public:
+  EdgeOnPicture(const Extent& place, const Plane<double>& plane, const faces_task::Reader& reader,
+                const std::vector<DPolygon>& polygons)
+      : place_(place),
+        origin_(plane.a),
+        normal_(unit_vector(glm::cross(plane.b - plane.a, plane.c - plane.a))) {
+    // Along the reader's right as far as it runs in the plane, so that both pictures are read alike
+    const dvec3 right = reader.right - glm::dot(reader.right, normal_) * normal_;
+    const dvec3 up = reader.up - glm::dot(reader.up, normal_) * normal_;
+    along_ = unit_vector(glm::length(right) > 0.3 ? right : up);
+    Extent extent;
+    for (const DPolygon& polygon : polygons) {
+      for (const dvec3 p : polygon.corners) extent.add(flat(p));
+    }
+    // The line in the middle; heights are stretched, for only their signs count
+    const double half = std::max({extent.upper.y, -extent.lower.y, 0.05 * extent.size().x, 1e-9});
+    extent.add({extent.centre().x, 1.1 * half});
+    extent.add({extent.centre().x, -1.1 * half});
+    panel_ = Panel(place, extent, Panel::Fit::stretched);
+  }
+
+  /// The plane with the name of its polygon, and what lies where.
+  void add_plane(View& view, const std::string& name, const std::string& front,
+                 const std::string& behind) const {
+    const double y = panel_.at({0, 0}).y;
+    view.add({"e plane", Role::boundary, Stroke{{place_.lower.x, y}, {place_.upper.x, y}}});
+    view.add({"e plane name", Role::boundary, Label{{place_.upper.x - 0.6, y}, name}});
+    view.add({"e front", Role::guide,
+              Text{{place_.lower.x - 0.6, 0.5 * (y + place_.upper.y)}, "+ " + front, Align::right}});
+    view.add({"e behind", Role::guide,
+              Text{{place_.lower.x - 0.6, 0.5 * (y + place_.lower.y)}, "− " + behind, Align::right}});
+  }
+  void add_polygon(View& view, const DPolygon& polygon, Role role, const std::string& name,
+                   bool corners) const {
+    std::vector<dvec2> ring;
+    dvec2 middle{0};
+    for (const dvec3 p : polygon.corners) {
+      ring.push_back(panel_.at(flat(p)));
+      middle += ring.back() / static_cast<double>(polygon.corners.size());
+    }
+    const std::string id = "f " + name;
+    view.add({id + " inside", role, Area{{ring}, 1}});
+    view.add({id, role, Path{ring, true}});
+    for (std::size_t i = 0; corners && i < ring.size(); ++i)
+      view.add({fmt::format("g {} corner {:02}", name, i), role, Dot{ring[i]}});
+    view.add({"h " + name, role, Label{middle, name}});
+  }
+  /// Where a cut goes through.
+  void add_cut(View& view, dvec3 a, dvec3 b) const {
+    view.add({"g cut a", Role::measure, Dot{panel_.at(flat(a))}});
+    view.add({"g cut b", Role::measure, Dot{panel_.at(flat(b))}});
+  }
+
+ private:
+  dvec2 flat(dvec3 p) const { return {glm::dot(p - origin_, along_), glm::dot(p - origin_, normal_)}; }
+
+  Extent place_;
+  dvec3 origin_, normal_, along_{};
+  Panel panel_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}};
+};
+
+}  // namespace gradus::bsp_tree

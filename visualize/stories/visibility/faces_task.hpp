@@ -1,0 +1,125 @@
+#pragma once
+// The faces that the stories of hidden surfaces are about, and from where they are looked at.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "stories/parameters.hpp"
+#include "stories/space_drawing.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::faces_task {
+
+/// Of coordinates: figures can show these.
+inline constexpr Sizes modest_sizes{1e-6, 1e6};
+
+/// Faces of up to so many corners in all: more steps than a reader follows.
+inline constexpr int most_corners = 200;
+
+inline Parameter faces_parameter(std::string value, std::string example) {
+  return parameters::faces(most_corners, "faces", std::move(value), std::move(example),
+                           "what is looked at: flat faces, counter-clockwise seen from outside",
+                           modest_sizes);
+}
+inline Parameter towards_parameter(std::string value) {
+  return parameters::numbers("towards", std::move(value), "1,2,3",
+                             "the direction towards the viewer, who is infinitely far away", parameters::xyz,
+                             modest_sizes);
+}
+
+/// A reader far away: right and up are so that y points up where it can.
+struct Reader {
+  dvec3 right, up, towards;
+
+  explicit Reader(dvec3 way) : towards(unit_vector(way)) {
+    const bool upright = std::abs(towards.y) > 1 - 1e-9;
+    const dvec3 hint = upright ? dvec3{0, 0, towards.y > 0 ? -1 : 1} : dvec3{0, 1, 0};
+    right = unit_vector(glm::cross(hint, towards));
+    up = glm::cross(towards, right);
+  }
+  dvec2 flat(dvec3 p) const { return {glm::dot(p, right), glm::dot(p, up)}; }
+  SpaceLook look(const Panel& panel) const {
+    return {.viewer = distant_viewer(towards),
+            .at = [*this, &panel](dvec3 p) { return std::optional(panel.at(flat(p))); },
+            .right = right,
+            .up = up,
+            .towards = towards};
+  }
+};
+
+inline Reader reader_of(const Arguments& arguments) {
+  const dvec3 towards = *arguments.place("towards");
+  if (towards == dvec3{0})
+    refuse(arguments, {"towards"}, "a direction expected, found 0,0,0, which points nowhere");
+  return Reader(towards);
+}
+
+/// The faces; each must have an inside that a figure can show.
+inline std::vector<NamedFace> faces_of(const Arguments& arguments) {
+  std::vector<NamedFace> faces = arguments.faces("faces");
+  Bounds bounds;
+  for (const NamedFace& face : faces) {
+    for (const dvec3 p : face.points) bounds.add(p);
+  }
+  const double size = bounds.radius();
+  for (const NamedFace& face : faces) {
+    if (glm::length(area_vector(face.points)) > 1e-6 * size * size) continue;
+    refuse(arguments, {"faces"}, fmt::format("faces with an inside expected, found '{}' without", face.name));
+  }
+  return faces;
+}
+
+/// Whether a face lies in one plane, but for the rounding of its corners.
+inline bool is_flat(const std::vector<dvec3>& ring) {
+  const dvec3 normal = unit_vector(area_vector(ring));
+  double size = 0;
+  for (const dvec3 p : ring) size = std::max(size, length_between(p, ring[0]));
+  return std::ranges::all_of(ring,
+                             [&](dvec3 p) { return std::abs(glm::dot(normal, p - ring[0])) <= 1e-9 * size; });
+}
+
+/// A convex part of a face, with a name of its own.
+struct NamedPart {
+  std::string name;
+  std::size_t face;
+  std::vector<dvec3> ring;
+};
+
+/// The n-th part's name: "A1", "A2"; "3a", "3b" where the face's name ends with a digit.
+inline std::string part_name(const std::string& whole, std::size_t n) {
+  const bool digit = !whole.empty() && '0' <= whole.back() && whole.back() <= '9';
+  return whole + (digit ? std::string(1, static_cast<char>('a' + n % 26)) : fmt::format("{}", n + 1));
+}
+
+/// Flat convex faces whole, others as triangles.
+inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
+  std::vector<NamedPart> parts;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    auto rings = is_flat(faces[i].points) ? convex_parts(faces[i].points) : triangles_of(faces[i].points);
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      const std::string name = rings.size() == 1 ? faces[i].name : part_name(faces[i].name, k);
+      parts.push_back({name, i, std::move(rings[k])});
+    }
+  }
+  return parts;
+}
+
+/// A place inside a convex ring where nothing hides it, for its name; its middle where all of it is hidden.
+inline dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines) {
+  dvec3 middle{0};
+  for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
+  const auto is_seen = [&](dvec3 p) { return !lines.pieces(p - 1e-3 * (p - middle), p).front().hidden; };
+  if (!lines.pieces(middle, middle + 1e-3 * (ring[0] - middle)).front().hidden) return middle;
+  for (const double part : {0.3, 0.5, 0.7}) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      for (const dvec3 towards : {ring[i], 0.5 * (ring[i] + ring[(i + 1) % ring.size()])}) {
+        const dvec3 p = middle + part * (towards - middle);
+        if (is_seen(p)) return p;
+      }
+    }
+  }
+  return middle;
+}
+
+}  // namespace gradus::faces_task
