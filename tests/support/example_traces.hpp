@@ -108,6 +108,30 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   if (only.empty() || only == "bresenham_circle") {
     traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
   }
+  const auto z_buffer = [&](std::string method, std::string faces, std::string order, std::string depth,
+                            std::string far) {
+    tell("z_buffer",
+         {{"method", method}, {"faces", faces}, {"order", order}, {"depth", depth}, {"far", far}});
+  };
+  const std::string level = "A: 0,0,3 5,0,3 5,6,3 0,6,3; B: 3,2,3 8,2,3 8,8,3 3,8,3; C: 0,0,1 4,0,2 9,0,3.25",
+                    close =
+                        "A: 0,0,500 8,0,500.4 8,8,500.64 0,8,500.24; B: 0,0,499.98 8,0,500.38 8,8,500.62 "
+                        "0,8,500.22",
+                    pixel = "A: 0,0,5 1,0,5 1,1,5 0,1,5";
+  for (const char* method : {"per_polygon", "scanline"}) {
+    for (const char* order : {"1,2,3", "2,1,3"}) z_buffer(method, level, order, "exact", "10");
+    for (const char* depth : {"float", "fixed24", "reversed_float"}) {
+      z_buffer(method, close, "1,2", depth, "1000000");
+      z_buffer(method, pixel, "given", depth, "10");
+    }
+    z_buffer(method, pixel, "given", "exact", "10");
+  }
+  z_buffer("first_come", level, "2,1,3", "exact", "10");
+  const std::string behind =
+      "A: 0,0,500 1,0,500 1,1,500 0,1,500; B: 0,0,499.99 1,0,499.99 1,1,499.99 0,1,499.99";
+  z_buffer("per_polygon", behind, "given", "fixed24", "1000000");
+  z_buffer("first_come", pixel + "; B: 0,0,5 1,0,5 1,1,5 0,1,5", "2,1", "exact", "10");
+  z_buffer("integer_colours", pixel, "given", "exact", "10");
   tell("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}});
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
     tell("flood_fill", {{"method", method}, {"connectivity", "8"}});

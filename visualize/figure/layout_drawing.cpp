@@ -109,6 +109,7 @@ class DrawingLayout {
       const auto look = figure_.canvas->at(p);
       if (!look || !look->color) return;
       part[pixel_of(p)] = *look->color;
+      if (!look->text.empty()) cell_texts_.emplace_back(p, *look);
       any = true;
     });
     if (any) pen_.image("colours", {cells_box(), std::move(part), {}});
@@ -220,6 +221,15 @@ class DrawingLayout {
     return free_.texts.back().bottom();
   }
 
+  /// A text in a cell, and the ground that it brings along: on a colour of its own the stronger contrast.
+  static std::pair<Paint, Paint> text_paints(const CellLook& look) {
+    if (!look.color) return {Paint::on(look.role), Paint::fill(look.role)};
+    const Rgba8& c = *look.color;
+    const bool dark = 0.299 * c.r + 0.587 * c.g + 0.114 * c.b < 90;
+    return dark ? std::pair{Paint::of(Tone::paper), Paint::of(Tone::ink)}
+                : std::pair{Paint::of(Tone::ink), Paint::of(Tone::paper)};
+  }
+
   void draw_cell_outlines() {
     for_each_cell([&](ivec2 p) {
       if (const auto look = figure_.canvas->at(p); look && !look->color) {
@@ -230,14 +240,10 @@ class DrawingLayout {
       const double size = text_size * s_;
       if (text_width(look.text, Face::sans, size) > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
       const dvec2 centre = frame_.point({p.x, p.y});
-      pen_.text(fmt::format("text {},{}", p.x, p.y), {{centre.x, centre.y + 7 * s_},
-                                                      look.text,
-                                                      Face::sans,
-                                                      size,
-                                                      Align::centre,
-                                                      Paint::on(look.role),
-                                                      true,
-                                                      Paint::fill(look.role)});
+      const auto [ink, ground] = text_paints(look);
+      pen_.text(
+          fmt::format("text {},{}", p.x, p.y),
+          {{centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground});
     }
   }
 

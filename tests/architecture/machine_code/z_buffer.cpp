@@ -1,9 +1,21 @@
 // Every method of z_buffer as a function of its own; see machine_code_test.py.
 #include "visibility/z_buffer/z_buffer.hpp"
 
+void set_pixel(gradus::ivec2 pixel, gradus::z_buffer::Id id);  // defined nowhere: the compiler must call it
+
 extern "C" {
 [[gnu::flatten]] bool machine_code_keep_nearest(gradus::Raster<gradus::z_buffer::Cell<double, int>>& buffer,
                                                 gradus::ivec2 pixel, double depth, int key) {
   return gradus::z_buffer::keep_nearest(buffer, pixel, depth, key);
+}
+[[gnu::flatten]] void machine_code_per_polygon(
+    std::span<const gradus::z_buffer::Face> faces,
+    gradus::Raster<gradus::z_buffer::Cell<double, gradus::z_buffer::Id>>& buffer) {
+  gradus::z_buffer::per_polygon<double>(faces, buffer);
+}
+[[gnu::flatten]] void machine_code_scanline(
+    std::span<const gradus::z_buffer::Face> faces, gradus::Window picture,
+    std::span<gradus::z_buffer::Cell<double, gradus::z_buffer::Id>> line) {
+  gradus::z_buffer::scanline<double>(faces, picture, line, gradus::z_buffer::Exactly{}, set_pixel);
 }
 }

@@ -1,11 +1,14 @@
-// The promise of the z-buffer: the nearest of all, whatever their order.
+// The promises of the z-buffer: the nearest of all, whatever their order.
 
 #include "visibility/z_buffer/z_buffer.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
@@ -48,6 +51,123 @@ double error(const Input& i) {
   return 0;
 }
 
+// --- Faces
+
+constexpr std::size_t faces = 3;
+constexpr int size = 8;
+
+/// Three sloped rectangles: left, top, right and bottom in eighths of a pixel, then the depths of three
+/// corners.
+Input generate_faces(Kind kind, Random& random) {
+  Input input;
+  for (std::size_t k = 0; k < faces; ++k) {
+    const auto place = [&] { return static_cast<double>(random.uniform_int(-8, 8 * size + 8)); };
+    const auto depth = [&] { return static_cast<double>(random.uniform_int(0, 40)) / 8; };
+    Input face{place(), place(), place(), place(), depth(), depth(), depth()};
+    if (kind == Kind::ties && k > 0) std::copy_n(input.end() - 3, 3, face.begin() + 4);
+    if (kind == Kind::grazing) face[2] = face[0] + 1;
+    input.insert(input.end(), face.begin(), face.end());
+  }
+  return input;
+}
+
+/// A face as whole numbers say it, and what the oracle knows of it without Newell's normal or edges.
+struct Sloped {
+  std::array<double, 7> n;
+  std::array<dvec3, 4> corners() const {
+    const double left = n[0] / 8, top = n[1] / 8, right = n[2] / 8, bottom = n[3] / 8;
+    return {dvec3{left, top, n[4]},
+            {right, top, n[5]},
+            {right, bottom, n[5] + n[6] - n[4]},
+            {left, bottom, n[6]}};
+  }
+  /// Centres on a left or an upper side belong to it.
+  bool holds(ivec2 p) const {
+    const double x = 8 * p.x + 4, y = 8 * p.y + 4;
+    return std::min(n[0], n[2]) <= x && x < std::max(n[0], n[2]) && std::min(n[1], n[3]) <= y &&
+           y < std::max(n[1], n[3]);
+  }
+  double depth(ivec2 p) const {
+    const double s = (8 * p.x + 4 - n[0]) / (n[2] - n[0]), t = (8 * p.y + 4 - n[1]) / (n[3] - n[1]);
+    return n[4] + s * (n[5] - n[4]) + t * (n[6] - n[4]);
+  }
+};
+
+bool is_scene(const Input& i) {
+  return std::ranges::all_of(i, [](double x) { return x == std::floor(x * 8) / 8 && std::abs(x) <= 80; });
+}
+std::array<Sloped, faces> faces_of(const Input& i) {
+  std::array<Sloped, faces> all{};
+  for (std::size_t k = 0; k < faces; ++k)
+    std::copy_n(i.begin() + static_cast<std::ptrdiff_t>(7 * k), 7, all[k].n.begin());
+  return all;
+}
+
+using Depths = Raster<z_buffer::Cell<double, z_buffer::Id>>;
+
+/// How far the depths lie from the least one of those that hold the centre; `wrong` where the face is none of
+/// them, or another order leaves anything else.
+double error_of_faces(const Input& i) {
+  if (!is_scene(i)) return 0;
+  const auto sloped = faces_of(i);
+  std::array<std::array<dvec3, 4>, faces> corners;
+  std::vector<z_buffer::Face> all;
+  for (std::size_t k = 0; k < faces; ++k) {
+    corners[k] = sloped[k].corners();
+    all.push_back({corners[k], {0, static_cast<int>(k)}});
+  }
+  Depths buffer(size, size);
+  z_buffer::per_polygon<double>(all, buffer);
+  double worst = 0;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      std::optional<double> least;
+      for (const Sloped& face : sloped) {
+        if (face.holds({x, y})) least = std::min(least.value_or(1e9), face.depth({x, y}));
+      }
+      const auto& cell = buffer[{x, y}];
+      if (cell.taken != least.has_value()) return wrong;
+      if (!least) continue;
+      const Sloped& shown = sloped[static_cast<std::size_t>(cell.key.face)];
+      if (!shown.holds({x, y})) return wrong;
+      worst = std::max({worst, std::abs(cell.depth - *least), std::abs(shown.depth({x, y}) - *least)});
+    }
+  }
+  std::vector<z_buffer::Face> order = all;
+  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  do {
+    Depths other(size, size);
+    z_buffer::per_polygon<double>(order, other);
+    for (std::size_t k = 0; k < buffer.cells().size(); ++k) {
+      const auto &a = buffer.cells()[k], &b = other.cells()[k];
+      if (a.taken != b.taken || a.depth != b.depth || a.key != b.key) return wrong;
+    }
+  } while (std::ranges::next_permutation(order, by_id).found);
+  return worst;
+}
+
+/// Pixels whose face row by row is another than face by face, with depths of 24 bits.
+double error_of_rows(const Input& i) {
+  if (!is_scene(i)) return 0;
+  const auto sloped = faces_of(i);
+  std::array<std::array<dvec3, 4>, faces> corners;
+  std::vector<z_buffer::Face> all;
+  for (std::size_t k = 0; k < faces; ++k) {
+    corners[k] = sloped[k].corners();
+    all.push_back({corners[k], {0, static_cast<int>(k)}});
+  }
+  using Codes = z_buffer::Cell<std::int32_t, z_buffer::Id>;
+  const z_buffer::AsFixed24 store{{-80, 160}};
+  Raster<Codes> buffer(size, size);
+  z_buffer::per_polygon<std::int32_t>(all, buffer, store);
+  std::vector<Codes> line(size);
+  std::ptrdiff_t right = 0;
+  z_buffer::scanline<std::int32_t>(
+      all, buffer.window(), std::span(line), store,
+      [&](ivec2 p, z_buffer::Id id) { right += buffer[p].taken && buffer[p].key == id; });
+  return static_cast<double>(std::ranges::count_if(buffer.cells(), &Codes::taken) - right);
+}
+
 }  // namespace
 
 Domain z_buffer() {
@@ -65,13 +185,36 @@ Domain z_buffer() {
                       {"zeros of both signs", {0.0, -0.0, 0.0, -0.0, 3, 2, 1, 0}},
                       {"infinite depths", {wrong, -wrong, wrong, 0, 0, 1, 2, 3}},
                       {"depths that differ in the last place", {1, 1 + 0x1p-52, 1, 1 - 0x1p-53, 3, 0, 1, 2}}},
-            .shares = {{"two depths are equal", 0.2, [](const Input& i) {
+            .shares = {{"two depths are equal", 0.2,
+                        [](const Input& i) {
                           Input depths(i.begin(), i.begin() + count);
                           if (std::ranges::any_of(depths, [](double x) { return std::isnan(x); }))
                             return false;
                           std::ranges::sort(depths);
                           return std::ranges::adjacent_find(depths) != depths.end();
-                        }}}}}};
+                        }}}},
+           {.name = "per_polygon",
+            .states = "each pixel's least depth, the same in every order of the faces",
+            .unit = "depths",
+            .bound = 1e-12,
+            .numbers = 7 * faces,
+            .kinds = {Kind::random, Kind::ties, Kind::grazing},
+            .generate = generate_faces,
+            .error = error_of_faces,
+            .traps = {{"faces in one plane",
+                       {0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4}},
+                      {"piercing", {0, 0, 64, 64, 0, 5, 0, 0, 0, 64, 64, 5, 0, 5, 0, 0, 64, 64, 0, 0, 5}},
+                      {"no area", {8, 8, 8, 40, 1, 1, 1, 4, 4, 4, 4, 0, 0, 0, 0, 0, 64, 64, 3, 3, 3}}}},
+           {.name = "scanline",
+            .states = "row by row the same picture, with 24-bit depths",
+            .unit = "pixels",
+            .bound = 0,
+            .numbers = 7 * faces,
+            .kinds = {Kind::random, Kind::ties, Kind::grazing},
+            .generate = generate_faces,
+            .error = error_of_rows,
+            .traps = {{"faces in one plane",
+                       {0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4}}}}}};
 }
 
 }  // namespace gradus::stress

@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/record.hpp"
+#include "visibility/z_buffer/z_buffer_notes.hpp"
 
 namespace gradus::z_buffer {
 namespace {
@@ -62,6 +66,206 @@ TEST(ZBuffer, Steps) {
   EXPECT_FALSE(steps[1].nearer);
   EXPECT_EQ(steps[2].before, 0.5);
   EXPECT_TRUE(steps[2].nearer);
+}
+
+// --- Faces
+
+/// Faces that own their corners; object 0, numbered in order.
+class Scene {
+ public:
+  explicit Scene(std::vector<std::vector<dvec3>> corners) : corners_(std::move(corners)) {
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+      faces.push_back({corners_[i], {0, static_cast<int>(i)}});
+  }
+  std::vector<Face> faces;
+
+ private:
+  std::vector<std::vector<dvec3>> corners_;
+};
+
+using Depths = Raster<Cell<double, Id>>;
+
+/// Which face each pixel shows, row after row; '.' for none.
+std::string picture_of(const Depths& buffer) {
+  std::string text;
+  for (int y = 0; y < buffer.height(); ++y) {
+    for (const auto& cell : buffer.row(y)) text += cell.taken ? static_cast<char>('a' + cell.key.face) : '.';
+    text += '\n';
+  }
+  return text;
+}
+
+Depths drawn(std::span<const Face> faces, int columns, int rows) {
+  Depths buffer(columns, rows);
+  per_polygon<double>(faces, buffer);
+  return buffer;
+}
+
+std::vector<dvec3> rectangle(dvec2 lower, dvec2 upper, double left, double right) {
+  return {{lower, left}, {upper.x, lower.y, right}, {upper, right}, {lower.x, upper.y, left}};
+}
+
+/// Two rectangles one behind the other, and a slope that pierces both.
+Scene three() {
+  return Scene(
+      {rectangle({0, 0}, {5, 5}, 4, 4), rectangle({3, 2}, {8, 7}, 2, 2), rectangle({1, 3}, {7, 8}, 0, 6)});
+}
+
+TEST(ZBuffer, AllSixOrdersOfThreePolygonsGiveThePixelsMinimum) {
+  const Scene scene = three();
+  std::vector<std::size_t> order{0, 1, 2};
+  int orders = 0;
+  do {
+    std::vector<Face> faces;
+    for (const std::size_t i : order) faces.push_back(scene.faces[i]);
+    const Depths buffer = drawn(faces, 8, 8);
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        // The oracle: rectangles hold centres by their bounds, depths by the lines that made them
+        const double px = x + 0.5, py = y + 0.5;
+        double least = 1e9;
+        if (px < 5 && py < 5) least = 4;
+        if (px > 3 && py > 2 && py < 7) least = std::min(least, 2.0);
+        if (px > 1 && px < 7 && py > 3) least = std::min(least, px - 1);
+        const auto& cell = buffer[{x, y}];
+        EXPECT_EQ(cell.taken, least < 1e9);
+        if (cell.taken) EXPECT_EQ(cell.depth, least) << x << ", " << y;
+      }
+    }
+    ++orders;
+  } while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_EQ(orders, 6);
+}
+
+/// A bar of width 2 about a line from a to b, each with its depth.
+std::vector<dvec3> bar(dvec3 a, dvec3 b) {
+  const dvec2 way = glm::normalize(dvec2(b) - dvec2(a));
+  const dvec2 aside{-way.y, way.x};
+  return {{dvec2(a) - way - aside, a.z},
+          {dvec2(b) + way - aside, b.z},
+          {dvec2(b) + way + aside, b.z},
+          {dvec2(a) - way + aside, a.z}};
+}
+
+TEST(ZBuffer, ThreeBarsInACycleAreRight) {
+  // G001-77, moved into the picture: no order of the bars is right, yet each is in front where it should be
+  const Scene scene({bar({2, 2, 0}, {12, 2, 2}), bar({12, 2, 0}, {7, 10, 2}), bar({7, 10, 0}, {2, 2, 2})});
+  const Depths buffer = drawn(scene.faces, 14, 13);
+  EXPECT_EQ((buffer[{12, 2}].key.face), 1);  // B over A
+  EXPECT_EQ((buffer[{7, 9}].key.face), 2);   // C over B
+  EXPECT_EQ((buffer[{2, 1}].key.face), 0);   // A over C
+}
+
+TEST(ZBuffer, TwoPiercingQuadsMeetAlongTheirLine) {
+  const Scene scene({rectangle({0, 0}, {8, 4}, 0, 8), rectangle({0, 0}, {8, 4}, 8, 0)});
+  EXPECT_EQ(picture_of(drawn(scene.faces, 8, 4)), "aaaabbbb\naaaabbbb\naaaabbbb\naaaabbbb\n");
+}
+
+TEST(ZBuffer, BytesDependOnTheResolutionAlone) {
+  const Scene few({rectangle({0, 0}, {4, 4}, 1, 1)});
+  std::vector<std::vector<dvec3>> corners;
+  for (int i = 0; i < 30; ++i) corners.push_back(rectangle({0, 0}, {8, 8}, i, i));
+  const Scene many(corners);
+  const auto finish = [](const Scene& scene, int size) {
+    Depths buffer(size, size);
+    std::optional<Finished> end;
+    const auto watch = [&]<class Step>(const Step& step) {
+      if constexpr (std::same_as<Step, Finished>) end = step;
+    };
+    per_polygon<double>(scene.faces, buffer, Exactly{}, watch);
+    return *end;
+  };
+  EXPECT_EQ(finish(few, 8).bytes, finish(many, 8).bytes);
+  EXPECT_EQ(finish(many, 16).bytes, 4 * finish(many, 8).bytes);
+  EXPECT_EQ(finish(few, 8).compared, 16);
+  EXPECT_EQ(finish(many, 8).compared, 30 * 64);  // the covered pixels of each
+  EXPECT_EQ(finish(many, 16).compared, 30 * 64);
+}
+
+TEST(ZBuffer, ScanlineGivesTheSamePicture) {
+  const Scene scene = three();
+  const Depths whole = drawn(scene.faces, 8, 8);
+  std::vector<Cell<double, Id>> line(8);
+  int painted = 0;
+  scanline<double>(std::span<const Face>(scene.faces), whole.window(), std::span(line), Exactly{},
+                   [&](ivec2 pixel, Id id) {
+                     ++painted;
+                     EXPECT_EQ(whole[pixel].key, id);
+                   });
+  EXPECT_EQ(painted, std::ranges::count_if(whole.cells(), [](const auto& cell) { return cell.taken; }));
+  std::vector<Cell<double, Id>> narrow(7);
+  EXPECT_THROW(scanline<double>(std::span<const Face>(scene.faces), whole.window(), std::span(narrow),
+                                Exactly{}, [](ivec2, Id) {}),
+               ContractViolation);
+}
+
+TEST(ZBuffer, TheCodesOf24Bits) {
+  // G001-79
+  const Range range{1, 1e6};
+  const AsFixed24 unit{{0, 1}};
+  const auto code = [&](double z) { return unit(perspective_depth(z, range)); };
+  EXPECT_EQ(code(1000), 16760455);
+  EXPECT_EQ(code(1000.05), 16760455);
+  EXPECT_EQ(code(1000.07), 16760456);
+  EXPECT_EQ(code(500000), 16777198);
+  EXPECT_EQ(code(500100), 16777198);
+  EXPECT_EQ(code(900000), 16777213);
+  EXPECT_EQ(code(910000), 16777213);
+  EXPECT_NEAR(1e6 * 1e6 / 16777216, 59604.58872345619, 0.1);
+  // A reversed float tells apart what the others don't
+  const AsReversedFloat reversed{{0, 1}};
+  EXPECT_LT(reversed(perspective_depth(900000, range)), reversed(perspective_depth(910000, range)));
+  const AsFloat plain{{0, 1}};
+  EXPECT_EQ(plain(perspective_depth(900000, range)), plain(perspective_depth(900001, range)));
+}
+
+TEST(ZBuffer, WhatIsNoFaceIsRefused) {
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(drawn(Scene({{{0, 0, 0}, {1, 0, 0}}}).faces, 2, 2), ContractViolation);
+  EXPECT_THROW(drawn(Scene({{{0, 0, 0}, {1, 0, nowhere}, {0, 1, 0}}}).faces, 2, 2), ContractViolation);
+  EXPECT_THROW(drawn(Scene({{{0, 0, 0}, {1e5, 0, 0}, {0, 1, 0}}}).faces, 2, 2), ContractViolation);
+  // Edge on, and without area: nothing is drawn
+  EXPECT_EQ(picture_of(drawn(Scene({{{0, 0, 0}, {2, 0, 1}, {2, 0, 5}, {0, 0, 9}}}).faces, 2, 1)), "..\n");
+}
+
+TEST(ZBuffer, WalksAreTheSameWatched) {
+  const Scene scene = three();
+  Recorder<FaceTaken, Compared<double, Id>, FaceDone, Finished> seen;
+  Depths watched(8, 8);
+  per_polygon<double>(scene.faces, watched, Exactly{}, seen);
+  EXPECT_EQ(picture_of(watched), picture_of(drawn(scene.faces, 8, 8)));
+  EXPECT_EQ(all<FaceDone>(seen).size(), 3u);
+  EXPECT_EQ(all<FaceDone>(seen).front().compared, 25);
+  const auto compared = all<Compared<double, Id>>(seen);
+  EXPECT_EQ(compared.size(), 25u + 25 + 30);
+  EXPECT_EQ(all<Finished>(seen).front().compared, 80);
+}
+
+// --- The notes
+
+TEST(ZBufferNotes, FacesInOnePlaneDependOnTheOrder) {
+  // E001-31
+  const Scene scene({rectangle({0, 0}, {2, 1}, 3, 3), rectangle({1, 0}, {3, 1}, 3, 3)});
+  const std::vector<Face> turned{scene.faces[1], scene.faces[0]};
+  const auto first = [](std::span<const Face> faces) {
+    Depths buffer(3, 1);
+    first_come(faces, buffer);
+    return picture_of(buffer);
+  };
+  EXPECT_EQ(first(scene.faces), "aab\n");
+  EXPECT_EQ(first(turned), "abb\n");
+  EXPECT_EQ(picture_of(drawn(scene.faces, 3, 1)), "aab\n");
+  EXPECT_EQ(picture_of(drawn(turned, 3, 1)), "aab\n");
+}
+
+TEST(ZBufferNotes, ColoursBecomeWholeNumbers) {
+  // E001-33
+  const Scene scene({rectangle({0, 0}, {2, 1}, 3, 3)});
+  Depths depths(2, 1);
+  Raster<glm::ivec3> colours(2, 1, glm::ivec3(1));
+  integer_colours(scene.faces, depths, colours, [](Id) { return dvec3(0.5, 0.2, 0.9); });
+  EXPECT_EQ((colours[{0, 0}]), glm::ivec3(0));
+  EXPECT_EQ(picture_of(depths), "aa\n");
 }
 
 }  // namespace

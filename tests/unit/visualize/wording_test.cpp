@@ -208,6 +208,14 @@ TEST(Labels, EverySymbolOfATopicCanHaveOne) {
   }
 }
 
+/// Numbers in cells are the reader's: with a comma in German.
+bool same_but_for_commas(std::optional<CellLook> a, std::optional<CellLook> b) {
+  for (auto* look : {&a, &b}) {
+    if (*look) std::ranges::replace((*look)->text, ',', '.');
+  }
+  return a == b;
+}
+
 TEST(Languages, TellTheSameRun) {
   const std::vector<Trace> english = test::telling_traces();
   for (const Language& other : languages()) {
@@ -244,7 +252,7 @@ TEST(Languages, TellTheSameRun) {
           return f.name == g.name && f.value == g.value;
         }));
         EXPECT_TRUE(std::ranges::equal(x.delta.cells, y.delta.cells, [](const auto& f, const auto& g) {
-          return f.at == g.at && f.look == g.look;
+          return f.at == g.at && same_but_for_commas(f.look, g.look);
         }));
         EXPECT_EQ(x.delta.removed, y.delta.removed);
         EXPECT_TRUE(std::ranges::equal(x.delta.set, y.delta.set, {}, &Mark::id, &Mark::id));

@@ -1,0 +1,485 @@
+// The story of a z-buffer: which face each pixel shows, and why, polygon by polygon or row by row.
+
+#include "visibility/z_buffer/z_buffer.hpp"
+
+#include "stories/parameters.hpp"
+#include "stories/visibility/z_buffer_subject.hpp"
+#include "visibility/z_buffer/z_buffer_notes.hpp"
+
+namespace gradus::z_buffer {
+namespace {
+
+/// What a picture shows at last: whose each pixel is.
+using Owners = std::map<std::pair<int, int>, Id>;
+
+/// What the run is asked for besides its faces.
+struct Look {
+  bool rows = false;   ///< one line of depths: those of other rows are gone
+  bool whole = false;  ///< colours are whole numbers
+};
+
+template <class T>
+class Story {
+ public:
+  Story(const Words& words, const Subject& subject, DepthText<T> text, Look look, const Owners& right)
+      : words_(words), subject_(subject), text_(text), look_(look), right_(right) {}
+
+  /// The step that tells most: the first pixel of the last face that changes hands.
+  std::optional<StepNumber> telling() const { return telling_; }
+  /// How far apart depths must lie to be stored as two.
+  void precision(double distance) { precision_ = distance; }
+  std::int64_t wrong() const { return std::ssize(wrong_); }
+
+  void show(Board& board, const steps::Started&) {
+    count();
+    board.milestone();
+    for (int y = 0; !look_.rows && y < subject_.size.y; ++y) clear_row(board, y);
+    if (look_.rows) {
+      for (const Face& face : subject_.faces) keep_outline(board, face.id, Role::guide);
+    }
+  }
+  Event say(const steps::Started&) const {
+    return {.text = look_.rows ? "started_rows" : "started",
+            .words = {{"columns", subject_.size.x},
+                      {"rows", subject_.size.y},
+                      {"pixels", subject_.size.x * subject_.size.y}},
+            .count = std::ssize(subject_.faces)};
+  }
+
+  void show(Board& board, const FaceTaken& f) {
+    settle(board);
+    count();
+    board.milestone();
+    keep_outline(board, f.id, Role::input);
+  }
+  Event say(const FaceTaken& f) const {
+    Event event{.text = "edge_on",
+                .facts = {{"face", subject_.name(f.id)}},
+                .words = {{"face", subject_.name(f.id)}},
+                .key = subject_.name(f.id)};
+    if (!f.plane) return event;
+    const bool level = f.plane->right == 0 && f.plane->down == 0;
+    event.text = level ? "taken_level" : "taken_sloped";
+    event.facts.push_back({"right", f.plane->right});
+    event.facts.push_back({"down", f.plane->down});
+    event.words.push_back({"z", f.plane->nearest});
+    event.words.push_back({"to", f.plane->farthest});
+    event.words.push_back({"right", f.plane->right});
+    event.words.push_back({"down", f.plane->down});
+    return event;
+  }
+
+  void show(Board& board, const Compared<T, Id>& c) {
+    board.detail(c.pixel);
+    ++fine_;
+    tested_ = c.key;
+    const auto there = holder_.find(place(c.pixel));
+    before_ = there == holder_.end() ? std::nullopt : std::optional(there->second);
+    if (c.nearer) {
+      holder_[place(c.pixel)] = c.key;
+    }
+    if (before_ && tells(c)) {
+      telling_ = {milestones_, fine_};
+      told_ = c.key;
+    }
+    settle(board);
+    // The two depths stand in the pixel, one above the other, until the next step
+    const std::string kept = text_(c.nearer ? c.depth : *c.before);
+    at_hand_ = {c.pixel, {Role::result, kept, fill(holder_[place(c.pixel)])}};
+    const std::string now = text_(c.depth), before = relation(c);
+    const bool fits = std::max(now.size() + 2, before.size()) <= widest;
+    board.put(c.pixel, Role::result, fits ? "" : kept, at_hand_->second.color);
+    const Role role = c.nearer ? Role::current : Role::rejected;
+    const dvec2 p(c.pixel), half{0, 0.23};
+    board.mark("at", role, square(c.pixel));
+    if (!fits) return;
+    board.mark("at new", Role::input, Text{p - half, now});
+    board.mark("at old", Role::input, Text{p + half, before});
+  }
+  Event say(const Compared<T, Id>& c) const {
+    const std::string face = subject_.name(c.key), z = text_(c.depth);
+    const std::string old = c.before ? text_(*c.before) : "∞";
+    const std::string other = before_ ? subject_.name(*before_) : "";
+    const bool tie = c.before && *c.before == c.depth;
+    Event event{.text = !c.before  ? "free"
+                        : tie      ? (c.nearer ? "tie_taken" : "tie_left")
+                        : c.nearer ? "nearer"
+                                   : "farther",
+                .facts = {{"pixel", c.pixel}, {"face", face}, {"nearer", c.nearer}},
+                .words = {{"face", face}, {"other", other}, {"z", z}, {"old", old}, {"pixel", c.pixel}},
+                .row = {face, c.pixel.x, c.pixel.y, z, old, c.nearer ? face : other},
+                .key = pixel_key(c.pixel)};
+    event.level = Level::step;
+    if (look_.whole && c.nearer) {
+      event.text = "whole";
+      event.words.push_back({"colour", channels(subject_.color(c.key))});
+      event.words.push_back({"rest", channels(fill(c.key))});
+    }
+    if (before_ && !c.nearer && is_wrong(c.pixel)) {
+      const double exact = depth_at(c.key, c.pixel), held = depth_at(*before_, c.pixel);
+      event.text = exact == held ? "tie_wrong" : "fight";
+      event.words.push_back({"exact", digits(exact)});
+      event.words.push_back({"held", digits(held)});
+    }
+    event.decides = yes_or_no(words_, tie ? "question.tie" : "question",
+                              {{"z", z}, {"old", old}, {"face", face}, {"other", other}}, c.nearer,
+                              c.before ? "nearer" : "free", tie ? "tie" : "farther");
+    return event;
+  }
+
+  void show(Board& board, const FaceDone& f) {
+    settle(board);
+    count();
+    board.milestone();
+    keep_outline(board, f.id, Role::input);
+  }
+  Event say(const FaceDone& f) const {
+    return {.text = "face_done",
+            .facts = {{"compared", f.compared}, {"kept", f.kept}},
+            .words = {{"face", subject_.name(f.id)}, {"kept", f.kept}, {"left", f.compared - f.kept}},
+            .count = f.compared,
+            .note = words_.say("note.face_done", {{"face", subject_.name(f.id)}}),
+            .key = subject_.name(f.id),
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const RowBegun& r) {
+    settle(board);
+    count();
+    board.milestone({0, r.y});
+    clear_row(board, r.y);
+    board.keep("row", Role::candidate, row_box(r.y));
+  }
+  Event say(const RowBegun& r) const {
+    return {.text = "row_begun",
+            .facts = {{"row", r.y}},
+            .words = {{"row", r.y}, {"columns", subject_.size.x}},
+            .key = figure_number(r.y)};
+  }
+  void show(Board& board, const RowDone& r) {
+    settle(board);
+    count();
+    board.milestone({0, r.y});
+    for (int x = 0; x < subject_.size.x; ++x) {
+      const auto there = holder_.find({x, r.y});
+      if (there == holder_.end()) {
+        board.bare({x, r.y});
+      } else {
+        board.put({x, r.y}, Role::result, "", fill(there->second));
+      }
+    }
+    board.keep("row", Role::candidate, row_box(r.y));
+  }
+  Event say(const RowDone& r) const {
+    return {.text = "row_done",
+            .facts = {{"compared", r.compared}, {"kept", r.kept}},
+            .words = {{"row", r.y}, {"kept", r.kept}},
+            .count = r.compared,
+            .key = figure_number(r.y),
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const Finished&) {
+    settle(board);
+    board.detail();
+    board.remove(look_.rows ? "row" : "face");
+    if (look_.rows) {
+      for (const Face& face : subject_.faces) board.remove(outline_id(face.id));
+    }
+    for (const auto& [at, id] : right_) {
+      const auto there = holder_.find(at);
+      if (there != holder_.end() && there->second == id) continue;
+      const ivec2 pixel{at.first, at.second};
+      wrong_.push_back(pixel);
+      const dvec2 p = dvec2(pixel) + dvec2{0.32, -0.32}, down{0.1, 0.1}, up{0.1, -0.1};
+      board.keep(fmt::format("wrong {}", pixel_key(pixel)), Role::measure, Stroke{p - down, p + down});
+      board.keep(fmt::format("wrong {} b", pixel_key(pixel)), Role::measure, Stroke{p - up, p + up});
+    }
+  }
+  Event say(const Finished& f) const {
+    Event event{.text = look_.whole       ? "finished_whole"
+                        : !wrong_.empty() ? "finished_wrong"
+                        : look_.rows      ? "finished_rows"
+                                          : "finished",
+                .facts = {{"compared", f.compared}, {"kept", f.kept}, {"bytes", f.bytes}},
+                .words = {{"bytes", f.bytes},
+                          {"cell", sizeof(Cell<T, Id>)},
+                          {"cells", f.bytes / std::int64_t{sizeof(Cell<T, Id>)}},
+                          {"pixels", holder_.size()},
+                          {"compared", f.compared},
+                          {"kept", f.kept}},
+                .count = f.compared};
+    if (!wrong_.empty()) event.count = std::ssize(wrong_);
+    if constexpr (!std::same_as<T, double>) {
+      event.text = wrong_.empty() ? "finished_precise" : "finished_fight";
+      if (wrong_.empty()) event.count = std::ssize(holder_);
+      event.words.push_back({"precision", precision_});
+    }
+    return event;
+  }
+
+ private:
+  /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞".
+  static constexpr std::size_t widest = 5;
+
+  static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
+  void count() {
+    ++milestones_;
+    fine_ = 0;
+  }
+  /// Whether this pixel tells more than those before: one that goes wrong, or else one that changes hands.
+  bool tells(const Compared<T, Id>& c) {
+    if (is_wrong(c.pixel)) return !std::exchange(told_wrong_, true);
+    return c.nearer && !told_wrong_ && told_ != c.key;
+  }
+  /// Whether the pixel shows another face than it will in the end.
+  bool is_wrong(ivec2 pixel) const {
+    const auto end = right_.find(place(pixel));
+    return end != right_.end() && *before_ != end->second && holder_.at(place(pixel)) != end->second &&
+           tested_ == end->second;
+  }
+  double depth_at(Id id, ivec2 pixel) const {
+    const auto plane = plane_of({subject_.corners(id), id});
+    return plane ? plane->at(pixel) : 0;
+  }
+
+  Rgba8 fill(Id id) const {
+    const Rgba8 c = subject_.color(id);
+    if (!look_.whole) return c;
+    const auto whole = [](std::uint8_t channel) { return static_cast<std::uint8_t>(channel / 255 * 255); };
+    return {whole(c.r), whole(c.g), whole(c.b), 255};
+  }
+  /// Red, green and blue from 0 to 1.
+  static dvec3 channels(Rgba8 c) {
+    const auto share = [](std::uint8_t channel) { return std::round(channel / 2.55) / 100; };
+    return {share(c.r), share(c.g), share(c.b)};
+  }
+  /// As many digits as tell nearly coplanar faces apart.
+  static std::string digits(double z) { return fmt::format("{}{:.9g}", z < 0 ? "−" : "", std::abs(z)); }
+  /// How the new depth, which stands above, compares with the old one.
+  std::string relation(const Compared<T, Id>& c) const {
+    if (!c.before) return "< ∞";
+    return (*c.before == c.depth ? "= " : c.depth < *c.before ? "< " : "> ") + text_(*c.before);
+  }
+  /// The pixel of the last step shows its depth alone again.
+  void settle(Board& board) {
+    if (at_hand_)
+      board.put(at_hand_->first, at_hand_->second.role, at_hand_->second.text, at_hand_->second.color);
+    at_hand_.reset();
+  }
+  static Path square(ivec2 pixel) {
+    const dvec2 p(pixel);
+    return {{p + dvec2{-0.5, -0.5}, p + dvec2{0.5, -0.5}, p + dvec2{0.5, 0.5}, p + dvec2{-0.5, 0.5}}, true};
+  }
+  Path row_box(int y) const {
+    const double right = subject_.size.x - 0.5;
+    return {{{-0.5, y - 0.5}, {right, y - 0.5}, {right, y + 0.5}, {-0.5, y + 0.5}}, true};
+  }
+  void clear_row(Board& board, int y) const {
+    for (int x = 0; x < subject_.size.x; ++x) board.put({x, y}, Role::guide, "∞");
+  }
+  std::string outline_id(Id id) const { return look_.rows ? fmt::format("face {}", id.face) : "face"; }
+  /// The face's border, within the picture.
+  void keep_outline(Board& board, Id id, Role role) const {
+    std::vector<dvec2> ring;
+    for (const dvec3& corner : subject_.corners(id)) ring.push_back(dvec2(corner) - 0.5);
+    for (const int axis : {0, 1}) {
+      ring = cut(ring, axis, 1, -0.5);
+      ring = cut(ring, axis, -1, 0.5 - subject_.size[axis]);
+    }
+    if (ring.size() > 2) board.keep(outline_id(id), role, Path{ring, true});
+  }
+  /// What lies beyond `bound` along an axis, looked at in direction `sign`.
+  static std::vector<dvec2> cut(const std::vector<dvec2>& ring, int axis, double sign, double bound) {
+    std::vector<dvec2> kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const dvec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const double da = sign * a[axis] - bound, db = sign * b[axis] - bound;
+      if (da >= 0) kept.push_back(a);
+      if ((da < 0) != (db < 0)) kept.push_back(a + da / (da - db) * (b - a));
+    }
+    return kept;
+  }
+
+  const Words& words_;
+  const Subject& subject_;
+  const DepthText<T> text_;
+  const Look look_;
+  const Owners& right_;
+  Owners holder_;
+  std::optional<Id> before_, tested_, told_;
+  bool told_wrong_ = false;
+  std::optional<std::pair<ivec2, CellLook>> at_hand_;
+  std::vector<ivec2> wrong_;
+  std::int64_t milestones_ = -1;
+  int fine_ = 0;
+  std::optional<StepNumber> telling_;
+  double precision_ = 0;
+};
+
+// --- The methods
+
+/// What is right, drawn with depths as they are.
+Owners right_of(const Subject& subject) {
+  Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
+  per_polygon<double>(subject.faces, buffer);
+  Owners shown;
+  for (int y = 0; y < subject.size.y; ++y) {
+    for (int x = 0; x < subject.size.x; ++x) {
+      const auto& cell = buffer[{x, y}];
+      if (cell.taken) shown.emplace(std::pair{x, y}, cell.key);
+    }
+  }
+  return shown;
+}
+
+/// What stands unchanged behind all steps. base: of the codes in the cells.
+void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
+  const Words& words = narrator.words();
+  narrator.trace().subtitle = words.count("subtitle", std::ssize(subject.faces),
+                                          {{"columns", subject.size.x}, {"rows", subject.size.y}});
+  Grid& grid = narrator.trace().grid;
+  grid.cells = subject.picture();
+  grid.y_up = false;
+  grid.x_name = words.symbol("x");
+  grid.y_name = words.symbol("y");
+  grid.whole = true;
+  narrator.legend(
+      {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
+  for (const Face& face : subject.faces) {
+    narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});
+  }
+  if (base == 0) return;
+  const std::string& depth = narrator.arguments().text("depth");
+  narrator.trace().subtitle += words.say("codes." + depth, {{"base", base}});
+}
+
+template <class T, class Run>
+void tell_walk(Narrator& narrator, const Subject& subject, auto store, Look look, const Run& run) {
+  const DepthText<T> text(subject, store);
+  set_scene(narrator, subject, text.base());
+  const Owners right = right_of(subject);
+  Story<T> story(narrator.words(), subject, text, look, right);
+  story.precision(distance_between_codes(subject, store));
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  run(watch);
+  if (story.telling()) narrator.telling(*story.telling());
+  narrator.result({{"wrong", story.wrong()}, {"shown", std::ssize(right)}});
+}
+
+/// With depths stored as the reader wants them: use(T{}, store).
+void with_depths(const Arguments& arguments, const Subject& subject, const auto& use) {
+  const std::string& depth = arguments.text("depth");
+  if (depth == "float") return use(float{}, AsFloat{subject.range});
+  if (depth == "fixed24") return use(std::int32_t{}, AsFixed24{subject.range});
+  if (depth == "reversed_float") return use(float{}, AsReversedFloat{subject.range});
+  use(double{}, Exactly{});
+}
+
+void tell_per_polygon(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  with_depths(narrator.arguments(), subject, [&]<class T>(T, auto store) {
+    tell_walk<T>(narrator, subject, store, {}, [&](const auto& watch) {
+      Raster<Cell<T, Id>> buffer(subject.size.x, subject.size.y);
+      per_polygon<T>(subject.faces, buffer, store, watch);
+    });
+  });
+}
+
+void tell_scanline(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  with_depths(narrator.arguments(), subject, [&]<class T>(T, auto store) {
+    tell_walk<T>(narrator, subject, store, {.rows = true}, [&](const auto& watch) {
+      std::vector<Cell<T, Id>> line(static_cast<std::size_t>(subject.size.x));
+      scanline<T>(
+          std::span<const Face>(subject.faces), subject.picture(), std::span(line), store, [](ivec2, Id) {},
+          watch);
+    });
+  });
+}
+
+void tell_first_come(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  tell_walk<double>(narrator, subject, Exactly{}, {}, [&](const auto& watch) {
+    Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
+    first_come(subject.faces, buffer, watch);
+  });
+}
+
+void tell_integer_colours(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  tell_walk<double>(narrator, subject, Exactly{}, {.whole = true}, [&](const auto& watch) {
+    Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
+    Raster<glm::ivec3> colours(subject.size.x, subject.size.y);
+    const auto colour_of = [&](Id id) {
+      const Rgba8 c = subject.color(id);
+      return dvec3(c.r, c.g, c.b) / 255.0;
+    };
+    integer_colours(subject.faces, buffer, colours, colour_of, watch);
+  });
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  using namespace parameters;
+  const Sizes up_to_a_million{1e-6, 1e6};
+  static const TopicEntry topic = completed<entry>(
+      {.name = "z_buffer",
+       .chapter = "visibility",
+       .aliases = {"depth buffer", "depth test", "z-buffer", "hidden surface removal", "z-fighting"},
+       .summary = "at every pixel the nearest face, whatever the order of drawing",
+       .methods = {{.name = "per_polygon", .standing = Standing::taught, .tell = tell_per_polygon},
+                   {.name = "scanline", .tell = tell_scanline},
+                   {.name = "first_come",
+                    .standing = Standing::faulty,
+                    .tell = tell_first_come,
+                    .unread = {"depth", "near", "far"}},
+                   {.name = "integer_colours",
+                    .standing = Standing::faulty,
+                    .tell = tell_integer_colours,
+                    .unread = {"depth", "near", "far"}}},
+       .default_method = "per_polygon",
+       .columns = {{"face", false}, {"x"}, {"y"}, {"z"}, {"old"}, {"shown", false}},
+       .parameters =
+           {faces(400, "faces",
+                  "A: 0,0,5 6,0,5 6,5,5 0,5,5; B: 3,2,3 8,2,3 8,7,3 3,7,3; C: 1,4,1 7,4,7 7,8,7 1,8,1",
+                  "A: 0,0,4 6,0,4 0,6,4; B: 2,0,2 8,0,6 8,8,6 2,8,2",
+                  "plane convex faces: x right and y down in pixels, z away from the viewer",
+                  up_to_a_million),
+            {.name = "columns",
+             .type = ParameterType::integer,
+             .default_value = "8",
+             .example = "12",
+             .help = "how many pixels the picture is wide",
+             .least = 1,
+             .most = 16},
+            {.name = "rows",
+             .type = ParameterType::integer,
+             .default_value = "8",
+             .example = "6",
+             .help = "how many pixels it is high",
+             .least = 1,
+             .most = 16},
+            {.name = "order",
+             .type = ParameterType::order,
+             .default_value = "given",
+             .example = "3,1,2",
+             .help = "in which order the faces are drawn, by their numbers, as 3,1,2; or given",
+             .choices = {"given"},
+             .numbered = true},
+            choice(
+                "depth", {"exact", "float", "fixed24", "reversed_float"}, "exact", "fixed24",
+                "how depths are stored: as they are, or from near to far as float, 24 bits, reversed float"),
+            number("near", "0", "1", "the depth that is stored as 0 (reversed: as 1)", up_to_a_million),
+            number("far", "10", "1000000", "the depth that is stored as 1 (reversed: as 0)",
+                   up_to_a_million)},
+       .examples = {"--order 3,1,2", "--method scanline --columns 8 --rows 8",
+                    "--depth fixed24 --far 1000000 --faces 'A: 0,0,500 8,0,500 8,8,500 0,8,500; B: 0,0,500.2 "
+                    "8,0,499.8 8,8,499.8 0,8,500.2'"}});
+  return topic;
+}
+
+}  // namespace gradus::z_buffer

@@ -1,0 +1,149 @@
+#pragma once
+// What a z-buffer is given: faces with colours, their order, a picture, and how depths are stored.
+
+#include <bit>
+
+#include "stories/telling.hpp"
+#include "visibility/z_buffer/z_buffer.hpp"
+
+namespace gradus::z_buffer {
+
+/// The colours of faces that bring none, in turn: told apart by every eye and on grey paper.
+inline constexpr std::array<Rgba8, 4> own_colors{Rgba8{86, 180, 233, 255}, Rgba8{240, 228, 66, 255},
+                                                 Rgba8{230, 159, 0, 255}, Rgba8{0, 158, 115, 255}};
+
+struct Subject {
+  std::vector<NamedFace> named;  ///< as given
+  ivec2 size;
+  Range range;
+  std::vector<Rgba8> colors{};  ///< by face
+  std::vector<Face> faces{};    ///< in the order of drawing
+
+  const std::string& name(Id id) const { return named[static_cast<std::size_t>(id.face)].name; }
+  Rgba8 color(Id id) const { return colors[static_cast<std::size_t>(id.face)]; }
+  const std::vector<dvec3>& corners(Id id) const { return named[static_cast<std::size_t>(id.face)].points; }
+  Window picture() const { return {{0, 0}, size - 1}; }
+};
+
+/// "#rrggbb" as a colour.
+inline Rgba8 color_of(std::string_view text) {
+  const auto channel = [&](std::size_t at) {
+    const auto digit = [](char c) { return c <= '9' ? c - '0' : c - 'a' + 10; };
+    return static_cast<std::uint8_t>(16 * digit(text[at]) + digit(text[at + 1]));
+  };
+  return {channel(1), channel(3), channel(5), 255};
+}
+
+/// Whether no corner lies on the wrong side of an edge, as one sees the face.
+inline bool is_convex(const std::vector<dvec3>& c) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const dvec2 a(c[i]), way = dvec2(c[i + 1 < c.size() ? i + 1 : 0]) - a;
+    for (const dvec3& corner : c) {
+      const dvec2 to = dvec2(corner) - a;
+      const double side = way.x * to.y - way.y * to.x;
+      const double noise = 1e-12 * (std::abs(way.x * to.y) + std::abs(way.y * to.x));
+      left = left || side > noise;
+      right = right || side < -noise;
+    }
+  }
+  return !(left && right);
+}
+
+/// Whether all corners lie in the plane of the face.
+inline bool is_plane(const Face& face) {
+  const auto plane = plane_of(face);
+  if (!plane) return true;  // edge on: nothing of it is seen
+  const double thick = 1e-6 * (1 + plane->farthest - plane->nearest);
+  return std::ranges::all_of(face.corners, [&](const dvec3& c) {
+    const dvec2 way = dvec2(c) - dvec2(plane->corner);
+    return std::abs(plane->corner.z + plane->right * way.x + plane->down * way.y - c.z) <= thick;
+  });
+}
+
+inline void require_face(const NamedFace& named, std::size_t number) {
+  for (const dvec3& c : named.points) {
+    if (std::abs(c.x) > farthest || std::abs(c.y) > farthest)
+      refuse("faces", "face '{}': a corner lies more than {} pixels out", named.name, farthest);
+  }
+  if (!is_convex(named.points)) refuse("faces", "face '{}' is not convex", named.name);
+  if (!is_plane({named.points, {0, static_cast<int>(number)}}))
+    refuse("faces", "face '{}': its corners don't lie in one plane", named.name);
+}
+
+inline Subject subject_of(const Arguments& arguments) {
+  Subject subject{
+      .named = arguments.faces("faces"),
+      .size = {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))},
+      .range = {arguments.number("near").value_or(0), arguments.number("far").value_or(10)}};
+  if (!(subject.range.near < subject.range.far)) {
+    refuse(arguments, {"far", "near"}, "expected a far depth beyond the near one");
+  }
+  for (std::size_t i = 0; i < subject.named.size(); ++i) {
+    require_face(subject.named[i], i);
+    const std::string& color = subject.named[i].color;
+    subject.colors.push_back(color.empty() ? own_colors[i % own_colors.size()] : color_of(color));
+    subject.faces.push_back({subject.named[i].points, {0, static_cast<int>(i)}});
+  }
+  if (arguments.text("order") == "given") return subject;
+  const auto order = arguments.numbered_order("order");
+  if (!order || order->size() != subject.faces.size()) {
+    refuse("order", "expected the numbers 1 to {} of the faces, each once in any order",
+           subject.faces.size());
+  }
+  const std::vector<Face> given = subject.faces;
+  for (std::size_t i = 0; i < order->size(); ++i) subject.faces[i] = given[(*order)[i]];
+  return subject;
+}
+
+/// A stored depth as a whole number that grows with it.
+inline std::int64_t code_of(std::int32_t depth) { return depth; }
+inline std::int64_t code_of(float depth) {
+  const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(depth) & 0x7fffffff);
+  return std::signbit(depth) ? -bits : bits;
+}
+
+/// How far two depths lie apart, at least, to be stored as two, where the faces begin.
+inline double distance_between_codes(const Subject&, Exactly) { return 0; }
+inline double distance_between_codes(const Subject& subject, AsFixed24) {
+  return (subject.range.far - subject.range.near) / AsFixed24::most;
+}
+template <class Store>
+double distance_between_codes(const Subject& subject, const Store& store) {
+  const float at = std::abs(store(subject.faces.front().corners.front().z));
+  return (double{std::nextafter(at, 2.0f)} - double{at}) * (subject.range.far - subject.range.near);
+}
+
+/// Depths as figures write them: as they are, or as codes from a round number on.
+template <class T>
+class DepthText {
+ public:
+  explicit DepthText(const Subject& subject, auto store) {
+    if constexpr (!std::same_as<T, double>) {
+      std::int64_t least = INT64_MAX, most = INT64_MIN;
+      Raster<Cell<T, Id>> buffer(subject.size.x, subject.size.y);
+      per_polygon<T>(subject.faces, buffer, store, [&]<class Step>(const Step& step) {
+        if constexpr (std::same_as<Step, Compared<T, Id>>) {
+          least = std::min(least, code_of(step.depth));
+          most = std::max(most, code_of(step.depth));
+        }
+      });
+      if (least > most || (least >= 0 && most < 1000)) return;
+      // The last digits alone, from 1 on
+      base_ = least - 1;
+    }
+  }
+  std::string operator()(T depth) const {
+    if constexpr (std::same_as<T, double>) {
+      return figure_real(std::round(depth * 100) / 100);
+    } else {
+      return figure_number(code_of(depth) - base_);
+    }
+  }
+  std::int64_t base() const { return base_; }
+
+ private:
+  std::int64_t base_ = 0;
+};
+
+}  // namespace gradus::z_buffer
