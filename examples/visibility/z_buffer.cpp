@@ -19,7 +19,7 @@ int main() {
   // Two faces that pierce each other, and the buffer that is drawn into
   const dvec3 falling[]{{0, 0, 0}, {8, 0, 4}, {8, 3, 4}, {0, 3, 0}};
   const dvec3 rising[]{{0, 1, 4}, {8, 1, 0}, {8, 4, 0}, {0, 4, 4}};
-  const Face faces[]{{falling, {0, 0}}, {rising, {0, 1}}};
+  const z_buffer::Face faces[]{{falling, {0, 0}}, {rising, {0, 1}}};
   Raster<Cell<double, Id>> buffer(8, 4);
 
   // The walk, watched
