@@ -125,16 +125,13 @@ class EdgeOnPicture {
     panel_ = Panel(place, extent, Panel::Fit::stretched);
   }
 
-  /// The plane with the name of its polygon, and what lies where.
-  void add_plane(View& view, const std::string& name, const std::string& front,
-                 const std::string& behind) const {
-    const double y = panel_.at({0, 0}).y;
+  /// The plane with the name of its polygon, and the signs of its sides.
+  void add_plane(View& view, const std::string& name) const {
+    const double y = panel_.at({0, 0}).y, left = place_.lower.x - 0.8;
     view.add({"e plane", Role::boundary, Stroke{{place_.lower.x, y}, {place_.upper.x, y}}});
     view.add({"e plane name", Role::boundary, Label{{place_.upper.x - 0.6, y}, name}});
-    view.add({"e front", Role::guide,
-              Text{{place_.lower.x - 0.6, 0.5 * (y + place_.upper.y)}, "+ " + front, Align::right}});
-    view.add({"e behind", Role::guide,
-              Text{{place_.lower.x - 0.6, 0.5 * (y + place_.lower.y)}, "− " + behind, Align::right}});
+    view.add({"e front", Role::guide, Text{{left, 0.5 * (y + place_.upper.y)}, "+"}});
+    view.add({"e behind", Role::guide, Text{{left, 0.5 * (y + place_.lower.y)}, "−"}});
   }
   void add_polygon(View& view, const DPolygon& polygon, Role role, const std::string& name,
                    bool corners) const {

@@ -9,7 +9,7 @@ namespace gradus::bsp_tree {
 namespace {
 
 /// Of the paper: space, the plane at hand and the tree.
-constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{24.4, 0.8}, {35, 10.2}},
+constexpr Extent space_place{{0.6, 0.6}, {18.4, 23.4}}, edge_on_place{{22.4, 1.4}, {35, 10.2}},
     tree_place{{20, 12.8}, {35, 22.8}};
 
 // --- The tree is built
@@ -246,8 +246,7 @@ class BuildStory {
       if (piece.here || piece.node == node_) here.push_back(piece.polygon);
     }
     const EdgeOnPicture picture(edge_on_place, plane_.plane, task_.reader, here);
-    picture.add_plane(view, words_.say("plane", {{"name", names_(plane_)}}), words_.say("side.1"),
-                      words_.say("side.2"));
+    picture.add_plane(view, words_.say("plane", {{"name", names_(plane_)}}));
     for (const Piece& piece : pieces_) {
       if (!piece.here || piece.node != none) continue;
       const Role role = role_of(piece);
