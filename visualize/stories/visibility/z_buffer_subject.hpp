@@ -64,11 +64,12 @@ inline bool is_plane(const Face& face) {
 inline void require_face(const NamedFace& named, std::size_t number) {
   for (const dvec3& c : named.points) {
     if (std::abs(c.x) > farthest || std::abs(c.y) > farthest)
-      refuse("faces", "face '{}': a corner lies more than {} pixels out", named.name, farthest);
+      refuse("faces", "expected corners at most {} pixels out, found one of '{}' farther away", farthest,
+             named.name);
   }
-  if (!is_convex(named.points)) refuse("faces", "face '{}' is not convex", named.name);
+  if (!is_convex(named.points)) refuse("faces", "expected convex faces, found '{}' with a dent", named.name);
   if (!is_plane({named.points, {0, static_cast<int>(number)}}))
-    refuse("faces", "face '{}': its corners don't lie in one plane", named.name);
+    refuse("faces", "expected flat faces, found '{}' with corners in no one plane", named.name);
 }
 
 inline Subject subject_of(const Arguments& arguments) {
