@@ -1,0 +1,109 @@
+#pragma once
+// The normal at a vertex of a mesh, from those of the faces that meet there: what a surface may have had for
+// a normal before it was cut into faces.
+
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <iterator>
+#include <ranges>
+#include <span>
+
+#include "core/arithmetic/elementary.hpp"
+#include "core/contract.hpp"
+#include "core/geometry.hpp"
+#include "core/observe.hpp"
+
+namespace gradus::polygon_shading {
+
+/// How much the normal of a face counts at one of its corners.
+enum class Weighting {
+  plain,  ///< as much as any other: the more faces a side is cut into, the more it counts
+  area,   ///< by its area
+  angle,  ///< by the angle it has at this corner: however it is cut, the angles add up to the same
+};
+
+/// A face's normal was added at one of its corners.
+template <class T>
+struct NormalAdded {
+  std::size_t face, vertex;
+  glm::vec<3, T> normal;  ///< of the face, of length 1
+  T weight;
+};
+
+/// All that meet at a vertex were added.
+template <class T>
+struct VertexDone {
+  std::size_t vertex;
+  glm::vec<3, T> sum;
+  glm::vec<3, T> normal;  ///< of length 1; zero where there was nothing to add, or it cancels
+};
+
+/// The sum of cross products that is normal to a face and as long as twice its area (Newell).
+template <class T, class Face>
+glm::vec<3, T> doubled_area(std::span<const glm::vec<3, T>> places, const Face& face) {
+  const auto at = [&](auto corner) { return places[static_cast<std::size_t>(corner)]; };
+  const auto origin = at(*std::ranges::begin(face));
+  glm::vec<3, T> sum{T(0)}, before{T(0)};
+  for (const auto corner : face) {
+    const auto way = at(corner) - origin;
+    sum += glm::cross(before, way);
+    before = way;
+  }
+  return sum;
+}
+
+/// The angle between two ways, in [0, pi].
+template <class T>
+T angle_between(glm::vec<3, T> a, glm::vec<3, T> b) {
+  return gradus::atan2(length_of(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// How much a face counts at its k-th corner.
+template <class T, class Face>
+T weight_of(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k, Weighting weighting) {
+  if (weighting == Weighting::plain) return T(1);
+  if (weighting == Weighting::area) return length_of(doubled_area(places, face)) / T(2);
+  const std::size_t n = std::ranges::size(face);
+  const auto at = [&](std::size_t i) { return places[static_cast<std::size_t>(face[i % n])]; };
+  return angle_between(at(k + 1) - at(k), at(k + n - 1) - at(k));
+}
+
+/// The normals at the vertices of a mesh: for each the sum of the normals of the faces that meet there, each
+/// as its weight says, brought to length 1. Source: H. Gouraud, 1971 (plain); G. Thürmer, C. Wüthrich,
+/// Computing vertex normals from polygonal facets, J. Graphics Tools 3 (1), 1998 (angle).
+///
+/// places: of the vertices. faces: a range of ranges of numbers of vertices, counter-clockwise seen from
+///   outside, at least 3 each, each range random access. normals: the caller's, as long as `places`.
+///
+/// Domain: finite places, sizes whose squares neither overflow nor underflow. A face without area adds
+/// nothing. Steps: NormalAdded for every corner of every face, then VertexDone for every vertex. Accuracy:
+/// the normal is within 8 (k + 2) u of the exact sum's direction, k the faces that meet there, where
+///   the sum does not cancel: beside the errors of the faces' own normals.
+/// Cost: a normal a face and a weight a corner: an arc tangent with angles, a cross product a corner with
+/// areas. Errors: ContractViolation where the lengths of places and normals differ.
+template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unobserved>
+void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, Weighting weighting,
+                    std::span<glm::vec<3, T>> normals, O&& observer = {}) {
+  expects(normals.size() == places.size(), "{} normals were expected, not {}", places.size(), normals.size());
+  std::ranges::fill(normals, glm::vec<3, T>{T(0)});
+  std::size_t f = 0;
+  for (const auto& face : faces) {
+    const auto n = unit_vector(doubled_area(places, face));
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const auto v = static_cast<std::size_t>(face[k]);
+      const T w = weight_of(places, face, k, weighting);
+      normals[v] += w * n;
+      if constexpr (observed<O>) observer(NormalAdded<T>{f, v, n, w});
+    }
+    ++f;
+  }
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const auto sum = normals[v];
+    normals[v] = unit_vector(sum);
+    if constexpr (observed<O>) observer(VertexDone<T>{v, sum, normals[v]});
+  }
+}
+
+}  // namespace gradus::polygon_shading
