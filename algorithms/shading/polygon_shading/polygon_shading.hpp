@@ -78,6 +78,12 @@ struct Shaded {
   Colour colour;
 };
 
+/// The same where colours are interpolated, or none is.
+template <class T, class Colour>
+Shaded<T, Colour, Colour> plain(ivec2 pixel, T gamma, const Colour& colour) {
+  return {pixel, gamma, colour, T(1), colour};
+}
+
 /// The polygon is done.
 struct Finished {
   std::int64_t pixels;  ///< that were plotted
@@ -199,7 +205,7 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 /// Errors: ContractViolation for fewer than 3 corners, or a corner too far away.
 template <class T, class Light, class Plot,
           class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
-          Observer<PolygonLit<T, Colour>, RowBegun<T, Surface<T>>, Shaded<T, Colour, Colour>, Finished> O =
+          Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O =
               Unobserved>
 void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture, Light&& light, Plot&& plot,
           O&& observer = {}) {
@@ -213,13 +219,11 @@ void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture,
   const auto [bottom, top] = rows_of(polygon, picture);
   for (int j = bottom; j < top; ++j) {
     const auto [l, r] = ends_of(polygon, j);
-    if constexpr (observed<O>)
-      observer(RowBegun<T, Surface<T>>{j, l, r, at_end(polygon, l), at_end(polygon, r)});
+    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, colour, colour});
     const auto [first, end] = columns_of(l, r, picture);
     for (int i = first; i < end; ++i) {
       plot(ivec2{i, j}, colour);
-      if constexpr (observed<O>)
-        observer(Shaded<T, Colour, Colour>{{i, j}, part_between(l, r, i), colour, T(1), colour});
+      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), colour));
       ++pixels;
     }
   }
@@ -248,18 +252,16 @@ void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::sp
   }
 }
 
-/// Gouraud shading: colours are known at the corners alone. They are mixed along the edges where the scan
-/// line meets them (alpha on the left, beta on the right), and those along the scan line (gamma). Source: H.
-/// Gouraud, Continuous shading of curved surfaces, IEEE Trans. Computers C-20 (6), 1971.
+/// Gouraud shading: colours are known at the corners alone. Where the scan line meets two edges they are mixed
+/// (alpha on the left, beta on the right), and what comes out is mixed along the scan line (gamma).
+/// Source: H. Gouraud, Continuous shading of curved surfaces, IEEE Trans. Computers C-20 (6), 1971.
 ///
 /// polygon: as for flat, each corner with its colour. plot(pixel, colour): as for flat.
 ///
-/// Domain: as for flat; colours finite. Between more than three corners the picture depends on how the
-/// polygon
+/// Domain: as for flat; colours finite. With more than three corners the picture depends on how the polygon
 ///   is turned: the scan line decides which corners are mixed.
 /// Steps: RowBegun* Shaded* Finished, rows upwards, each before its pixels.
-/// Accuracy: pixels as for flat. Of a triangle the colour is the mean of the corners' with barycentric
-/// weights,
+/// Accuracy: pixels as for flat. Of a triangle the colour is the mean of the corners' by barycentric weights,
 ///   within 20 u (1 + max|x| / w) max|colour|, w the width of the row between its ends; never outside the
 ///   corners' range by more than 4 u of the largest.
 /// Cost: a row two mixtures and the edges, a pixel a division and a mixture. No light.
@@ -283,7 +285,7 @@ void gouraud(std::span<const Corner<T, Colour>> polygon, const Window& picture, 
       const T gamma = part_between(l, r, i);
       const Colour ip = mix(il, ir, gamma);
       plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(Shaded<T, Colour, Colour>{{i, j}, gamma, ip, T(1), ip});
+      if constexpr (observed<O>) observer(plain({i, j}, gamma, ip));
       ++pixels;
     }
   }
@@ -306,9 +308,8 @@ Surface<T> renormalised(const Surface<T>& mixed) {
 ///
 /// Domain: as for flat; normals of any length but 0, and no two that cancel each other on the way.
 /// Steps: RowBegun* Shaded* Finished, rows upwards, each before its pixels.
-/// Accuracy: pixels as for flat; places as Gouraud's colours, normals of length 1 within 6 u. Mixing is
-/// linear on
-///   the screen: in perspective it is not linear in space.
+/// Accuracy: pixels as for flat; places as Gouraud's colours, normals of length 1 within 6 u. Mixing is linear
+///   on the screen: in perspective it is not linear in space.
 /// Cost: as Gouraud's for six numbers, a square root and one light a pixel.
 /// Errors: as for flat.
 template <class T, class Light, class Plot,
@@ -334,8 +335,7 @@ void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture
       const auto np = renormalised(mixed);
       const Colour colour = light(np.place, np.normal);
       plot(ivec2{i, j}, colour);
-      if constexpr (observed<O>)
-        observer(Shaded<T, Surface<T>, Colour>{{i, j}, gamma, np, length_of(mixed.normal), colour});
+      if constexpr (observed<O>) observer(Shaded{ivec2{i, j}, gamma, np, length_of(mixed.normal), colour});
       ++pixels;
     }
   }

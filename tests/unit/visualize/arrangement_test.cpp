@@ -102,6 +102,17 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"polygon_circle", 0.83},
                                               {"polygon_circle_pieces", 0.99},
                                               {"polygon_circle_chords", 0.99},
+                                              {"z_buffer", 0.99},
+                                              {"z_buffer_polygons", 0.99},
+                                              {"z_buffer_order", 0.99},
+                                              {"z_buffer_cycle", 0.99},
+                                              {"z_buffer_piercing", 0.99},
+                                              {"z_buffer_scanline", 0.99},
+                                              {"z_buffer_fight", 0.99},
+                                              {"z_buffer_fight_float", 0.99},
+                                              {"z_buffer_reversed_float", 0.99},
+                                              {"z_buffer_first_come", 0.99},
+                                              {"z_buffer_integer_colours", 0.99},
                                               {"pipeline", 0.78},
                                               {"pipeline_clipping", 0.82}};
   for (const GalleryFigure& figure : gallery()) {
