@@ -203,10 +203,10 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 ///   none between them. The colour is that of light.
 /// Cost: one light; a division and the edges a row, a call of plot a pixel.
 /// Errors: ContractViolation for fewer than 3 corners, or a corner too far away.
-template <class T, class Light, class Plot,
-          class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
-          Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O =
-              Unobserved>
+template <
+    class T, class Light, class Plot,
+    class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
+    Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O = Unobserved>
 void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture, Light&& light, Plot&& plot,
           O&& observer = {}) {
   expect_polygon(polygon);
@@ -252,8 +252,8 @@ void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::sp
   }
 }
 
-/// Gouraud shading: colours are known at the corners alone. Where the scan line meets two edges they are mixed
-/// (alpha on the left, beta on the right), and what comes out is mixed along the scan line (gamma).
+/// Gouraud shading: colours are known at the corners alone. Where the scan line meets two edges they are
+/// mixed (alpha on the left, beta on the right), and what comes out is mixed along the scan line (gamma).
 /// Source: H. Gouraud, Continuous shading of curved surfaces, IEEE Trans. Computers C-20 (6), 1971.
 ///
 /// polygon: as for flat, each corner with its colour. plot(pixel, colour): as for flat.
@@ -308,8 +308,8 @@ Surface<T> renormalised(const Surface<T>& mixed) {
 ///
 /// Domain: as for flat; normals of any length but 0, and no two that cancel each other on the way.
 /// Steps: RowBegun* Shaded* Finished, rows upwards, each before its pixels.
-/// Accuracy: pixels as for flat; places as Gouraud's colours, normals of length 1 within 6 u. Mixing is linear
-///   on the screen: in perspective it is not linear in space.
+/// Accuracy: pixels as for flat; places as Gouraud's colours, normals of length 1 within 6 u. Mixing is
+///   linear on the screen: in perspective it is not linear in space.
 /// Cost: as Gouraud's for six numbers, a square root and one light a pixel.
 /// Errors: as for flat.
 template <class T, class Light, class Plot,

@@ -1,6 +1,6 @@
 #pragma once
-// An exhibit: the normal of a face as lecture notes compute it for flat shading, kept so that a figure can show
-// how far it leans. Never use it to shade; polygon_shading.hpp has the right one.
+// An exhibit: the normal of a face as lecture notes compute it for flat shading, kept so that a figure can
+// show how far it leans. Never use it to shade; polygon_shading.hpp has the right one.
 
 #include "shading/polygon_shading/polygon_shading.hpp"
 
@@ -24,16 +24,15 @@ Surface<T> middle_by_vertex_normals(std::span<const Corner<T, Surface<T>>> polyg
 /// Accuracy: right only where the vertex normals lean to all sides alike, as on a whole face of a cube.
 /// Cost: as for flat.
 /// Errors: as for flat.
-template <class T, class Light, class Plot,
-          class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
-          Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O =
-              Unobserved>
+template <
+    class T, class Light, class Plot,
+    class Colour = std::invoke_result_t<Light&, glm::vec<3, T>, glm::vec<3, T>>,
+    Observer<PolygonLit<T, Colour>, RowBegun<T, Colour>, Shaded<T, Colour, Colour>, Finished> O = Unobserved>
 void flat_by_vertex_normals(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture,
                             Light&& light, Plot&& plot, O&& observer = {}) {
   expect_polygon(polygon);
   // The corners lean to other faces
-  const Surface<T> middle =
-      middle_by_vertex_normals(polygon);
+  const Surface<T> middle = middle_by_vertex_normals(polygon);
   const auto [place, normal] = middle;
   const Colour colour = light(place, normal);
   if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, colour});

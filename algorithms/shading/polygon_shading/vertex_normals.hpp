@@ -77,9 +77,9 @@ T weight_of(std::span<const glm::vec<3, T>> places, const Face& face, std::size_
 /// places: of the vertices. faces: a range of ranges of numbers of vertices, counter-clockwise seen from
 ///   outside, at least 3 each, each range random access. normals: the caller's, as long as `places`.
 ///
-/// Domain: finite places, sizes whose squares neither overflow nor underflow. A face without area adds nothing.
-/// Steps: NormalAdded for every corner of every face, then VertexDone for every vertex.
-/// Accuracy: within 8 (k + 2) u of the exact sum's direction, k the faces that meet there, where the sum does
+/// Domain: finite places, sizes whose squares neither overflow nor underflow. A face without area adds
+/// nothing. Steps: NormalAdded for every corner of every face, then VertexDone for every vertex. Accuracy:
+/// within 8 (k + 2) u of the exact sum's direction, k the faces that meet there, where the sum does
 ///   not cancel: beside the errors of the faces' own normals.
 /// Cost: a normal a face and a weight a corner: an arc tangent with angles, a cross product a corner with
 ///   areas.
