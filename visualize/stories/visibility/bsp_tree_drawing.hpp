@@ -14,23 +14,28 @@ using DTree = Tree<double>;
 
 inline constexpr int paper_width = 36, paper_height = 24;
 
-/// What the polygons are called. Parts are told by their corners, which are just those that were reported.
+/// Whether both are the same part of the same face: another face may lie in the same place.
+inline bool same(const DPolygon& a, const DPolygon& b) { return a.face == b.face && a.corners == b.corners; }
+
+/// What the polygons are called. Parts are told by their face and their corners, which are just those that
+/// were reported.
 class PartNames {
  public:
   explicit PartNames(const std::vector<faces_task::NamedPart>& parts) {
-    for (const auto& part : parts) names_[text_of(part.ring)] = part.name;
+    for (std::size_t i = 0; i < parts.size(); ++i) names_[text_of(parts[i].ring, i)] = parts[i].name;
   }
-  const std::string& operator()(const DPolygon& polygon) const { return names_.at(text_of(polygon.corners)); }
+  const std::string& operator()(const DPolygon& polygon) const { return names_.at(text_of(polygon)); }
   /// The parts of one that was cut.
   void cut(const DPolygon& whole, const DPolygon& in_front, const DPolygon& behind) {
     const std::string name = (*this)(whole);
-    names_[text_of(in_front.corners)] = faces_task::part_name(name, 0);
-    names_[text_of(behind.corners)] = faces_task::part_name(name, 1);
+    names_[text_of(in_front)] = faces_task::part_name(name, 0);
+    names_[text_of(behind)] = faces_task::part_name(name, 1);
   }
 
  private:
-  static std::string text_of(const std::vector<dvec3>& ring) {
-    std::string text;
+  static std::string text_of(const DPolygon& polygon) { return text_of(polygon.corners, polygon.face); }
+  static std::string text_of(const std::vector<dvec3>& ring, std::size_t face) {
+    std::string text = fmt::format("{};", face);
     for (const dvec3 p : ring) text += fmt::format("{},{},{};", p.x, p.y, p.z);
     return text;
   }

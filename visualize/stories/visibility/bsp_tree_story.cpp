@@ -39,7 +39,7 @@ class BuildStory {
     plane_ = t.polygon;
     nodes_.push_back({t.parent, t.in_front, {names_(t.polygon)}});
     for (Piece& piece : pieces_) {
-      if (piece.polygon.corners == t.polygon.corners) piece.node = t.node;
+      if (same(piece.polygon, t.polygon)) piece.node = t.node;
       piece.here = piece.node == none && piece.parent == t.parent &&
                    (t.parent == none || piece.in_front == t.in_front);
       piece.side = std::nullopt;
@@ -96,7 +96,7 @@ class BuildStory {
   void show(Board& board, const Split<double>& s) {
     const DPolygon whole = *current_;
     names_.cut(whole, s.in_front, s.behind);
-    std::erase_if(pieces_, [&](const Piece& piece) { return piece.polygon.corners == whole.corners; });
+    std::erase_if(pieces_, [&](const Piece& piece) { return same(piece.polygon, whole); });
     for (const bool in_front : {true, false}) {
       pieces_.push_back({in_front ? s.in_front : s.behind, s.node, in_front});
       pieces_.back().here = true;
@@ -154,9 +154,8 @@ class BuildStory {
   };
 
   Piece& piece_of(const DPolygon& polygon) {
-    return *std::ranges::find_if(pieces_, [&](const Piece& piece) {
-      return piece.polygon.corners == polygon.corners && piece.node == none;
-    });
+    return *std::ranges::find_if(
+        pieces_, [&](const Piece& piece) { return same(piece.polygon, polygon) && piece.node == none; });
   }
   static void move(Piece& piece, std::size_t node, bool in_front) {
     piece.parent = node;
@@ -212,7 +211,7 @@ class BuildStory {
   Role role_of(const Piece& piece) const {
     if (done_) return Role::result;
     if (piece.node == node_ && node_ != none) return Role::boundary;
-    if (current_ && piece.polygon.corners == current_->corners) return Role::current;
+    if (current_ && same(piece.polygon, *current_)) return Role::current;
     if (!piece.here || piece.node != none) return Role::past;
     if (piece.side == Side::in_front) return Role::accepted;
     if (piece.side == Side::behind) return Role::rejected;

@@ -92,11 +92,13 @@ inline std::string part_name(const std::string& whole, std::size_t n) {
   return whole + (digit ? std::string(1, static_cast<char>('a' + n % 26)) : fmt::format("{}", n + 1));
 }
 
-/// Flat convex faces whole, others as triangles.
+/// Flat convex faces whole, others as triangles, but for those without an inside.
 inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
   std::vector<NamedPart> parts;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     auto rings = is_flat(faces[i].points) ? convex_parts(faces[i].points) : triangles_of(faces[i].points);
+    const double whole = glm::length(area_vector(faces[i].points));
+    std::erase_if(rings, [&](const auto& ring) { return glm::length(area_vector(ring)) <= 1e-9 * whole; });
     for (std::size_t k = 0; k < rings.size(); ++k) {
       const std::string name = rings.size() == 1 ? faces[i].name : part_name(faces[i].name, k);
       parts.push_back({name, i, std::move(rings[k])});
