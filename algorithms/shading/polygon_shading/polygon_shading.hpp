@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -111,13 +112,13 @@ int first_centre(T x) {
   return static_cast<int>(std::ceil(x - T(0.5)));
 }
 
-/// The rows from `first` on and before `second` have their centres within the polygon's height.
+/// The rows whose centres lie within the polygon's height.
 template <class T, class Value>
-std::pair<int, int> rows_of(std::span<const Corner<T, Value>> polygon, const Window& picture) {
+auto rows(std::span<const Corner<T, Value>> polygon, const Window& picture) {
   const auto below = [](const auto& a, const auto& b) { return a.at.y < b.at.y; };
   const auto [low, high] = std::ranges::minmax_element(polygon, below);
-  return {std::max(first_centre(low->at.y), picture.lower.y),
-          std::min(first_centre(high->at.y), picture.upper.y + 1)};
+  const int first = std::max(first_centre(low->at.y), picture.lower.y);
+  return std::views::iota(first, std::max(first, std::min(first_centre(high->at.y), picture.upper.y + 1)));
 }
 
 /// Where the line through the row's centres meets the border of a convex polygon: left end, right end.
@@ -142,11 +143,11 @@ std::pair<End<T>, End<T>> ends_of(std::span<const Corner<T, Value>> polygon, int
   return {ends[0], ends[1]};
 }
 
-/// The columns from `first` on and before `second` have their centres between the ends.
+/// The columns whose centres lie from the left end on and before the right one.
 template <class T>
-std::pair<int, int> columns_of(const End<T>& left, const End<T>& right, const Window& picture) {
-  return {std::max(first_centre(left.x), picture.lower.x),
-          std::min(first_centre(right.x), picture.upper.x + 1)};
+auto columns(const End<T>& left, const End<T>& right, const Window& picture) {
+  const int first = std::max(first_centre(left.x), picture.lower.x);
+  return std::views::iota(first, std::max(first, std::min(first_centre(right.x), picture.upper.x + 1)));
 }
 
 /// How far the centre of a column lies between the ends: gamma, in [0, 1].
@@ -168,6 +169,12 @@ void expect_polygon(std::span<const Corner<T, Value>> polygon) {
     const bool near = std::abs(corner.at.x) <= T(farthest) && std::abs(corner.at.y) <= T(farthest);
     expects(near, "corners within {} pixels were expected", farthest);
   }
+}
+
+/// What light gives at a place of a surface.
+template <class T, class Light>
+auto lit(Light& light, const Surface<T>& at) {
+  return light(at.place, at.normal);
 }
 
 // --- Flat --------------------------------------------------------
@@ -211,19 +218,18 @@ void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture,
           O&& observer = {}) {
   expect_polygon(polygon);
   // Light, once: middle and plane
-  const Surface<T> middle = middle_of(polygon);
-  const auto [place, normal] = middle;
-  const Colour colour = light(place, normal);
-  if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, colour});
+  const auto middle = middle_of(polygon);
+  const auto ip = lit(light, middle);
+  if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, ip});
   std::int64_t pixels = 0;
-  const auto [bottom, top] = rows_of(polygon, picture);
-  for (int j = bottom; j < top; ++j) {
+  const auto all = rows(polygon, picture);
+  for (const int j : all) {
     const auto [l, r] = ends_of(polygon, j);
-    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, colour, colour});
-    const auto [first, end] = columns_of(l, r, picture);
-    for (int i = first; i < end; ++i) {
-      plot(ivec2{i, j}, colour);
-      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), colour));
+    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, ip, ip});
+    const auto row = columns(l, r, picture);
+    for (const int i : row) {
+      plot(ivec2{i, j}, ip);
+      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), ip));
       ++pixels;
     }
   }
@@ -246,8 +252,7 @@ void light_vertices(std::span<const Surface<T>> vertices, Light&& light, std::sp
                     O&& observer = {}) {
   expects(lit.size() == vertices.size(), "{} colours were expected, not {}", vertices.size(), lit.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto& [place, normal] = vertices[i];
-    lit[i] = light(place, normal);
+    lit[i] = light(vertices[i].place, vertices[i].normal);
     if constexpr (observed<O>) observer(VertexLit<Colour>{i, lit[i]});
   }
 }
@@ -272,18 +277,18 @@ void gouraud(std::span<const Corner<T, Colour>> polygon, const Window& picture, 
              O&& observer = {}) {
   expect_polygon(polygon);
   std::int64_t pixels = 0;
-  const auto [bottom, top] = rows_of(polygon, picture);
-  for (int j = bottom; j < top; ++j) {
+  const auto all = rows(polygon, picture);
+  for (const int j : all) {
     // Along the edges: alpha and beta
     const auto [l, r] = ends_of(polygon, j);
-    const Colour il = at_end(polygon, l);
-    const Colour ir = at_end(polygon, r);
+    const auto il = at_end(polygon, l);
+    const auto ir = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, il, ir});
-    const auto [first, end] = columns_of(l, r, picture);
-    for (int i = first; i < end; ++i) {
+    const auto row = columns(l, r, picture);
+    for (const int i : row) {
       // Along the scan line
       const T gamma = part_between(l, r, i);
-      const Colour ip = mix(il, ir, gamma);
+      auto ip = mix(il, ir, gamma);
       plot(ivec2{i, j}, ip);
       if constexpr (observed<O>) observer(plain({i, j}, gamma, ip));
       ++pixels;
@@ -319,23 +324,23 @@ void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture
            O&& observer = {}) {
   expect_polygon(polygon);
   std::int64_t pixels = 0;
-  const auto [bottom, top] = rows_of(polygon, picture);
-  for (int j = bottom; j < top; ++j) {
+  const auto all = rows(polygon, picture);
+  for (const int j : all) {
     // Along the edges: alpha and beta
     const auto [l, r] = ends_of(polygon, j);
     const auto nl = at_end(polygon, l);
     const auto nr = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Surface<T>>{j, l, r, nl, nr});
-    const auto [first, end] = columns_of(l, r, picture);
-    for (int i = first; i < end; ++i) {
+    const auto row = columns(l, r, picture);
+    for (const int i : row) {
       // Along the scan line
       const T gamma = part_between(l, r, i);
-      const auto mixed = mix(nl, nr, gamma);
+      auto nm = mix(nl, nr, gamma);
       // Length 1 again, then light
-      const auto np = renormalised(mixed);
-      const Colour colour = light(np.place, np.normal);
-      plot(ivec2{i, j}, colour);
-      if constexpr (observed<O>) observer(Shaded{ivec2{i, j}, gamma, np, length_of(mixed.normal), colour});
+      auto np = renormalised(nm);
+      auto ip = lit(light, np);
+      plot(ivec2{i, j}, ip);
+      if constexpr (observed<O>) observer(Shaded{ivec2{i, j}, gamma, np, length_of(nm.normal), ip});
       ++pixels;
     }
   }

@@ -8,7 +8,7 @@ namespace gradus::polygon_shading {
 
 /// The mean of the normals that the corners have; the place in the middle is right.
 template <class T>
-Surface<T> middle_by_vertex_normals(std::span<const Corner<T, Surface<T>>> polygon) {
+Surface<T> leaning_middle(std::span<const Corner<T, Surface<T>>> polygon) {
   glm::vec<3, T> sum{T(0)};
   for (const auto& corner : polygon) sum += corner.value.normal;
   return {middle_of(polygon).place, unit_vector(sum)};
@@ -32,19 +32,18 @@ void flat_by_vertex_normals(std::span<const Corner<T, Surface<T>>> polygon, cons
                             Light&& light, Plot&& plot, O&& observer = {}) {
   expect_polygon(polygon);
   // The corners lean to other faces
-  const Surface<T> middle = middle_by_vertex_normals(polygon);
-  const auto [place, normal] = middle;
-  const Colour colour = light(place, normal);
-  if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, colour});
+  auto middle = leaning_middle(polygon);
+  const auto ip = lit(light, middle);
+  if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, ip});
   std::int64_t pixels = 0;
-  const auto [bottom, top] = rows_of(polygon, picture);
-  for (int j = bottom; j < top; ++j) {
+  const auto all = rows(polygon, picture);
+  for (const int j : all) {
     const auto [l, r] = ends_of(polygon, j);
-    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, colour, colour});
-    const auto [first, end] = columns_of(l, r, picture);
-    for (int i = first; i < end; ++i) {
-      plot(ivec2{i, j}, colour);
-      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), colour));
+    if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, ip, ip});
+    const auto row = columns(l, r, picture);
+    for (const int i : row) {
+      plot(ivec2{i, j}, ip);
+      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), ip));
       ++pixels;
     }
   }

@@ -40,6 +40,12 @@ struct VertexDone {
   glm::vec<3, T> normal;  ///< of length 1; zero where there was nothing to add, or it cancels
 };
 
+/// The number of the vertex at the k-th corner of a face.
+template <class Face>
+std::size_t vertex(const Face& face, std::size_t k) {
+  return static_cast<std::size_t>(face[k]);
+}
+
 /// The sum of cross products that is normal to a face and as long as twice its area (Newell).
 template <class T, class Face>
 glm::vec<3, T> doubled_area(std::span<const glm::vec<3, T>> places, const Face& face) {
@@ -62,11 +68,11 @@ T angle_between(glm::vec<3, T> a, glm::vec<3, T> b) {
 
 /// How much a face counts at its k-th corner.
 template <class T, class Face>
-T weight_of(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k, Weighting weighting) {
-  if (weighting == Weighting::plain) return T(1);
-  if (weighting == Weighting::area) return length_of(doubled_area(places, face)) / T(2);
+T weight(std::span<const glm::vec<3, T>> places, const Face& face, std::size_t k, Weighting how) {
+  if (how == Weighting::plain) return T(1);
+  if (how == Weighting::area) return length_of(doubled_area(places, face)) / T(2);
   const std::size_t n = std::ranges::size(face);
-  const auto at = [&](std::size_t i) { return places[static_cast<std::size_t>(face[i % n])]; };
+  const auto at = [&](std::size_t i) { return places[vertex(face, i % n)]; };
   return angle_between(at(k + 1) - at(k), at(k + n - 1) - at(k));
 }
 
@@ -85,25 +91,29 @@ T weight_of(std::span<const glm::vec<3, T>> places, const Face& face, std::size_
 ///   areas.
 /// Errors: ContractViolation where the lengths of places and normals differ.
 template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unobserved>
-void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, Weighting weighting,
+void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, Weighting how,
                     std::span<glm::vec<3, T>> normals, O&& observer = {}) {
   expects(normals.size() == places.size(), "{} normals were expected, not {}", places.size(), normals.size());
   std::ranges::fill(normals, glm::vec<3, T>{T(0)});
-  std::size_t f = 0;
+  std::size_t f = 0, v = 0;
   for (const auto& face : faces) {
-    const auto n = unit_vector(doubled_area(places, face));
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const auto v = static_cast<std::size_t>(face[k]);
-      const T w = weight_of(places, face, k, weighting);
-      normals[v] += w * n;
-      if constexpr (observed<O>) observer(NormalAdded<T>{f, v, n, w});
+    auto area = doubled_area(places, face);
+    const auto n = unit_vector(area);
+    const auto count = face.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      // Added at its k-th corner
+      T w = weight(places, face, k, how);
+      auto& sum = normals[vertex(face, k)];
+      sum += w * n;
+      if constexpr (observed<O>) observer(NormalAdded<T>{f, vertex(face, k), n, w});
     }
     ++f;
   }
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    const auto sum = normals[v];
-    normals[v] = unit_vector(sum);
-    if constexpr (observed<O>) observer(VertexDone<T>{v, sum, normals[v]});
+  for (auto& normal : normals) {
+    const auto sum = normal;
+    normal = unit_vector(sum);
+    if constexpr (observed<O>) observer(VertexDone<T>{v, sum, normal});
+    ++v;
   }
 }
 

@@ -246,7 +246,7 @@ TEST(PolygonShading, AFaceNormalOfVertexNormalsLeans) {
   for (const dvec3 p : {dvec3{1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}) half.push_back({dvec2(p), {p, third * p}});
   const std::span<const Plain> polygon(half);
   EXPECT_NEAR(glm::distance(middle_of(polygon).normal, dvec3{0, 0, 1}), 0, 1e-15);
-  const dvec3 leaning = middle_by_vertex_normals(polygon).normal;
+  const dvec3 leaning = leaning_middle(polygon).normal;
   const dvec3 golden{-0.30151134457776363, 0.30151134457776363, 0.9045340337332909};
   EXPECT_NEAR(glm::distance(leaning, golden), 0, 1e-12);
   EXPECT_NEAR(std::acos(leaning.z) * 180 / std::numbers::pi, 25.239401820678907, 1e-9);

@@ -1,112 +1,407 @@
-// FILL IN: the story's subject. Until then: which pixel a walk visits next, and why.
+// The story of flat, Gouraud and Phong shading: where light is computed, what is mixed on the way, and how
+// far the picture is from light at every pixel.
 
 #include "shading/polygon_shading/polygon_shading.hpp"
 
-#include "stories/telling.hpp"
+#include "shading/polygon_shading/polygon_shading_notes.hpp"
+#include "stories/parameters.hpp"
+#include "stories/shading/polygon_shading_subject.hpp"
+#include "stories/shading/three_pictures.hpp"
+#include "stories/shading/vertex_normals_drawing.hpp"
 
 namespace gradus::polygon_shading {
 namespace {
 
-constexpr auto drop = [](ivec2) {};
+/// A face is about to be shaded.
+struct FaceTaken {
+  std::size_t face;
+};
 
-// FILL IN: for each step type what it changes in the drawing (show), and what is told of it (say).
-class Story {
+std::string place_text(dvec3 p) { return figure_place(p, short_text); }
+
+/// What the three methods have in common: faces, scan lines, pixels.
+class ShadeStory {
  public:
-  explicit Story(const Words& words) : words_(words) {}
+  ShadeStory(const Words& words, const Subject& subject) : words_(words), subject_(subject) {}
 
-  void show(Board& board, const Started& s) {
-    at_ = s.from;
-    to_ = s.to;
-    board.milestone(s.from);
-    board.plot(s.from, Role::current);
-  }
-  Event say(const Started& s) const {
-    return standing({.text = "started", .facts = {{"from", s.from}, {"to", s.to}}});
-  }
+  std::optional<StepNumber> telling() const { return telling_; }
+  const Worst& worst() const { return worst_; }
+  std::int64_t lights() const { return lights_; }
 
-  void show(Board& board, const Stepped& s) {
-    ++k_;
-    before_ = at_;
-    at_ = s.pixel;
-    board.milestone(s.pixel);
-    board.plot(s.pixel, Role::current);
+  void show(Board& board, const steps::Started&) {
+    next(board);
+    for (std::size_t f = 0; f < subject_.rings.size(); ++f) {
+      if (!subject_.looks_away(f)) board.keep(fmt::format("a face {:03}", f), Role::past, outline(f));
+    }
   }
-  Event say(const Stepped& s) const {
-    const bool along_y = s.column_reached;
-    return standing(
-        {.text = along_y ? "stepped.along_y" : "stepped.along_x",
-         .facts = {{"pixel", s.pixel}, {"column_reached", s.column_reached}},
-         .words = {{"x", before_.x}, {"to", to_}},
-         .read = {k_ - 1, before_.x, before_.y, words_.say(along_y ? "step.along_y" : "step.along_x")},
-         .decides = decision(s)});
+  Event say(const steps::Started&) const {
+    return {.text = subject_.given.empty() ? "started" : "started.given",
+            .words = {{"faces", subject_.rings.size()},
+                      {"vertices", subject_.places.size()},
+                      {"light", place_text(subject_.lamp.light.position)},
+                      {"eye", place_text(subject_.lamp.eye)}},
+            .count = std::ssize(subject_.rings)};
   }
 
-  void show(Board& board, const Finished&) {
-    board.detail(to_);
-    board.all_plotted(Role::result);
+  void show(Board& board, const FaceTaken& f) {
+    face_ = f.face;
+    if (subject_.rings.size() == 1) return;
+    next(board);
+    board.keep("b face", Role::input, outline(f.face));
   }
-  Event say(const Finished& f) const { return {.text = "done", .facts = {{"pixels", f.pixels}}}; }
+  Event say(const FaceTaken&) const {
+    return {.text = "face", .words = {{"face", name()}}, .key = name(), .phase = "faces"};
+  }
 
- private:
-  /// Where the walk stands now: what the step is about, and a row of its own.
-  Event standing(Event event) const {
-    event.key = pixel_key(at_);
-    event.row = {k_, at_.x, at_.y};
+  void show(Board& board, const VertexLit<double>& v) {
+    next(board);
+    ++lights_;
+    const dvec2 at = drawn(subject_.on_screen(subject_.places[v.vertex]));
+    const std::string vertex = Subject::vertex_name(v.vertex);
+    board.keep("v " + vertex, Role::input, Dot{at});
+    board.keep("v " + vertex + " name", Role::input, Label{at, vertex + ": " + short_text(v.colour)});
+  }
+  Event say(const VertexLit<double>& v) const {
+    const std::string vertex = Subject::vertex_name(v.vertex);
+    return {.text = "vertex",
+            .facts = {{"intensity", v.colour}},
+            .words = {{"vertex", vertex},
+                      {"place", place_text(subject_.places[v.vertex])},
+                      {"normal", place_text(subject_.normals[v.vertex])},
+                      {"I", short_text(v.colour)}},
+            .key = vertex,
+            .phase = "vertices"};
+  }
+
+  void show(Board& board, const PolygonLit<double, double>& p) {
+    next(board);
+    ++lights_;
+    middle_ = p.middle;
+    const dvec2 at = drawn(subject_.on_screen(p.middle.place));
+    board.mark("m middle", Role::current, Dot{at});
+    board.mark("m name", Role::current, Label{at, short_text(p.colour)});
+  }
+  Event say(const PolygonLit<double, double>& p) const {
+    return {.text = "polygon",
+            .facts = {{"intensity", p.colour}},
+            .words = {{"face", name()},
+                      {"place", place_text(p.middle.place)},
+                      {"normal", place_text(p.middle.normal)},
+                      {"I", short_text(p.colour)}},
+            .key = name(),
+            .phase = "light"};
+  }
+
+  template <class Value>
+  void show(Board& board, const RowBegun<double, Value>& r) {
+    next(board);
+    row_ = r.row;
+    left_ = {r.left.x, r.row + 0.5};
+    right_ = {r.right.x, r.row + 0.5};
+    board.keep("s line", Role::measure, Stroke{drawn(left_), drawn(right_), false, false, true});
+    ends_ = {value_text(r.at_left), value_text(r.at_right)};
+    ends_text_ = {end_text("L", r.at_left), end_text("R", r.at_right)};
+    put_ends(board);
+  }
+  template <class Value>
+  Event say(const RowBegun<double, Value>& r) const {
+    return {.text = row_key(r.at_left),
+            .facts = {{"row", r.row}, {"alpha", r.left.part}, {"beta", r.right.part}},
+            .words = {{"row", r.row},
+                      {"alpha", short_text(r.left.part)},
+                      {"beta", short_text(r.right.part)},
+                      {"left", edge(r.left)},
+                      {"right", edge(r.right)},
+                      {"l", ends_[0]},
+                      {"r", ends_[1]}},
+            .key = figure_number(r.row),
+            .phase = "rows"};
+  }
+
+  template <class Value>
+  void show(Board& board, const Shaded<double, Value, double>& s) {
+    board.detail(s.pixel);
+    ++fine_;
+    shown_[{s.pixel.x, s.pixel.y}] = s.colour;
+    if constexpr (std::same_as<Value, Point>) ++lights_;
+    board.put(s.pixel, Role::result, cell_text(s.colour), grey_of(s.colour));
+    if (wanted_ && *wanted_ == s.pixel) telling_ = {milestones_, fine_};
+    if (!telling_ && s.gamma > 0.4 && row_ >= subject_.size.y / 2 - 1) telling_ = {milestones_, fine_};
+    put_ends(board);
+    const dvec2 at(s.pixel);
+    board.mark(
+        "p pixel", Role::current,
+        Path{{at + dvec2{-0.5, -0.5}, at + dvec2{0.5, -0.5}, at + dvec2{0.5, 0.5}, at + dvec2{-0.5, 0.5}},
+             true});
+  }
+  template <class Value>
+  Event say(const Shaded<double, Value, double>& s) const {
+    Event event{.text = "pixel",
+                .facts = {{"pixel", s.pixel}, {"gamma", s.gamma}, {"intensity", s.colour}},
+                .words = {{"pixel", s.pixel}, {"gamma", short_text(s.gamma)}, {"I", short_text(s.colour)}},
+                .row = {s.pixel.x, s.pixel.y, short_text(s.gamma), short_text(s.colour)},
+                .key = pixel_key(s.pixel),
+                .phase = "pixels",
+                .level = Level::step};
+    if constexpr (std::same_as<Value, Point>) {
+      event.text = s.length < 0.9995 ? "pixel.shorter" : "pixel.phong";
+      event.words.push_back({"length", s.length});
+      event.words.push_back({"normal", place_text(s.between.normal)});
+    } else if (middle_) {
+      event.text = "pixel.flat";
+      event.words.push_back({"face", name()});
+    } else {
+      event.words.push_back({"l", ends_[0]});
+      event.words.push_back({"r", ends_[1]});
+      event.words.push_back({"rest", short_text(1 - s.gamma)});
+    }
     return event;
   }
-  Decision decision(const Stepped& s) const {
-    return yes_or_no(words_, "question", {{"x", before_.x}, {"to", to_}}, s.column_reached, "along y",
-                     "along x");
+
+  void show(Board&, const Finished&) {}
+  Event say(const Finished&) const { return {}; }
+
+  /// The picture is done, and compared with light at every pixel.
+  void compare(const Picture& right) { worst_ = worst_of(shown_, right); }
+  void show(Board& board, const steps::Finished&) {
+    next(board);
+    board.remove("s line");
+    if (subject_.rings.size() > 1) board.remove("b face");
+    if (worst_.difference < 0.005) return;
+    board.mark("w worst", Role::rejected, Dot{dvec2(worst_.pixel), true});
+  }
+  Event say(const steps::Finished&) const {
+    if (!subject_.given.empty()) return {.text = "finished.given", .words = {{"pixels", shown_.size()}}};
+    return {.text = worst_.difference < 0.005 ? "finished" : "finished.off",
+            .facts = {{"pixels", std::ssize(shown_)}, {"lights", lights_}},
+            .words = {{"pixels", shown_.size()},
+                      {"difference", short_text(worst_.difference)},
+                      {"worst", worst_.pixel}},
+            .count = lights_};
   }
 
+  /// The pixel whose step tells most.
+  void want(ivec2 pixel) { wanted_ = pixel; }
+
+ private:
+  /// Cells have their centres at whole numbers.
+  static dvec2 drawn(dvec2 screen) { return screen - 0.5; }
+  void next(Board& board) {
+    board.milestone();
+    ++milestones_;
+    fine_ = 0;
+  }
+  /// ".55", where pixels have room for it.
+  std::string cell_text(double colour) const {
+    if (std::max(subject_.size.x, subject_.size.y) > 12) return "";
+    const std::string text = short_text(colour);
+    return text.starts_with("0.") ? text.substr(1) : text;
+  }
+  std::string name() const { return subject_.named[face_].name; }
+  Path outline(std::size_t face) const {
+    Path path{{}, true};
+    for (const int v : subject_.rings[face])
+      path.points.push_back(drawn(subject_.on_screen(subject_.places[static_cast<std::size_t>(v)])));
+    return path;
+  }
+  std::string vertex(std::size_t corner) const {
+    return Subject::vertex_name(subject_.vertex(face_, corner));
+  }
+  std::string edge(const End<double>& end) const { return vertex(end.lower) + vertex(end.upper); }
+
+  static std::string end_text(const char* name, double colour) {
+    return std::string(name) + ": " + short_text(colour);
+  }
+  static std::string end_text(const char* name, const Point&) { return name; }
+  std::string_view row_key(double) const { return middle_ ? "row.flat" : "row"; }
+  static std::string_view row_key(const Point&) { return "row.phong"; }
+  static std::string value_text(double colour) { return short_text(colour); }
+  static std::string value_text(const Point& point) { return place_text(point.normal); }
+  void put_ends(Board& board) const {
+    if (middle_) return;
+    const std::array<dvec2, 2> at{left_, right_};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string id = i == 0 ? "e left" : "e right";
+      board.mark(id, Role::measure, Dot{drawn(at[i])});
+      board.mark(id + " name", Role::measure, Label{drawn(at[i]), ends_text_[i]});
+    }
+  }
   const Words& words_;
-  ivec2 before_{}, at_{}, to_{};
-  std::int64_t k_ = 0;
+  const Subject& subject_;
+  std::size_t face_ = 0;
+  std::optional<Point> middle_{};  ///< of a face that is lit once
+  int row_ = 0;
+  dvec2 left_{}, right_{};
+  std::array<std::string, 2> ends_{}, ends_text_{};
+  Picture shown_{};
+  std::int64_t lights_ = 0, milestones_ = -1;
+  int fine_ = 0;
+  Worst worst_{};
+  std::optional<ivec2> wanted_{};
+  std::optional<StepNumber> telling_{};
 };
 
 // --- The methods
 
-void tell_walk(Narrator& narrator) {
-  const Arguments& given = narrator.arguments();
-  const ivec2 from{0, 0};
-  const ivec2 to(given.integer("columns"), given.integer("rows"));
-  narrator.grid({from, to});
-  narrator.subtitle("subtitle", {{"from", from}, {"to", to}});
-  narrator.backdrop("end", Role::input, Dot{dvec2(to), true});
-  narrator.legend(
-      {{Role::input, "end"}, {Role::past, "past"}, {Role::current, "current"}, {Role::result, "result"}});
-  Story story(narrator.words());
-  walk(from, to, drop, narrator.watcher(story));
-  narrator.result({{"pixels", narrator.board().plotted()}});
+void set_scene(Narrator& narrator, const Subject& subject) {
+  narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(subject.rings),
+                                                     {{"columns", subject.size.x}, {"rows", subject.size.y}});
+  narrator.grid(subject.picture());
+  narrator.trace().grid.whole = true;
+  narrator.columns({{"x"}, {"y"}, {"gamma"}, {"I"}});
+}
+
+/// What all methods do round their run: run(story, watch) shades.
+template <class Run>
+void tell_shading(Narrator& narrator, const Subject& subject, const Run& run) {
+  set_scene(narrator, subject);
+  ShadeStory story(narrator.words(), subject);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  run(watch);
+  if (subject.given.empty()) story.compare(phong_picture(subject));
+  watch(steps::Finished{}, 0);
+  if (story.telling()) narrator.telling(*story.telling());
+  narrator.result({{"lights", story.lights()}, {"worst", story.worst().difference}});
+}
+
+constexpr auto drop = [](ivec2, double) {};
+
+/// shade(polygon, observer), for all faces that look here.
+template <class Corners, class Shade>
+void each_face(const Subject& subject, const auto& watch, const Corners& corners, const Shade& shade) {
+  for (std::size_t f = 0; f < subject.rings.size(); ++f) {
+    if (subject.looks_away(f)) continue;
+    watch(FaceTaken{f}, 0);
+    const auto polygon = corners(f);
+    shade(std::span(polygon));
+  }
+}
+
+void tell_flat(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  narrator.legend({{Role::input, "face"},
+                   {Role::current, "current"},
+                   {Role::measure, "line"},
+                   {Role::rejected, "worst"}});
+  tell_shading(narrator, subject, [&](const auto& watch) {
+    each_face(
+        subject, watch, [&](std::size_t f) { return subject.smooth(f); },
+        [&](std::span<const Smooth> polygon) {
+          flat(polygon, subject.picture(), subject.lamp, drop, watch);
+        });
+  });
+}
+
+void tell_flat_by_vertex_normals(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  narrator.legend({{Role::input, "face"},
+                   {Role::current, "current"},
+                   {Role::measure, "line"},
+                   {Role::rejected, "worst"}});
+  tell_shading(narrator, subject, [&](const auto& watch) {
+    each_face(
+        subject, watch, [&](std::size_t f) { return subject.smooth(f); },
+        [&](std::span<const Smooth> polygon) {
+          flat_by_vertex_normals(polygon, subject.picture(), subject.lamp, drop, watch);
+        });
+  });
+}
+
+void tell_gouraud(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  narrator.legend({{Role::input, "vertex"},
+                   {Role::measure, "line"},
+                   {Role::current, "current"},
+                   {Role::rejected, "worst"}});
+  tell_shading(narrator, subject, [&](const auto& watch) {
+    const std::vector<double> colours = subject.vertex_colours();
+    for (std::size_t v = 0; subject.given.empty() && v < colours.size(); ++v)
+      watch(VertexLit<double>{v, colours[v]}, 0);
+    each_face(
+        subject, watch, [&](std::size_t f) { return subject.lit(f, colours); },
+        [&](std::span<const Lit> polygon) { gouraud(polygon, subject.picture(), drop, watch); });
+  });
+}
+
+void tell_phong(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  narrator.legend({{Role::input, "face"}, {Role::measure, "line"}, {Role::current, "current"}});
+  tell_shading(narrator, subject, [&](const auto& watch) {
+    each_face(
+        subject, watch, [&](std::size_t f) { return subject.smooth(f); },
+        [&](std::span<const Smooth> polygon) {
+          phong(polygon, subject.picture(), subject.lamp, drop, watch);
+        });
+  });
 }
 
 }  // namespace
 
-// FILL IN: names to look for, methods, columns, parameters with unit, range, default and example.
 const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
+  using namespace parameters;
+  const Sizes modest{1e-6, 1e6};
   static const TopicEntry topic = completed<entry>(
       {.name = "polygon_shading",
        .chapter = "shading",
-       .aliases = {},
-       .summary = "FILL IN: what it does, in a line",
-       .methods = {{.name = "walk", .standing = Standing::taught, .tell = tell_walk}},
-       .columns = {{"k"}, {"x"}, {"y"}, {"step", false}},
-       .parameters = {{.name = "columns",
-                       .type = ParameterType::integer,
-                       .default_value = "12",
-                       .example = "5",
-                       .help = "how far to the right the walk ends, in pixels",
-                       .least = 0,
-                       .most = 40},
-                      {.name = "rows",
-                       .type = ParameterType::integer,
-                       .default_value = "7",
-                       .example = "2",
-                       .help = "how far up it ends, in pixels",
-                       .least = 0,
-                       .most = 40}},
-       .examples = {"--columns 5 --rows 2", "--columns 0 --rows 4", "--columns 9 --rows 0"}});
+       .aliases = {"flat shading", "gouraud", "gouraud shading", "phong shading", "smooth shading",
+                   "vertex normals"},
+       .summary = "light once a polygon, once a vertex or once a pixel, and what lies between is mixed",
+       .methods =
+           {{.name = "gouraud", .standing = Standing::taught, .tell = tell_gouraud, .unread = {"towards"}},
+            {.name = "phong", .tell = tell_phong, .unread = {"intensities", "towards"}},
+            {.name = "flat", .tell = tell_flat, .unread = {"intensities", "towards"}},
+            {.name = "all_three",
+             .tell = tell_three,
+             .function = "phong",
+             .unread = {"intensities", "towards"}},
+            {.name = "vertex_normals",
+             .tell = tell_vertex_normals,
+             .file = "vertex_normals.hpp",
+             .unread = {"columns", "rows", "window", "light", "eye", "ka", "kd", "ks", "shininess",
+                        "intensities"}},
+            {.name = "flat_by_vertex_normals",
+             .standing = Standing::faulty,
+             .tell = tell_flat_by_vertex_normals,
+             .unread = {"intensities", "towards"}}},
+       .default_method = "gouraud",
+       .parameters =
+           {faces(400, "faces", "0,0,0 10,0,0 5,10,0", "A: 0,0,0 8,0,0 8,8,2; B: 0,0,0 8,8,2 0,8,0",
+                  "what is shaded, seen from +z: faces without dents, counter-clockwise seen from outside",
+                  modest),
+            {.name = "columns",
+             .type = ParameterType::integer,
+             .default_value = "11",
+             .example = "8",
+             .help = "how many pixels the picture is wide",
+             .least = 1,
+             .most = 48},
+            {.name = "rows",
+             .type = ParameterType::integer,
+             .default_value = "11",
+             .example = "8",
+             .help = "how many pixels it is high",
+             .least = 1,
+             .most = 48},
+            bounds("window", "", "-0.5,-0.5,10.5,10.5",
+                   "what the picture shows, in the faces' x and y; without it all of them",
+                   {"xmin", "ymin", "xmax", "ymax"}, modest),
+            numbers("light", "5,4,3", "0,0,2", "where the lamp stands", xyz, modest),
+            numbers("eye", "5,4,8", "0,0,2", "where the viewer is, for the highlight", xyz, modest),
+            number("ka", "0.1", "0.2", "the share of ambient light", {1e-6, 1}),
+            number("kd", "0.7", "0.5", "the share that is scattered", {1e-6, 1}),
+            number("ks", "0.2", "0.4", "the share in the highlight", {1e-6, 1}),
+            number("shininess", "10", "40", "the exponent of the highlight", {1e-3, 1e4}),
+            choice("weighting", {"plain", "area", "angle"}, "angle", "plain",
+                   "how much a face's normal counts at a vertex"),
+            points(1, 64, "intensities", "", "0 1 0.5",
+                   "given for the corners of the faces in turn, in place of light", {"I"}, {1e-6, 1}),
+            faces_task::towards_parameter("-3,3,5")},
+       .examples = {
+           "--intensities '0 0.5 1' --window=-0.5,-0.5,10.5,10.5", "--method phong --light 5,4,3 --eye 5,4,8",
+           "--method vertex_normals --weighting plain --faces '1,1,1 0,1,1 0,0,1; 1,1,1 0,0,1 1,0,1; 1,1,1 "
+           "1,0,1 1,1,0; 1,0,1 1,0,0 1,1,0; 1,1,1 1,1,0 0,1,1; 0,1,1 1,1,0 0,1,0'"}});
   return topic;
 }
 

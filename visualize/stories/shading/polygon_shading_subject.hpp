@@ -119,13 +119,14 @@ inline Lamp lamp_of(const Arguments& arguments) {
 /// All there is to shade.
 inline Subject subject_of(const Arguments& arguments) {
   Subject subject = mesh_of(arguments);
-  subject.size = {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))};
+  subject.size = {static_cast<int>(arguments.integer("columns")),
+                  static_cast<int>(arguments.integer("rows"))};
   subject.lamp = lamp_of(arguments);
-  for (const Tuple& tuple : arguments.tuples("intensities")) subject.given.push_back(tuple.numbers[0].value);
+  for (const Tuple& tuple : arguments.tuples("intensities")) subject.given.push_back(tuple[0].value);
   Extent extent;
   for (std::size_t f = 0; f < subject.named.size(); ++f) {
     if (subject.looks_away(f)) continue;
-    if (!faces_task::is_convex(subject.named[f].points))
+    if (convex_parts(subject.named[f].points).size() > 1)
       refuse("faces", "expected faces without dents, found '{}' with one", subject.named[f].name);
     for (const dvec3 p : subject.named[f].points) extent.add(dvec2(p));
   }
@@ -143,7 +144,7 @@ inline Subject subject_of(const Arguments& arguments) {
 /// A shaded picture: the intensities of its pixels.
 using Picture = std::map<std::pair<int, int>, double>;
 
-/// Shades all faces that look here, those farthest below first, by `shade(face, plot)`.
+/// Shades all faces that look here, in their order, by `shade(face, plot)`.
 template <class Shade>
 Picture picture_of(const Subject& subject, const Shade& shade) {
   Picture picture;
@@ -162,12 +163,25 @@ inline Picture phong_picture(const Subject& subject) {
   });
 }
 
+/// The largest difference between two pictures, and where.
+struct Worst {
+  double difference = 0;
+  ivec2 pixel{};
+};
+inline Worst worst_of(const Picture& shown, const Picture& right) {
+  Worst worst;
+  for (const auto& [at, colour] : right) {
+    const auto there = shown.find(at);
+    const double difference = there == shown.end() ? 0 : std::abs(there->second - colour);
+    if (difference > worst.difference) worst = {difference, {at.first, at.second}};
+  }
+  return worst;
+}
+
 /// How an intensity looks on the screen; above 1 it is white.
 inline Rgba8 grey_of(double intensity) { return srgb8_from_linear(LinearRgb{static_cast<float>(intensity)}); }
 
 /// With two digits, as pixels have room for.
-inline std::string short_text(double intensity) {
-  return figure_real(std::round(intensity * 100) / 100);
-}
+inline std::string short_text(double intensity) { return figure_real(std::round(intensity * 100) / 100); }
 
 }  // namespace gradus::polygon_shading

@@ -1,0 +1,186 @@
+#pragma once
+// How the normals of faces add up at the vertices of a mesh, drawn in space.
+
+#include "stories/shading/polygon_shading_subject.hpp"
+#include "stories/visibility/faces_picture.hpp"
+
+namespace gradus::polygon_shading {
+
+inline constexpr int normals_paper_width = 36, normals_paper_height = 24;
+inline constexpr Extent normals_place{{1.5, 1}, {34.5, 23}};
+
+class NormalsStory {
+ public:
+  NormalsStory(const Words& words, const Subject& mesh, const faces_task::Reader& reader,
+               std::string weighting)
+      : words_(words),
+        mesh_(mesh),
+        reader_(reader),
+        weighting_(std::move(weighting)),
+        panel_(normals_place, {}) {
+    Bounds bounds;
+    Extent extent;
+    for (const dvec3 p : mesh.places) bounds.add(p);
+    length_ = 0.8 * bounds.radius();
+    for (std::size_t v = 0; v < mesh.places.size(); ++v) {
+      extent.add(reader.flat(mesh.places[v]));
+      extent.add(reader.flat(mesh.places[v] + length_ * mesh.normals[v]));
+    }
+    panel_ = Panel(normals_place, widened(extent, 0.06));
+  }
+
+  /// The vertex where most faces that the reader sees meet: what its step shows tells most.
+  StepNumber telling() const { return telling_; }
+
+  void show(Board& board, const steps::Started&) { put(board); }
+  Event say(const steps::Started&) const {
+    return {.text = "normals.started",
+            .words = {{"vertices", mesh_.places.size()}, {"weights", weights()}},
+            .count = std::ssize(mesh_.rings),
+            .begins = true,
+            .level = Level::idea};
+  }
+
+  void show(Board& board, const NormalAdded<double>& n) {
+    face_ = n.face;
+    vertex_ = n.vertex;
+    added_[n.vertex].push_back(n);
+    put(board);
+  }
+  Event say(const NormalAdded<double>& n) const {
+    return {.text = "normals.added",
+            .facts = {{"weight", n.weight}},
+            .words = {{"face", mesh_.named[n.face].name},
+                      {"vertex", Subject::vertex_name(n.vertex)},
+                      {"normal", figure_place(n.normal, short_text)},
+                      {"weight", short_text(n.weight)}},
+            .row = {mesh_.named[n.face].name, Subject::vertex_name(n.vertex), short_text(n.weight)},
+            .key = Subject::vertex_name(n.vertex),
+            .phase = "faces"};
+  }
+
+  void show(Board& board, const VertexDone<double>& v) {
+    face_.reset();
+    vertex_ = v.vertex;
+    done_.push_back(v);
+    const bool seen = glm::dot(v.normal, reader_.towards) > 0;
+    if (seen && added_[v.vertex].size() > most_) {
+      most_ = added_[v.vertex].size();
+      telling_ = {steps_, 0};
+    }
+    put(board);
+  }
+  Event say(const VertexDone<double>& v) const {
+    return {.text = "normals.done",
+            .facts = {{"length", glm::length(v.sum)}},
+            .words = {{"vertex", Subject::vertex_name(v.vertex)},
+                      {"length", short_text(glm::length(v.sum))},
+                      {"normal", figure_place(v.normal, short_text)}},
+            .count = std::ssize(added_.at(v.vertex)),
+            .key = Subject::vertex_name(v.vertex),
+            .phase = "vertices"};
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    vertex_.reset();
+    put(board);
+  }
+  Event say(const steps::Finished&) const {
+    return {.text = "normals.finished",
+            .words = {{"weights", weights()}},
+            .count = std::ssize(mesh_.places),
+            .ends = true};
+  }
+
+ private:
+  std::string weights() const { return words_.say("weights." + weighting_); }
+
+  void put(Board& board) {
+    View view;
+    SpaceDrawing drawing(reader_.look(panel_));
+    for (std::size_t f = 0; f < mesh_.rings.size(); ++f) {
+      const std::vector<dvec3>& ring = mesh_.named[f].points;
+      const Role role = face_ == f ? Role::current : Role::input;
+      const std::string id = fmt::format("b {:03}", f);
+      drawing.add(SpaceFace{.id = id, .role = role, .ring = ring, .one_sided = false});
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        drawing.add(SpaceEdge{.id = fmt::format("{} {:02}", id, k),
+                              .role = Role::input,
+                              .a = ring[k],
+                              .b = ring[(k + 1) % ring.size()],
+                              .behind = false});
+    }
+    if (vertex_) add_normals(drawing, *vertex_);
+    for (const VertexDone<double>& v : done_) {
+      const dvec3 at = mesh_.places[v.vertex];
+      const Role role = vertex_ == v.vertex ? Role::accepted : Role::result;
+      drawing.add(SpaceEdge{.id = fmt::format("r {:03}", v.vertex),
+                            .role = role,
+                            .a = at,
+                            .b = at + length_ * v.normal,
+                            .arrow = true,
+                            .behind = false});
+    }
+    drawing.add_to(view, "a");
+    if (vertex_) {
+      const dvec2 at = panel_.at(reader_.flat(mesh_.places[*vertex_]));
+      view.add_named("v vertex", Role::current, at, Subject::vertex_name(*vertex_));
+    }
+    board.milestone(std::move(view));
+    ++steps_;
+  }
+  /// Of the faces that meet at the vertex, from it on, each as long as it counts.
+  void add_normals(SpaceDrawing& drawing, std::size_t vertex) const {
+    const auto added = added_.find(vertex);
+    if (added == added_.end()) return;
+    double largest = 0;
+    for (const NormalAdded<double>& n : added->second) largest = std::max(largest, n.weight);
+    std::size_t i = 0;
+    for (const NormalAdded<double>& n : added->second) {
+      const dvec3 at = mesh_.places[vertex];
+      drawing.add(SpaceEdge{.id = fmt::format("n {:02}", i++),
+                            .role = Role::measure,
+                            .a = at,
+                            .b = at + 0.8 * length_ * n.weight / std::max(largest, 1e-300) * n.normal,
+                            .arrow = true,
+                            .behind = false});
+    }
+  }
+
+  const Words& words_;
+  const Subject& mesh_;
+  const faces_task::Reader& reader_;
+  const std::string weighting_;
+  Panel panel_;
+  double length_ = 1;
+  std::map<std::size_t, std::vector<NormalAdded<double>>> added_{};
+  std::vector<VertexDone<double>> done_{};
+  std::optional<std::size_t> face_{}, vertex_{};
+  std::size_t most_ = 0;
+  std::int64_t steps_ = 0;
+  StepNumber telling_{};
+};
+
+inline void tell_vertex_normals(Narrator& narrator) {
+  const Subject mesh = mesh_of(narrator.arguments());
+  const faces_task::Reader reader = faces_task::reader_of(narrator.arguments());
+  narrator.paper(normals_paper_width, normals_paper_height);
+  narrator.trace().subtitle =
+      narrator.words().count("normals.subtitle", std::ssize(mesh.rings), {{"vertices", mesh.places.size()}});
+  narrator.columns({{"face", false}, {"vertex", false}, {"weight"}});
+  narrator.legend({{Role::current, "current"},
+                   {Role::measure, "normals"},
+                   {Role::accepted, "mean"},
+                   {Role::result, "means"}});
+  NormalsStory story(narrator.words(), mesh, reader, narrator.arguments().text("weighting"));
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  std::vector<dvec3> normals(mesh.places.size());
+  vertex_normals(std::span<const dvec3>(mesh.places), mesh.rings, weighting_of(narrator.arguments()),
+                 std::span(normals), watch);
+  watch(steps::Finished{}, 0);
+  narrator.telling(story.telling());
+  narrator.result({{"vertices", std::ssize(mesh.places)}});
+}
+
+}  // namespace gradus::polygon_shading
