@@ -1,5 +1,4 @@
-// FILL IN: what is shown three ways. Until then a walk: its pixels alone, its steps watched by a lambda, one
-// step as a figure.
+// Gouraud shading three ways: its pixels as numbers, its scan lines watched, a step as a figure.
 // Writes polygon_shading.svg into the current folder.
 
 #include "shading/polygon_shading/polygon_shading.hpp"
@@ -7,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <fstream>
-#include <string>
 
 #include "cairo/cairo_output.hpp"
 #include "figure/figure.hpp"
@@ -17,23 +15,27 @@ int main() {
   using namespace gradus;
   using namespace gradus::polygon_shading;
 
-  // The pixels alone
-  walk({0, 0}, {5, 2}, [](ivec2 p) { fmt::print("({}, {}) ", p.x, p.y); });
-  fmt::print("\n");
+  // A triangle with an intensity at each corner
+  const Corner<double, double> corners[]{{{0.5, 0.5}, 0}, {{10.5, 0.5}, 0.5}, {{5.5, 10.5}, 1}};
+  const std::span<const Corner<double, double>> triangle(corners);
+  const Window picture{{0, 0}, {10, 10}};
+  gouraud(triangle, picture, [](ivec2 p, double intensity) {
+    if (p == ivec2{5, 4}) fmt::print("pixel (5, 4): {:.2f}\n", intensity);
+  });
 
-  // The steps, as the algorithm reports them
-  const auto watch = []<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Stepped>) fmt::print("column reached: {}\n", step.column_reached);
+  // The ends of its scan lines
+  const auto watch = []<class Step>(const Step& s) {
+    if constexpr (std::same_as<Step, RowBegun<double, double>>)
+      fmt::print("row {}: alpha {:.1f}, beta {:.1f}\n", s.row, s.left.part, s.right.part);
   };
-  walk({0, 0}, {5, 2}, [](ivec2) {}, watch);
+  gouraud(triangle, picture, [](ivec2, double) {}, watch);
 
-  // Step 4 as a figure
+  // The pixel as a figure
   const TopicEntry& topic = *find_entry("polygon_shading");
-  const Trace trace = trace_of(topic, {{"columns", "5"}, {"rows", "2"}});
+  const Trace trace = trace_of(topic, {{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,10.5,10.5"}});
   Playhead playhead(trace);
-  const Figure figure = figure_of(trace, playhead, {4, 0});
-  const std::string source = "examples/shading/polygon_shading";
-  const Colophon colophon{figure.title, caption_of(figure), source, ""};
+  const Figure figure = figure_of(trace, playhead, trace.telling);
+  const Colophon colophon{figure.title, caption_of(figure), "examples/shading/polygon_shading", ""};
   std::ofstream file("polygon_shading.svg");
   file << svg_of(lay_out(figure, {}), *find_theme("light"), colophon);
 }
