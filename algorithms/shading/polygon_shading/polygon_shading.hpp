@@ -125,9 +125,9 @@ auto rows(std::span<const Corner<T, Value>> polygon, const Window& picture) {
 /// An edge takes part from its lower corner on and before its upper one, so that each row has two ends. It is
 /// gone along from below whichever way it runs: polygons that share it share the end to the last bit.
 template <class T, class Value>
-std::pair<End<T>, End<T>> ends_of(std::span<const Corner<T, Value>> polygon, int row) {
+std::pair<End<T>, End<T>> ends(std::span<const Corner<T, Value>> polygon, int row) {
   const T y = T(row) + T(0.5);
-  End<T> ends[2]{};
+  End<T> both[2]{};
   std::size_t found = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     std::size_t lower = i, upper = i + 1 < polygon.size() ? i + 1 : 0;
@@ -135,12 +135,12 @@ std::pair<End<T>, End<T>> ends_of(std::span<const Corner<T, Value>> polygon, int
     const auto &a = polygon[lower].at, &b = polygon[upper].at;
     if (!(a.y <= y && y < b.y)) continue;
     const T part = (y - a.y) / (b.y - a.y);
-    ends[found == 0 ? 0 : 1] = {lower, upper, part,
+    both[found == 0 ? 0 : 1] = {lower, upper, part,
                                 std::clamp(mix(a.x, b.x, part), std::min(a.x, b.x), std::max(a.x, b.x))};
     ++found;
   }
-  if (ends[1].x < ends[0].x) std::swap(ends[0], ends[1]);
-  return {ends[0], ends[1]};
+  if (both[1].x < both[0].x) std::swap(both[0], both[1]);
+  return {both[0], both[1]};
 }
 
 /// The columns whose centres lie from the left end on and before the right one.
@@ -152,7 +152,7 @@ auto columns(const End<T>& left, const End<T>& right, const Window& picture) {
 
 /// How far the centre of a column lies between the ends: gamma, in [0, 1].
 template <class T>
-T part_between(const End<T>& left, const End<T>& right, int column) {
+T between(const End<T>& left, const End<T>& right, int column) {
   return (T(column) + T(0.5) - left.x) / (right.x - left.x);
 }
 
@@ -222,14 +222,14 @@ void flat(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture,
   const auto ip = lit(light, middle);
   if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, ip});
   std::int64_t pixels = 0;
-  const auto all = rows(polygon, picture);
+  auto all = rows(polygon, picture);
   for (const int j : all) {
-    const auto [l, r] = ends_of(polygon, j);
+    auto [l, r] = ends(polygon, j);
     if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, ip, ip});
-    const auto row = columns(l, r, picture);
+    auto row = columns(l, r, picture);
     for (const int i : row) {
       plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), ip));
+      if constexpr (observed<O>) observer(plain({i, j}, between(l, r, i), ip));
       ++pixels;
     }
   }
@@ -277,17 +277,17 @@ void gouraud(std::span<const Corner<T, Colour>> polygon, const Window& picture, 
              O&& observer = {}) {
   expect_polygon(polygon);
   std::int64_t pixels = 0;
-  const auto all = rows(polygon, picture);
+  auto all = rows(polygon, picture);
   for (const int j : all) {
     // Along the edges: alpha and beta
-    const auto [l, r] = ends_of(polygon, j);
-    const auto il = at_end(polygon, l);
-    const auto ir = at_end(polygon, r);
+    auto [l, r] = ends(polygon, j);
+    auto il = at_end(polygon, l);
+    auto ir = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, il, ir});
-    const auto row = columns(l, r, picture);
+    auto row = columns(l, r, picture);
     for (const int i : row) {
       // Along the scan line
-      const T gamma = part_between(l, r, i);
+      T gamma = between(l, r, i);
       auto ip = mix(il, ir, gamma);
       plot(ivec2{i, j}, ip);
       if constexpr (observed<O>) observer(plain({i, j}, gamma, ip));
@@ -324,17 +324,17 @@ void phong(std::span<const Corner<T, Surface<T>>> polygon, const Window& picture
            O&& observer = {}) {
   expect_polygon(polygon);
   std::int64_t pixels = 0;
-  const auto all = rows(polygon, picture);
+  auto all = rows(polygon, picture);
   for (const int j : all) {
     // Along the edges: alpha and beta
-    const auto [l, r] = ends_of(polygon, j);
-    const auto nl = at_end(polygon, l);
-    const auto nr = at_end(polygon, r);
+    auto [l, r] = ends(polygon, j);
+    auto nl = at_end(polygon, l);
+    auto nr = at_end(polygon, r);
     if constexpr (observed<O>) observer(RowBegun<T, Surface<T>>{j, l, r, nl, nr});
-    const auto row = columns(l, r, picture);
+    auto row = columns(l, r, picture);
     for (const int i : row) {
       // Along the scan line
-      const T gamma = part_between(l, r, i);
+      T gamma = between(l, r, i);
       auto nm = mix(nl, nr, gamma);
       // Length 1 again, then light
       auto np = renormalised(nm);

@@ -36,14 +36,14 @@ void flat_by_vertex_normals(std::span<const Corner<T, Surface<T>>> polygon, cons
   const auto ip = lit(light, middle);
   if constexpr (observed<O>) observer(PolygonLit<T, Colour>{middle, ip});
   std::int64_t pixels = 0;
-  const auto all = rows(polygon, picture);
+  auto all = rows(polygon, picture);
   for (const int j : all) {
-    const auto [l, r] = ends_of(polygon, j);
+    auto [l, r] = ends(polygon, j);
     if constexpr (observed<O>) observer(RowBegun<T, Colour>{j, l, r, ip, ip});
-    const auto row = columns(l, r, picture);
+    auto row = columns(l, r, picture);
     for (const int i : row) {
       plot(ivec2{i, j}, ip);
-      if constexpr (observed<O>) observer(plain({i, j}, part_between(l, r, i), ip));
+      if constexpr (observed<O>) observer(plain({i, j}, between(l, r, i), ip));
       ++pixels;
     }
   }

@@ -94,7 +94,7 @@ Case case_of(int side, const std::shared_ptr<Scene>& scene, const char* name, St
   for (int y = 0; y < width; ++y) {
     for (int x = 0; x < width; ++x) {
       const auto [place, normal] = bulge(dvec2(x, y) + 0.5);
-      sum.add((*out)[{x, y}] - lamp(place, normal));
+      sum.add(std::abs((*out)[{x, y}] - lamp(place, normal)));
     }
   }
   return {.method = name,

@@ -124,6 +124,7 @@ inline void tell_three(Narrator& narrator) {
   watch(PictureShaded{1, mixed, std::ssize(colours)}, 0);
   watch(PictureShaded{2, right, std::ssize(right)}, 0);
   watch(steps::Finished{}, 0);
+  narrator.telling({4, 0});
   narrator.result(
       {{"lights_flat", faces}, {"lights_gouraud", std::ssize(colours)}, {"lights_phong", std::ssize(right)}});
 }

@@ -26,7 +26,7 @@ class NormalsStory {
       extent.add(reader.flat(mesh.places[v]));
       extent.add(reader.flat(mesh.places[v] + length_ * mesh.normals[v]));
     }
-    panel_ = Panel(normals_place, widened(extent, 0.06));
+    panel_ = Panel(normals_place, extent);
   }
 
   /// The vertex where most faces that the reader sees meet: what its step shows tells most.
