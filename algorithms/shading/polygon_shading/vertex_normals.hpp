@@ -40,6 +40,10 @@ struct VertexDone {
   glm::vec<3, T> normal;  ///< of length 1; zero where there was nothing to add, or it cancels
 };
 
+/// Where nothing has been added yet.
+template <class T>
+inline constexpr glm::vec<3, T> nothing{T(0)};
+
 /// The number of the vertex at the k-th corner of a face.
 template <class Face>
 std::size_t vertex(const Face& face, std::size_t k) {
@@ -94,7 +98,7 @@ template <class T, class Faces, Observer<NormalAdded<T>, VertexDone<T>> O = Unob
 void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, Weighting how,
                     std::span<glm::vec<3, T>> normals, O&& observer = {}) {
   expects(normals.size() == places.size(), "{} normals were expected, not {}", places.size(), normals.size());
-  std::ranges::fill(normals, glm::vec<3, T>{T(0)});
+  std::ranges::fill(normals, nothing<T>);
   std::size_t f = 0, v = 0;
   for (const auto& face : faces) {
     auto area = doubled_area(places, face);

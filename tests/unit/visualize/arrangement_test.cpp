@@ -113,6 +113,8 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"z_buffer_reversed_float", 0.99},
                                               {"z_buffer_first_come", 0.99},
                                               {"z_buffer_integer_colours", 0.99},
+                                              {"polygon_shading_normals", 0.84},
+                                              {"polygon_shading_normals_angle", 0.84},
                                               {"pipeline", 0.78},
                                               {"pipeline_clipping", 0.82}};
   for (const GalleryFigure& figure : gallery()) {

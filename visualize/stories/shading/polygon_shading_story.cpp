@@ -17,8 +17,6 @@ struct FaceTaken {
   std::size_t face;
 };
 
-std::string place_text(dvec3 p) { return figure_place(p, short_text); }
-
 /// What the three methods have in common: faces, scan lines, pixels.
 class ShadeStory {
  public:
@@ -38,8 +36,8 @@ class ShadeStory {
     return {.text = subject_.given.empty() ? "started" : "started.given",
             .words = {{"faces", subject_.rings.size()},
                       {"vertices", subject_.places.size()},
-                      {"light", place_text(subject_.lamp.light.position)},
-                      {"eye", place_text(subject_.lamp.eye)}},
+                      {"light", figure_place(subject_.lamp.light.position)},
+                      {"eye", figure_place(subject_.lamp.eye)}},
             .count = std::ssize(subject_.rings)};
   }
 
@@ -66,9 +64,9 @@ class ShadeStory {
     return {.text = "vertex",
             .facts = {{"intensity", v.colour}},
             .words = {{"vertex", vertex},
-                      {"place", place_text(subject_.places[v.vertex])},
-                      {"normal", place_text(subject_.normals[v.vertex])},
-                      {"I", short_text(v.colour)}},
+                      {"place", figure_place(subject_.places[v.vertex])},
+                      {"normal", figure_place(subject_.normals[v.vertex])},
+                      {"I", v.colour}},
             .key = vertex,
             .phase = "vertices"};
   }
@@ -85,9 +83,9 @@ class ShadeStory {
     return {.text = "polygon",
             .facts = {{"intensity", p.colour}},
             .words = {{"face", name()},
-                      {"place", place_text(p.middle.place)},
-                      {"normal", place_text(p.middle.normal)},
-                      {"I", short_text(p.colour)}},
+                      {"place", figure_place(p.middle.place)},
+                      {"normal", figure_place(p.middle.normal)},
+                      {"I", p.colour}},
             .key = name(),
             .phase = "light"};
   }
@@ -108,8 +106,8 @@ class ShadeStory {
     return {.text = row_key(r.at_left),
             .facts = {{"row", r.row}, {"alpha", r.left.part}, {"beta", r.right.part}},
             .words = {{"row", r.row},
-                      {"alpha", short_text(r.left.part)},
-                      {"beta", short_text(r.right.part)},
+                      {"alpha", r.left.part},
+                      {"beta", r.right.part},
                       {"left", edge(r.left)},
                       {"right", edge(r.right)},
                       {"l", ends_[0]},
@@ -138,22 +136,22 @@ class ShadeStory {
   Event say(const Shaded<double, Value, double>& s) const {
     Event event{.text = "pixel",
                 .facts = {{"pixel", s.pixel}, {"gamma", s.gamma}, {"intensity", s.colour}},
-                .words = {{"pixel", s.pixel}, {"gamma", short_text(s.gamma)}, {"I", short_text(s.colour)}},
-                .row = {s.pixel.x, s.pixel.y, short_text(s.gamma), short_text(s.colour)},
+                .words = {{"pixel", s.pixel}, {"gamma", s.gamma}, {"I", s.colour}},
+                .row = {s.pixel.x, s.pixel.y, s.gamma, s.colour},
                 .key = pixel_key(s.pixel),
                 .phase = "pixels",
                 .level = Level::step};
     if constexpr (std::same_as<Value, Point>) {
       event.text = s.length < 0.9995 ? "pixel.shorter" : "pixel.phong";
       event.words.push_back({"length", s.length});
-      event.words.push_back({"normal", place_text(s.between.normal)});
+      event.words.push_back({"normal", figure_place(s.between.normal)});
     } else if (middle_) {
       event.text = "pixel.flat";
       event.words.push_back({"face", name()});
     } else {
       event.words.push_back({"l", ends_[0]});
       event.words.push_back({"r", ends_[1]});
-      event.words.push_back({"rest", short_text(1 - s.gamma)});
+      event.words.push_back({"rest", 1 - s.gamma});
     }
     return event;
   }
@@ -174,9 +172,7 @@ class ShadeStory {
     if (!subject_.given.empty()) return {.text = "finished.given", .words = {{"pixels", shown_.size()}}};
     return {.text = worst_.difference < 0.005 ? "finished" : "finished.off",
             .facts = {{"pixels", std::ssize(shown_)}, {"lights", lights_}},
-            .words = {{"pixels", shown_.size()},
-                      {"difference", short_text(worst_.difference)},
-                      {"worst", worst_.pixel}},
+            .words = {{"pixels", shown_.size()}, {"difference", worst_.difference}, {"worst", worst_.pixel}},
             .count = lights_};
   }
 
@@ -215,8 +211,8 @@ class ShadeStory {
   static std::string end_text(const char* name, const Point&) { return name; }
   std::string_view row_key(double) const { return middle_ ? "row.flat" : "row"; }
   static std::string_view row_key(const Point&) { return "row.phong"; }
-  static std::string value_text(double colour) { return short_text(colour); }
-  static std::string value_text(const Point& point) { return place_text(point.normal); }
+  static std::string value_text(double colour) { return figure_real(colour); }
+  static std::string value_text(const Point& point) { return figure_place(point.normal); }
   void put_ends(Board& board) const {
     if (middle_) return;
     const std::array<dvec2, 2> at{left_, right_};

@@ -104,13 +104,16 @@ inline Subject mesh_of(const Arguments& arguments) {
 
 inline Lamp lamp_of(const Arguments& arguments) {
   Lamp lamp;
-  const auto grey = [&](std::string_view name) {
-    return LinearRgb{static_cast<float>(arguments.number(name).value_or(0))};
+  const auto share = [&](std::string_view name) {
+    const double number = arguments.number(name).value_or(0);
+    if (number < 0) refuse(name, "expected 0 or more, found {}", number);
+    return static_cast<float>(number);
   };
+  const auto grey = [&](std::string_view name) { return LinearRgb{share(name)}; };
   lamp.material.ambient = grey("ka");
   lamp.material.diffuse = grey("kd");
   lamp.material.specular = grey("ks");
-  lamp.material.shininess = static_cast<float>(arguments.number("shininess").value_or(0));
+  lamp.material.shininess = share("shininess");
   lamp.light.position = *arguments.place("light");
   lamp.eye = *arguments.place("eye");
   return lamp;
@@ -138,6 +141,11 @@ inline Subject subject_of(const Arguments& arguments) {
   subject.pixel = std::max(sides.x, sides.y);
   if (!(subject.pixel > 0)) refuse(arguments, {"window"}, "expected a window with an inside");
   subject.lower = extent.centre() - 0.5 * subject.pixel * dvec2(subject.size);
+  for (const dvec3 p : subject.places) {
+    const dvec2 at = subject.on_screen(p);
+    if (!(std::abs(at.x) <= farthest && std::abs(at.y) <= farthest))
+      refuse(arguments, {"window", "faces"}, fmt::format("expected all corners within {} pixels", farthest));
+  }
   return subject;
 }
 

@@ -37,14 +37,15 @@ class ThreeStory {
   }
   Event say(const PictureShaded& p) const {
     constexpr std::array<std::string_view, 3> keys{"three.flat", "three.gouraud", "three.phong"};
-    const std::string difference = short_text(worst_.back().difference);
-    return {.text = keys[p.method],
-            .facts = {{"lights", p.lights}, {"worst", worst_.back().difference}},
-            .words = {{"pixels", p.picture.size()}, {"difference", difference}},
-            .count = p.lights,
-            .row = {name(p.method), p.lights, difference},
-            .key = name(p.method),
-            .phase = name(p.method)};
+    const double difference = worst_.back().difference;
+    Event event{.text = keys[p.method],
+                .facts = {{"lights", p.lights}, {"worst", difference}},
+                .words = {{"lights", p.lights}, {"difference", difference}},
+                .row = {name(p.method), p.lights, difference},
+                .key = name(p.method),
+                .phase = name(p.method)};
+    if (p.method == 0) event.count = p.lights;
+    return event;
   }
   void show(Board& board, const steps::Finished&) { put(board); }
   Event say(const steps::Finished&) const {

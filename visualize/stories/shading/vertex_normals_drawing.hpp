@@ -21,7 +21,7 @@ class NormalsStory {
     Bounds bounds;
     Extent extent;
     for (const dvec3 p : mesh.places) bounds.add(p);
-    length_ = 0.8 * bounds.radius();
+    length_ = 0.45 * bounds.radius();
     for (std::size_t v = 0; v < mesh.places.size(); ++v) {
       extent.add(reader.flat(mesh.places[v]));
       extent.add(reader.flat(mesh.places[v] + length_ * mesh.normals[v]));
@@ -52,9 +52,9 @@ class NormalsStory {
             .facts = {{"weight", n.weight}},
             .words = {{"face", mesh_.named[n.face].name},
                       {"vertex", Subject::vertex_name(n.vertex)},
-                      {"normal", figure_place(n.normal, short_text)},
-                      {"weight", short_text(n.weight)}},
-            .row = {mesh_.named[n.face].name, Subject::vertex_name(n.vertex), short_text(n.weight)},
+                      {"normal", figure_place(n.normal)},
+                      {"weight", n.weight}},
+            .row = {mesh_.named[n.face].name, Subject::vertex_name(n.vertex), n.weight},
             .key = Subject::vertex_name(n.vertex),
             .phase = "faces"};
   }
@@ -74,8 +74,8 @@ class NormalsStory {
     return {.text = "normals.done",
             .facts = {{"length", glm::length(v.sum)}},
             .words = {{"vertex", Subject::vertex_name(v.vertex)},
-                      {"length", short_text(glm::length(v.sum))},
-                      {"normal", figure_place(v.normal, short_text)}},
+                      {"length", glm::length(v.sum)},
+                      {"normal", figure_place(v.normal)}},
             .count = std::ssize(added_.at(v.vertex)),
             .key = Subject::vertex_name(v.vertex),
             .phase = "vertices"};
@@ -87,8 +87,7 @@ class NormalsStory {
   }
   Event say(const steps::Finished&) const {
     return {.text = "normals.finished",
-            .words = {{"weights", weights()}},
-            .count = std::ssize(mesh_.places),
+            .words = {{"weights", weights()}, {"vertices", mesh_.places.size()}},
             .ends = true};
   }
 
