@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
@@ -303,7 +304,12 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
     cairo_show_page(context.get());
     check(cairo_status(context.get()));
   }
-  cairo_surface_finish(surface.get());
+  {
+    // It makes fonts of its own, which two threads may not let go of at once (see set_font)
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    cairo_surface_finish(surface.get());
+  }
   check(cairo_surface_status(surface.get()));
   return text;
 }

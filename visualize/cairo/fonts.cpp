@@ -236,14 +236,27 @@ OutlinePiece piece_of(const cairo_path_data_t* data) {
   return {OutlinePiece::Kind::close, {}};
 }
 
+/// From now on the context draws with this font. What Cairo makes of it for the size stays until the program
+/// ends: Cairo 1.16 fails an assertion when one thread lets go of the last of such a font while another one
+/// finds it again.
+void set_font(cairo_t* context, const Font& font, double size) {
+  static std::mutex mutex;
+  static std::map<cairo_scaled_font_t*, ScaledFont> kept;
+  cairo_set_font_face(context, font.face.get());
+  cairo_set_font_size(context, size);
+  cairo_scaled_font_t* const scaled = cairo_get_scaled_font(context);
+  const std::lock_guard lock(mutex);
+  const auto [at, is_new] = kept.try_emplace(scaled);
+  if (is_new) at->second.reset(cairo_scaled_font_reference(scaled));
+}
+
 }  // namespace
 
 void set_font_options(cairo_t* context) { cairo_set_font_options(context, unhinted().get()); }
 
 void show_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
   for (const Run& run : runs_of(text, face, size, at)) {
-    cairo_set_font_face(context, run.font->face.get());
-    cairo_set_font_size(context, size);
+    set_font(context, *run.font, size);
     cairo_show_text_glyphs(context, run.text.c_str(), static_cast<int>(run.text.size()), run.glyphs.data(),
                            static_cast<int>(run.glyphs.size()), run.clusters.data(),
                            static_cast<int>(run.clusters.size()), cairo_text_cluster_flags_t{});
@@ -252,8 +265,7 @@ void show_text(cairo_t* context, std::string_view text, Face face, double size, 
 
 void trace_text(cairo_t* context, std::string_view text, Face face, double size, dvec2 at) {
   for (const Run& run : runs_of(text, face, size, at)) {
-    cairo_set_font_face(context, run.font->face.get());
-    cairo_set_font_size(context, size);
+    set_font(context, *run.font, size);
     cairo_glyph_path(context, run.glyphs.data(), static_cast<int>(run.glyphs.size()));
   }
 }

@@ -96,6 +96,24 @@ TEST(CairoOutput, ThreadsGiveTheSameBytes) {
   }
 }
 
+TEST(CairoOutput, ThreadsMayLetGoOfTheSameFontAtOnce) {
+  // Cairo 1.16 aborts when one thread frees a scaled font that another one finds again meanwhile
+  const Trace trace = test::trace_of("bresenham_line");
+  const Sheet sheet = sheet_at(trace, {4, 0});
+  const Theme& light = themes()[0];
+  const auto draw = [&] {
+    for (int i = 0; i < (test::sanitized ? 10 : 60); ++i) {
+      Finish finish = light;
+      finish.scale = 0.2 + 0.01 * i;  // fonts of sizes that nobody holds
+      EXPECT_GT(image_of(sheet, finish).width(), 0);
+      EXPECT_FALSE(pdf_of(1, [&](std::size_t) { return sheet; }, light, hostile_colophon).empty());
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 3; ++i) threads.emplace_back(draw);
+  draw();
+}
+
 TEST(CairoOutput, FilesSayHowTheyWereMade) {
   const Trace trace = test::trace_of("bresenham_line");
   const Sheet sheet = sheet_at(trace, {4, 0});

@@ -228,7 +228,7 @@ TEST(YUp, TurnsTheDrawingAndNothingElse) {
 }
 
 TEST(YUp, TurnsThePicture) {
-  for (const Trace& trace : shared_traces()) {
+  for (const Trace& trace : test::telling_traces({}, "flood_fill")) {
     if (!trace.grid.picture) continue;
     Playhead playhead(trace);
     const Figure figure = figure_of(trace, playhead, trace.steps.front().number);
