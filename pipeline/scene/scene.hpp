@@ -19,6 +19,13 @@ struct Object {
   bool two_sided = true;    ///< false: back faces are never seen and are removed
 };
 
+/// How often light is computed (shading/polygon_shading).
+enum class Shading {
+  flat,     ///< once a face
+  gouraud,  ///< once a corner of a triangle; what lies between is mixed
+  phong,    ///< once a pixel
+};
+
 /// Objects in the order of their numbers, in one world.
 struct Scene {
   std::vector<Object> objects;
@@ -26,6 +33,7 @@ struct Scene {
   std::vector<Light> lights;
   LinearRgb ambient{0.15f};    ///< the light that comes from everywhere
   LinearRgb background{1.0f};  ///< where there is nothing
+  Shading shading = Shading::phong;
 };
 
 /// The object with this number.

@@ -1,15 +1,19 @@
 #pragma once
 // Stage 7, hidden surface removal and shading: the z-buffer keeps the nearest fragment of each pixel, Phong's
-// model gives it its colour.
+// model gives it its colour, computed once a face, once a corner or once a pixel.
 
+#include <array>
 #include <compare>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/observe.hpp"
 #include "core/raster.hpp"
 #include "scene/scene.hpp"
 #include "shading/illumination/illumination.hpp"
+#include "shading/polygon_shading/polygon_shading.hpp"
 #include "stages/points.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
@@ -71,28 +75,92 @@ Value mean(const Fragment& fragment, const Triangle& triangle, Member member) {
   return fragment.weights.x * member(a) + fragment.weights.y * member(b) + fragment.weights.z * member(c);
 }
 
+using Surface = polygon_shading::Surface<double>;
+using Parts = illumination::Parts<double>;
+
+/// The light of a scene, computed where its shading asks for it, and kept as long as it may be asked for
+/// again.
+class SceneLight {
+ public:
+  explicit SceneLight(const Scene& scene) : scene_(scene) {}
+
+  const Scene& scene() const { return scene_; }
+  /// How often Phong's model was asked so far.
+  std::int64_t computed() const { return computed_; }
+
+  Parts at(const Fragment& f, const Triangle& t, const Surface& here) {
+    if (scene_.shading == Shading::flat) return of_face(f, t);
+    if (scene_.shading == Shading::gouraud) return of_corners(f, t);
+    return at(f, here);
+  }
+  const Mesh& mesh(const Fragment& f) const { return object_at(scene_, f.id.object).mesh; }
+  const MeshFace& face(const Fragment& f) const { return mesh(f).faces[static_cast<std::size_t>(f.id.face)]; }
+
+ private:
+  Parts at(const Fragment& f, const Surface& surface) {
+    ++computed_;
+    const Material& material = mesh(f).materials[static_cast<std::size_t>(face(f).material)];
+    return illumination::phong(surface.place, surface.normal, scene_.camera.frame.eye, material,
+                               std::span<const Light>(scene_.lights), scene_.ambient);
+  }
+
+  /// For the middle of the whole face, on the side that is seen.
+  Parts of_face(const Fragment& f, const Triangle& t) {
+    const auto [known, is_new] = faces_.try_emplace({f.id.object, f.id.face, t.seen_from_behind});
+    if (!is_new) return known->second;
+    std::vector<polygon_shading::Corner<double, Surface>> corners;
+    const glm::dmat4& placement = object_at(scene_, f.id.object).placement;
+    for (const Corner& corner : corners_of(mesh(f), face(f)))
+      corners.push_back({{}, {affine_3d::transform(placement, position_of(mesh(f), corner)), {}}});
+    Surface middle =
+        polygon_shading::middle_of(std::span<const polygon_shading::Corner<double, Surface>>(corners));
+    if (affine_3d::mirrors(placement) != t.seen_from_behind) middle.normal = -middle.normal;
+    return known->second = at(f, middle);
+  }
+
+  Parts of_corners(const Fragment& f, const Triangle& t) {
+    const auto [known, is_new] = corners_.try_emplace(f.triangle);
+    if (is_new) {
+      for (std::size_t k = 0; k < 3; ++k)
+        known->second[k] = at(f, Surface{t.corners[k].world.at, t.corners[k].normal});
+    }
+    const auto mixed = [&](dvec3 Parts::* part) {
+      const auto& [a, b, c] = known->second;
+      return f.weights.x * (a.*part) + f.weights.y * (b.*part) + f.weights.z * (c.*part);
+    };
+    return {mixed(&Parts::ambient), mixed(&Parts::diffuse), mixed(&Parts::specular)};
+  }
+
+  const Scene& scene_;
+  std::int64_t computed_ = 0;
+  std::map<std::array<int, 3>, Parts> faces_{};
+  std::map<int, std::array<Parts, 3>> corners_{};  ///< by triangle
+};
+
 /// The place, the normal and the light of one visible fragment.
-inline Shaded shaded(const Scene& scene, const Fragment& fragment, const Triangle& triangle) {
+inline Shaded shaded(SceneLight& light, const Fragment& fragment, const Triangle& triangle) {
   const auto at = [](const TriangleCorner& c) { return c.world.at; };
   const dvec3 place = mean<dvec3>(fragment, triangle, at);
   dvec3 normal =
       unit_vector(mean<dvec3>(fragment, triangle, [](const TriangleCorner& c) { return c.normal; }));
   const dvec2 texture = mean<dvec2>(fragment, triangle, [](const TriangleCorner& c) { return c.texture; });
-  const Mesh& mesh = object_at(scene, fragment.id.object).mesh;
-  const int material = mesh.faces[static_cast<std::size_t>(fragment.id.face)].material;
-  const auto parts = illumination::phong(place, normal, scene.camera.frame.eye,
-                                         mesh.materials[static_cast<std::size_t>(material)],
-                                         std::span<const Light>(scene.lights), scene.ambient);
-  return {fragment,      {place},        normal,
-          texture,       material,       parts.ambient,
-          parts.diffuse, parts.specular, LinearRgb(parts.sum())};
+  const Parts parts = light.at(fragment, triangle, {place, normal});
+  return {fragment,
+          {place},
+          normal,
+          texture,
+          light.face(fragment).material,
+          parts.ambient,
+          parts.diffuse,
+          parts.specular,
+          LinearRgb(parts.sum())};
 }
 
 /// Gives every visible fragment its colour, and every other pixel the background's.
 ///
 /// Steps: Shaded*, row by row.
 /// Accuracy: that of illumination::phong.
-/// Cost: one illumination a visible pixel.
+/// Cost: one illumination a visible pixel, a corner of a visible triangle, or a visible face: scene.shading.
 /// Errors: none.
 template <Observer<Shaded> O = Unobserved>
 Raster<LinearRgb> shade(const Scene& scene, const Triangles& triangles, const Visible& visible,
@@ -100,23 +168,24 @@ Raster<LinearRgb> shade(const Scene& scene, const Triangles& triangles, const Vi
   const int width = visible.width();
   const int height = visible.height();
   const auto back = scene.background;
-  Raster<LinearRgb> light(  // nothing seen yet
+  Raster<LinearRgb> image(  // nothing seen yet
       width, height, back);
+  SceneLight light(scene);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const ivec2 p{x, y};
       const auto& cell = visible[p];
       if (!cell.taken) continue;
-      // Phong's model, once a pixel
+      // Phong's model; the shading says how often
       auto& f = cell.key.fragment;
       auto& t =  // the one seen there
           triangle_of(f, triangles);
-      auto lit = shaded(scene, f, t);
-      light[p] = lit.colour;
+      auto lit = shaded(light, f, t);
+      image[p] = lit.colour;
       if constexpr (observed<O>) observer(lit);
     }
   }
-  return light;
+  return image;
 }
 
 }  // namespace gradus::pipeline

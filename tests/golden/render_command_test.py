@@ -104,6 +104,7 @@ def test_bad_commands():
         *[([SPOT, *out, "--fov", text], fov + f"'{text}'") for text in ("0", "180", "-40", "nan", "inf", "1e-9", "forty", "40,5")],
         ([SPOT, *out, "--background", "blurple"], re.compile("--background: expected .*#rrggbb.*, found 'blurple'.*")),
         ([SPOT, *out, "--background", "#12345"], re.compile("--background: expected .*#rrggbb.*, found '#12345'.*")),
+        ([SPOT, *out, "--shading", "toon"], "--shading: expected one of flat, gouraud, phong, found 'toon'"),
         ([SPOT, *out, "--step", "3"], re.compile("render: unknown flag '--step': expected one of --output, --size, .*")),
         ([SPOT, *out, "--eye"], "--eye: expected X,Y,Z, found none"),
         ([SPOT, *out, "--eye", "1,2,3", "--eye", "1,2,3"], "--eye: expected one value, found '1,2,3' and '1,2,3'"),

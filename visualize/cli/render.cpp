@@ -42,6 +42,7 @@ struct Wish {
   std::optional<dvec3> light;
   std::optional<Rgba8> background;
   bool transparent = false;
+  pipeline::Shading shading = pipeline::Shading::phong;
   std::string said;  ///< the flags in their canonical spelling, " --size 640x480"
 };
 
@@ -77,6 +78,7 @@ class WishReader {
     read_fov();
     wish_.light = vector("light");
     read_background();
+    read_shading();
     return std::move(wish_);
   }
 
@@ -148,6 +150,17 @@ class WishReader {
     const Arguments::Entry read = read_argument(parameter, *text);
     wish_.background = std::get<Rgba8>(read.value);
     if (wish_.background != Rgba8{255, 255, 255}) say("background", read.text);
+  }
+
+  void read_shading() {
+    const std::string* text = given("shading");
+    if (!text) return;
+    const std::string word = folded(trimmed(*text));
+    constexpr std::array<std::string_view, 3> names{"flat", "gouraud", "phong"};
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end()) refuse_flag("shading", "one of flat, gouraud, phong", shown(*text));
+    wish_.shading = static_cast<pipeline::Shading>(found - names.begin());
+    if (wish_.shading != pipeline::Shading::phong) say("shading", word);
   }
 
   const std::map<std::string, std::string>& flags_;
@@ -224,6 +237,7 @@ pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) 
     scene.lights = {lamp};
   }
   if (wish.background) scene.background = linear_from_srgb8(*wish.background);
+  scene.shading = wish.shading;
   return scene;
 }
 

@@ -324,6 +324,53 @@ TEST(Chain, NothingToSeeGivesTheBackground) {
   EXPECT_THROW(render(scene, {3, 2}), ContractViolation);
 }
 
+/// The picture with this shading, and its visible fragments.
+std::pair<Image, std::vector<Shaded>> shaded_as(Scene scene, Shading shading) {
+  scene.shading = shading;
+  Recorder<Shaded> seen;
+  Image image = render(scene, {90, 60}, only<Shaded>(seen));
+  return {std::move(image), all<Shaded>(seen)};
+}
+
+TEST(Chain, FlatShadingGivesEveryFaceOneColour) {
+  const Mesh spot = load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/models/spot.obj").mesh;
+  const Scene scene = scene_of(spot, 1.5);
+  std::map<int, LinearRgb> colours;
+  for (const Shaded& s : shaded_as(scene, Shading::flat).second) {
+    const auto [known, is_new] = colours.try_emplace(s.fragment.id.face, s.colour);
+    EXPECT_EQ(known->second, s.colour) << s.fragment.id.face;
+  }
+  EXPECT_GT(colours.size(), 40u);
+}
+
+TEST(Chain, ShadingsDifferWhereNormalsDo) {
+  // Plane faces with normals of their own, scattered light from far away: nothing varies over a face
+  const auto farthest_apart = [](const std::vector<Shaded>& a, const std::vector<Shaded>& b) {
+    float most = 0;
+    EXPECT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      most = std::max(most, glm::distance(a[i].colour, b[i].colour));
+    return most;
+  };
+  Scene scene = scene_of(letter(), 1.5);
+  for (Material& m : scene.objects[0].mesh.materials) m.specular = LinearRgb{0};
+  Light sun;
+  sun.kind = Light::Kind::directional;
+  sun.direction = {1, -2, -3};
+  scene.lights = {sun};
+  const auto light = shaded_as(scene, Shading::phong).second;
+  EXPECT_LT(farthest_apart(light, shaded_as(scene, Shading::gouraud).second), 1e-6f);
+  EXPECT_LT(farthest_apart(light, shaded_as(scene, Shading::flat).second), 1e-6f);
+  // On a body with mixed normals they part, flat shading the most
+  Scene body = scene_of(load_obj(std::string(GRADUS_SOURCE_DIR) + "/examples/models/spot.obj").mesh, 1.5);
+  body.lights = {sun};
+  const auto each = shaded_as(body, Shading::phong).second;
+  const float gouraud = farthest_apart(each, shaded_as(body, Shading::gouraud).second);
+  const float flat = farthest_apart(each, shaded_as(body, Shading::flat).second);
+  EXPECT_GT(gouraud, 0.01f);
+  EXPECT_GT(flat, 2 * gouraud);
+}
+
 TEST(Chain, TooMuchLightIsWhite) {
   Record seen;
   Scene scene = glowing({{"v -9 -9 -5\nv 9 -9 -5\nv 0 9 -5\nf 1 2 3\n", {20, 0.5f, 0}}});
