@@ -54,6 +54,15 @@ TEST(Mesh, AreaVectorsOfConcaveFaces) {
   EXPECT_EQ(area_vector(mesh, mesh.faces[0]), (dvec3{0, 0, 6}));
 }
 
+TEST(Mesh, AFaceInTheOtherOrderHasTheOppositeNormal) {
+  Mesh mesh;
+  mesh.positions = {{2, 1, 0}, {1, 1, 3}, {1, 2, 0}, {0, 2, -1}};
+  add_face(mesh, std::vector<Corner>{{0}, {1}, {2}, {3}});
+  add_face(mesh, std::vector<Corner>{{3}, {2}, {1}, {0}});
+  EXPECT_NE(area_vector(mesh, mesh.faces[0]), dvec3{0});
+  EXPECT_EQ(area_vector(mesh, mesh.faces[0]), -area_vector(mesh, mesh.faces[1]));
+}
+
 TEST(Mesh, ClosedOutward) {
   EXPECT_TRUE(closed_outward(cube()));
   EXPECT_FALSE(closed_outward(cube(1, false)));  // inside out
