@@ -84,7 +84,7 @@ def test_list():
     check("flood_fill" in gradus("list", "bucket").out, "WORD searches aliases")
     everything = json.loads(gradus("list", "--json").out)
     check("bresenham_line" in json.dumps(everything) and "methods" in json.dumps(everything), "list --json")
-    for word in ("zzz", "gouraud"):
+    for word in ("zzz", "radiosity"):
         result = gradus("list", word)
         equal((result.code, result.out, result.err),
               (2, "", f"gradus: list: expected a word in the name, alias or title of a topic, found '{word}'\n"), "no match")
