@@ -1,5 +1,4 @@
-// FILL IN: what is shown three ways. Until then a walk: its pixels alone, its steps watched by a lambda, one
-// step as a figure.
+// An octree's order three ways: its cells alone, the walk watched, a step as a figure.
 // Writes octree_order.svg into the current folder.
 
 #include "visibility/octree_order/octree_order.hpp"
@@ -7,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <fstream>
-#include <string>
 
 #include "cairo/cairo_output.hpp"
 #include "figure/figure.hpp"
@@ -17,23 +15,26 @@ int main() {
   using namespace gradus;
   using namespace gradus::octree_order;
 
-  // The pixels alone
-  walk({0, 0}, {5, 2}, [](ivec2 p) { fmt::print("({}, {}) ", p.x, p.y); });
-  fmt::print("\n");
+  // Eight cells, the nearest first
+  const Cell<double> root{{0, 0, 0}, 8};
+  const Eye<double> eye(12, 10, 5, 1);
+  const auto once = [](const Cell<double>& cell) { return cell.depth < 1; };
+  front_to_back(root, eye, once, [](const Cell<double>& cell) {
+    fmt::print("({}, {}, {})\n", cell.lower.x, cell.lower.y, cell.lower.z);
+  });
 
-  // The steps, as the algorithm reports them
-  const auto watch = []<class Step>(const Step& step) {
-    if constexpr (std::same_as<Step, Stepped>) fmt::print("column reached: {}\n", step.column_reached);
+  // What was decided on the way
+  const auto watch = []<class Step>(const Step& s) {
+    if constexpr (std::same_as<Step, Entered<double>>) fmt::print("nearest child: {}\n", s.nearest);
   };
-  walk({0, 0}, {5, 2}, [](ivec2) {}, watch);
+  back_to_front(root, eye, once, [](const Cell<double>&) {}, watch);
 
-  // Step 4 as a figure
+  // The decision as a figure
   const TopicEntry& topic = *find_entry("octree_order");
-  const Trace trace = trace_of(topic, {{"columns", "5"}, {"rows", "2"}});
+  const Trace trace = trace_of(topic, {{"depth", "2"}});
   Playhead playhead(trace);
-  const Figure figure = figure_of(trace, playhead, {4, 0});
-  const std::string source = "examples/visibility/octree_order";
-  const Colophon colophon{figure.title, caption_of(figure), source, ""};
+  const Figure figure = figure_of(trace, playhead, trace.telling);
+  const Colophon colophon{figure.title, caption_of(figure), "examples/visibility/octree_order", ""};
   std::ofstream file("octree_order.svg");
   file << svg_of(lay_out(figure, {}), *find_theme("light"), colophon);
 }

@@ -1,66 +1,198 @@
 #pragma once
-// FILL IN: what this topic is about, in a few sentences. Until then: a walk from one pixel to another, first
-// along x, then along y.
+// The order of an octree's cells for an eye: near ones first or far ones first, by the side of each middle
+// that the eye is on, and without a look at what the cells hold.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
 
 namespace gradus::octree_order {
 
+/// A cube: its corner with the least coordinates and its side. Children are numbered by bits: 1 for the upper
+/// half in x, 2 in y, 4 in z.
+template <class T>
+struct Cell {
+  glm::vec<3, T> lower;
+  T side;
+  int depth = 0;  ///< of the root 0
+
+  friend constexpr bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Where the eye is: a point, or at w = 0 the direction towards an eye that is infinitely far away.
+template <class T>
+using Eye = glm::vec<4, T>;
+
 // --- Steps -------------------------------------------------------
 
-// FILL IN: small types that own their data, each named for what has just happened.
-
-/// `from` is about to be plotted.
-struct Started {
-  ivec2 from, to;
+/// A cell with children was reached; which child the eye is nearest to.
+template <class T>
+struct Entered {
+  Cell<T> cell;
+  int nearest;
 };
 
-/// The walk stands on its next pixel, which is about to be plotted.
-struct Stepped {
-  ivec2 pixel;
-  bool column_reached;  ///< what was tested: the pixel before lies in the column of the end
+/// A leaf's turn has come.
+template <class T>
+struct Visited {
+  Cell<T> cell;
+  std::int64_t number;  ///< from 1 on
 };
 
-/// The end is reached.
+/// All leaves were visited.
 struct Finished {
-  std::int64_t pixels;  ///< how many were plotted
+  std::int64_t cells;     ///< leaves
+  std::int64_t compared;  ///< coordinates of the eye with those of a middle
 };
 
-// --- The taught method -------------------------------------------
+// --- One cell ----------------------------------------------------
 
-/// FILL IN: what it does; then author, title, year and page of the source.
-///
-/// from, to: any int32 coordinates. plot(ivec2) is called once a pixel, in order from `from` to `to`, both
-///   included.
-///
-/// Domain: everything; from == to gives one pixel.
-/// Steps: Started Stepped* Finished; Stepped once for every pixel but the first.
-/// Accuracy: exact. FILL IN: the bound that the promise in tests/stress holds it to.
-/// Cost: |dx| + |dy| steps of two comparisons and an addition; no memory.
-/// Errors: none.
-template <class Plot, Observer<Started, Stepped, Finished> O = Unobserved>
-constexpr void walk(ivec2 from, ivec2 to, Plot&& plot, O&& observer = {}) {
-  ivec2 pixel = from;
-  std::int64_t pixels = 1;
-  if constexpr (observed<O>) observer(Started{from, to});
-  plot(pixel);
-  while (pixel != to) {
-    // To the column first, then to the row
-    if (pixel.x != to.x) {
-      pixel.x += pixel.x < to.x ? 1 : -1;
-      if constexpr (observed<O>) observer(Stepped{pixel, false});
-    } else {
-      pixel.y += pixel.y < to.y ? 1 : -1;
-      if constexpr (observed<O>) observer(Stepped{pixel, true});
-    }
-    plot(pixel);
-    ++pixels;
+template <class T>
+constexpr glm::vec<3, T> middle_of(const Cell<T>& cell) {
+  return cell.lower + cell.side / T(2);
+}
+
+/// The child of a cell with this number.
+template <class T>
+constexpr Cell<T> child_of(const Cell<T>& cell, int number) {
+  const T half = cell.side / T(2);
+  Cell<T> child{cell.lower, half, cell.depth + 1};
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((number >> axis & 1) != 0) child.lower[axis] += half;
   }
-  if constexpr (observed<O>) observer(Finished{pixels});
+  return child;
+}
+
+/// The number of the child on the eye's side of all three planes through the middle. In a plane both sides
+/// may come first: it counts as above.
+template <class T>
+constexpr int nearest_child(const Cell<T>& cell, const Eye<T>& eye) {
+  const auto middle = middle_of(cell);
+  int nearest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool above = eye[axis] >= eye.w * middle[axis];
+    if (above) nearest |= 1 << axis;
+  }
+  return nearest;
+}
+
+/// Child k of an order is the nearest one with these bits the other way round: behind one plane, behind two,
+/// behind all three.
+inline constexpr std::array<int, 8> turned_bits{0, 1, 2, 4, 3, 5, 6, 7};
+
+constexpr int turned(int k) { return turned_bits[static_cast<std::size_t>(k)]; }
+
+/// Deepest that cells may be cut.
+inline constexpr int deepest = 48;
+
+template <class T>
+void expect_cube(const Cell<T>& root, const Eye<T>& eye) {
+  expects(root.side > T(0), "expected a cell with a side above 0");
+  expects(eye.w == T(0) || eye.w == T(1), "expected an eye with w = 0 or w = 1");
+}
+
+// --- The walks ---------------------------------------------------
+
+/// What both walks have in common: where the eye is, who is asked, and what was done.
+template <class T, class Split, class Visit>
+struct Walk {
+  const Eye<T>& eye;
+  Split& split;
+  Visit& visit;
+  std::int64_t cells = 0, compared = 0;
+
+  void leaf(const Cell<T>& cell) {
+    ++cells;
+    visit(cell);
+  }
+  int nearest(const Cell<T>& cell) {
+    compared += 3;
+    return nearest_child(cell, eye);
+  }
+  bool is_leaf(const Cell<T>& cell) { return cell.depth == deepest || !split(cell); }
+};
+
+template <class T, class Split, class Visit>
+Walk<T, Split, Visit> walk_of(const Eye<T>& eye, Split& split, Visit& visit) {
+  return {eye, split, visit};
+}
+
+/// The cells below one, near ones first.
+template <class T, class Split, class Visit, class O>
+void nearer_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer) {
+  if (walk.is_leaf(cell)) {
+    walk.leaf(cell);
+    if constexpr (observed<O>) observer(Visited<T>{cell, walk.cells});
+    return;
+  }
+  int nearest = walk.nearest(cell);
+  if constexpr (observed<O>) observer(Entered<T>{cell, nearest});
+  // The eye's octant, three beside it,
+  // three beside those, the one across
+  for (const int bits : turned_bits) {
+    int child = nearest ^ bits;
+    auto next = child_of(cell, child);
+    nearer_first(walk, next, observer);
+  }
+}
+
+/// The cells below one, far ones first.
+template <class T, class Split, class Visit, class O>
+void farther_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer) {
+  if (walk.is_leaf(cell)) {
+    walk.leaf(cell);
+    if constexpr (observed<O>) observer(Visited<T>{cell, walk.cells});
+    return;
+  }
+  int nearest = walk.nearest(cell);
+  if constexpr (observed<O>) observer(Entered<T>{cell, nearest});
+  // The one across first, the eye's last
+  for (int k = 7; k >= 0; --k) {
+    int child = nearest ^ turned(k);
+    auto next = child_of(cell, child);
+    farther_first(walk, next, observer);
+  }
+}
+
+/// Visits an octree's leaves from front to back: no leaf hides one that was visited before it.
+/// Source: L. J. Doctor, J. G. Torborg, Display techniques for octree-encoded objects, IEEE Computer Graphics
+/// and Applications 1 (3), 1981.
+///
+/// root: a cube. eye: a point, also one inside, or a direction. split(cell) says whether a cell has children;
+///   visit(cell) is called for every leaf.
+///
+/// Domain: finite; side > 0. Cells deeper than 48 are leaves whatever split says.
+/// Steps: Entered and Visited in the order of the walk, Finished.
+/// Accuracy: exact where middles are, as of any cube whose side is a power of two and whose lower corner is a
+///   multiple of the least cell's; else the order is that for a plane within a rounding of the middle.
+/// Cost: three comparisons a cell with children, whatever the cells hold; memory for the depth.
+/// Errors: ContractViolation for a side of 0 or less, or a w beside 0 and 1.
+template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Finished> O = Unobserved>
+void front_to_back(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
+  expect_cube(root, eye);
+  auto walk = walk_of(eye, split, visit);
+  nearer_first(walk, root, observer);
+  if constexpr (observed<O>) observer(Finished{walk.cells, walk.compared});
+}
+
+/// Visits an octree's leaves from back to front, as a painter needs them: each may be drawn over all before
+/// it.
+///
+/// root, eye, split, visit: as for front_to_back, whose order this is the other way round.
+///
+/// Domain, Steps, Accuracy, Cost, Errors: as for front_to_back.
+template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Finished> O = Unobserved>
+void back_to_front(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {
+  expect_cube(root, eye);
+  auto walk = walk_of(eye, split, visit);
+  farther_first(walk, root, observer);
+  if constexpr (observed<O>) observer(Finished{walk.cells, walk.compared});
 }
 
 }  // namespace gradus::octree_order

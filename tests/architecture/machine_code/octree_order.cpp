@@ -1,13 +1,17 @@
 // Every method of octree_order as a function of its own; see machine_code_test.py.
-// FILL IN: a function for each method that reports steps.
 #include "visibility/octree_order/octree_order.hpp"
 
 using namespace gradus::octree_order;
-using gradus::ivec2;
 
-void set_pixel(ivec2 p);  // defined nowhere: the compiler must call it
+bool has_children(const Cell<double>& cell);  // defined nowhere: the compiler must call it
+void take(const Cell<double>& cell);
 
 // Flattened: what is compared is the whole method, not a call of it
 extern "C" {
-[[gnu::flatten]] void machine_code_walk(ivec2 from, ivec2 to) { walk(from, to, set_pixel); }
+[[gnu::flatten]] void machine_code_front_to_back(const Cell<double>& root, const Eye<double>& eye) {
+  front_to_back(root, eye, has_children, take);
+}
+[[gnu::flatten]] void machine_code_back_to_front(const Cell<double>& root, const Eye<double>& eye) {
+  back_to_front(root, eye, has_children, take);
+}
 }
