@@ -73,7 +73,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
     shading({{"faces", roof}, {"method", method}, {"columns", "6"}, {"rows", "6"}, {"weighting", "plain"}});
   shading({{"faces", roof}, {"method", "vertex_normals"}, {"weighting", "area"}});
   shading({{"faces", roof}, {"intensities", "0 1 0.5"}, {"columns", "6"}, {"rows", "6"}});
-  shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,10.5,10.5"}});
+  shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   shading({{"method", "flat"}, {"light", "0,0,1000000"}, {"eye", "0,0,1000000"}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
