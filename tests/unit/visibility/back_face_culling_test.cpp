@@ -240,7 +240,7 @@ TEST(BackFaceCulling, NewellsNormalIsThatOfAllCorners) {
     std::rotate(turned.begin(), turned.begin() + 1, turned.end());
     EXPECT_EQ(newell_normal<double>(turned), dvec3(0, 0, 6));
   }
-  EXPECT_EQ(newell_normal<double>(Ring{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}}), dvec3(0, 0, 2));
+  EXPECT_EQ(newell_normal<double>(Ring{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}}), dvec3(0, 0, 4));
   EXPECT_EQ(newell_normal<double>(Ring{{1, 1, 1}, {2, 2, 2}, {5, 5, 5}}), dvec3(0));
   EXPECT_EQ(newell_normal<float>(std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}),
             glm::vec3(0, 0, 4));
@@ -292,7 +292,7 @@ TEST(BackFaceCulling, AQuadThatIsNotFlatMayShowItsFrontInSpaceAndItsBackInThePic
 }
 
 TEST(BackFaceCulling, ASliverTurnsRoundWhenItsCornersAreSnapped) {
-  // Counter-clockwise by an area of 0.08; rounded to whole pixels, clockwise by 1
+  // Counter-clockwise by a doubled area of 0.16; rounded to whole pixels, clockwise by 6
   const Ring2 sliver{{0.4, 0.4}, {4.4, 1.6}, {8.6, 2.9}};
   Ring2 snapped = sliver;
   for (dvec2& p : snapped) p = {std::floor(p.x + 0.5), std::floor(p.y + 0.5)};

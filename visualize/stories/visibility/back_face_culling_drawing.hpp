@@ -1,0 +1,258 @@
+#pragma once
+// What stories of culling draw: the faces in space with the normal and the view vector, what the eye sees of
+// them, and one face's plane edge-on, where the angle is true.
+
+#include "projection/viewing/viewing.hpp"
+#include "stories/visibility/faces_task.hpp"
+#include "visibility/back_face_culling/back_face_culling.hpp"
+
+namespace gradus::back_face_culling {
+
+using Ring = std::vector<dvec3>;
+using Ring2 = std::vector<dvec2>;
+
+/// What a run is about: faces, and whoever looks at them.
+struct Task {
+  std::vector<NamedFace> faces;
+  bool distant;  ///< the eye is infinitely far away
+  Eye<double> eye;
+  Frame<double> frame;       ///< of the eye, or of a place before the faces
+  std::vector<Ring> view{};  ///< right, up, forward
+  dvec3 middle{0};
+  double radius = 1;
+
+  std::vector<Face<double>> world() const {
+    std::vector<Face<double>> all;
+    for (const NamedFace& face : faces) all.push_back(face.points);
+    return all;
+  }
+  /// (x, y, w) of a lens of 90 degrees.
+  std::vector<Ring> clip() const {
+    std::vector<Ring> all = view;
+    for (Ring& ring : all) {
+      for (dvec3& p : ring) p.z = distant ? 1 : p.z;
+    }
+    return all;
+  }
+  /// The picture. Domain: no corner has w = 0.
+  std::vector<Ring2> outlines() const {
+    std::vector<Ring2> all;
+    for (const Ring& ring : clip()) {
+      all.emplace_back();
+      for (const dvec3 p : ring) all.back().push_back(dvec2(p) / p.z);
+    }
+    return all;
+  }
+  /// Towards the eye from the middle of all.
+  dvec3 way() const {
+    if (distant) return unit_vector(dvec3(eye));
+    const dvec3 way = dvec3(eye) - middle;
+    return length_of(way) > 1e-3 * radius ? unit_vector(way) : -frame.forward;
+  }
+  bool eye_is_near() const { return !distant && length_between(dvec3(eye), middle) <= 4.5 * radius; }
+};
+
+template <class Vec>
+std::vector<std::span<const Vec>> spans_of(const std::vector<std::vector<Vec>>& rings) {
+  return {rings.begin(), rings.end()};
+}
+
+inline Task task_of(const Arguments& arguments) {
+  Task task{faces_task::faces_of(arguments), arguments.place("towards").has_value(), {}, {}};
+  Bounds bounds;
+  for (const NamedFace& face : task.faces) {
+    for (const dvec3 p : face.points) bounds.add(p);
+  }
+  task.middle = bounds.centre();
+  task.radius = bounds.radius();
+  if (task.distant) {
+    const faces_task::Reader reader = faces_task::reader_of(arguments);
+    task.eye = {*arguments.place("towards"), 0};
+    task.frame = {task.middle, reader.right, reader.up, -reader.towards};
+    for (const NamedFace& face : task.faces) {
+      task.view.emplace_back();
+      for (const dvec3 p : face.points)
+        task.view.back().emplace_back(reader.flat(p), -glm::dot(p, reader.towards));
+    }
+    return task;
+  }
+  const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
+  if (length_between(eye, target) <= 1e-6 * task.radius)
+    refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
+  task.eye = {eye, 1};
+  task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
+  for (const NamedFace& face : task.faces) {
+    task.view.emplace_back();
+    for (const dvec3 p : face.points) task.view.back().push_back(viewing::to_view(task.frame, p));
+  }
+  return task;
+}
+
+/// How a face looks by now.
+struct Look {
+  Role role = Role::past;
+  bool filled = false, dashed = false;
+};
+
+// --- Space
+
+/// The faces from beside the eye.
+class SpacePicture {
+ public:
+  SpacePicture(const Task& task, const Extent& place)
+      : task_(task),
+        reader_(unit_vector(0.35 * task.way() + 0.85 * task.frame.right + 0.38 * task.frame.up)),
+        panel_(place, {}) {
+    Extent extent;
+    for (const NamedFace& face : task.faces) {
+      const dvec3 normal = unit_vector(newell_normal<double>(face.points));
+      extent.add(reader_.flat(face.points[0] + 0.7 * task.radius * normal));
+      extent.add(reader_.flat(face.points[0] + view_arrow(face.points[0])));
+      for (const dvec3 p : face.points) extent.add(reader_.flat(p));
+    }
+    if (task.eye_is_near()) extent.add(reader_.flat(dvec3(task.eye)));
+    panel_ = Panel(place, extent);
+  }
+
+  void add(View& view, const std::vector<Look>& looks) const {
+    SpaceDrawing drawing(reader_.look(panel_));
+    for (std::size_t i = 0; i < task_.faces.size(); ++i) {
+      const auto& ring = task_.faces[i].points;
+      const std::string id = fmt::format("b {:03}", i);
+      if (looks[i].filled && faces_task::is_flat(ring))
+        drawing.add(SpaceFace{.id = id, .role = looks[i].role, .ring = ring, .one_sided = false});
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        drawing.add(SpaceEdge{.id = fmt::format("{} {:02}", id, k),
+                              .role = looks[i].role,
+                              .a = ring[k],
+                              .b = ring[(k + 1) % ring.size()],
+                              .dashed = looks[i].dashed,
+                              .thin = looks[i].dashed});
+      }
+    }
+    drawing.add_to(view, "a");
+    for (std::size_t i = 0; i < task_.faces.size(); ++i) {
+      const auto& ring = task_.faces[i].points;
+      dvec3 middle{0};
+      for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
+      view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(middle), task_.faces[i].name}});
+    }
+    if (task_.eye_is_near()) view.add_named("e eye", "e eye name", Role::boundary, at(dvec3(task_.eye)), "E");
+  }
+  void add_normal(View& view, std::size_t face, dvec3 normal) const {
+    const dvec3 p = task_.faces[face].points[0];
+    view.add({"p corner", Role::current, Dot{at(p)}});
+    view.add({"p corner name", Role::current, Label{at(p), "P"}});
+    if (normal == dvec3{0}) return;
+    const dvec3 tip = p + 0.7 * task_.radius * unit_vector(normal);
+    view.add({"p normal", Role::result, Stroke{at(p), at(tip), true}});
+    view.add({"p normal name", Role::result, Label{at(tip), "N"}});
+  }
+  void add_view(View& view, std::size_t face) const {
+    const dvec3 p = task_.faces[face].points[0], arrow = view_arrow(p);
+    view.add({"p view", Role::measure, Stroke{at(p), at(p + arrow), true}});
+    view.add({"p view name", Role::measure, Label{at(p + 0.6 * arrow), "V"}});
+  }
+
+ private:
+  dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
+  /// The view vector where the drawing has room for it, else its beginning.
+  dvec3 view_arrow(dvec3 p) const {
+    const dvec3 whole = view_vector<double>(std::span(&p, 1), task_.eye);
+    return task_.eye_is_near() ? whole : 1.2 * task_.radius * unit_vector(whole);
+  }
+
+  const Task& task_;
+  faces_task::Reader reader_;
+  Panel panel_;
+};
+
+// --- The picture that the eye sees
+
+/// Outlines in the picture, as they come out of the division.
+class EyePicture {
+ public:
+  EyePicture(const Task& task, const Extent& place) : task_(task), panel_(place, {}) {
+    if (std::ranges::any_of(task.clip(), [](const Ring& ring) {
+          return std::ranges::any_of(ring, [](dvec3 p) { return p.z == 0; });
+        }))
+      return;
+    outlines_ = task.outlines();
+    Extent extent;
+    for (const Ring2& ring : outlines_) {
+      for (const dvec2 p : ring) extent.add(p);
+    }
+    panel_ = Panel(place, extent);
+  }
+  bool empty() const { return outlines_.empty(); }
+
+  void add(View& view, const std::vector<Look>& looks) const {
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      const std::vector<dvec2> ring = panel_.at(outlines_[i]);
+      const std::string id = fmt::format("q {:03}", i);
+      if (looks[i].filled) view.add({id + " inside", looks[i].role, Area{{ring}, 1}});
+      view.add({id, looks[i].role, Path{ring, true, looks[i].dashed}});
+    }
+  }
+  void add_names(View& view, const std::vector<Look>& looks) const {
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      dvec2 middle{0};
+      for (const dvec2 p : outlines_[i]) middle += panel_.at(p) / static_cast<double>(outlines_[i].size());
+      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{middle, task_.faces[i].name}});
+    }
+  }
+  /// Which way a face turns: an arrow along each edge.
+  void add_turn(View& view, std::size_t face, Role role) const {
+    if (empty()) return;
+    const std::vector<dvec2> ring = panel_.at(outlines_[face]);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const dvec2 a = ring[k], b = ring[(k + 1) % ring.size()];
+      view.add({fmt::format("t turn {:02}", k), role, Stroke{a, a + 0.62 * (b - a), true}});
+    }
+    view.add({"t corner", role, Dot{ring[0]}});
+    view.add({"t corner name", role, Label{ring[0], "P"}});
+  }
+  /// A triangle from the first corner on.
+  void add_triangle(View& view, std::size_t face, std::size_t corner, Role role) const {
+    const std::vector<dvec2> ring = panel_.at(outlines_[face]);
+    const std::vector<dvec2> triangle{ring[0], ring[corner], ring[corner + 1]};
+    view.add({"s triangle inside", role, Area{{triangle}, 2}});
+    view.add({"s triangle", role, Path{triangle, true}});
+  }
+
+ private:
+  const Task& task_;
+  std::vector<Ring2> outlines_{};
+  Panel panel_;
+};
+
+// --- One plane
+
+/// A face's plane edge-on: its normal upwards, the view vector at its true angle.
+inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::optional<dvec3> to_eye,
+                        const std::string& angle) {
+  const Panel panel(place, {{-1.25, -1.1}, {1.25, 1.1}});
+  const auto at = [&](double x, double y) { return panel.at(dvec2{x, y}); };
+  view.add({"e plane", Role::current, Stroke{at(-1.25, 0), at(1.25, 0)}});
+  view.add({"e point", Role::current, Dot{at(0, 0)}});
+  view.add({"e point name", Role::current, Label{at(0, 0), "P"}});
+  view.add({"e front", Role::guide, Text{at(-1.2, 0.22), "+"}});
+  view.add({"e behind", Role::guide, Text{at(-1.2, -0.22), "−"}});
+  if (normal == dvec3{0}) return;
+  view.add({"e normal", Role::result, Stroke{at(0, 0), at(0, 1), true}});
+  view.add({"e normal name", Role::result, Label{at(0, 1), "N"}});
+  if (!to_eye || *to_eye == dvec3{0}) return;
+  const double cosine = std::clamp(glm::dot(unit_vector(normal), unit_vector(*to_eye)), -1.0, 1.0);
+  const double sine = std::sqrt(1 - cosine * cosine);
+  view.add({"e view", Role::measure, Stroke{at(0, 0), at(sine, cosine), true}});
+  view.add({"e view name", Role::measure, Label{at(sine, cosine), "V"}});
+  std::vector<dvec2> arc;
+  const double turn = std::acos(cosine);
+  for (int i = 0; i <= 16; ++i)
+    arc.push_back(at(0.36 * std::sin(turn * i / 16), 0.36 * std::cos(turn * i / 16)));
+  view.add({"e angle", Role::measure, Path{arc, false}});
+  view.add(
+      {"e angle text", Role::measure, Text{at(0.62 * std::sin(turn / 2), 0.62 * std::cos(turn / 2)), angle}});
+}
+
+}  // namespace gradus::back_face_culling
