@@ -282,8 +282,8 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
     const T dot = glm::dot(N, V);
     // Its sign, without rounding
     const int sign = sign_of_product(dot, face, eye);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -319,8 +319,8 @@ void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = 
     }
     // Its sign, without rounding
     const int sign = sign_of_area(sum, face);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, sum, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -347,8 +347,8 @@ void homogeneous(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {})
     const T det = glm::dot(N, faces[i][0]);
     // The eye is at 0, and V = -P
     const int sign = -sign_of_product(T(-det), faces[i], eye);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, det, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});

@@ -77,8 +77,8 @@ void first_three_corners(std::span<const Face<T>> faces, const Eye<T>& eye, Draw
     if constexpr (observed<O>) observer(ViewTaken<T>{i, face[0], V});
     const T dot = glm::dot(N, V);
     const int sign = sign_of(dot);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -102,8 +102,8 @@ void eye_space_normal(std::span<const Face<T>> faces, Draw&& draw, O&& observer 
     if constexpr (observed<O>) observer(NormalFound<T>{i, N});
     // All sight lines run along z?
     const int sign = sign_of(N.z);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, N.z, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -136,8 +136,8 @@ void after_division(std::span<const Face<T>> faces, Draw&& draw, O&& observer = 
       area += p.x * q.y - q.x * p.y;
     }
     const int sign = sign_of(area);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -166,8 +166,8 @@ void misprinted_shoelace(std::span<const Outline<T>> faces, Draw&& draw, O&& obs
       area += a.x * b.y - b.x * a.y;
     }
     const int sign = sign_of(area);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
@@ -199,8 +199,8 @@ void six_products(std::span<const Outline<T>> faces, Draw&& draw, O&& observer =
     }
     const T area = right - left;
     const int sign = sign_of(area);
-    if (sign > 0) draw(i);
     drawn += sign > 0;
+    if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{faces.size(), drawn});

@@ -91,8 +91,38 @@ inline Task task_of(const Arguments& arguments) {
 /// How a face looks by now.
 struct Look {
   Role role = Role::past;
-  bool filled = false, dashed = false;
+  bool filled = false, dashed = false, named = true;
+  int rank = 0;  ///< of two faces, the higher one draws the edge between them
 };
+
+/// An edge of a face, and the face that draws it.
+template <class Vec>
+struct DrawnEdge {
+  std::size_t face;
+  Vec a, b;
+};
+
+/// All edges of some faces, each once, those of the least rank first.
+template <class Vec>
+std::vector<DrawnEdge<Vec>> edges_by_rank(const std::vector<std::vector<Vec>>& rings,
+                                          const std::vector<Look>& looks) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < rings.size(); ++i) order.push_back(i);
+  std::ranges::stable_sort(order,
+                           [&](std::size_t i, std::size_t k) { return looks[i].rank > looks[k].rank; });
+  std::vector<DrawnEdge<Vec>> edges;
+  for (const std::size_t i : order) {
+    for (std::size_t k = 0; k < rings[i].size(); ++k) {
+      const Vec a = rings[i][k], b = rings[i][(k + 1) % rings[i].size()];
+      const auto same = [&](const DrawnEdge<Vec>& e) {
+        return (e.a == a && e.b == b) || (e.a == b && e.b == a);
+      };
+      if (std::ranges::none_of(edges, same)) edges.push_back({i, a, b});
+    }
+  }
+  std::ranges::reverse(edges);
+  return edges;
+}
 
 // --- Space
 
@@ -101,8 +131,9 @@ class SpacePicture {
  public:
   SpacePicture(const Task& task, const Extent& place)
       : task_(task),
-        reader_(unit_vector(0.35 * task.way() + 0.85 * task.frame.right + 0.38 * task.frame.up)),
+        reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right + 0.3 * task.frame.up)),
         panel_(place, {}) {
+    for (const NamedFace& face : task.faces) rings_.push_back(face.points);
     Extent extent;
     for (const NamedFace& face : task.faces) {
       const dvec3 normal = unit_vector(newell_normal<double>(face.points));
@@ -114,24 +145,39 @@ class SpacePicture {
     panel_ = Panel(place, extent);
   }
 
-  void add(View& view, const std::vector<Look>& looks) const {
+  void add(View& view, const std::vector<Look>& looks, bool eye_plane) const {
     SpaceDrawing drawing(reader_.look(panel_));
     for (std::size_t i = 0; i < task_.faces.size(); ++i) {
       const auto& ring = task_.faces[i].points;
       const std::string id = fmt::format("b {:03}", i);
       if (looks[i].filled && faces_task::is_flat(ring))
         drawing.add(SpaceFace{.id = id, .role = looks[i].role, .ring = ring, .one_sided = false});
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        drawing.add(SpaceEdge{.id = fmt::format("{} {:02}", id, k),
-                              .role = looks[i].role,
-                              .a = ring[k],
-                              .b = ring[(k + 1) % ring.size()],
-                              .dashed = looks[i].dashed,
-                              .thin = looks[i].dashed});
-      }
+    }
+    const auto edges = edges_by_rank(rings_, looks);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Look& look = looks[edges[k].face];
+      drawing.add(SpaceEdge{.id = fmt::format("b edge {:03}", k),
+                            .role = look.role,
+                            .a = edges[k].a,
+                            .b = edges[k].b,
+                            .dashed = look.dashed,
+                            .thin = look.dashed});
+    }
+    for (std::size_t k = 0; eye_plane && k < 4; ++k) {
+      const auto corner = [&](std::size_t i) {
+        const double x = i == 1 || i == 2 ? 1 : -1, y = i < 2 ? 1 : -1;
+        return dvec3(task_.eye) + 0.8 * task_.radius * (x * task_.frame.right + y * task_.frame.up);
+      };
+      drawing.add(SpaceEdge{.id = fmt::format("c plane {}", k),
+                            .role = Role::boundary,
+                            .a = corner(k),
+                            .b = corner((k + 1) % 4),
+                            .dashed = true,
+                            .thin = true});
     }
     drawing.add_to(view, "a");
     for (std::size_t i = 0; i < task_.faces.size(); ++i) {
+      if (!looks[i].named) continue;
       const auto& ring = task_.faces[i].points;
       dvec3 middle{0};
       for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
@@ -145,8 +191,8 @@ class SpacePicture {
     view.add({"p corner name", Role::current, Label{at(p), "P"}});
     if (normal == dvec3{0}) return;
     const dvec3 tip = p + 0.7 * task_.radius * unit_vector(normal);
-    view.add({"p normal", Role::result, Stroke{at(p), at(tip), true}});
-    view.add({"p normal name", Role::result, Label{at(tip), "N"}});
+    view.add({"p normal", Role::input, Stroke{at(p), at(tip), true}});
+    view.add({"p normal name", Role::input, Label{at(tip), "N"}});
   }
   void add_view(View& view, std::size_t face) const {
     const dvec3 p = task_.faces[face].points[0], arrow = view_arrow(p);
@@ -163,6 +209,7 @@ class SpacePicture {
   }
 
   const Task& task_;
+  std::vector<Ring> rings_{};
   faces_task::Reader reader_;
   Panel panel_;
 };
@@ -191,26 +238,34 @@ class EyePicture {
       const std::vector<dvec2> ring = panel_.at(outlines_[i]);
       const std::string id = fmt::format("q {:03}", i);
       if (looks[i].filled) view.add({id + " inside", looks[i].role, Area{{ring}, 1}});
-      view.add({id, looks[i].role, Path{ring, true, looks[i].dashed}});
+    }
+    const auto edges = edges_by_rank(outlines_, looks);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Look& look = looks[edges[k].face];
+      const Stroke stroke{panel_.at(edges[k].a), panel_.at(edges[k].b), false, look.dashed, look.dashed};
+      view.add({fmt::format("q edge {:03}", k), look.role, stroke});
     }
   }
   void add_names(View& view, const std::vector<Look>& looks) const {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      if (!looks[i].named) continue;
       dvec2 middle{0};
       for (const dvec2 p : outlines_[i]) middle += panel_.at(p) / static_cast<double>(outlines_[i].size());
       view.add({fmt::format("r {:03} name", i), looks[i].role, Text{middle, task_.faces[i].name}});
     }
   }
   /// Which way a face turns: an arrow along each edge.
-  void add_turn(View& view, std::size_t face, Role role) const {
+  void add_turn(View& view, std::size_t face, Role role, bool numbered) const {
     if (empty()) return;
     const std::vector<dvec2> ring = panel_.at(outlines_[face]);
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const dvec2 a = ring[k], b = ring[(k + 1) % ring.size()];
       view.add({fmt::format("t turn {:02}", k), role, Stroke{a, a + 0.62 * (b - a), true}});
     }
-    view.add({"t corner", role, Dot{ring[0]}});
-    view.add({"t corner name", role, Label{ring[0], "P"}});
+    for (std::size_t k = 0; k < (numbered ? ring.size() : 1); ++k) {
+      const std::string id = fmt::format("t corner {:02}", k);
+      view.add_named(id, role, ring[k], numbered ? fmt::format("{}", k + 1) : "P");
+    }
   }
   /// A triangle from the first corner on.
   void add_triangle(View& view, std::size_t face, std::size_t corner, Role role) const {
@@ -239,8 +294,8 @@ inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::opti
   view.add({"e front", Role::guide, Text{at(-1.2, 0.22), "+"}});
   view.add({"e behind", Role::guide, Text{at(-1.2, -0.22), "−"}});
   if (normal == dvec3{0}) return;
-  view.add({"e normal", Role::result, Stroke{at(0, 0), at(0, 1), true}});
-  view.add({"e normal name", Role::result, Label{at(0, 1), "N"}});
+  view.add({"e normal", Role::input, Stroke{at(0, 0), at(0, 1), true}});
+  view.add({"e normal name", Role::input, Label{at(0, 1), "N"}});
   if (!to_eye || *to_eye == dvec3{0}) return;
   const double cosine = std::clamp(glm::dot(unit_vector(normal), unit_vector(*to_eye)), -1.0, 1.0);
   const double sine = std::sqrt(1 - cosine * cosine);

@@ -195,11 +195,11 @@ class CullingStory {
   }
 
   Look look_of(std::size_t i) const {
-    if (i == face_ && !judged_) return {Role::current, true, false};
-    if (!signs_[i]) return {Role::past, false, false};
+    if (i == face_ && !judged_) return {Role::current, true, false, true, 3};
+    if (!signs_[i]) return {Role::past, false, false, in_space(), 1};
     const bool front = *signs_[i] > 0;
-    if (!front) return {Role::rejected, false, true};
-    return {ended_ ? Role::result : Role::accepted, true, false};
+    if (!front) return {Role::rejected, false, true, i == face_, 0};
+    return {ended_ ? Role::result : Role::accepted, true, false, true, 2};
   }
 
   void put(Board& board) const { board.milestone(drawing()); }
@@ -207,19 +207,21 @@ class CullingStory {
     View view;
     std::vector<Look> looks;
     for (std::size_t i = 0; i < task_.faces.size(); ++i) looks.push_back(look_of(i));
-    space_.add(view, looks);
+    space_.add(view, looks, by_ == By::determinant && !task_.distant);
     picture_.add(view, looks);
     if (by_ == By::area) picture_.add_names(view, looks);
     view.add({"z caption", Role::guide,
               Text{{upper_place.centre().x, upper_place.upper.y + 1.1},
-                   words_.say(in_space() ? "caption.picture" : "caption.space")}});
+                   words_.say(by_ == By::area          ? "caption.space"
+                              : by_ == By::determinant ? "caption.divided"
+                                                       : "caption.picture")}});
     if (face_ == none) return view;
     if (by_ == By::area || by_ == By::determinant) {
       const Role role = !judged_ ? Role::current : *signs_[face_] > 0 ? Role::accepted : Role::rejected;
       if (triangle_)
         picture_.add_triangle(view, face_, triangle_->corner,
                               triangle_->area < 0 ? Role::rejected : Role::accepted);
-      picture_.add_turn(view, face_, role);
+      picture_.add_turn(view, face_, role, by_ == By::determinant);
     }
     if (by_ == By::determinant) add_depths(view);
     if (by_ == By::product || by_ == By::depth) add_plane(view);
@@ -255,7 +257,8 @@ class CullingStory {
     line.add_to(view, "w", "w");
     const Ring& ring = rings[face_];
     for (std::size_t k = 0; k < ring.size(); ++k)
-      view.add_named(fmt::format("w corner {:02}", k), Role::current, line.at(ring[k].z), letter(k));
+      view.add_named(fmt::format("w corner {:02}", k), Role::current, line.at(ring[k].z),
+                     fmt::format("{}", k + 1));
     view.add({"z caption depth", Role::guide,
               Text{{lower_place.centre().x, lower_place.upper.y - 1}, words_.say("caption.depth")}});
   }
@@ -279,12 +282,14 @@ class CullingStory {
 
 constexpr auto drop = [](std::size_t) {};
 
-void set_up(Narrator& narrator, const Task& task, By by) {
+void set_up(Narrator& narrator, const Task& task, By by, bool faulty) {
   narrator.paper(paper_width, paper_height);
-  narrator.subtitle(by == By::area ? "subtitle.image" : "subtitle.object", {{"count", task.faces.size()}});
-  if (by == By::product) narrator.columns({{"face", false}, {"N"}, {"V"}, {"product"}, {"side", false}});
+  narrator.subtitle(by == By::area          ? "subtitle.image"
+                    : by == By::determinant ? "subtitle.clip"
+                                            : "subtitle.object",
+                    {{"count", task.faces.size()}});
   if (by == By::area) narrator.columns({{"face", false}, {"area"}, {"side", false}});
-  if (by == By::determinant) narrator.columns({{"face", false}, {"value"}, {"side", false}});
+  if (by == By::determinant) narrator.columns({{"face", false}, {faulty ? "area" : "det"}, {"side", false}});
   if (by == By::depth) narrator.columns({{"face", false}, {"N"}, {"z"}, {"side", false}});
   narrator.legend({{Role::current, "current"},
                    {Role::accepted, "front"},
@@ -317,7 +322,7 @@ void require_before_the_eye(const Narrator& narrator, const Task& task, bool beh
 template <class Run>
 void tell_method(Narrator& narrator, By by, bool faulty, const Run& run) {
   const Task task = task_of(narrator.arguments());
-  set_up(narrator, task, by);
+  set_up(narrator, task, by, faulty);
   if (by == By::area) require_before_the_eye(narrator, task);
   CullingStory story(narrator.words(), task, by, faulty && by == By::product);
   if (faulty) story.compare_with(exact_signs(task));
@@ -382,9 +387,9 @@ const TopicEntry& entry() {
   static const Sizes sizes{1e-6, 1e9};
   static const auto faces = [] {
     Parameter parameter = faces_task::faces_parameter(
-        "front: -1,-1,1 1,-1,1 1,1,1 -1,1,1; back: 1,-1,-1 -1,-1,-1 -1,1,-1 1,1,-1; "
-        "right: 1,-1,1 1,-1,-1 1,1,-1 1,1,1; left: -1,-1,-1 -1,-1,1 -1,1,1 -1,1,-1; "
-        "top: -1,1,1 1,1,1 1,1,-1 -1,1,-1; bottom: -1,-1,-1 1,-1,-1 1,-1,1 -1,-1,1",
+        "+z: -1,-1,1 1,-1,1 1,1,1 -1,1,1; -z: 1,-1,-1 -1,-1,-1 -1,1,-1 1,1,-1; "
+        "+x: 1,-1,1 1,-1,-1 1,1,-1 1,1,1; -x: -1,-1,-1 -1,-1,1 -1,1,1 -1,1,-1; "
+        "+y: -1,1,1 1,1,1 1,1,-1 -1,1,-1; -y: -1,-1,-1 1,-1,-1 1,-1,1 -1,-1,1",
         "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 1,2,2 3,1,-1");
     parameter.help = "what is looked at: faces, counter-clockwise seen from outside";
     parameter.sizes = sizes;
@@ -404,9 +409,9 @@ const TopicEntry& entry() {
                    {.name = "misprinted_shoelace", .standing = Standing::faulty, .tell = tell_misprinted},
                    {.name = "six_products", .standing = Standing::faulty, .tell = tell_six_products}},
        .default_method = "normal_and_view",
-       .columns = {{"face", false}, {"value"}, {"side", false}},
+       .columns = {{"face", false}, {"N"}, {"V"}, {"product"}, {"side", false}},
        .parameters = {faces,
-                      parameters::numbers("eye", "2.6,2,3.4", "3,4,5", "where the eye is", parameters::xyz,
+                      parameters::numbers("eye", "2,1.8,2.9", "3,4,5", "where the eye is", parameters::xyz,
                                           sizes),
                       parameters::instead_of("eye", faces_task::towards_parameter("")),
                       parameters::numbers("target", "0,0,0", "0,1,0",
