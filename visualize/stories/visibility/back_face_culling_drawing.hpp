@@ -137,7 +137,7 @@ class SpacePicture {
     Extent extent;
     for (const NamedFace& face : task.faces) {
       const dvec3 normal = unit_vector(newell_normal<double>(face.points));
-      extent.add(reader_.flat(face.points[0] + 0.7 * task.radius * normal));
+      extent.add(reader_.flat(face.points[0] + 0.5 * task.radius * normal));
       extent.add(reader_.flat(face.points[0] + view_arrow(face.points[0])));
       for (const dvec3 p : face.points) extent.add(reader_.flat(p));
     }
@@ -166,7 +166,7 @@ class SpacePicture {
     for (std::size_t k = 0; eye_plane && k < 4; ++k) {
       const auto corner = [&](std::size_t i) {
         const double x = i == 1 || i == 2 ? 1 : -1, y = i < 2 ? 1 : -1;
-        return dvec3(task_.eye) + 0.8 * task_.radius * (x * task_.frame.right + y * task_.frame.up);
+        return dvec3(task_.eye) + 0.5 * task_.radius * (x * task_.frame.right + y * task_.frame.up);
       };
       drawing.add(SpaceEdge{.id = fmt::format("c plane {}", k),
                             .role = Role::boundary,
@@ -190,7 +190,7 @@ class SpacePicture {
     view.add({"p corner", Role::current, Dot{at(p)}});
     view.add({"p corner name", Role::current, Label{at(p), "P"}});
     if (normal == dvec3{0}) return;
-    const dvec3 tip = p + 0.7 * task_.radius * unit_vector(normal);
+    const dvec3 tip = p + 0.5 * task_.radius * unit_vector(normal);
     view.add({"p normal", Role::input, Stroke{at(p), at(tip), true}});
     view.add({"p normal name", Role::input, Label{at(tip), "N"}});
   }
