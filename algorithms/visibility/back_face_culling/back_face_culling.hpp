@@ -345,7 +345,7 @@ void homogeneous(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {})
     // det[x y w]: nothing is divided
     const auto N = newell_normal(faces[i]);
     const T det = glm::dot(N, faces[i][0]);
-    // The eye is at 0, and V = -P
+    // The eye is 0, so V = -P
     const int sign = -sign_of_product(T(-det), faces[i], eye);
     drawn += sign > 0;
     if (sign > 0) draw(i);

@@ -26,6 +26,7 @@ struct Task {
     for (const NamedFace& face : faces) all.push_back(face.points);
     return all;
   }
+  dvec3 in_view(dvec3 p) const { return viewing::to_view(frame, p); }
   /// (x, y, w) of a lens of 90 degrees.
   std::vector<Ring> clip() const {
     std::vector<Ring> all = view;
@@ -42,6 +43,21 @@ struct Task {
       for (const dvec3 p : ring) all.back().push_back(dvec2(p) / p.z);
     }
     return all;
+  }
+  /// A place inside a face, for its name.
+  dvec3 inside(std::size_t face) const {
+    const Ring& ring = faces[face].points;
+    const Ring part = faces_task::is_flat(ring) ? convex_parts(ring)[0] : ring;
+    dvec3 place{0};
+    for (const dvec3 p : part) place += p / static_cast<double>(part.size());
+    return place;
+  }
+  /// Whether a corner has no place in the picture.
+  bool reaches_behind() const {
+    const auto behind = [](const Ring& ring) {
+      return std::ranges::any_of(ring, [](dvec3 p) { return p.z <= 0; });
+    };
+    return std::ranges::any_of(clip(), behind);
   }
   /// Towards the eye from the middle of all.
   dvec3 way() const {
@@ -68,22 +84,17 @@ inline Task task_of(const Arguments& arguments) {
   if (task.distant) {
     const faces_task::Reader reader = faces_task::reader_of(arguments);
     task.eye = {*arguments.place("towards"), 0};
-    task.frame = {task.middle, reader.right, reader.up, -reader.towards};
-    for (const NamedFace& face : task.faces) {
-      task.view.emplace_back();
-      for (const dvec3 p : face.points)
-        task.view.back().emplace_back(reader.flat(p), -glm::dot(p, reader.towards));
-    }
-    return task;
+    task.frame = {dvec3{0}, reader.right, reader.up, -reader.towards};
+  } else {
+    const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
+    if (length_between(eye, target) <= 1e-6 * task.radius)
+      refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
+    task.eye = {eye, 1};
+    task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
   }
-  const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
-  if (length_between(eye, target) <= 1e-6 * task.radius)
-    refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
-  task.eye = {eye, 1};
-  task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
   for (const NamedFace& face : task.faces) {
     task.view.emplace_back();
-    for (const dvec3 p : face.points) task.view.back().push_back(viewing::to_view(task.frame, p));
+    for (const dvec3 p : face.points) task.view.back().push_back(task.in_view(p));
   }
   return task;
 }
@@ -129,9 +140,10 @@ std::vector<DrawnEdge<Vec>> edges_by_rank(const std::vector<std::vector<Vec>>& r
 /// The faces from beside the eye.
 class SpacePicture {
  public:
-  SpacePicture(const Task& task, const Extent& place)
+  SpacePicture(const Task& task, const Extent& place, bool from_above)
       : task_(task),
-        reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right + 0.3 * task.frame.up)),
+        reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right +
+                            (from_above ? 0.65 : 0.3) * task.frame.up)),
         panel_(place, {}) {
     for (const NamedFace& face : task.faces) rings_.push_back(face.points);
     Extent extent;
@@ -150,8 +162,12 @@ class SpacePicture {
     for (std::size_t i = 0; i < task_.faces.size(); ++i) {
       const auto& ring = task_.faces[i].points;
       const std::string id = fmt::format("b {:03}", i);
-      if (looks[i].filled && faces_task::is_flat(ring))
-        drawing.add(SpaceFace{.id = id, .role = looks[i].role, .ring = ring, .one_sided = false});
+      if (!looks[i].filled) continue;
+      const auto parts = faces_task::is_flat(ring) ? std::vector<Ring>{ring} : triangles_of(ring);
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        const std::string part = fmt::format("{} {}", id, k);
+        drawing.add(SpaceFace{.id = part, .role = looks[i].role, .ring = parts[k], .one_sided = false});
+      }
     }
     const auto edges = edges_by_rank(rings_, looks);
     for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -178,10 +194,7 @@ class SpacePicture {
     drawing.add_to(view, "a");
     for (std::size_t i = 0; i < task_.faces.size(); ++i) {
       if (!looks[i].named) continue;
-      const auto& ring = task_.faces[i].points;
-      dvec3 middle{0};
-      for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
-      view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(middle), task_.faces[i].name}});
+      view.add({fmt::format("n {:03}", i), looks[i].role, Text{at(task_.inside(i)), task_.faces[i].name}});
     }
     if (task_.eye_is_near()) view.add_named("e eye", "e eye name", Role::boundary, at(dvec3(task_.eye)), "E");
   }
@@ -193,6 +206,11 @@ class SpacePicture {
     const dvec3 tip = p + 0.5 * task_.radius * unit_vector(normal);
     view.add({"p normal", Role::input, Stroke{at(p), at(tip), true}});
     view.add({"p normal name", Role::input, Label{at(tip), "N"}});
+  }
+  /// The sight line to a place.
+  void add_sight(View& view, dvec3 place) const {
+    view.add({"p sight", Role::measure, Stroke{at(place + view_arrow(place)), at(place)}});
+    view.add({"p sight end", Role::measure, Dot{at(place)}});
   }
   void add_view(View& view, std::size_t face) const {
     const dvec3 p = task_.faces[face].points[0], arrow = view_arrow(p);
@@ -219,7 +237,9 @@ class SpacePicture {
 /// Outlines in the picture, as they come out of the division.
 class EyePicture {
  public:
-  EyePicture(const Task& task, const Extent& place) : task_(task), panel_(place, {}) {
+  /// mirrored: also of corners behind the eye, which come out mirrored.
+  EyePicture(const Task& task, const Extent& place, bool mirrored) : task_(task), panel_(place, {}) {
+    if (!mirrored && task.reaches_behind()) return;
     if (std::ranges::any_of(task.clip(), [](const Ring& ring) {
           return std::ranges::any_of(ring, [](dvec3 p) { return p.z == 0; });
         }))
@@ -249,9 +269,9 @@ class EyePicture {
   void add_names(View& view, const std::vector<Look>& looks) const {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       if (!looks[i].named) continue;
-      dvec2 middle{0};
-      for (const dvec2 p : outlines_[i]) middle += panel_.at(p) / static_cast<double>(outlines_[i].size());
-      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{middle, task_.faces[i].name}});
+      const dvec3 place = task_.in_view(task_.inside(i));
+      const dvec2 at = panel_.at(dvec2(place) / (task_.distant ? 1 : place.z));
+      view.add({fmt::format("r {:03} name", i), looks[i].role, Text{at, task_.faces[i].name}});
     }
   }
   /// Which way a face turns: an arrow along each edge.
@@ -284,8 +304,9 @@ class EyePicture {
 // --- One plane
 
 /// A face's plane edge-on: its normal upwards, the view vector at its true angle.
+/// along_z: from the face against the view direction, where that is taken for the view vector.
 inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::optional<dvec3> to_eye,
-                        const std::string& angle) {
+                        std::optional<dvec3> along_z, const std::string& angle) {
   const Panel panel(place, {{-1.25, -1.1}, {1.25, 1.1}});
   const auto at = [&](double x, double y) { return panel.at(dvec2{x, y}); };
   view.add({"e plane", Role::current, Stroke{at(-1.25, 0), at(1.25, 0)}});
@@ -301,6 +322,12 @@ inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::opti
   const double sine = std::sqrt(1 - cosine * cosine);
   view.add({"e view", Role::measure, Stroke{at(0, 0), at(sine, cosine), true}});
   view.add({"e view name", Role::measure, Label{at(sine, cosine), "V"}});
+  if (along_z) {
+    const dvec3 up = unit_vector(normal), across = unit_vector(unit_vector(*to_eye) - cosine * up);
+    const dvec2 tip = at(glm::dot(*along_z, across), glm::dot(*along_z, up));
+    view.add({"e z", Role::rejected, Stroke{at(0, 0), tip, true}});
+    view.add({"e z name", Role::rejected, Label{tip, "−z"}});
+  }
   std::vector<dvec2> arc;
   const double turn = std::acos(cosine);
   for (int i = 0; i <= 16; ++i)

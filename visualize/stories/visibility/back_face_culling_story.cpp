@@ -24,8 +24,8 @@ class CullingStory {
         task_(task),
         by_(by),
         three_corners_(three_corners),
-        space_(task, in_space() ? large_place : upper_place),
-        picture_(task, in_space() ? upper_place : large_place),
+        space_(task, in_space() ? large_place : upper_place, by == By::determinant),
+        picture_(task, in_space() ? upper_place : large_place, by == By::determinant),
         signs_(task.faces.size()) {}
 
   /// What the exact method says, where this one may be wrong.
@@ -127,6 +127,7 @@ class CullingStory {
   void show(Board& board, const Finished&) {
     face_ = none;
     ended_ = true;
+    if (right_.empty()) hidden_ = hidden_front();
     put(board);
   }
   Event say(const Finished& f) const {
@@ -148,9 +149,9 @@ class CullingStory {
       event.words.push_back({"name", task_.faces[i].name});
       return event;
     }
-    if (const auto hidden = hidden_front()) {
+    if (hidden_) {
       event.text = "finished.hidden";
-      event.words.push_back({"name", task_.faces[*hidden].name});
+      event.words.push_back({"name", task_.faces[hidden_->first].name});
     }
     return event;
   }
@@ -177,8 +178,8 @@ class CullingStory {
     }
     return sum;
   }
-  /// A face that is drawn, and of which another one hides some from the eye.
-  std::optional<std::size_t> hidden_front() const {
+  /// A face that is drawn, and a place on its border that another one hides from the eye.
+  std::optional<std::pair<std::size_t, dvec3>> hidden_front() const {
     std::vector<Ring> rings;
     for (const NamedFace& face : task_.faces) rings.push_back(face.points);
     const HiddenLines lines(rings,
@@ -187,8 +188,10 @@ class CullingStory {
     for (std::size_t i = 0; i < rings.size(); ++i) {
       if (signs_[i].value_or(0) <= 0) continue;
       for (std::size_t k = 0; k < rings[i].size(); ++k) {
-        const auto pieces = lines.pieces(rings[i][k], rings[i][(k + 1) % rings[i].size()]);
-        if (std::ranges::any_of(pieces, &SightPiece::hidden)) return i;
+        const dvec3 a = rings[i][k], b = rings[i][(k + 1) % rings[i].size()];
+        for (const SightPiece& piece : lines.pieces(a, b)) {
+          if (piece.hidden) return std::pair(i, a + 0.5 * (piece.from + piece.to) * (b - a));
+        }
       }
     }
     return std::nullopt;
@@ -210,11 +213,14 @@ class CullingStory {
     space_.add(view, looks, by_ == By::determinant && !task_.distant);
     picture_.add(view, looks);
     if (by_ == By::area) picture_.add_names(view, looks);
-    view.add({"z caption", Role::guide,
-              Text{{upper_place.centre().x, upper_place.upper.y + 1.1},
-                   words_.say(by_ == By::area          ? "caption.space"
-                              : by_ == By::determinant ? "caption.divided"
-                                                       : "caption.picture")}});
+    if (by_ == By::area || !picture_.empty()) {
+      const std::string caption = by_ == By::area          ? words_.say("caption.space")
+                                  : by_ == By::determinant ? words_.say("caption.divided")
+                                                           : words_.say("caption.picture");
+      view.add(
+          {"z caption", Role::guide, Text{{upper_place.centre().x, upper_place.upper.y + 1.1}, caption}});
+    }
+    if (hidden_ && in_space()) space_.add_sight(view, hidden_->second);
     if (face_ == none) return view;
     if (by_ == By::area || by_ == By::determinant) {
       const Role role = !judged_ ? Role::current : *signs_[face_] > 0 ? Role::accepted : Role::rejected;
@@ -238,7 +244,9 @@ class CullingStory {
       const double cosine = std::clamp(glm::dot(unit_vector(drawn_normal_), unit_vector(*to_eye)), -1.0, 1.0);
       angle = fmt::format("{:.0f}°", std::acos(cosine) * 57.29577951308232);
     }
-    add_edge_on(view, lower_place, drawn_normal_, to_eye, angle);
+    std::optional<dvec3> along_z;
+    if (by_ == By::depth) along_z = -task_.frame.forward;
+    add_edge_on(view, lower_place, drawn_normal_, to_eye, along_z, angle);
     view.add({"z caption plane", Role::guide,
               Text{{lower_place.centre().x, lower_place.upper.y + 0.9}, words_.say("caption.plane")}});
   }
@@ -275,6 +283,7 @@ class CullingStory {
   dvec3 normal_{0}, drawn_normal_{0}, at_{0};
   std::optional<dvec3> view_{};
   std::optional<TriangleAdded<double>> triangle_{};
+  std::optional<std::pair<std::size_t, dvec3>> hidden_{};
   bool judged_ = false, ended_ = false;
 };
 
