@@ -19,7 +19,7 @@ int main() {
       {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, {{1, -1, -1}, {-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}},
       {{1, -1, 1}, {1, -1, -1}, {1, 1, -1}, {1, 1, 1}}, {{-1, -1, -1}, {-1, -1, 1}, {-1, 1, 1}, {-1, 1, -1}},
       {{-1, 1, 1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, -1}}, {{-1, -1, -1}, {1, -1, -1}, {1, -1, 1}, {-1, -1, 1}}};
-  const std::vector<Face<double>> faces(cube.begin(), cube.end());
+  const std::vector<back_face_culling::Face<double>> faces(cube.begin(), cube.end());
 
   // Those that are drawn for an eye at (3, 4, 5)
   const Eye<double> eye{3, 4, 5, 1};

@@ -286,7 +286,7 @@ TEST(BackFaceCulling, SpaceAndPictureAgreeOnFlatFaces) {
 }
 
 TEST(BackFaceCulling, AQuadThatIsNotFlatMayShowItsFrontInSpaceAndItsBackInThePicture) {
-  const Ring quad{{-2, 1, 0}, {1, -1, -2}, {3, 2, 2}, {2, -2, 3}};
+  const Ring quad{{-3, 2, 3}, {3, -2, 0}, {3, 3, 3}, {1, -3, 3}};
   EXPECT_EQ(seen_from({quad}, {0, 0, 6, 1}).size(), 1u);
   EXPECT_EQ(by_area({seen_from_above(quad, 6)}).size(), 0u);
 }
