@@ -186,10 +186,11 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
     tell("back_face_culling", more);
   };
   const std::string triangle = "A: 4,0,-2 4,1,-2 5,0,-3", other = "A: -4,0,-2 -4,1,-2 -5,0,-3";
-  const std::string behind = "A: 0,0,2 -1,0,2 0,1,-2; B: 0,0,2 0,1,-2 -1,0,2", sheet = "A: 0,0,0 4,0,0 4,3,0";
+  const std::string through_the_eye = "A: 0,0,2 -1,0,2 0,1,-2; B: 0,0,2 0,1,-2 -1,0,2",
+                    sheet = "A: 0,0,0 4,0,0 4,3,0";
   for (const auto& [eye, target] : {std::pair("0,0,0", "0,0,1"), std::pair("0,0,9", "0,0,0")}) {
     for (const char* method : {"homogeneous", "after_division", "normal_and_view"})
-      cull(method, {{"faces", behind}, {"eye", eye}, {"target", target}});
+      cull(method, {{"faces", through_the_eye}, {"eye", eye}, {"target", target}});
   }
   for (const std::string& faces : {triangle, other, triangle + "; B: 4,0,-2 5,0,-3 4,1,-2"}) {
     for (const char* method : {"eye_space_normal", "homogeneous", "screen_area", "normal_and_view"})

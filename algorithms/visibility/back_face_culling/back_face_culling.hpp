@@ -198,7 +198,7 @@ glm::vec<3, T> view_vector(Face<T> face, const Eye<T>& eye) {
 /// The exact sign of N . V, of which `product` is the rounded value.
 /// Domain: as normal_and_view. Accuracy: exact. Cost: some 5 ns, in doubt about 1 us a corner.
 template <class T>
-int sign_of_product(T product, Face<T> face, const Eye<T>& eye) {
+int sign_of(T product, Face<T> face, const Eye<T>& eye) {
   if constexpr (std::floating_point<T>) {
     // Off by less than m (16 + 2m) u a product of the corners' reach, its square, and the view vector
     const T m = static_cast<T>(face.size() - 2), reach = detail::reach_of(face);
@@ -213,10 +213,17 @@ int sign_of_product(T product, Face<T> face, const Eye<T>& eye) {
   }
 }
 
+/// The exact sign of det = N . P, of which `det` is the rounded value: the eye is at 0, so that V = -P.
+/// Domain, Accuracy, Cost: as homogeneous.
+template <class T>
+int sign_of(T det, Face<T> face) {
+  return -sign_of(T(-det), face, Eye<T>{T{0}, T{0}, T{0}, T{1}});
+}
+
 /// The exact sign of the area, of which `area` is the rounded value.
 /// Domain: as screen_area. Accuracy: exact. Cost: some 3 ns, in doubt about 0.1 us a corner.
 template <class T>
-int sign_of_area(T area, Outline<T> ring) {
+int sign_of(T area, Outline<T> ring) {
   if constexpr (std::floating_point<T>) {
     const T m = static_cast<T>(ring.size() - 2), reach = detail::reach_of(ring);
     const T bound = 2 * std::numeric_limits<T>::epsilon() * m * (4 + m) * reach * reach + m * detail::lost<T>;
@@ -270,8 +277,9 @@ glm::vec<3, T> newell_normal(Face<T> face) {
 template <class T, class Draw, Observer<NormalFound<T>, ViewTaken<T>, Judged<T>, Finished> O = Unobserved>
 void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
   expects(eye.w == T{0} || eye.w == T{1}, "expected an eye with w = 0 or 1, found another w");
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Face<T> face = faces[i];
     // Newell's normal, by all corners
     const auto N = newell_normal(face);
@@ -281,18 +289,19 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
     if constexpr (observed<O>) observer(ViewTaken<T>{i, face[0], V});
     const T dot = glm::dot(N, V);
     // Its sign, without rounding
-    const int sign = sign_of_product(dot, face, eye);
+    const int sign = sign_of(dot, face, eye);
     drawn += sign > 0;
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// Gives `draw` the faces that run counter-clockwise in the picture: their area there is positive. One test a
 /// face, after the projection (image space).
 /// Source: the area of a polygon by its corners (C. F. Gauss; the shoelace formula), a corner subtracted
-/// first; J. F. Blinn, A trip down the graphics pipeline, IEEE CG&A 13(1), 1993.
+/// first; J. F. Blinn, A trip down the graphics pipeline: backface culling snags, IEEE CG&A 13(6), 1993,
+/// 94-97.
 ///
 /// faces: outlines in the picture, y up. draw(i): as normal_and_view.
 ///
@@ -305,12 +314,14 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<TriangleAdded<T>, Judged<T>, Finished> O = Unobserved>
 void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Outline<T> face = faces[i];
     expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
     T sum{0};
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+    const std::size_t last = face.size() - 1;
+    for (std::size_t k = 1; k < last; ++k) {
       const auto p = face[k] - face[0];
       const auto q = face[k + 1] - face[0];
       const T area = p.x * q.y - q.x * p.y;
@@ -318,12 +329,12 @@ void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = 
       if constexpr (observed<O>) observer(TriangleAdded<T>{i, k, area, sum});
     }
     // Its sign, without rounding
-    const int sign = sign_of_area(sum, face);
+    const int sign = sign_of(sum, face);
     drawn += sign > 0;
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, sum, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// Gives `draw` the faces that show their front, told before any division, as facing does of triangles.
@@ -339,19 +350,20 @@ void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = 
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite.
 template <class T, class Draw, Observer<Judged<T>, Finished> O = Unobserved>
 void homogeneous(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {}) {
-  const Eye<T> eye{T{0}, T{0}, T{0}, T{1}};
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const Face<T> face = faces[i];
     // det[x y w]: nothing is divided
-    const auto N = newell_normal(faces[i]);
-    const T det = glm::dot(N, faces[i][0]);
-    // The eye is 0, so V = -P
-    const int sign = -sign_of_product(T(-det), faces[i], eye);
+    const auto N = newell_normal(face);
+    const T det = glm::dot(N, face[0]);
+    // Its sign, without rounding
+    const int sign = sign_of(det, face);
     drawn += sign > 0;
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, det, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 }  // namespace gradus::back_face_culling

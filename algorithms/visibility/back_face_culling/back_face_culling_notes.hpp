@@ -64,8 +64,9 @@ Facing facing_after_division(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> 
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T, class Draw, Observer<NormalFound<T>, ViewTaken<T>, Judged<T>, Finished> O = Unobserved>
 void first_three_corners(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Face<T> face = faces[i];
     expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
     // Any three corners will do?
@@ -81,7 +82,7 @@ void first_three_corners(std::span<const Face<T>> faces, const Eye<T>& eye, Draw
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// FAULTY: the sign of the normal's z in view space is taken for that in the picture (errata E001-39). The
@@ -96,8 +97,9 @@ void first_three_corners(std::span<const Face<T>> faces, const Eye<T>& eye, Draw
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T, class Draw, Observer<NormalFound<T>, Judged<T>, Finished> O = Unobserved>
 void eye_space_normal(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {}) {
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const auto N = newell_normal(faces[i]);
     if constexpr (observed<O>) observer(NormalFound<T>{i, N});
     // All sight lines run along z?
@@ -106,7 +108,7 @@ void eye_space_normal(std::span<const Face<T>> faces, Draw&& draw, O&& observer 
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, N.z, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// FAULTY: divides by w before anything is clipped, and goes by the area in the picture (errata E001-40), as
@@ -122,15 +124,18 @@ void eye_space_normal(std::span<const Face<T>> faces, Draw&& draw, O&& observer 
 template <class T, class Draw, Observer<Judged<T>, Finished> O = Unobserved>
 void after_division(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {}) {
   using Vec = glm::vec<2, T>;
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Face<T> face = faces[i];
     expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
     T area{0};
     // Not clipped: w may be negative
     const Vec a = Vec(face[0]) / face[0].z;
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const auto &b = face[k], &c = face[k + 1];
+    const std::size_t last = face.size() - 1;
+    for (std::size_t k = 1; k < last; ++k) {
+      const auto& b = face[k];
+      const auto& c = face[k + 1];
       const Vec p = Vec(b) / b.z - a;
       const Vec q = Vec(c) / c.z - a;
       area += p.x * q.y - q.x * p.y;
@@ -140,7 +145,7 @@ void after_division(std::span<const Face<T>> faces, Draw&& draw, O&& observer = 
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// FAULTY: the area with a misprint in its first term, x1 y1 for x1 y2 (errata E002-10).
@@ -154,15 +159,20 @@ void after_division(std::span<const Face<T>> faces, Draw&& draw, O&& observer = 
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T, class Draw, Observer<Judged<T>, Finished> O = Unobserved>
 void misprinted_shoelace(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Outline<T> face = faces[i];
     expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
+    const std::size_t m = face.size();
+    const auto first = face[0];
+    const auto second = face[1];
     // Misprinted: x1 y1 for x1 y2
-    T area = face[0].x * face[0].y - face[1].x * face[0].y;
-    for (std::size_t k = 1; k < face.size(); ++k) {
+    T area = first.x * first.y;
+    area -= second.x * first.y;
+    for (std::size_t k = 1; k < m; ++k) {
       const auto a = face[k];
-      const auto b = face[(k + 1) % face.size()];
+      const auto b = face[(k + 1) % m];
       area += a.x * b.y - b.x * a.y;
     }
     const int sign = sign_of(area);
@@ -170,7 +180,7 @@ void misprinted_shoelace(std::span<const Outline<T>> faces, Draw&& draw, O&& obs
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 /// FAULTY: the area by products of coordinates as they stand, six for a triangle (errata E002-12). Far from
@@ -185,15 +195,17 @@ void misprinted_shoelace(std::span<const Outline<T>> faces, Draw&& draw, O&& obs
 /// Errors: ContractViolation for fewer than 3 corners.
 template <class T, class Draw, Observer<Judged<T>, Finished> O = Unobserved>
 void six_products(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = {}) {
+  const std::size_t n = faces.size();
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Outline<T> face = faces[i];
     expects(face.size() >= 3, "expected faces of at least 3 corners, found {}", face.size());
+    const std::size_t m = face.size();
     T right{0}, left{0};
     // No corner is subtracted first
-    for (std::size_t k = 0; k < face.size(); ++k) {
+    for (std::size_t k = 0; k < m; ++k) {
       const auto a = face[k];
-      const auto b = face[(k + 1) % face.size()];
+      const auto b = face[(k + 1) % m];
       right += a.x * b.y;
       left += b.x * a.y;
     }
@@ -203,7 +215,7 @@ void six_products(std::span<const Outline<T>> faces, Draw&& draw, O&& observer =
     if (sign > 0) draw(i);
     if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
-  if constexpr (observed<O>) observer(Finished{faces.size(), drawn});
+  if constexpr (observed<O>) observer(Finished{n, drawn});
 }
 
 }  // namespace gradus::back_face_culling
