@@ -272,7 +272,7 @@ glm::vec<3, T> newell_normal(Face<T> face) {
 /// Steps: (NormalFound ViewTaken Judged)* Finished
 /// Accuracy: the sign is exact for all finite doubles, floats and Exact; product, normal and view vector, as
 ///   they are reported, are rounded.
-/// Cost: one normal and one product a face, some 10 ns; in doubt some us.
+/// Cost: one normal and one product a face, some 16 ns a triangle; in doubt some 0.5 us a corner.
 /// Errors: ContractViolation for fewer than 3 corners, for coordinates that are not finite, for another w.
 template <class T, class Draw, Observer<NormalFound<T>, ViewTaken<T>, Judged<T>, Finished> O = Unobserved>
 void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& draw, O&& observer = {}) {
