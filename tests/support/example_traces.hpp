@@ -210,6 +210,8 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   cull("screen_area",
        {{"faces", "A: 100000000,100000000,0 100000001,100000000.1,0 100000000.5,100000000.875,0"},
         {"towards", "0,0,1"}});
+  cull("screen_area",
+       {{"faces", "A: 0.5000000000000001,0.5000000000000002,0 12,12,0 24,24,9"}, {"towards", "0,0,1"}});
   const auto clip = [&](std::string polygon, std::map<std::string, std::string> more = {}) {
     more["polygon"] = polygon;
     tell("sutherland_hodgman", more);

@@ -87,8 +87,7 @@ inline Task task_of(const Arguments& arguments) {
     task.frame = {dvec3{0}, reader.right, reader.up, -reader.towards};
   } else {
     const dvec3 eye = *arguments.place("eye"), target = *arguments.place("target");
-    if (length_between(eye, target) <= 1e-6 * task.radius)
-      refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
+    if (eye == target) refuse(arguments, {"target", "eye"}, "a target away from the eye expected");
     task.eye = {eye, 1};
     task.frame = viewing::spare_up(eye, target, dvec3{0, 1, 0});
   }
@@ -140,10 +139,11 @@ std::vector<DrawnEdge<Vec>> edges_by_rank(const std::vector<std::vector<Vec>>& r
 /// The faces from beside the eye.
 class SpacePicture {
  public:
-  SpacePicture(const Task& task, const Extent& place, bool from_above)
+  SpacePicture(const Task& task, const Extent& place, bool of_clip_space)
       : task_(task),
+        of_clip_space_(of_clip_space),
         reader_(unit_vector(-0.55 * task.frame.forward + 0.8 * task.frame.right +
-                            (from_above ? 0.65 : 0.3) * task.frame.up)),
+                            (of_clip_space ? 0.65 : 0.3) * task.frame.up)),
         panel_(place, {}) {
     for (const NamedFace& face : task.faces) rings_.push_back(face.points);
     Extent extent;
@@ -154,10 +154,11 @@ class SpacePicture {
       for (const dvec3 p : face.points) extent.add(reader_.flat(p));
     }
     if (task.eye_is_near()) extent.add(reader_.flat(dvec3(task.eye)));
+    for (std::size_t k = 0; shows_eye_plane() && k < 4; ++k) extent.add(reader_.flat(corner_at_eye(k)));
     panel_ = Panel(place, extent);
   }
 
-  void add(View& view, const std::vector<Look>& looks, bool eye_plane) const {
+  void add(View& view, const std::vector<Look>& looks) const {
     SpaceDrawing drawing(reader_.look(panel_));
     for (std::size_t i = 0; i < task_.faces.size(); ++i) {
       const auto& ring = task_.faces[i].points;
@@ -165,6 +166,8 @@ class SpacePicture {
       if (!looks[i].filled) continue;
       const auto parts = faces_task::is_flat(ring) ? std::vector<Ring>{ring} : triangles_of(ring);
       for (std::size_t k = 0; k < parts.size(); ++k) {
+        // A triangle of what is not flat may have no area
+        if (length_of(newell_normal<double>(parts[k])) <= 1e-9 * task_.radius * task_.radius) continue;
         const std::string part = fmt::format("{} {}", id, k);
         drawing.add(SpaceFace{.id = part, .role = looks[i].role, .ring = parts[k], .one_sided = false});
       }
@@ -179,15 +182,11 @@ class SpacePicture {
                             .dashed = look.dashed,
                             .thin = look.dashed});
     }
-    for (std::size_t k = 0; eye_plane && k < 4; ++k) {
-      const auto corner = [&](std::size_t i) {
-        const double x = i == 1 || i == 2 ? 1 : -1, y = i < 2 ? 1 : -1;
-        return dvec3(task_.eye) + 0.5 * task_.radius * (x * task_.frame.right + y * task_.frame.up);
-      };
+    for (std::size_t k = 0; shows_eye_plane() && k < 4; ++k) {
       drawing.add(SpaceEdge{.id = fmt::format("c plane {}", k),
                             .role = Role::boundary,
-                            .a = corner(k),
-                            .b = corner((k + 1) % 4),
+                            .a = corner_at_eye(k),
+                            .b = corner_at_eye((k + 1) % 4),
                             .dashed = true,
                             .thin = true});
     }
@@ -220,6 +219,12 @@ class SpacePicture {
 
  private:
   dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
+  /// The plane w = 0 through the eye.
+  bool shows_eye_plane() const { return of_clip_space_ && task_.eye_is_near(); }
+  dvec3 corner_at_eye(std::size_t i) const {
+    const double x = i == 1 || i == 2 ? 1 : -1, y = i < 2 ? 1 : -1;
+    return dvec3(task_.eye) + 0.4 * task_.radius * (x * task_.frame.right + y * task_.frame.up);
+  }
   /// The view vector where the drawing has room for it, else its beginning.
   dvec3 view_arrow(dvec3 p) const {
     const dvec3 whole = view_vector<double>(std::span(&p, 1), task_.eye);
@@ -227,6 +232,7 @@ class SpacePicture {
   }
 
   const Task& task_;
+  const bool of_clip_space_;
   std::vector<Ring> rings_{};
   faces_task::Reader reader_;
   Panel panel_;

@@ -10,9 +10,10 @@ namespace gradus::back_face_culling {
 namespace {
 
 constexpr int paper_width = 36, paper_height = 24;
-/// Of the paper: the large drawing, and two beside it.
-constexpr Extent large_place{{0.8, 0.8}, {21.4, 23.2}}, upper_place{{23, 13.2}, {35.2, 22}},
-    lower_place{{23, 0.8}, {35.2, 10.2}};
+/// Of the paper: space above, the picture and a plane below it; or a large picture, space beside it.
+constexpr Extent space_place{{0.8, 10.4}, {35.2, 23.4}}, picture_place{{0.8, 0.6}, {16.4, 7.8}},
+    lower_place{{19.6, 0.6}, {35.2, 7.8}}, large_place{{0.8, 0.8}, {21.4, 23.2}},
+    beside_place{{23, 8}, {35.2, 21}};
 
 /// What a method goes by.
 enum class By { product, area, determinant, depth };
@@ -24,8 +25,8 @@ class CullingStory {
         task_(task),
         by_(by),
         three_corners_(three_corners),
-        space_(task, in_space() ? large_place : upper_place, by == By::determinant),
-        picture_(task, in_space() ? upper_place : large_place, by == By::determinant),
+        space_(task, in_space() ? space_place : beside_place, by == By::determinant),
+        picture_(task, in_space() ? picture_place : large_place, by == By::determinant),
         signs_(task.faces.size()) {}
 
   /// What the exact method says, where this one may be wrong.
@@ -94,7 +95,8 @@ class CullingStory {
     put(board);
   }
   Event say(const Judged<double>& j) const {
-    constexpr std::array<const char*, 3> branches{"back", "edge_on", "front"};
+    constexpr std::array<const char*, 3> branches{"back", "edge on", "front"};
+    constexpr std::array<std::string_view, 3> sides{"side.back", "side.edge_on", "side.front"};
     constexpr std::array<std::array<std::string_view, 3>, 4> texts{
         {{"product.back", "product.edge_on", "product.front"},
          {"area.back", "area.edge_on", "area.front"},
@@ -102,16 +104,15 @@ class CullingStory {
          {"depth.back", "depth.edge_on", "depth.front"}}};
     const auto side = static_cast<std::size_t>(j.sign + 1);
     const bool rounded = detail::sign_of(j.value) != j.sign;
-    const std::string answer = words_.say(fmt::format("side.{}", branches[side]));
-    Event event{
-        .text = rounded ? "rounded" : texts[static_cast<std::size_t>(by_)][side],
-        .facts = {{"value", j.value}, {"sign", j.sign}},
-        .words = {{"name", name()}, {"value", j.value}, {"answer", answer}},
-        .key = name(),
-        .decides = Decision{words_.say("question", {{"name", name()}}),
-                            {words_.say("side.back"), words_.say("side.edge_on"), words_.say("side.front")},
-                            side,
-                            branches[side]}};
+    const std::string answer = words_.say(sides[side]);
+    Event event{.text = rounded ? "rounded" : texts[static_cast<std::size_t>(by_)][side],
+                .facts = {{"value", j.value}, {"sign", j.sign}},
+                .words = {{"name", name()}, {"value", j.value}, {"answer", answer}},
+                .key = name(),
+                .decides = Decision{words_.say("question", {{"name", name()}}),
+                                    {words_.say(sides[0]), words_.say(sides[1]), words_.say(sides[2])},
+                                    side,
+                                    branches[side]}};
     if (by_ == By::product) {
       event.words.push_back({"terms", terms()});
       event.row = {name(), normal_, view_.value_or(dvec3{0}), j.value, answer};
@@ -210,15 +211,15 @@ class CullingStory {
     View view;
     std::vector<Look> looks;
     for (std::size_t i = 0; i < task_.faces.size(); ++i) looks.push_back(look_of(i));
-    space_.add(view, looks, by_ == By::determinant && !task_.distant);
+    space_.add(view, looks);
     picture_.add(view, looks);
     if (by_ == By::area) picture_.add_names(view, looks);
     if (by_ == By::area || !picture_.empty()) {
       const std::string caption = by_ == By::area          ? words_.say("caption.space")
                                   : by_ == By::determinant ? words_.say("caption.divided")
                                                            : words_.say("caption.picture");
-      view.add(
-          {"z caption", Role::guide, Text{{upper_place.centre().x, upper_place.upper.y + 1.1}, caption}});
+      const Extent& beside = in_space() ? picture_place : beside_place;
+      view.add({"z caption", Role::guide, Text{{beside.centre().x, beside.upper.y + 1.1}, caption}});
     }
     if (hidden_ && in_space()) space_.add_sight(view, hidden_->second);
     if (face_ == none) return view;
@@ -248,7 +249,7 @@ class CullingStory {
     if (by_ == By::depth) along_z = -task_.frame.forward;
     add_edge_on(view, lower_place, drawn_normal_, to_eye, along_z, angle);
     view.add({"z caption plane", Role::guide,
-              Text{{lower_place.centre().x, lower_place.upper.y + 0.9}, words_.say("caption.plane")}});
+              Text{{lower_place.centre().x, lower_place.upper.y + 1.1}, words_.say("caption.plane")}});
   }
   /// Where the corners of the face lie before the eye and behind it.
   void add_depths(View& view) const {
@@ -268,7 +269,7 @@ class CullingStory {
       view.add_named(fmt::format("w corner {:02}", k), Role::current, line.at(ring[k].z),
                      fmt::format("{}", k + 1));
     view.add({"z caption depth", Role::guide,
-              Text{{lower_place.centre().x, lower_place.upper.y - 1}, words_.say("caption.depth")}});
+              Text{{lower_place.centre().x, lower_place.upper.y + 1.1}, words_.say("caption.depth")}});
   }
 
   const Words& words_;
