@@ -102,6 +102,8 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"polygon_circle", 0.83},
                                               {"polygon_circle_pieces", 0.99},
                                               {"polygon_circle_chords", 0.99},
+                                              {"back_face_culling_concave", 0.85},
+                                              {"back_face_culling_concave_near", 0.9},
                                               {"pipeline", 0.78},
                                               {"pipeline_clipping", 0.82}};
   for (const GalleryFigure& figure : gallery()) {

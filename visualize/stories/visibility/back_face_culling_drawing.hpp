@@ -149,7 +149,7 @@ class SpacePicture {
     Extent extent;
     for (const NamedFace& face : task.faces) {
       const dvec3 normal = unit_vector(newell_normal<double>(face.points));
-      extent.add(reader_.flat(face.points[0] + 0.5 * task.radius * normal));
+      extent.add(reader_.flat(face.points[0] + 0.4 * task.radius * normal));
       extent.add(reader_.flat(face.points[0] + view_arrow(face.points[0])));
       for (const dvec3 p : face.points) extent.add(reader_.flat(p));
     }
@@ -202,7 +202,7 @@ class SpacePicture {
     view.add({"p corner", Role::current, Dot{at(p)}});
     view.add({"p corner name", Role::current, Label{at(p), "P"}});
     if (normal == dvec3{0}) return;
-    const dvec3 tip = p + 0.5 * task_.radius * unit_vector(normal);
+    const dvec3 tip = p + 0.4 * task_.radius * unit_vector(normal);
     view.add({"p normal", Role::input, Stroke{at(p), at(tip), true}});
     view.add({"p normal name", Role::input, Label{at(tip), "N"}});
   }
@@ -228,7 +228,7 @@ class SpacePicture {
   /// The view vector where the drawing has room for it, else its beginning.
   dvec3 view_arrow(dvec3 p) const {
     const dvec3 whole = view_vector<double>(std::span(&p, 1), task_.eye);
-    return task_.eye_is_near() ? whole : 1.2 * task_.radius * unit_vector(whole);
+    return task_.eye_is_near() ? whole : task_.radius * unit_vector(whole);
   }
 
   const Task& task_;

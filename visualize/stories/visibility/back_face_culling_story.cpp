@@ -9,11 +9,11 @@
 namespace gradus::back_face_culling {
 namespace {
 
-constexpr int paper_width = 36, paper_height = 24;
+constexpr int paper_width = 36, paper_height = 26;
 /// Of the paper: space above, the picture and a plane below it; or a large picture, space beside it.
-constexpr Extent space_place{{0.8, 10.4}, {35.2, 23.4}}, picture_place{{0.8, 0.6}, {16.4, 7.8}},
-    lower_place{{19.6, 0.6}, {35.2, 7.8}}, large_place{{0.8, 0.8}, {21.4, 23.2}},
-    beside_place{{23, 8}, {35.2, 21}};
+constexpr Extent space_place{{0.4, 10.4}, {35.6, 25.2}}, picture_place{{0.4, 0.2}, {16.4, 7.8}},
+    lower_place{{19.6, 0.2}, {35.6, 7.8}}, large_place{{0.4, 0.4}, {21.4, 25.6}},
+    beside_place{{23, 8}, {35.6, 22}};
 
 /// What a method goes by.
 enum class By { product, area, determinant, depth };
