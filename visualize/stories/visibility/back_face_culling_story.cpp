@@ -11,9 +11,9 @@ namespace {
 
 constexpr int paper_width = 36, paper_height = 26;
 /// Of the paper: space above, the picture and a plane below it; or a large picture, space beside it.
-constexpr Extent space_place{{0.4, 10.4}, {35.6, 25.2}}, picture_place{{0.4, 0.2}, {16.4, 7.8}},
-    lower_place{{19.6, 0.2}, {35.6, 7.8}}, large_place{{0.4, 0.4}, {21.4, 25.6}},
-    beside_place{{23, 8}, {35.6, 22}};
+constexpr Extent space_place{{0.4, 10.4}, {35.6, 25.8}}, clip_place{{0.4, 10.4}, {35.6, 25}},
+    picture_place{{0.4, 0.2}, {16.4, 7.8}}, lower_place{{19.6, 0.2}, {35.6, 7.8}},
+    large_place{{0.4, 0.4}, {21.4, 25.6}}, beside_place{{23, 8}, {35.6, 22}};
 
 /// What a method goes by.
 enum class By { product, area, determinant, depth };
@@ -25,7 +25,7 @@ class CullingStory {
         task_(task),
         by_(by),
         three_corners_(three_corners),
-        space_(task, in_space() ? space_place : beside_place, by == By::determinant),
+        space_(task, space_in(by), by == By::determinant),
         picture_(task, in_space() ? picture_place : large_place, by == By::determinant),
         signs_(task.faces.size()) {}
 
@@ -160,6 +160,10 @@ class CullingStory {
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
+  static const Extent& space_in(By by) {
+    if (by == By::area) return beside_place;
+    return by == By::determinant ? clip_place : space_place;
+  }
   bool in_space() const { return by_ != By::area; }
   const std::string& name() const { return task_.faces[face_].name; }
   void turn_to(std::size_t face) {
