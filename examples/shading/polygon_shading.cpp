@@ -32,7 +32,7 @@ int main() {
 
   // The pixel as a figure
   const TopicEntry& topic = *find_entry("polygon_shading");
-  const Trace trace = trace_of(topic, {{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,10.5,10.5"}});
+  const Trace trace = trace_of(topic, {{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   Playhead playhead(trace);
   const Figure figure = figure_of(trace, playhead, trace.telling);
   const Colophon colophon{figure.title, caption_of(figure), "examples/shading/polygon_shading", ""};

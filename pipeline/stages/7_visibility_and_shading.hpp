@@ -15,6 +15,7 @@
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "stages/points.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
 namespace gradus::pipeline {

@@ -67,13 +67,16 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   for (const TopicEntry* entry : catalogue()) {
     for (const Method& method : entry->methods) tell(entry->name, {{"method", method.name}});
   }
+  tell("octree_order", {{"points", "1,1,1"}});
+  tell("octree_order", {{"points", "1,1,1"}, {"far", "yes"}});
+  tell("octree_order", {{"far", "yes"}, {"method", "back_to_front"}});
   const auto shading = [&](std::map<std::string, std::string> given) { tell("polygon_shading", given); };
   const std::string roof = "A: -5,-5,0 0,-5,4 0,5,4 -5,5,0; B: 0,-5,4 5,-5,0 5,5,0 0,5,4";
   for (const char* method : {"gouraud", "phong", "flat", "all_three", "vertex_normals"})
     shading({{"faces", roof}, {"method", method}, {"columns", "6"}, {"rows", "6"}, {"weighting", "plain"}});
   shading({{"faces", roof}, {"method", "vertex_normals"}, {"weighting", "area"}});
   shading({{"faces", roof}, {"intensities", "0 1 0.5"}, {"columns", "6"}, {"rows", "6"}});
-  shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,10.5,10.5"}});
+  shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   shading({{"method", "flat"}, {"light", "0,0,1000000"}, {"eye", "0,0,1000000"}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
@@ -189,6 +192,37 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   part("back_to_front", floors, "0,0,-1");
   part("back_to_front", floors, "1,0,0");
   part("uncut", "A: 0,0,0 4,0,0 4,3,0; B: 1,1,2 3,1,-2 3,2,-2 1,2,2");
+  const auto cull = [&](std::string method, std::map<std::string, std::string> more) {
+    more["method"] = method;
+    tell("back_face_culling", more);
+  };
+  const std::string triangle = "A: 4,0,-2 4,1,-2 5,0,-3", other = "A: -4,0,-2 -4,1,-2 -5,0,-3";
+  const std::string through_the_eye = "A: 0,0,2 -1,0,2 0,1,-2; B: 0,0,2 0,1,-2 -1,0,2",
+                    sheet = "A: 0,0,0 4,0,0 4,3,0";
+  for (const auto& [eye, target] : {std::pair("0,0,0", "0,0,1"), std::pair("0,0,9", "0,0,0")}) {
+    for (const char* method : {"homogeneous", "after_division", "normal_and_view"})
+      cull(method, {{"faces", through_the_eye}, {"eye", eye}, {"target", target}});
+  }
+  for (const std::string& faces : {triangle, other, triangle + "; B: 4,0,-2 5,0,-3 4,1,-2"}) {
+    for (const char* method : {"eye_space_normal", "homogeneous", "screen_area", "normal_and_view"})
+      cull(method, {{"faces", faces}, {"eye", "0,0,0"}, {"target", "0,0,-1"}});
+  }
+  for (const char* method :
+       {"normal_and_view", "screen_area", "homogeneous", "eye_space_normal", "after_division", "six_products",
+        "misprinted_shoelace", "first_three_corners"}) {
+    cull(method, {{"faces", sheet}, {"towards", "1,0,0"}});
+    cull(method, {{"faces", sheet}, {"towards", "0,0,1"}});
+    cull(method, {});
+  }
+  cull("first_three_corners", {{"faces", "A: 0,0,0 1,0,0 2,0,0 2,2,0"}, {"towards", "0,0,1"}});
+  cull("first_three_corners", {{"faces", "A: 2,1,0 1,1,0 1,2,0 0,2,0 0,0,0 2,0,0"}, {"towards", "0,0,1"}});
+  cull("normal_and_view", {{"faces", "A: -3,2,3 3,-2,0 3,3,3 1,-3,3"}, {"eye", "0,0,6"}});
+  cull("normal_and_view", {{"faces", "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,2,-1"}, {"towards", "0,0,1"}});
+  cull("screen_area",
+       {{"faces", "A: 100000000,100000000,0 100000001,100000000.1,0 100000000.5,100000000.875,0"},
+        {"towards", "0,0,1"}});
+  cull("screen_area",
+       {{"faces", "A: 0.5000000000000001,0.5000000000000002,0 12,12,0 24,24,9"}, {"towards", "0,0,1"}});
   const auto clip = [&](std::string polygon, std::map<std::string, std::string> more = {}) {
     more["polygon"] = polygon;
     tell("sutherland_hodgman", more);

@@ -31,6 +31,8 @@ class ShadeStory {
     for (std::size_t f = 0; f < subject_.rings.size(); ++f) {
       if (!subject_.looks_away(f)) board.keep(fmt::format("a face {:03}", f), Role::past, outline(f));
     }
+    for (std::size_t v = 0; subject_.rings.size() == 1 && v < subject_.places.size(); ++v)
+      keep_vertex(board, v);
   }
   Event say(const steps::Started&) const {
     return {.text = subject_.given.empty() ? "started" : "started.given",
@@ -54,10 +56,7 @@ class ShadeStory {
   void show(Board& board, const VertexLit<double>& v) {
     next(board);
     ++lights_;
-    const dvec2 at = drawn(subject_.on_screen(subject_.places[v.vertex]));
-    const std::string vertex = Subject::vertex_name(v.vertex);
-    board.keep("v " + vertex, Role::input, Dot{at});
-    board.keep("v " + vertex + " name", Role::input, Label{at, vertex + ": " + short_text(v.colour)});
+    keep_vertex(board, v.vertex);
   }
   Event say(const VertexLit<double>& v) const {
     const std::string vertex = Subject::vertex_name(v.vertex);
@@ -75,9 +74,7 @@ class ShadeStory {
     next(board);
     ++lights_;
     middle_ = p.middle;
-    const dvec2 at = drawn(subject_.on_screen(p.middle.place));
-    board.mark("m middle", Role::current, Dot{at});
-    board.mark("m name", Role::current, Label{at, short_text(p.colour)});
+    board.mark("m middle", Role::current, Dot{drawn(subject_.on_screen(p.middle.place))});
   }
   Event say(const PolygonLit<double, double>& p) const {
     return {.text = "polygon",
@@ -98,7 +95,6 @@ class ShadeStory {
     right_ = {r.right.x, r.row + 0.5};
     board.keep("s line", Role::measure, Stroke{drawn(left_), drawn(right_), false, false, true});
     ends_ = {value_text(r.at_left), value_text(r.at_right)};
-    ends_text_ = {end_text("L", r.at_left), end_text("R", r.at_right)};
     put_ends(board);
   }
   template <class Value>
@@ -189,7 +185,7 @@ class ShadeStory {
   }
   /// ".55", where pixels have room for it.
   std::string cell_text(double colour) const {
-    if (std::max(subject_.size.x, subject_.size.y) > 12) return "";
+    if (subject_.rings.size() > 4 || std::max(subject_.size.x, subject_.size.y) > 12) return "";
     const std::string text = short_text(colour);
     return text.starts_with("0.") ? text.substr(1) : text;
   }
@@ -203,32 +199,43 @@ class ShadeStory {
   std::string vertex(std::size_t corner) const {
     return Subject::vertex_name(subject_.vertex(face_, corner));
   }
+  /// The vertex with its name, away from the middle of all.
+  void keep_vertex(Board& board, std::size_t vertex) const {
+    dvec2 middle{0};
+    for (const dvec3 p : subject_.places)
+      middle += subject_.on_screen(p) / static_cast<double>(subject_.places.size());
+    const dvec2 at = subject_.on_screen(subject_.places[vertex]), way = at - middle;
+    const double length = std::hypot(way.x, way.y);
+    const std::string name = Subject::vertex_name(vertex);
+    board.keep("v " + name, Role::input, Dot{drawn(at)});
+    if (length > 1e-9)
+      board.keep("v " + name + " name", Role::input, Text{drawn(at + 0.6 / length * way), name});
+  }
   std::string edge(const End<double>& end) const { return vertex(end.lower) + vertex(end.upper); }
 
-  static std::string end_text(const char* name, double colour) {
-    return std::string(name) + ": " + short_text(colour);
-  }
-  static std::string end_text(const char* name, const Point&) { return name; }
   std::string_view row_key(double) const { return middle_ ? "row.flat" : "row"; }
   static std::string_view row_key(const Point&) { return "row.phong"; }
   static std::string value_text(double colour) { return figure_real(colour); }
   static std::string value_text(const Point& point) { return figure_place(point.normal); }
+  /// A name beside a place: never on the number of a pixel that the face has covered.
+  static void put_name(Board& board, const std::string& id, Role role, dvec2 at, dvec2 aside,
+                       std::string name) {
+    board.mark(id, role, Dot{drawn(at)});
+    board.mark(id + " name", role, Text{drawn(at) + aside, std::move(name)});
+  }
   void put_ends(Board& board) const {
     if (middle_) return;
-    const std::array<dvec2, 2> at{left_, right_};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::string id = i == 0 ? "e left" : "e right";
-      board.mark(id, Role::measure, Dot{drawn(at[i])});
-      board.mark(id + " name", Role::measure, Label{drawn(at[i]), ends_text_[i]});
-    }
+    put_name(board, "e left", Role::measure, left_, {-0.5, 0}, "L");
+    put_name(board, "e right", Role::measure, right_, {0.5, 0}, "R");
   }
+
   const Words& words_;
   const Subject& subject_;
   std::size_t face_ = 0;
   std::optional<Point> middle_{};  ///< of a face that is lit once
   int row_ = 0;
   dvec2 left_{}, right_{};
-  std::array<std::string, 2> ends_{}, ends_text_{};
+  std::array<std::string, 2> ends_{};
   Picture shown_{};
   std::int64_t lights_ = 0, milestones_ = -1;
   int fine_ = 0;
@@ -368,20 +375,21 @@ const TopicEntry& entry() {
                   modest),
             {.name = "columns",
              .type = ParameterType::integer,
-             .default_value = "11",
+             .default_value = "12",
              .example = "8",
              .help = "how many pixels the picture is wide",
-             .least = 1,
+             .least = 3,
              .most = 48},
             {.name = "rows",
              .type = ParameterType::integer,
-             .default_value = "11",
+             .default_value = "12",
              .example = "8",
              .help = "how many pixels it is high",
-             .least = 1,
+             .least = 3,
              .most = 48},
-            bounds("window", "", "-0.5,-0.5,10.5,10.5",
-                   "what the picture shows, in the faces' x and y; without it all of them",
+            bounds("window", "", "-0.5,-0.5,11.5,11.5",
+                   "what the picture shows, in the faces' x and y; without it all of them, and a pixel "
+                   "beside them",
                    {"xmin", "ymin", "xmax", "ymax"}, modest),
             numbers("light", "5,4,3", "0,0,2", "where the lamp stands", xyz, modest),
             numbers("eye", "5,4,8", "0,0,2", "where the viewer is, for the highlight", xyz, modest),
@@ -395,7 +403,7 @@ const TopicEntry& entry() {
                    "given for the corners of the faces in turn, in place of light", {"I"}, {1e-6, 1}),
             faces_task::towards_parameter("-3,3,5")},
        .examples = {
-           "--intensities '0 0.5 1' --window=-0.5,-0.5,10.5,10.5", "--method phong --light 5,4,3 --eye 5,4,8",
+           "--intensities '0 0.5 1' --window=-0.5,-0.5,11.5,11.5", "--method phong --light 5,4,3 --eye 5,4,8",
            "--method vertex_normals --weighting plain --faces '1,1,1 0,1,1 0,0,1; 1,1,1 0,0,1 1,0,1; 1,1,1 "
            "1,0,1 1,1,0; 1,0,1 1,0,0 1,1,0; 1,1,1 1,1,0 0,1,1; 0,1,1 1,1,0 0,1,0'"}});
   return topic;

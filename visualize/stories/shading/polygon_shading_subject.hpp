@@ -135,9 +135,9 @@ inline Subject subject_of(const Arguments& arguments) {
   }
   if (extent.lower.x > extent.upper.x)
     refuse(arguments, {"faces"}, "expected a face that looks to +z, from where the picture is seen");
-  if (const std::vector<double> window = arguments.numbers("window"); !window.empty())
-    extent = {{window[0], window[1]}, {window[2], window[3]}};
-  const dvec2 sides = extent.size() / dvec2(subject.size);
+  const std::vector<double> window = arguments.numbers("window");
+  if (!window.empty()) extent = {{window[0], window[1]}, {window[2], window[3]}};
+  const dvec2 sides = extent.size() / dvec2(window.empty() ? subject.size - 2 : subject.size);
   subject.pixel = std::max(sides.x, sides.y);
   if (!(subject.pixel > 0)) refuse(arguments, {"window"}, "expected a window with an inside");
   subject.lower = extent.centre() - 0.5 * subject.pixel * dvec2(subject.size);

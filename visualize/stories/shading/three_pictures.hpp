@@ -21,7 +21,7 @@ class ThreeStory {
 
   /// Of the drawing, whose units are pixels.
   static Window paper(const Subject& subject) {
-    return {{0, 0}, {3 * subject.size.x + 2 * gap - 1, subject.size.y + heading - 1}};
+    return {{0, 0}, {3 * subject.size.x + 2 * gap + 1, subject.size.y + heading}};
   }
 
   void show(Board& board, const steps::Started&) { put(board); }
@@ -64,7 +64,7 @@ class ThreeStory {
   void put(Board& board) const {
     View view;
     for (std::size_t m = 0; m < 3; ++m) {
-      const dvec2 corner(static_cast<double>(m) * (subject_.size.x + gap), 0);
+      const dvec2 corner(1 + static_cast<double>(m) * (subject_.size.x + gap), 1);
       view.add({fmt::format("t {}", m), Role::guide,
                 Text{corner + dvec2(0.5 * subject_.size.x - 0.5, subject_.size.y + 0.6), name(m)}});
       if (m < done_.size()) put_picture(view, done_[m].picture, ivec2(corner));

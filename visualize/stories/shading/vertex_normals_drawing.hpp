@@ -138,7 +138,7 @@ class NormalsStory {
     for (const NormalAdded<double>& n : added->second) {
       const dvec3 at = mesh_.places[vertex];
       drawing.add(SpaceEdge{.id = fmt::format("n {:02}", i++),
-                            .role = Role::measure,
+                            .role = Role::candidate,
                             .a = at,
                             .b = at + 0.8 * length_ * n.weight / std::max(largest, 1e-300) * n.normal,
                             .arrow = true,
@@ -168,7 +168,7 @@ inline void tell_vertex_normals(Narrator& narrator) {
       narrator.words().count("normals.subtitle", std::ssize(mesh.rings), {{"vertices", mesh.places.size()}});
   narrator.columns({{"face", false}, {"vertex", false}, {"weight"}});
   narrator.legend({{Role::current, "current"},
-                   {Role::measure, "normals"},
+                   {Role::candidate, "normals"},
                    {Role::accepted, "mean"},
                    {Role::result, "means"}});
   NormalsStory story(narrator.words(), mesh, reader, narrator.arguments().text("weighting"));
