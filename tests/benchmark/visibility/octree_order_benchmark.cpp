@@ -27,14 +27,14 @@ auto uneven(int deepest) {
   };
 }
 
-/// Cells that lie before one that came earlier, along random rays.
-std::int64_t wrong_pairs(const std::vector<Cube>& order, bool from_front) {
+/// Cells that lie before one that came earlier, along random rays: how many, and by how much.
+Error wrong_pairs(const std::vector<Cube>& order, bool from_front) {
   Random random(3);
-  std::int64_t wrong = 0;
-  for (int k = 0; k < 40; ++k) {
+  Error::Sum sum;
+  for (int k = 0; k < 400; ++k) {
     const dvec3 at{random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)};
     const dvec3 way = at - dvec3(eye);
-    double reached = from_front ? 0 : 1e9;
+    double reached = from_front ? 0 : 1e9;  // nothing yet
     for (const Cube& cell : order) {
       double from = 0, to = 1e9;
       for (int axis = 0; axis < 3; ++axis) {
@@ -44,11 +44,13 @@ std::int64_t wrong_pairs(const std::vector<Cube>& order, bool from_front) {
         to = std::min(to, std::max(a, b));
       }
       if (to - from < 1e-9) continue;
-      wrong += from_front ? from < reached - 1e-9 : to > reached + 1e-9;
+      const double early = (from_front ? reached - from : to - reached) * glm::length(way);
+      sum.add(std::max(early, 0.0));
+      if (early > 1e-9) sum.wrong_decision();
       reached = from_front ? to : from;
     }
   }
-  return wrong;
+  return sum.error();
 }
 
 template <class Order>
@@ -59,14 +61,12 @@ Case case_of(int depth, const char* name, Standing standing, bool from_front, Or
     order(depth, *cells);
   };
   run();
-  Error error;
-  error.wrong = wrong_pairs(*cells, from_front);
   return {.method = name,
           .standing = standing,
           .workload = {fmt::format("{} cells", cells->size()), static_cast<double>(cells->size())},
           .items = std::ssize(*cells),
           .run = run,
-          .error = error};
+          .error = wrong_pairs(*cells, from_front)};
 }
 
 void near_first(int depth, std::vector<Cube>& cells) {
@@ -100,9 +100,9 @@ Subject octree_order() {
   return {.topic = "octree_order",
           .title = "Cells of an octree in order",
           .item = "cell",
-          .unit = "cells",
+          .unit = "of length",
           .measure = "cells",
-          .telling = "2108 cells",
+          .telling = "2752 cells",
           .cases = cases};
 }
 
