@@ -71,8 +71,8 @@ class DrawingLayout {
     const Window& view = frame_.view;
     return {p.x - view.lower.x, frame_.y_up ? view.upper.y - p.y : p.y - view.lower.y};
   }
-  Image picture_of_view(Rgba8 ground = {}) const {
-    return {static_cast<int>(frame_.view.width()), static_cast<int>(frame_.view.height()), ground};
+  Image picture_of_view() const {
+    return {static_cast<int>(frame_.view.width()), static_cast<int>(frame_.view.height()), Rgba8{}};
   }
   /// All cells of the view; more than what is shown where a paper is cut inside of a cell.
   Box cells_box() const {
@@ -101,18 +101,26 @@ class DrawingLayout {
     });
   }
 
-  /// Cells with colours of their own, as one picture.
+  /// Cells with colours of their own, as one picture: of a grid, or on a paper of these cells alone.
   void draw_cell_colors() {
-    Image part = picture_of_view({0, 0, 0, 0});
-    bool any = false;
+    std::optional<Window> colored;
     for_each_cell([&](ivec2 p) {
       const auto look = figure_.canvas->at(p);
       if (!look || !look->color) return;
-      part[pixel_of(p)] = *look->color;
+      if (!colored) colored = Window{p, p};
+      colored = Window{glm::min(colored->lower, p), glm::max(colored->upper, p)};
       if (!look->text.empty()) cell_texts_.emplace_back(p, *look);
-      any = true;
     });
-    if (any) pen_.image("colours", {cells_box(), std::move(part), {}});
+    if (!colored) return;
+    const Window shown = figure_.canvas->plane() ? *colored : frame_.view;
+    Image part(static_cast<int>(shown.width()), static_cast<int>(shown.height()), {0, 0, 0, 0});
+    for_each_cell([&](ivec2 p) {
+      const auto look = figure_.canvas->at(p);
+      if (!look || !look->color) return;
+      part[{p.x - shown.lower.x, frame_.y_up ? shown.upper.y - p.y : p.y - shown.lower.y}] = *look->color;
+    });
+    pen_.image("colours",
+               {around(frame_.square(shown.lower), frame_.square(shown.upper)), std::move(part), {}});
   }
 
   /// What labels should not cover.
@@ -241,9 +249,11 @@ class DrawingLayout {
       if (text_width(look.text, Face::sans, size) > frame_.cell - 2 * s_ || frame_.cell < 26 * s_) continue;
       const dvec2 centre = frame_.point({p.x, p.y});
       const auto [ink, ground] = text_paints(look);
-      pen_.text(
-          fmt::format("text {},{}", p.x, p.y),
-          {{centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground});
+      const TextShape text{
+          {centre.x, centre.y + 7 * s_}, look.text, Face::sans, size, Align::centre, ink, true, ground};
+      if (look.color)
+        free_.texts.push_back(text.box());  // a value of the picture: nothing is written over it
+      pen_.text(fmt::format("text {},{}", p.x, p.y), text);
     }
   }
 

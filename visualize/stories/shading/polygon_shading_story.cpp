@@ -217,9 +217,9 @@ class ShadeStory {
   static std::string_view row_key(const Point&) { return "row.phong"; }
   static std::string value_text(double colour) { return figure_real(colour); }
   static std::string value_text(const Point& point) { return figure_place(point.normal); }
-  /// A name beside a place: never on the number of a pixel that the face has covered.
-  static void put_name(Board& board, const std::string& id, Role role, dvec2 at, dvec2 aside,
-                       std::string name) {
+  /// A place with its name beside it.
+  void put_name(Board& board, const std::string& id, Role role, dvec2 at, dvec2 aside,
+                std::string name) const {
     board.mark(id, role, Dot{drawn(at)});
     board.mark(id + " name", role, Text{drawn(at) + aside, std::move(name)});
   }

@@ -42,8 +42,8 @@ class ThreeStory {
                 .facts = {{"lights", p.lights}, {"worst", difference}},
                 .words = {{"lights", p.lights}, {"difference", difference}},
                 .row = {name(p.method), p.lights, difference},
-                .key = name(p.method),
-                .phase = name(p.method)};
+                .key = std::string(keys[p.method].substr(6)),
+                .phase = std::string(keys[p.method].substr(6))};
     if (p.method == 0) event.count = p.lights;
     return event;
   }

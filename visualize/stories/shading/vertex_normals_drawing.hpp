@@ -121,9 +121,16 @@ class NormalsStory {
                             .behind = false});
     }
     drawing.add_to(view, "a");
-    if (vertex_) {
-      const dvec2 at = panel_.at(reader_.flat(mesh_.places[*vertex_]));
-      view.add_named("v vertex", Role::current, at, Subject::vertex_name(*vertex_));
+    std::vector<std::vector<dvec3>> rings;
+    for (const NamedFace& face : mesh_.named) rings.push_back(face.points);
+    const HiddenLines lines(rings, distant_viewer(reader_.towards), length_);
+    for (std::size_t v = 0; v < mesh_.places.size(); ++v) {
+      const dvec3 p = mesh_.places[v] + 1e-3 * length_ * mesh_.normals[v];
+      const bool hidden = lines.pieces(p, p + 1e-3 * length_ * reader_.towards).front().hidden;
+      const dvec2 at = panel_.at(reader_.flat(mesh_.places[v]));
+      const std::string name = Subject::vertex_name(v);
+      if (vertex_ == v) view.add({"v vertex", Role::current, Dot{at}});
+      if (!hidden || vertex_ == v) view.add({"w " + name, Role::input, Label{at, name}});
     }
     board.milestone(std::move(view));
     ++steps_;

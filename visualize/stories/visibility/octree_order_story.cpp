@@ -175,6 +175,8 @@ class OrderStory {
     add_numbers(view, rings);
     for (std::size_t i = 0; i < subject_.points.size() && visited_.empty(); ++i)
       view.add({fmt::format("p {:02}", i), Role::input, Dot{at(subject_.points[i])}});
+    const dvec3 corner = subject_.root.lower + dvec3{0, 0, subject_.root.side};
+    view.add({"o corner", Role::boundary, Label{at(corner), figure_place(corner)}});
     if (subject_.eye.w == 1)
       view.add_named("e eye", Role::measure, at(dvec3(subject_.eye)), words_.say("eye"));
     board.milestone(std::move(view));
