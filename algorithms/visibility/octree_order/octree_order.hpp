@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/arithmetic/rounding.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
