@@ -187,11 +187,31 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   };
   const std::string floors =
       "A: 0,0,0 4,0,0 4,3,0; B: 4,0,0 8,0,0 8,3,0; C: 0,0,2 4,0,2 4,3,2; D: 0,0,-2 4,0,-2 4,3,-2";
+  const std::string bars =
+      "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
+      "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "
+      "C: 0,7.2,-1.2 -6.2,-3.5,1.2 -4.5,-4.5,1.2 1.7,6.2,-1.2";
   for (const char* method : {"build", "back_to_front", "uncut"}) part(method, "A: 0,0,0 4,0,0 4,3,0");
   part("build", floors);
   part("back_to_front", floors, "0,0,-1");
   part("back_to_front", floors, "1,0,0");
   part("uncut", "A: 0,0,0 4,0,0 4,3,0; B: 1,1,2 3,1,-2 3,2,-2 1,2,2");
+  const auto paint = [&](std::string method, std::string faces, std::string towards = "1,2,3") {
+    tell("painter", {{"method", method}, {"faces", faces}, {"towards", towards}});
+  };
+  for (const char* method : {"newell", "farthest_vertex", "centroid", "mean_depth", "descending_mean_z"}) {
+    paint(method, "A: 0,0,0 4,0,0 4,3,0");
+    paint(method, floors, "0,0,1");
+  }
+  paint("newell", "A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2");
+  paint("newell", bars, "0.2,-0.4,1");
+  // Moved once already, another of the cycle, and one moved that ends before
+  paint("newell", "A: -1,-5,-3 5,4,2 1,-5,-1; B: -1,2,-3 1,2,0 2,1,3; C: -2,1,3 1,5,3 0,-5,-3", "0,0,1");
+  paint("newell", "A: -5,-5,2 2,5,-3 -4,-3,-3; B: -2,1,-2 3,-3,3 0,4,-3; C: -1,2,-1 3,1,-3 -5,4,-1", "0,0,1");
+  paint("newell", "A: 5,1,1 -1,-5,-2 5,4,3; B: -2,-1,2 2,3,-3 1,-5,2; C: -2,-3,-2 3,-1,-2 0,4,-2", "0,0,1");
+  paint("newell", "A: -5,0,-4 5,0,4 5,2,4 -5,2,-4; B: -5,4,-1 5,4,-1 5,6,-1 -5,6,-1", "0,0,1");
+  tell("painter", {{"faces", "A: 0,-10,10 50,-10,10 50,10,10 0,10,10; B: 0,-5,20 8,-5,20 8,5,20 0,5,20"},
+                   {"eye", "0,0,0"}});
   const auto cull = [&](std::string method, std::map<std::string, std::string> more) {
     more["method"] = method;
     tell("back_face_culling", more);
