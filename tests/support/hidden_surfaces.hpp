@@ -16,6 +16,7 @@
 #include "core/random.hpp"
 #include "core/raster.hpp"
 #include "visibility/bsp_tree/bsp_tree.hpp"
+#include "visibility/painter/painter.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
 namespace gradus::test {
@@ -140,6 +141,7 @@ struct Camera {
   z_buffer::Range range{2, 12};  ///< that holds all depths
 
   bsp_tree::Eye<double> eye() const { return perspective ? glm::dvec4{0, 0, 0, 1} : glm::dvec4{0, 0, -1, 0}; }
+  painter::View<double> view() const { return painter::view_along(eye(), dvec3{0, 0, 1}, dvec3{0, -1, 0}); }
   /// Where a point is seen, and a depth that is linear in the picture.
   dvec3 image(dvec3 p) const {
     const double middle = size / 2.0, scale = perspective ? size / p.z : size / 7.0;
@@ -205,6 +207,13 @@ inline Polygons bsp_order(const Polygons& scene, const Camera& camera) {
   Polygons order;
   bsp_tree::back_to_front(bsp_tree::build(scene), camera.eye(),
                           [&](const auto& part) { order.push_back(part); });
+  return order;
+}
+
+/// The same by the painter's order.
+inline Polygons painter_order(const Polygons& scene, const Camera& camera) {
+  Polygons order;
+  painter::newell(scene, camera.view(), [&](const auto& part) { order.push_back(part); });
   return order;
 }
 

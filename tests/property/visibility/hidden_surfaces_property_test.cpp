@@ -20,7 +20,7 @@ constexpr long double margin = 1;
 
 /// What was compared, of which scenes.
 struct Count {
-  std::int64_t scenes = 0, cuts = 0, cycles = 0, piercings = 0;
+  std::int64_t scenes = 0, cuts = 0, painter_cuts = 0, cycles = 0, piercings = 0;
   std::int64_t covered = 0, compared = 0;  ///< pixels
   std::int64_t on_seams = 0, open = 0;     ///< of these, where parts meet, and where a seam is open
 };
@@ -60,14 +60,16 @@ void count_pixels(const Raster<Verdict>& verdicts, Count& count) {
 
 void compare(const Polygons& scene, const Camera& camera, const std::string& which, Count& count) {
   const auto right = by_rays(scene, camera, margin);
-  const Polygons order = bsp_order(scene, camera);
+  const Polygons tree = bsp_order(scene, camera), list = painter_order(scene, camera);
   EXPECT_TRUE(wrong(by_z_buffer(scene, camera), right).empty()) << "z-buffer, " << which;
   EXPECT_TRUE(wrong(by_scanline(scene, camera), right).empty()) << "by rows, " << which;
-  expect_painted(order, camera, right, "BSP tree, " + which, count);
+  expect_painted(tree, camera, right, "BSP tree, " + which, count);
+  expect_painted(list, camera, right, "painter, " + which, count);
   count_pixels(right, count);
   const Hides pairs = hides(scene, camera);
   ++count.scenes;
-  count.cuts += std::ssize(order) - std::ssize(scene);
+  count.cuts += std::ssize(tree) - std::ssize(scene);
+  count.painter_cuts += std::ssize(list) - std::ssize(scene);
   count.cycles += cyclic(pairs);
   count.piercings += piercings(pairs);
 }
@@ -88,12 +90,14 @@ TEST_P(HiddenSurfaces, AllMethodsShowWhatRaysMeet) {
     }
   }
   fmt::print(
-      "{}: {} scenes, {} cuts, {} with a cycle, {} pairs that pierce, {} of {} pixels compared, "
+      "{}: {} scenes, {} cuts by the tree and {} by the painter, {} with a cycle, {} pairs that pierce, {} "
+      "of {} pixels compared, "
       "{} on seams, {} open\n",
-      name_of(kind), count.scenes, count.cuts, count.cycles, count.piercings, count.compared, count.covered,
-      count.on_seams, count.open);
+      name_of(kind), count.scenes, count.cuts, count.painter_cuts, count.cycles, count.piercings,
+      count.compared, count.covered, count.on_seams, count.open);
   EXPECT_EQ(count.scenes, 2 * runs);
   EXPECT_GT(count.cuts, 0);
+  EXPECT_GT(count.painter_cuts, 0);
   EXPECT_GT(count.piercings, 0);
   if (kind == Kind::cyclic) EXPECT_GT(count.cycles, 0);
   EXPECT_GE(static_cast<double>(count.compared), 0.6 * static_cast<double>(count.covered));
