@@ -15,6 +15,7 @@
 
 #include "core/random.hpp"
 #include "core/raster.hpp"
+#include "visibility/back_face_culling/back_face_culling.hpp"
 #include "visibility/bsp_tree/bsp_tree.hpp"
 #include "visibility/painter/painter.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
@@ -118,7 +119,7 @@ inline Polygons scene_of(Kind kind, Random& random, bool solid = false) {
       break;
     case Kind::heavy_overdraw:
       for (int i = 0; i < 20; ++i) {
-        const dvec3 middle = on_grid({random.uniform(-1, 1), random.uniform(-1, 1), 5 + 0.2 * i});
+        const dvec3 middle = on_grid({random.uniform(-1, 1), random.uniform(-1, 1), 5 + 0.2 * (7 * i % 20)});
         const dvec3 half{random.uniform(1.2, 2.2), random.uniform(1.2, 2.2), 0.05};
         add(scene, turned(middle, half, slight_turn(random)), solid);
       }
@@ -128,6 +129,22 @@ inline Polygons scene_of(Kind kind, Random& random, bool solid = false) {
         add_cycle(scene, on_grid({at, random.uniform(5, 7)}), solid);
       for (int i = 0; i < 2; ++i)
         add(scene, turned(anywhere(random), size(0.5, 1.2), any_turn(random)), solid);
+  }
+  return scene;
+}
+
+/// Closed boxes of this kind, always the same: what is measured.
+inline Polygons boxes(Kind kind) {
+  Random random(7, static_cast<std::uint64_t>(kind));
+  return scene_of(kind, random, true);
+}
+/// So many small ones.
+inline Polygons small_boxes(int count) {
+  Random random(7, static_cast<std::uint64_t>(count));
+  Polygons scene;
+  for (int i = 0; i < count; ++i) {
+    const double size = random.uniform(0.1, 0.3);
+    add(scene, turned(anywhere(random), {size, size, size}, any_turn(random)), true);
   }
   return scene;
 }
@@ -200,6 +217,16 @@ inline Picture painted(const Polygons& order, const Camera& camera) {
   Picture picture(camera.size, camera.size, nobody);
   for (const auto& face : order) paint(picture, face, camera);
   return picture;
+}
+
+/// The faces that show their front.
+inline Polygons fronts(const Polygons& scene, const Camera& camera) {
+  std::vector<std::span<const dvec3>> faces;
+  for (const auto& face : scene) faces.emplace_back(face.corners);
+  Polygons shown;
+  back_face_culling::normal_and_view<double>(faces, camera.eye(),
+                                             [&](std::size_t i) { shown.push_back(scene[i]); });
+  return shown;
 }
 
 /// A scene's faces and parts in the order of its BSP tree.
