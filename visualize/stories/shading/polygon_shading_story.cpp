@@ -219,7 +219,10 @@ class ShadeStory {
   Decision left_edge(const RowBegun<double, Value>& r) const {
     const std::size_t n = subject_.rings[face_].size(), low = r.left.lower, high = r.left.upper;
     const std::size_t first = (low + 1) % n == high ? low : high;
-    Decision decision{words_.say("question", {{"row", r.row}}), {}, first, fmt::format("edge {}", first)};
+    Decision decision{words_.say("question", {{"row", r.row}}),
+                      {},
+                      first,
+                      fmt::format("edge {}", static_cast<char>('a' + first % 26))};
     for (std::size_t i = 0; i < n; ++i) decision.answers.push_back(vertex(i) + vertex((i + 1) % n));
     return decision;
   }
