@@ -107,7 +107,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"z_buffer_order", 0.99},
                                               {"z_buffer_cycle", 0.99},
                                               {"z_buffer_piercing", 0.99},
-                                              {"z_buffer_perspective", 0.99},
                                               {"z_buffer_scanline", 0.99},
                                               {"z_buffer_fight", 0.99},
                                               {"z_buffer_fight_float", 0.99},

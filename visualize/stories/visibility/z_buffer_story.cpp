@@ -42,7 +42,7 @@ class Story {
     if (subject_.sight.eye) {
       const auto [n, f] = subject_.sight.distances();
       return {.text = "started_eye",
-              .words = {{"eye", *subject_.sight.eye}, {"n", figure_real(n)}, {"f", figure_real(f)}}};
+              .words = {{"eye", *subject_.sight.eye}, {"n", digits(n)}, {"f", digits(f)}}};
     }
     return {.text = look_.rows ? "started_rows" : "started",
             .words = {{"columns", subject_.size.x},
@@ -360,12 +360,9 @@ Owners right_of(const Subject& subject) {
 /// What stands unchanged behind all steps. base: of the codes in the cells.
 void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   const Words& words = narrator.words();
-  narrator.trace().subtitle = words.count("subtitle", std::ssize(subject.faces),
-                                          {{"columns", subject.size.x}, {"rows", subject.size.y}});
-  if (subject.sight.eye) {
-    const auto [n, f] = subject.sight.distances();
-    narrator.trace().subtitle += words.say("perspective", {{"n", figure_real(n)}, {"f", figure_real(f)}});
-  }
+  narrator.trace().subtitle =
+      words.count(subject.sight.eye ? "subtitle_eye" : "subtitle", std::ssize(subject.faces),
+                  {{"columns", subject.size.x}, {"rows", subject.size.y}});
   Grid& grid = narrator.trace().grid;
   grid.cells = subject.picture();
   grid.y_up = false;
