@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "core/surface.hpp"
 #include "stress/core/digits.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
