@@ -55,7 +55,15 @@ struct Arrival {
   constexpr T share() const { return seen ? attenuation * window * cone * facing : T(0); }
 };
 
-/// One lamp was looked at: a light, or one point of an area.
+/// A lamp was looked at: a light, or one point of an area.
+template <class T>
+struct LampTaken {
+  std::size_t light;  ///< its number
+  int sample;         ///< the point's number, 0 but for areas
+  Arrival<T> arrival;
+};
+
+/// Its two parts are added.
 template <class T>
 struct LightAdded {
   std::size_t light;  ///< its number
@@ -206,7 +214,7 @@ struct AllSeen {
 /// Domain: finite values of any size whose differences don't overflow, nor the ways' lengths. A light or an
 ///   eye at the very place adds nothing, or no highlight. R.V <= 0 gives no highlight, also for n = 0. Sums
 ///   above 1 are not cut off here.
-/// Steps: AmbientAdded LightAdded* Finished, a LightAdded for every lamp.
+/// Steps: AmbientAdded (LampTaken LightAdded)* Finished, both for every lamp.
 /// Accuracy: u is the rounding unit of T (2^-53 for double), and a light's full strength what it would add
 ///   with N.L = 1, or R.V = 1: f I k_d, f I k_s. Of the sum of these the diffuse part is within 30 u, the
 ///   highlight within 60 u max(1, n); so a light at the horizon, which adds little, may be wrong in most of
@@ -220,7 +228,7 @@ struct AllSeen {
 /// Cost: a square root for each lamp and for the viewer, a power where there is a highlight.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
                std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
@@ -235,6 +243,7 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
     for (int p = 0; p < points(light); ++p) {
       auto a =  // L, f: what arrives
           arriving(light, p, place, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
       const T nl = glm::dot(normal, l);
@@ -275,7 +284,7 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
 /// Cost: as for phong, and a square root more a lamp.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
                      std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible,
                      O&& observer = {}) {
@@ -291,6 +300,7 @@ Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T>
     for (int p = 0; p < points(light); ++p) {
       auto a =  // L, f: what arrives
           arriving(light, p, place, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec h = unit_vector(l + v);
       const T nl = glm::dot(normal, l);

@@ -30,7 +30,7 @@ T clamped(T dot) {
 /// Cost: as for phong.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
                    std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
@@ -42,6 +42,7 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
   for (const Light& light : lights) {
     for (int p = 0; p < points(light); ++p) {
       auto a = arriving(light, p, place, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
       const T nl = glm::dot(normal, l);
@@ -74,7 +75,7 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
 /// Cost: as for phong.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
                       std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible,
                       O&& observer = {}) {
@@ -87,6 +88,7 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
   for (const Light& light : lights) {
     for (int p = 0; p < points(light); ++p) {
       auto a = arriving(light, p, place, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
       const T nl = glm::dot(normal, l);
@@ -119,7 +121,7 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
 /// Cost: as for phong.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, const M& material,
                           std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible,
                           O&& observer = {}) {
@@ -132,6 +134,7 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
   for (const Light& light : lights) {
     for (int p = 0; p < points(light); ++p) {
       auto a = arriving(light, p, place, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
       const T nl = glm::dot(normal, l);
@@ -164,7 +167,7 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
 /// Cost: as for phong.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
-          Observer<AmbientAdded<T>, LightAdded<T>, Finished<T>> O = Unobserved>
+          Observer<AmbientAdded<T>, LampTaken<T>, LightAdded<T>, Finished<T>> O = Unobserved>
 Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye,
                             const M& material, std::span<const Light> lights, ColourOf<M> ambient,
                             Visible&& visible, O&& observer = {}) {
@@ -179,6 +182,7 @@ Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::ve
       // From the tip of the normal
       const Vec from = normal;
       auto a = arriving(light, p, from, visible);
+      if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
       const T nl = glm::dot(normal, l);

@@ -180,7 +180,7 @@ TEST(Illumination, LightsAtAnyDistance) {
 }
 
 TEST(Illumination, StepsFollowTheGrammar) {
-  Recorder<AmbientAdded<double>, LightAdded<double>, Finished<double>> seen;
+  Recorder<AmbientAdded<double>, LampTaken<double>, LightAdded<double>, Finished<double>> seen;
   const std::vector<Light> lights{lamp({0, 3, 4}), lamp({0, 0, -1})};
   const auto run = [&](auto&& observer) {
     return phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, -3, 4}, surface(0.7f, 0.2f, 10),
@@ -188,15 +188,15 @@ TEST(Illumination, StepsFollowTheGrammar) {
   };
   const auto parts = run(seen);
   EXPECT_EQ(parts.sum(), run(Unobserved{}).sum());
-  ASSERT_EQ(seen.events().size(), 4u);
+  ASSERT_EQ(seen.events().size(), 6u);
   EXPECT_TRUE(std::holds_alternative<AmbientAdded<double>>(seen.events()[0].step));
-  const auto& first = std::get<LightAdded<double>>(seen.events()[1].step);
+  const auto& first = std::get<LightAdded<double>>(seen.events()[2].step);
   EXPECT_NEAR(first.n_dot_l, 0.8, 1e-15);
   EXPECT_NEAR(first.cosine, 1, 1e-15);
-  const auto& second = std::get<LightAdded<double>>(seen.events()[2].step);
+  const auto& second = std::get<LightAdded<double>>(seen.events()[4].step);
   EXPECT_EQ(second.light, 1u);
   EXPECT_EQ(second.diffuse, dvec3{0});
-  EXPECT_EQ(std::get<Finished<double>>(seen.events()[3].step).specular, parts.specular);
+  EXPECT_EQ(std::get<Finished<double>>(seen.events()[5].step).specular, parts.specular);
   // float says the same, less exactly
   const auto floats = phong(glm::vec3{0}, glm::vec3{0, 0, 1}, glm::vec3{0, -3, 4}, surface(0.7f, 0.2f, 10),
                             std::span<const Light>(lights), LinearRgb{1});

@@ -12,6 +12,7 @@
 
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
