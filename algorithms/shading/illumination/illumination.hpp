@@ -126,7 +126,7 @@ T spot_cone(const Light& light, glm::vec<3, T> to_light) {
 }
 
 /// How many lamps a light counts as.
-constexpr int points(const Light& light) {
+constexpr int lamps(const Light& light) {
   return light.kind == Light::Kind::area ? light.samples * light.samples : 1;
 }
 
@@ -148,7 +148,7 @@ T facing(const Light& light, glm::vec<3, T> to_light) {
   if (light.kind != Light::Kind::area) return T(1);
   const Vec front = unit_vector(glm::cross(unit_vector(Vec(light.across)), unit_vector(Vec(light.along))));
   const T cosine = -glm::dot(front, to_light);
-  return cosine > T(0) ? cosine / T(points(light)) : T(0);
+  return cosine > T(0) ? cosine / T(lamps(light)) : T(0);
 }
 
 /// From a place on the surface towards lamp k of a light, of length 1, and how far it is (0 for a directional
@@ -238,9 +238,12 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
   const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       auto a =  // L, f: what arrives
           arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
@@ -252,12 +255,10 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
       const T f = a.share();
       const Vec i = f * Vec(light.intensity);
       const T k = scattered(nl);
-      const Vec kd = k * Vec(material.diffuse);
       const T s = mirrored(nl, rv, material);
-      const Vec ks = s * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ks);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ks)});
     }
     ++number;
   }
@@ -295,9 +296,12 @@ Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T>
   const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       auto a =  // L, f: what arrives
           arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
@@ -309,12 +313,10 @@ Parts<T> blinn_phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T>
       const T f = a.share();
       const Vec i = f * Vec(light.intensity);
       const T k = scattered(nl);
-      const Vec kd = k * Vec(material.diffuse);
       const T s = mirrored(nl, nh, material);
-      const Vec ks = s * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, h, nl, nh, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ks);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, h, nl, nh, i * (k * kd), i * (s * ks)});
     }
     ++number;
   }

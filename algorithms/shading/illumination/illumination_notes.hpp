@@ -38,9 +38,12 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
   const Vec base(material.emission + material.ambient * ambient);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       auto a = arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
@@ -51,13 +54,11 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
       const Vec i = f * Vec(light.intensity);
       // Negative, too: that is the fault
       const T k = nl;
-      const Vec kd = k * Vec(material.diffuse);
       const T n = T(material.shininess);
       const T s = pow(rv, n);
-      const Vec ks = s * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ks);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ks)});
     }
     ++number;
   }
@@ -84,9 +85,12 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
   const Vec base(material.emission + material.ambient * ambient);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       auto a = arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
@@ -96,14 +100,12 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
       const T f = a.share();
       const Vec i = f * Vec(light.intensity);
       const T k = clamped(nl);
-      const Vec kd = k * Vec(material.diffuse);
       // Nobody asks where the lamp is
       const T n = T(material.shininess);
       const T s = pow(clamped(rv), n);
-      const Vec ks = s * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ks);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ks)});
     }
     ++number;
   }
@@ -130,9 +132,14 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
   const Vec base(material.emission + material.ambient * ambient);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
+  // The surface's colour once more
+  const Vec ts = Vec(hue(material)) * ks;
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       auto a = arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
@@ -142,14 +149,10 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
       const T f = a.share();
       const Vec i = f * Vec(light.intensity);
       const T k = scattered(nl);
-      const Vec kd = k * Vec(material.diffuse);
       const T s = mirrored(nl, rv, material);
-      // The surface's colour once more
-      const Vec hide(hue(material));
-      const Vec ks = s * hide * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ts);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ts)});
     }
     ++number;
   }
@@ -176,9 +179,12 @@ Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::ve
   const Vec base(material.emission + material.ambient * ambient);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
+  const Vec kd(material.diffuse);
+  const Vec ks(material.specular);
   std::size_t number = 0;
   for (const Light& light : lights) {
-    for (int p = 0; p < points(light); ++p) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
       // From the tip of the normal
       const Vec from = normal;
       auto a = arriving(light, p, from, visible);
@@ -190,12 +196,10 @@ Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::ve
       const T f = a.share();
       const Vec i = f * Vec(light.intensity);
       const T k = scattered(nl);
-      const Vec kd = k * Vec(material.diffuse);
       const T s = mirrored(nl, rv, material);
-      const Vec ks = s * Vec(material.specular);
-      diffuse += i * kd;
-      specular += i * ks;
-      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * kd, i * ks});
+      diffuse += i * (k * kd);
+      specular += i * (s * ks);
+      if constexpr (observed<O>) observer(LightAdded<T>{number, p, a, r, nl, rv, i * (k * kd), i * (s * ks)});
     }
     ++number;
   }

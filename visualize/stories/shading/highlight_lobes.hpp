@@ -74,29 +74,29 @@ class LobeStory {
     arrow("n normal", Role::input, 0, "N");
     arrow("l way", Role::input, theta_, "L");
     arrow("r mirror", Role::measure, -theta_, "R");
-    const Panel plot({{22, 3.2}, {36.4, 15.8}}, {{-90, 0}, {90, 1}}, Panel::Fit::stretched);
+    const Panel plot({{21.6, 3.2}, {35.6, 16}}, {{0, 0}, {90, 1}}, Panel::Fit::stretched);
     add_axes(view, plot, "p", {"α", ""}, 5);
-    view.add({"q half", Role::guide, Stroke{plot.at({-90, 0.5}), plot.at({90, 0.5}), false, true, true}});
+    view.add({"q half", Role::guide, Stroke{plot.at({0, 0.5}), plot.at({90, 0.5}), false, true, true}});
     for (std::size_t i = 0; i < done_.size(); ++i) add_lobe(view, plot, i);
     return view;
   }
   void add_lobe(View& view, const Panel& plot, std::size_t i) const {
     const double n = done_[i].exponent, half = done_[i].half;
     const bool now = !ended_ && i + 1 == done_.size();
-    const Role role = now ? Role::current : Role::result;
+    const Role role = now ? Role::current : ended_ ? Role::result : Role::past;
     std::vector<dvec2> ring{origin}, curve;
-    for (int k = 0; k <= 240; ++k) {
-      const double off = -90 + 0.75 * k;
-      curve.push_back(plot.at({off, lobe(off, n)}));
-      // No light leaves below the surface
-      if (std::abs(off - theta_) <= 90) ring.push_back(tip(off - theta_, lobe(off, n)));
-    }
-    const std::string id = fmt::format("{:02}", i), name = "n = " + figure_real(n);
+    // No light leaves below the surface
+    for (double way = 90; way >= -90; way -= 0.75) ring.push_back(tip(way, lobe(way + theta_, n)));
+    for (double off = 0; off <= 90; off += 0.5) curve.push_back(plot.at({off, lobe(off, n)}));
+    const std::string id = fmt::format("{:02}", i), number = figure_real(n);
     view.add({"b lobe " + id, role, Area{{ring}, std::min<int>(3, static_cast<int>(i) + 1)}});
     view.add({"c lobe " + id, role, Path{ring, true}});
     view.add({"c curve " + id, role, Path{curve}});
     view.add({"d half " + id, role, Dot{plot.at({half, 0.5})}});
-    view.add({"d half " + id + " name", role, Label{plot.at({half, 0.5}), name}});
+    // Low down the curves lie farthest apart
+    const double low = n > 0 ? degrees_of(pow(0.2, 1 / n)) : 90;
+    view.add({"d half " + id + " name", role,
+              Text{plot.at({low, 0.2}) + dvec2{0.25, 0}, i == 0 ? "n = " + number : number, Align::left}});
   }
 
   const double theta_;
@@ -116,6 +116,7 @@ inline void tell_lobes(Narrator& narrator) {
   narrator.legend({{Role::input, "directions"},
                    {Role::measure, "mirror"},
                    {Role::current, "lobe"},
+                   {Role::past, "before"},
                    {Role::result, "lobes"}});
   LobeStory story(degrees_of(cosine));
   const auto watch = narrator.watcher(story);

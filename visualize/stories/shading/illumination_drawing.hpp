@@ -9,7 +9,7 @@
 
 namespace gradus::illumination {
 
-inline constexpr int place_paper_width = 38, place_paper_height = 27;
+inline constexpr int place_paper_width = 32, place_paper_height = 26;
 
 /// Part of the colour as the bar has it.
 struct Piece {
@@ -30,8 +30,8 @@ class PlaceDrawing {
         task_(task),
         mirror_(mirror),
         from_below_(from_below),
-        origin_(16, from_below ? 12.6 : 5.4),
-        length_(from_below ? 10.4 : 14),
+        origin_(11.2, from_below ? 12.6 : 4.4),
+        length_(from_below ? 10.2 : 11.6),
         brightest_(brightest) {
     // The first lamp that has a side stands on the left
     for (const Light& light : task.lights) {
@@ -51,11 +51,10 @@ class PlaceDrawing {
 
   void add_surface(View& view) const {
     const dvec2 o = origin_;
-    view.add({"s surface", Role::boundary, Stroke{o - dvec2{15.4, 0}, o + dvec2{15.4, 0}}});
+    view.add({"s surface", Role::boundary, Stroke{o - dvec2{11, 0}, o + dvec2{11, 0}}});
     const double deep = from_below_ ? 0.7 : 1.1;
-    view.add(
-        {"a ground", Role::boundary,
-         Area{{{o - dvec2{15.4, 0}, o + dvec2{15.4, 0}, o + dvec2{15.4, -deep}, o - dvec2{15.4, deep}}}, 1}});
+    view.add({"a ground", Role::boundary,
+              Area{{{o - dvec2{11, 0}, o + dvec2{11, 0}, o + dvec2{11, -deep}, o - dvec2{11, deep}}}, 1}});
     arrow(view, "n normal", Role::input, 0, 1, "N");
     view.add({"n place", Role::input, Dot{o}});
   }
@@ -85,7 +84,7 @@ class PlaceDrawing {
   void add_scattered(View& view, const LightAdded<double>& s, Role role) const {
     if (s.arrival.to_light == dvec3{0}) return;
     const double at = angle(s.arrival.to_light);
-    arc(view, "g theta", role, 0, at, 0.3, "θ");
+    arc(view, "g theta", role, 0, at, 0.3);
     foot(view, "f diffuse", role, 0, s.n_dot_l, tip(at, 1), fmt::format("N·L = {}", short_real(s.n_dot_l)));
   }
 
@@ -101,7 +100,7 @@ class PlaceDrawing {
       lobe(view, role, [&](double way) { return std::pow(cosine(way - r), power); }, s.cosine > 0);
       arrow(view, "r mirror", Role::measure, r, 1, "R");
       add_viewer(view, seen);
-      arc(view, "g alpha", role, r, seen, 0.42, "α");
+      arc(view, "g alpha", role, r, seen, 0.42);
       foot(view, "f specular", role, r, s.cosine, tip(seen, 1),
            fmt::format("R·V = {}", short_real(s.cosine)));
       reached(view, role, seen, s.cosine > 0 ? std::pow(s.cosine, power) : 0);
@@ -112,7 +111,7 @@ class PlaceDrawing {
       lobe(view, role, [&](double way) { return std::pow(cosine(0.5 * (way + theta)), power); }, true);
       arrow(view, "r mirror", Role::measure, h, 1, "H");
       add_viewer(view, seen);
-      arc(view, "g alpha", role, 0, h, 0.42, "α");
+      arc(view, "g alpha", role, 0, h, 0.42);
       foot(view, "f specular", role, 0, s.cosine, tip(h, 1), fmt::format("N·H = {}", short_real(s.cosine)));
       reached(view, role, seen, s.cosine > 0 ? std::pow(s.cosine, power) : 0);
     }
@@ -128,29 +127,38 @@ class PlaceDrawing {
   void add_right_way(View& view, const dvec3& l) const {
     const dvec2 from = origin_, to = tip(angle(l), 1);
     view.add({"l right", Role::accepted, Stroke{from, to, true, true}});
-    view.add({"l right name", Role::accepted, Text{tip(angle(l), 1.07), words_.say("right")}});
+    view.add({"l right name", Role::accepted, Label{tip(angle(l), 0.97), words_.say("right")}});
   }
 
   /// The colour so far: a bar of its parts, for each channel where they differ.
-  void add_colour(View& view, const std::vector<Piece>& pieces) const {
+  /// right: what the colour ought to be, if that is to be shown.
+  void add_colour(View& view, const std::vector<Piece>& pieces, const std::optional<dvec3>& right) const {
     dvec3 sum{0};
     bool grey = true;
     for (const Piece& p : pieces) {
       sum += p.value;
       grey = grey && !(p.value.x != p.value.y || p.value.y != p.value.z);
     }
+    if (right) grey = grey && right->x == right->y && right->y == right->z;
     if (!(sum.x == sum.x)) grey = true;
-    const double x = 33.4, wide = grey ? 2.4 : 1.1;
-    for (int c = 0; c < (grey ? 1 : 3); ++c) add_bar(view, pieces, c, x + 1.4 * c, wide, grey);
-    for (int k = 0; k <= 4; ++k) {
-      const double value = brightest_ * k / 4;
-      view.add({fmt::format("t tick {}", k), Role::guide,
-                Text{{x - 0.4, height(value)}, short_real(value), Align::right}});
+    const double x = 26, wide = grey ? 3.2 : 1.1;
+    for (int c = 0; c < (grey ? 1 : 3); ++c) {
+      add_bar(view, pieces, c, x + 1.4 * c, wide, grey);
+      if (!right) continue;
+      const Extent bar{{x + 1.4 * c - 0.15, height(0)}, {x + 1.4 * c + wide + 0.15, height((*right)[c])}};
+      view.add({fmt::format("w right {}", c), Role::accepted, Path{bar.corners(), true, true}});
     }
-    view.add({"t frame", Role::guide, Stroke{{x - 0.2, height(0)}, {x + (grey ? 2.6 : 4.1), height(0)}}});
+    const double step = tick_distance(brightest_, 5);
+    for (int k = 0; k * step <= brightest_; ++k) {
+      view.add({fmt::format("t tick {}", k), Role::guide,
+                Text{{x - 0.4, height(k * step)}, short_real(k * step), Align::right}});
+    }
+    view.add({"t scale", Role::guide, Stroke{{x - 0.15, height(0)}, {x - 0.15, height(brightest_)}}});
+    view.add({"t frame", Role::guide, Stroke{{x - 0.2, height(0)}, {x + (grey ? 3.4 : 4.1), height(0)}}});
     if (sum.x == sum.x) add_swatch(view, sum, static_cast<int>(x));
     view.add({"t sum", Role::guide,
-              Text{{x + (grey ? 1.2 : 1.9), 25.6}, words_.say("sum", {{"colour", short_colour(sum)}})}});
+              Text{{x + (grey ? 1.6 : 1.9), height(brightest_) + 1.3},
+                   words_.say("sum", {{"colour", short_colour(sum)}})}});
   }
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -175,15 +183,13 @@ class PlaceDrawing {
     view.add({id, role, Stroke{origin_, tip(at, part), true}});
     view.add({id + " name", role, Label{tip(at, 0.93 * part), name}});
   }
-  void arc(View& view, const std::string& id, Role role, double from, double to, double part,
-           const std::string& name) const {
+  void arc(View& view, const std::string& id, Role role, double from, double to, double part) const {
     if (std::abs(to - from) < 1) return;
     Path path;
     for (int k = 0; k <= 24; ++k) path.points.push_back(tip(from + (to - from) * k / 24, part));
     view.add({id, role, path});
-    view.add(
-        {id + " name", role,
-         Text{tip(0.5 * (from + to), part + 0.09), fmt::format("{} = {:.0f}°", name, std::abs(to - from))}});
+    view.add({id + " name", role,
+              Text{tip(0.5 * (from + to), part + 0.09), fmt::format("{:.0f}°", std::abs(to - from))}});
   }
   /// The cosine of a direction as a length along another, and the right angle down to it.
   void foot(View& view, const std::string& id, Role role, double along, double length, dvec2 from,
@@ -202,7 +208,8 @@ class PlaceDrawing {
   }
   void reached(View& view, Role role, double seen, double part) const {
     if (!(part > 0.004)) return;
-    view.add({"p reached", role, Dot{tip(seen, part), true}});
+    const char* name = mirror_ == Mirror::reflected ? "(R·V)ⁿ = " : "(N·H)ⁿ = ";
+    view.add_named("p reached", role, tip(seen, part), name + short_real(part), true);
   }
   void add_cone(View& view, const LampTaken<double>& t, const Light& light) const {
     const double l = angle(t.arrival.to_light);
@@ -214,7 +221,7 @@ class PlaceDrawing {
       const double a = (l + 180 + turned) / degrees_per_radian;
       return lamp + length_ * dvec2{-std::sin(a), std::cos(a)};
     };
-    const Role role = t.arrival.cone > 0 ? Role::accepted : Role::rejected;
+    const Role role = t.arrival.cone > 0 ? Role::boundary : Role::rejected;
     std::vector<dvec2> ring{lamp};
     for (int k = -12; k <= 12; ++k) ring.push_back(way(off + outer * k / 12));
     view.add({"c cone", role, Area{{ring}, 1}});
@@ -223,10 +230,10 @@ class PlaceDrawing {
     view.add({"c axis", role, Stroke{lamp, way(off), true, true, true}});
   }
   void add_range(View& view, const LampTaken<double>& t, const Light& light) const {
-    const double most = 1.15 * std::max(light.range, t.arrival.distance), y = from_below_ ? 1.4 : 2;
-    const NumberLine line({1.5, y}, {30.5, y}, 0, most);
+    const double most = 1.15 * std::max(light.range, t.arrival.distance), y = from_below_ ? 1.2 : 1.6;
+    const NumberLine line({1.5, y}, {21, y}, 0, most);
     line.add_to(view, "d", "d");
-    const Role role = t.arrival.window > 0 ? Role::accepted : Role::rejected;
+    const Role role = t.arrival.window > 0 ? Role::current : Role::rejected;
     view.add({"d way", role, Stroke{line.at(0), line.at(t.arrival.distance)}});
     view.add_named("d lamp", role, line.at(t.arrival.distance), "d");
     view.add({"d end", Role::boundary,
@@ -235,7 +242,9 @@ class PlaceDrawing {
         {"d end name", Role::boundary, Label{line.at(light.range) + dvec2{0, 0.7}, words_.say("range")}});
   }
 
-  double height(double value) const { return 4.2 + 20 * value / brightest_; }
+  double height(double value) const {
+    return origin_.y + (from_below_ ? -8 : 0) + (from_below_ ? 18 : 12) * value / brightest_;
+  }
   void add_bar(View& view, const std::vector<Piece>& pieces, int channel, double x, double wide,
                bool grey) const {
     double top = 0;
@@ -259,11 +268,12 @@ class PlaceDrawing {
     view.add({fmt::format("t channel {}", channel), Role::guide,
               Text{{x + 0.5 * wide, height(0) - 0.9}, names[static_cast<std::size_t>(channel)]}});
   }
-  static void add_swatch(View& view, const dvec3& sum, int x) {
+  void add_swatch(View& view, const dvec3& sum, int x) const {
     const Rgba8 colour = srgb8_from_linear(LinearRgb(glm::clamp(sum, dvec3{0}, dvec3{1})));
+    const int y = from_below_ ? 1 : 0;
     for (int row = 0; row < 2; ++row) {
       for (int column = 0; column < 4; ++column)
-        view.cells.insert_or_assign({row + 1, x + column}, CellLook{Role::result, "", colour});
+        view.cells.insert_or_assign({row + y, x + column}, CellLook{Role::result, "", colour});
     }
   }
 

@@ -80,10 +80,10 @@ class PlaceStory {
   void show(Board& board, const LightAdded<double>& s) {
     added_ = s;
     pieces_.push_back({Role::accepted, s.diffuse, true});
-    pieces_.push_back({Role::result, s.specular, true});
+    pieces_.push_back({Role::measure, s.specular, true});
     sum_ += s.diffuse + s.specular;
-    put(board);
     ++looked_;
+    put(board);
     const bool tells = fault_ == Fault::none ? s.specular != dvec3{0} : is_off(s);
     if (tells && !telling_) telling_ = {number_ - 1, 0};
   }
@@ -169,6 +169,14 @@ class PlaceStory {
   }
   dvec3 so_far() const { return pieces_.front().value + sum_; }
 
+  /// What Phong's model has by now, beside a faulty method's colour.
+  std::optional<dvec3> right_so_far() const {
+    if (fault_ == Fault::none || looked_ == 0) return std::nullopt;
+    dvec3 sum = pieces_.front().value;
+    for (std::size_t i = 0; i < looked_; ++i) sum += right_.lamps[i].diffuse + right_.lamps[i].specular;
+    return sum;
+  }
+
   void put(Board& board) {
     board.milestone(view());
     ++number_;
@@ -180,7 +188,7 @@ class PlaceStory {
                                 : ended_          ? task_.lights.size()
                                                   : PlaceDrawing::none;
     drawing_.add_lamps(view, at_hand);
-    drawing_.add_colour(view, pieces_);
+    drawing_.add_colour(view, pieces_, right_so_far());
     if (!taken_ || ended_) {
       drawing_.add_viewer(view);
       return view;
@@ -196,7 +204,7 @@ class PlaceStory {
     }
     drawing_.add_scattered(view, *added_,
                            added_->diffuse.x < 0 || !(added_->n_dot_l > 0) ? Role::rejected : Role::accepted);
-    drawing_.add_mirrored(view, *added_, added_->specular == dvec3{0} ? Role::rejected : Role::result,
+    drawing_.add_mirrored(view, *added_, added_->specular == dvec3{0} ? Role::rejected : Role::measure,
                           task_.surface.shininess);
     return view;
   }
@@ -261,8 +269,7 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
     for (const auto& lamp : run->lamps) below = below || lamp.n_dot_l < 0;
   }
   narrator.paper(place_paper_width, place_paper_height);
-  narrator.trace().subtitle =
-      narrator.words().count("subtitle", std::ssize(task.lights), {{"n", task.surface.shininess}});
+  narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(task.lights));
   narrator.columns({{"lamp", false},
                     {"f"},
                     {"NL"},
@@ -272,8 +279,8 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
                     {"sum"}});
   narrator.legend({{Role::current, "current"},
                    {Role::past, "ambient"},
-                   {Role::accepted, "scattered"},
-                   {Role::result, "highlight"},
+                   {Role::accepted, fault == Fault::none ? "scattered" : "scattered.right"},
+                   {Role::measure, "highlight"},
                    {Role::rejected, "rejected"}});
   PlaceStory story(narrator.words(), task,
                    PlaceDrawing(narrator.words(), task, mirror, below, brightest_of(own, right)), mirror,
@@ -325,7 +332,7 @@ const TopicEntry& entry() {
              .tell = tell_lobes,
              .function = "mirrored",
              .unread = {"kind", "aim", "eye", "ka", "kd", "ks", "shininess", "colour", "attenuation", "range",
-                        "cone", "concentration", "size", "samples"}},
+                        "cone", "concentration", "side", "samples"}},
             {.name = "unclamped",
              .standing = Standing::faulty,
              .tell = tell_unclamped,
@@ -347,7 +354,7 @@ const TopicEntry& entry() {
            {points(1, 8, "lights", "0,3,4", "0,3,4 0,-4,2 0,2,-1", "where the lamps stand", xyz, modest),
             numbers("place", "0,0,0", "100,0,0", "the place on the surface", xyz, modest),
             numbers("normal", "0,0,1", "0,1,0", "its normal, of any length", xyz, modest),
-            numbers("eye", "0,0,5", "0,-3,4", "where the viewer is", xyz, modest),
+            numbers("eye", "0,-2,5", "0,-3,4", "where the viewer is", xyz, modest),
             number("ka", "0.1", "0.2", "the share of ambient light", part),
             number("kd", "0.7", "0.5", "the share that is scattered", part),
             number("ks", "0.2", "0.4", "the share in the highlight", part),
@@ -369,7 +376,7 @@ const TopicEntry& entry() {
                     {1e-3, 180}),
             number("concentration", "0", "8", "of a spot: the power that weakens it away from its axis",
                    {1e-3, 1e3}),
-            number("size", "2.4", "1", "of an area: the side of its square", {1e-3, 1e3}),
+            number("side", "2.4", "1", "of an area: the side of its square", {1e-3, 1e3}),
             {.name = "samples",
              .type = ParameterType::integer,
              .default_value = "4",
@@ -381,7 +388,7 @@ const TopicEntry& entry() {
                    {1e-3, 1e4})},
        .examples = {"--lights '0,3,4 0,-4,2 0,2,-1' --eye 0,-3,4",
                     "--kind spot --lights '0,3,4' --aim 0,2,0 --cone 15,30",
-                    "--method lights_side_by_side --samples 6 --size 3"}});
+                    "--method lights_side_by_side --samples 6 --side 3"}});
   return topic;
 }
 

@@ -89,7 +89,7 @@ inline Task task_of(const Arguments& arguments) {
     light.direction = aim - position;
     if (light.kind != Light::Kind::point && light.direction == dvec3{0})
       refuse(arguments, {"aim", "lights"}, "expected lamps that point somewhere");
-    if (light.kind == Light::Kind::area) spread(light, share(arguments, "size"));
+    if (light.kind == Light::Kind::area) spread(light, share(arguments, "side"));
     task.lights.push_back(light);
   }
   return task;

@@ -18,7 +18,7 @@ struct PictureLit {
 /// What there is to see.
 class Room {
  public:
-  static constexpr int columns = 52, rows = 32;
+  static constexpr int columns = 60, rows = 36;
 
   struct Hit {
     double t;
@@ -91,7 +91,7 @@ inline std::vector<Light> lights_of(const Arguments& arguments, std::size_t kind
   light.position = {-3.2, -2.6, 5.6};
   light.direction = dvec3{-0.7, -0.1, 0.7} - light.position;
   if (light.kind == Light::Kind::area) {
-    spread(light, share(arguments, "size"));
+    spread(light, share(arguments, "side"));
     light.constant = light.linear = 0;
     light.quadratic =
         1 / glm::dot(light.direction, light.direction);  // in the middle as strong as the others
@@ -165,7 +165,7 @@ class LightsStory {
   }
 
  private:
-  static constexpr int gap = 2, heading = 4;
+  static constexpr int gap = 2, heading = 5;
 
   std::string name(std::size_t kind) const {
     constexpr std::array<std::string_view, 4> keys{"kind.ambient", "kind.point", "kind.spot", "kind.area"};
@@ -178,7 +178,7 @@ class LightsStory {
                          k < 2 ? Room::rows + heading + 1 : 1);
       const dvec2 at(corner);
       view.add({fmt::format("t {}", k), Role::guide,
-                Text{at + dvec2(0.5 * Room::columns - 0.5, Room::rows + 0.9), name(k)}});
+                Text{at + dvec2(0.5 * Room::columns - 0.5, Room::rows + 1.4), name(k)}});
       const dvec2 far = at + dvec2(Room::columns - 1, Room::rows - 1);
       if (k >= done_.size())
         view.add({fmt::format("o {}", k), Role::past, Path{{at, {far.x, at.y}, far, {at.x, far.y}}, true}});
