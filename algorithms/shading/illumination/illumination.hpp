@@ -112,8 +112,9 @@ T range_window(const Light& light, T distance) {
 /// What a spot sends along -to_light: with the cosine c to its axis, t^2 (3 - 2 t) c^concentration, where t
 /// goes from 0 on the outer cone to 1 on the inner one; exactly 0 from the outer cone on. 1 for other lights.
 /// The power: D. R. Warn, Lighting controls for synthetic images, SIGGRAPH 1983, 13-21.
-/// Domain: to_light of length 1. Accuracy: c is within 12 u; near the edge this counts 1.5 / (inner - outer)
-///   times, and with the power `concentration` times.
+/// Domain: to_light of length 1. Accuracy: within (60 / (inner - outer) + 40 max(1, concentration) + 20) u
+/// for a
+///   concentration of 0, or of 1 and more; which side of a cone c is on, within 40 u.
 template <std::floating_point T>
 T spot_cone(const Light& light, glm::vec<3, T> to_light) {
   if (light.kind != Light::Kind::spot) return T(1);
@@ -221,10 +222,10 @@ struct AllSeen {
 ///   that little. (With 0 < n < 1, whose power is steep at 0, within 60 u / R.V.) Each light beyond the first
 ///   adds a u. Where N.L or R.V is within 40 u of 0 there may be a highlight or none. The ambient part is
 ///   computed in the material's scalar: k_a I_a and its sum with the emission are rounded once each. A range
-///   adds 20 u of its light's strength without it, a spot's edge 18 u / (inner - outer), its power c^e 15 u
-///   max(1, e). An area in front of the place, before the horizon and not cut off by its range misses the
-///   light of the whole rectangle by at most 1.6 (|across|^2 + |along|^2) / (samples^2 d^4), d the smallest
-///   distance, of its strength with quadratic attenuation 1.
+///   adds 20 u of its light's strength without it, a spot what spot_cone is off. An area in front of the
+///   place, before the horizon and not cut off by its range misses the light of the whole rectangle by at
+///   most 1.6 (|across|^2 + |along|^2) / (samples^2 d^4), d the smallest distance, of its strength with
+///   quadratic attenuation 1.
 /// Cost: a square root for each lamp and for the viewer, a power where there is a highlight.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,
@@ -281,7 +282,7 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
 ///
 /// Domain: as for phong. Where L = -V there is no highlight.
 /// Steps: as for phong, with H and N.H.
-/// Accuracy: as for phong, the highlight within 60 u max(1, n) / |L + V|.
+/// Accuracy: as for phong, the highlight within 100 u max(1, n) / |L + V|.
 /// Cost: as for phong, and a square root more a lamp.
 /// Errors: none.
 template <std::floating_point T, class M, class Visible,

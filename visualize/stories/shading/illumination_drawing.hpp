@@ -66,7 +66,7 @@ class PlaceDrawing {
       const dvec3 l = towards(task_.lights[i], 0, task_.place).first;
       if (l == dvec3{0}) continue;
       const Role role = at_hand != none && i < at_hand ? Role::past : Role::candidate;
-      view.add_named(fmt::format("l lamp {}", i), role, tip(angle(l), 1.06), lamp_name(i), true);
+      add_lamp(view, fmt::format("l lamp {}", i), role, angle(l), i, true);
     }
   }
 
@@ -75,7 +75,7 @@ class PlaceDrawing {
     if (t.arrival.to_light == dvec3{0}) return;
     const double at = angle(t.arrival.to_light);
     arrow(view, "l way", Role::current, at, 1, "L");
-    view.add_named("l lamp", Role::current, tip(at, 1.06), lamp_name(t.light), false);
+    add_lamp(view, "l lamp", Role::current, at, t.light, false);
     if (light.kind == Light::Kind::spot) add_cone(view, t, light);
     if (light.kind == Light::Kind::point && light.range < 1e300) add_range(view, t, light);
   }
@@ -170,7 +170,15 @@ class PlaceDrawing {
     const double a = degrees / degrees_per_radian;
     return origin_ + part * length_ * dvec2{-std::sin(a), std::cos(a)};
   }
-  std::string lamp_name(std::size_t i) const { return words_.say("lamp", {{"number", i + 1}}); }
+  /// A lamp with its name on the far side.
+  void add_lamp(View& view, const std::string& id, Role role, double at, std::size_t i, bool ring) const {
+    const dvec2 lamp = tip(at, 1.06);
+    const bool left = lamp.x < origin_.x - 0.5;
+    view.add({id, role, Dot{lamp, ring}});
+    view.add({id + " name", role,
+              Text{lamp + dvec2{left ? -0.6 : 0.6, 0.1}, words_.say("lamp", {{"number", i + 1}}),
+                   left ? Align::right : Align::left}});
+  }
   /// A direction's angle within the plane of N and L, before it is turned.
   double flat_angle(const dvec3& way, const dvec3& l, double theta) const {
     const dvec3 aside = unit_vector(l - glm::dot(l, task_.normal) * task_.normal);
@@ -207,7 +215,7 @@ class PlaceDrawing {
     if (right) view.add({"b lobe", role, Area{{ring}, 1}});
   }
   void reached(View& view, Role role, double seen, double part) const {
-    if (!(part > 0.004)) return;
+    if (!(part > 0.02)) return;
     const char* name = mirror_ == Mirror::reflected ? "(R·V)ⁿ = " : "(N·H)ⁿ = ";
     view.add_named("p reached", role, tip(seen, part), name + short_real(part), true);
   }
@@ -259,7 +267,7 @@ class PlaceDrawing {
       const std::string id = fmt::format("u {} {:02}", channel, i);
       view.add({id, role, Area{{ring}, pieces[i].fresh ? 3 : 2}});
       view.add({id + " edge", role, Path{ring, true}});
-      if (grey && std::abs(height(to) - height(from)) > 1.2)
+      if (grey && value > 0 && std::abs(height(to) - height(from)) > 1.2)
         view.add({id + " value", role,
                   Text{{x + 0.5 * wide, 0.5 * (height(from) + height(to))}, short_real(value)}});
     }

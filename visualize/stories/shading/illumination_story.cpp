@@ -160,8 +160,8 @@ class PlaceStory {
     if (off && fault_ == Fault::minus_normal) return "fault.minus_normal";
     if (off && fault_ == Fault::behind) return s.cosine > 0 ? "fault.behind" : "fault.zero";
     if (off && !(s.specular.x == s.specular.x)) return "fault.nan";
-    if (off && s.cosine < 0 && s.specular != dvec3{0}) return "fault.power";
-    if (off) return s.specular != dvec3{0} ? "fault.behind" : "fault.taken";
+    if (off && s.diffuse.x < -s.specular.x) return "fault.taken";
+    if (off) return s.cosine < 0 ? "fault.power" : "fault.behind";
     if (!(s.arrival.share() > 0)) return "added.lost";
     if (!(s.n_dot_l > 0)) return "added.behind";
     if (s.specular == dvec3{0}) return s.cosine > 0 ? "added.scattered" : "added.away";

@@ -165,7 +165,7 @@ class LightsStory {
   }
 
  private:
-  static constexpr int gap = 2, heading = 5;
+  static constexpr int gap = 2, heading = 6;
 
   std::string name(std::size_t kind) const {
     constexpr std::array<std::string_view, 4> keys{"kind.ambient", "kind.point", "kind.spot", "kind.area"};
@@ -178,7 +178,7 @@ class LightsStory {
                          k < 2 ? Room::rows + heading + 1 : 1);
       const dvec2 at(corner);
       view.add({fmt::format("t {}", k), Role::guide,
-                Text{at + dvec2(0.5 * Room::columns - 0.5, Room::rows + 1.4), name(k)}});
+                Text{at + dvec2(0.5 * Room::columns - 0.5, Room::rows + 1.9), name(k)}});
       const dvec2 far = at + dvec2(Room::columns - 1, Room::rows - 1);
       if (k >= done_.size())
         view.add({fmt::format("o {}", k), Role::past, Path{{at, {far.x, at.y}, far, {at.x, far.y}}, true}});
