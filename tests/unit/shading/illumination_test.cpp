@@ -271,6 +271,20 @@ TEST(Illumination, FarLightIsParallel) {
   EXPECT_EQ(towards(sun, 0, dvec3{0}), towards(sun, 0, dvec3{1e9, 5, -7}));
 }
 
+TEST(Illumination, DirectionsHaveLengthOne) {
+  const std::uint64_t seed = 43;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> coordinate;
+  for (int round = 0; round < 1000; ++round) {
+    const dvec3 position{coordinate(random), 1e3 * coordinate(random), 1e-3 * coordinate(random)};
+    const dvec3 place{coordinate(random), coordinate(random), coordinate(random)};
+    const dvec3 l = towards(lamp(position), 0, place).first;
+    EXPECT_NEAR(glm::length(l), 1, 1e-15) << seed << ' ' << round;
+    const dvec3 n = unit_vector(place);
+    EXPECT_NEAR(glm::length(reflected(n, l)), 1, 2e-15) << seed << ' ' << round;
+  }
+}
+
 TEST(Illumination, BeyondItsRangeALampAddsNothing) {
   Light light = lamp({0, 0, 2});
   for (const double range : {0.5, 1.0, 2.0}) {
