@@ -140,7 +140,8 @@ Input spots(Kind kind, Random& random) {
     outer = glm::dot(to_place, unit_vector(vector_of(input, 6)));
     if (kind == Kind::near_degenerate)
       outer += random.uniform(-1, 1) * std::ldexp(1.0, -static_cast<int>(random.uniform_int(8, 52)));
-    inner = random.uniform(outer, 1);
+    outer = std::clamp(outer, -1.0, 1.0);
+    inner = outer + random.unit() * (1 - outer);
   }
   input[9] = std::clamp(std::min(outer, inner), -1.0, 1.0);
   input[10] = std::clamp(std::max(outer, inner), -1.0, 1.0);
