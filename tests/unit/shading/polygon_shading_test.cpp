@@ -13,6 +13,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
