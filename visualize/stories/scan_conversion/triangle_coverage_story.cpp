@@ -8,6 +8,13 @@
 namespace gradus::triangle_coverage {
 namespace {
 
+/// The colours of several triangles: told apart by every eye and on grey paper.
+constexpr Rgba8 color_of(std::size_t triangle) {
+  constexpr std::array<Rgba8, 4> all{Rgba8{86, 180, 233, 255}, Rgba8{240, 228, 66, 255},
+                                     Rgba8{0, 158, 115, 255}, Rgba8{204, 121, 167, 255}};
+  return all[triangle % 4];
+}
+
 /// What a story tells besides the method's steps.
 struct EdgeShown {
   std::size_t edge;
@@ -61,7 +68,7 @@ class Story {
 
   void show(Board& board, const EdgeShown& e) {
     count(board);
-    board.mark("above", Role::candidate, Area{{above(e.edge)}, 1});
+    board.mark("above", Role::candidate, Area{{above(e.edge)}, 2});
     if (const auto line = line_of(e.edge)) board.mark("line at hand", Role::current, *line);
     for (const ivec2 p : pixels_of(subject_.window)) {
       board.put(p, Role::guide);
@@ -87,9 +94,9 @@ class Story {
 
   void show(Board& board, const SignsShown&) {
     count(board);
-    board.mark("above", Role::candidate, Area{{within(subject_.frame(), ring_of(corners()))}, 1});
+    board.mark("above", Role::candidate, Area{{within(subject_.frame(), ring_of(corners()))}, 2});
     for (const ivec2 p : pixels_of(subject_.window)) board.bare(p);
-    for (const auto& [signs, at] : regions()) board.keep("region " + signs, Role::guide, Text{at, signs});
+    for (const auto& [signs, at] : regions()) board.keep("region " + signs, Role::input, Text{at, signs});
   }
   Event say(const SignsShown&) const {
     return {.text = "signs", .key = "signs", .phase = words_.shared("words", "set_up")};
@@ -104,13 +111,10 @@ class Story {
     if (way_ != Way::closed && t.covered != is_right(t.pixel)) wrong_.push_back(t.pixel);
     note_telling(t);
     at_hand_ = {t.pixel, look_of(t)};
-    board.put(t.pixel, at_hand_->second);
+    board.put(t.pixel, at_hand_->second.role, "", at_hand_->second.color);
     board.mark("at", t.covered ? Role::current : Role::rejected, square(t.pixel));
-    for (std::size_t i = 0; subject_.numbers_fit() && i < 3; ++i) {
-      const dvec2 down{0, 0.29 * (static_cast<double>(i) - 1)};
-      board.mark(std::string("at ") + std::string(names[i]), Role::input,
-                 Text{dvec2(t.pixel) + down, name(i) + " " + subject_.number(t.weights[i])});
-    }
+    if (!subject_.crowded()) board.mark("signs", Role::input, Text{dvec2(t.pixel), signs_of(t.weights)});
+    for (std::size_t i = 0; i < 3; ++i) name_edge(board, i, subject_.number(t.weights[i]));
   }
   Event say(const Tested& t) const {
     Event event = verdict(t);
@@ -131,7 +135,7 @@ class Story {
 
   void show(Board& board, const Finished& f) {
     found_ += f.covered;
-    settle(board);
+    rest(board);
     if (triangle_ + 1 == subject_.triangles.size()) board.detail();
   }
   Event say(const Finished& f) const {
@@ -204,30 +208,35 @@ class Story {
     return above_0(subject_.frame().corners(),
                    [&](dvec2 p) { return way.x * (p.y - from.y) - way.y * (p.x - from.x); });
   }
-  /// Of each combination of signs that the frame shows, the place farthest from all lines and borders.
+  /// The signs of the three edge functions at a place of the drawing, and how far it is from their lines.
+  std::pair<std::string, double> signs_at(dvec2 at) const {
+    std::string signs;
+    double least = std::numeric_limits<double>::max();
+    for (const Edge& edge : edges_) {
+      const dvec2 from = subject_.at(edge.from), way = subject_.at(edge.to) - from;
+      const double value = way.x * (at.y - from.y) - way.y * (at.x - from.x);
+      signs += fmt::format("{}{}", signs.empty() ? "" : " ", value < 0 ? "−" : "+");
+      least = std::min(least, std::abs(value) / length_between({0, 0}, way));
+    }
+    return {signs, least};
+  }
+  /// Of each combination of signs a place for it, far from all lines, between a centre and its pixel's
+  /// border.
   std::map<std::string, dvec2> regions() const {
-    constexpr int finer = 8;
-    std::map<std::string, std::pair<double, dvec2>> best;
     const Extent frame = subject_.frame();
-    for (int y = 1; y < finer * subject_.rows(); ++y) {
-      for (int x = 1; x < finer * subject_.columns(); ++x) {
-        const dvec2 at = frame.lower + dvec2(x, y) / double{finer};
-        const dvec2 room = glm::min(at - frame.lower, frame.upper - at);
-        double least = std::min(0.5 * room.x, room.y);
-        std::string signs;
-        for (const Edge& edge : edges_) {
-          const dvec2 from = subject_.at(edge.from), way = subject_.at(edge.to) - from;
-          const double value = way.x * (at.y - from.y) - way.y * (at.x - from.x);
-          signs += signs.empty() ? "" : " ";
-          signs += value < 0 ? "−" : "+";
-          least = std::min(least, std::abs(value) / length_between({0, 0}, way));
-        }
-        if (auto& found = best[signs]; least > found.first) found = {least, at};
+    std::map<std::string, std::pair<double, dvec2>> best;
+    for (const ivec2 pixel : pixels_of(subject_.window)) {
+      for (const double aside : {-0.26, 0.26}) {
+        const dvec2 at = dvec2(pixel) + dvec2{0, aside};
+        const auto [signs, far] = signs_at(at);
+        const dvec2 border = glm::min(at - frame.lower, frame.upper - at);
+        const double room = std::min({far, border.x + 0.2, border.y + 0.2});
+        if (auto& found = best[signs]; room > found.first) found = {room, at};
       }
     }
     std::map<std::string, dvec2> places;
     for (const auto& [signs, found] : best) {
-      if (found.first >= 0.03 * subject_.size()) places.emplace(signs, found.second);
+      if (found.first > 0.3) places.emplace(signs, found.second);
     }
     return places;
   }
@@ -246,31 +255,51 @@ class Story {
     if (!line || subject_.triangles.size() > 1) return;
     line->dashed = line->thin = true;
     board.keep(id + " line", Role::boundary, *line);
+    name_edge(board, i);
+  }
+  /// Beside an edge stands its name, and its function's value at the pixel that is asked for.
+  void name_edge(Board& board, std::size_t i, std::string_view value = {}) const {
     const std::optional<Stroke> side =
         shown_part(subject_.frame(), subject_.at(edges_[i].from), subject_.at(edges_[i].to));
-    if (side) board.keep(id + " name", Role::input, Text{beside(0.5 * (side->a + side->b)), name(i)});
+    if (!side || side->a == side->b || subject_.triangles.size() > 1) return;
+    const dvec2 way = side->b - side->a, outwards = dvec2{way.y, -way.x} / length_between({0, 0}, way);
+    const dvec2 middle = 0.5 * (side->a + side->b), at = middle + 0.05 * subject_.size() * outwards;
+    const std::string text = value.empty() ? name(i) : fmt::format("{} = {}", name(i), value);
+    const Align align = value.empty() ? Align::centre : at.x < middle.x ? Align::right : Align::left;
+    board.keep(fmt::format("{} name", names[i]), Role::input, Text{at, text, align});
   }
   static Path square(ivec2 pixel) {
     const dvec2 p(pixel);
     return {{p + dvec2{-0.5, -0.5}, p + dvec2{0.5, -0.5}, p + dvec2{0.5, 0.5}, p + dvec2{-0.5, 0.5}}, true};
   }
-  /// How a pixel that has been tested looks from now on.
-  Role look_of(const Tested& t) {
+  /// How a pixel that has been tested looks from now on: one of several triangles is told by its colour.
+  CellLook look_of(const Tested& t) {
     const bool tie = std::ranges::min(t.weights) == 0, wrong = is_wrong(t.pixel);
     const int times = covered_[place(t.pixel)];
     if (t.covered && !tie) ++strict_;
-    if (times > 1 || (wrong && t.covered)) return Role::measure;
-    if (wrong) return Role::rejected;
-    if (!t.covered) return times > 0 ? Role::result : Role::past;
-    return tie ? Role::accepted : Role::result;
+    if (times > 1 || (wrong && t.covered)) return {Role::measure, ""};
+    if (wrong) return {Role::rejected, ""};
+    if (t.covered) owner_[place(t.pixel)] = triangle_;
+    if (times == 0) return {Role::past, ""};
+    if (subject_.triangles.size() == 1) return {tie ? Role::accepted : Role::result, ""};
+    return {Role::result, "", color_of(owner_[place(t.pixel)])};
+  }
+  /// Nothing is asked any more.
+  void rest(Board& board) {
+    settle(board);
+    for (std::size_t i = 0; i < 3; ++i) name_edge(board, i);
   }
   void settle(Board& board) {
-    if (at_hand_) board.put(at_hand_->first, at_hand_->second);
+    if (at_hand_) board.put(at_hand_->first, at_hand_->second.role, "", at_hand_->second.color);
     at_hand_.reset();
   }
 
   // --- What is said
 
+  static std::string signs_of(const Weights& e) {
+    const auto sign = [](std::int64_t value) { return value < 0 ? "−" : value > 0 ? "+" : "0"; };
+    return fmt::format("{} {} {}", sign(e[0]), sign(e[1]), sign(e[2]));
+  }
   static std::string signed_text(double number) { return (number < 0 ? "" : "+") + figure_real(number); }
   /// "2·x + 3·y − 11", without what is 0
   std::string formula(double x, double y, double constant) const {
@@ -362,11 +391,12 @@ class Story {
   Edges edges_{};
   Window box_;
   std::map<std::pair<int, int>, int> covered_, right_;
+  std::map<std::pair<int, int>, std::size_t> owner_;
   std::vector<ivec2> twice_, wrong_;
   bool drawn_before_ = false;
   std::int64_t strict_ = 0, found_ = 0, milestones_ = -1;
   int worth_ = 0;
-  std::optional<std::pair<ivec2, Role>> at_hand_;
+  std::optional<std::pair<ivec2, CellLook>> at_hand_;
   std::optional<StepNumber> telling_;
 };
 
@@ -391,6 +421,10 @@ void set_scene(Narrator& narrator, const Subject& subject) {
 template <Way way, class Run>
 void tell_each_triangle(Narrator& narrator, const Subject& subject, const Run& run) {
   set_scene(narrator, subject);
+  for (std::size_t i = 0; subject.triangles.size() > 1 && i < subject.triangles.size(); ++i) {
+    const std::string name = narrator.words().say("triangle", {{"number", i + 1}});
+    narrator.trace().legend.push_back({Role::result, name, {}, color_of(i)});
+  }
   Story story(narrator.words(), subject, way);
   const auto watch = narrator.watcher(story);
   const bool alone = subject.triangles.size() == 1 && way != Way::expanded;
@@ -422,6 +456,7 @@ void tell_cover(Narrator& narrator) {
                    Role::boundary,
                    Role::candidate,
                    Role::current,
+                   {Role::rejected, "left_now"},
                    Role::result,
                    {Role::accepted, "on_edge"},
                    Role::past});
@@ -436,6 +471,7 @@ void tell_closed(Narrator& narrator) {
                    Role::boundary,
                    Role::candidate,
                    Role::current,
+                   {Role::rejected, "left_now"},
                    Role::result,
                    {Role::accepted, "on_edge"},
                    {Role::measure, "twice"},

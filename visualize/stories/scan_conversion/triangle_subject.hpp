@@ -26,9 +26,10 @@ struct Subject {
   /// The same in the drawing, where pixels have their numbers at their centres.
   dvec2 at(ivec2 corner) const { return dvec2(corner) / double{subpixels} - 0.5; }
   Extent frame() const { return {dvec2(window.lower) - 0.5, dvec2(window.upper) + 0.5}; }
-  int size() const { return std::max(window.upper.x - window.lower.x, window.upper.y - window.lower.y) + 1; }
-  /// Whether a pixel has room for three numbers.
-  bool numbers_fit() const { return size() <= 6; }
+  int columns() const { return window.upper.x - window.lower.x + 1; }
+  int rows() const { return window.upper.y - window.lower.y + 1; }
+  int size() const { return std::max(columns(), rows()); }
+  /// Whether pixels have no room for texts, or triangles none for names.
   bool crowded() const { return size() > 8 || triangles.size() > 1; }
   std::string number(std::int64_t value) const { return figure_real(square_pixels(value)); }
   std::string corners_text(std::size_t triangle) const {
