@@ -6,14 +6,16 @@
 #include <memory>
 
 #include "benchmark/subject.hpp"
-#include "core/arithmetic/rounding.hpp"
 #include "core/random.hpp"
+#include "core/raster.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
 
 namespace gradus::bench {
 namespace {
 
 using namespace triangle_coverage;
+
+__extension__ typedef __int128 Wide;
 
 constexpr int side = 512;
 constexpr Window picture{{0, 0}, {side - 1, side - 1}};
@@ -57,7 +59,7 @@ struct Scene {
         ++tested;
         right[{x, y}] += std::ranges::all_of(edges, [&](const Edge& edge) {
           const ivec2 p = centre_of({x, y}), way = edge.to - edge.from, to = p - edge.from;
-          const int128_t area = int128_t{way.x} * to.y - int128_t{way.y} * to.x;
+          const Wide area = Wide{way.x} * to.y - Wide{way.y} * to.x;
           return area > 0 || (area == 0 && edge.owns);
         });
       }
