@@ -3,7 +3,7 @@
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 
 #include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
-#include "stories/scan_conversion/triangle_subject.hpp"
+#include "stories/scan_conversion/triangle_drawing.hpp"
 
 namespace gradus::triangle_coverage {
 namespace {
@@ -44,7 +44,6 @@ class Story {
 
   void show(Board& board, const Prepared& p) {
     edges_ = p.edges;
-    box_ = p.box;
     right_ = owners_of(corners(), p.box);
     stand(board, p.triangle);
     for (std::size_t i = 0; i < 3; ++i) draw_edge(board, i);
@@ -68,8 +67,8 @@ class Story {
 
   void show(Board& board, const EdgeShown& e) {
     count(board);
-    board.mark("above", Role::candidate, Area{{above(e.edge)}, 2});
-    if (const auto line = line_of(e.edge)) board.mark("line at hand", Role::current, *line);
+    board.mark("above", Role::candidate, Area{{drawing_->above(e.edge)}, 2});
+    if (const auto line = drawing_->line(e.edge)) board.mark("line at hand", Role::current, *line);
     for (const ivec2 p : pixels_of(subject_.window)) {
       board.put(p, Role::guide);
       const std::string value = subject_.number(edges_[e.edge].at(centre_of(p)));
@@ -94,9 +93,10 @@ class Story {
 
   void show(Board& board, const SignsShown&) {
     count(board);
-    board.mark("above", Role::candidate, Area{{within(subject_.frame(), ring_of(corners()))}, 2});
+    board.mark("above", Role::candidate, Area{{drawing_->outline()}, 2});
     for (const ivec2 p : pixels_of(subject_.window)) board.bare(p);
-    for (const auto& [signs, at] : regions()) board.keep("region " + signs, Role::input, Text{at, signs});
+    for (const auto& [signs, at] : drawing_->regions())
+      board.keep("region " + signs, Role::input, Text{at, signs});
   }
   Event say(const SignsShown&) const {
     return {.text = "signs", .key = "signs", .phase = words_.shared("words", "set_up")};
@@ -180,78 +180,21 @@ class Story {
     for (const ivec2 p : pixels_of(subject_.window)) {
       if (covered_[place(p)] == 0) board.bare(p);
     }
-    const std::vector<dvec2> ring = ring_of(t), seen = within(subject_.frame(), ring);
+    drawing_.emplace(subject_, t);
+    const std::vector<dvec2> seen = drawing_->outline();
     if (seen.size() > 1) board.keep(fmt::format("triangle {}", triangle_), Role::input, Path{seen, true});
-    for (const char corner : {'A', 'B', 'C'}) {
-      const std::string id = fmt::format("corner {}", corner);
-      const dvec2 at = ring[static_cast<std::size_t>(corner - 'A')];
-      board.remove(id);
-      if (!subject_.frame().holds(at) || subject_.crowded()) continue;
-      board.keep(id, Role::input, Text{beside(at), std::string(1, corner)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name(1, "ABC"[i]);
+      board.remove("corner " + name);
+      const std::optional<dvec2> at = drawing_->beside_corner(i);
+      if (at && !subject_.crowded()) board.keep("corner " + name, Role::input, Text{*at, name});
     }
-  }
-  std::vector<dvec2> ring_of(const Triangle& t) const {
-    return {subject_.at(t[0]), subject_.at(t[1]), subject_.at(t[2])};
-  }
-  /// A place for the name of what is at the triangle's border: outside of it, within the frame.
-  dvec2 beside(dvec2 at) const {
-    const std::vector<dvec2> ring = ring_of(corners());
-    const dvec2 way = at - (ring[0] + ring[1] + ring[2]) / 3.0;
-    const double length = length_between({0, 0}, way), far = 0.05 * subject_.size();
-    const Extent frame = subject_.frame();
-    return glm::clamp(at + far / std::max(length, 1e-9) * way, frame.lower + 0.5 * far,
-                      frame.upper - 0.5 * far);
-  }
-  /// The part of the frame where an edge function is above 0.
-  std::vector<dvec2> above(std::size_t i) const {
-    const dvec2 from = subject_.at(edges_[i].from), way = subject_.at(edges_[i].to) - from;
-    return above_0(subject_.frame().corners(),
-                   [&](dvec2 p) { return way.x * (p.y - from.y) - way.y * (p.x - from.x); });
-  }
-  /// The signs of the three edge functions at a place of the drawing, and how far it is from their lines.
-  std::pair<std::string, double> signs_at(dvec2 at) const {
-    std::string signs;
-    double least = std::numeric_limits<double>::max();
-    for (const Edge& edge : edges_) {
-      const dvec2 from = subject_.at(edge.from), way = subject_.at(edge.to) - from;
-      const double value = way.x * (at.y - from.y) - way.y * (at.x - from.x);
-      signs += fmt::format("{}{}", signs.empty() ? "" : " ", value < 0 ? "−" : "+");
-      least = std::min(least, std::abs(value) / length_between({0, 0}, way));
-    }
-    return {signs, least};
-  }
-  /// Of each combination of signs a place for it, far from all lines, between a centre and its pixel's
-  /// border.
-  std::map<std::string, dvec2> regions() const {
-    const Extent frame = subject_.frame();
-    std::map<std::string, std::pair<double, dvec2>> best;
-    for (const ivec2 pixel : pixels_of(subject_.window)) {
-      for (const double aside : {-0.26, 0.26}) {
-        const dvec2 at = dvec2(pixel) + dvec2{0, aside};
-        const auto [signs, far] = signs_at(at);
-        const dvec2 border = glm::min(at - frame.lower, frame.upper - at);
-        const double room = std::min({far, border.x + 0.2, border.y + 0.2});
-        if (auto& found = best[signs]; room > found.first) found = {room, at};
-      }
-    }
-    std::map<std::string, dvec2> places;
-    for (const auto& [signs, found] : best) {
-      if (found.first > 0.3) places.emplace(signs, found.second);
-    }
-    return places;
-  }
-  /// The line of an edge as far as the frame goes.
-  std::optional<Stroke> line_of(std::size_t i) const {
-    const dvec2 from = subject_.at(edges_[i].from), way = subject_.at(edges_[i].to) - from;
-    const auto [first, last] = span_in(subject_.frame(), from, way, -0x1p40, 0x1p40);
-    if (first > last) return std::nullopt;
-    return Stroke{from + first * way, from + last * way};
   }
   void draw_edge(Board& board, std::size_t i) const {
     const std::string id(names[i]);
     board.remove(id + " line");
     board.remove(id + " name");
-    std::optional<Stroke> line = line_of(i);
+    std::optional<Stroke> line = drawing_->line(i);
     if (!line || subject_.triangles.size() > 1) return;
     line->dashed = line->thin = true;
     board.keep(id + " line", Role::boundary, *line);
@@ -259,13 +202,11 @@ class Story {
   }
   /// Beside an edge stands its name, and its function's value at the pixel that is asked for.
   void name_edge(Board& board, std::size_t i, std::string_view value = {}) const {
-    const std::optional<Stroke> side =
-        shown_part(subject_.frame(), subject_.at(edges_[i].from), subject_.at(edges_[i].to));
-    if (!side || side->a == side->b || subject_.triangles.size() > 1) return;
-    const dvec2 way = side->b - side->a, outwards = dvec2{way.y, -way.x} / length_between({0, 0}, way);
-    const dvec2 middle = 0.5 * (side->a + side->b), at = middle + 0.05 * subject_.size() * outwards;
+    const auto place = drawing_->beside_edge(i);
+    if (!place || subject_.triangles.size() > 1) return;
+    const auto [at, is_left] = *place;
     const std::string text = value.empty() ? name(i) : fmt::format("{} = {}", name(i), value);
-    const Align align = value.empty() ? Align::centre : at.x < middle.x ? Align::right : Align::left;
+    const Align align = value.empty() ? Align::centre : is_left ? Align::right : Align::left;
     board.keep(fmt::format("{} name", names[i]), Role::input, Text{at, text, align});
   }
   static Path square(ivec2 pixel) {
@@ -388,8 +329,8 @@ class Story {
   const Subject& subject_;
   const Way way_;
   std::size_t triangle_ = 0;
+  std::optional<TriangleDrawing> drawing_;
   Edges edges_{};
-  Window box_;
   std::map<std::pair<int, int>, int> covered_, right_;
   std::map<std::pair<int, int>, std::size_t> owner_;
   std::vector<ivec2> twice_, wrong_;
