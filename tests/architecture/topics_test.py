@@ -17,7 +17,7 @@ import new_topic
 import project
 
 # Names in the lists that are no topics
-OTHERS = {"core", "elementary", "exact", "figures", "pipeline", "shared", "textbook_chain"}
+OTHERS = {"core", "elementary", "exact", "figures", "hidden_surfaces", "pipeline", "shared", "textbook_chain"}
 WITH_TEXT = {".cpp", ".hpp", ".txt", ".md", ".json", ".csv"}
 
 

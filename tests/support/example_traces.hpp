@@ -78,6 +78,28 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   shading({{"faces", roof}, {"intensities", "0 1 0.5"}, {"columns", "6"}, {"rows", "6"}});
   shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   shading({{"method", "flat"}, {"light", "0,0,1000000"}, {"eye", "0,0,1000000"}});
+  const auto lit = [&](const std::map<std::string, std::string>& given) { tell("illumination", given); };
+  lit({{"lights", "0,3,4 0,-4,2 0,2,-1"}, {"eye", "0,-3,4"}});
+  lit({{"lights", "0,3,4 0,30,4"}, {"range", "8"}});
+  lit({{"lights", "0,0,0"}});
+  lit({{"ks", "0"}});
+  lit({{"kind", "directional"}});
+  lit({{"kind", "spot"}, {"lights", "0,3,4 0,6,1"}, {"aim", "0,2,0"}, {"cone", "15,30"}});
+  lit({{"kind", "area"}, {"samples", "2"}});
+  lit({{"kind", "area"}, {"samples", "1"}, {"aim", "0,6,8"}});
+  lit({{"method", "lights_side_by_side"}, {"samples", "1"}});
+  lit({{"method", "highlight_lobes"}, {"exponents", "0 4"}});
+  lit({{"method", "tinted_highlight"}, {"colour", "#ff0000"}, {"eye", "0,-3,4"}});
+  lit({{"method", "light_minus_normal"},
+       {"place", "6,0,0"},
+       {"lights", "3,4,0"},
+       {"normal", "0,1,0"},
+       {"eye", "7,9,0"}});
+  lit({{"method", "light_behind"}, {"lights", "3,0,-4"}, {"eye", "-10,0,1.4"}, {"shininess", "1"}});
+  lit({{"method", "light_behind"}, {"lights", "3,0,-4"}, {"eye", "10,0,1.4"}, {"shininess", "0"}});
+  lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "2"}, {"kd", "0"}});
+  lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "0.5"}});
+  lit({{"method", "unclamped"}, {"lights", "0,-3,4 3,0,-2"}, {"kd", "0.5"}, {"eye", "0,2,5"}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };
@@ -143,6 +165,10 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   z_buffer("per_polygon", behind, "given", "fixed24", "1000000");
   z_buffer("first_come", pixel + "; B: 0,0,5 1,0,5 1,1,5 0,1,5", "2,1", "exact", "10");
   z_buffer("integer_colours", pixel, "given", "exact", "10");
+  tell("z_buffer", {{"eye", "3,3,-6"},
+                    {"faces", "B: -1,0,3 7,0,3 7,6,3 -1,6,3; C: 0,0,0 6,0,10 6,6,10 0,6,0"},
+                    {"columns", "6"},
+                    {"rows", "6"}});
   tell("flood_fill", {{"method", "breadth_first"}, {"window", "1,1,4,4"}});
   for (const char* method : {"depth_first", "breadth_first", "span"}) {
     tell("flood_fill", {{"method", method}, {"connectivity", "8"}});

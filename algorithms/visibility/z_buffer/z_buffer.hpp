@@ -128,7 +128,8 @@ constexpr std::optional<Plane> plane_of(const Face& face) {
 inline constexpr int farthest = 1 << 15;
 
 /// The pixels whose centres a convex polygon holds. Corners are snapped to 1/256 pixel, as those of
-/// triangle_coverage are, and centres on an edge belong to the face right of it or below.
+/// triangle_coverage are, and centres on an edge belong to the face right of it or below. Snapping may bend
+/// the ring inwards at a short edge, so that its turns about a centre are counted, not its edges' sides.
 class Outline {
  public:
   explicit Outline(const Face& face, const Window& picture) {
@@ -145,7 +146,6 @@ class Outline {
       area += triangle_coverage::doubled_area({at[0], at[i], at[i + 1]});
     }
     if (area == 0) return;
-    if (area < 0) std::ranges::reverse(at);
     for (std::size_t i = 0; i < at.size(); ++i) add_edge(at[i], at[i + 1 < at.size() ? i + 1 : 0]);
     box_ = intersection(box_of(at), picture);
   }
@@ -154,8 +154,9 @@ class Outline {
   const Window& box() const { return box_; }
   bool holds(ivec2 pixel) const {
     const ivec2 centre = triangle_coverage::centre_of(pixel);
-    return std::ranges::all_of(
-        edges_, [&](const auto& edge) { return triangle_coverage::belongs(edge, edge.at(centre)); });
+    int turns = 0;
+    for (const auto& edge : edges_) turns += turn(edge, centre);
+    return turns != 0;
   }
   /// visit(pixel) for each pixel of row y that is held, from left to right.
   template <class Visit>
@@ -174,6 +175,14 @@ class Outline {
  private:
   static bool near_enough(const dvec3& c) {
     return std::abs(c.x) <= farthest && std::abs(c.y) <= farthest && std::isfinite(c.z);
+  }
+  /// What an edge adds to the turns: one way or the other where it crosses the row at the place or left of
+  /// it.
+  static int turn(const triangle_coverage::Edge& edge, ivec2 place) {
+    const bool up = edge.to.y <= place.y, down = edge.from.y <= place.y;
+    if (up == down) return 0;
+    const std::int64_t side = edge.at(place);
+    return up ? side >= 0 : -(side <= 0);
   }
   void add_edge(ivec2 from, ivec2 to) {
     if (from != to) edges_.push_back({from, to, triangle_coverage::top_or_left(from, to)});

@@ -10,6 +10,7 @@
 
 #include "benchmark/subject.hpp"
 #include "core/raster.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 
 namespace gradus::bench {
@@ -122,10 +123,11 @@ Subject polygon_shading() {
   return {.topic = "polygon_shading",
           .title = "Shading a bulge of faces",
           .item = "pixel",
-          .unit = "of full light",
+          .unit = "full light",
           .measure = "faces",
           .telling = "64 faces",
-          .cases = cases};
+          .cases = cases,
+          .refined = true};
 }
 
 }  // namespace gradus::bench

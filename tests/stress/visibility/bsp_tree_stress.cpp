@@ -5,6 +5,7 @@
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -53,6 +54,86 @@ double crossing_error(const Input& i) {
     if (at[k] != to_double(right[k])) return wrong;
   }
   return 0;
+}
+
+// --- Parts
+
+/// A plane and a triangle, of any size that areas can have.
+Input triangle_and_plane(Kind kind, Random& random) {
+  Input input(18);
+  for (double& x : input) {
+    x = random.uniform(-6, 6);
+    if (kind == Kind::ties) x = std::floor(x);
+  }
+  const auto in_plane = [&](std::size_t k) {
+    const double s = random.uniform(-2, 2), t = random.uniform(-2, 2);
+    return input[k] + s * (input[3 + k] - input[k]) + t * (input[6 + k] - input[k]);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    // A corner, or all of them, as near to the plane as doubles come
+    if (kind == Kind::grazing) input[9 + k] = in_plane(k);
+    if (kind != Kind::near_degenerate) continue;
+    for (std::size_t corner = 3; corner < 6; ++corner) input[3 * corner + k] = nudged(in_plane(k), random);
+  }
+  const double scale = std::ldexp(1.0, static_cast<int>(random.uniform_int(-200, 200)));
+  for (double& x : input) x *= scale;
+  return input;
+}
+
+/// The doubled area of a polygon as a vector.
+ExactVec3 area_of(const std::vector<ExactVec3>& p) {
+  ExactVec3 sum{Exact(0), Exact(0), Exact(0)};
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) sum += glm::cross(p[i] - p[0], p[i + 1] - p[0]);
+  return sum;
+}
+std::vector<ExactVec3> exactly(const std::vector<dvec3>& points) {
+  std::vector<ExactVec3> exact;
+  for (const dvec3 p : points) exact.push_back({Exact(p.x), Exact(p.y), Exact(p.z)});
+  return exact;
+}
+double length_of(const ExactVec3& v) { return std::sqrt(to_double(glm::dot(v, v))); }
+
+/// Whether rational parts are the whole, each on its side.
+bool exact_parts(const Plane<Exact>& plane, const Polygon<Exact>& whole, std::span<const int> on) {
+  const auto [front, back] = split(plane, whole, on);
+  const ExactVec3 normal = glm::cross(plane.b - plane.a, plane.c - plane.a);
+  const auto height = [&](const ExactVec3& p) { return glm::dot(normal, p - plane.a); };
+  return area_of(front.corners) + area_of(back.corners) == area_of(whole.corners) &&
+         std::ranges::all_of(front.corners, [&](const auto& p) { return height(p) >= Exact(0); }) &&
+         std::ranges::all_of(back.corners, [&](const auto& p) { return height(p) <= Exact(0); });
+}
+
+/// How far the parts' corners lie on the wrong side of the plane, and how far the parts' area is off as the
+/// breadth of a strip along the longest edge; in units of the last place of the largest coordinate.
+double split_error(const Input& i) {
+  if (!std::ranges::all_of(i, [](double x) { return x == 0 || (std::abs(x) > 1e-75 && std::abs(x) < 1e75); }))
+    return 0;
+  const dvec3 p = point<double>(i, 3), q = point<double>(i, 4), r = point<double>(i, 5);
+  if (glm::cross(q - p, r - p) == dvec3(0)) return 0;
+  const Plane<double> plane{point<double>(i, 0), point<double>(i, 1), point<double>(i, 2)};
+  const Polygon<double> whole({p, q, r});
+  const auto on = sides(plane, whole, ExactSide{});
+  if (side_of(on) != Side::both) return 0;
+  const auto [front, back] = split(plane, whole, on);
+
+  const ExactScope scope;
+  const Plane<Exact> same{point<Exact>(i, 0), point<Exact>(i, 1), point<Exact>(i, 2)};
+  if (!exact_parts(same, Polygon<Exact>(exactly(whole.corners)), on)) return wrong;
+  double largest = 0;
+  for (std::size_t k = 9; k < 18; ++k) largest = std::max(largest, std::abs(i[k]));
+  const double unit = std::nextafter(largest, wrong) - largest;
+  const ExactVec3 normal = glm::cross(same.b - same.a, same.c - same.a);
+  double error = 0;
+  const auto look = [&](const Polygon<double>& part, double side) {
+    for (const ExactVec3& at : exactly(part.corners))
+      error = std::max(error, -side * to_double(glm::dot(normal, at - same.a)) / length_of(normal) / unit);
+  };
+  look(front, 1);
+  look(back, -1);
+  const ExactVec3 lost =
+      area_of(exactly(front.corners)) + area_of(exactly(back.corners)) - area_of(exactly(whole.corners));
+  const double edge = std::max({glm::length(q - p), glm::length(r - q), glm::length(p - r)});
+  return std::max(error, length_of(lost) / 2 / edge / unit);
 }
 
 // --- The order
@@ -140,6 +221,31 @@ Domain bsp_tree() {
                       return ExactSide{}(plane, point<double>(i, 3)) *
                                  ExactSide{}(plane, point<double>(i, 4)) <
                              0;
+                    }}}},
+       {.name = "split",
+        .states =
+            "the parts have the whole's area and lie on their sides: exactly in rationals, rounded once "
+            "in doubles",
+        .unit = "ulp of the largest coordinate",
+        .bound = 0.87,
+        .numbers = 18,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::ties},
+        .generate = triangle_and_plane,
+        .error = split_error,
+        .traps = {{"the plane runs through a corner",
+                   {0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 3, 0, 5, 3, 2, 3, 5, -2}},
+                  {"the plane leaves a corner a last place wide",
+                   {0, 0, 1, 1, 0, 1, 0, 1, 1, 3, 3, 1 + 0x1p-52, 5, 3, 0, 3, 5, 0}},
+                  {"a needle across the plane",
+                   {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1, 1, 1, -1, 1 + 0x1p-40, 1, 0.5}}},
+        .shares = {{"the plane cuts the triangle", 0.3,
+                    [](const Input& i) {
+                      const Plane<double> plane{point<double>(i, 0), point<double>(i, 1),
+                                                point<double>(i, 2)};
+                      const std::array on{ExactSide{}(plane, point<double>(i, 3)),
+                                          ExactSide{}(plane, point<double>(i, 4)),
+                                          ExactSide{}(plane, point<double>(i, 5))};
+                      return side_of(on) == Side::both;
                     }}}},
        {.name = "back_to_front",
         .states = "no polygon is drawn before one that it covers, whether they pierce or overlap in a cycle",

@@ -168,6 +168,63 @@ double error_of_rows(const Input& i) {
   return static_cast<double>(std::ranges::count_if(buffer.cells(), &Codes::taken) - right);
 }
 
+// --- Faces in one plane
+
+/// Left, top, right and bottom of three rectangles in eighths of a pixel, then a plane: its depth at the
+/// picture's first corner and how it grows a pixel, in eighths.
+Input generate_coplanar(Kind kind, Random& random) {
+  Input input;
+  for (std::size_t k = 0; k < 4 * faces; ++k)
+    input.push_back(static_cast<double>(random.uniform_int(-8, 8 * size + 8)));
+  // Rectangles that share a border, or all of it
+  if (kind == Kind::grazing) input[4] = input[2];
+  if (kind == Kind::ties) std::copy_n(input.begin(), 4, input.begin() + 8);
+  for (const int most : {40, 16, 16}) {
+    const auto eighths = random.uniform_int(kind == Kind::ties && most == 16 ? 0 : -most, most);
+    input.push_back(static_cast<double>(eighths) / 8);
+  }
+  return input;
+}
+
+/// All depths of a centre are equal and exact: wherever rectangles overlap the first of them must be seen, in
+/// every order and by both walks. Counts the pixels that show another.
+double error_of_ties(const Input& i) {
+  if (!is_scene(i)) return 0;
+  const double depth = i[4 * faces], right = i[4 * faces + 1], down = i[4 * faces + 2];
+  std::array<std::array<dvec3, 4>, faces> corners;
+  std::array<Sloped, faces> sloped{};
+  std::vector<z_buffer::Face> all;
+  for (std::size_t k = 0; k < faces; ++k) {
+    const auto at = [&](double x, double y) {
+      return dvec3{x / 8, y / 8, depth + right * x / 8 + down * y / 8};
+    };
+    const double* n = &i[4 * k];
+    corners[k] = {at(n[0], n[1]), at(n[2], n[1]), at(n[2], n[3]), at(n[0], n[3])};
+    std::copy_n(n, 4, sloped[k].n.begin());
+    all.push_back({corners[k], {0, static_cast<int>(k)}});
+  }
+  std::int64_t off = 0;
+  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  do {
+    Depths buffer(size, size);
+    z_buffer::per_polygon<double>(all, buffer);
+    Raster<int> rows(size, size, -1);
+    std::vector<z_buffer::Cell<double, z_buffer::Id>> line(size);
+    z_buffer::scanline<double>(all, buffer.window(), std::span(line), z_buffer::Exactly{},
+                               [&](ivec2 p, z_buffer::Id id) { rows[p] = id.face; });
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const ivec2 p{x, y};
+        const auto first = std::ranges::find_if(sloped, [&](const Sloped& face) { return face.holds(p); });
+        const int right_one = first == sloped.end() ? -1 : static_cast<int>(first - sloped.begin());
+        const int shown = buffer[p].taken ? buffer[p].key.face : -1;
+        off += (shown != right_one) + (rows[p] != right_one);
+      }
+    }
+  } while (std::ranges::next_permutation(all, by_id).found);
+  return static_cast<double>(off);
+}
+
 }  // namespace
 
 Domain z_buffer() {
@@ -205,6 +262,19 @@ Domain z_buffer() {
                        {0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4, 0, 0, 40, 40, 2, 3, 4}},
                       {"piercing", {0, 0, 64, 64, 0, 5, 0, 0, 0, 64, 64, 5, 0, 5, 0, 0, 64, 64, 0, 0, 5}},
                       {"no area", {8, 8, 8, 40, 1, 1, 1, 4, 4, 4, 4, 0, 0, 0, 0, 0, 64, 64, 3, 3, 3}}}},
+           {.name = "coplanar",
+            .states =
+                "faces in one plane: where they overlap the first is seen, in every order and by both walks",
+            .unit = "pixels",
+            .bound = 0,
+            .numbers = 4 * faces + 3,
+            .kinds = {Kind::random, Kind::ties, Kind::grazing},
+            .generate = generate_coplanar,
+            .error = error_of_ties,
+            .traps = {{"the same face three times, sloped",
+                       {0, 0, 40, 40, 0, 0, 40, 40, 0, 0, 40, 40, 3, 0.125, -0.25}},
+                      {"the same face turned round", {0, 0, 40, 40, 40, 0, 0, 40, 0, 40, 40, 0, 3, 2, 2}},
+                      {"side by side along a centre", {0, 0, 20, 40, 20, 0, 40, 40, 4, 4, 36, 36, 1, 0, 0}}}},
            {.name = "scanline",
             .states = "row by row the same picture, with 24-bit depths",
             .unit = "pixels",

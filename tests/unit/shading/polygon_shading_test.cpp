@@ -10,8 +10,10 @@
 #include <numbers>
 #include <vector>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
@@ -75,6 +77,25 @@ std::vector<Lit> lit_of(const std::vector<Plain>& polygon, const Lamp& lamp) {
 }
 
 // --- Gouraud
+
+TEST(PolygonShading, InExactArithmeticGouraudIsTheBarycentricMean) {
+  const ExactScope scope;
+  using Vec = glm::vec<2, Exact>;
+  const std::vector<Corner<Exact, Exact>> triangle{{Vec{Exact(1, 3), Exact(1, 7)}, Exact(1, 5)},
+                                                   {Vec{Exact(32, 3), Exact(2)}, Exact(7, 9)},
+                                                   {Vec{Exact(4), Exact(29, 3)}, Exact(1)}};
+  const auto area = [](Vec a, Vec b, Vec c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
+  const auto &a = triangle[0], &b = triangle[1], &c = triangle[2];
+  int pixels = 0;
+  gouraud(std::span<const Corner<Exact, Exact>>(triangle), picture, [&](ivec2 pixel, Exact colour) {
+    const Vec p{Exact(2 * pixel.x + 1, 2), Exact(2 * pixel.y + 1, 2)};
+    const Exact mean =
+        area(p, b.at, c.at) * a.value + area(a.at, p, c.at) * b.value + area(a.at, b.at, p) * c.value;
+    EXPECT_EQ(colour, mean / area(a.at, b.at, c.at));
+    ++pixels;
+  });
+  EXPECT_GT(pixels, 30);
+}
 
 TEST(PolygonShading, GouraudGoldenSample) {
   // G001-85: A (0, 0), B (5, 10), C (10, 0), here moved to pixels' centres
@@ -140,6 +161,26 @@ TEST(PolygonShading, VertexShadesAreTheIlluminationModel) {
   light_vertices(std::span<const Surface<double>>(vertices), lamp, std::span(lit), record);
   ASSERT_EQ(record.events().size(), 4u);
   for (std::size_t i = 0; i < lit.size(); ++i) EXPECT_EQ(lit[i], lamp(vertices[i].place, vertices[i].normal));
+}
+
+/// The golden's lamp and eye at one place above the surface, all in doubles: the light comes back along V.
+struct LampAtTheEye {
+  double operator()(dvec3 place, dvec3 normal) const {
+    const double cosine = std::max(0.0, glm::dot(normal, glm::normalize(dvec3{0, 0, 2} - place)));
+    return 0.1 + 0.7 * cosine + 0.2 * std::pow(std::max(0.0, 2 * cosine * cosine - 1), 10);
+  }
+};
+
+TEST(PolygonShading, TheGoldenHighlightInDoubles) {
+  // G001-87, to 1e-12
+  const std::vector<Plain> polygon = square();
+  std::vector<Lit> lit;
+  for (const Plain& corner : polygon)
+    lit.push_back({corner.at, LampAtTheEye{}(corner.value.place, corner.value.normal)});
+  EXPECT_NEAR(gouraud_of(lit).at({0, 0}), 0.2905158688831361, 1e-12);
+  Pixels bright;
+  phong(std::span<const Plain>(polygon), picture, LampAtTheEye{}, into(bright));
+  EXPECT_NEAR(bright.at({0, 0}), 1, 1e-12);
 }
 
 TEST(PolygonShading, GouraudMissesTheHighlight) {

@@ -211,12 +211,33 @@ TEST(ZBuffer, TheCodesOf24Bits) {
   EXPECT_EQ(code(500100), 16777198);
   EXPECT_EQ(code(900000), 16777213);
   EXPECT_EQ(code(910000), 16777213);
-  EXPECT_NEAR(1e6 * 1e6 / 16777216, 59604.58872345619, 0.1);
+  // How far z moves a code: 1 over the slope of the depth, z^2 (f - n) / (f n)
+  const auto step = [&](double z) {
+    return z * z * (range.far - range.near) / (range.far * range.near) / AsFixed24::most;
+  };
+  EXPECT_NEAR(step(range.far), 59604.58872345619, 1e-6);
+  EXPECT_EQ(code(range.far), AsFixed24::most);
+  EXPECT_EQ(code(range.far - step(range.far)), AsFixed24::most - 1);
   // A reversed float tells apart what the others don't
   const AsReversedFloat reversed{{0, 1}};
   EXPECT_LT(reversed(perspective_depth(900000, range)), reversed(perspective_depth(910000, range)));
   const AsFloat plain{{0, 1}};
   EXPECT_EQ(plain(perspective_depth(900000, range)), plain(perspective_depth(900001, range)));
+}
+
+TEST(ZBuffer, AnEdgeAsShortAsASnapHidesNothing) {
+  // Snapping turns the short edge from the last corner but one inwards: its line would cut most of the face
+  // off
+  const std::vector<dvec3> quad{
+      {5.651, 16.245, 0}, {17.122, 0.361, 0}, {11.666, 3.09, 0}, {0.202, 18.963, 0}};
+  std::vector<dvec3> ring = quad;
+  ring.push_back({0.2, 18.97, 0});
+  const Depths whole = drawn(Scene({quad}).faces, 20, 20);
+  EXPECT_EQ(std::ranges::count_if(whole.cells(), [](const auto& cell) { return cell.taken; }), 55);
+  for (int way = 0; way < 2; ++way) {
+    EXPECT_EQ(picture_of(drawn(Scene({ring}).faces, 20, 20)), picture_of(whole));
+    std::ranges::reverse(ring);
+  }
 }
 
 TEST(ZBuffer, WhatIsNoFaceIsRefused) {

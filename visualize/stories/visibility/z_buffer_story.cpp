@@ -39,6 +39,11 @@ class Story {
     }
   }
   Event say(const steps::Started&) const {
+    if (subject_.sight.eye) {
+      const auto [n, f] = subject_.sight.distances();
+      return {.text = "started_eye",
+              .words = {{"eye", *subject_.sight.eye}, {"n", digits(n)}, {"f", digits(f)}}};
+    }
     return {.text = look_.rows ? "started_rows" : "started",
             .words = {{"columns", subject_.size.x},
                       {"rows", subject_.size.y},
@@ -66,6 +71,10 @@ class Story {
     event.words.push_back({"to", f.plane->farthest});
     event.words.push_back({"right", f.plane->right});
     event.words.push_back({"down", f.plane->down});
+    if (!subject_.sight.eye) return event;
+    event.text = level ? "taken_level_eye" : "taken_sloped_eye";
+    event.words.push_back({"near", rounded(subject_.sight.z_of(f.plane->nearest))});
+    event.words.push_back({"far", rounded(subject_.sight.z_of(f.plane->farthest))});
     return event;
   }
 
@@ -87,7 +96,7 @@ class Story {
     const std::string kept = text_(c.nearer ? c.depth : *c.before);
     at_hand_ = {c.pixel, {Role::result, kept, fill(holder_[place(c.pixel)])}};
     const std::string now = text_(c.depth), before = relation(c);
-    const bool fits = std::max(now.size() + 2, before.size()) <= widest;
+    const bool fits = std::max(now.size() + 2, before.size()) <= widest();
     board.put(c.pixel, Role::result, fits ? "" : kept, at_hand_->second.color);
     const Role role = c.nearer ? Role::current : Role::rejected;
     const dvec2 p(c.pixel), half{0, 0.23};
@@ -110,13 +119,14 @@ class Story {
                 .row = {face, c.pixel.x, c.pixel.y, z, old, c.nearer ? face : other},
                 .key = pixel_key(c.pixel)};
     event.level = Level::step;
+    add_places(event, c);
     if (look_.whole && c.nearer) {
       event.text = "whole";
       event.words.push_back({"colour", channels(subject_.color(c.key))});
       event.words.push_back({"rest", channels(fill(c.key))});
     }
     if (before_ && !c.nearer && is_wrong(c.pixel)) {
-      const double exact = depth_at(c.key, c.pixel), held = depth_at(*before_, c.pixel);
+      const double exact = z_at(c.key, c.pixel), held = z_at(*before_, c.pixel);
       event.text = exact == held ? "tie_wrong" : "fight";
       event.words.push_back({"exact", digits(exact)});
       event.words.push_back({"held", digits(held)});
@@ -219,8 +229,8 @@ class Story {
   }
 
  private:
-  /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞".
-  static constexpr std::size_t widest = 5;
+  /// Of what a pixel has room for, in bytes: "< 2.5", "< ∞"; "< 0.25" where pixels are large.
+  std::size_t widest() const { return std::max(subject_.size.x, subject_.size.y) <= 6 ? 6 : 5; }
 
   static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
   void count() {
@@ -238,9 +248,23 @@ class Story {
     return end != right_.end() && *before_ != end->second && holder_.at(place(pixel)) != end->second &&
            tested_ == end->second;
   }
-  double depth_at(Id id, ivec2 pixel) const {
+  /// Where a face lies in space that a pixel shows.
+  double z_at(Id id, ivec2 pixel) const {
     const auto plane = plane_of({subject_.corners(id), id});
-    return plane ? plane->at(pixel) : 0;
+    return plane ? subject_.sight.z_of(plane->at(pixel)) : 0;
+  }
+  /// What sentences say of a place.
+  static double rounded(double z) {
+    return std::abs(z) >= 1 ? std::round(z * 100) / 100 : std::stod(fmt::format("{:.3g}", z));
+  }
+  /// Where the two faces of a pixel lie, for an eye that stores something else.
+  void add_places(Event& event, const Compared<T, Id>& c) const {
+    if (!subject_.sight.eye || !before_ || c.depth == *c.before) return;
+    const double now = rounded(z_at(c.key, c.pixel)), held = rounded(z_at(*before_, c.pixel));
+    if (now == held) return;
+    event.text = c.nearer ? "nearer_eye" : "farther_eye";
+    event.words.push_back({"now", now});
+    event.words.push_back({"there", held});
   }
 
   Rgba8 fill(Id id) const {
@@ -336,8 +360,9 @@ Owners right_of(const Subject& subject) {
 /// What stands unchanged behind all steps. base: of the codes in the cells.
 void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   const Words& words = narrator.words();
-  narrator.trace().subtitle = words.count("subtitle", std::ssize(subject.faces),
-                                          {{"columns", subject.size.x}, {"rows", subject.size.y}});
+  narrator.trace().subtitle =
+      words.count(subject.sight.eye ? "subtitle_eye" : "subtitle", std::ssize(subject.faces),
+                  {{"columns", subject.size.x}, {"rows", subject.size.y}});
   Grid& grid = narrator.trace().grid;
   grid.cells = subject.picture();
   grid.y_up = false;
@@ -371,9 +396,9 @@ void tell_walk(Narrator& narrator, const Subject& subject, auto store, Look look
 /// With depths stored as the reader wants them: use(T{}, store).
 void with_depths(const Arguments& arguments, const Subject& subject, const auto& use) {
   const std::string& depth = arguments.text("depth");
-  if (depth == "float") return use(float{}, AsFloat{subject.range});
-  if (depth == "fixed24") return use(std::int32_t{}, AsFixed24{subject.range});
-  if (depth == "reversed_float") return use(float{}, AsReversedFloat{subject.range});
+  if (depth == "float") return use(float{}, AsFloat{subject.sight.depths()});
+  if (depth == "fixed24") return use(std::int32_t{}, AsFixed24{subject.sight.depths()});
+  if (depth == "reversed_float") return use(float{}, AsReversedFloat{subject.sight.depths()});
   use(double{}, Exactly{});
 }
 
@@ -473,12 +498,16 @@ const TopicEntry& entry() {
             choice(
                 "depth", {"exact", "float", "fixed24", "reversed_float"}, "exact", "fixed24",
                 "how depths are stored: as they are, or from near to far as float, 24 bits, reversed float"),
+            numbers("eye", "", "3,3,-6",
+                    "where the eye is, before the picture in z = 0; without one it looks straight on", xyz,
+                    up_to_a_million),
             number("near", "0", "1", "the depth that is stored as 0 (reversed: as 1)", up_to_a_million),
             number("far", "10", "1000000", "the depth that is stored as 1 (reversed: as 0)",
                    up_to_a_million)},
        .examples = {"--order 3,1,2", "--method scanline --columns 8 --rows 8",
                     "--depth fixed24 --far 1000000 --faces 'A: 0,0,500 8,0,500 8,8,500 0,8,500; B: 0,0,500.2 "
-                    "8,0,499.8 8,8,499.8 0,8,500.2'"}});
+                    "8,0,499.8 8,8,499.8 0,8,500.2'",
+                    "--eye 4,4,-8"}});
   return topic;
 }
 

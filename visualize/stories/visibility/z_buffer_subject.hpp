@@ -12,10 +12,40 @@ namespace gradus::z_buffer {
 inline constexpr std::array<Rgba8, 4> own_colors{Rgba8{86, 180, 233, 255}, Rgba8{240, 228, 66, 255},
                                                  Rgba8{230, 159, 0, 255}, Rgba8{0, 158, 115, 255}};
 
+/// Depths between the near plane and the far one, and where a point is seen: straight on, or from an eye
+/// before the picture, which lies in z = 0.
+struct Sight {
+  double near, far;
+  std::optional<dvec3> eye{};
+
+  /// From the eye to the near plane and to the far one.
+  Range distances() const { return {near - eye->z, far - eye->z}; }
+  /// What is stored as the least depth and as the greatest.
+  Range depths() const { return eye ? Range{0, 1} : Range{near, far}; }
+  dvec3 image(dvec3 p) const {
+    if (!eye) return p;
+    const double distance = p.z - eye->z;
+    return {dvec2(*eye) - eye->z / distance * (dvec2(p) - dvec2(*eye)),
+            perspective_depth(distance, distances())};
+  }
+  /// Where the depth of a pixel lies in space.
+  double z_of(double depth) const {
+    if (!eye) return depth;
+    const auto [n, f] = distances();
+    return eye->z + f * n / (f - depth * (f - n));
+  }
+  /// How far z moves a unit of depth.
+  double z_per_depth(double z) const {
+    if (!eye) return 1;
+    const auto [n, f] = distances();
+    return (z - eye->z) * (z - eye->z) * (f - n) / (f * n);
+  }
+};
+
 struct Subject {
-  std::vector<NamedFace> named;  ///< as given
+  std::vector<NamedFace> named;  ///< as they are seen: depths are linear in the picture
   ivec2 size;
-  Range range;
+  Sight sight;
   std::vector<Rgba8> colors{};  ///< by face
   std::vector<Face> faces{};    ///< in the order of drawing
 
@@ -61,9 +91,12 @@ inline bool is_plane(const Face& face) {
   });
 }
 
-inline void require_face(const NamedFace& named, std::size_t number) {
+inline void require_face(const NamedFace& named, std::size_t number, const Sight& sight) {
   for (const dvec3& c : named.points) {
-    if (std::abs(c.x) > farthest || std::abs(c.y) > farthest)
+    if (sight.eye && c.z < sight.near)
+      refuse("faces", "expected faces beyond the near plane, found '{}' before it: clip first", named.name);
+    const dvec3 seen = sight.image(c);
+    if (std::abs(seen.x) > farthest || std::abs(seen.y) > farthest)
       refuse("faces", "expected corners at most {} pixels out, found one of '{}' farther away", farthest,
              named.name);
   }
@@ -72,16 +105,28 @@ inline void require_face(const NamedFace& named, std::size_t number) {
     refuse("faces", "expected flat faces, found '{}' with corners in no one plane", named.name);
 }
 
+inline Sight sight_of(const Arguments& arguments) {
+  const Sight sight{arguments.number("near").value_or(0), arguments.number("far").value_or(10),
+                    arguments.place("eye")};
+  if (!(sight.near < sight.far)) {
+    refuse(arguments, {"far", "near"}, "expected a far depth beyond the near one");
+  }
+  if (!sight.eye) return sight;
+  if (sight.eye->z >= 0) refuse("eye", "expected an eye before the picture: its z below 0");
+  if (sight.near <= sight.eye->z) {
+    refuse(arguments, {"near", "eye"}, "expected a near plane before the eye, found it behind");
+  }
+  return sight;
+}
+
 inline Subject subject_of(const Arguments& arguments) {
   Subject subject{
       .named = arguments.faces("faces"),
       .size = {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))},
-      .range = {arguments.number("near").value_or(0), arguments.number("far").value_or(10)}};
-  if (!(subject.range.near < subject.range.far)) {
-    refuse(arguments, {"far", "near"}, "expected a far depth beyond the near one");
-  }
+      .sight = sight_of(arguments)};
   for (std::size_t i = 0; i < subject.named.size(); ++i) {
-    require_face(subject.named[i], i);
+    require_face(subject.named[i], i, subject.sight);
+    for (dvec3& corner : subject.named[i].points) corner = subject.sight.image(corner);
     const std::string& color = subject.named[i].color;
     subject.colors.push_back(color.empty() ? own_colors[i % own_colors.size()] : color_of(color));
     subject.faces.push_back({subject.named[i].points, {0, static_cast<int>(i)}});
@@ -104,15 +149,20 @@ inline std::int64_t code_of(float depth) {
   return std::signbit(depth) ? -bits : bits;
 }
 
-/// How far two depths lie apart, at least, to be stored as two, where the faces begin.
+/// How far two places lie apart in z, at least, to be stored as two depths, where the faces begin.
 inline double distance_between_codes(const Subject&, Exactly) { return 0; }
 inline double distance_between_codes(const Subject& subject, AsFixed24) {
-  return (subject.range.far - subject.range.near) / AsFixed24::most;
+  const auto [least, most] = subject.sight.depths();
+  const double z = subject.sight.z_of(subject.faces.front().corners.front().z);
+  return (most - least) / AsFixed24::most * subject.sight.z_per_depth(z);
 }
 template <class Store>
 double distance_between_codes(const Subject& subject, const Store& store) {
-  const float at = std::abs(store(subject.faces.front().corners.front().z));
-  return (double{std::nextafter(at, 2.0f)} - double{at}) * (subject.range.far - subject.range.near);
+  const auto [least, most] = subject.sight.depths();
+  const double depth = subject.faces.front().corners.front().z;
+  const float at = std::abs(store(depth));
+  return (double{std::nextafter(at, 2.0f)} - double{at}) * (most - least) *
+         subject.sight.z_per_depth(subject.sight.z_of(depth));
 }
 
 /// Depths as figures write them: as they are, or as codes from a round number on.
