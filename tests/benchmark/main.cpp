@@ -66,6 +66,7 @@ void draw(const Findings& found, const fs::path& folder, cli::NewFiles& files, c
   };
   draw_one(error_chart(found), "error");
   draw_one(size_chart(found), "size");
+  draw_one(refinement_chart(found), "refined");
 }
 
 /// Makes the folder, and refuses one with somebody's own files where ours would lie.

@@ -204,6 +204,42 @@ std::optional<plot::Chart> size_chart(const Findings& findings) {
   return chart;
 }
 
+std::optional<plot::Chart> refinement_chart(const Findings& findings) {
+  const Subject& subject = *findings.subject;
+  if (!subject.refined) return std::nullopt;
+  std::vector<Result> series;
+  for (const Result& result : findings.results) {
+    if (result.of.workload.size > 0 && result.of.error && result.of.error->max > 0) series.push_back(result);
+  }
+  if (series.empty()) return std::nullopt;
+  std::ranges::stable_sort(series, {}, [](const Result& r) { return r.of.workload.size; });
+  const double least = series.front().of.workload.size, most = series.back().of.workload.size;
+  plot::Chart chart;
+  for (const Result& result : series) {
+    const Case& of = result.of;
+    const dvec2 at{result.nanoseconds, of.error->max};
+    auto curve = std::ranges::find(chart.curves, of.method, &plot::Curve::name);
+    if (curve == chart.curves.end()) {
+      chart.curves.push_back({of.method, {}, role_of(of.standing)});
+      curve = chart.curves.end() - 1;
+    }
+    curve->points.push_back(at);
+    std::string name;
+    if (of.workload.size == least) name = fmt::format("{}, {}", of.method, of.workload.name);
+    if (of.workload.size == most) name = of.workload.name;
+    chart.dots.push_back({name, at, role_of(of.standing)});
+  }
+  for (plot::Curve& curve : chart.curves) curve.name.clear();
+  chart.title = subject.title;
+  chart.subtitle = fmt::format("worst error against time a {}, from {} {} to {}", subject.item, least,
+                               subject.measure, most);
+  chart.x = {fmt::format("nanoseconds a {}", subject.item)};
+  chart.y = {fmt::format("worst error in {}", subject.unit), "0"};
+  chart.legend = legend_of(series);
+  chart.footer = machine();
+  return chart;
+}
+
 std::string machine() {
   std::string model = "unknown processor";
   std::ifstream cpus("/proc/cpuinfo");

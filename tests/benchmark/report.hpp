@@ -32,6 +32,8 @@ std::string json_of(std::span<const Findings> findings);
 std::optional<plot::Chart> error_chart(const Findings& findings);
 /// Time against size of the methods on the series, with the slopes. Nothing when there is no series.
 std::optional<plot::Chart> size_chart(const Findings& findings);
+/// Error against time along the series of a refined subject: a curve a method, the sizes of its ends named.
+std::optional<plot::Chart> refinement_chart(const Findings& findings);
 
 /// The machine and the compiler, in a few words.
 std::string machine();

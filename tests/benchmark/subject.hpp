@@ -78,6 +78,7 @@ struct Subject {
   std::string measure;  ///< what the series' sizes count: "length in pixels"; empty: there is no series
   std::string telling;  ///< the workload of the figure of time against error
   std::vector<Case> (*cases)();
+  bool refined = false;  ///< the series makes errors smaller: a figure shows what that takes
 };
 
 /// Those of all topics, in the catalogue's order.

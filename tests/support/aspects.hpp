@@ -63,6 +63,6 @@ inline std::vector<Case> slides() {
   return cases;
 }
 
-double shorter_side(const Look& look) { return std::min(look.width, look.height); }
+inline double shorter_side(const Look& look) { return std::min(look.width, look.height); }
 
 }  // namespace gradus::test

@@ -100,7 +100,10 @@ class Drawing {
     zeros_ = std::ranges::any_of(chart_.dots, [](const Dot& dot) { return dot.at.y == 0; });
     // Names of curves stand in a column beside them
     double names = 40 * s_;
+    bool named = false;
     for (const Curve& curve : chart_.curves) {
+      if (curve.name.empty()) continue;
+      named = true;
       names = std::max(names, text_width(curve.name, Face::sans, text_size * s_) + 90 * s_);
     }
     const double left = 120 * s_, right = sheet_.width - names, top = 146 * s_;
@@ -111,7 +114,7 @@ class Drawing {
     place_ = {left, top, right - left, bottom - top};
     auto [x_least, x_most] = decades(xs);
     // Curves end at the edge beside which their names stand
-    if (!chart_.curves.empty()) x_most = std::log10(*std::ranges::max_element(xs));
+    if (named) x_most = std::log10(*std::ranges::max_element(xs));
     const auto [y_least, y_most] = decades(ys);
     x_ = {x_least, x_most, left, right};
     y_ = {y_least, y_most, lowest, top};
@@ -192,7 +195,7 @@ class Drawing {
     };
     std::vector<Name> names;
     for (const Curve& curve : chart_.curves) {
-      if (!curve.points.empty())
+      if (!curve.points.empty() && !curve.name.empty())
         names.push_back({&curve, at(curve.points.back()), at(curve.points.back()).y});
     }
     std::ranges::sort(names, {}, &Name::y);
@@ -244,7 +247,9 @@ class Drawing {
         p.disc("front " + dot.name, {centre, (dot_radius + 5) * s_, {}, Paint::mark(dot.role), 2.5 * s_});
       draw_marker(p, "dot " + dot.name, dot.role, centre, dot_radius * s_);
     }
-    for (const Dot& dot : chart_.dots) place_label(dot.name, at(dot.at), dot.role);
+    for (const Dot& dot : chart_.dots) {
+      if (!dot.name.empty()) place_label(dot.name, at(dot.at), dot.role);
+    }
   }
 
   /// Shapes beside colours: a cross for what is wrong, a square for others' programs, a diamond for speed.

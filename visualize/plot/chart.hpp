@@ -11,7 +11,8 @@
 
 namespace gradus::plot {
 
-/// A measured point. A y of 0, which a logarithmic axis does not have, stands on a row of its own below it.
+/// A measured point, labelled where it has a name. A y of 0, which a logarithmic axis does not have, stands
+/// on a row of its own below it.
 struct Dot {
   std::string name;
   dvec2 at;
@@ -19,7 +20,7 @@ struct Dot {
   bool on_front = false;  ///< no other is better in both: ringed, and joined to the others on the front
 };
 
-/// Points of one name, joined, in the order of x.
+/// Points of one name, joined; its name stands beside the last one. Without a name it may run anywhere.
 struct Curve {
   std::string name;
   std::vector<dvec2> points;

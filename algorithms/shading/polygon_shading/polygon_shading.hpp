@@ -109,7 +109,8 @@ Surface<T> mix(const Surface<T>& a, const Surface<T>& b, T part) {
 /// The least whole number i whose pixel's centre, i + 0.5, does not lie below x.
 template <class T>
 int first_centre(T x) {
-  return static_cast<int>(std::ceil(x - T(0.5)));
+  using std::ceil;
+  return static_cast<int>(ceil(x - T(0.5)));
 }
 
 /// The rows whose centres lie within the polygon's height.
@@ -166,7 +167,8 @@ template <class T, class Value>
 void expect_polygon(std::span<const Corner<T, Value>> polygon) {
   expects(polygon.size() >= 3, "a polygon has at least 3 corners, not {}", polygon.size());
   for (const auto& corner : polygon) {
-    const bool near = std::abs(corner.at.x) <= T(farthest) && std::abs(corner.at.y) <= T(farthest);
+    using std::abs;
+    const bool near = abs(corner.at.x) <= T(farthest) && abs(corner.at.y) <= T(farthest);
     expects(near, "corners within {} pixels were expected", farthest);
   }
 }

@@ -50,6 +50,12 @@ std::size_t vertex(const Face& face, std::size_t k) {
   return static_cast<std::size_t>(face[k]);
 }
 
+/// 0, 1 … for the corners of a face.
+template <class Face>
+auto corners_of(const Face& face) {
+  return std::views::iota(std::size_t{0}, static_cast<std::size_t>(std::ranges::size(face)));
+}
+
 /// The sum of cross products that is normal to a face and as long as twice its area (Newell).
 template <class T, class Face>
 glm::vec<3, T> doubled_area(std::span<const glm::vec<3, T>> places, const Face& face) {
@@ -103,8 +109,7 @@ void vertex_normals(std::span<const glm::vec<3, T>> places, const Faces& faces, 
   for (const auto& face : faces) {
     auto area = doubled_area(places, face);
     const auto n = unit_vector(area);
-    const auto count = face.size();
-    for (std::size_t k = 0; k < count; ++k) {
+    for (auto k : corners_of(face)) {
       // Added at its k-th corner
       T w = weight(places, face, k, how);
       auto& sum = normals[vertex(face, k)];

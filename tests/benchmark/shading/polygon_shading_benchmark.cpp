@@ -123,10 +123,11 @@ Subject polygon_shading() {
   return {.topic = "polygon_shading",
           .title = "Shading a bulge of faces",
           .item = "pixel",
-          .unit = "of full light",
+          .unit = "full light",
           .measure = "faces",
           .telling = "64 faces",
-          .cases = cases};
+          .cases = cases,
+          .refined = true};
 }
 
 }  // namespace gradus::bench

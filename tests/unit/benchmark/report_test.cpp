@@ -127,6 +127,22 @@ TEST(Report, SizeChartShowsTheSeriesWithItsSlope) {
   EXPECT_FALSE(size_chart(without));
 }
 
+TEST(Report, RefinementChartShowsWhatSmallerErrorsTake) {
+  Findings finer = findings();
+  EXPECT_FALSE(refinement_chart(finer));  // its series promises nothing of errors
+  Subject refined = *finer.subject;
+  refined.refined = true;
+  finer.subject = &refined;
+  for (Result& result : finer.results) result.of.error = Error{.max = 1 / (1 + result.of.workload.size)};
+  const auto chart = refinement_chart(finer);
+  ASSERT_TRUE(chart);
+  ASSERT_EQ(chart->curves.size(), 1u);
+  ASSERT_EQ(chart->dots.size(), 2u);
+  EXPECT_EQ(chart->curves[0].points, (std::vector<dvec2>{chart->dots[0].at, chart->dots[1].at}));
+  EXPECT_EQ(chart->dots[1].at.y, 1.0 / 101);
+  EXPECT_TRUE(chart->dots[0].name.starts_with("slow and right, ")) << chart->dots[0].name;
+}
+
 TEST(Report, ErrorsAddUp) {
   Error::Sum sum;
   for (const double off : {3.0, 4.0, 0.0, 0.0}) sum.add(off);

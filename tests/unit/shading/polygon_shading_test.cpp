@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
 #include "core/surface.hpp"
@@ -76,6 +77,25 @@ std::vector<Lit> lit_of(const std::vector<Plain>& polygon, const Lamp& lamp) {
 }
 
 // --- Gouraud
+
+TEST(PolygonShading, InExactArithmeticGouraudIsTheBarycentricMean) {
+  const ExactScope scope;
+  using Vec = glm::vec<2, Exact>;
+  const std::vector<Corner<Exact, Exact>> triangle{{Vec{Exact(1, 3), Exact(1, 7)}, Exact(1, 5)},
+                                                   {Vec{Exact(32, 3), Exact(2)}, Exact(7, 9)},
+                                                   {Vec{Exact(4), Exact(29, 3)}, Exact(1)}};
+  const auto area = [](Vec a, Vec b, Vec c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
+  const auto &a = triangle[0], &b = triangle[1], &c = triangle[2];
+  int pixels = 0;
+  gouraud(std::span<const Corner<Exact, Exact>>(triangle), picture, [&](ivec2 pixel, Exact colour) {
+    const Vec p{Exact(2 * pixel.x + 1, 2), Exact(2 * pixel.y + 1, 2)};
+    const Exact mean =
+        area(p, b.at, c.at) * a.value + area(a.at, p, c.at) * b.value + area(a.at, b.at, p) * c.value;
+    EXPECT_EQ(colour, mean / area(a.at, b.at, c.at));
+    ++pixels;
+  });
+  EXPECT_GT(pixels, 30);
+}
 
 TEST(PolygonShading, GouraudGoldenSample) {
   // G001-85: A (0, 0), B (5, 10), C (10, 0), here moved to pixels' centres

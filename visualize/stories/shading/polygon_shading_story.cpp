@@ -8,6 +8,7 @@
 #include "stories/shading/polygon_shading_subject.hpp"
 #include "stories/shading/three_pictures.hpp"
 #include "stories/shading/vertex_normals_drawing.hpp"
+#include "stories/side_by_side.hpp"
 
 namespace gradus::polygon_shading {
 namespace {
@@ -109,7 +110,8 @@ class ShadeStory {
                       {"l", ends_[0]},
                       {"r", ends_[1]}},
             .key = figure_number(r.row),
-            .phase = "rows"};
+            .phase = "rows",
+            .decides = left_edge(r)};
   }
 
   template <class Value>
@@ -212,6 +214,18 @@ class ShadeStory {
       board.keep("v " + name + " name", Role::input, Text{drawn(at + 0.6 / length * way), name});
   }
   std::string edge(const End<double>& end) const { return vertex(end.lower) + vertex(end.upper); }
+  /// Which of the face's edges the scan line meets first.
+  template <class Value>
+  Decision left_edge(const RowBegun<double, Value>& r) const {
+    const std::size_t n = subject_.rings[face_].size(), low = r.left.lower, high = r.left.upper;
+    const std::size_t first = (low + 1) % n == high ? low : high;
+    Decision decision{words_.say("question", {{"row", r.row}}),
+                      {},
+                      first,
+                      fmt::format("edge {}", static_cast<char>('a' + first % 26))};
+    for (std::size_t i = 0; i < n; ++i) decision.answers.push_back(vertex(i) + vertex((i + 1) % n));
+    return decision;
+  }
 
   std::string_view row_key(double) const { return middle_ ? "row.flat" : "row"; }
   static std::string_view row_key(const Point&) { return "row.phong"; }
@@ -268,7 +282,42 @@ void tell_shading(Narrator& narrator, const Subject& subject, const Run& run) {
   narrator.result({{"lights", story.lights()}, {"worst", story.worst().difference}});
 }
 
-constexpr auto drop = [](ivec2, double) {};
+constexpr auto drop = [](ivec2, const auto&) {};
+
+/// The numbers of Gouraud's steps, for float, double and Exact beside each other.
+struct GouraudNumbers {
+  template <class T>
+  void operator()(NumericStep<T>& step, const RowBegun<T, T>& r) const {
+    step.number("alpha", r.left.part);
+    step.number("I_L", r.at_left);
+    step.number("beta", r.right.part);
+    step.number("I_R", r.at_right);
+    step.decision(r.left.lower);
+    step.decision(r.right.lower);
+  }
+  template <class T>
+  void operator()(NumericStep<T>& step, const Shaded<T, T, T>& s) const {
+    step.number("gamma", s.gamma);
+    step.number("I", s.colour);
+    step.decision(s.pixel.x);
+    step.decision(s.pixel.y);
+  }
+  template <class T>
+  void operator()(NumericStep<T>&, const Finished&) const {}
+};
+
+/// Polygons with the colours of their corners.
+using LitFaces = std::vector<std::vector<Lit>>;
+
+/// Gouraud's scan lines of all of them in another scalar.
+template <class T, class O>
+void gouraud_in(const LitFaces& faces, const Window& picture, const O& observer) {
+  for (const auto& face : faces) {
+    std::vector<Corner<T, T>> corners;
+    for (const Lit& corner : face) corners.push_back({in_scalar<T>(corner.at), T(corner.value)});
+    gouraud(std::span<const Corner<T, T>>(corners), picture, drop, observer);
+  }
+}
 
 /// shade(polygon, observer), for all faces that look here.
 template <class Corners, class Shade>
@@ -325,6 +374,15 @@ void tell_gouraud(Narrator& narrator) {
         subject, watch, [&](std::size_t f) { return subject.lit(f, colours); },
         [&](std::span<const Lit> polygon) { gouraud(polygon, subject.picture(), drop, watch); });
   });
+  LitFaces faces;
+  const std::vector<double> colours = subject.vertex_colours();
+  for (std::size_t f = 0; f < subject.rings.size(); ++f) {
+    if (!subject.looks_away(f)) faces.push_back(subject.lit(f, colours));
+  }
+  tell_side_by_side<GouraudNumbers>(narrator,
+                                    [faces, picture = subject.picture()]<class T>(T, const auto& observer) {
+                                      gouraud_in<T>(faces, picture, observer);
+                                    });
 }
 
 void tell_phong(Narrator& narrator) {
@@ -351,23 +409,26 @@ const TopicEntry& entry() {
        .aliases = {"flat shading", "gouraud", "gouraud shading", "phong shading", "smooth shading",
                    "vertex normals"},
        .summary = "light once a polygon, once a vertex or once a pixel, and what lies between is mixed",
-       .methods =
-           {{.name = "gouraud", .standing = Standing::taught, .tell = tell_gouraud, .unread = {"towards"}},
-            {.name = "phong", .tell = tell_phong, .unread = {"intensities", "towards"}},
-            {.name = "flat", .tell = tell_flat, .unread = {"intensities", "towards"}},
-            {.name = "all_three",
-             .tell = tell_three,
-             .function = "phong",
-             .unread = {"intensities", "towards"}},
-            {.name = "vertex_normals",
-             .tell = tell_vertex_normals,
-             .file = "vertex_normals.hpp",
-             .unread = {"columns", "rows", "window", "light", "eye", "ka", "kd", "ks", "shininess",
-                        "intensities"}},
-            {.name = "flat_by_vertex_normals",
-             .standing = Standing::faulty,
-             .tell = tell_flat_by_vertex_normals,
-             .unread = {"intensities", "towards"}}},
+       .methods = {{.name = "gouraud",
+                    .standing = Standing::taught,
+                    .tell = tell_gouraud,
+                    .unread = {"towards"},
+                    .exact = true},
+                   {.name = "phong", .tell = tell_phong, .unread = {"intensities", "towards"}},
+                   {.name = "flat", .tell = tell_flat, .unread = {"intensities", "towards"}},
+                   {.name = "all_three",
+                    .tell = tell_three,
+                    .function = "phong",
+                    .unread = {"intensities", "towards"}},
+                   {.name = "vertex_normals",
+                    .tell = tell_vertex_normals,
+                    .file = "vertex_normals.hpp",
+                    .unread = {"columns", "rows", "window", "light", "eye", "ka", "kd", "ks", "shininess",
+                               "intensities"}},
+                   {.name = "flat_by_vertex_normals",
+                    .standing = Standing::faulty,
+                    .tell = tell_flat_by_vertex_normals,
+                    .unread = {"intensities", "towards"}}},
        .default_method = "gouraud",
        .parameters =
            {faces(400, "faces", "0,0,0 10,0,0 5,10,0", "A: 0,0,0 8,0,0 8,8,2; B: 0,0,0 8,8,2 0,8,0",
@@ -401,7 +462,8 @@ const TopicEntry& entry() {
                    "how much a face's normal counts at a vertex"),
             points(1, 64, "intensities", "", "0 1 0.5",
                    "given for the corners of the faces in turn, in place of light", {"I"}, {1e-6, 1}),
-            faces_task::towards_parameter("-3,3,5")},
+            faces_task::towards_parameter("-3,3,5"),
+            exact_parameter()},
        .examples = {
            "--intensities '0 0.5 1' --window=-0.5,-0.5,11.5,11.5", "--method phong --light 5,4,3 --eye 5,4,8",
            "--method vertex_normals --weighting plain --faces '1,1,1 0,1,1 0,0,1; 1,1,1 0,0,1 1,0,1; 1,1,1 "

@@ -21,10 +21,12 @@ class NormalsStory {
     Bounds bounds;
     Extent extent;
     for (const dvec3 p : mesh.places) bounds.add(p);
-    length_ = 0.45 * bounds.radius();
+    length_ = 0.7 * bounds.radius();
     for (std::size_t v = 0; v < mesh.places.size(); ++v) {
       extent.add(reader.flat(mesh.places[v]));
-      extent.add(reader.flat(mesh.places[v] + length_ * mesh.normals[v]));
+      // Normals that look away are hidden, or may leave the place
+      if (glm::dot(mesh.normals[v], reader.towards) > 0)
+        extent.add(reader.flat(mesh.places[v] + length_ * mesh.normals[v]));
     }
     panel_ = Panel(normals_place, extent);
   }
@@ -147,7 +149,7 @@ class NormalsStory {
       drawing.add(SpaceEdge{.id = fmt::format("n {:02}", i++),
                             .role = Role::candidate,
                             .a = at,
-                            .b = at + 0.8 * length_ * n.weight / std::max(largest, 1e-300) * n.normal,
+                            .b = at + 0.75 * length_ * n.weight / std::max(largest, 1e-300) * n.normal,
                             .arrow = true,
                             .behind = false});
     }
