@@ -258,12 +258,14 @@ class PlaceDrawing {
     double top = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const double value = pieces[i].value[channel];
-      if (!(std::abs(value) > 1e-4 * brightest_)) continue;
-      const double from = std::clamp(top, 0.0, brightest_), to = std::clamp(top + value, 0.0, brightest_);
+            const double from = std::clamp(top, 0.0, brightest_), to = std::clamp(top + value, 0.0, brightest_);
+      if (!(std::abs(value) > 0)) continue;
       top += value;
+      if (!(std::abs(value) > 0.004 * brightest_)) continue;
       const Role role = value < 0 ? Role::rejected : pieces[i].role;
-      const std::vector<dvec2> ring{
-          {x, height(from)}, {x + wide, height(from)}, {x + wide, height(to)}, {x, height(to)}};
+      // What is taken away stands beside what was there
+      const double left = value < 0 ? x + wide + 0.3 : x, right = value < 0 ? left + 0.8 : x + wide;
+      const std::vector<dvec2> ring = Extent{{left, height(from)}, {right, height(to)}}.corners();
       const std::string id = fmt::format("u {} {:02}", channel, i);
       view.add({id, role, Area{{ring}, pieces[i].fresh ? 3 : 2}});
       view.add({id + " edge", role, Path{ring, true}});
