@@ -231,8 +231,9 @@ const std::set<std::string> deciding_nothing{"affine_2d factor_by_factor",  "aff
                                              "perspective divide_untested", "perspective frustum",
                                              "polygon_shading all_three",   "polygon_shading vertex_normals",
                                              "viewing cross_products",      "viewing inverse_of_any_frame",
-                                             "viewing minus_position",      "viewing transposed",
-                                             "viewing view_to_world",       "viewing world_to_view"};
+                                             "viewing minus_position",      "viewing points_of_block",
+                                             "viewing transposed",          "viewing view_to_world",
+                                             "viewing world_to_view"};
 
 TEST(Telling, DecisionsAreWhole) {
   for (const Language& language : languages()) {
