@@ -105,6 +105,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"triangle_coverage_twice", 0.99},
                                               {"perspective_frustum", 0.92},
                                               {"viewport_origins", 0.91},
+                                              {"viewing_block", 0.4},
                                               {"z_buffer", 0.99},
                                               {"z_buffer_polygons", 0.99},
                                               {"z_buffer_order", 0.99},

@@ -23,8 +23,11 @@ class BlockStory {
   void show(Board& board, const ReadAsColumns&) { board.milestone(view(true, true)); }
   Event say(const ReadAsColumns&) const { return told("columns"); }
 
+  void show(Board& board, const steps::Finished&) { board.milestone(view(true, true)); }
+  Event say(const steps::Finished&) const { return {.text = "done_block"}; }
+
  private:
-  static constexpr double width = 4.4, height = 3.2, top = 18.4;
+  static constexpr double width = 4.4, height = 4.2, top = 19.6;
 
   dvec3 point(std::size_t i, bool columns) const {
     if (columns) return points_of_block(block_)[i];
@@ -67,7 +70,8 @@ class BlockStory {
     view.add({id + " area", role, Area{{Extent{lower, upper}.corners()}}});
     const std::string seen =
         figure_place(point(i, right)) + " → " + figure_place(to_view(frame_, point(i, right)));
-    view.add({id + " seen", Role::input, Text{{at(1, 1, right).x, 6 - 2.1 * static_cast<double>(i)}, seen}});
+    view.add(
+        {id + " seen", Role::input, Text{{at(1, 1, right).x, 5.2 - 1.9 * static_cast<double>(i)}, seen}});
   }
   View view(bool rows, bool columns) const {
     View view;
@@ -108,6 +112,7 @@ void tell_block(Narrator& narrator) {
   watch(steps::Started{}, 0);
   watch(ReadAsRows{}, 0);
   watch(ReadAsColumns{}, line_with(narrator, "block.size() == 3) {"));
+  watch(steps::Finished{}, 0);
   narrator.telling({2, 0});
   narrator.result({{"points", 3}});
 }

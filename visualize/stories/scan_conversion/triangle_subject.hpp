@@ -76,8 +76,11 @@ inline Subject subject_of(const Arguments& arguments) {
   if (arguments.text("samples") == "lattice") subject.samples = Samples::lattice;
   const auto& origin = arguments.numbers("origin");
   subject.origin = {origin[0], origin[1]};
-  if (subject.size() > 16) refuse("window", "expected at most 16 columns and rows, found {}", subject.size());
-  if (!near_enough(subject.window)) refuse("window", "expected pixels at most {} out", farthest);
+  const ivec2 first = subject.window.lower;
+  if (std::max(std::abs(dvec2(first).x), std::abs(dvec2(first).y)) > farthest - 16)
+    refuse("window", "expected a first pixel at most {} out, found {},{}", farthest - 16, first.x, first.y);
+  // What is larger than a drawing shows is seen from its first pixel on
+  subject.window.upper = glm::min(subject.window.upper, first + 15);
   for (const auto& ring : arguments.rings("triangles")) add_fan(subject.triangles, ring, subject.shift());
   return subject;
 }
@@ -98,11 +101,12 @@ inline std::vector<Parameter> subject_parameters() {
        .type = ParameterType::window,
        .default_value = "0,0,5,5",
        .example = "0,0,7,7",
-       .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included"},
+       .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included; of more than 16 "
+               "columns or rows the first 16"},
       choice("samples", {"centres", "lattice"}, "centres", "lattice",
              "where it is asked: at the pixels' centres, or at the points of whole numbers"),
       numbers("origin", "100000000,100000000", "0,0",
-              "method expanded_edges: where the window lies in a huge picture, in pixels", xy, {1, 1e12})};
+              "method expanded_edges: where the window lies in a huge picture, in pixels", xy, {1e-6, 1e12})};
 }
 
 }  // namespace gradus::triangle_coverage
