@@ -141,6 +141,24 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   if (only.empty() || only == "bresenham_circle") {
     traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
   }
+  const auto triangles = [&](std::string method, std::string given, std::string samples = "centres") {
+    tell("triangle_coverage", {{"method", method}, {"triangles", given}, {"samples", samples}});
+  };
+  const std::string halves = "0,0 6,0 6,6; 0,0 6,6 0,6", pixel_sized = "1,1 2.2,1 1,2.2";
+  for (const char* method : {"cover", "closed_half_planes", "expanded_edges"}) {
+    triangles(method, halves);
+    triangles(method, pixel_sized);
+    triangles(method, "1,1 2,2 4,4");
+    triangles(method, "1,4 4,4 2,1");
+    triangles(method, "1,1 1.25,1 1,1.25");
+    triangles(method, "1.5,1.5 5.5,1.5 1.5,5.5");
+    for (const char* given : {"1,3 4,1 2,5", "1,3 2,5 4,1", "0.6,0.6 1.4,0.6 0.6,1.4"})
+      triangles(method, given, "lattice");
+    triangles(method, halves, "lattice");
+    triangles(method, "0,0 1,0 1,1; 0,0 1,1 0,1");
+    tell("triangle_coverage",
+         {{"method", method}, {"triangles", "-9,4 20,3.5 7,90"}, {"window", "0,0,11,9"}});
+  }
   const auto z_buffer = [&](std::string method, std::string faces, std::string order, std::string depth,
                             std::string far) {
     tell("z_buffer",

@@ -300,7 +300,7 @@ std::array<Point3<T>, 8> frustum_corners(T across, T up, T near, T far, O&& obse
   expects(T(0) < across && T(0) < up, "angles of view above 0 expected");
   expects(T(0) < near && near < far, "depths with 0 < near < far expected");
   std::array<Point3<T>, 8> corners;
-  for (int i = 0; i < 8; ++i) {
+  for (std::size_t i = 0; i < 8; ++i) {
     // First the near rectangle
     const T z = i < 4 ? near : far;
     // Half its width and height
@@ -310,8 +310,8 @@ std::array<Point3<T>, 8> frustum_corners(T across, T up, T near, T far, O&& obse
     const T x = i % 2 == 0 ? -w : w;
     const T y = i % 4 < 2 ? -h : h;
     const Point3<T> corner{x, y, z};
-    if constexpr (observed<O>) observer(CornerFound<T>{i, w, h, corner});
-    corners[static_cast<std::size_t>(i)] = corner;
+    if constexpr (observed<O>) observer(CornerFound<T>{static_cast<int>(i), w, h, corner});
+    corners[i] = corner;
   }
   return corners;
 }

@@ -93,6 +93,15 @@ Frame<T> cross_products(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T
   return f;
 }
 
+/// 3 rows, or rows of 3, all of one length.
+template <class T>
+void expect_block(const std::vector<std::vector<T>>& block) {
+  const std::size_t columns = block.empty() ? 0 : block[0].size();
+  expects(block.size() == 3 || columns == 3, "a block of 3 x N or N x 3 expected, found {} x {}",
+          block.size(), columns);
+  for (const auto& row : block) expects(row.size() == columns, "rows of equal length expected");
+}
+
 /// FAULTY: the points of a block of numbers, as 3 x N or as N x 3 (errata E000-06): three rows are taken for
 /// x, y and z of all points, else every row for a point. Three points in rows come out with their x, y and z
 /// mixed up, and nothing can tell.
@@ -105,14 +114,14 @@ Frame<T> cross_products(glm::vec<3, T> eye, glm::vec<3, T> target, glm::vec<3, T
 /// Errors: ContractViolation for a block that is neither.
 template <class T>
 std::vector<glm::vec<3, T>> points_of_block(const std::vector<std::vector<T>>& block) {
-  const std::size_t columns = block.empty() ? 0 : block[0].size();
-  expects(block.size() == 3 || columns == 3, "a block of 3 x N or N x 3 expected, found {} x {}",
-          block.size(), columns);
-  for (const auto& row : block) expects(row.size() == columns, "rows of equal length expected");
+  expect_block(block);
   std::vector<glm::vec<3, T>> points;
   if (block.size() == 3) {
-    for (std::size_t i = 0; i < columns; ++i) points.push_back({block[0][i], block[1][i], block[2][i]});
+    // Rows x, y and z of all points?
+    const auto x = block[0], y = block[1], z = block[2];
+    for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i], z[i]});
   } else {
+    // Every row is a point
     for (const auto& row : block) points.push_back({row[0], row[1], row[2]});
   }
   return points;

@@ -222,26 +222,17 @@ TEST(Telling, EverySentenceIsSaid) {
 // --- Decisions
 
 /// Methods that decide nothing: they compute.
-const std::set<std::string> deciding_nothing{"affine_2d factor_by_factor",
-                                             "affine_2d local_coordinates",
-                                             "affine_2d one_matrix",
-                                             "affine_3d constant_offset",
-                                             "affine_3d one_matrix",
-                                             "affine_3d row_vectors",
-                                             "affine_3d turn_vector",
-                                             "parallel along",
-                                             "parallel keep_x_and_y",
-                                             "parallel oblique",
-                                             "parallel orthographic",
-                                             "perspective depth_precision",
-                                             "perspective divide_untested",
-                                             "polygon_shading all_three",
-                                             "polygon_shading vertex_normals",
-                                             "viewing cross_products",
-                                             "viewing inverse_of_any_frame",
-                                             "viewing minus_position",
-                                             "viewing transposed",
-                                             "viewing view_to_world",
+const std::set<std::string> deciding_nothing{"affine_2d factor_by_factor",  "affine_2d local_coordinates",
+                                             "affine_2d one_matrix",        "affine_3d constant_offset",
+                                             "affine_3d one_matrix",        "affine_3d row_vectors",
+                                             "affine_3d turn_vector",       "parallel along",
+                                             "parallel keep_x_and_y",       "parallel oblique",
+                                             "parallel orthographic",       "perspective depth_precision",
+                                             "perspective divide_untested", "perspective frustum",
+                                             "polygon_shading all_three",   "polygon_shading vertex_normals",
+                                             "viewing cross_products",      "viewing inverse_of_any_frame",
+                                             "viewing minus_position",      "viewing points_of_block",
+                                             "viewing transposed",          "viewing view_to_world",
                                              "viewing world_to_view"};
 
 TEST(Telling, DecisionsAreWhole) {

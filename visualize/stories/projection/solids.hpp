@@ -210,12 +210,17 @@ class Scenery {
     picture_ = Panel(places.picture, patch_);
     space_top_ = space_.at(space.upper).y;
     picture_top_ = picture_.at(patch_.upper).y;
+    bottom_ = std::min(space_.at(space.lower).y, picture_.at(patch_.lower).y);
   }
 
-  /// The same with the picture alone, as large as the paper.
+  /// The same with the picture alone, as large as the paper. With an eye the drawing is wide, and stays as
+  /// high as it is, so that its place beside the listing does.
   Scenery picture_alone() const {
     Scenery alone = *this;
-    alone.picture_ = Panel({{0.8, 0.8}, {paper_width - 0.8, paper_height - 0.8}}, patch_);
+    const double highest = std::max(space_top_, picture_top_);
+    const Extent place = eye_ ? Extent{{0.8, bottom_}, {paper_width - 0.8, highest}}
+                              : Extent{{0.8, 0.8}, {paper_width - 0.8, paper_height - 0.8}};
+    alone.picture_ = Panel(place, patch_);
     return alone;
   }
 
@@ -366,7 +371,7 @@ class Scenery {
   std::optional<dvec3> eye_;
   Extent patch_{};
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
-  double space_top_ = 0, picture_top_ = 0;  ///< of what is drawn there
+  double space_top_ = 0, picture_top_ = 0, bottom_ = 0;  ///< of what is drawn there
 };
 
 /// How far a solid's corners, one after the other, have got their images.

@@ -11,6 +11,9 @@ namespace gradus::viewing {
 
 using DFrame = Frame<double>;
 
+// viewing_block.cpp
+void tell_block(Narrator& narrator);
+
 constexpr std::array<std::string_view, 3> axis_names{"right", "up", "forward"};
 
 /// What the reader calls the directions right, up and forward.

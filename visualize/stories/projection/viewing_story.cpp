@@ -410,7 +410,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                   .standing = standing,
                   .tell = tell,
                   .function = std::move(function),
-                  .unread = {"axes"}};
+                  .unread = {"axes", "block"}};
   };
   static const TopicEntry topic = completed<entry>(
       {.name = "viewing",
@@ -421,8 +421,12 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
            {looking("world_to_view", Standing::taught, tell_view<Along::refused, Way::rows, rows>, "look_at"),
             looking("view_to_world", Standing::plain, tell_view<Along::refused, Way::inverse, columns>,
                     "look_at"),
-            {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up"}},
+            {.name = "inverse_of_any_frame", .tell = tell_any_frame, .unread = {"target", "up", "block"}},
             looking("spare_up", Standing::plain, tell_view<Along::replaced, Way::rows, rows>, "look_at"),
+            {.name = "points_of_block",
+             .standing = Standing::faulty,
+             .tell = tell_block,
+             .unread = {"target", "up"}},
             looking("minus_position", Standing::faulty,
                     tell_view<Along::refused, Way::minus_position, moved>),
             looking("transposed", Standing::faulty, tell_view<Along::refused, Way::transposed, turned>),
@@ -435,7 +439,10 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
             numbers("up", "0,1,0", "0,0,1", "what points up in the picture: a direction of any length",
                     xyz, coordinate_sizes),
             points(3, 3, "axes", "2,0,0 1,1,0 0,-0.5,-1", "1,0,0 0,2,0 0.5,0,-1",
-                   "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz)},
+                   "method inverse_of_any_frame: right, up and forward, of any lengths and angles", xyz),
+            numbers("block", "1,2,3,4,5,6,7,8,9", "0,0,0,1,0,0,0,1,0",
+                    "method points_of_block: three rows of three numbers",
+                    {"a", "b", "c", "d", "e", "f", "g", "h", "i"}, coordinate_sizes)},
        .examples = {"--eye 1.6,2.1,1.6 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                     "--eye 2,3,5 --target 0,0,0 --method transposed",
                     "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});

@@ -303,7 +303,7 @@ class Story {
     const bool asks_owner = tie && way_ != Way::closed;
     event.decides =
         yes_or_no(words_, asks_owner ? "question.owner" : "question", {{"edge", name(i)}}, t.covered,
-                  tie ? "on_edge" : "inside", tie ? "on_edge_of_neighbour" : "outside");
+                  tie ? "on edge" : "inside", tie ? "on the edge of a neighbour" : "outside");
     return event;
   }
 

@@ -59,16 +59,16 @@ inline std::vector<dvec2> within(const Extent& frame, std::vector<dvec2> ring) {
   return ring;
 }
 
-inline Triangle snapped(const std::vector<dvec2>& ring, std::size_t number, double shift) {
-  if (ring.size() != 3) refuse("triangles", "triangle {}: expected 3 corners, found {}", number, ring.size());
-  Triangle t;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(ring[i].x) > farthest - 1 || std::abs(ring[i].y) > farthest - 1)
-      refuse("triangles", "expected corners at most {} pixels out, found one of triangle {} farther away",
-             farthest - 1, number);
-    t[i] = snap(ring[i] + shift);
+/// A ring's corners, snapped, as the triangles of a fan round its first one.
+inline void add_fan(std::vector<Triangle>& triangles, const std::vector<dvec2>& ring, double shift) {
+  std::vector<ivec2> corners;
+  for (const dvec2 p : ring) {
+    if (!can_snap(2.0 * p))
+      refuse("triangles", "expected corners at most {} pixels out, found one farther away", farthest / 2);
+    corners.push_back(snap(p + shift));
   }
-  return t;
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
 inline Subject subject_of(const Arguments& arguments) {
@@ -76,10 +76,12 @@ inline Subject subject_of(const Arguments& arguments) {
   if (arguments.text("samples") == "lattice") subject.samples = Samples::lattice;
   const auto& origin = arguments.numbers("origin");
   subject.origin = {origin[0], origin[1]};
-  if (subject.size() > 16) refuse("window", "expected at most 16 columns and rows, found {}", subject.size());
-  if (!near_enough(subject.window)) refuse("window", "expected pixels at most {} out", farthest);
-  for (const auto& ring : arguments.rings("triangles"))
-    subject.triangles.push_back(snapped(ring, subject.triangles.size() + 1, subject.shift()));
+  const ivec2 first = subject.window.lower;
+  if (std::max(std::abs(dvec2(first).x), std::abs(dvec2(first).y)) > farthest - 16)
+    refuse("window", "expected a first pixel at most {} out, found {},{}", farthest - 16, first.x, first.y);
+  // What is larger than a drawing shows is seen from its first pixel on
+  subject.window.upper = glm::min(subject.window.upper, first + 15);
+  for (const auto& ring : arguments.rings("triangles")) add_fan(subject.triangles, ring, subject.shift());
   return subject;
 }
 
@@ -90,7 +92,7 @@ inline std::vector<Parameter> subject_parameters() {
        .type = ParameterType::rings,
        .default_value = "1,3 4,1 2,5",
        .example = "0,0 6,0 6,6; 0,0 6,6 0,6",
-       .help = "triangles of three corners each: x right and y down in pixels",
+       .help = "triangles, x right and y down in pixels; more than three corners make a fan of triangles",
        .least = 3,
        .most = 12,
        .parts = xy,
@@ -99,11 +101,12 @@ inline std::vector<Parameter> subject_parameters() {
        .type = ParameterType::window,
        .default_value = "0,0,5,5",
        .example = "0,0,7,7",
-       .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included"},
+       .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included; of more than 16 "
+               "columns or rows the first 16"},
       choice("samples", {"centres", "lattice"}, "centres", "lattice",
              "where it is asked: at the pixels' centres, or at the points of whole numbers"),
       numbers("origin", "100000000,100000000", "0,0",
-              "method expanded_edges: where the window lies in a huge picture, in pixels", xy, {1, 1e12})};
+              "method expanded_edges: where the window lies in a huge picture, in pixels", xy, {1e-6, 1e12})};
 }
 
 }  // namespace gradus::triangle_coverage
