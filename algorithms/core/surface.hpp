@@ -1,17 +1,14 @@
 #pragma once
-// What a surface looks like and what lights it: plain data that illumination, shading, ray tracing and the
-// loaders share. Colours are linear RGB; sRGB is the business of image files (core/colour.hpp).
+// What a surface looks like: plain data that illumination, shading, ray tracing and the loaders share. What
+// lights it is in core/light.hpp. Colours are linear RGB; sRGB is the business of image files
+// (core/colour.hpp).
 
-#include <glm/vec3.hpp>
 #include <string>
 
-#include "core/geometry.hpp"
 #include "core/image.hpp"
+#include "core/light.hpp"
 
 namespace gradus {
-
-/// A colour or an amount of light, linear, a component each for red, green and blue; 1 is full white.
-using LinearRgb = glm::vec3;
 
 /// A picture that is laid on a surface. Texture coordinates (0, 0) to (1, 1) cover it, v up.
 struct Texture {
@@ -30,18 +27,6 @@ struct Material {
   LinearRgb emission{0.0f};  ///< light of its own, >= 0
   float opacity = 1;      ///< 1 covers all behind it, 0 nothing; the textbook chain draws everything opaque
   Texture diffuse_map{};  ///< multiplies the diffuse part where its file is named
-};
-
-/// A lamp. Its light arrives weakened by 1 / (constant + linear d + quadratic d^2) at the distance d, and
-/// never stronger than it left.
-struct Light {
-  enum class Kind { point, directional };
-
-  Kind kind = Kind::point;
-  dvec3 position{0};          ///< point: where it stands, world space
-  dvec3 direction{0, 0, 0};   ///< directional: where its light travels to, world space, any length but 0
-  LinearRgb intensity{1.0f};  ///< what it sends out, >= 0
-  double constant = 1, linear = 0, quadratic = 0;  ///< attenuation of a point light, >= 0, not all 0
 };
 
 }  // namespace gradus

@@ -78,6 +78,28 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   shading({{"faces", roof}, {"intensities", "0 1 0.5"}, {"columns", "6"}, {"rows", "6"}});
   shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   shading({{"method", "flat"}, {"light", "0,0,1000000"}, {"eye", "0,0,1000000"}});
+  const auto lit = [&](const std::map<std::string, std::string>& given) { tell("illumination", given); };
+  lit({{"lights", "0,3,4 0,-4,2 0,2,-1"}, {"eye", "0,-3,4"}});
+  lit({{"lights", "0,3,4 0,30,4"}, {"range", "8"}});
+  lit({{"lights", "0,0,0"}});
+  lit({{"ks", "0"}});
+  lit({{"kind", "directional"}});
+  lit({{"kind", "spot"}, {"lights", "0,3,4 0,6,1"}, {"aim", "0,2,0"}, {"cone", "15,30"}});
+  lit({{"kind", "area"}, {"samples", "2"}});
+  lit({{"kind", "area"}, {"samples", "1"}, {"aim", "0,6,8"}});
+  lit({{"method", "lights_side_by_side"}, {"samples", "1"}});
+  lit({{"method", "highlight_lobes"}, {"exponents", "0 4"}});
+  lit({{"method", "tinted_highlight"}, {"colour", "#ff0000"}, {"eye", "0,-3,4"}});
+  lit({{"method", "light_minus_normal"},
+       {"place", "6,0,0"},
+       {"lights", "3,4,0"},
+       {"normal", "0,1,0"},
+       {"eye", "7,9,0"}});
+  lit({{"method", "light_behind"}, {"lights", "3,0,-4"}, {"eye", "-10,0,1.4"}, {"shininess", "1"}});
+  lit({{"method", "light_behind"}, {"lights", "3,0,-4"}, {"eye", "10,0,1.4"}, {"shininess", "0"}});
+  lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "2"}, {"kd", "0"}});
+  lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "0.5"}});
+  lit({{"method", "unclamped"}, {"lights", "0,-3,4 3,0,-2"}, {"kd", "0.5"}, {"eye", "0,2,5"}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };
@@ -191,11 +213,31 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   };
   const std::string floors =
       "A: 0,0,0 4,0,0 4,3,0; B: 4,0,0 8,0,0 8,3,0; C: 0,0,2 4,0,2 4,3,2; D: 0,0,-2 4,0,-2 4,3,-2";
+  const std::string bars =
+      "A: -6.2,-3.6,-1.2 6.2,-3.6,1.2 6.2,-1.6,1.2 -6.2,-1.6,-1.2; "
+      "B: 6.2,-3.6,-1.2 0,7.1,1.2 -1.7,6.1,1.2 4.5,-4.6,-1.2; "
+      "C: 0,7.2,-1.2 -6.2,-3.5,1.2 -4.5,-4.5,1.2 1.7,6.2,-1.2";
   for (const char* method : {"build", "back_to_front", "uncut"}) part(method, "A: 0,0,0 4,0,0 4,3,0");
   part("build", floors);
   part("back_to_front", floors, "0,0,-1");
   part("back_to_front", floors, "1,0,0");
   part("uncut", "A: 0,0,0 4,0,0 4,3,0; B: 1,1,2 3,1,-2 3,2,-2 1,2,2");
+  const auto paint = [&](std::string method, std::string faces, std::string towards = "1,2,3") {
+    tell("painter", {{"method", method}, {"faces", faces}, {"towards", towards}});
+  };
+  for (const char* method : {"newell", "farthest_vertex", "centroid", "mean_depth", "descending_mean_z"}) {
+    paint(method, "A: 0,0,0 4,0,0 4,3,0");
+    paint(method, floors, "0,0,1");
+  }
+  paint("newell", "A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2");
+  paint("newell", bars, "0.2,-0.4,1");
+  // Moved once already, another of the cycle, and one moved that ends before
+  paint("newell", "A: -1,-5,-3 5,4,2 1,-5,-1; B: -1,2,-3 1,2,0 2,1,3; C: -2,1,3 1,5,3 0,-5,-3", "0,0,1");
+  paint("newell", "A: -5,-5,2 2,5,-3 -4,-3,-3; B: -2,1,-2 3,-3,3 0,4,-3; C: -1,2,-1 3,1,-3 -5,4,-1", "0,0,1");
+  paint("newell", "A: 5,1,1 -1,-5,-2 5,4,3; B: -2,-1,2 2,3,-3 1,-5,2; C: -2,-3,-2 3,-1,-2 0,4,-2", "0,0,1");
+  paint("newell", "A: -5,0,-4 5,0,4 5,2,4 -5,2,-4; B: -5,4,-1 5,4,-1 5,6,-1 -5,6,-1", "0,0,1");
+  tell("painter", {{"faces", "A: 0,-10,10 50,-10,10 50,10,10 0,10,10; B: 0,-5,20 8,-5,20 8,5,20 0,5,20"},
+                   {"eye", "0,0,0"}});
   const auto cull = [&](std::string method, std::map<std::string, std::string> more) {
     more["method"] = method;
     tell("back_face_culling", more);

@@ -8,6 +8,7 @@
 // The viewer stands at the origin and looks along +z (docs/conventions.md, view space).
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -270,6 +271,49 @@ std::optional<Point3<T>> divide_tested(const Projection<T>& p, Point3<T> v, O&& 
     return no_image;
   }
   return divide(clip, observer);
+}
+
+// --- What the viewer can see -------------------------------------
+
+/// A corner of the frustum was found.
+template <class T>
+struct CornerFound {
+  int number;       ///< from 0: left below, right below, left above, right above; first near, then far
+  T width, height;  ///< half of its rectangle's
+  Point3<T> corner;
+};
+
+/// The eight corners of the frustum, the part of space between two planes that the picture shows: a rectangle
+/// at the near plane, and one at the far plane that is larger as it is farther away. The transformation takes
+/// it to a box.
+/// Source: J. F. Blinn, A trip down the graphics pipeline, 1996, chapter 18.
+///
+/// across, up: tangents of half the angles of view. near, far: depths with 0 < near < far.
+///
+/// Domain: products that neither overflow nor underflow.
+/// Steps: CornerFound eight times.
+/// Accuracy: x and y one rounding each, z exact.
+/// Cost: 16 multiplications.
+/// Errors: ContractViolation unless across, up > 0 and 0 < near < far.
+template <class T, Observer<CornerFound<T>> O = Unobserved>
+std::array<Point3<T>, 8> frustum_corners(T across, T up, T near, T far, O&& observer = {}) {
+  expects(T(0) < across && T(0) < up, "angles of view above 0 expected");
+  expects(T(0) < near && near < far, "depths with 0 < near < far expected");
+  std::array<Point3<T>, 8> corners;
+  for (int i = 0; i < 8; ++i) {
+    // First the near rectangle
+    const T z = i < 4 ? near : far;
+    // Half its width and height
+    const T w = z * across;
+    const T h = z * up;
+    // Left or right, below or above
+    const T x = i % 2 == 0 ? -w : w;
+    const T y = i % 4 < 2 ? -h : h;
+    const Point3<T> corner{x, y, z};
+    if constexpr (observed<O>) observer(CornerFound<T>{i, w, h, corner});
+    corners[static_cast<std::size_t>(i)] = corner;
+  }
+  return corners;
 }
 
 // --- How finely depth is stored ----------------------------------

@@ -168,8 +168,8 @@ constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
   const auto area = doubled_area(triangle);
   if (area == 0) return;
-  const auto edges = edges_of(triangle);
   const auto box = centres(triangle, window);
+  const auto edges = edges_of(triangle);
   if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
   const auto& [a, b, c] = edges;
   const auto [lower, upper] = box;

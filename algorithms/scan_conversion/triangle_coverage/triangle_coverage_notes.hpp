@@ -47,8 +47,8 @@ constexpr void closed_half_planes(const Triangle& triangle, const Window& window
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
   const auto area = doubled_area(triangle);
   if (area == 0) return;
-  const auto edges = edges_of(triangle);
   const auto box = centres(triangle, window);
+  const auto edges = edges_of(triangle);
   if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
   const auto pixels = pixels_of(box);
   std::int64_t covered = 0;
@@ -125,8 +125,8 @@ constexpr void expanded_edges(const Triangle& triangle, dvec2 origin, const Wind
   expects(near_enough(window), "the window reaches more than {} pixels out", farthest);
   const auto area = doubled_area(triangle);
   if (area == 0) return;
-  const auto edges = edges_of(triangle);
   const auto box = centres(triangle, window);
+  const auto edges = edges_of(triangle);
   if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
   const FarEdges far(edges, origin);
   const auto pixels = pixels_of(box);

@@ -366,11 +366,12 @@ Tree<T> build(const std::vector<Polygon<T>>& polygons, const SideOf& side = {}, 
 /// The side of a plane on which an eye lies, exactly, at infinity as well.
 inline int side_of_eye(const Plane<double>& plane, const Eye<double>& eye) {
   if (eye.w != 0) return orient3d(plane.a, plane.b, plane.c, dvec3(eye) / eye.w);
+  const dvec3 way(eye), a = plane.a;
+  if (const auto sure = orient3d_filtered(dvec3{0}, plane.b - a, plane.c - a, way)) return *sure;
   SumOfProducts<3> volume;
-  const dvec3 way(eye);
   detail::add_determinant(volume, false, plane.b, plane.c, way);
-  detail::add_determinant(volume, true, plane.a, plane.c, way);
-  detail::add_determinant(volume, false, plane.a, plane.b, way);
+  detail::add_determinant(volume, true, a, plane.c, way);
+  detail::add_determinant(volume, false, a, plane.b, way);
   return volume.sign();
 }
 inline int side_of_eye(const Plane<float>& plane, const Eye<float>& eye) {

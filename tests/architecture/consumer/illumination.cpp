@@ -4,7 +4,7 @@
 
 int main() {
   using namespace gradus;
-  const Material material{
+  const illumination::Reflectance<float> material{
       .ambient = LinearRgb{0.1f}, .diffuse = LinearRgb{0.7f}, .specular = LinearRgb{0.2f}, .shininess = 10};
   const Light lamp{.position = {0, 3, 4}};
   const auto light = illumination::phong<double>({0, 0, 0}, {0, 0, 1}, {0, -3, 4}, material,

@@ -14,6 +14,10 @@ extern "C" {
 [[gnu::flatten]] void machine_code_divide(const glm::dvec4* clip, glm::dvec3* ndc, int count) {
   for (int i = 0; i < count; ++i) ndc[i] = gradus::perspective::divide(clip[i]);
 }
+[[gnu::flatten]] void machine_code_frustum_corners(double across, double up, double near, double far,
+                                                   std::array<dvec3, 8>* corners) {
+  *corners = perspective::frustum_corners(across, up, near, far);
+}
 [[gnu::flatten]] void machine_code_project(double d, const dvec3* point, std::optional<dvec3>* image,
                                            int count) {
   for (int i = 0; i < count; ++i) image[i] = perspective::project(d, point[i]);

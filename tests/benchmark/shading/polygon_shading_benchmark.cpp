@@ -10,6 +10,7 @@
 
 #include "benchmark/subject.hpp"
 #include "core/raster.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 
 namespace gradus::bench {

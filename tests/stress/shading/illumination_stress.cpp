@@ -1,4 +1,4 @@
-// The promise of Phong's illumination, one light at a time.
+// The promises of illumination, one light at a time.
 
 #include "shading/illumination/illumination.hpp"
 
@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "core/surface.hpp"
 #include "stress/core/digits.hpp"
 #include "stress/numbers.hpp"
 #include "stress/scales.hpp"
@@ -87,6 +88,174 @@ double error(const Input& i) {
   return std::max(worst, share(parts.specular.x, highlight, 60 * u * steep * full));
 }
 
+/// What Digits make of a light's attenuation.
+Digits left_of(const Light& light, const Digits& distance) {
+  const Digits weakened =
+      Digits(light.constant) + distance * (Digits(light.linear) + distance * Digits(light.quadratic));
+  return weakened > 1 ? Digits(1 / weakened) : Digits(1);
+}
+
+/// The same inputs, their highlight by Blinn. How near L + V is to 0 counts.
+double blinns_error(const Input& i) {
+  if (!all_finite(i)) return 0;
+  const dvec3 place = vector_of(i, 0), eye = vector_of(i, 6), position = vector_of(i, 9);
+  const dvec3 normal = unit_vector(vector_of(i, 3));
+  Light light;
+  light.position = position;
+  light.constant = std::abs(i[12]), light.linear = std::abs(i[13]), light.quadratic = std::abs(i[14]);
+  illumination::Reflectance<double> shiny;
+  shiny.specular = dvec3{1};
+  shiny.shininess = std::clamp(i[15], 0.0, 1e4);
+  const Vec to_light = way(place, position), to_eye = way(place, eye);
+  const Digits largest(std::numeric_limits<double>::max());
+  for (const Vec& v : {to_light, to_eye}) {
+    if (length(v) > largest) return 0;  // beyond the domain
+  }
+  const double found = illumination::blinn_phong(place, normal, eye, shiny, std::span(&light, 1), dvec3{0},
+                                                 illumination::AllSeen{})
+                           .specular.x;
+  const Vec l = unit(to_light), v = unit(to_eye), n{normal.x, normal.y, normal.z};
+  const Vec both{l[0] + v[0], l[1] + v[1], l[2] + v[2]};
+  const Digits nl = dot(n, l), nh = dot(n, unit(both)), u(0x1p-53), spread = length(both);
+  const Digits full = left_of(light, length(to_light));
+  if (full < Digits(0x1p-900)) return found < 0x1p-899 ? 0 : wrong;
+  if (spread <= 100 * u || abs(nl) <= 40 * u || abs(nh) <= 100 * u / spread)
+    return std::isfinite(found) ? 0 : wrong;
+  const Digits exponent(shiny.shininess);
+  const Digits right = nl > 0 && nh > 0 ? Digits(full * pow(nh, exponent)) : Digits(0);
+  Digits steep = exponent > 1 ? exponent : Digits(1);
+  if (exponent > 0 && exponent < 1 && nh > 0) steep = 1 / nh;
+  if (!std::isfinite(found)) return wrong;
+  return static_cast<double>(Digits(abs(Digits(found) - right) / (100 * u * steep * full / spread)));
+}
+
+/// The place, the spot, its axis, two cosines, the power.
+Input spots(Kind kind, Random& random) {
+  Input input(12);
+  for (std::size_t k = 0; k < 9; ++k) input[k] = number(kind, random);
+  double outer = random.uniform(-1, 1), inner = random.uniform(-1, 1);
+  if (kind == Kind::near_degenerate || kind == Kind::grazing) {
+    // The place on the outer cone, or a little beside it
+    const dvec3 to_place = unit_vector(vector_of(input, 0) - vector_of(input, 3));
+    outer = glm::dot(to_place, unit_vector(vector_of(input, 6)));
+    if (kind == Kind::near_degenerate)
+      outer += random.uniform(-1, 1) * std::ldexp(1.0, -static_cast<int>(random.uniform_int(8, 52)));
+    outer = std::clamp(outer, -1.0, 1.0);
+    inner = outer + random.unit() * (1 - outer);
+  }
+  input[9] = std::clamp(std::min(outer, inner), -1.0, 1.0);
+  input[10] = std::clamp(std::max(outer, inner), -1.0, 1.0);
+  const double powers[] = {0, 0, 1, 2, 8, 100};
+  input[11] = powers[random.uniform_int(0, 5)];
+  return input;
+}
+
+/// A spot's edge, and exactly nothing outside it.
+double spots_error(const Input& i) {
+  if (!all_finite(i)) return 0;
+  Light spot;
+  spot.kind = Light::Kind::spot;
+  spot.position = vector_of(i, 3), spot.direction = vector_of(i, 6);
+  spot.outer_cosine = std::clamp(i[9], -1.0, 1.0);
+  spot.inner_cosine = std::clamp(i[10], spot.outer_cosine, 1.0);
+  spot.concentration = i[11] >= 1 ? std::min(i[11], 1000.0) : 0;
+  const Vec to_place = way(spot.position, vector_of(i, 0)), axis = way(dvec3{0}, spot.direction);
+  const Digits largest(std::numeric_limits<double>::max()), u(0x1p-53);
+  if (length(to_place) > largest || length(axis) > largest || length(to_place) == 0 || length(axis) == 0)
+    return 0;
+  const dvec3 to_light = illumination::towards(spot, 0, vector_of(i, 0)).first;
+  const double found = illumination::spot_cone(spot, to_light);
+  const Digits c = dot(unit(to_place), unit(axis)), outer(spot.outer_cosine), inner(spot.inner_cosine);
+  if (c <= outer - 40 * u) return found == 0 ? 0 : wrong;
+  if (!(found >= 0 && found <= 1)) return wrong;
+  const Digits width = inner - outer;
+  if (width <= 80 * u)
+    return abs(c - outer) <= 120 * u || abs(Digits(found) - pow(c, Digits(spot.concentration))) < 1e-10
+               ? 0
+               : wrong;
+  Digits t = (c - outer) / width;
+  t = t < 0 ? Digits(0) : t > 1 ? Digits(1) : t;
+  const Digits edge = t * t * (3 - 2 * t), power(spot.concentration);
+  const Digits right = power == 0 ? edge : c > 0 ? Digits(edge * pow(c, power)) : Digits(0);
+  const Digits bound = (60 / width + 40 * (power > 1 ? power : Digits(1)) + 20) * u;
+  return static_cast<double>(Digits(abs(Digits(found) - right) / bound));
+}
+
+/// A distance and a range near it.
+Input ranges(Kind kind, Random& random) {
+  Input input{std::abs(number(kind, random)), std::abs(number(kind, random))};
+  if (kind == Kind::near_degenerate || kind == Kind::grazing || kind == Kind::ties) {
+    input[0] = input[1];
+    if (kind == Kind::grazing) input[0] = std::nextafter(input[1], 0.0);
+    if (kind == Kind::near_degenerate)
+      input[0] *= 1 + random.uniform(-1, 1) * std::ldexp(1.0, -static_cast<int>(random.uniform_int(4, 52)));
+  }
+  return input;
+}
+
+/// The end of a range, and exactly nothing beyond it.
+double ranges_error(const Input& i) {
+  if (!all_finite(i) || !(std::abs(i[1]) > 0)) return 0;
+  Light light;
+  light.range = std::abs(i[1]);
+  const double d = std::abs(i[0]), found = illumination::range_window(light, d);
+  if (d >= light.range) return found == 0 ? 0 : wrong;
+  const Digits part = Digits(d) / Digits(light.range), left = 1 - part * part * part * part;
+  if (!(found >= 0 && found <= 1)) return wrong;
+  return static_cast<double>(Digits(abs(Digits(found) - left * left) / (20 * Digits(0x1p-53))));
+}
+
+/// A rectangle above the place: its middle, its sides, and how often it is sampled.
+Input areas(Kind kind, Random& random) {
+  const double scale = kind == Kind::huge ? 1e3 : kind == Kind::tiny ? 1e-3 : 1;
+  Input input;
+  for (int k = 0; k < 3; ++k) input.push_back(random.uniform(-3, 3));
+  input[2] = random.uniform(2, 6);
+  for (int k = 0; k < 6; ++k) input.push_back(scale * random.uniform(-1, 1));
+  if (kind == Kind::grazing) input[5] = input[8] = 0;
+  input.push_back(static_cast<double>(random.uniform_int(1, 6)));
+  return input;
+}
+
+/// How far the grid is from Lambert's integral: half the sum over the edges of the angle that each fills
+/// times the height of its plane's normal.
+double areas_error(const Input& i) {
+  if (!all_finite(i)) return 0;
+  Light light;
+  light.kind = Light::Kind::area;
+  light.position = vector_of(i, 0), light.across = vector_of(i, 3), light.along = vector_of(i, 6);
+  light.constant = 0, light.quadratic = 1;
+  light.samples = static_cast<int>(std::clamp(i[9], 1.0, 16.0));
+  const double sides = glm::dot(light.across, light.across) + glm::dot(light.along, light.along);
+  const double half = 0.5 * (glm::length(light.across) + glm::length(light.along));
+  const double nearest = glm::length(light.position) - half;
+  const dvec3 normal = glm::cross(light.across, light.along);
+  // Beyond the domain: too near, across the horizon, or no area
+  if (!(nearest > 1) || !(light.position.z > half) || !(glm::length(normal) > 1e-3 * sides) || !(sides < 1e3))
+    return 0;
+  illumination::Reflectance<double> white;
+  white.diffuse = dvec3{1};
+  const double found = illumination::phong(dvec3{0}, dvec3{0, 0, 1}, dvec3{0, 0, 1}, white,
+                                           std::span<const Light>(&light, 1), dvec3{0})
+                           .diffuse.x;
+  const double front = -glm::dot(normal, light.position);
+  if (front <= 0) return found == 0 ? 0 : wrong;
+  double sum = 0;
+  const double signs[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+  for (int k = 0; k < 4; ++k) {
+    const auto corner = [&](const double* sign) {
+      return light.position + sign[0] * light.across + sign[1] * light.along;
+    };
+    const dvec3 a = corner(signs[k]), b = corner(signs[(k + 1) % 4]), across = glm::cross(a, b);
+    const double size = glm::length(across);
+    if (size > 0) sum += std::atan2(size, glm::dot(a, b)) * across.z / size;
+  }
+  const double whole = 0.5 * std::abs(sum) / glm::length(normal), n = light.samples;
+  // Lambert's sum cancels where the rectangle is small
+  const double rounding = 1e-13 / glm::length(normal);
+  return std::abs(found - whole) / (1.6 * sides / (n * n * std::pow(nearest, 4)) + rounding);
+}
+
 }  // namespace
 
 Domain illumination() {
@@ -101,17 +270,63 @@ Domain illumination() {
                   Kind::denormal, Kind::extremes},
         .generate = at_every_scale(generate, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}),
         .error = error,
-        .traps = {
-            {"a light at the horizon", {0, 0, 0, .6, .8, 0, 0, 0, 5, -.8 + 6e-7, .6 + 8e-7, 0, 1, 0, 0, 10}},
-            {"a light so near that squares underflow",
-             {0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 3e-200, 4e-200, 0, 1e200, 0, 1}},
-            {"a light so far that squares overflow",
-             {0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 3e200, 4e200, 0, 1e-200, 0, 1}},
-            {"the light at the place", {1, 2, 3, 0, 0, 1, 0, 0, 9, 1, 2, 3, 1, 1, 1, 0}},
-            {"the eye at the place", {1, 2, 3, 0, 0, 1, 1, 2, 3, 0, 0, 9, 1, 1, 1, 0}},
-            {"no normal", {1, 2, 3, 0, 0, 0, 0, 0, 9, 0, 9, 9, 1, 1, 1, 0}},
-            {"an exponent of 10^4 beside the mirror",
-             {0, 0, 0, 0, 0, 1, 1, 0, 100, 0, 0, 4, 1, 0, 0, 1e4}}}}}};
+        .traps = {{"a light at the horizon",
+                   {0, 0, 0, .6, .8, 0, 0, 0, 5, -.8 + 6e-7, .6 + 8e-7, 0, 1, 0, 0, 10}},
+                  {"a light so near that squares underflow",
+                   {0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 3e-200, 4e-200, 0, 1e200, 0, 1}},
+                  {"a light so far that squares overflow",
+                   {0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 3e200, 4e200, 0, 1e-200, 0, 1}},
+                  {"the light at the place", {1, 2, 3, 0, 0, 1, 0, 0, 9, 1, 2, 3, 1, 1, 1, 0}},
+                  {"the eye at the place", {1, 2, 3, 0, 0, 1, 1, 2, 3, 0, 0, 9, 1, 1, 1, 0}},
+                  {"no normal", {1, 2, 3, 0, 0, 0, 0, 0, 9, 0, 9, 9, 1, 1, 1, 0}},
+                  {"an exponent of 10^4 beside the mirror",
+                   {0, 0, 0, 0, 0, 1, 1, 0, 100, 0, 0, 4, 1, 0, 0, 1e4}}}},
+       {.name = "blinn_phong",
+        .states = "highlight within 100 u max(1, n) / |L + V| of the light's full strength",
+        .unit = "bounds",
+        .bound = 1,
+        .numbers = 16,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
+                  Kind::denormal, Kind::extremes},
+        .generate = at_every_scale(generate, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}),
+        .error = blinns_error,
+        .traps = {{"viewer and light face to face", {0, 0, 0, 0, 0, 1, -3, 0, 1e-9, 3, 0, 1e-9, 1, 0, 0, 10}},
+                  {"light from behind", {0, 0, 0, 0, 0, 1, 0, 0, 5, 1, 0, -4, 1, 0, 0, 2}}}},
+       {.name = "spot",
+        .states =
+            "a spot's cone within (60 / (inner - outer) + 40 max(1, power) + 20) u; exactly 0 outside it",
+        .unit = "bounds",
+        .bound = 1,
+        .numbers = 12,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
+                  Kind::denormal, Kind::extremes},
+        .generate = at_every_scale(spots, {0, 1, 2, 3, 4, 5, 6, 7, 8}),
+        .error = spots_error,
+        .traps = {{"both cones are one", {0, 0, 0, 0, 3, 4, 0, -3, -4, 1, 1, 0}},
+                  {"a place behind the spot", {0, 0, 9, 0, 0, 4, 0, 0, -1, 0, 1, 0}},
+                  {"a hard edge", {1, 0, 0, 0, 0, 1, 0, 0, -1, 0.7071067811865476, 0.7071067811865476, 0}}}},
+       {.name = "range",
+        .states = "the end of a range within 20 u of 1; exactly 0 beyond it",
+        .unit = "bounds",
+        .bound = 1,
+        .numbers = 2,
+        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
+                  Kind::denormal, Kind::extremes},
+        .generate = at_every_scale(ranges, {0, 1}),
+        .error = ranges_error,
+        .traps = {{"at the end", {4, 4}},
+                  {"a little before it", {0x1.fffffffffffffp1, 4}},
+                  {"a tiny range", {0x1p-1074, 0x1p-1073}}}},
+       {.name = "area",
+        .states = "a grid within 1.6 (sides squared) / (samples^2 d^4) of the whole rectangle's light",
+        .unit = "bounds",
+        .bound = 1,
+        .numbers = 10,
+        .kinds = {Kind::random, Kind::grazing, Kind::tiny},
+        .generate = areas,
+        .error = areas_error,
+        .traps = {{"its back", {0, 0, 3, 1, 0, 0, 0, 1, 0, 4}},
+                  {"right above", {0, 0, 3, 0, 1, 0, 1, 0, 0, 4}}}}}};
 }
 
 }  // namespace gradus::stress

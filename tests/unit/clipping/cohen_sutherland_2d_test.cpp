@@ -189,6 +189,22 @@ TEST(CohenSutherland2dNotes, BelowTheWindowPasses) {
   }
 }
 
+TEST(CohenSutherland2dNotes, NodesBelowTheScreenAreKept) {
+  // G002-07: nodes at depths between 0 and 50000 on a screen of 800 x 600
+  const Rectangle<double> screen{{0, 0}, {800, 600}};
+  const glm::dvec3 nodes[] = {{10, -5, 100}, {-1, 5, 100},   {10, 601, 100},
+                              {10, 5, 0},    {10, 5, 50000}, {10, 5, 49999}};
+  std::vector<bool> right, notes;
+  for (const glm::dvec3& node : nodes) {
+    const glm::dvec2 at{node.x, node.y};
+    const bool between = 0 < node.z && node.z < 50000;
+    right.push_back(between && region_code(at, screen) == 0);
+    notes.push_back(between && whole_or_nothing(Segment<2, double>{at, at}, screen));
+  }
+  EXPECT_EQ(right, (std::vector<bool>{false, false, false, false, false, true}));
+  EXPECT_EQ(notes, (std::vector<bool>{true, false, false, false, false, true}));
+}
+
 TEST(CohenSutherland2dNotes, OneEndOutsideDropsTheWholeSegment) {
   // E002-07
   const Segment<2, double> line{{15, 2}, {5, 8}};

@@ -53,6 +53,49 @@ TEST(LiangBarskyCircle, GoldenSegments) {
   }
 }
 
+TEST(LiangBarskyCircle, DiscriminantAndBothValuesOfEveryGoldenSegment) {
+  // G001-59 to 68: D = r^2 A - k^2, t1, t2 and the part that is kept; the notes' B^2 - 4AC is 4 D
+  struct Golden {
+    S given;
+    double D;
+    std::optional<std::pair<double, double>> t;  ///< none for a point and for a line that misses
+    Kept kept;
+  };
+  const double far = std::sqrt(3.0) / 4e8;
+  const Golden goldens[] = {
+      {segment(-3, 0, 3, 0), 36, {{1.0 / 3, 2.0 / 3}}, segment(-1, 0, 1, 0)},
+      {segment(2, 0, 3, 0), 1, {{-3, -1}}, {}},
+      {segment(0, 0, 0.5, 0), 0.25, {{-2, 2}}, segment(0, 0, 0.5, 0)},
+      {segment(-2, 1, 2, 1), 0, {{0.5, 0.5}}, segment(0, 1, 0, 1)},
+      {segment(0.5, 0, 0.5, 0), 0, {}, segment(0.5, 0, 0.5, 0)},
+      {segment(5, 0, 5, 0), 0, {}, {}},
+      {segment(1, 0, 2, 0), 1, {{-2, 0}}, segment(1, 0, 1, 0)},
+      {segment(0, 0, 2, 0), 4, {{-0.5, 0.5}}, segment(0, 0, 1, 0)},
+      {segment(-1e8, 0.5, 1e8, 0.5),
+       3e16,
+       {{0.5 - far, 0.5 + far}},
+       segment(-0.8660254037844386, 0.5, 0.8660254037844386, 0.5)},
+      {segment(-1e8, 1.0000001, 1e8, 1.0000001), -8.0000004e9, {}, {}},
+  };
+  for (const auto& [given, D, t, right] : goldens) {
+    SCOPED_TRACE(testing::PrintToString(given.a.x) + " to " + testing::PrintToString(given.b.x));
+    Recorder<Started<double>, Measured<double>, Crossed<double>, Limited<double>, Finished<double>> seen;
+    const Kept kept = half_chord(given, unit, seen);
+    const auto measured = all<Measured<double>>(seen);
+    ASSERT_EQ(measured.size(), 1u);
+    EXPECT_NEAR(measured[0].D, D, 1e-6 * std::abs(D));
+    const auto crossed = all<Crossed<double>>(seen);
+    ASSERT_EQ(crossed.size(), t ? 1u : 0u);
+    if (t) {
+      EXPECT_NEAR(crossed[0].enters, t->first, 1e-15);
+      EXPECT_NEAR(crossed[0].leaves, t->second, 1e-15);
+    }
+    ASSERT_EQ(kept.has_value(), right.has_value());
+    if (right) expect_near(kept, *right, std::abs(given.a.x) > 1e6 ? 1e-8 : 1e-15);
+    EXPECT_EQ(exact_decision(given, unit).has_value(), right.has_value());
+  }
+}
+
 TEST(LiangBarskyCircle, FarEndsCancelNothing) {
   // G001-67 and 68
   const S far = segment(-1e8, 0.5, 1e8, 0.5);

@@ -52,6 +52,41 @@ TEST(TriangleCoverage, EdgeFunctionsOfTheNotesTriangle) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(edges[i].at(t[i]), 8 * 65536);
 }
 
+TEST(TriangleCoverage, CoefficientsOfTheNotesTriangle) {
+  // G001-95: E1 is the edge c from A to B, E2 a, E3 b; (value at the origin, per column, per row)
+  const Edges edges = edges_of(pixels({1, 3}, {4, 1}, {2, 5}));
+  const auto coefficients = [](const Edge& edge) {
+    const std::int64_t constant = edge.at({0, 0});
+    return std::array{(edge.at({256, 0}) - constant) / 65536, (edge.at({0, 256}) - constant) / 65536,
+                      constant / 65536};
+  };
+  EXPECT_EQ(coefficients(edges[2]), (std::array<std::int64_t, 3>{2, 3, -11}));
+  EXPECT_EQ(coefficients(edges[0]), (std::array<std::int64_t, 3>{-4, -2, 18}));
+  EXPECT_EQ(coefficients(edges[1]), (std::array<std::int64_t, 3>{2, -1, 1}));
+  for (const Edge& edge : edges) EXPECT_EQ(edge.step() * 256, edge.at({65536, 0}) - edge.at({0, 0}));
+}
+
+TEST(TriangleCoverage, LatticePointsOfTheNotesTriangle) {
+  // G001-97, with the lattice's points as places instead of centres
+  const Edges edges = edges_of(pixels({1, 3}, {4, 1}, {2, 5}));
+  Pixels all, strict, centres;
+  for (int x = -1; x < 7; ++x) {
+    for (int y = -1; y < 7; ++y) {
+      const auto least_at = [&](ivec2 place) {
+        return std::min({edges[0].at(place), edges[1].at(place), edges[2].at(place)});
+      };
+      if (least_at({256 * x, 256 * y}) >= 0) all.push_back({x, y});
+      if (least_at({256 * x, 256 * y}) > 0) strict.push_back({x, y});
+      if (least_at(centre_of({x, y})) >= 0) centres.push_back({x, y});
+    }
+  }
+  EXPECT_EQ(all, (Pixels{{1, 3}, {2, 3}, {2, 4}, {2, 5}, {3, 2}, {3, 3}, {4, 1}}));
+  EXPECT_EQ(strict, (Pixels{{2, 3}, {2, 4}, {3, 2}}));
+  EXPECT_EQ(centres, (Pixels{{1, 3}, {2, 2}, {2, 3}, {3, 1}}));
+  // Pick: inside + half of those on the border - 1 is the area
+  EXPECT_EQ(2 * strict.size() + (all.size() - strict.size()) - 2, 8u);
+}
+
 TEST(TriangleCoverage, TheDiagonalOfASquareIsDrawnOnce) {
   // G001-98: closed half-planes draw 8 of 64 pixels twice
   const Pixels lower = covered(pixels({0, 0}, {8, 0}, {8, 8}), sheet);

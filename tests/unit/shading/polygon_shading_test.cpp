@@ -13,6 +13,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
@@ -160,6 +161,26 @@ TEST(PolygonShading, VertexShadesAreTheIlluminationModel) {
   light_vertices(std::span<const Surface<double>>(vertices), lamp, std::span(lit), record);
   ASSERT_EQ(record.events().size(), 4u);
   for (std::size_t i = 0; i < lit.size(); ++i) EXPECT_EQ(lit[i], lamp(vertices[i].place, vertices[i].normal));
+}
+
+/// The golden's lamp and eye at one place above the surface, all in doubles: the light comes back along V.
+struct LampAtTheEye {
+  double operator()(dvec3 place, dvec3 normal) const {
+    const double cosine = std::max(0.0, glm::dot(normal, glm::normalize(dvec3{0, 0, 2} - place)));
+    return 0.1 + 0.7 * cosine + 0.2 * std::pow(std::max(0.0, 2 * cosine * cosine - 1), 10);
+  }
+};
+
+TEST(PolygonShading, TheGoldenHighlightInDoubles) {
+  // G001-87, to 1e-12
+  const std::vector<Plain> polygon = square();
+  std::vector<Lit> lit;
+  for (const Plain& corner : polygon)
+    lit.push_back({corner.at, LampAtTheEye{}(corner.value.place, corner.value.normal)});
+  EXPECT_NEAR(gouraud_of(lit).at({0, 0}), 0.2905158688831361, 1e-12);
+  Pixels bright;
+  phong(std::span<const Plain>(polygon), picture, LampAtTheEye{}, into(bright));
+  EXPECT_NEAR(bright.at({0, 0}), 1, 1e-12);
 }
 
 TEST(PolygonShading, GouraudMissesTheHighlight) {

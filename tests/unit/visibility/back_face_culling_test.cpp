@@ -107,7 +107,10 @@ TEST(BackFaceCulling, StepsAndMistakes) {
 }
 
 TEST(BackFaceCullingNotes, OneCornerBehindTheEyeTurnsTheAreaRound) {
-  // E001-40, G001-92: N.V0 = 2, which is the determinant, and -0.25 in the picture
+  // E001-40, G001-92: N.V0 = 2, which is the determinant, and -0.25 in the picture. To the notes, whose front
+  // faces run clockwise, it is hidden, and by its area in the picture seen
+  const std::vector<dvec3> triangle{{0, 0, 2}, {1, 0, 2}, {0, 1, -2}};
+  EXPECT_EQ(glm::dot(newell_normal<double>(triangle), triangle[0]), 2);
   const V a = clip({0, 0, 2}), b = clip({1, 0, 2}), c = clip({0, 1, -2});
   EXPECT_EQ(glm::dot(dvec3(a.x, a.y, a.w), glm::cross(dvec3(b.x, b.y, b.w), dvec3(c.x, c.y, c.w))), 2);
   EXPECT_EQ(area_after_division(a, b, c), -0.25);
@@ -391,6 +394,9 @@ TEST(BackFaceCullingNotes, TheNormalInViewSpaceForgetsThePerspective) {
   // E001-39, G001-91: N = (1, 0, -1), N.V0 = 2; in the picture N'z = 1/6
   const std::vector<Ring> faces{{{4, 0, 2}, {4, 1, 2}, {5, 0, 3}}, {{-4, 0, 2}, {-4, 1, 2}, {-5, 0, 3}}};
   EXPECT_EQ(newell_normal<double>(faces[0]), dvec3(1, 0, -1));
+  // To the notes, whose front faces run clockwise, it shows where N.V0 < 0: it is hidden, and by Nz seen
+  EXPECT_EQ(glm::dot(newell_normal<double>(faces[0]), faces[0][0]), 2);
+  EXPECT_LT(newell_normal<double>(faces[0]).z, 0);
   EXPECT_EQ(newell_normal<double>(faces[1]), dvec3(1, 0, 1));
   EXPECT_EQ(drawn([&](const auto& draw) { homogeneous<double>(spans(faces), draw); }),
             (std::vector<std::size_t>{0}));

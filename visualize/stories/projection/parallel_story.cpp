@@ -105,8 +105,9 @@ class Story {
   }
 
   void show(Board& board, const steps::Finished&) {
+    if (task_.right.empty()) return board.milestone(progress_.picture());
     View view = progress_.drawing(true);
-    if (!task_.right.empty()) add_right_picture(view);
+    add_right_picture(view);
     board.milestone(std::move(view));
   }
   Event say(const steps::Finished&) const {

@@ -79,7 +79,9 @@ class ProjectionStory {
             .decides = before_eye(words_, u.point.z)};
   }
 
-  void show(Board& board, const steps::Finished&) { board.milestone(progress_.drawing(true)); }
+  void show(Board& board, const steps::Finished&) {
+    board.milestone(unseen_ == 0 ? progress_.picture() : progress_.drawing(true));
+  }
   Event say(const steps::Finished&) const {
     if (unseen_ == 0) return {.text = "done.projection"};
     return {.text = "done.unseen", .count = unseen_};

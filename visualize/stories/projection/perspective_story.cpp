@@ -10,8 +10,10 @@ namespace gradus::perspective {
 const TopicEntry& entry() {  // the catalogue asks for it by this name
   using namespace parameters;
   // Parameters that only some methods read, and that only their traces name
-  static const std::vector<std::string> of_division{"points", "scales", "centre", "zoom"};
-  static const std::vector<std::string> late{"points", "scales", "centre", "zoom", "direction"};
+  static const std::vector<std::string> of_division{"points", "scales", "centre", "zoom", "fields"};
+  static const std::vector<std::string> late{"points", "scales", "centre", "zoom", "fields", "direction"};
+  static const std::vector<std::string> divided{"fields", "direction"};
+  static const std::vector<std::string> of_frustum{"points", "scales", "centre", "zoom", "direction"};
   const auto method = [](std::string name, Standing standing, void (*tell)(Narrator&), std::string function,
                          std::vector<std::string> unread) {
     const bool exact = standing == Standing::taught;
@@ -30,19 +32,20 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
        .methods = {method("projection", Standing::taught, tell_projection, "project", late),
                    method("vanishing_points", Standing::plain, tell_vanishing_points, "vanishing_point",
                           of_division),
+                   method("frustum", Standing::plain, tell_frustum, "frustum_corners", of_frustum),
                    method("transformation", Standing::plain, tell_transformation, "transform", late),
-                   method("divide_tested", Standing::plain, tell_divide_tested, "transform", {"direction"}),
+                   method("divide_tested", Standing::plain, tell_divide_tested, "transform", divided),
                    method("depth_precision", Standing::plain, tell_depth_precision, "separable_step", late),
                    method("keep_z", Standing::faulty, tell_keep_z, "keep_z", late),
                    method("divide_untested", Standing::faulty, tell_divide_untested, "divide_untested",
-                          {"direction"}),
-                   method("zoom_minus_z", Standing::faulty, tell_zoom_minus_z, "zoom_minus_z", {"direction"}),
+                          divided),
+                   method("zoom_minus_z", Standing::faulty, tell_zoom_minus_z, "zoom_minus_z", divided),
                    method("parallel_by_plane", Standing::faulty, tell_parallel_by_plane, "parallel_by_plane",
                           of_division)},
        .parameters =
            {number("distance", "3", "1",
-                   "the picture plane's distance d from the eye; methods transformation and keep_z: the near "
-                   "plane",
+                   "the picture plane's distance d from the eye; methods frustum, transformation and keep_z: "
+                   "the near plane",
                    {1e-3, 1e6}),
             choice("solid", {"house", "box"}, "house", "box",
                    "method projection: what is projected, 2 wide, 2 high, 3 deep"),
@@ -56,6 +59,9 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
             numbers("to", "6,0,9", "2,0,3", "where it ends", xyz, solids::modest_sizes),
             number("wall", "6.6", "2.2", "the depth of a wall that the line crosses", solids::modest_sizes),
             number("far", "12", "4", "the far plane's depth", solids::modest_sizes),
+            numbers("fields", "90,60", "60,45",
+                    "method frustum: the angles of view across and up, in degrees", {"across", "up"},
+                    {1, 160}),
             {"samples", ParameterType::integer, "3", "7", "points between the line's ends", 1, 15},
             numbers("range", "1,1000000", "0.1,1000",
                     "methods depth_precision, divide_tested and divide_untested: the depths of the near and "

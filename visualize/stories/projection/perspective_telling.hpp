@@ -24,6 +24,8 @@ void tell_keep_z(Narrator& narrator);
 void tell_divide_tested(Narrator& narrator);
 void tell_divide_untested(Narrator& narrator);
 void tell_zoom_minus_z(Narrator& narrator);
+// frustum.cpp
+void tell_frustum(Narrator& narrator);
 // depth_precision.cpp
 void tell_depth_precision(Narrator& narrator);
 

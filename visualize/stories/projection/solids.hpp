@@ -212,6 +212,13 @@ class Scenery {
     picture_top_ = picture_.at(patch_.upper).y;
   }
 
+  /// The same with the picture alone, as large as the paper.
+  Scenery picture_alone() const {
+    Scenery alone = *this;
+    alone.picture_ = Panel({{0.8, 0.8}, {paper_width - 0.8, paper_height - 0.8}}, patch_);
+    return alone;
+  }
+
   const Sheet& sheet() const { return sheet_; }
   dvec2 in_space(dvec3 p) const { return space_.at(from_right(p)); }
   dvec2 in_picture(dvec3 p) const { return picture_.at(sheet_.picture(p)); }
@@ -234,10 +241,18 @@ class Scenery {
     const double highest = std::max(space_top_, picture_top_);
     caption("caption space", space_, beside ? highest : space_top_, "projection.space");
     caption("caption picture", picture_, beside ? highest : picture_top_, "projection.picture");
-    add_plane(view, space);
+    add_frame(view);
+    add_plane(space);
     add_solid(space);
     if (eye_)
       view.add_named("e eye", "f eye name", Role::input, in_space(*eye_), words_.say("projection.eye"));
+  }
+
+  void add_frame(View& view) const {
+    std::vector<dvec2> frame;
+    for (const dvec3 p : outline()) frame.push_back(in_picture(p));
+    view.add({"a picture glass", Role::boundary, Area{{frame}, 2}});
+    view.add({"a picture frame", Role::boundary, Path{frame, true}});
   }
 
   /// The image of every corner that has one, and the edges between them; `whole`: with its faces.
@@ -281,8 +296,8 @@ class Scenery {
     return corners;
   }
 
-  /// The picture plane, as far as the picture goes, in space and as the picture's frame.
-  void add_plane(View& view, SpaceDrawing& space) const {
+  /// The picture plane in space, as far as the picture goes.
+  void add_plane(SpaceDrawing& space) const {
     const std::vector<dvec3> border = outline();
     space.add(SpaceFace{.id = "plane",
                         .role = Role::boundary,
@@ -297,10 +312,6 @@ class Scenery {
                           .b = border[(i + 1) % border.size()],
                           .behind = false});
     }
-    std::vector<dvec2> frame;
-    for (const dvec3 p : border) frame.push_back(in_picture(p));
-    view.add({"a picture glass", Role::boundary, Area{{frame}, 2}});
-    view.add({"a picture frame", Role::boundary, Path{frame, true}});
   }
 
   void add_solid(SpaceDrawing& space) const {
@@ -377,6 +388,15 @@ class Progress {
   /// whole: the picture is complete, and its faces are shown.
   View drawing(bool whole) const { return drawing(whole, false); }
   View with_corner() const { return drawing(false, true); }
+  /// The complete picture and nothing else.
+  View picture() const {
+    View view;
+    const Scenery alone = scenery_.picture_alone();
+    SpaceDrawing unseen = alone.space();
+    alone.add_frame(view);
+    alone.add_images(view, unseen, images_, Role::result, true);
+    return view;
+  }
 
  private:
   View drawing(bool whole, bool pointed) const {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/colour.hpp"
+#include "core/surface.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"

@@ -31,6 +31,32 @@ TEST(PerspectiveFrustum, CornersGoToTheCornersOfTheBox) {
   EXPECT_NEAR(ndc({1, 1, 5}).x, 2 * ndc({1, 1, 10}).x, 1e-16);
 }
 
+TEST(PerspectiveFrustum, EightCornersFromBothAnglesOfView) {
+  // R004-009, G001-94: angles of 90 and 60 degrees, near 1, far 100: A = tan 45, B = tan 30, times the depth
+  const double across = gradus::tan(radians_from_degrees(45)), up = gradus::tan(radians_from_degrees(30));
+  Recorder<CornerFound<double>> seen;
+  const auto corners = frustum_corners(across, up, 1.0, 100.0, seen);
+  EXPECT_NEAR(across, 1, 1e-15);
+  EXPECT_NEAR(up, 0.5773502691896257, 1e-15);
+  ASSERT_EQ(seen.events().size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double z = i < 4 ? 1 : 100, x = i % 2 == 0 ? -z : z, y = i % 4 < 2 ? -z * up : z * up;
+    EXPECT_NEAR(glm::distance(corners[i], dvec3{x, y, z}), 0, 1e-13) << i;
+    const auto& step = std::get<CornerFound<double>>(seen.events()[i].step);
+    EXPECT_EQ(step.number, static_cast<int>(i));
+    EXPECT_EQ(step.corner, corners[i]);
+    EXPECT_EQ(dvec2(step.width, step.height), glm::abs(dvec2(corners[i])));
+    // The frustum becomes a cuboid
+    const dvec3 image = *divide_tested(projection_of(1 / across, 1 / up, 1.0, 100.0), corners[i]);
+    const dvec3 box{i % 2 == 0 ? -1 : 1, i % 4 < 2 ? -1 : 1, i < 4 ? 0 : 1};
+    EXPECT_NEAR(glm::distance(image, box), 0, 1e-14) << i;
+  }
+  EXPECT_EQ(frustum_corners(across, up, 1.0, 100.0), corners);  // observed == unobserved
+  EXPECT_THROW(frustum_corners(1.0, 1.0, 2.0, 2.0), ContractViolation);
+  EXPECT_THROW(frustum_corners(1.0, 1.0, 0.0, 2.0), ContractViolation);
+  EXPECT_THROW(frustum_corners(0.0, 1.0, 1.0, 2.0), ContractViolation);
+}
+
 TEST(PerspectiveFrustum, WhatTheNotesCallNearIsNear) {
   // E004-02: z = n gives 0 and z = f gives 1; E004-05: tan(a)^-1 is the reciprocal of a tangent, no arc
   // tangent

@@ -1,0 +1,28 @@
+// Every method of painter as a function of its own; see machine_code_test.py.
+#include "visibility/painter/painter.hpp"
+#include "visibility/painter/painter_notes.hpp"
+
+using namespace gradus::painter;
+
+void draw_polygon(const Polygon<double>& polygon);  // defined nowhere: the compiler must call it
+
+using Polygons = std::vector<Polygon<double>>;
+
+// Flattened: what is compared is the whole method, not a call of it
+extern "C" {
+[[gnu::flatten]] void machine_code_newell(const Polygons& polygons, const View<double>& view) {
+  newell(polygons, view, draw_polygon);
+}
+[[gnu::flatten]] void machine_code_farthest_vertex(const Polygons& polygons, const View<double>& view) {
+  farthest_vertex(polygons, view, draw_polygon);
+}
+[[gnu::flatten]] void machine_code_centroid(const Polygons& polygons, const View<double>& view) {
+  centroid(polygons, view, draw_polygon);
+}
+[[gnu::flatten]] void machine_code_mean_depth(const Polygons& polygons, const View<double>& view) {
+  mean_depth(polygons, view, draw_polygon);
+}
+[[gnu::flatten]] void machine_code_descending_mean_z(const Polygons& polygons, const View<double>& view) {
+  descending_mean_z(polygons, view, draw_polygon);
+}
+}

@@ -1,0 +1,132 @@
+#pragma once
+// How large and how sharp a highlight is: (R.V)^n round R for several n, as lobes and as curves.
+
+#include "stories/shading/illumination_task.hpp"
+
+namespace gradus::illumination {
+
+/// The highlight of one exponent is drawn.
+struct LobeDrawn {
+  double exponent;
+  double half;  ///< where it has half its strength, in degrees from R
+};
+
+class LobeStory {
+ public:
+  explicit LobeStory(double theta) : theta_(theta) {}
+
+  void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
+  Event say(const steps::Started&) const {
+    return {.text = "lobes", .words = {{"theta", fmt::format("{:.0f}°", theta_)}}};
+  }
+  void show(Board& board, const LobeDrawn& l) {
+    done_.push_back(l);
+    board.milestone(drawing());
+  }
+  Event say(const LobeDrawn& l) const {
+    return {.text = l.exponent > 0 ? "lobe" : "lobe.zero",
+            .facts = {{"exponent", l.exponent}, {"half", l.half}},
+            .words = {{"n", l.exponent}, {"half", degrees(l.half)}},
+            .row = {l.exponent, degrees(l.half)},
+            .key = figure_real(l.exponent),
+            .phase = "lobes"};
+  }
+  void show(Board& board, const steps::Finished&) {
+    ended_ = true;
+    board.milestone(drawing());
+  }
+  Event say(const steps::Finished&) const {
+    const auto [least, most] = std::minmax_element(
+        done_.begin(), done_.end(), [](const auto& a, const auto& b) { return a.exponent < b.exponent; });
+    return {.text = "lobes.finished",
+            .words = {{"least", least->exponent},
+                      {"most", most->exponent},
+                      {"wide", degrees(least->half)},
+                      {"narrow", degrees(most->half)}}};
+  }
+
+  static std::string degrees(double value) { return figure_real(std::round(value * 10) / 10) + "°"; }
+
+ private:
+  static constexpr dvec2 origin{8.6, 2.6};
+  static constexpr double length = 12.5;
+
+  static dvec2 tip(double at, double part) {
+    const double a = at / degrees_per_radian;
+    return origin + part * length * dvec2{-std::sin(a), std::cos(a)};
+  }
+  static double lobe(double off, double n) {
+    const double c = std::cos(off / degrees_per_radian);
+    return c > 0 ? pow(c, n) : 0;
+  }
+  View drawing() const {
+    View view;
+    view.add({"s surface", Role::boundary, Stroke{origin - dvec2{8.4, 0}, origin + dvec2{9.6, 0}}});
+    view.add({"a ground", Role::boundary,
+              Area{{{origin - dvec2{8.4, 0}, origin + dvec2{9.6, 0}, origin + dvec2{9.6, -0.9},
+                     origin - dvec2{8.4, 0.9}}},
+                   1}});
+    const auto arrow = [&](const std::string& id, Role role, double at, const std::string& name) {
+      view.add(
+          {id, role, Stroke{tip(at, at == theta_ ? 0.72 : 0), tip(at, at == theta_ ? 0.06 : 1.08), true}});
+      view.add({id + " name", role, Text{tip(at, at == theta_ ? 0.78 : 1.14), name}});
+    };
+    arrow("n normal", Role::input, 0, "N");
+    arrow("l way", Role::input, theta_, "L");
+    arrow("r mirror", Role::measure, -theta_, "R");
+    const Panel plot({{21.6, 3.2}, {35.6, 16}}, {{0, 0}, {90, 1}}, Panel::Fit::stretched);
+    add_axes(view, plot, "p", {"α", ""}, 5);
+    view.add({"q half", Role::guide, Stroke{plot.at({0, 0.5}), plot.at({90, 0.5}), false, true, true}});
+    for (std::size_t i = 0; i < done_.size(); ++i) add_lobe(view, plot, i);
+    return view;
+  }
+  void add_lobe(View& view, const Panel& plot, std::size_t i) const {
+    const double n = done_[i].exponent, half = done_[i].half;
+    const bool now = !ended_ && i + 1 == done_.size();
+    const Role role = now ? Role::current : ended_ ? Role::result : Role::past;
+    std::vector<dvec2> ring{origin}, curve;
+    // No light leaves below the surface
+    for (double way = 90; way >= -90; way -= 0.75) ring.push_back(tip(way, lobe(way + theta_, n)));
+    for (double off = 0; off <= 90; off += 0.5) curve.push_back(plot.at({off, lobe(off, n)}));
+    const std::string id = fmt::format("{:02}", i), number = figure_real(n);
+    view.add({"b lobe " + id, role, Area{{ring}, std::min<int>(3, static_cast<int>(i) + 1)}});
+    view.add({"c lobe " + id, role, Path{ring, true}});
+    view.add({"c curve " + id, role, Path{curve}});
+    view.add({"d half " + id, role, Dot{plot.at({half, 0.5})}});
+    // Low down the curves lie farthest apart
+    const double low = n > 0 ? degrees_of(pow(0.2, 1 / n)) : 90;
+    view.add({"d half " + id + " name", role,
+              Text{plot.at({low, 0.2}) + dvec2{0.25, 0}, i == 0 ? "n = " + number : number, Align::left}});
+  }
+
+  const double theta_;
+  std::vector<LobeDrawn> done_{};
+  bool ended_ = false;
+};
+
+inline void tell_lobes(Narrator& narrator) {
+  const Arguments& arguments = narrator.arguments();
+  const Task task = task_of(arguments);
+  const dvec3 l = towards(task.lights[0], 0, task.place).first;
+  const double cosine = glm::dot(l, task.normal);
+  if (!(cosine > 0)) refuse(arguments, {"lights", "normal"}, "expected a first lamp in front of the surface");
+  narrator.paper(38, 18);
+  narrator.trace().subtitle = narrator.words().say("lobes.subtitle");
+  narrator.columns({{"n"}, {"half"}});
+  narrator.legend({{Role::input, "directions"},
+                   {Role::measure, "mirror"},
+                   {Role::current, "lobe"},
+                   {Role::past, "before"},
+                   {Role::result, "lobes"}});
+  LobeStory story(degrees_of(cosine));
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  for (const Tuple& tuple : arguments.tuples("exponents")) {
+    const double n = tuple[0].value;
+    if (n < 0) refuse("exponents", "expected 0 or more, found {}", n);
+    watch(LobeDrawn{n, n > 0 ? degrees_of(pow(0.5, 1 / n)) : 90}, 0);
+  }
+  watch(steps::Finished{}, 0);
+}
+
+}  // namespace gradus::illumination
