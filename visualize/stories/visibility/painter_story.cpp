@@ -192,8 +192,10 @@ class OrderStory {
                                    : "done.right",
                 .facts = {{"polygons", std::ssize(painted_)}, {"tests", tests_}, {"cuts", cuts_}}};
     if (wrong_)
-      event.words.insert(event.words.end(),
-                         {{"late", names_(wrong_->late)}, {"early", names_(wrong_->early)}});
+      event.words.insert(event.words.end(), {{"late", names_(wrong_->late)},
+                                             {"early", names_(wrong_->early)},
+                                             {"late_key", key_of(wrong_->late).key},
+                                             {"early_key", key_of(wrong_->early).key}});
     return event;
   }
 
