@@ -223,7 +223,7 @@ class OrderStory {
   }
   Entry key_of(const DPolygon& polygon) const {
     const auto [least, most] = keys_of(polygon);
-    const double key = key_.of_mean ? key_.of_place(task_, mean_of_corners(polygon)) : most;
+    const double key = key_.of_mean ? key_.of_place(task_, mean(polygon)) : most;
     return {names_(polygon), least, most, key, role_of(polygon)};
   }
   double nearest(const DPolygon& polygon) const { return keys_of(polygon).first; }
@@ -268,7 +268,7 @@ class OrderStory {
     const auto is = [&](const auto& other) { return other && bsp_tree::same(*other, polygon); };
     if (done_) return Role::result;
     if (is(p_)) return Role::current;
-    if (is(q_)) return passed_ == Test::none_passed ? Role::rejected : Role::accepted;
+    if (is(q_)) return passed_ == Test::failed ? Role::rejected : Role::accepted;
     if (std::ranges::any_of(parts_, [&](const DPolygon& part) { return bsp_tree::same(part, polygon); }))
       return Role::candidate;
     const bool painted =
@@ -279,7 +279,7 @@ class OrderStory {
   void put(Board& board) {
     ++steps_;
     if (q_) q_name_ = q_name();
-    if (passed_ == Test::none_passed && !telling_) telling_ = StepNumber{steps_ - 1, 0};
+    if (passed_ == Test::failed && !telling_) telling_ = StepNumber{steps_ - 1, 0};
     if (wrong_) telling_ = StepNumber{steps_ - 1, 0};
     Drawing drawing;
     const Role last = done_ ? Role::result : p_ ? Role::input : Role::current;
@@ -295,7 +295,7 @@ class OrderStory {
   void add_test(Drawing& drawing) const {
     if (passed_ == Test::across || passed_ == Test::upright || passed_ == Test::apart)
       picture_.add_parting(drawing, *p_, *q_, *passed_);
-    if (passed_ == Test::none_passed) picture_.add_common(drawing, *p_, *q_, Role::rejected);
+    if (passed_ == Test::failed) picture_.add_common(drawing, *p_, *q_, Role::rejected);
   }
   void add_order(Drawing& drawing) const {
     std::vector<DPolygon> all = painted_;
@@ -308,8 +308,7 @@ class OrderStory {
     if (q_ && passed_ == Test::depths) order_.add_limit(drawing, nearest(*p_), rows);
   }
   void add_beside(Drawing& drawing) const {
-    const bool plane =
-        q_ && (passed_ == Test::behind || passed_ == Test::in_front || passed_ == Test::none_passed);
+    const bool plane = q_ && (passed_ == Test::behind || passed_ == Test::in_front || passed_ == Test::failed);
     if (plane || !parts_.empty()) return add_edge_on(drawing);
     int rank = 0;
     for (const bool at_hand : {false, true}) {
@@ -326,7 +325,7 @@ class OrderStory {
     if (q_ && passed_ == Test::depths) plan_.add_depth(drawing, nearest(*p_));
     if (key_.distances) {
       for (const DPolygon& polygon : task_.polygons)
-        plan_.add_distance(drawing, mean_of_corners(polygon), Role::measure, names_(polygon),
+        plan_.add_distance(drawing, mean(polygon), Role::measure, names_(polygon),
                            figure_real(key_of(polygon).key));
     }
     add_caption(drawing, words_.say("caption.above"));
