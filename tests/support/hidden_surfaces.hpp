@@ -83,7 +83,7 @@ inline void add(Polygons& scene, const Box& box, bool solid) {
   }
 }
 
-/// Three bars, each over the next (G001-77), a fourth of their size.
+/// Three bars, each over the next as in the notes, a fourth of their size.
 inline void add_cycle(Polygons& scene, dvec3 at, bool solid) {
   const std::array<dvec3, 3> ends{dvec3{0, 0, 0}, {2.5, 0, 0}, {1.25, 2, 0}};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -50,13 +50,13 @@ View<T> distant_view(const glm::vec<3, T>& towards, const glm::vec<3, T>& up) {
 
 /// The tests of Newell, Newell and Sancha in their order: the first that P passes says why it can't cover Q.
 enum class Test {
-  depths,      ///< P begins where Q has ended
-  across,      ///< they lie side by side on the screen
-  upright,     ///< one lies above the other on the screen
-  behind,      ///< P lies behind the plane of Q, seen from the eye
-  in_front,    ///< Q lies in front of the plane of P
-  apart,       ///< an edge parts their projections
-  none_passed  ///< P may cover Q
+  depths,    ///< P begins where Q has ended
+  across,    ///< they lie side by side on the screen
+  upright,   ///< one lies above the other on the screen
+  behind,    ///< P lies behind the plane of Q, seen from the eye
+  in_front,  ///< Q lies in front of the plane of P
+  apart,     ///< an edge parts their projections
+  failed     ///< all six: P may cover Q
 };
 
 /// The polygons are in order of their farthest corners.
@@ -248,7 +248,7 @@ List<T> pieces_of(const std::vector<Polygon<T>>& polygons, const View<T>& view) 
 /// Puts those with the farthest corners last; of equals the earlier one in the list comes later in it, and so
 /// is drawn first the first time. Tells how many comparisons it took.
 template <class T>
-std::size_t sort_by_farthest(List<T>& list, const View<T>& view) {
+std::size_t sort(List<T>& list, const View<T>& view) {
   std::size_t comparisons = 0;
   std::ranges::stable_sort(list, [&](const Piece<T>& p, const Piece<T>& q) {
     ++comparisons;
@@ -322,7 +322,7 @@ bool edge_parts(const Piece<T>& p, const Piece<T>& q, const Eye<T>& eye) {
 
 /// The first of the tests that shows that P can't cover Q, as drawn before it.
 template <class T>
-Test first_passed(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+Test tested(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
   const auto& [eye, right, up, forward] = view;
   // Q ends before P begins
   if (compare_depths(forward, p.depths.first, q.depths.last) >= 0) return Test::depths;
@@ -337,7 +337,7 @@ Test first_passed(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
   // Projections
   if (edge_parts(p, q, eye)) return Test::apart;
   if (edge_parts(q, p, eye)) return Test::apart;
-  return Test::none_passed;
+  return Test::failed;
 }
 
 /// Whether Q can't cover P: it lies behind its plane, or P in front of its own.
@@ -351,7 +351,7 @@ bool can_go_first(const Piece<T>& q, const Piece<T>& p) {
 /// Whether no other is left to hold against P: Q may be covered, or all that follow are nearer still.
 template <class T>
 bool ends(Test test, const Piece<T>& q) {
-  return test == Test::none_passed || (test == Test::depths && !q.moved);
+  return test == Test::failed || (test == Test::depths && !q.moved);
 }
 
 /// Whether Q, if there is one, may be put before P: for the first time, and rightly.
@@ -431,6 +431,11 @@ void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer
   draw_by_planes(std::move(before), view, draw, observer);
 }
 
+template <class T, class Draw, class O>
+void draw_rest(List<T>& list, const View<T>& view, Draw&& draw, O&& observer) {
+  draw_by_planes(std::exchange(list, {}), view, draw, observer);
+}
+
 // --- The methods
 
 /// Gives polygons to `draw` in the order of their farthest corners, the farthest first.
@@ -450,8 +455,8 @@ void farthest_vertex(const std::vector<Polygon<T>>& polygons, const View<T>& vie
                      O&& observer = {}) {
   // The farthest last
   auto list = pieces_of(polygons, view);
-  const auto comparisons = sort_by_farthest(list, view);
-  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), comparisons});
+  const auto count = sort(list, view);
+  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), count});
   while (!list.empty()) {
     // No test: the next one is drawn
     const auto p = list.back().polygon;
@@ -488,8 +493,8 @@ template <class T, class Draw,
 void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&& draw, O&& observer = {}) {
   // The farthest last
   auto list = pieces_of(polygons, view);
-  const auto comparisons = sort_by_farthest(list, view);
-  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), comparisons});
+  const auto count = sort(list, view);
+  if constexpr (observed<O>) observer(Sorted<T>{order_of(list), count});
   while (!list.empty()) {
     const auto p = list.back();
     if constexpr (observed<O>) observer(Taken<T>{p.polygon, list.size() - 1});
@@ -497,26 +502,26 @@ void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&&
     std::size_t covered = none;
     for (auto i = list.size() - 1; i-- > 0;) {
       const auto& q = list[i];
-      const Test test = first_passed(p, q, view);
+      const Test test = tested(p, q, view);
       if constexpr (observed<O>) observer(Compared<T>{p.polygon, q.polygon, test, ends(test, q)});
-      if (test == Test::none_passed) covered = i;
+      if (test == Test::failed) covered = i;
       if (ends(test, q)) break;
     }
-    const auto cuts = first_cut(list, covered);
+    const auto r = first_cut(list, covered);
     if (moves(list, covered)) {
       // Q goes first
       move_to_end(list, covered);
       if constexpr (observed<O>) observer(Moved<T>{p.polygon, list.back().polygon});
-    } else if (cuts != none) {
+    } else if (r != none) {
       // P's plane cuts what it can't order
-      const auto whole = list[cuts].polygon;
-      const auto [front, back] = cut(list, cuts, view);
-      if constexpr (observed<O>) observer(Cut<T>{p.polygon, whole, front, back});
-      const auto again = sort_by_farthest(list, view);
+      const auto whole = list[r].polygon;
+      const auto parts = cut(list, r, view);
+      if constexpr (observed<O>) observer(Cut<T>{p.polygon, whole, parts.in_front, parts.behind});
+      const auto again = sort(list, view);
       if constexpr (observed<O>) observer(Sorted<T>{order_of(list), again});
     } else if (covered != none) {
       // Rounding has closed a cycle
-      draw_by_planes(std::exchange(list, {}), view, draw, observer);
+      draw_rest(list, view, draw, observer);
     } else {
       // P covers none
       list.pop_back();

@@ -8,7 +8,7 @@ namespace gradus::painter {
 
 /// The mean of a polygon's corners, which is no centroid where they crowd.
 template <class T>
-glm::vec<3, T> mean_of_corners(const Polygon<T>& polygon) {
+glm::vec<3, T> mean(const Polygon<T>& polygon) {
   glm::vec<3, T> sum(T{0});
   for (const auto& corner : polygon.corners) sum = sum + corner;
   return sum / T(static_cast<double>(polygon.corners.size()));
@@ -24,7 +24,7 @@ T far_from(const Eye<T>& eye, const glm::vec<3, T>& point) {
 
 /// Polygons in descending order of a key, and how many comparisons it took.
 template <class T, class Key>
-Sorted<T> sorted_by(std::vector<Polygon<T>> polygons, const Key& key) {
+Sorted<T> sort_by(std::vector<Polygon<T>> polygons, const Key& key) {
   std::size_t comparisons = 0;
   std::ranges::stable_sort(
       polygons,
@@ -47,11 +47,13 @@ Sorted<T> sorted_by(std::vector<Polygon<T>> polygons, const Key& key) {
 /// Cost: n log n comparisons. Errors: none.
 template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobserved>
 void centroid(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&& draw, O&& observer = {}) {
-  // The distance of the mean stands for all
-  const auto [order, comparisons] =
-      sorted_by(polygons, [&](const Polygon<T>& p) { return far_from(view.eye, mean_of_corners(p)); });
-  if constexpr (observed<O>) observer(Sorted<T>{order, comparisons});
-  for (const auto& p : order) {
+  const auto key = [&](const auto& p) {
+    // The distance of the mean stands for all
+    return far_from(view.eye, mean(p));
+  };
+  const auto list = sort_by(polygons, key);
+  if constexpr (observed<O>) observer(list);
+  for (const auto& p : list.order) {
     draw(p);
     if constexpr (observed<O>) observer(Drawn<T>{p});
   }
@@ -68,11 +70,13 @@ void centroid(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw
 template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobserved>
 void mean_depth(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&& draw,
                 O&& observer = {}) {
-  // The mean of the depths stands for all
-  const auto [order, comparisons] =
-      sorted_by(polygons, [&](const Polygon<T>& p) { return glm::dot(view.forward, mean_of_corners(p)); });
-  if constexpr (observed<O>) observer(Sorted<T>{order, comparisons});
-  for (const auto& p : order) {
+  const auto key = [&](const auto& p) {
+    // The mean of the depths stands for all
+    return glm::dot(view.forward, mean(p));
+  };
+  const auto list = sort_by(polygons, key);
+  if constexpr (observed<O>) observer(list);
+  for (const auto& p : list.order) {
     draw(p);
     if constexpr (observed<O>) observer(Drawn<T>{p});
   }
@@ -91,11 +95,13 @@ void mean_depth(const std::vector<Polygon<T>>& polygons, const View<T>& view, Dr
 template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobserved>
 void descending_mean_z(const std::vector<Polygon<T>>& polygons, const View<T>&, Draw&& draw,
                        O&& observer = {}) {
-  // The largest z first, wherever the eye is
-  const auto [order, comparisons] =
-      sorted_by(polygons, [](const Polygon<T>& p) { return mean_of_corners(p).z; });
-  if constexpr (observed<O>) observer(Sorted<T>{order, comparisons});
-  for (const auto& p : order) {
+  const auto key = [](const auto& p) {
+    // The largest z first, wherever the eye is
+    return mean(p).z;
+  };
+  const auto list = sort_by(polygons, key);
+  if constexpr (observed<O>) observer(list);
+  for (const auto& p : list.order) {
     draw(p);
     if constexpr (observed<O>) observer(Drawn<T>{p});
   }

@@ -172,9 +172,7 @@ TEST(Painter, ALongWallInFrontOfASmallOne) {
   const View<double> view = view_along(Eye<double>{0, 0, 0, 1}, dvec3{0, 0, 1}, dvec3{0, 1, 0});
   EXPECT_EQ(drawn_by(by_newell, walls, view), (Order{1, 0}));
   EXPECT_EQ(drawn_by(by_centroid, walls, view), (Order{0, 1})) << "the notes paint B over A";
-  const auto distance = [&](std::size_t i) {
-    return std::sqrt(far_from(view.eye, mean_of_corners(walls[i])));
-  };
+  const auto distance = [&](std::size_t i) { return std::sqrt(far_from(view.eye, mean(walls[i]))); };
   EXPECT_NEAR(distance(0), 50.99019513592785, 1e-12);
   EXPECT_NEAR(distance(1), 20.024984394500787, 1e-12);
 }
@@ -190,9 +188,9 @@ TEST(Painter, TheMeanOfCornersIsNoCentroid) {
                                 {6, 10, 0},
                                 {5, 10, 0},
                                 {0, 10, 0}});
-  const dvec3 mean = mean_of_corners(square);
-  EXPECT_NEAR(mean.x, 6.11, 5e-3);
-  EXPECT_NEAR(mean.y, 7.78, 5e-3);
+  const dvec3 place = mean(square);
+  EXPECT_NEAR(place.x, 6.11, 5e-3);
+  EXPECT_NEAR(place.y, 7.78, 5e-3);
 }
 
 /// Squares that face an eye on the axis, at these z.
@@ -230,7 +228,7 @@ TEST(Painter, MeanDepthsDoNotIncrease) {
     const View<double> view = random_view(random, round % 2 == 0);
     double before = std::numeric_limits<double>::infinity();
     mean_depth(random_scene(random, 20), view, [&](const Polygon<double>& polygon) {
-      const double key = glm::dot(view.forward, mean_of_corners(polygon));
+      const double key = glm::dot(view.forward, mean(polygon));
       EXPECT_LE(key, before);
       before = key;
     });

@@ -24,7 +24,7 @@ double distance_of(const Task& task, dvec3 p) {
 }
 double z_of(const Task&, dvec3 p) { return p.z; }
 
-/// What the method's steps don't say: one polygon painted over another that is in front of it.
+/// One polygon painted over another that is in front of it.
 struct Wrong {
   DPolygon late, early;
 };
@@ -61,7 +61,7 @@ class OrderStory {
         plan_(task, beside_place_),
         order_(keys_of_all()) {}
 
-  /// The first step at which one may cover the other.
+  /// The first step at which one may cover the other, or does.
   std::optional<StepNumber> telling() const { return telling_; }
 
   void show(Board& board, const Sorted<double>& s) {
@@ -165,25 +165,31 @@ class OrderStory {
 
   void show(Board& board, const Drawn<double>& d) {
     forget();
+    if (!key_.tests) wrong_ = wrongly_covered_by(d.polygon);
     painted_.push_back(d.polygon);
     std::erase_if(waiting_, [&](const DPolygon& polygon) { return bsp_tree::same(polygon, d.polygon); });
     put(board);
   }
   Event say(const Drawn<double>& d) const {
-    return {.text = waiting_.empty() ? "drawn.last"
-                    : key_.tests     ? "drawn"
-                                     : "drawn.untested",
-            .facts = {{"number", std::ssize(painted_)}},
-            .words = {{"p", names_(d.polygon)}, {"number", painted_.size()}, {"key", key_of(d.polygon).key}},
-            .row = key_.tests ? std::vector<Said>{}
-                              : std::vector<Said>{painted_.size(), names_(d.polygon), key_of(d.polygon).key},
-            .key = names_(d.polygon)};
+    Event event{.text = waiting_.empty() ? "drawn.last" : "drawn",
+                .facts = {{"number", std::ssize(painted_)}},
+                .words = {{"p", names_(d.polygon)}, {"number", painted_.size()}},
+                .key = names_(d.polygon)};
+    if (key_.tests) return event;
+    const double key = key_of(d.polygon).key;
+    event.text = wrong_ ? "drawn.wrong" : "drawn.untested";
+    event.words.push_back({"key", key});
+    if (wrong_) add_wrong(event);
+    event.row = {painted_.size(), names_(d.polygon), key};
+    event.decides =
+        yes_or_no(words_, "question.order", {{"p", names_(d.polygon)}}, !wrong_, "in order", "out of order");
+    return event;
   }
 
   void show(Board& board, const Finished&) {
     forget();
     done_ = true;
-    wrong_ = wrong_pair();
+    wrong_ = first_wrong_;
     put(board);
   }
   Event say(const Finished&) const {
@@ -191,9 +197,7 @@ class OrderStory {
                         : wrong_   ? "done.wrong"
                                    : "done.right",
                 .facts = {{"polygons", std::ssize(painted_)}, {"tests", tests_}, {"cuts", cuts_}}};
-    if (wrong_)
-      event.words.insert(event.words.end(),
-                         {{"late", names_(wrong_->late)}, {"early", names_(wrong_->early)}});
+    if (wrong_) add_wrong(event);
     return event;
   }
 
@@ -221,7 +225,7 @@ class OrderStory {
   }
   Entry key_of(const DPolygon& polygon) const {
     const auto [least, most] = keys_of(polygon);
-    const double key = key_.of_mean ? key_.of_place(task_, mean_of_corners(polygon)) : most;
+    const double key = key_.of_mean ? key_.of_place(task_, mean(polygon)) : most;
     return {names_(polygon), least, most, key, role_of(polygon)};
   }
   double nearest(const DPolygon& polygon) const { return keys_of(polygon).first; }
@@ -242,16 +246,21 @@ class OrderStory {
     return fmt::format("{}", fmt::join(names, ", "));
   }
 
-  // --- What is wrong at last
+  // --- What is wrong
 
-  std::optional<Wrong> wrong_pair() const {
-    for (std::size_t late = 0; late < painted_.size(); ++late) {
-      for (std::size_t early = 0; early < late; ++early) {
-        if (wrongly_over(task_, painted_[late], painted_[early]))
-          return Wrong{painted_[late], painted_[early]};
-      }
+  /// The first that one is painted over though it lies behind it.
+  std::optional<Wrong> wrongly_covered_by(const DPolygon& late) const {
+    for (const DPolygon& early : painted_) {
+      if (wrongly_over(task_, late, early)) return Wrong{late, early};
     }
     return std::nullopt;
+  }
+  void add_wrong(Event& event) const {
+    const auto& [late, early] = *wrong_;
+    event.words.push_back({"late", names_(late)});
+    event.words.push_back({"early", names_(early)});
+    event.words.push_back({"late_key", key_of(late).key});
+    event.words.push_back({"early_key", key_of(early).key});
   }
 
   // --- The drawing
@@ -260,13 +269,14 @@ class OrderStory {
     p_.reset();
     q_.reset();
     passed_.reset();
+    wrong_.reset();
     parts_.clear();
   }
   Role role_of(const DPolygon& polygon) const {
     const auto is = [&](const auto& other) { return other && bsp_tree::same(*other, polygon); };
     if (done_) return Role::result;
     if (is(p_)) return Role::current;
-    if (is(q_)) return passed_ == Test::none_passed ? Role::rejected : Role::accepted;
+    if (is(q_)) return passed_ == Test::failed ? Role::rejected : Role::accepted;
     if (std::ranges::any_of(parts_, [&](const DPolygon& part) { return bsp_tree::same(part, polygon); }))
       return Role::candidate;
     const bool painted =
@@ -277,8 +287,11 @@ class OrderStory {
   void put(Board& board) {
     ++steps_;
     if (q_) q_name_ = q_name();
-    if (passed_ == Test::none_passed && !telling_) telling_ = StepNumber{steps_ - 1, 0};
-    if (wrong_) telling_ = StepNumber{steps_ - 1, 0};
+    if (passed_ == Test::failed && !telling_) telling_ = StepNumber{steps_ - 1, 0};
+    if (wrong_ && !first_wrong_) {
+      first_wrong_ = wrong_;
+      telling_ = StepNumber{steps_ - 1, 0};
+    }
     Drawing drawing;
     const Role last = done_ ? Role::result : p_ ? Role::input : Role::current;
     picture_.add_painted(drawing, painted_, names_, done_ ? Role::result : Role::input, last, waiting_);
@@ -293,7 +306,7 @@ class OrderStory {
   void add_test(Drawing& drawing) const {
     if (passed_ == Test::across || passed_ == Test::upright || passed_ == Test::apart)
       picture_.add_parting(drawing, *p_, *q_, *passed_);
-    if (passed_ == Test::none_passed) picture_.add_common(drawing, *p_, *q_, Role::rejected);
+    if (passed_ == Test::failed) picture_.add_common(drawing, *p_, *q_, Role::rejected);
   }
   void add_order(Drawing& drawing) const {
     std::vector<DPolygon> all = painted_;
@@ -307,7 +320,7 @@ class OrderStory {
   }
   void add_beside(Drawing& drawing) const {
     const bool plane =
-        q_ && (passed_ == Test::behind || passed_ == Test::in_front || passed_ == Test::none_passed);
+        q_ && (passed_ == Test::behind || passed_ == Test::in_front || passed_ == Test::failed);
     if (plane || !parts_.empty()) return add_edge_on(drawing);
     int rank = 0;
     for (const bool at_hand : {false, true}) {
@@ -324,7 +337,7 @@ class OrderStory {
     if (q_ && passed_ == Test::depths) plan_.add_depth(drawing, nearest(*p_));
     if (key_.distances) {
       for (const DPolygon& polygon : task_.polygons)
-        plan_.add_distance(drawing, mean_of_corners(polygon), Role::measure, names_(polygon),
+        plan_.add_distance(drawing, mean(polygon), Role::measure, names_(polygon),
                            figure_real(key_of(polygon).key));
     }
     add_caption(drawing, words_.say("caption.above"));
@@ -360,7 +373,7 @@ class OrderStory {
   std::vector<DPolygon> painted_{}, waiting_{}, parts_{};
   std::optional<DPolygon> p_{}, q_{};
   std::optional<Test> passed_{};
-  std::optional<Wrong> wrong_{};
+  std::optional<Wrong> wrong_{}, first_wrong_{};
   std::set<std::string> moved_{};
   std::string q_name_{}, whole_{};
   std::optional<StepNumber> telling_{};

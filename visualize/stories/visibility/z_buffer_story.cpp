@@ -253,10 +253,6 @@ class Story {
     const auto plane = plane_of({subject_.corners(id), id});
     return plane ? subject_.sight.z_of(plane->at(pixel)) : 0;
   }
-  /// What sentences say of a place.
-  static double rounded(double z) {
-    return std::abs(z) >= 1 ? std::round(z * 100) / 100 : std::stod(fmt::format("{:.3g}", z));
-  }
   /// Where the two faces of a pixel lie, for an eye that stores something else.
   void add_places(Event& event, const Compared<T, Id>& c) const {
     if (!subject_.sight.eye || !before_ || c.depth == *c.before) return;
@@ -278,8 +274,6 @@ class Story {
     const auto share = [](std::uint8_t channel) { return std::round(channel / 2.55) / 100; };
     return {share(c.r), share(c.g), share(c.b)};
   }
-  /// As many digits as tell nearly coplanar faces apart.
-  static std::string digits(double z) { return fmt::format("{}{:.9g}", z < 0 ? "−" : "", std::abs(z)); }
   /// How the new depth, which stands above, compares with the old one.
   std::string relation(const Compared<T, Id>& c) const {
     if (!c.before) return "< ∞";
@@ -290,10 +284,6 @@ class Story {
     if (at_hand_)
       board.put(at_hand_->first, at_hand_->second.role, at_hand_->second.text, at_hand_->second.color);
     at_hand_.reset();
-  }
-  static Path square(ivec2 pixel) {
-    const dvec2 p(pixel);
-    return {{p + dvec2{-0.5, -0.5}, p + dvec2{0.5, -0.5}, p + dvec2{0.5, 0.5}, p + dvec2{-0.5, 0.5}}, true};
   }
   Path row_box(int y) const {
     const double right = subject_.size.x - 0.5;
@@ -312,17 +302,6 @@ class Story {
       ring = cut(ring, axis, -1, 0.5 - subject_.size[axis]);
     }
     if (ring.size() > 2) board.keep(outline_id(id), role, Path{ring, true});
-  }
-  /// What lies beyond `bound` along an axis, looked at in direction `sign`.
-  static std::vector<dvec2> cut(const std::vector<dvec2>& ring, int axis, double sign, double bound) {
-    std::vector<dvec2> kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const dvec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const double da = sign * a[axis] - bound, db = sign * b[axis] - bound;
-      if (da >= 0) kept.push_back(a);
-      if ((da < 0) != (db < 0)) kept.push_back(a + da / (da - db) * (b - a));
-    }
-    return kept;
   }
 
   const Words& words_;

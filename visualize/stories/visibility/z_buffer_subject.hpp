@@ -197,4 +197,28 @@ class DepthText {
   std::int64_t base_ = 0;
 };
 
+// --- What the story writes and draws
+
+/// As many digits as tell nearly coplanar faces apart.
+inline std::string digits(double z) { return fmt::format("{}{:.9g}", z < 0 ? "−" : "", std::abs(z)); }
+/// What sentences say of a place.
+inline double rounded(double z) {
+  return std::abs(z) >= 1 ? std::round(z * 100) / 100 : std::stod(fmt::format("{:.3g}", z));
+}
+inline Path square(ivec2 pixel) {
+  const dvec2 p(pixel);
+  return {{p + dvec2{-0.5, -0.5}, p + dvec2{0.5, -0.5}, p + dvec2{0.5, 0.5}, p + dvec2{-0.5, 0.5}}, true};
+}
+/// What lies beyond `bound` along an axis, looked at in direction `sign`.
+inline std::vector<dvec2> cut(const std::vector<dvec2>& ring, int axis, double sign, double bound) {
+  std::vector<dvec2> kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const dvec2 a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const double da = sign * a[axis] - bound, db = sign * b[axis] - bound;
+    if (da >= 0) kept.push_back(a);
+    if ((da < 0) != (db < 0)) kept.push_back(a + da / (da - db) * (b - a));
+  }
+  return kept;
+}
+
 }  // namespace gradus::z_buffer
