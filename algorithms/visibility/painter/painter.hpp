@@ -142,23 +142,32 @@ void move_to_end(List<T>& list, std::size_t q) {
   std::rotate(at, at + 1, list.end());
 }
 
-/// The first piece from Q on that the plane of the last one cuts; none if there is none.
+/// Whose plane cuts whom; none where nothing is cut.
+struct Crossing {
+  std::size_t plane = none, piece = none;
+};
+
+/// The first piece of a cycle, from Q on, that a plane of it cuts. Without rounding it is that of the last
+/// one, P; parts that overlap by rounding alone may need another.
 template <class T>
-std::size_t first_cut(const List<T>& list, std::size_t q) {
-  for (; q < list.size() - 1; ++q) {
-    const Beside lies = beside(list[q], list.back());
-    if (lies.before && lies.beyond) return q;
+Crossing first_cut(const List<T>& list, std::size_t q) {
+  for (std::size_t plane = list.size(); q != none && plane-- > q;) {
+    for (std::size_t piece = q; piece < list.size(); ++piece) {
+      const Beside lies = beside(list[piece], list[plane]);
+      if (lies.before && lies.beyond) return {plane, piece};
+    }
   }
-  return none;
+  return {};
 }
 
-/// Puts the two parts in place of a piece that the plane of the last one cuts.
+/// Puts the two parts in place of a piece that a plane cuts.
 template <class T>
-bsp_tree::Parts<T> cut(List<T>& list, std::size_t r, const View<T>& view) {
-  const auto parts = parts_of(list[r], list.back(), view);
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(r));
+Cut<T> cut(List<T>& list, std::size_t plane, std::size_t piece, const View<T>& view) {
+  const auto parts = parts_of(list[piece], list[plane], view);
+  Cut<T> done{list[plane].polygon, list[piece].polygon, parts[0].polygon, parts[1].polygon};
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(piece));
   list.insert(list.end(), parts.begin(), parts.end());
-  return {parts[0].polygon, parts[1].polygon};
+  return done;
 }
 
 /// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
@@ -267,16 +276,15 @@ void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&&
       if (test == Test::failed) covered = i;
       if (ends(test, q)) break;
     }
-    const auto r = first_cut(list, covered);
+    const auto [k, r] = first_cut(list, covered);
     if (moves(list, covered)) {
       // Q goes first
       move_to_end(list, covered);
       if constexpr (observed<O>) observer(Moved<T>{p.polygon, list.back().polygon});
     } else if (r != none) {
-      // P's plane cuts what it can't order
-      const auto whole = list[r].polygon;
-      const auto parts = cut(list, r, view);
-      if constexpr (observed<O>) observer(Cut<T>{p.polygon, whole, parts.in_front, parts.behind});
+      // A plane cuts what can't be ordered
+      const auto done = cut(list, k, r, view);
+      if constexpr (observed<O>) observer(done);
       const auto again = sort(list, view);
       if constexpr (observed<O>) observer(Sorted<T>{order_of(list), again});
     } else if (covered != none) {
