@@ -3,50 +3,15 @@
 // by Newell, Newell and Sancha moved and cut until none covers what comes later.
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <iterator>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/arithmetic/exact.hpp"
-#include "core/contract.hpp"
 #include "core/observe.hpp"
-#include "visibility/bsp_tree/bsp_tree.hpp"
+#include "visibility/painter/painter_list.hpp"
 
 namespace gradus::painter {
-
-using bsp_tree::Eye;
-using bsp_tree::none;
-using bsp_tree::Plane;
-using bsp_tree::Polygon;
-using bsp_tree::Side;
-
-/// Who looks, and how the screen stands: at right angles but for rounding, of any length.
-template <class T>
-struct View {
-  Eye<T> eye;                ///< a point, w = 1; or the direction towards a distant one, w = 0
-  glm::vec<3, T> right, up;  ///< of the screen
-  glm::vec<3, T> forward;    ///< depths are counted along it
-};
-
-/// The view of an eye that looks along `forward`, with `up` upright on the screen as far as it can be.
-/// Domain: lengths from 1e-25 to 1e25. Errors: ContractViolation for an `up` along `forward`.
-template <class T>
-View<T> view_along(const Eye<T>& eye, const glm::vec<3, T>& forward, const glm::vec<3, T>& up) {
-  const glm::vec<3, T> right = glm::cross(forward, up);
-  expects(right != glm::vec<3, T>(T{0}), "expected an upright that does not lie along the sight");
-  return {eye, right, glm::cross(right, forward), forward};
-}
-/// The view of a distant eye.
-/// towards: the direction to it.
-template <class T>
-View<T> distant_view(const glm::vec<3, T>& towards, const glm::vec<3, T>& up) {
-  return view_along(Eye<T>(towards, T{0}), -towards, up);
-}
 
 /// The tests of Newell, Newell and Sancha in their order: the first that P passes says why it can't cover Q.
 enum class Test {
@@ -102,198 +67,7 @@ struct Drawn {
 /// All are drawn.
 struct Finished {};
 
-// --- Orders on the screen
-
-namespace detail {
-
-inline int sign_of_depth(dvec3 forward, dvec3 p, dvec3 q) {
-  // Rounding errs by less than 8u of the products, underflow by less than 2^-1000
-  const dvec3 products = forward * (p - q), sizes = glm::abs(products);
-  const double depth = products.x + products.y + products.z;
-  const double bound = 0x1p-50 * (sizes.x + sizes.y + sizes.z) + 0x1p-1000;
-  if (depth > bound) return 1;
-  if (-depth > bound) return -1;
-  SumOfProducts<2> sum;
-  for (int i = 0; i < 3; ++i) {
-    sum.add(forward[i], p[i]);
-    sum.subtract(forward[i], q[i]);
-  }
-  return sum.sign();
-}
-inline int sign_about(dvec3 axis, const Eye<double>& eye, dvec3 p, dvec3 q) {
-  using bsp_tree::detail::add_determinant;
-  const dvec3 origin{0}, at(eye);
-  const std::optional<int> sure = eye.w != 0 ? orient3d_filtered(origin, axis, p - at, q - at)
-                                             : orient3d_filtered(origin, axis, at, p - q);
-  if (sure) return *sure;
-  SumOfProducts<3> sum;
-  if (eye.w != 0) add_determinant(sum, false, axis, p, q);
-  add_determinant(sum, false, axis, at, p);
-  add_determinant(sum, true, axis, at, q);
-  return sum.sign();
-}
-
-}  // namespace detail
-
-/// Which of two points is deeper along `forward`, exactly: +1 p, -1 q, 0 neither.
-inline int compare_depths(const glm::dvec3& forward, const glm::dvec3& p, const glm::dvec3& q) {
-  return detail::sign_of_depth(forward, p, q);
-}
-inline int compare_depths(const glm::vec3& forward, const glm::vec3& p, const glm::vec3& q) {
-  return detail::sign_of_depth(dvec3(forward), dvec3(p), dvec3(q));
-}
-template <class T>
-int compare_depths(const glm::vec<3, T>& forward, const glm::vec<3, T>& p, const glm::vec<3, T>& q) {
-  const T depth = glm::dot(forward, p - q);
-  return (depth > T{0}) - (depth < T{0});
-}
-
-/// Which way a plane turns about the axis through the eye on the way from p to q, exactly: the sign of
-/// det(axis, p - eye, q - eye). About the screen's upright it orders places from side to side.
-inline int turn_about(const glm::dvec3& axis, const Eye<double>& eye, const glm::dvec3& p,
-                      const glm::dvec3& q) {
-  return detail::sign_about(axis, eye, p, q);
-}
-inline int turn_about(const glm::vec3& axis, const Eye<float>& eye, const glm::vec3& p, const glm::vec3& q) {
-  return detail::sign_about(dvec3(axis), Eye<double>(eye), dvec3(p), dvec3(q));
-}
-template <class T>
-int turn_about(const glm::vec<3, T>& axis, const Eye<T>& eye, const glm::vec<3, T>& p,
-               const glm::vec<3, T>& q) {
-  using Vec = glm::vec<3, T>;
-  const T turn = glm::dot(axis, eye.w * glm::cross(p, q) + glm::cross(Vec(eye), p - q));
-  return (turn > T{0}) - (turn < T{0});
-}
-
-/// Two corners between which all others lie in some order of the screen.
-template <class T>
-struct Extent {
-  glm::vec<3, T> first, last;
-};
-
-/// order(p, q): -1 where p comes before q.
-template <class T, class Order>
-Extent<T> extent_of(const Polygon<T>& polygon, const Order& order) {
-  Extent<T> extent{polygon.corners[0], polygon.corners[0]};
-  for (std::size_t i = 1; i < polygon.corners.size(); ++i) {
-    const auto& corner = polygon.corners[i];
-    if (order(corner, extent.first) < 0)
-      extent.first = corner;
-    else if (order(corner, extent.last) > 0)
-      extent.last = corner;
-  }
-  return extent;
-}
-
-// --- What the list holds
-
-/// Whether a piece has corners on the eye's side of a plane, and whether it has some beyond it.
-struct Beside {
-  bool before = false, beyond = false;
-};
-
-/// On which side of a polygon's plane a part lies that it has cut off.
-struct Known {
-  std::size_t number;  ///< of the polygon in the input
-  Beside lies;
-};
-
-/// A polygon, or a part of one, with what the tests ask for again and again.
-template <class T>
-struct Piece {
-  Polygon<T> polygon;
-  const Polygon<T>* whole;            ///< what it is a part of, in the input
-  std::size_t number;                 ///< of that in the input
-  int eye_side;                       ///< of its plane, 0 where the eye sees it edge-on
-  Extent<T> depths, across, upright;  ///< from near to far, from side to side, up or down
-  std::vector<Known> known{};         ///< of planes that have cut it
-  bool moved = false;                 ///< since the list was sorted last
-
-  Piece(Polygon<T> its_polygon, const Polygon<T>& its_whole, std::size_t its_number, const View<T>& view)
-      : polygon(std::move(its_polygon)),
-        whole(&its_whole),
-        number(its_number),
-        eye_side(bsp_tree::side_of_eye(polygon.plane, view.eye)),
-        depths(extent_of(polygon,
-                         [&](const auto& p, const auto& q) { return compare_depths(view.forward, p, q); })),
-        across(extent_of(polygon,
-                         [&](const auto& p, const auto& q) { return turn_about(view.up, view.eye, p, q); })),
-        upright(extent_of(
-            polygon, [&](const auto& p, const auto& q) { return turn_about(view.right, view.eye, p, q); })) {}
-};
-
-/// The farthest last, to be taken off.
-template <class T>
-using List = std::vector<Piece<T>>;
-
-template <class T>
-void expect_in_front(const Polygon<T>& polygon, const View<T>& view) {
-  for (const auto& corner : polygon.corners) {
-    expects(view.eye.w == T{0} || compare_depths(view.forward, corner, glm::vec<3, T>(view.eye)) > 0,
-            "expected polygons in front of the eye, found a corner of {} beside or behind it", polygon.face);
-  }
-}
-
-template <class T>
-List<T> pieces_of(const std::vector<Polygon<T>>& polygons, const View<T>& view) {
-  List<T> list;
-  list.reserve(polygons.size());
-  for (const Polygon<T>& polygon : polygons) {
-    expect_in_front(polygon, view);
-    list.emplace_back(polygon, polygon, list.size(), view);
-  }
-  return list;
-}
-
-/// Puts those with the farthest corners last; of equals the earlier one in the list comes later in it, and so
-/// is drawn first the first time. Tells how many comparisons it took.
-template <class T>
-std::size_t sort(List<T>& list, const View<T>& view) {
-  std::size_t comparisons = 0;
-  std::ranges::stable_sort(list, [&](const Piece<T>& p, const Piece<T>& q) {
-    ++comparisons;
-    const int order = compare_depths(view.forward, p.depths.last, q.depths.last);
-    return order != 0 ? order < 0 : p.number > q.number;
-  });
-  for (Piece<T>& piece : list) piece.moved = false;
-  return comparisons;
-}
-
-/// What is reported of a list: the first to be drawn comes first.
-template <class T>
-std::vector<Polygon<T>> order_of(const List<T>& list) {
-  std::vector<Polygon<T>> order;
-  for (auto piece = list.rbegin(); piece != list.rend(); ++piece) order.push_back(piece->polygon);
-  return order;
-}
-
 // --- The six tests
-
-/// How corners lie to the plane of P, seen from the eye; what crosses it more than twice lies in it, but for
-/// rounding. The plane of one that the eye sees edge-on has no sides.
-template <class T>
-Beside corners_beside(const Polygon<T>& polygon, const Piece<T>& p) {
-  std::vector<int> sides = bsp_tree::sides(p.polygon.plane, polygon, bsp_tree::ExactSide{});
-  std::erase(sides, 0);
-  std::size_t crossings = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) crossings += sides[i] != sides[(i + 1) % sides.size()];
-  if (sides.empty() || crossings > 2 || p.eye_side == 0) return {};
-  const bool first_before = sides[0] == p.eye_side;
-  return {first_before || crossings > 0, !first_before || crossings > 0};
-}
-
-/// How Q lies to the plane of P. Parts lie in their own plane, on one side of each that has cut them, and on
-/// that of their whole where it has but one, wherever rounding has put their corners: so no plane cuts one
-/// twice.
-template <class T>
-Beside beside(const Piece<T>& q, const Piece<T>& p) {
-  if (q.number == p.number) return {};
-  for (const Known& known : q.known) {
-    if (known.number == p.number) return known.lies;
-  }
-  const Beside whole = corners_beside(*q.whole, p);
-  return q.known.empty() || !whole.before || !whole.beyond ? whole : corners_beside(q.polygon, p);
-}
 
 /// Whether two pieces have no inner place in common in an order of the screen.
 template <class T, class Order>
@@ -368,37 +142,32 @@ void move_to_end(List<T>& list, std::size_t q) {
   std::rotate(at, at + 1, list.end());
 }
 
-/// The first piece from Q on that the plane of the last one cuts; none if there is none.
+/// Whose plane cuts whom; none where nothing is cut.
+struct Crossing {
+  std::size_t plane = none, piece = none;
+};
+
+/// The first piece of a cycle, from Q on, that a plane of it cuts. Without rounding it is that of the last
+/// one, P; parts that overlap by rounding alone may need another.
 template <class T>
-std::size_t first_cut(const List<T>& list, std::size_t q) {
-  for (; q < list.size() - 1; ++q) {
-    const Beside lies = beside(list[q], list.back());
-    if (lies.before && lies.beyond) return q;
+Crossing first_cut(const List<T>& list, std::size_t q) {
+  for (std::size_t plane = list.size(); q != none && plane-- > q;) {
+    for (std::size_t piece = q; piece < list.size(); ++piece) {
+      const Beside lies = beside(list[piece], list[plane]);
+      if (lies.before && lies.beyond) return {plane, piece};
+    }
   }
-  return none;
+  return {};
 }
 
-/// The parts of a piece in front of the plane of P and behind it, as that is oriented.
+/// Puts the two parts in place of a piece that a plane cuts.
 template <class T>
-std::array<Piece<T>, 2> parts_of(const Piece<T>& piece, const Piece<T>& p, const View<T>& view) {
-  const auto on = bsp_tree::sides(p.polygon.plane, piece.polygon, bsp_tree::ExactSide{});
-  const auto [in_front, behind] = bsp_tree::split(p.polygon.plane, piece.polygon, on);
-  const auto part = [&](const Polygon<T>& polygon, bool before) {
-    Piece<T> its{polygon, *piece.whole, piece.number, view};
-    its.known = piece.known;
-    its.known.push_back({p.number, {before, !before}});
-    return its;
-  };
-  return {part(in_front, p.eye_side > 0), part(behind, p.eye_side < 0)};
-}
-
-/// Puts the two parts in place of a piece that the plane of the last one cuts.
-template <class T>
-bsp_tree::Parts<T> cut(List<T>& list, std::size_t r, const View<T>& view) {
-  const auto parts = parts_of(list[r], list.back(), view);
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(r));
+Cut<T> cut(List<T>& list, std::size_t plane, std::size_t piece, const View<T>& view) {
+  const auto parts = parts_of(list[piece], list[plane], view);
+  Cut<T> done{list[plane].polygon, list[piece].polygon, parts[0].polygon, parts[1].polygon};
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(piece));
   list.insert(list.end(), parts.begin(), parts.end());
-  return {parts[0].polygon, parts[1].polygon};
+  return done;
 }
 
 /// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
@@ -507,16 +276,15 @@ void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&&
       if (test == Test::failed) covered = i;
       if (ends(test, q)) break;
     }
-    const auto r = first_cut(list, covered);
+    const auto [k, r] = first_cut(list, covered);
     if (moves(list, covered)) {
       // Q goes first
       move_to_end(list, covered);
       if constexpr (observed<O>) observer(Moved<T>{p.polygon, list.back().polygon});
     } else if (r != none) {
-      // P's plane cuts what it can't order
-      const auto whole = list[r].polygon;
-      const auto parts = cut(list, r, view);
-      if constexpr (observed<O>) observer(Cut<T>{p.polygon, whole, parts.in_front, parts.behind});
+      // A plane cuts what can't be ordered
+      const auto done = cut(list, k, r, view);
+      if constexpr (observed<O>) observer(done);
       const auto again = sort(list, view);
       if constexpr (observed<O>) observer(Sorted<T>{order_of(list), again});
     } else if (covered != none) {

@@ -96,7 +96,7 @@ template <class T, class Draw, Observer<Sorted<T>, Drawn<T>, Finished> O = Unobs
 void descending_mean_z(const std::vector<Polygon<T>>& polygons, const View<T>&, Draw&& draw,
                        O&& observer = {}) {
   const auto key = [](const auto& p) {
-    // The largest z first, wherever the eye is
+    // The largest z, wherever the eye is
     return mean(p).z;
   };
   const auto list = sort_by(polygons, key);

@@ -144,6 +144,7 @@ class OrderStory {
     *at = c.in_front;
     waiting_.insert(at + 1, c.behind);
     parts_ = {c.in_front, c.behind};
+    p_ = c.p;
     q_.reset();
     ++cuts_;
     put(board);
