@@ -330,7 +330,7 @@ const TopicEntry& entry() {
              .unread = {"exponents", "lights", "kind", "aim", "place", "normal", "eye"}},
             {.name = "highlight_lobes",
              .tell = tell_lobes,
-             .function = "mirrored",
+             .function = "phong",
              .unread = {"kind", "aim", "eye", "ka", "kd", "ks", "shininess", "colour", "attenuation", "range",
                         "cone", "concentration", "side", "samples"}},
             {.name = "unclamped",
