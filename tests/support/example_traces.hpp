@@ -85,6 +85,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   lit({{"ks", "0"}});
   lit({{"kind", "directional"}});
   lit({{"kind", "spot"}, {"lights", "0,3,4 0,6,1"}, {"aim", "0,2,0"}, {"cone", "15,30"}});
+  lit({{"kind", "spot"}, {"lights", "0,3,4"}, {"aim", "0,9,0"}, {"cone", "15,30"}});
   lit({{"kind", "area"}, {"samples", "2"}});
   lit({{"kind", "area"}, {"samples", "1"}, {"aim", "0,6,8"}});
   lit({{"method", "lights_side_by_side"}, {"samples", "1"}});

@@ -35,7 +35,8 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
                    std::span<const Light> lights, ColourOf<M> ambient, Visible&& visible, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  const Vec base(material.emission + material.ambient * ambient);
+  auto even = material.ambient * ambient;
+  const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
   const Vec kd(material.diffuse);
@@ -44,7 +45,8 @@ Parts<T> unclamped(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> e
   for (const Light& light : lights) {
     const int m = lamps(light);
     for (int p = 0; p < m; ++p) {
-      auto a = arriving(light, p, place, visible);
+      auto a =  // L, f: what arrives
+          arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
@@ -82,7 +84,8 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
                       O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  const Vec base(material.emission + material.ambient * ambient);
+  auto even = material.ambient * ambient;
+  const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
   const Vec kd(material.diffuse);
@@ -91,7 +94,8 @@ Parts<T> light_behind(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T
   for (const Light& light : lights) {
     const int m = lamps(light);
     for (int p = 0; p < m; ++p) {
-      auto a = arriving(light, p, place, visible);
+      auto a =  // L, f: what arrives
+          arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
@@ -129,7 +133,8 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
                           O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  const Vec base(material.emission + material.ambient * ambient);
+  auto even = material.ambient * ambient;
+  const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
   const Vec kd(material.diffuse);
@@ -140,7 +145,8 @@ Parts<T> tinted_highlight(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<
   for (const Light& light : lights) {
     const int m = lamps(light);
     for (int p = 0; p < m; ++p) {
-      auto a = arriving(light, p, place, visible);
+      auto a =  // L, f: what arrives
+          arriving(light, p, place, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);
@@ -176,7 +182,8 @@ Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::ve
                             Visible&& visible, O&& observer = {}) {
   using Vec = glm::vec<3, T>;
   Vec diffuse{T(0)}, specular{T(0)};
-  const Vec base(material.emission + material.ambient * ambient);
+  auto even = material.ambient * ambient;
+  const Vec base(material.emission + even);
   if constexpr (observed<O>) observer(AmbientAdded<T>{base});
   const Vec v = unit_vector(eye - place);
   const Vec kd(material.diffuse);
@@ -187,7 +194,8 @@ Parts<T> light_minus_normal(glm::vec<3, T> place, glm::vec<3, T> normal, glm::ve
     for (int p = 0; p < m; ++p) {
       // From the tip of the normal
       const Vec from = normal;
-      auto a = arriving(light, p, from, visible);
+      auto a =  // L, f: what arrives
+          arriving(light, p, from, visible);
       if constexpr (observed<O>) observer(LampTaken<T>{number, p, a});
       const Vec l = a.to_light;
       const Vec r = reflected(normal, l);

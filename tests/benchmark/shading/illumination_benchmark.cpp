@@ -124,7 +124,7 @@ Subject illumination() {
   return {.topic = "illumination",
           .title = "Illuminating places",
           .item = "place",
-          .unit = "of full light",
+          .unit = "shares of full light",
           .measure = "places",
           .telling = "1024 places",
           .cases = cases};

@@ -13,7 +13,7 @@ struct LobeDrawn {
 
 class LobeStory {
  public:
-  explicit LobeStory(double theta) : theta_(theta) {}
+  LobeStory(const Words& words, double theta) : words_(words), theta_(theta) {}
 
   void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
   Event say(const steps::Started&) const {
@@ -29,7 +29,7 @@ class LobeStory {
             .words = {{"n", l.exponent}, {"half", degrees(l.half)}},
             .row = {l.exponent, degrees(l.half)},
             .key = figure_real(l.exponent),
-            .phase = "lobes"};
+            .phase = words_.say("phase.lobes")};
   }
   void show(Board& board, const steps::Finished&) {
     ended_ = true;
@@ -99,6 +99,7 @@ class LobeStory {
               Text{plot.at({low, 0.2}) + dvec2{0.25, 0}, i == 0 ? "n = " + number : number, Align::left}});
   }
 
+  const Words& words_;
   const double theta_;
   std::vector<LobeDrawn> done_{};
   bool ended_ = false;
@@ -118,7 +119,7 @@ inline void tell_lobes(Narrator& narrator) {
                    {Role::current, "lobe"},
                    {Role::past, "before"},
                    {Role::result, "lobes"}});
-  LobeStory story(degrees_of(cosine));
+  LobeStory story(narrator.words(), degrees_of(cosine));
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   for (const Tuple& tuple : arguments.tuples("exponents")) {

@@ -258,7 +258,7 @@ class PlaceDrawing {
     double top = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const double value = pieces[i].value[channel];
-            const double from = std::clamp(top, 0.0, brightest_), to = std::clamp(top + value, 0.0, brightest_);
+      const double from = std::clamp(top, 0.0, brightest_), to = std::clamp(top + value, 0.0, brightest_);
       if (!(std::abs(value) > 0)) continue;
       top += value;
       if (!(std::abs(value) > 0.004 * brightest_)) continue;

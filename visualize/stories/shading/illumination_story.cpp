@@ -64,8 +64,8 @@ class PlaceStory {
                           {"d", a.distance},
                           {"f", short_real(a.share())},
                           {"range", light.range}},
-                .key = name(t),
-                .phase = "lamps"};
+                .key = key(t),
+                .phase = words_.say("phase.lamps")};
     if (light.kind == Light::Kind::spot) {
       const double off = degrees_of(-glm::dot(unit_vector(light.direction), a.to_light));
       event.words.push_back({"off", LobeStory::degrees(off)});
@@ -108,7 +108,7 @@ class PlaceStory {
         .row = {name(s), short_real(s.arrival.share()), short_real(s.n_dot_l), short_real(s.cosine),
                 short_colour(s.diffuse), short_colour(s.specular), short_colour(so_far())},
         .key = name(s),
-        .phase = "parts",
+        .phase = words_.say("phase.parts"),
         .decides = Decision{
             words_.say("question.adds", {{"lamp", name(s)}}),
             {words_.say("answer.nothing"), words_.say("answer.scattered"), words_.say("answer.highlight")},
@@ -138,6 +138,12 @@ class PlaceStory {
   std::string name(const Step& s) const {
     if (task_.lights[s.light].kind != Light::Kind::area) return fmt::format("{}", s.light + 1);
     return words_.say("point", {{"number", s.light + 1}, {"point", s.sample + 1}});
+  }
+  /// "2", "1.3" for a point of an area.
+  template <class Step>
+  std::string key(const Step& s) const {
+    const bool area = task_.lights[s.light].kind == Light::Kind::area;
+    return area ? fmt::format("{}.{}", s.light + 1, s.sample + 1) : fmt::format("{}", s.light + 1);
   }
   std::string_view way_text(const Light& light, const Arrival<double>& a) const {
     if (a.to_light == dvec3{0}) return "way.here";
@@ -330,7 +336,7 @@ const TopicEntry& entry() {
              .unread = {"exponents", "lights", "kind", "aim", "place", "normal", "eye"}},
             {.name = "highlight_lobes",
              .tell = tell_lobes,
-             .function = "mirrored",
+             .function = "phong",
              .unread = {"kind", "aim", "eye", "ka", "kd", "ks", "shininess", "colour", "attenuation", "range",
                         "cone", "concentration", "side", "samples"}},
             {.name = "unclamped",

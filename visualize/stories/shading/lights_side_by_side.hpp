@@ -155,7 +155,7 @@ class LightsStory {
             .words = {{"soft", p.soft}, {"dark", p.dark}},
             .row = {name(p.kind), p.dark, p.soft},
             .key = picture_kinds[p.kind],
-            .phase = picture_kinds[p.kind]};
+            .phase = name(p.kind)};
   }
 
   void show(Board& board, const steps::Finished&) { put(board); }
