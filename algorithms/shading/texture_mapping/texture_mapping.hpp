@@ -44,10 +44,14 @@ inline constexpr int largest = 1 << 15;
 /// How far from 0 a texture coordinate may lie.
 inline constexpr double farthest = 1 << 20;
 
+/// A place on a texture.
+template <class T>
+using Uv = glm::vec<2, T>;
+
 /// How far (u, v) goes from a pixel to its neighbours.
 template <class T>
 struct Footprint {
-  glm::vec<2, T> along_x, along_y;  ///< to the right, downwards
+  Uv<T> along_x, along_y;  ///< to the right, downwards
 };
 
 /// The level of a mip chain that suits a footprint: `part` of the way from `lower` to the level after it.
@@ -60,7 +64,7 @@ struct Level {
 template <class T>
 struct Corner {
   T over_w;  ///< 1/w, > 0
-  glm::vec<2, T> uv;
+  Uv<T> uv;
 };
 template <class T>
 using Corners = std::array<Corner<T>, 3>;
@@ -114,8 +118,7 @@ struct Mapped {
   ivec2 pixel;
   Weights weights;
   glm::vec<3, T> linear;  ///< 1/w, u/w and v/w; of the affine exhibit 1, u and v
-  glm::vec<2, T> uv;
-  Footprint<T> footprint;
+  Uv<T> uv;
 };
 
 /// The triangle is done.
@@ -308,8 +311,8 @@ constexpr Covered covered(int texel, int count) {
 
 /// The mean of what a texel of the next level covers. It is the first texel, and the mean of how far the
 /// others differ from it: equal texels stay as they are.
-template <class Colour, class Texel>
-Colour mean_of_covered(ivec2 at, ivec2 size, Texel&& texel) {
+template <class Texel, class Colour = std::invoke_result_t<Texel&, ivec2>>
+Colour covered_mean(ivec2 at, ivec2 size, Texel&& texel) {
   using T = Component<Colour>;
   const auto x = covered(at.x, size.x), y = covered(at.y, size.y);
   const Colour first = texel(ivec2{x.first, y.first});
@@ -355,7 +358,7 @@ void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> chain, O&& obs
       for (int x = 0; x < to.x; ++x) {
         // The mean of what it covers
         const ivec2 at{x, y};
-        const auto mean = mean_of_covered<Colour>(at, from, before);
+        const auto mean = covered_mean(at, from, before);
         *next++ = mean;
         if constexpr (observed<O>) observer(Averaged<Colour>{k, at, mean});
       }
@@ -364,7 +367,7 @@ void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> chain, O&& obs
 }
 
 /// The longer side of a footprint, in texels. Accuracy: 4 u.
-inline double length_in_texels(const Footprint<double>& footprint, ivec2 size) {
+inline double longer_side(const Footprint<double>& footprint, ivec2 size) {
   const auto length = [size](dvec2 way) { return length_of(dvec3(way * dvec2(size), 0)); };
   return std::max(length(footprint.along_x), length(footprint.along_y));
 }
@@ -406,7 +409,7 @@ inline Level level_of(double length, int levels) {
 template <class Colour, Observer<LevelChosen, Blended<Colour>, LevelsMixed<Colour>> O = Unobserved>
 Colour mip_mapped(dvec2 uv, const Footprint<double>& footprint, const MipChain<Colour>& chain,
                   Wrap wrap = Wrap::repeat, O&& observer = {}) {
-  const double length = length_in_texels(footprint, chain.size());
+  const double length = longer_side(footprint, chain.size());
   // Texels as long as the footprint
   auto level = level_of(length, chain.levels());
   if constexpr (observed<O>) observer(LevelChosen{footprint, length, level});
@@ -468,9 +471,9 @@ Planes<T> over_w_planes(const Triangle& triangle, const Corners<T>& corners) {
 
 /// How far (u, v) = (u/w, v/w) / (1/w) goes from pixel to pixel, by the rule for quotients.
 template <class T>
-Footprint<T> footprint_of(const Planes<T>& planes, T over_w, glm::vec<2, T> uv) {
+Footprint<T> footprint_of(const Planes<T>& planes, T over_w, Uv<T> uv) {
   const auto along = [&](const glm::vec<3, T>& growth) {
-    return (glm::vec<2, T>(growth.y, growth.z) - growth.x * uv) / over_w;
+    return (Uv<T>(growth.y, growth.z) - growth.x * uv) / over_w;
   };
   return {along(planes.along_x), along(planes.along_y)};
 }
@@ -505,15 +508,14 @@ void perspective_correct(const Triangle& triangle, const Corners<T>& corners, co
   expect_corners(corners);
   const auto planes = over_w_planes(triangle, corners);
   std::int64_t pixels = 0;
-  const auto map = [&](ivec2 pixel, auto& weights) {
-    // 1/w, u/w, v/w: linear in the picture
-    const auto linear = planes.at(weights);
+  const auto map = [&](ivec2 pixel, auto& e) {
+    // Linear in the picture: 1/w, u/w, v/w
+    const auto linear = planes.at(e);
     const T q = linear.x;
-    // Divided they lie on the surface
-    const glm::vec<2, T> uv{linear.y / q, linear.z / q};
-    const auto area = footprint_of(planes, q, uv);
-    if constexpr (observed<O>) observer(Mapped<T>{pixel, weights, linear, uv, area});
-    plot(pixel, uv, area);
+    // Divided: u and v
+    const Uv<T> uv{linear.y / q, linear.z / q};
+    if constexpr (observed<O>) observer(Mapped<T>{pixel, e, linear, uv});
+    plot(pixel, uv, footprint_of(planes, q, uv));
     ++pixels;
   };
   triangle_coverage::cover(triangle, window, map);

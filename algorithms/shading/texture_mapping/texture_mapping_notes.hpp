@@ -29,13 +29,12 @@ void affine(const Triangle& triangle, const Corners<T>& corners, const Window& w
   expect_corners(corners);
   const auto planes = affine_planes(triangle, corners);
   std::int64_t pixels = 0;
-  const auto map = [&](ivec2 pixel, auto& weights) {
+  const auto map = [&](ivec2 pixel, auto& e) {
     // u and v: not linear in the picture
-    const auto linear = planes.at(weights);
-    const glm::vec<2, T> uv{linear.y, linear.z};
-    const auto area = footprint_of(planes, T(1), uv);
-    if constexpr (observed<O>) observer(Mapped<T>{pixel, weights, linear, uv, area});
-    plot(pixel, uv, area);
+    const auto linear = planes.at(e);
+    const Uv<T> uv{linear.y, linear.z};
+    if constexpr (observed<O>) observer(Mapped<T>{pixel, e, linear, uv});
+    plot(pixel, uv, footprint_of(planes, T(1), uv));
     ++pixels;
   };
   triangle_coverage::cover(triangle, window, map);

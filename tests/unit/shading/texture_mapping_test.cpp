@@ -152,21 +152,23 @@ TEST(TextureMapping, FootprintIsTheSlopeBetweenPixels) {
   const auto planes = over_w_planes(triangle, corners);
   const auto place = [&](const dvec3& linear) { return dvec2{linear.y / linear.x, linear.z / linear.x}; };
   int looked_at = 0;
-  const Observer<Mapped<double>, Finished> auto watch = [&]<class Step>(const Step& s) {
-    if constexpr (std::same_as<Step, Mapped<double>>) {
-      constexpr double h = 1e-5;
-      const dvec2 right =
-          (place(s.linear + h * planes.along_x) - place(s.linear - h * planes.along_x)) / (2 * h);
-      const dvec2 down =
-          (place(s.linear + h * planes.along_y) - place(s.linear - h * planes.along_y)) / (2 * h);
-      for (const int axis : {0, 1}) {
-        EXPECT_NEAR(s.footprint.along_x[axis], right[axis], 1e-8);
-        EXPECT_NEAR(s.footprint.along_y[axis], down[axis], 1e-8);
-      }
-      ++looked_at;
-    }
+  constexpr double h = 1e-5;
+  const auto slope = [&](const dvec3& linear, const dvec3& growth) {
+    return (place(linear + h * growth) - place(linear - h * growth)) / (2 * h);
   };
-  perspective_correct(triangle, corners, {{0, 0}, {9, 9}}, drop, watch);
+  dvec3 linear{0};
+  const auto watch = [&]<class Step>(const Step& s) {
+    if constexpr (std::same_as<Step, Mapped<double>>) linear = s.linear;
+  };
+  const auto plot = [&](ivec2, dvec2, const Footprint<double>& footprint) {
+    const dvec2 right = slope(linear, planes.along_x), down = slope(linear, planes.along_y);
+    for (const int axis : {0, 1}) {
+      EXPECT_NEAR(footprint.along_x[axis], right[axis], 1e-8);
+      EXPECT_NEAR(footprint.along_y[axis], down[axis], 1e-8);
+    }
+    ++looked_at;
+  };
+  perspective_correct(triangle, corners, {{0, 0}, {9, 9}}, plot, watch);
   EXPECT_EQ(looked_at, 50);
 }
 
@@ -200,7 +202,7 @@ TEST(TextureMapping, CheckerShowsAtTheExpectedTexels) {
     perspective_correct(halves[half], corners[half], {{0, 0}, {7, 7}},
                         [&](ivec2 pixel, dvec2 uv, const auto& area) {
                           EXPECT_EQ(picked(uv, {{4, 4}}), (ivec2{pixel.x / 2, pixel.y / 2}));
-                          EXPECT_EQ(length_in_texels(area, {8, 8}), 1);
+                          EXPECT_EQ(longer_side(area, {8, 8}), 1);
                           ++pixels;
                         });
   }

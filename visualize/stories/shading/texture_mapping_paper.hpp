@@ -11,13 +11,15 @@ class Paper {
  public:
   explicit Paper(const Subject& subject)
       : subject_(subject),
+        unit_(std::max(1.0, subject.size.y / 12.0)),
         texel_(std::max(1, (subject.size.y + subject.texels / 2) / subject.texels)),
         side_(texel_ * subject.texels),
-        texture_(subject.size.x + 1 + gap, heading + std::max(0, (subject.size.y - side_) / 2)) {}
+        texture_(origin().x + subject.size.x + many(4),
+                 origin().y + std::max(0, (subject.size.y - side_) / 2)) {}
 
   void set(Narrator& narrator) const {
     const int width = texture_.x + side_ + 1;
-    const int height = std::max(subject_.size.y + heading, texture_.y + side_) + footing;
+    const int height = std::max(origin().y + subject_.size.y, texture_.y + side_) + many(2);
     narrator.grid({{0, 0}, {width - 1, height - 1}});
     narrator.trace().grid.whole = true;
     narrator.trace().grid.axes = false;
@@ -27,21 +29,21 @@ class Paper {
   // What stays
 
   void put_frames(View& view, const Words& words) const {
-    const dvec2 picture = origin() - 0.5, size(subject_.size);
+    const dvec2 picture = dvec2(origin()) - 0.5, size(subject_.size);
     view.add({"a picture", Role::past, rectangle(picture, size)});
     for (std::size_t k = 0; k < 4; ++k)
-      view.add({fmt::format("a side {}", k), Role::input,
-                Stroke{on_paper(subject_.corners[k]), on_paper(subject_.corners[(k + 1) % 4])}});
-    view.add({"a diagonal", Role::input,
-              Stroke{on_paper(subject_.corners[0]), on_paper(subject_.corners[2]), false, true, true}});
+      put_side(view, fmt::format("a side {}", k),
+               Stroke{dvec2(subject_.corners[k]), dvec2(subject_.corners[(k + 1) % 4])});
+    put_side(view, "a diagonal",
+             Stroke{dvec2(subject_.corners[0]), dvec2(subject_.corners[2]), false, true, true});
     view.add({"a picture name", Role::guide,
-              Text{{picture.x + 0.5 * size.x, picture.y - 0.8}, words.say("picture")}});
+              Text{{picture.x + 0.5 * size.x, picture.y - 0.8 * unit_}, words.say("picture")}});
     const dvec2 lower = place({0, 0}), upper = place({1, 1});
-    const dvec2 down{0, 0.6}, left{0.6, 0};
+    const dvec2 down{0, 0.6 * unit_}, left{0.6 * unit_, 0};
     view.add({"a u", Role::guide, Stroke{lower + down, dvec2{upper.x, lower.y} + down, true}});
     view.add({"a v", Role::guide, Stroke{lower - left, dvec2{lower.x, upper.y} - left, true}});
-    view.add({"a u name", Role::guide, Text{{0.5 * (lower.x + upper.x), lower.y + 1.5}, "u"}});
-    view.add({"a v name", Role::guide, Text{{lower.x - 1.4, 0.5 * (lower.y + upper.y)}, "v"}});
+    view.add({"a u name", Role::guide, Text{{0.5 * (lower.x + upper.x), lower.y + 1.5 * unit_}, "u"}});
+    view.add({"a v name", Role::guide, Text{{lower.x - 1.4 * unit_, 0.5 * (lower.y + upper.y)}, "v"}});
     names_ = {words.say("texture")};
     for (int k = 1; k < levels_of(subject_.texture.size); ++k)
       names_.push_back(words.say("level", {{"k", k}}));
@@ -58,19 +60,19 @@ class Paper {
                                     CellLook{Role::result, "", grey_of(grey)});
       }
     }
-    const dvec2 above = 0.5 * (place({0, 1}) + place({1, 1})) - dvec2{0, 0.8};
+    const dvec2 above = 0.5 * (place({0, 1}) + place({1, 1})) - dvec2{0, 0.8 * unit_};
     view.add({"a texture name", Role::guide, Text{above, names_[static_cast<std::size_t>(level)]}});
   }
   void put_pixel(View& view, ivec2 pixel, Rgba8 color) const {
-    const ivec2 at = pixel + ivec2(origin());
+    const ivec2 at = pixel + origin();
     view.cells.insert_or_assign({at.y, at.x}, CellLook{Role::result, "", color});
   }
   /// How the texture's other diagonal, from lower right to upper left, runs through the picture.
   void put_diagonal(View& view, bool bent) const {
     const auto& c = subject_.corners;
-    Path path{{on_paper(c[1]), on_paper(c[3])}, false};
+    Path path{{on_paper(dvec2(c[1])), on_paper(dvec2(c[3]))}, false};
     // The exhibit has its middle in the middle of the edge that both triangles share
-    if (bent) path.points.insert(path.points.begin() + 1, on_paper(0.5 * (c[0] + c[2])));
+    if (bent) path.points.insert(path.points.begin() + 1, on_paper(dvec2(0.5 * (c[0] + c[2]))));
     view.add({"z diagonal", Role::measure, path});
     view.add({"z texture diagonal", Role::measure, Path{{place({1, 0}), place({0, 1})}, false}});
   }
@@ -78,7 +80,7 @@ class Paper {
   // What a step points at
 
   void mark_pixel(View& view, ivec2 pixel) const {
-    view.add({"p pixel", Role::current, rectangle(origin() + dvec2(pixel) - 0.5, dvec2(1))});
+    view.add({"p pixel", Role::current, rectangle(dvec2(origin() + pixel) - 0.5, dvec2(1))});
   }
   void mark_sample(View& view, dvec2 uv) const {
     view.add({"s sample", Role::current, Dot{place(one_tile(uv))}});
@@ -110,18 +112,34 @@ class Paper {
     view.add({"f footprint", Role::measure, path});
   }
 
-  /// A pane's side, in cells.
-  int side() const { return side_; }
-
  private:
-  static constexpr int gap = 4, heading = 2, footing = 2;
-
   static Path rectangle(dvec2 corner, dvec2 size) {
     return {{corner, corner + dvec2{size.x, 0}, corner + size, corner + dvec2{0, size.y}}, true};
   }
+  /// So many times the height of a line, in cells.
+  int many(int lines) const { return static_cast<int>(std::ceil(lines * unit_)); }
   /// The cell of pixel (0, 0).
-  static dvec2 origin() { return {1, heading}; }
-  static dvec2 on_paper(dvec3 corner) { return origin() + dvec2(corner) - 0.5; }
+  ivec2 origin() const { return {1, many(2)}; }
+  dvec2 on_paper(dvec2 place) const { return dvec2(origin()) + place - 0.5; }
+  /// What of a line between places of the picture lies in the picture.
+  void put_side(View& view, const std::string& id, Stroke side) const {
+    double first = 0, last = 1;
+    const dvec2 way = side.b - side.a, size(subject_.size);
+    for (const int axis : {0, 1}) {
+      const double to_low = -side.a[axis] / way[axis], to_high = (size[axis] - side.a[axis]) / way[axis];
+      if (way[axis] == 0) {
+        if (side.a[axis] < 0 || side.a[axis] > size[axis]) return;
+        continue;
+      }
+      first = std::max(first, std::min(to_low, to_high));
+      last = std::min(last, std::max(to_low, to_high));
+    }
+    if (!(first < last)) return;
+    const dvec2 from = side.a;
+    side.a = on_paper(from + first * way);
+    side.b = on_paper(from + last * way);
+    view.add({id, Role::input, side});
+  }
   static dvec2 one_tile(dvec2 uv) {
     const auto fraction = [](double x) { return x == 1 ? 1 : x - std::floor(x); };
     return {fraction(uv.x), fraction(uv.y)};
@@ -131,6 +149,7 @@ class Paper {
   }
 
   const Subject& subject_;
+  double unit_;  ///< a line's height, in cells
   int texel_, side_;
   ivec2 texture_;
   mutable std::vector<std::string> names_{};

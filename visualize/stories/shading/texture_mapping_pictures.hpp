@@ -21,6 +21,9 @@ class ChainStory {
     return {{0, 0}, {corner(last).x + std::max(side_of(last), 2), subject_.texels * scale() + heading}};
   }
 
+  /// The first texel of level 2, where three levels stand beside each other.
+  StepNumber telling() const { return {telling_, 0}; }
+
   void show(Board& board, const steps::Started&) {
     put_level(0);
     board.milestone(base_);
@@ -43,6 +46,8 @@ class ChainStory {
     view.add({"c covered", Role::candidate, square(first, many * before)});
     many_ = many.x * many.y;
     board.milestone(std::move(view));
+    ++milestones_;
+    if (a.level <= 2 && a.texel == ivec2(a.level == 1 ? 1 : 0, 0)) telling_ = milestones_;
   }
   Event say(const Averaged<double>& a) const {
     return {.text = "chain.averaged",
@@ -90,7 +95,8 @@ class ChainStory {
   }
   void put_name(int level) {
     const dvec2 at = dvec2(corner(level)) + dvec2{0.5 * side_of(level) - 0.5, -1.2};
-    base_.add({fmt::format("a name {}", level), Role::guide, Text{at, fmt::format("{}", level)}});
+    base_.add({fmt::format("a name {}", level), Role::guide,
+               Text{at, level == 0 ? words_.say("level", {{"k", 0}}) : fmt::format("{}", level)}});
   }
   void put_level(int level) {
     put_name(level);
@@ -103,6 +109,7 @@ class ChainStory {
   const Subject& subject_;
   View base_{};
   int many_ = 4;
+  std::int64_t milestones_ = 0, telling_ = 0;
 };
 
 inline void tell_mip_chain(Narrator& narrator) {
@@ -121,6 +128,7 @@ inline void tell_mip_chain(Narrator& narrator) {
   std::vector<double> chain(texels_of_chain(subject.texture.size));
   build_mip_chain(subject.texture.size, subject.look_up(), std::span(chain), only<Averaged<double>>(watch));
   watch(steps::Finished{}, 0);
+  narrator.telling(story.telling());
   narrator.result({{"texels", std::ssize(chain)}, {"mean", chain.back()}});
 }
 
@@ -144,7 +152,9 @@ class FiltersStory {
   }
   Event say(const steps::Started&) const {
     return {.text = "three.started",
-            .words = {{"columns", subject_.size.x}, {"rows", subject_.size.y}, {"tiles", fmt::format("{0} × {0}", subject_.tiles)}}};
+            .words = {{"columns", subject_.size.x},
+                      {"rows", subject_.size.y},
+                      {"tiles", fmt::format("{0} × {0}", subject_.tiles)}}};
   }
   void show(Board& board, const PictureFiltered& p) {
     off_.push_back(mean_difference(p.picture, right_));

@@ -27,6 +27,8 @@ class Story {
   void bends() { bent_ = true; }
   /// The pixel whose colour is looked up next.
   void stand_at(const Place& place) { at_ = place; }
+  /// The second triangle begins: its pixels tell most, as they stand in a picture that is half done.
+  void half_done() { half_done_ = true; }
 
   void show(Board& board, const steps::Started&) {
     paper_.put_frames(base_, words_);
@@ -54,7 +56,9 @@ class Story {
   }
   Event say(const Place& m) const {
     const ivec2 texel = subject_.nearest_texel(m.uv), other = subject_.nearest_texel(other_place());
-    Event event{.text = bent_ ? (other != texel ? "bent.off" : "bent") : "mapped",
+    Event event{.text = bent_            ? (other != texel ? "bent.off" : "bent")
+                        : other != texel ? "mapped.off"
+                                         : "mapped",
                 .facts = {{"pixel", m.pixel}, {"u", m.uv.x}, {"v", m.uv.y}, {"texel", texel}},
                 .words = {{"pixel", m.pixel},
                           {"q", m.linear.x},
@@ -223,7 +227,7 @@ class Story {
     return view;
   }
   void want(double how_much) {
-    if (how_much <= wanted_) return;
+    if (!half_done_ || how_much <= wanted_) return;
     wanted_ = how_much;
     telling_ = {milestones_, fine_};
   }
@@ -289,7 +293,7 @@ class Story {
   const Subject& subject_;
   const Paper& paper_;
   Place at_{};
-  bool bent_ = false, filters_ = false;
+  bool bent_ = false, filters_ = false, half_done_ = false;
   std::optional<LevelChosen> mip_{};
   int blended_ = 0, shown_level_ = 0;
   View base_{};  ///< what stays
@@ -311,6 +315,7 @@ void tell_mapping(Narrator& narrator, const Subject& subject, Story& story, cons
   watch(steps::Started{}, 0);
   each_place(subject, [&](const Triangle& triangle, const Corners<double>& corners) {
     run(watch, triangle, corners);
+    story.half_done();
   });
   watch(steps::Finished{}, 0);
   if (story.telling()) narrator.telling(*story.telling());
@@ -418,7 +423,7 @@ const TopicEntry& entry() {
                     .file = "texture_mapping_notes.hpp"}},
        .default_method = "perspective_correct",
        .parameters =
-           {points(4, 4, "corners", "0,12,1 12,12,1 8,3,3 4,3,3", "1,11,1 11,11,1 11,1,1 1,1,1",
+           {points(4, 4, "corners", "0,12,1 12,12,1 8,1,3 4,1,3", "1,11,1 11,11,1 11,1,1 1,1,1",
                    "the quad: x and y in the picture, y down, and w; texture coordinates (0, 0), (1, 0), "
                    "(1, 1), (0, 1)",
                    {"x", "y", "w"}, {1e-3, 4096}),
@@ -436,7 +441,7 @@ const TopicEntry& entry() {
              .help = "how many pixels it is high",
              .least = 3,
              .most = 48},
-            choice("texture", {"checker", "cross", "stripes", "patches"}, "checker", "cross",
+            choice("texture", {"checker", "cross", "squares", "patches"}, "checker", "cross",
                    "what the texture shows"),
             {.name = "texels",
              .type = ParameterType::integer,

@@ -19,22 +19,17 @@ using Place = Mapped<double>;
 using Picture = std::map<std::pair<int, int>, double>;
 
 /// What the texture shows, in grey.
-enum class Motif { checker, cross, stripes, patches };
+enum class Motif { checker, cross, squares, patches };
 
 inline double motif_at(Motif motif, ivec2 at, int texels) {
   const bool odd = (at.x + at.y) % 2 != 0;
-  switch (motif) {
-    case Motif::checker:
-      return odd ? 0.9 : 0.08;
-    case Motif::cross:
-      if (at.x == at.y || at.x + at.y == texels - 1) return 0.03;
-      return odd ? 0.9 : 0.55;
-    case Motif::stripes:
-      return at.y % 2 != 0 ? 0.9 : 0.08;
-    case Motif::patches:
-      break;
-  }
-  return (at.x * 5 + at.y * 3 + at.x * at.y) % 7 / 7.0 + 0.1;
+  if (motif == Motif::checker) return odd ? 0.9 : 0.08;
+  if (motif == Motif::cross) return at.x == at.y || at.x + at.y == texels - 1 ? 0.03 : odd ? 0.9 : 0.55;
+  // Two squares either way, of many texels each
+  if (motif == Motif::squares) return (2 * at.x < texels) == (2 * at.y < texels) ? 0.9 : 0.08;
+  // Patches without a pattern, lighter to the upper right
+  const int patch = (5 * at.x * at.x + 3 * at.y * at.y + 7 * at.x * at.y + 2 * at.y) % 9;
+  return 0.02 + patch / 18.0 + 0.2 * (at.x + texels - at.y) / texels;
 }
 
 struct Subject {
@@ -133,7 +128,7 @@ inline Subject subject_of(const Arguments& arguments) {
   }
   const std::string& motif = arguments.text("texture");
   subject.motif = motif == "cross"     ? Motif::cross
-                  : motif == "stripes" ? Motif::stripes
+                  : motif == "squares" ? Motif::squares
                   : motif == "patches" ? Motif::patches
                                        : Motif::checker;
   subject.texture = {ivec2(subject.texels), arguments.text("wrap") == "clamp" ? Wrap::clamp : Wrap::repeat};
