@@ -78,6 +78,15 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   shading({{"faces", roof}, {"intensities", "0 1 0.5"}, {"columns", "6"}, {"rows", "6"}});
   shading({{"intensities", "0 0.5 1"}, {"window", "-0.5,-0.5,11.5,11.5"}});
   shading({{"method", "flat"}, {"light", "0,0,1000000"}, {"eye", "0,0,1000000"}});
+  tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "16"}});
+  tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "2"}});
+  tell("texture_mapping", {{"method", "mip_mapped"},
+                           {"corners", "0,12,1 12,12,1 12,0,1 0,0,1"},
+                           {"texels", "12"},
+                           {"tiles", "2"}});
+  tell("texture_mapping", {{"corners", "0,12,1 12,12,1 12,0,1 0,0,1"}});
+  for (const char* texels : {"1", "2", "3"})
+    tell("texture_mapping", {{"method", "mip_chain"}, {"texels", texels}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };

@@ -66,6 +66,37 @@ TEST(TextureMapping, MiddleOfARecedingEdgeHasAQuarterOfTheTexture) {
   EXPECT_NEAR(bent, 0.5, 4 * unit);
 }
 
+/// R000-040: a floor of two triangles. The pixels between its corners (1, 0) and (0, 1) lie on the texture's
+/// diagonal u + v = 1; affine mapping has them elsewhere but near the corners.
+TEST(TextureMapping, AffineBendsTheDiagonal) {
+  const std::array<ivec2, 4> at{ivec2{0, 6144}, {6144, 6144}, {4096, 512}, {2048, 512}};
+  const std::array<Corner<double>, 4> floor{
+      Corner<double>{1, {0, 0}}, {1, {1, 0}}, {1.0 / 3, {1, 1}}, {1.0 / 3, {0, 1}}};
+  double worst_correct = 0, worst_affine = 0;
+  const auto on_diagonal = [&](ivec2 pixel) {
+    // Its centre is at most a pixel's half from the line
+    const dvec2 from = dvec2(at[3] - at[1]), to = dvec2(triangle_coverage::centre_of(pixel) - at[1]);
+    return std::abs(from.x * to.y - from.y * to.x) <= 128 * std::hypot(from.x, from.y);
+  };
+  int pixels = 0;
+  for (const std::size_t k : {0U, 1U}) {
+    const Triangle triangle{at[0], at[k + 1], at[k + 2]};
+    const Corners<double> corners{floor[0], floor[k + 1], floor[k + 2]};
+    const auto off = [&](double& worst) {
+      return [&](ivec2 pixel, dvec2 uv, const auto&) {
+        if (!on_diagonal(pixel)) return;
+        worst = std::max(worst, std::abs(uv.x + uv.y - 1));
+        ++pixels;
+      };
+    };
+    perspective_correct(triangle, corners, {{0, 0}, {23, 23}}, off(worst_correct));
+    affine(triangle, corners, {{0, 0}, {23, 23}}, off(worst_affine));
+  }
+  EXPECT_GT(pixels, 40);
+  EXPECT_LT(worst_correct, 0.12);
+  EXPECT_GT(worst_affine, 0.35);
+}
+
 Corners<Exact> exact(const Corners<double>& c) {
   Corners<Exact> all{};
   for (std::size_t i = 0; i < 3; ++i) all[i] = {Exact(c[i].over_w), {Exact(c[i].uv.x), Exact(c[i].uv.y)}};
