@@ -27,17 +27,19 @@ template <class T, class Plot, Observer<Mapped<T>, Finished> O = Unobserved>
 void affine(const Triangle& triangle, const Corners<T>& corners, const Window& window, Plot&& plot,
             O&& observer = {}) {
   expect_corners(corners);
-  const auto planes = affine_planes(triangle, corners);
+  auto planes =  // of 1, u and v
+      affine_planes(triangle, corners);
   std::int64_t pixels = 0;
   const auto map = [&](ivec2 pixel, auto& e) {
     // u and v: not linear in the picture
     const auto linear = planes.at(e);
     const Uv<T> uv{linear.y, linear.z};
     if constexpr (observed<O>) observer(Mapped<T>{pixel, e, linear, uv});
-    plot(pixel, uv, footprint_of(planes, T(1), uv));
+    auto area = footprint_of(planes, T(1), uv);
+    plot(pixel, uv, area);
     ++pixels;
   };
-  triangle_coverage::cover(triangle, window, map);
+  cover(triangle, window, map);
   if constexpr (observed<O>) observer(Finished{pixels});
 }
 
