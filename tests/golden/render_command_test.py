@@ -188,7 +188,7 @@ def test_textures():
     equal(len(pictures), 4, "each filter has its own picture")
     gradus("render", "m.obj", "-o", "m.png", "--size", "80x60")
     write("wood.png", read(MODELS / "spot_texture.png") + b"x")
-    check("found another" in gradus("again", "m.png", "-o", "n.png").err, "a texture that has changed is told")
+    check("found fnv1a:" in gradus("again", "m.png", "-o", "n.png").err, "a texture that has changed is told")
 
 
 def test_forgiven_forms():

@@ -192,6 +192,7 @@ Colour nearest(dvec2 uv, const Extent& texture, Texel&& texel, O&& observer = {}
   const ivec2 count = texture.size;
   const auto i = cell_of(uv.x, count.x);
   const auto j = cell_of(uv.y, count.y);
+  // Beyond the border it is another one
   const ivec2 at = texel_in(i, j, texture);
   const Colour colour = texel(at);
   if constexpr (observed<O>) observer(Picked<Colour>{uv, at, colour});
@@ -327,7 +328,9 @@ void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> chain, O&& obs
   auto next = chain.begin();
   // Level 0 is the texture itself
   for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) *next++ = texel(ivec2{x, y});
+    for (int x = 0; x < size.x; ++x) {
+      *next++ = texel(ivec2{x, y});
+    }
   }
   for (int k = 1; k < built.levels(); ++k) {
     const auto before = built.level(k - 1);

@@ -35,7 +35,8 @@ void affine(const Triangle& triangle, const Corners<T>& corners, const Window& w
     const auto linear = planes.at(e);
     const Uv<T> uv{linear.y, linear.z};
     if constexpr (observed<O>) observer(Mapped<T>{pixel, e, linear, uv});
-    auto area = footprint_of(planes, T(1), uv);
+    auto area =  // of the pixel
+        footprint_of(planes, T(1), uv);
     plot(pixel, uv, area);
     ++pixels;
   };

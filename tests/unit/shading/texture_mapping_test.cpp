@@ -52,7 +52,7 @@ ivec2 picked(dvec2 uv, const Extent& texture) {
 
 // --- Triangles
 
-/// The golden of the notes' errata: an edge recedes from z = 1 to z = 3, u from 0 to 1; the pixel in its
+/// G000-16, E000-12: an edge recedes from z = 1 to z = 3, u from 0 to 1; the pixel in its
 /// middle.
 TEST(TextureMapping, MiddleOfARecedingEdgeHasAQuarterOfTheTexture) {
   // Pixel (2, 2) has its centre in the middle of corners 0 and 1, on a top edge
