@@ -19,11 +19,11 @@ namespace {
 using namespace texture_mapping;
 using Picture = Raster<double>;
 
-constexpr int width = 128, samples = 16, texels = 64;
+constexpr int width = 128, samples = 16, texels = 512;
 constexpr Extent texture{{texels, texels}};
 
-/// Sixteen squares either way, four texels each.
-double checker(ivec2 at) { return (at.x / 4 + at.y / 4) % 2 == 0 ? 0.1 : 0.9; }
+/// Thirty-two squares either way, sixteen texels each.
+double checker(ivec2 at) { return (at.x / 16 + at.y / 16) % 2 == 0 ? 0.1 : 0.9; }
 
 /// A square floor in perspective, `far` times as far behind as in front, cut along a diagonal.
 struct Floor {
