@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <span>
 #include <type_traits>
 
@@ -371,7 +372,7 @@ inline Level level_of(double length, int levels) {
   // length = (1 + fraction) 2^lower
   const int lower = std::ilogb(length);
   const double scaled = std::ldexp(length, -lower);
-  return {lower, log(scaled) / log(2.0)};
+  return {lower, log(scaled) / std::numbers::ln2};
 }
 
 /// Mixes what the two levels have whose texels are nearest to the pixel's footprint in length (trilinear), so
