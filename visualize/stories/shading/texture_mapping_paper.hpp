@@ -42,8 +42,10 @@ class Paper {
     const dvec2 down{0, 0.6 * unit_}, left{0.6 * unit_, 0};
     view.add({"a u", Role::guide, Stroke{lower + down, dvec2{upper.x, lower.y} + down, true}});
     view.add({"a v", Role::guide, Stroke{lower - left, dvec2{lower.x, upper.y} - left, true}});
-    view.add({"a u name", Role::guide, Text{{0.5 * (lower.x + upper.x), lower.y + 1.5 * unit_}, "u"}});
-    view.add({"a v name", Role::guide, Text{{lower.x - 1.4 * unit_, 0.5 * (lower.y + upper.y)}, "v"}});
+    view.add({"a u name", Role::guide,
+              Text{{0.5 * (lower.x + upper.x), lower.y + 1.5 * unit_}, words.symbol("u")}});
+    view.add({"a v name", Role::guide,
+              Text{{lower.x - 1.4 * unit_, 0.5 * (lower.y + upper.y)}, words.symbol("v")}});
     names_ = {words.say("texture")};
     for (int k = 1; k < levels_of(subject_.texture.size); ++k)
       names_.push_back(words.say("level", {{"k", k}}));

@@ -52,8 +52,11 @@ class ChainStory {
   Event say(const Averaged<double>& a) const {
     return {.text = "chain.averaged",
             .facts = {{"level", a.level}, {"texel", a.texel}, {"colour", a.colour}},
-            .words = {{"level", a.level}, {"texel", a.texel}, {"before", a.level - 1}, {"I", a.colour}},
-            .count = many_,
+            .words = {{"level", a.level},
+                      {"texel", a.texel},
+                      {"before", a.level - 1},
+                      {"many", many_},
+                      {"I", a.colour}},
             .row = {a.level, texel_name(a.texel), many_, a.colour},
             .key = fmt::format("{}: {},{}", a.level, a.texel.x, a.texel.y),
             .phase = fmt::format("level {}", a.level)};
