@@ -116,7 +116,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"polygon_shading_normals", 0.84},
                                               {"polygon_shading_normals_angle", 0.84},
                                               {"texture_mapping_chain", 0.8},
-                                              {"texture_mapping_horizon", 0.82},
                                               {"back_face_culling_concave", 0.85},
                                               {"back_face_culling_concave_near", 0.9},
                                               {"pipeline", 0.78},
