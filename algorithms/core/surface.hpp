@@ -12,8 +12,10 @@ namespace gradus {
 
 /// A picture that is laid on a surface. Texture coordinates (0, 0) to (1, 1) cover it, v up.
 struct Texture {
-  std::string file;  ///< as the material names it
-  Image texels;      ///< row 0 at the top; empty while nobody has read the file
+  std::string file;      ///< as the material names it
+  Image texels{};        ///< row 0 at the top; empty while nobody has read the file
+  std::string place{};   ///< where it is named, as mistakes call it: "spot.mtl:3: map_Kd 'spot.png'"
+  bool quotable = true;  ///< whether messages may show what stands there
 };
 
 /// How much of the light that arrives a surface sends on, in Phong's model. This one is what a face without
@@ -26,7 +28,7 @@ struct Material {
   float shininess = 32;      ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
   LinearRgb emission{0.0f};  ///< light of its own, >= 0
   float opacity = 1;      ///< 1 covers all behind it, 0 nothing; the textbook chain draws everything opaque
-  Texture diffuse_map{};  ///< multiplies the diffuse part where its file is named
+  Texture diffuse_map{};  ///< multiplies ambient and diffuse part where its file was read
 };
 
 }  // namespace gradus

@@ -116,7 +116,7 @@ class MtlReader {
       draft.highlight = s.number(key) >= 2;
       s.end(key);
     } else if (key == "map_Kd") {
-      m.diffuse_map.file = map_file(s);
+      m.diffuse_map = texture(s);
       if (m.diffuse_map.file.empty())
         notes_.push_back(s.place("map_Kd names no file: the material has no texture"));
     } else if (known_but_unused(key)) {
@@ -135,6 +135,12 @@ class MtlReader {
   }
 
  private:
+  static Texture texture(Statement& s) {
+    std::string file = map_file(s);
+    std::string place = s.place(fmt::format("map_Kd {}", s.quoted(file)));
+    return {std::move(file), {}, std::move(place), s.file().quotable};
+  }
+
   void begin(Statement& s) {
     const std::string name(s.rest());
     if (name.empty()) notes_.push_back(s.place("a material without a name, which nothing can use"));

@@ -26,6 +26,13 @@ enum class Shading {
   phong,    ///< once a pixel
 };
 
+/// How a surface takes its colour from its texture (shading/texture_mapping).
+enum class TextureFilter {
+  nearest,     ///< from one texel
+  bilinear,    ///< from four
+  mip_mapped,  ///< from a level whose texels are as large as the pixel
+};
+
 /// Objects in the order of their numbers, in one world.
 struct Scene {
   std::vector<Object> objects;
@@ -34,6 +41,7 @@ struct Scene {
   LinearRgb ambient{0.15f};    ///< the light that comes from everywhere
   LinearRgb background{1.0f};  ///< where there is nothing
   Shading shading = Shading::phong;
+  TextureFilter filter = TextureFilter::mip_mapped;
 };
 
 /// The object with this number.

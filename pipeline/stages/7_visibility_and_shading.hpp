@@ -15,6 +15,7 @@
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "stages/points.hpp"
+#include "stages/textures.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
@@ -31,9 +32,10 @@ struct DepthTested {
 struct Shaded {
   Fragment fragment;
   WorldPoint place;
-  dvec3 normal;  ///< of length 1, on the viewer's side
-  dvec2 texture;
-  int material;  ///< of the object's mesh
+  dvec3 normal;                      ///< of length 1, on the viewer's side
+  dvec2 texture;                     ///< texture coordinates
+  std::optional<LinearRgb> texel{};  ///< what the texture has there
+  int material;                      ///< of the object's mesh
   dvec3 ambient, diffuse, specular;
   LinearRgb colour;  ///< their sum
 };
@@ -83,7 +85,7 @@ using Parts = illumination::Parts<double>;
 /// again.
 class SceneLight {
  public:
-  explicit SceneLight(const Scene& scene) : scene_(scene) {}
+  SceneLight(const Scene& scene, Size picture) : scene_(scene), textures_(scene.filter, picture) {}
 
   const Scene& scene() const { return scene_; }
   /// How often Phong's model was asked so far.
@@ -94,14 +96,20 @@ class SceneLight {
     if (scene_.shading == Shading::gouraud) return of_corners(f, t);
     return at(f, here);
   }
+  /// The colour that the surface's texture has at (u, v), if it has one.
+  std::optional<LinearRgb> texel(const Fragment& f, const Triangle& t, dvec2 uv) {
+    return textures_.at(f, t, material(f), uv);
+  }
+  const Material& material(const Fragment& f) const {
+    return mesh(f).materials[static_cast<std::size_t>(face(f).material)];
+  }
   const Mesh& mesh(const Fragment& f) const { return object_at(scene_, f.id.object).mesh; }
   const MeshFace& face(const Fragment& f) const { return mesh(f).faces[static_cast<std::size_t>(f.id.face)]; }
 
  private:
   Parts at(const Fragment& f, const Surface& surface) {
     ++computed_;
-    const Material& material = mesh(f).materials[static_cast<std::size_t>(face(f).material)];
-    return illumination::phong(surface.place, surface.normal, scene_.camera.frame.eye, material,
+    return illumination::phong(surface.place, surface.normal, scene_.camera.frame.eye, material(f),
                                std::span<const Light>(scene_.lights), scene_.ambient);
   }
 
@@ -134,27 +142,30 @@ class SceneLight {
 
   const Scene& scene_;
   std::int64_t computed_ = 0;
+  Textures textures_;
   std::map<std::array<int, 3>, Parts> faces_{};
   std::map<int, std::array<Parts, 3>> corners_{};  ///< by triangle
 };
 
-/// The place, the normal and the light of one visible fragment.
+/// The place, the normal and the light of one visible fragment. A texture multiplies what the surface sends
+/// on of light from everywhere and from lamps, but for the highlight.
 inline Shaded shaded(SceneLight& light, const Fragment& fragment, const Triangle& triangle) {
   const auto at = [](const TriangleCorner& c) { return c.world.at; };
   const dvec3 place = mean<dvec3>(fragment, triangle, at);
   dvec3 normal =
       unit_vector(mean<dvec3>(fragment, triangle, [](const TriangleCorner& c) { return c.normal; }));
   const dvec2 texture = mean<dvec2>(fragment, triangle, [](const TriangleCorner& c) { return c.texture; });
-  const Parts parts = light.at(fragment, triangle, {place, normal});
-  return {fragment,
-          {place},
-          normal,
-          texture,
-          light.face(fragment).material,
-          parts.ambient,
-          parts.diffuse,
-          parts.specular,
-          LinearRgb(parts.sum())};
+  Parts parts = light.at(fragment, triangle, {place, normal});
+  const auto texel = light.texel(fragment, triangle, texture);
+  if (texel) {
+    parts.ambient *= dvec3(*texel);
+    parts.diffuse *= dvec3(*texel);
+  }
+  return {fragment,       {place},
+          normal,         texture,
+          texel,          light.face(fragment).material,
+          parts.ambient,  parts.diffuse,
+          parts.specular, LinearRgb(parts.sum())};
 }
 
 /// Gives every visible fragment its colour, and every other pixel the background's.
@@ -171,7 +182,8 @@ Raster<LinearRgb> shade(const Scene& scene, const Triangles& triangles, const Vi
   const auto back = scene.background;
   Raster<LinearRgb> image(  // nothing seen yet
       width, height, back);
-  SceneLight light(scene);
+  SceneLight light(  // and its textures
+      scene, {width, height});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const ivec2 p{x, y};

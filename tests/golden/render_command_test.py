@@ -156,9 +156,39 @@ def test_broken_models():
           ["m.obj:1: no file 'm.mtl': its materials are the default",
            "m.obj:2: no material 'red' was read: it is drawn like the default", "m2.png"], "a folder as a library")
     os.rmdir("m.mtl")
+
+
+def test_textures():
+    """A picture that a material names: PNG beside the model, looked up by --filter, refused with its line."""
+    write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n")
     write("m.mtl", "newmtl red\nKd 1 0 0\nmap_Kd wood.png\n")
-    result = gradus("render", "m.obj", "-o", "m.png")
-    check("textures are not drawn: 'wood.png' of material 'red'" in result.err, result.err)
+    def refused(what, *words):
+        result = gradus("render", "m.obj", "-o", "m.png", *words)
+        equal((result.code, result.err, os.path.exists("m.png")), (2, f"gradus: m.mtl:3: map_Kd 'wood.png': {what}\n", False), what)
+    refused("expected a PNG file of that name beside the model, found none")
+    write("wood.png", "no picture")
+    refused("expected a PNG file, found something else")
+    whole = read(MODELS / "spot_texture.png")
+    write("wood.png", whole[:5000])
+    refused("expected a whole PNG file, found a damaged one (the file ends too early)")
+    os.remove("wood.png")
+    os.mkfifo("wood.png")
+    refused("expected a regular file, found the pipe 'wood.png'")
+    equal(gradus("render", "m.obj", "-o", "m.png", "--filter", "none").code, 0, "without textures nothing is read")
+    os.remove("wood.png")
+    os.remove("m.png")
+    write("wood.png", whole)
+    pictures = set()
+    for filter in ("nearest", "bilinear", "mipmapped", "none"):
+        result = gradus("render", "m.obj", "-o", "m.png", "--filter", filter, "--size", "80x60")
+        equal((result.code, result.err), (0, "m.png\n"), filter)
+        pictures.add(read("m.png"))
+        words = "" if filter == "mipmapped" else f" --filter {filter}"
+        equal(Picture(read("m.png")).texts["gradus-command"], f"gradus render m.obj --size 80x60{words}", "command")
+    equal(len(pictures), 4, "each filter has its own picture")
+    gradus("render", "m.obj", "-o", "m.png", "--size", "80x60")
+    write("wood.png", read(MODELS / "spot_texture.png") + b"x")
+    check("found fnv1a:" in gradus("again", "m.png", "-o", "n.png").err, "a texture that has changed is told")
 
 
 def test_forgiven_forms():

@@ -12,6 +12,7 @@
 #include "pipeline.hpp"
 #include "scene/files.hpp"
 #include "scene/framing.hpp"
+#include "scene/textures.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -21,12 +22,19 @@ struct Case {
   const char* model;
 };
 
+Image decoded(const std::string& bytes, const std::string& name, std::int64_t most_pixels) {
+  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name, most_pixels);
+}
+
 class Render : public testing::TestWithParam<Case> {};
 
 TEST_P(Render, LooksAsCommitted) {
   const std::string root = std::string(GRADUS_SOURCE_DIR) + "/";
   constexpr Size size{160, 120};
-  const Scene scene = scene_of(load_obj(root + GetParam().model).mesh, 4.0 / 3);
+  const std::string model = root + GetParam().model;
+  Mesh mesh = load_obj(model).mesh;
+  load_textures(mesh, libraries_beside(model), decoded, model);
+  const Scene scene = scene_of(std::move(mesh), 4.0 / 3);
   const Image image = render(scene, size);
   const std::string file = root + "tests/golden/renders/" + GetParam().name + ".png";
   if (std::getenv("GRADUS_UPDATE_GOLDEN")) {

@@ -101,6 +101,15 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "2"}, {"kd", "0"}});
   lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "0.5"}});
   lit({{"method", "unclamped"}, {"lights", "0,-3,4 3,0,-2"}, {"kd", "0.5"}, {"eye", "0,2,5"}});
+  tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "16"}});
+  tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "2"}});
+  tell("texture_mapping", {{"method", "mip_mapped"},
+                           {"corners", "0,12,1 12,12,1 12,0,1 0,0,1"},
+                           {"texels", "12"},
+                           {"tiles", "2"}});
+  tell("texture_mapping", {{"corners", "0,12,1 12,12,1 12,0,1 0,0,1"}});
+  for (const char* texels : {"1", "2", "3"})
+    tell("texture_mapping", {{"method", "mip_chain"}, {"texels", texels}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };

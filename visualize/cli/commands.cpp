@@ -176,6 +176,8 @@ std::vector<Command> all_commands() {
         {"light", 0, "X,Y,Z", "where a lamp stands; default: light from behind the viewer's left shoulder"},
         {"background", 0, "COLOR", "#rrggbb, a colour's name, or none for a transparent one; default white"},
         {"shading", 0, "HOW", "light once a face, a corner or a pixel: flat, gouraud or phong (default)"},
+        {"filter", 0, "HOW",
+         "how textures are looked up: nearest, bilinear or mipmapped (default); none leaves them out"},
         force},
        {"gradus render letter_f.obj -o f.png", "gradus render spot.obj -o spot.png --eye=-1.5,1.2,-2.7",
         "gradus render letter_f.obj -o wide.png --size 640x360 --fov 90",

@@ -162,6 +162,8 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
     words.add_all(Texts{"16:9", "4:3", "1:1"});
   } else if (name == "shading") {
     words.add_all(Texts{"flat", "gouraud", "phong"});
+  } else if (name == "filter") {
+    words.add_all(Texts{"nearest", "bilinear", "mipmapped", "none"});
   } else if (name == "only") {
     add_topics(words);
   } else if (name == "notation") {

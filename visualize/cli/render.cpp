@@ -21,6 +21,7 @@
 #include "scene/files.hpp"
 #include "scene/framing.hpp"
 #include "scene/obj.hpp"
+#include "scene/textures.hpp"
 #include "scene/view.hpp"
 #include "stories/point_text.hpp"
 
@@ -43,7 +44,9 @@ struct Wish {
   std::optional<Rgba8> background;
   bool transparent = false;
   pipeline::Shading shading = pipeline::Shading::phong;
-  std::string said;  ///< the flags in their canonical spelling, " --size 640x480"
+  std::optional<pipeline::TextureFilter> filter =
+      pipeline::TextureFilter::mip_mapped;  ///< nothing: no textures
+  std::string said;                         ///< the flags in their canonical spelling, " --size 640x480"
 };
 
 std::optional<Number> number_in(std::string_view text) {
@@ -79,6 +82,7 @@ class WishReader {
     wish_.light = vector("light");
     read_background();
     read_shading();
+    read_filter();
     return std::move(wish_);
   }
 
@@ -163,6 +167,22 @@ class WishReader {
     if (wish_.shading != pipeline::Shading::phong) say("shading", word);
   }
 
+  void read_filter() {
+    const std::string* text = given("filter");
+    if (!text) return;
+    const std::string word = folded(trimmed(*text));
+    constexpr std::array<std::string_view, 4> names{"nearest", "bilinear", "mipmapped", "none"};
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end())
+      refuse_flag("filter", "one of nearest, bilinear, mipmapped, none", shown(*text));
+    if (word != "mipmapped") say("filter", word);
+    if (word == "none") {
+      wish_.filter = std::nullopt;
+    } else {
+      wish_.filter = static_cast<pipeline::TextureFilter>(found - names.begin());
+    }
+  }
+
   const std::map<std::string, std::string>& flags_;
   Wish wish_;
 };
@@ -174,11 +194,16 @@ struct Input {
   std::string name;    ///< without folders
   std::string hashes;  ///< of the model and its libraries, in the order in which they were read
   std::vector<std::string> files;
-  bool quotable = true;      ///< the model's file
-  bool all_quotable = true;  ///< it and its libraries
+  bool quotable = true;  ///< the model's file
 };
 
-Input read_model(const std::string& operand, const FindFile& find) {
+/// Takes PNG files alone.
+Image picture_in(const std::string& bytes, const std::string& name, std::int64_t most) {
+  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name, most);
+}
+
+/// textures: whether the pictures are read that materials name.
+Input read_model(const std::string& operand, const FindFile& find, bool textures) {
   Input input;
   const bool from_stdin = operand == dash;
   const FoundFile file = from_stdin ? FoundFile(operand) : find(operand, "MODEL");
@@ -189,13 +214,14 @@ Input read_model(const std::string& operand, const FindFile& find) {
   const std::string text = read_input(file.path, "MODEL");
   take(file.path, text);
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
-  input.quotable = input.all_quotable = file.quotable;
+  input.quotable = file.quotable;
   const auto took = [&](const std::string&, const std::string& path, const pipeline::LibraryText& library) {
     take(path, library.text);
-    input.all_quotable = input.all_quotable && library.quotable;
   };
-  input.model = pipeline::parse_obj(text, {from_stdin ? "standard input" : file.path, file.quotable},
-                                    pipeline::libraries_beside(from_stdin ? "" : file.path, took));
+  const std::string called = from_stdin ? "standard input" : file.path;
+  const auto beside = pipeline::libraries_beside(from_stdin ? "" : file.path, took);
+  input.model = pipeline::parse_obj(text, {called, file.quotable}, beside);
+  if (textures) pipeline::load_textures(input.model.mesh, beside, picture_in, called);
   return input;
 }
 
@@ -238,6 +264,7 @@ pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) 
   }
   if (wish.background) scene.background = linear_from_srgb8(*wish.background);
   scene.shading = wish.shading;
+  if (wish.filter) scene.filter = *wish.filter;
   return scene;
 }
 
@@ -281,18 +308,7 @@ Colophon colophon_of(const Input& input, const pipeline::Scene& scene, const Wis
 }
 
 /// What the reader of the model left out; of much the beginning.
-std::vector<std::string> remarks_on(const Input& input) {
-  std::vector<std::string> remarks = first_notes(input.model.notes);
-  const auto textured = std::ranges::find_if(input.model.mesh.materials,
-                                             [](const Material& m) { return !m.diffuse_map.file.empty(); });
-  if (textured == input.model.mesh.materials.end()) return remarks;
-  remarks.emplace_back("render: textures are not drawn");
-  if (input.all_quotable) {
-    remarks.back() +=
-        fmt::format(": {} of material {}", shown(textured->diffuse_map.file), shown(textured->name));
-  }
-  return remarks;
-}
+std::vector<std::string> remarks_on(const Input& input) { return first_notes(input.model.notes); }
 
 /// Why there is nothing to be seen.
 std::string empty_remark(const pipeline::Scene& scene) {
@@ -315,7 +331,7 @@ struct Shot {
 Shot shot_of(const Request& request, const FindFile& find) {
   Shot shot;
   shot.wish = WishReader(request.flags).read();
-  Input input = read_model(request.operands.at(0), find);
+  Input input = read_model(request.operands.at(0), find, shot.wish.filter.has_value());
   shot.brief = {
       {}, input.files, input.quotable, remarks_on(input), shot.wish.size.width, shot.wish.size.height};
   shot.scene = scene_for(std::move(input.model.mesh), input.name, shot.wish);

@@ -120,6 +120,7 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"z_buffer_integer_colours", 0.99},
                                               {"polygon_shading_normals", 0.79},
                                               {"polygon_shading_normals_angle", 0.79},
+                                              {"texture_mapping_chain", 0.8},
                                               {"back_face_culling_concave", 0.85},
                                               {"back_face_culling_concave_near", 0.9},
                                               {"pipeline", 0.78},

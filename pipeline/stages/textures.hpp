@@ -1,0 +1,70 @@
+#pragma once
+// What stage 7 asks the textures of a scene for: the colour that a fragment's surface has there.
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/colour.hpp"
+#include "scene/scene.hpp"
+#include "shading/texture_mapping/texture_mapping.hpp"
+#include "stages/6_rasterization.hpp"
+#include "stages/points.hpp"
+
+namespace gradus::pipeline {
+
+/// A texture in linear light, and its levels.
+struct LinearTexture {
+  ivec2 size;
+  std::vector<LinearRgb> levels;
+
+  explicit LinearTexture(const Image& texels)
+      : size(texels.width(), texels.height()), levels(texture_mapping::texels_of_chain(size)) {
+    const auto texel = [&](ivec2 at) { return linear_from_srgb8(texels[at]); };
+    texture_mapping::build_mip_chain(size, texel, std::span(levels));
+  }
+  texture_mapping::MipChain<LinearRgb> chain() const { return {size, levels}; }
+};
+
+/// The textures of a scene, each decoded when it is first asked for.
+class Textures {
+ public:
+  Textures(TextureFilter filter, Size picture) : filter_(filter), picture_(picture) {}
+
+  /// The colour of a fragment's texture at (u, v); nothing where its material has none.
+  std::optional<LinearRgb> at(const Fragment& f, const Triangle& t, const Material& material, dvec2 uv) {
+    const Image& texels = material.diffuse_map.texels;
+    if (texels.cells().empty()) return std::nullopt;
+    const LinearTexture& texture = known_.try_emplace(&material, texels).first->second;
+    const auto chain = texture.chain();
+    const texture_mapping::Extent extent{texture.size};
+    if (filter_ == TextureFilter::nearest) return nearest(uv, extent, chain.level(0));
+    if (filter_ == TextureFilter::bilinear) return bilinear(uv, extent, chain.level(0));
+    return mip_mapped(uv, footprint(f, t, uv), chain);
+  }
+
+ private:
+  /// How far (u, v) goes from this pixel to the next.
+  texture_mapping::Footprint<double> footprint(const Fragment& f, const Triangle& t, dvec2 uv) {
+    if (f.triangle != triangle_) {
+      const auto at = [](const TriangleCorner& c) {
+        return texture_mapping::Corner<double>{c.over_w, c.texture};
+      };
+      const auto& [a, b, c] = t.corners;
+      planes_ = over_w_planes(on_grid(snapped(in_picture(t, picture_))),
+                              texture_mapping::Corners<double>{at(a), at(b), at(c)});
+      triangle_ = f.triangle;
+    }
+    // The shares are those on the surface: 1/w is the harmonic mean
+    const double w = glm::dot(f.weights, 1.0 / over_w_of(t));
+    return texture_mapping::footprint_of(*planes_, 1 / w, uv);
+  }
+
+  TextureFilter filter_;
+  Size picture_;
+  std::map<const Material*, LinearTexture> known_{};
+  int triangle_ = -1;  ///< whose planes are kept
+  std::optional<texture_mapping::Planes<double>> planes_{};
+};
+
+}  // namespace gradus::pipeline
