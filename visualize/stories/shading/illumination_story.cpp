@@ -21,6 +21,12 @@ struct Right {
   dvec3 sum;
 };
 
+/// A colour for programs; nothing where it is none.
+std::vector<Field> facts_of(const dvec3& colour) {
+  if (!std::isfinite(colour.x + colour.y + colour.z)) return {};
+  return {{"red", colour.x}, {"green", colour.y}, {"blue", colour.z}};
+}
+
 class PlaceStory {
  public:
   PlaceStory(const Words& words, const Task& task, PlaceDrawing drawing, Mirror mirror, Fault fault,
@@ -107,7 +113,7 @@ class PlaceStory {
                   {"right_specular", short_colour(right_one().specular)}},
         .row = {name(s), short_real(s.arrival.share()), short_real(s.n_dot_l), short_real(s.cosine),
                 short_colour(s.diffuse), short_colour(s.specular), short_colour(so_far())},
-        .key = name(s),
+        .key = key(s),
         .phase = words_.say("phase.parts"),
         .decides = Decision{
             words_.say("question.adds", {{"lamp", name(s)}}),
@@ -125,7 +131,7 @@ class PlaceStory {
     const dvec3 sum = f.ambient + f.diffuse + f.specular;
     const bool off = !(glm::length(sum - right_.sum) <= 5e-4);
     return {.text = off ? "finished.off" : "finished",
-            .facts = {{"red", sum.x}, {"green", sum.y}, {"blue", sum.z}},
+            .facts = facts_of(sum),
             .words = {{"ambient", short_colour(f.ambient)},
                       {"diffuse", short_colour(f.diffuse)},
                       {"specular", short_colour(f.specular)},
@@ -293,7 +299,7 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
                    fault, right);
   run(task, method, narrator.watcher(story));
   narrator.telling(story.telling());
-  narrator.result({{"red", own.sum.x}, {"green", own.sum.y}, {"blue", own.sum.z}});
+  narrator.result(facts_of(own.sum));
 }
 
 void tell_phong(Narrator& narrator) { tell_place(narrator, phongs); }
