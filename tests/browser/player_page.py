@@ -14,6 +14,7 @@ STATE = '''const everything = () => JSON.stringify([player.state(), player.parts
 
 # A walk: what each step that was reached looked like when it was last seen.
 WALK = STATE + '''const seen = {}, look = () => { seen[player.run.steps[player.index].number] = everything(); };
+           player.setBookmarks([]);  // of two side by side the first marks where they part
            player.first();
            for (const [move, number] of arguments[0]) { if (move === "jump") go(number); else player[move](); look(); }
            player.last(); player.first(); look();

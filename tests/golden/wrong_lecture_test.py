@@ -21,7 +21,8 @@ from lectures import ROOT, figures, gradus, made, write
 
 
 def test_problems_of_renders():
-    shutil.copy(ROOT / "examples/models/spot.obj", "spot.obj")
+    for part in ("spot.obj", "spot.mtl", "spot_texture.png"):
+        shutil.copy(ROOT / "examples/models" / part, part)
     write("bad.obj", "v 0 0 0\n\nf 1 1 2\n")
     write("my.json", """{"renders": [
   {"model": "spot.obj", "eye": [1, 2], "fov": 400,

@@ -193,6 +193,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   z_buffer("per_polygon", behind, "given", "fixed24", "1000000");
   z_buffer("first_come", pixel + "; B: 0,0,5 1,0,5 1,1,5 0,1,5", "2,1", "exact", "10");
   z_buffer("integer_colours", pixel, "given", "exact", "10");
+  tell("z_buffer", {{"eye", "3,3,-6"}, {"faces", "A: 0,0,1 6,0,1 6,6,1 0,6,1"}});
   tell("z_buffer", {{"eye", "3,3,-6"},
                     {"faces", "B: -1,0,3 7,0,3 7,6,3 -1,6,3; C: 0,0,0 5.667,0.333,10 5.667,5.667,10 0,6,0"},
                     {"columns", "6"},

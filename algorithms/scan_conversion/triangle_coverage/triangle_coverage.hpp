@@ -171,13 +171,13 @@ constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot
   const auto box = centres(triangle, window);
   const auto edges = edges_of(triangle);
   if constexpr (observed<O>) observer(Prepared{triangle, area, edges, box});
-  const auto& [a, b, c] = edges;
+  const auto& [ea, eb, ec] = edges;
   const auto [lower, upper] = box;
   std::int64_t tested = 0, covered = 0;
   for (int y = lower.y; y <= upper.y; ++y) {
     // The edge functions where the row begins
     const ivec2 p = centre_of({lower.x, y});
-    Weights e{a.at(p), b.at(p), c.at(p)};
+    Weights e{ea.at(p), eb.at(p), ec.at(p)};
     for (int x = lower.x; x <= upper.x; ++x) {
       // On the inside of all three?
       const bool in = holds(edges, e);
@@ -186,9 +186,9 @@ constexpr void cover(const Triangle& triangle, const Window& window, Plot&& plot
       tested += 1;
       covered += in;
       // One pixel to the right
-      e[0] += a.step();
-      e[1] += b.step();
-      e[2] += c.step();
+      e[0] += ea.step();
+      e[1] += eb.step();
+      e[2] += ec.step();
     }
   }
   if constexpr (observed<O>) observer(Finished{tested, covered});

@@ -122,10 +122,13 @@ bool can_go_first(const Piece<T>& q, const Piece<T>& p) {
 
 // --- Moves and cuts
 
+/// Whether P may cover Q.
+constexpr bool failed(Test test) { return test == Test::failed; }
+
 /// Whether no other is left to hold against P: Q may be covered, or all that follow are nearer still.
 template <class T>
 bool ends(Test test, const Piece<T>& q) {
-  return test == Test::failed || (test == Test::depths && !q.moved);
+  return failed(test) || (test == Test::depths && !q.moved);
 }
 
 /// Whether Q, if there is one, may be put before P: for the first time, and rightly.
@@ -273,10 +276,10 @@ void newell(const std::vector<Polygon<T>>& polygons, const View<T>& view, Draw&&
       const auto& q = list[i];
       const Test test = tested(p, q, view);
       if constexpr (observed<O>) observer(Compared<T>{p.polygon, q.polygon, test, ends(test, q)});
-      if (test == Test::failed) covered = i;
+      if (failed(test)) covered = i;
       if (ends(test, q)) break;
     }
-    const auto [k, r] = first_cut(list, covered);
+    auto [k, r] = first_cut(list, covered);
     if (moves(list, covered)) {
       // Q goes first
       move_to_end(list, covered);

@@ -402,7 +402,8 @@ TEST(LectureRenders, BecomeWhatTheCommandLineWouldSay) {
   EXPECT_EQ(render.name, "spot");
   EXPECT_EQ(render.title, "T");
   EXPECT_EQ(render.caption, "C");
-  EXPECT_THAT(render.copies, ElementsAre(models + "spot.obj"));
+  EXPECT_THAT(render.copies,
+              ElementsAre(models + "spot.obj", models + "spot.mtl", models + "spot_texture.png"));
   const std::vector<AnyPart> parts = lecture.parts();
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(&part_of(parts[0]), &render);

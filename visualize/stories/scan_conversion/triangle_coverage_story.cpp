@@ -119,9 +119,9 @@ class Story {
   Event say(const Tested& t) const {
     Event event = verdict(t);
     event.facts = {{"pixel", t.pixel},
-                   {"a", square_pixels(t.weights[0])},
-                   {"b", square_pixels(t.weights[1])},
-                   {"c", square_pixels(t.weights[2])},
+                   {"ea", square_pixels(t.weights[0])},
+                   {"eb", square_pixels(t.weights[1])},
+                   {"ec", square_pixels(t.weights[2])},
                    {"covered", t.covered}};
     event.row = {t.pixel.x,
                  t.pixel.y,
@@ -160,7 +160,7 @@ class Story {
   }
 
  private:
-  static constexpr std::array<std::string_view, 3> names{"a", "b", "c"};
+  static constexpr std::array<std::string_view, 3> names{"ea", "eb", "ec"};
 
   static std::pair<int, int> place(ivec2 p) { return {p.x, p.y}; }
   std::int64_t number() const { return static_cast<std::int64_t>(triangle_) + 1; }
@@ -286,9 +286,9 @@ class Story {
                         : t.covered           ? "on_owned"
                                               : "on_left",
                 .words = {{"pixel", t.pixel},
-                          {"a", subject_.number(t.weights[0])},
-                          {"b", subject_.number(t.weights[1])},
-                          {"c", subject_.number(t.weights[2])},
+                          {"ea", subject_.number(t.weights[0])},
+                          {"eb", subject_.number(t.weights[1])},
+                          {"ec", subject_.number(t.weights[2])},
                           {"edge", name(i)},
                           {"value", subject_.number(t.weights[i])},
                           {"kind", kind(edges_[i])}}};
@@ -451,7 +451,7 @@ const TopicEntry& entry() {
                     .tell = tell_closed,
                     .unread = {"origin"}},
                    {.name = "expanded_edges", .standing = Standing::faulty, .tell = tell_expanded}},
-       .columns = {{"x"}, {"y"}, {"a"}, {"b"}, {"c"}, {"covered", false}},
+       .columns = {{"x"}, {"y"}, {"ea"}, {"eb"}, {"ec"}, {"covered", false}},
        .parameters = subject_parameters(),
        .examples = {"--triangles '1,3 4,1 2,5'", "--triangles '0,0 6,0 6,6; 0,0 6,6 0,6'",
                     "--samples lattice --method closed_half_planes"}});

@@ -98,7 +98,7 @@ class PlaceDrawing {
       const double flat = flat_angle(v, s.arrival.to_light, theta), turn = wrapped(flat - r);
       const double seen = r + (turn < 0 ? -apart : apart);
       lobe(view, role, [&](double way) { return std::pow(cosine(way - r), power); }, s.cosine > 0);
-      arrow(view, "r mirror", Role::measure, r, 1, "R");
+      arrow(view, "r mirror", role, r, 1, "R");
       add_viewer(view, seen);
       arc(view, "g alpha", role, r, seen, 0.42);
       foot(view, "f specular", role, r, s.cosine, tip(seen, 1),
@@ -109,7 +109,7 @@ class PlaceDrawing {
       const double flat = flat_angle(s.mirror, s.arrival.to_light, theta);
       const double h = flat < 0 ? -from_n : from_n, seen = 2 * h - theta;
       lobe(view, role, [&](double way) { return std::pow(cosine(0.5 * (way + theta)), power); }, true);
-      arrow(view, "r mirror", Role::measure, h, 1, "H");
+      arrow(view, "r mirror", role, h, 1, "H");
       add_viewer(view, seen);
       arc(view, "g alpha", role, 0, h, 0.42);
       foot(view, "f specular", role, 0, s.cosine, tip(h, 1), fmt::format("N·H = {}", short_real(s.cosine)));

@@ -18,7 +18,7 @@ struct PictureLit {
 /// What there is to see.
 class Room {
  public:
-  static constexpr int columns = 60, rows = 36;
+  static constexpr int columns = 50, rows = 28;
 
   struct Hit {
     double t;
@@ -165,7 +165,7 @@ class LightsStory {
   }
 
  private:
-  static constexpr int gap = 2, heading = 6;
+  static constexpr int gap = 2, heading = 7;
 
   std::string name(std::size_t kind) const {
     constexpr std::array<std::string_view, 4> keys{"kind.ambient", "kind.point", "kind.spot", "kind.area"};

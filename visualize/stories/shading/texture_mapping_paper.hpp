@@ -111,7 +111,7 @@ class Paper {
       const dvec2 off = glm::abs(p - place(dvec2(0.5)));
       if (std::max(off.x, off.y) > 0.5 * side_ + 1) return;
     }
-    view.add({"f footprint", Role::measure, path});
+    view.add({"f footprint", Role::accepted, path});
   }
 
  private:

@@ -388,7 +388,7 @@ void tell_mip_mapped(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   const MipChain<double> chain = subject.chain();
   narrator.columns({{"x"}, {"y"}, {"u"}, {"v"}, {"length"}, {"level"}});
-  narrator.legend({{Role::current, "current"}, {Role::measure, "footprint"}, {Role::candidate, "four"}});
+  narrator.legend({{Role::current, "current"}, {Role::accepted, "footprint"}, {Role::candidate, "four"}});
   tell_filter(narrator, subject, Paper(subject), [&](dvec2 uv, const auto& footprint, const auto& watch) {
     mip_mapped(uv, footprint, chain, subject.texture.wrap, watch);
   });

@@ -9,6 +9,10 @@ function playTogether(first, {trace, command, pairs, parting}) {
   const second = new GradusPlayer(root);
   second.load(trace, {command});
   root.classList.add('follows');
+  // Two of each region: the players' names tell them apart
+  for (const player of [first, second])
+    for (const region of player.root.querySelectorAll('section[aria-label]'))
+      region.setAttribute('aria-label', `${region.getAttribute('aria-label')}: ${player.name}`);
   // Of several partners the first; both runs end together
   const partners = (of) => new Map([...pairs.slice(0, -1).reverse(), pairs.at(-1)].map((pair) => [pair[of], pair[1 - of]]));
   const stepOf = (player) => player.run.steps[player.index].number;
