@@ -130,7 +130,7 @@ inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z})
 constexpr int paper_width = 36, paper_height = 24;
 /// Where space is drawn: alone, beside the matrix, or twice, below it.
 constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.4, 0.8}, {18, 23.2}},
-    left_place{{0.4, 1.8}, {17.6, 16.4}}, right_place{{18.4, 1.8}, {35.6, 16.4}};
+    left_place{{0.3, 1.7}, {17.7, 16.5}}, right_place{{18.3, 1.7}, {35.7, 16.5}};
 
 inline Shape tips_of_axes(dvec3 reach) { return {{reach.x, 0, 0}, {0, reach.y, 0}, {0, 0, reach.z}}; }
 
