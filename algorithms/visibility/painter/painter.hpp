@@ -173,7 +173,7 @@ Cut<T> cut(List<T>& list, std::size_t plane, std::size_t piece, const View<T>& v
 /// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
 /// rounding alone can't mislead it.
 template <class T, class Draw, class O>
-void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
+[[gnu::noinline]] void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
   if (list.empty()) return;
   // One that the eye does not see edge-on
   const auto seen = std::ranges::find_if(list, [](const Piece<T>& piece) { return piece.eye_side != 0; });

@@ -13,6 +13,9 @@ extern "C" {
 [[gnu::flatten]] void machine_code_newell(const Polygons& polygons, const View<double>& view) {
   newell(polygons, view, draw_polygon);
 }
+void machine_code_draw_by_planes(const List<double>& list, const View<double>& view) {
+  draw_by_planes(list, view, draw_polygon, gradus::Unobserved{});
+}
 [[gnu::flatten]] void machine_code_farthest_vertex(const Polygons& polygons, const View<double>& view) {
   farthest_vertex(polygons, view, draw_polygon);
 }
