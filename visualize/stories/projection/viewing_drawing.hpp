@@ -110,7 +110,7 @@ inline const Extent seen_place{{20.3, 4}, {35.3, 19}};
 /// For given axes: these beside the letter in the world, or twice, for two hands; at last the letter along
 /// them and in the world.
 inline const Extent axes_place{{3, 0.8}, {20, 22}}, letter_place{{25, 1.6}, {35.2, 21}};
-inline const Extent left_hand_place{{2.4, 0.2}, {15.2, 17}}, right_hand_place{{21.6, 0.2}, {34.4, 17}};
+inline const Extent left_hand_place{{2.2, 0}, {15.4, 17}}, right_hand_place{{21.8, 0}, {35, 17}};
 inline const Extent along_place{{0.8, 1}, {16, 21.6}}, back_place{{20, 1}, {35.2, 21.6}};
 
 /// A direction's reverse along z: what is right-handed becomes left-handed.
