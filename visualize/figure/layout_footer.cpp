@@ -21,7 +21,8 @@ void lay_out_footer(Pen& pen, const Figure& figure, const Box& box, const Window
     if (!mark) continue;
     const bool round =
         (mark->sample == Sample::dot || mark->sample == Sample::ring) && mark->dots.size() == 1;
-    const double swatch_width = (round ? 18 : 32) * s, width = text_width(entry.text, Face::sans, size);
+    const double swatch_width = (round || mark->sample == Sample::cross ? 18 : 32) * s,
+                 width = text_width(entry.text, Face::sans, size);
     const double needed = swatch_width + 8 * s + width;
     if (x + needed > box.right() && baseline < last_baseline) {
       baseline += footer_line * s;

@@ -191,6 +191,11 @@ void draw_legend_mark(Pen& pen, const std::string& id, Role role, const LegendMa
       return line(corners(rim), {.closed = true});
     case Sample::arrow:
       return line({{box.x, middle}, {box.right(), middle}}, {.arrow = true});
+    case Sample::cross: {
+      const double half = 5 * s, x = box.x + box.width / 2;
+      line({{x - half, middle - half}, {x + half, middle + half}}, {});
+      return line({{x - half, middle + half}, {x + half, middle - half}}, {});
+    }
     case Sample::dot:
     case Sample::ring:
       return draw_dots(pen, id, mark, box);

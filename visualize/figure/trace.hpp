@@ -91,7 +91,7 @@ struct Argument {
 };
 
 /// The kind of mark that stands for a role in the legend.
-enum class Sample : std::uint8_t { line, outline, arrow, dot, ring, area, cell };
+enum class Sample : std::uint8_t { line, outline, arrow, cross, dot, ring, area, cell };
 
 /// What a role means in this topic, for the legend.
 struct LegendEntry {

@@ -12,7 +12,10 @@ namespace {
 
 using fmt::arg;
 
-constexpr double row_height = 2.1, column_gap = 0.8;
+constexpr double column_gap = 0.8;
+
+/// Four rows stand closer.
+double row_height(std::size_t rows) { return rows > 3 ? 1.7 : 2.1; }
 
 /// The width of a digit; four columns stand closer.
 double character(std::size_t columns) { return columns > 3 ? 0.74 : 0.92; }
@@ -68,7 +71,7 @@ MatrixRows oriented(const Wording& words, MatrixRows rows) {
 void add_matrix(View& view, std::string_view id, dvec2 right, const std::string& name, const MatrixRows& rows,
                 Role role) {
   const std::size_t columns = rows.front().size();
-  const double half = 0.5 * row_height * static_cast<double>(rows.size());
+  const double height = row_height(rows.size()), half = 0.5 * height * static_cast<double>(rows.size());
   const auto bracket = [&](std::string_view side, double x, double inwards) {
     view.add({fmt::format("{} bracket {}", id, side), role,
               Path{{{x + inwards, right.y + half},
@@ -81,7 +84,7 @@ void add_matrix(View& view, std::string_view id, dvec2 right, const std::string&
   for (std::size_t c = columns; c-- > 0;) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const std::string text = entry_text(rows[r][c], columns > 3);
-      const double y = right.y + half - row_height * (static_cast<double>(r) + 0.5);
+      const double y = right.y + half - height * (static_cast<double>(r) + 0.5);
       view.add({fmt::format("{} entry {} {}", id, r, c), role, Text{{x, y}, text, Align::right}});
     }
     x -= column_width(rows, c) + (c > 0 ? column_gap : 0.6);
@@ -95,7 +98,7 @@ dvec2 matrix_size(const MatrixRows& rows) {
   const std::size_t columns = rows.front().size();
   double width = 1.2 + column_gap * static_cast<double>(columns - 1);
   for (std::size_t c = 0; c < columns; ++c) width += column_width(rows, c);
-  return {width, row_height * static_cast<double>(rows.size())};
+  return {width, row_height(rows.size()) * static_cast<double>(rows.size())};
 }
 
 std::string figure_text(const Number& number) {

@@ -78,7 +78,6 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"flood_fill_eight", 0.99},
                                               {"flood_fill_image", 0.78},
                                               {"affine_2d_about_centre", 0.98},
-                                              {"affine_3d_decomposition", 0.99},
                                               {"affine_3d_vectors", 0.86},
                                               {"viewing", 0.91},
                                               {"viewing_view_to_world", 0.91},
@@ -131,6 +130,12 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"illumination_minus_normal", 0.95},
                                               {"back_face_culling_concave", 0.85},
                                               {"back_face_culling_concave_near", 0.9},
+                                              {"painter_mean_z", 0.99},
+                                              {"illumination", 0.99},
+                                              {"illumination_three", 0.99},
+                                              {"illumination_blinn", 0.99},
+                                              {"illumination_spot", 0.94},
+                                              {"illumination_minus_normal", 0.95},
                                               {"pipeline", 0.78},
                                               {"pipeline_clipping", 0.82}};
   for (const GalleryFigure& figure : gallery()) {

@@ -54,6 +54,35 @@ void put(View& view, ivec2 pixel, Role role, std::optional<Rgba8> color = {}) {
   view.cells.insert_or_assign({pixel.y, pixel.x}, CellLook{role, "", color});
 }
 
+using FacePart = std::pair<int, std::vector<dvec3>>;  ///< which face, and the ring
+
+bool has_edge(const FacePart& part, int face, dvec3 a, dvec3 b) {
+  if (part.first != face) return false;
+  const auto same = [](dvec3 p, dvec3 q) { return length_between(p, q) < 1e-9; };
+  const auto& ring = part.second;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (same(ring[i], a) && same(ring[(i + 1) % ring.size()], b)) return true;
+  }
+  return false;
+}
+
+/// The edges of the parts of faces but for those between two parts of one.
+void add_rims(SpaceDrawing& drawing, const std::vector<FacePart>& parts) {
+  int number = 0;
+  for (const auto& [face, ring] : parts) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const dvec3 a = ring[i], b = ring[(i + 1) % ring.size()];
+      if (std::ranges::any_of(parts, [&](const FacePart& part) { return has_edge(part, face, b, a); }))
+        continue;
+      drawing.add(SpaceEdge{.id = fmt::format("b divided rim {:03}", number++),
+                            .role = Role::past,
+                            .a = a,
+                            .b = b,
+                            .behind = false});
+    }
+  }
+}
+
 }  // namespace
 
 Views::Views(const Run& run, const Followed& followed, const Words& words)
@@ -296,18 +325,55 @@ View Views::facing() const {
   return view;
 }
 
+/// What is left of a model after division, as a solid seen along z: right, up, towards the reader.
+void Views::divided_solid(View& view, const Panel& panel, double aspect) const {
+  const auto [known, fresh] = solids_.try_emplace("divided");
+  if (fresh) {
+    SpaceDrawing drawing({.viewer = distant_viewer({0, 0, 1}),
+                          .at = [&](dvec3 p) { return std::optional(panel.at(dvec2(p))); }});
+    std::vector<FacePart> pieces;
+    for (const Clipped& piece : run_.clipped) {
+      std::vector<dvec3> ring;
+      for (const NdcPoint& p : piece.divided) ring.emplace_back(aspect * p.at.x, p.at.y, 0 - p.at.z);
+      if (ring.size() < 3) continue;
+      drawing.add(SpaceFace{.id = fmt::format("divided {:03}", pieces.size()),
+                            .role = Role::past,
+                            .ring = ring,
+                            .one_sided = false,
+                            .shade = shade_of_face(piece.id.face)});
+      pieces.emplace_back(piece.id.face, std::move(ring));
+    }
+    add_rims(drawing, pieces);
+    drawing.add_to(known->second, "a divided");
+  }
+  for (const auto& [id, mark] : known->second.marks) view.add(mark);
+}
+
+/// How dark a face is from where the camera stands.
+int Views::shade_of_face(int face) const {
+  const Camera& camera = run_.scene.camera;
+  std::vector<dvec3> ring;
+  for (const int vertex : run_.faces[static_cast<std::size_t>(face)].vertices)
+    ring.push_back(run_.placed[static_cast<std::size_t>(vertex)].to.at);
+  const dvec3 normal = area_vector(ring);
+  return shade_of({glm::dot(normal, camera.frame.right), glm::dot(normal, camera.frame.up),
+                   0 - glm::dot(normal, camera.frame.forward)});
+}
+
 View Views::clipping(const Pointer& at) const {
   View view;
   const auto place = [&](std::size_t i) { return from_side(run_.clip[i].clip.at.w, run_.clip[i].clip.at.y); };
   double depth = run_.scene.camera.lens.near * 2;
   for (const Projected& p : run_.clip) depth = std::max(depth, 1.08 * p.clip.at.w);
-  const Panel here = panel(0, 0.38, extent(place, {{0, 0}, {depth, depth}, {depth, -depth}}));
+  const Panel here = panel(0, 0.33, extent(place, {{0, 0}, {depth, depth}, {depth, -depth}}));
   caption(view, here, "clip");
   wedge(view, here, "clip", 1, depth);
   wedge_axes(view, here, "clip", depth, words_.symbol("w"));
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
-  const Panel there = panel(0.42, 1, {{-aspect, -1}, {aspect, 1}});
+  const Panel there = panel(0.35, 1.02, {{-aspect, -1}, {aspect, 1}});
   caption(view, there, "ndc");
+  const bool as_solid = run_.faces.size() <= most_faces;
+  if (as_solid) divided_solid(view, there, aspect);
   polygon(view, there, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());
   const auto side = [](const std::vector<ClipPoint>& points) {
     std::vector<dvec2> out;
@@ -323,11 +389,13 @@ View Views::clipping(const Pointer& at) const {
             side(piece.after));
     std::vector<dvec2> divided;
     for (const NdcPoint& p : piece.divided) divided.push_back({aspect * p.at.x, p.at.y});
-    polygon(view, there, padded(own ? "d divided" : "c divided", number), own ? Role::current : Role::past,
-            divided);
+    if (own || !as_solid) {
+      polygon(view, there, padded(own ? "d divided" : "c divided", number), own ? Role::current : Role::past,
+              divided);
+    }
     if (!own) continue;
     view.add({"a inside", Role::current, Area{{near_paper(here.at(side(piece.after)))}}});
-    view.add({"a divided inside", Role::current, Area{{near_paper(there.at(divided))}}});
+    view.add({"b divided inside", Role::current, Area{{near_paper(there.at(divided))}}});
     for (std::size_t k = 0; k < piece.after.size(); ++k) {
       const bool made =
           std::ranges::none_of(piece.before, [&](const ClipPoint& p) { return p.at == piece.after[k].at; });

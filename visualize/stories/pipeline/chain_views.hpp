@@ -53,6 +53,8 @@ class Views {
   template <class At>
   void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh, const Sight& sight,
              At flat) const;
+  void divided_solid(View& view, const Panel& panel, double aspect) const;
+  int shade_of_face(int face) const;
   /// Seen along z, as the model was made, or from its right side, where what looks at its front looks right.
   Sight from_the_front() const;
   Sight from_the_right() const;

@@ -107,10 +107,20 @@ inline Scene scene_of(const Arguments& arguments, Along along) {
 inline const Extent world_place{{0.6, 0.4}, {19, 22}};
 inline const Extent seen_place{{20.3, 4}, {35.3, 19}};
 
-/// For given axes: these, and beside them the letter along them and in the world.
-inline const Extent axes_place{{2.4, 1}, {15, 22}};
-inline const Extent along_place{{17, 3}, {25, 20}};
-inline const Extent back_place{{27.5, 3}, {35.5, 20}};
+/// For given axes: these beside the letter in the world, or twice, for two hands; at last the letter along
+/// them and in the world.
+inline const Extent axes_place{{3, 0.8}, {20, 22}}, letter_place{{25, 1.6}, {35.2, 21}};
+inline const Extent left_hand_place{{2.2, 0}, {15.4, 17}}, right_hand_place{{21.8, 0}, {35, 17}};
+inline const Extent along_place{{0.8, 1}, {16, 21.6}}, back_place{{20, 1}, {35.2, 21.6}};
+
+/// A direction's reverse along z: what is right-handed becomes left-handed.
+inline dvec3 mirrored(dvec3 p) { return {p.x, p.y, 0 - p.z}; }
+
+/// Whether right × up points forward, as in a world whose z runs away from the reader.
+inline bool is_left_hand(const DFrame& frame) {
+  const auto [right, up, forward] = Rescaled<double>(frame).scaled;
+  return glm::dot(forward, glm::cross(right, up)) > 0;
+}
 
 /// What a matrix makes of a point.
 inline dvec3 through(const glm::dmat4& matrix, dvec3 p) { return dvec3(matrix * glm::dvec4(p, 1)); }
@@ -122,7 +132,11 @@ class Drawing {
       : scene_(scene),
         words_(words),
         edges_(edges_of(scene.letter)),
-        world_(scene.axes ? axes_place : world_place, world_extent()) {}
+        left_handed_(scene.axes && is_left_hand(*scene.axes)),
+        world_(left_handed_ ? left_hand_place
+               : scene.axes ? axes_place
+                            : world_place,
+               world_extent()) {}
 
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
   struct Known {
@@ -223,57 +237,140 @@ class Drawing {
     view.add_named("target there", Role::rejected, at(there), words_.say("name.target"));
   }
 
-  /// Given axes at the eye, and as many columns of the inverse as are known.
+  /// Given axes at the eye, and as many columns of the inverse as are known; at last where it leads.
   View given_axes(const Known& known, const DFrame& frame) const {
     View view;
-    const glm::dmat4 inverse = inverse_of_any_frame(frame);
-    const double unit = arrow_unit(frame);
-    for (int i = 0; i < 3; ++i) {
-      const std::string name(axis_names[static_cast<std::size_t>(i)]);
-      arrow(view, "axis " + name, Role::input, unit * axis_of(frame, i), direction_name(words_, i), false);
-      if (i >= known.rows) continue;
-      arrow(view, "column " + name, i == known.newest ? Role::current : Role::accepted,
-            unit * dvec3(inverse[i]), words_.say("column_name", {{"axis", direction_name(words_, i)}}), true);
+    if (known.seen) {
+      add_there_and_back(view, frame);
+    } else if (left_handed_) {
+      add_hands(view, known, frame);
+    } else {
+      caption(view, "axes", {axes_place.centre().x, axes_place.upper.y + 1.2});
+      caption(view, "world", {letter_place.centre().x, axes_place.upper.y + 1.2});
+      add_axes_and_columns(view, known, frame);
+      add_letter(view, "world", Role::past, letter_place, [](dvec3 p) { return p; });
+      add_tripod(view, "world", {letter_place.lower.x - 3, letter_place.lower.y + 1.2}, false);
     }
-    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
     return view;
   }
 
-  /// The letter in coordinates along the axes, and in the world, where the inverse leads it back to.
-  void add_there_and_back(View& view, const Known& known, const DFrame& frame) const {
-    const glm::dmat4 matrix = world_to_view(frame), inverse = inverse_of_any_frame(frame);
-    const auto along = [&](dvec3 p) { return through(matrix, p); };
-    const auto back = [&](dvec3 p) { return known.seen ? through(inverse, through(matrix, p)) : p; };
-    // Depth is positive along the axes, and to the back
-    const auto to_the_back = [](dvec3 v) { return oblique({v.x, v.y, -v.z}); };
-    caption(view, "coordinates", {along_place.centre().x, axes_place.upper.y + 1.2});
-    caption(view, "world", {back_place.centre().x, axes_place.upper.y + 1.2});
-    caption(view, "axes", {axes_place.centre().x, axes_place.upper.y + 1.2});
-    add_wires(view, "along", Role::past, along_place, [&](dvec3 p) { return to_the_back(along(p)); });
-    add_wires(view, "back", known.seen ? Role::result : Role::past, back_place,
-              [&](dvec3 p) { return oblique(back(p)); });
-    if (!known.seen) return;
-    const double y = along_place.centre().y;
-    view.add({"leads back", Role::result,
-              Stroke{{along_place.upper.x + 0.2, y}, {back_place.lower.x - 0.2, y}, true}});
+ private:
+  /// The axes, the columns of the inverse, and between which axes the newest one is at right angles.
+  void add_axes_and_columns(View& view, const Known& known, const DFrame& frame) const {
+    const glm::dmat4 inverse = inverse_of_any_frame(frame);
+    const double unit = arrow_unit(frame);
+    if (known.newest >= 0) {
+      const dvec3 a = unit * axis_of(frame, (known.newest + 1) % 3),
+                  b = unit * axis_of(frame, (known.newest + 2) % 3);
+      add_sheet(view, a, b);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const std::string name(axis_names[static_cast<std::size_t>(i)]);
+      const dvec3 axis = axis_of(frame, i), column(inverse[i]);
+      const Role found = i == known.newest ? Role::current : Role::accepted;
+      const bool is_known = i < known.rows, is_both = is_known && length_between(axis, column) < 1e-9;
+      arrow(view, "axis " + name, is_both ? found : Role::input, unit * axis, direction_name(words_, i),
+            false);
+      if (!is_known || is_both) continue;
+      arrow(view, "column " + name, found, unit * column,
+            words_.say("column_name", {{"axis", direction_name(words_, i)}}), true);
+    }
+    point(view, "eye", Role::input, scene_.eye, words_.say("name.eye"));
+  }
+  /// Part of the plane in which two directions from the eye lie.
+  void add_sheet(View& view, dvec3 a, dvec3 b) const {
+    std::vector<dvec2> ring;
+    for (const dvec3 p : {dvec3{0}, a, a + b, b}) ring.push_back(world_.at(flat(scene_.eye + 0.8 * p)));
+    view.add({"a sheet", Role::guide, Area{{ring}, 2}});
   }
 
- private:
-  /// The letter, all its edges alike. flat(p): a point's place in the plane.
-  template <class Flat>
-  void add_wires(View& view, const std::string& name, Role role, const Extent& place, Flat flat) const {
-    Extent all;
-    for (const auto& [a, b] : edges_) {
-      all.add(flat(a));
-      all.add(flat(b));
+  /// The same arrows in two worlds: in the one that is given z runs away from the reader.
+  void add_hands(View& view, const Known& known, const DFrame& frame) const {
+    add_axes_and_columns(view, known, frame);
+    const double det = glm::dot(frame.forward, glm::cross(frame.right, frame.up));
+    add_hand_caption(view, "left_handed", left_hand_place, frame.right, det);
+    add_hand_caption(view, "right_handed", right_hand_place, mirrored(frame.right), 0 - det);
+    const dvec2 aside = right_hand_place.lower - left_hand_place.lower;
+    const dvec2 eye = world_.at(flat(scene_.eye)) + aside;
+    for (int i = 0; i < 3; ++i) {
+      const std::string name = fmt::format("twin {}", axis_names[static_cast<std::size_t>(i)]);
+      const dvec3 axis = axis_of(frame, i);
+      const dvec2 tip = world_.at(flat(scene_.eye + arrow_unit(frame) * axis)) + aside;
+      view.add({name, Role::input, Stroke{eye, tip, true}});
+      view.add({name + " name", Role::input, Label{tip, direction_name(words_, i)}});
     }
-    const Panel panel(place, widened(all, 0.02));
-    int number = 0;
-    for (const auto& [a, b] : edges_) {
-      view.add({fmt::format("letter {} {:02}", name, number++), role,
-                Stroke{panel.at(flat(a)), panel.at(flat(b))}});
+    view.add({"twin eye", Role::input, Dot{eye}});
+  }
+  /// Above one of the two: what it is, with the directions of its axes, and the numbers of right there.
+  void add_hand_caption(View& view, const std::string& hand, const Extent& place, dvec3 right,
+                        double det) const {
+    const std::string lines[] = {words_.say("caption." + hand),
+                                 words_.say("caption.determinant", {{"det", det}}),
+                                 direction_name(words_, 0) + " = " + figure_place(right)};
+    double y = axes_place.upper.y + 1.2;
+    for (const std::string& line : lines) {
+      view.add({fmt::format("caption {} {}", hand, y), Role::guide, Text{{place.centre().x, y}, line}});
+      y -= 1.7;
+    }
+    add_tripod(view, hand, {place.upper.x - 1, place.upper.y - 4}, hand == "left_handed");
+  }
+  /// The directions of a world's axes.
+  void add_tripod(View& view, const std::string& id, dvec2 origin, bool left_handed) const {
+    constexpr double length = 2.6;
+    for (const auto& [name, way] :
+         {std::pair{"x", dvec3{1, 0, 0}}, {"y", dvec3{0, 1, 0}}, {"z", dvec3{0, 0, 1}}}) {
+      const dvec2 tip = origin + length * oblique(left_handed ? mirrored(way) : way);
+      view.add({fmt::format("{} {}", id, name), Role::guide, Stroke{origin, tip, true}});
+      view.add({fmt::format("{} {} name", id, name), Role::guide, Label{tip, words_.symbol(name)}});
     }
   }
+
+  /// The letter in coordinates along the axes, and in the world, where the inverse leads it back to.
+  void add_there_and_back(View& view, const DFrame& frame) const {
+    const glm::dmat4 matrix = world_to_view(frame), inverse = inverse_of_any_frame(frame);
+    caption(view, "coordinates", {along_place.centre().x, axes_place.upper.y + 1.2});
+    caption(view, "world", {back_place.centre().x, axes_place.upper.y + 1.2});
+    // Depth is positive along the axes, and to the back
+    add_letter(view, "along", Role::past, along_place, [&](dvec3 p) { return mirrored(through(matrix, p)); });
+    add_letter(view, "back", Role::result, back_place,
+               [&](dvec3 p) { return to_reader(through(inverse, through(matrix, p))); });
+    const double y = along_place.centre().y;
+    view.add({"leads back", Role::result,
+              Stroke{{along_place.upper.x + 0.4, y}, {back_place.lower.x - 0.4, y}, true}});
+  }
+
+  /// The letter as a solid. at(p): where a point of it is drawn: right, up, towards the reader.
+  template <class At>
+  void add_letter(View& view, const std::string& name, Role role, const Extent& place, At at) const {
+    Mesh letter = scene_.letter;
+    Extent all;
+    for (dvec3& p : letter.positions) {
+      p = at(p);
+      all.add(oblique(p));
+    }
+    if (mirrors(at)) turn_inside_out(letter);
+    const Panel panel(place, widened(all, 0.02));
+    SpaceDrawing space({.viewer = distant_viewer(towards_oblique),
+                        .at = [&](dvec3 p) { return std::optional(panel.at(oblique(p))); }});
+    space.add("letter " + name, role, letter);
+    space.add_to(view, "a letter " + name);
+  }
+  template <class At>
+  static bool mirrors(At at) {
+    const dvec3 o = at(dvec3{0});
+    const auto way = [&](dvec3 p) { return at(p) - o; };
+    return glm::dot(way({1, 0, 0}), glm::cross(way({0, 1, 0}), way({0, 0, 1}))) < 0;
+  }
+  static void turn_inside_out(Mesh& mesh) {
+    for (const MeshFace& face : mesh.faces) {
+      const auto first = mesh.corners.begin() + face.first;
+      std::reverse(first, first + face.count);
+    }
+  }
+
+  /// A point of the world as it is drawn: right, up, towards the reader.
+  dvec3 to_reader(dvec3 p) const { return left_handed_ ? mirrored(p) : p; }
+  dvec2 flat(dvec3 p) const { return oblique(to_reader(p)); }
   /// An axis of view space as the reader's notation has it.
   dvec3 shown_axis(const DFrame& frame, int number) const {
     const dvec3 axis = axis_of(frame, number);
@@ -292,7 +389,7 @@ class Drawing {
   Extent world_extent() const {
     Extent extent;
     const double size = axis_size();
-    const auto add = [&](dvec3 p) { extent.add(oblique(p)); };
+    const auto add = [&](dvec3 p) { extent.add(flat(p)); };
     const DFrame frame = scene_.frame();
     if (scene_.axes) {
       const glm::dmat4 inverse = inverse_of_any_frame(frame);
@@ -363,17 +460,18 @@ class Drawing {
     }
   }
   void point(View& view, const std::string& id, Role role, dvec3 at, std::string name) const {
-    view.add_named(id, role, world_.at(oblique(at)), std::move(name));
+    view.add_named(id, role, world_.at(flat(at)), std::move(name));
   }
   /// From the eye.
   void arrow(View& view, const std::string& id, Role role, dvec3 way, std::string name, bool dashed) const {
-    const dvec2 from = world_.at(oblique(scene_.eye)), to = world_.at(oblique(scene_.eye + way));
+    const dvec2 from = world_.at(flat(scene_.eye)), to = world_.at(flat(scene_.eye + way));
     view.add({id, role, Stroke{from, to, true, dashed}});
     view.add({id + " name", role, Label{to, std::move(name)}});
   }
   const Scene& scene_;
   const Words& words_;
   std::vector<std::pair<dvec3, dvec3>> edges_;  ///< of the letter
+  const bool left_handed_;                      ///< the world's z runs away from the reader
   Panel world_;
 };
 

@@ -277,11 +277,9 @@ class Story {
   }
   void milestone(Board& board) const {
     View view = way_ == Way::any_frame ? drawing_.given_axes(known_, frame_) : drawing_.world(known_, frame_);
-    if (way_ == Way::any_frame) {
-      drawing_.add_there_and_back(view, known_, frame_);
-    } else if (faulty()) {
+    if (faulty()) {
       drawing_.add_view_space(view, known_, wrong_, right_);
-    } else {
+    } else if (way_ != Way::any_frame) {
       drawing_.add_picture(view, known_, right_);
     }
     board.milestone(std::move(view));

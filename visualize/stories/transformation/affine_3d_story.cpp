@@ -22,7 +22,7 @@ class ProductStory {
     } else if (task.compare) {
       others_ = stages({task.factors.rbegin(), task.factors.rend()}, false);
     }
-    Extent world = world_of_axes(reach_of(task.size));
+    Extent world = world_of_axes(dvec3(reach_of(task.size)));
     for (const auto* list : {&stages_, &others_}) {
       for (const Shape& shape : *list) add_to(world, shape);
     }
@@ -102,15 +102,15 @@ class ProductStory {
     View view;
     half(view, 0, stages_, role);
     if (!others_.empty()) half(view, 1, others_, role);
-    add_product(view, product_, words_);
+    add_product(view, {35.2, 20.2}, product_, words_);
     board.milestone(std::move(view));
   }
   void half(View& view, std::size_t i, const std::vector<Shape>& list, Role role) const {
     const std::string id = i == 0 ? "left" : "right";
     const Panel& panel = panels_[i];
     SpaceDrawing space = drawing_in(panel);
-    add_axes_of_space(view, space, panel, id, reach_of(task_.size), words_);
-    if (done_ > 0) add_outline(space, id + " 0", Role::input, list[0]);
+    add_axes_of_space(view, space, panel, id, dvec3(reach_of(task_.size)), words_);
+    if (done_ > 0) add_given(space, id + " 0", list[0]);
     if (done_ > 1) add_outline(space, id + " 1", Role::past, list[done_ - 1]);
     add_box(space, id + " 2", done_ > 0 ? role : Role::input, list[done_]);
     space.add_to(view, "a " + id);

@@ -99,6 +99,16 @@ inline void add_outline(SpaceDrawing& space, const std::string& id, Role role, c
   }
 }
 
+/// The box that is given, as a solid without its hidden lines.
+inline void add_given(SpaceDrawing& space, const std::string& id, const Shape& shape) {
+  int number = 0;
+  for (auto& ring : faces_of(shape)) {
+    space.add(
+        SpaceFace{.id = fmt::format("{} {}", id, number++), .role = Role::input, .ring = std::move(ring)});
+  }
+  add_outline(space, id, Role::input, shape);
+}
+
 /// A point with its name.
 inline void add_dot(View& view, const Panel& panel, const std::string& id, Role role, dvec3 at,
                     const std::string& name) {
@@ -119,13 +129,13 @@ inline double reach_of(dvec3 box) { return 1.2 * std::max({box.x, box.y, box.z})
 
 constexpr int paper_width = 36, paper_height = 24;
 /// Where space is drawn: alone, beside the matrix, or twice, below it.
-constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.8, 2}, {19, 22}},
-    left_place{{0.8, 2}, {17.4, 15}}, right_place{{18.6, 2}, {35.2, 15}};
+constexpr Extent whole_place{{0.8, 2.2}, {35.2, 23.4}}, single_place{{0.4, 0.8}, {18, 23.2}},
+    left_place{{0.3, 1.7}, {17.7, 16.5}}, right_place{{18.3, 1.7}, {35.7, 16.5}};
 
-inline Shape tips_of_axes(double reach) { return {{reach, 0, 0}, {0, reach, 0}, {0, 0, reach}}; }
+inline Shape tips_of_axes(dvec3 reach) { return {{reach.x, 0, 0}, {0, reach.y, 0}, {0, 0, reach.z}}; }
 
 inline void add_axes_of_space(View& view, SpaceDrawing& space, const Panel& panel, const std::string& id,
-                              double reach, const Words& words) {
+                              dvec3 reach, const Words& words) {
   const Shape tips = tips_of_axes(reach);
   const std::vector<dvec2> at = on_paper(panel, tips);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -142,21 +152,20 @@ inline void add_axes_of_space(View& view, SpaceDrawing& space, const Panel& pane
 }
 
 /// What a panel has to show at least: the axes of space and their names.
-inline Extent world_of_axes(double reach) {
+inline Extent world_of_axes(dvec3 reach) {
   Extent world;
   world.add({0, 0});
-  add_to(world, tips_of_axes(1.1 * reach));
+  add_to(world, tips_of_axes(1.08 * reach));
   return world;
 }
 
-/// A matrix of space, upper right.
-inline void add_product(View& view, const Mat& m, const Words& words) {
+/// A matrix of space; `right` is the middle of its right bracket.
+inline void add_product(View& view, dvec2 right, const Mat& m, const Words& words) {
   MatrixRows rows(4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) rows[static_cast<std::size_t>(y)].push_back(m[x][y]);
   }
-  add_matrix(view, "m", {35.2, 19.2}, words.symbol("M"), oriented(words.wording(), std::move(rows)),
-             Role::input);
+  add_matrix(view, "m", right, words.symbol("M"), oriented(words.wording(), std::move(rows)), Role::input);
 }
 
 }  // namespace gradus::affine_3d

@@ -20,7 +20,7 @@ class PartsStory {
         n_(direction_of(task.axis)) {
     Recorder<Decomposed<double>> seen;
     decomposition(task.through, align_, turn_degrees(task.angle), seen);
-    Extent world = world_of_axes(reach_of(task.size));
+    Extent world = world_of_axes(reach());
     add_to(world, box_);
     add_to(world, axis(Mat(1)));
     for (const auto& d : all<Decomposed<double>>(seen)) {
@@ -103,6 +103,11 @@ class PartsStory {
     const double reach = reach_of(task_.size);
     return moved(m, {task_.through - 0.5 * reach * n_, task_.through + reach * n_});
   }
+  /// Of the axes of space: z comes out of whatever lies before it.
+  dvec3 reach() const {
+    const double all = reach_of(task_.size), beyond = all / 5;
+    return {task_.size.x + beyond, task_.size.y + beyond, all};
+  }
   dvec3 corner() const { return transform(product_, box_[corner_a]); }
   Event standing(Event event) const {
     event.facts = fields_of(corner());
@@ -119,16 +124,16 @@ class PartsStory {
   void milestone(Board& board, Role role) const {
     View view;
     SpaceDrawing space = drawing_in(*panel_);
-    add_axes_of_space(view, space, *panel_, "space", reach_of(task_.size), words_);
-    if (done_ > 0) add_outline(space, "input", Role::input, box_);
+    add_axes_of_space(view, space, *panel_, "space", reach(), words_);
+    if (done_ > 0) add_given(space, "input", box_);
     add_box(space, "now", done_ > 0 ? role : Role::input, moved(product_, box_));
     const Shape ends = axis(product_);
     space.add(SpaceEdge{.id = "b axis", .role = Role::boundary, .a = ends[0], .b = ends[1], .arrow = true});
     space.add_to(view, "a box");
     view.add({"k axis", Role::boundary, Label{on_paper(*panel_, ends)[1], words_.say("axis")}});
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
-    view.add({"l formula", Role::guide, Text{{18, 0.8}, formula()}});
-    add_product(view, product_, words_);
+    view.add({"l formula", Role::guide, Text{{27, 9}, formula()}});
+    add_product(view, {35.2, 14}, product_, words_);
     board.milestone(std::move(view));
   }
 

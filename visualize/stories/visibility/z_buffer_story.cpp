@@ -350,6 +350,7 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   grid.whole = true;
   narrator.legend(
       {{Role::input, "input"}, {Role::candidate, "candidate"}, Role::current, Role::rejected, Role::measure});
+  narrator.trace().legend.back().sample = Sample::cross;
   for (const Face& face : subject.faces) {
     narrator.trace().legend.push_back({Role::result, subject.name(face.id), {}, subject.color(face.id)});
   }
