@@ -8,24 +8,24 @@ void draw_polygon(const Polygon<double>& polygon);  // defined nowhere: the comp
 
 using Polygons = std::vector<Polygon<double>>;
 
-// Flattened: what is compared is the whole method, not a call of it
+// Not flattened: GCC takes minutes over all that the exact tests would bring in; what is called is compared, too
 extern "C" {
-[[gnu::flatten]] void machine_code_newell(const Polygons& polygons, const View<double>& view) {
+void machine_code_newell(const Polygons& polygons, const View<double>& view) {
   newell(polygons, view, draw_polygon);
 }
 void machine_code_draw_by_planes(const List<double>& list, const View<double>& view) {
   draw_by_planes(list, view, draw_polygon, gradus::Unobserved{});
 }
-[[gnu::flatten]] void machine_code_farthest_vertex(const Polygons& polygons, const View<double>& view) {
+void machine_code_farthest_vertex(const Polygons& polygons, const View<double>& view) {
   farthest_vertex(polygons, view, draw_polygon);
 }
-[[gnu::flatten]] void machine_code_centroid(const Polygons& polygons, const View<double>& view) {
+void machine_code_centroid(const Polygons& polygons, const View<double>& view) {
   centroid(polygons, view, draw_polygon);
 }
-[[gnu::flatten]] void machine_code_mean_depth(const Polygons& polygons, const View<double>& view) {
+void machine_code_mean_depth(const Polygons& polygons, const View<double>& view) {
   mean_depth(polygons, view, draw_polygon);
 }
-[[gnu::flatten]] void machine_code_descending_mean_z(const Polygons& polygons, const View<double>& view) {
+void machine_code_descending_mean_z(const Polygons& polygons, const View<double>& view) {
   descending_mean_z(polygons, view, draw_polygon);
 }
 }
