@@ -125,10 +125,9 @@ void Views::polygon(View& view, const Panel& panel, std::string id, Role role,
   if (path.points.size() >= 2) view.add({std::move(id), role, std::move(path)});
 }
 
-void Views::caption(View& view, const Panel& panel, const std::string& key) const {
-  const Extent& place = panel.place();
-  view.add(
-      {"caption " + key, Role::guide, Text{{place.centre().x, 0.4 * unit_}, words_.say("space." + key)}});
+void Views::caption(View& view, const Panel& panel, const std::string& key, double aside) const {
+  const double x = panel.place().centre().x + aside * unit_;
+  view.add({"caption " + key, Role::guide, Text{{x, 0.4 * unit_}, words_.say("space." + key)}});
 }
 
 /// The model as a solid.
@@ -366,12 +365,13 @@ View Views::clipping(const Pointer& at) const {
   double depth = run_.scene.camera.lens.near * 2;
   for (const Projected& p : run_.clip) depth = std::max(depth, 1.08 * p.clip.at.w);
   const Panel here = panel(0, 0.33, extent(place, {{0, 0}, {depth, depth}, {depth, -depth}}));
-  caption(view, here, "clip");
+  // Apart from the other one
+  caption(view, here, "clip", -1.5);
   wedge(view, here, "clip", 1, depth);
   wedge_axes(view, here, "clip", depth, words_.symbol("w"));
   const double aspect = static_cast<double>(run_.size.width) / run_.size.height;
   const Panel there = panel(0.35, 1.02, {{-aspect, -1}, {aspect, 1}});
-  caption(view, there, "ndc");
+  caption(view, there, "ndc", 1);
   const bool as_solid = run_.faces.size() <= most_faces;
   if (as_solid) divided_solid(view, there, aspect);
   polygon(view, there, "a window", Role::boundary, Extent{{-aspect, -1}, {aspect, 1}}.corners());

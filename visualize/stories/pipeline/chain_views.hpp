@@ -65,7 +65,8 @@ class Views {
   dvec2 corner_in_picture(const pipeline::SnappedPoint& p) const;
   void polygon(View& view, const Panel& panel, std::string id, Role role,
                const std::vector<dvec2>& points) const;
-  void caption(View& view, const Panel& panel, const std::string& key) const;
+  /// aside: from the panel's middle, in units.
+  void caption(View& view, const Panel& panel, const std::string& key, double aside = 0) const;
   void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth) const;
   void axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const;
   void mark_pixel(View& view) const;

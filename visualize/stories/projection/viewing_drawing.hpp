@@ -312,7 +312,7 @@ class Drawing {
       view.add({fmt::format("caption {} {}", hand, y), Role::guide, Text{{place.centre().x, y}, line}});
       y -= 1.7;
     }
-    add_tripod(view, hand, {place.upper.x - 1, place.upper.y - 4}, hand == "left_handed");
+    add_tripod(view, hand, {place.upper.x - 3.6, place.upper.y - 4}, hand == "left_handed");
   }
   /// The directions of a world's axes.
   void add_tripod(View& view, const std::string& id, dvec2 origin, bool left_handed) const {
