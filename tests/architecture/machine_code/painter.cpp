@@ -8,7 +8,7 @@ void draw_polygon(const Polygon<double>& polygon);  // defined nowhere: the comp
 
 using Polygons = std::vector<Polygon<double>>;
 
-// Not flattened: GCC takes minutes over all that the exact tests would bring in; what is called is compared, too
+// Not flattened: GCC takes minutes over all that the exact tests would bring in; what is called is compared
 extern "C" {
 void machine_code_newell(const Polygons& polygons, const View<double>& view) {
   newell(polygons, view, draw_polygon);
