@@ -212,7 +212,7 @@ std::optional<plot::Chart> refinement_chart(const Findings& findings) {
     if (result.of.workload.size > 0 && result.of.error && result.of.error->max > 0) series.push_back(result);
   }
   if (series.empty()) return std::nullopt;
-  std::ranges::stable_sort(series, {}, [](const Result& r) { return r.of.workload.size; });
+  std::ranges::sort(series, {}, [](const Result& r) { return std::pair(r.of.workload.size, r.of.method); });
   const double least = series.front().of.workload.size, most = series.back().of.workload.size;
   plot::Chart chart;
   for (const Result& result : series) {
