@@ -122,7 +122,7 @@ Subject texture_mapping() {
   return {.topic = "texture_mapping",
           .title = "Texturing a floor",
           .item = "pixel",
-          .unit = "of full light",
+          .unit = "full light",
           .measure = "times as far behind as in front",
           .telling = "8 times as far",
           .cases = cases};
