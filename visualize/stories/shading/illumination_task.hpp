@@ -62,12 +62,14 @@ inline Light lamp_of(const Arguments& arguments) {
       weakening[0] + weakening[1] + weakening[2] == 0)
     refuse(arguments, {"attenuation"}, "expected numbers of 0 or more, not all 0");
   if (const auto range = arguments.number("range")) {
-    if (!(*range > 0)) refuse(arguments, {"range"}, "expected a range above 0");
+    if (!(*range > 0))
+      refuse(arguments, {"range"}, fmt::format("expected a range above 0, found {}", *range));
     light.range = *range;
   }
   const std::vector<double> cone = arguments.numbers("cone");
   if (cone[0] < 0 || cone[0] > cone[1] || cone[1] > 180)
-    refuse(arguments, {"cone"}, "expected angles from 0 to 180, the inner one first");
+    refuse(arguments, {"cone"},
+           fmt::format("expected angles from 0 to 180, the inner one first, found {},{}", cone[0], cone[1]));
   light.inner_cosine = sin_cos_degrees(cone[0]).cos;
   light.outer_cosine = sin_cos_degrees(cone[1]).cos;
   light.concentration = share(arguments, "concentration");
