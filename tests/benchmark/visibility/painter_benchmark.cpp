@@ -7,33 +7,16 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "benchmark/subject.hpp"
-#include "core/random.hpp"
+#include "benchmark/visibility/sight_rays.hpp"
 #include "visibility/painter/painter_notes.hpp"
 
 namespace gradus::bench {
 namespace {
 
 using namespace painter;
-
-using Scene = std::vector<Polygon<double>>;
-constexpr dvec3 towards{0.2, 0.3, 1};
-
-/// So many triangles of about this size in a cube from -1 to 1.
-Scene scene_of(int count, double size) {
-  Random random(7, static_cast<std::uint64_t>(count));
-  const auto within = [&](double most) {
-    return dvec3{random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
-  };
-  Scene scene;
-  for (int i = 0; i < count; ++i) {
-    const dvec3 middle = within(1 - size);
-    scene.push_back({{middle + within(size), middle + within(size), middle + within(size)}, std::size_t(i)});
-  }
-  return scene;
-}
+using namespace sight_rays;
 
 /// So many times three triangles, each over the next, one cycle behind the other.
 Scene cycles_of(int count) {
@@ -48,45 +31,6 @@ Scene cycles_of(int count) {
     }
   }
   return scene;
-}
-
-/// Where the sight line through `from` meets a polygon, as a multiple of the way to the viewer.
-std::optional<double> hit(const Polygon<double>& polygon, dvec3 from) {
-  const auto& [a, b, c] = polygon.plane;
-  const auto& p = polygon.corners;
-  const dvec3 normal = glm::cross(b - a, c - a);
-  const double t = glm::dot(normal, a - from) / glm::dot(normal, towards);
-  const dvec3 at = from + t * towards;
-  int turn = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double side = glm::dot(normal, glm::cross(p[(i + 1) % p.size()] - p[i], at - p[i]));
-    const int sign = (side > 0) - (side < 0);
-    if (sign == 0 || sign == -turn) return std::nullopt;
-    turn = sign;
-  }
-  return t;
-}
-
-/// Rays along which the last polygon of the order is not the nearest of the scene.
-Error error_of(const Scene& scene, const Scene& order) {
-  Random random(11);
-  Error::Sum sum;
-  for (int ray = 0; ray < 2000; ++ray) {
-    const dvec3 from{random.uniform(-1, 1), random.uniform(-1, 1), -2};
-    std::optional<double> nearest;
-    std::size_t right = none, shown = none;
-    for (const auto& polygon : scene) {
-      const auto t = hit(polygon, from);
-      if (!t || (nearest && *t <= *nearest)) continue;
-      nearest = t;
-      right = polygon.face;
-    }
-    for (const auto& polygon : order) {
-      if (hit(polygon, from)) shown = polygon.face;
-    }
-    if (right != none && shown != right) sum.wrong_decision();
-  }
-  return sum.error();
 }
 
 void add_cases(std::vector<Case>& all, const Workload& workload, Scene triangles) {
