@@ -109,6 +109,19 @@ constexpr Window centres(const Triangle& t, const Window& window) {
 /// i, and the three add up to the triangle's |doubled area|.
 using Weights = std::array<std::int64_t, 3>;
 
+/// The edge functions at any place of the grid of 1/256, not only at centres; outside of the triangle some
+/// are negative. Accuracy: exact.
+constexpr Weights weights_at_place(const Edges& edges, ivec2 place) {
+  return {edges[0].at(place), edges[1].at(place), edges[2].at(place)};
+}
+
+/// A triangle in the picture: where its corners are on the grid, and how deep. Depth after division is linear
+/// in the picture (see Linear); smaller is nearer.
+struct ScreenTriangle {
+  Triangle corners;
+  dvec3 depth{0};
+};
+
 /// The triangle has its edges; the pixels in the box are tested next.
 struct Prepared {
   Triangle triangle;

@@ -1,0 +1,322 @@
+#pragma once
+// The A-buffer: of every pixel a list of the fragments that reach into it, each with a mask of 32 bits, one
+// for each of its sub-samples. Sorted front to back, a fragment shows what no nearer one hides: an "and not"
+// of two words. The number of bits that remain is its weight.
+//
+// L. Carpenter, The A-buffer, an antialiased hidden surface method, SIGGRAPH 1984, 103-108.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "core/geometry.hpp"
+#include "core/observe.hpp"
+#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+
+namespace gradus::a_buffer {
+
+using triangle_coverage::Edge;
+using triangle_coverage::Edges;
+using triangle_coverage::edges_of;
+using triangle_coverage::ScreenTriangle;
+using triangle_coverage::subpixels;
+using triangle_coverage::Weights;
+using triangle_coverage::weights_at_place;
+
+// --- Masks -------------------------------------------------------
+
+/// 32 sub-samples of a pixel, 4 rows of 8, in reading order from the highest bit on: in hexadecimal two
+/// digits are a row, the topmost one first. The left half of a pixel is f0f0f0f0.
+using Mask = std::uint32_t;
+inline constexpr int mask_columns = 8, mask_rows = 4, samples = mask_columns * mask_rows;
+inline constexpr Mask full = 0xffffffff;
+
+/// The bit of a sub-sample, counted in reading order from 0 on.
+constexpr Mask bit_of(int sample) { return Mask{1} << (samples - 1 - sample); }
+
+/// Where a sub-sample lies on the grid of 1/256 pixel: in the middle of its cell.
+constexpr ivec2 place_of(ivec2 pixel, int sample) {
+  constexpr int across = subpixels / mask_columns, down = subpixels / mask_rows;
+  const ivec2 cell{sample % mask_columns, sample / mask_columns};
+  return {pixel.x * subpixels + cell.x * across + across / 2, pixel.y * subpixels + cell.y * down + down / 2};
+}
+
+/// An edge's mask is known, and what is left of the triangle's.
+struct HalfPlane {
+  Edge edge;
+  Mask inside, left;
+};
+
+/// The sub-samples on the inner side of an edge, or on it where it owns what lies there.
+/// Accuracy: exact. Cost: 32 additions where the edge crosses the pixel, else two comparisons.
+constexpr Mask half_plane(const Edge& edge, ivec2 pixel) {
+  const std::int64_t right = edge.step() / mask_columns;
+  const std::int64_t down = std::int64_t{edge.to.x - edge.from.x} * (subpixels / mask_rows);
+  // Below 0 is outside; an edge that owns nothing has its 0 there, too
+  const auto first = edge.at(place_of(pixel, 0)) - !edge.owns;
+  const auto aside = (mask_columns - 1) * right, below = (mask_rows - 1) * down;
+  if (first + std::min<std::int64_t>(aside, 0) + std::min<std::int64_t>(below, 0) >= 0) return full;
+  if (first + std::max<std::int64_t>(aside, 0) + std::max<std::int64_t>(below, 0) < 0) return 0;
+  Mask mask = 0;
+  for (int row = 0; row < mask_rows; ++row) {
+    for (int column = 0; column < mask_columns; ++column)
+      mask = mask << 1 | Mask{first + row * down + column * right >= 0};
+  }
+  return mask;
+}
+
+/// The sub-samples of a pixel that a triangle covers: those on the inner side of all three edges, by the
+/// top-left rule.
+///
+/// edges: by edges_of. pixel: any of which the triangle's box has a part, or another.
+///
+/// Domain: corners and pixel at most `triangle_coverage::farthest` pixels from 0. A triangle without area
+///   covers nothing.
+/// Steps: HalfPlane once for each edge.
+/// Accuracy: exact. Triangles that share an edge, on either side of it, have disjoint masks.
+/// Cost: three half-planes, two ands.
+/// Errors: none.
+template <Observer<HalfPlane> O = Unobserved>
+constexpr Mask mask_of(const Edges& edges, ivec2 pixel, O&& observer = {}) {
+  Mask mask = full;
+  for (const Edge& edge : edges) {
+    // What lies on its inner side remains
+    auto inside = half_plane(edge, pixel);
+    mask &= inside;
+    if constexpr (observed<O>) observer(HalfPlane{edge, inside, mask});
+  }
+  return mask;
+}
+
+/// The same of a polygon, which may be concave or cross itself: what it winds round an odd number of times.
+///
+/// ring: its corners on the grid of 1/256 pixel, in either direction.
+///
+/// Domain: as for a triangle; fewer than three corners cover nothing.
+/// Accuracy: exact. Polygons that share an edge have disjoint masks.
+/// Cost: a triangle's mask for each corner but two.
+/// Errors: none.
+constexpr Mask mask_of(std::span<const ivec2> ring, ivec2 pixel) {
+  Mask mask = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    mask ^= mask_of(edges_of({ring[0], ring[i - 1], ring[i]}), pixel);
+  return mask;
+}
+
+/// The share of the pixel that a mask stands for. Accuracy: exact.
+constexpr double area_of(Mask mask) { return std::popcount(mask) / double{samples}; }
+
+// --- Fragments ---------------------------------------------------
+
+/// What a pixel's list holds of one polygon.
+struct Fragment {
+  Mask mask = 0;
+  double z_near = 0, z_far = 0;  ///< its depths over the sub-samples; smaller is nearer
+  double opacity = 1;            ///< from 0 to 1, which lets nothing through
+  int surface = 0;               ///< fragments of one surface may be merged
+  int source = 0;                ///< whose it is: the caller's number
+
+  friend constexpr bool operator==(const Fragment&, const Fragment&) = default;
+};
+
+/// Front to back; of equal depths the lower number first.
+constexpr bool nearer(const Fragment& a, const Fragment& b) {
+  return std::tie(a.z_near, a.z_far, a.surface, a.source) < std::tie(b.z_near, b.z_far, b.surface, b.source);
+}
+
+/// A mask and the sub-samples beside, above and below its own.
+constexpr Mask grown(Mask mask) {
+  constexpr Mask first_column = 0x80808080, last_column = 0x01010101;
+  return mask | (mask & ~first_column) << 1 | (mask & ~last_column) >> 1 | mask << mask_columns |
+         mask >> mask_columns;
+}
+
+/// Whether two fragments are parts of one: of one surface, side by side.
+constexpr bool are_one(const Fragment& a, const Fragment& b) {
+  return a.surface == b.surface && a.opacity == b.opacity && (a.mask & b.mask) == 0 &&
+         (grown(a.mask) & b.mask) != 0;
+}
+
+/// Both as one: the union of the masks, whose areas add up, and of the depths. It is the larger one's.
+constexpr Fragment united(const Fragment& a, const Fragment& b) {
+  Fragment both = std::popcount(a.mask) >= std::popcount(b.mask) ? a : b;
+  both.mask = a.mask | b.mask;
+  both.z_near = std::min(a.z_near, b.z_near);
+  both.z_far = std::max(a.z_far, b.z_far);
+  return both;
+}
+
+/// Makes one of what abuts on the same surface. Only neighbours in the sorted list are merged: nothing lies
+/// between them, so that each sub-sample still meets the same surfaces in the same order.
+constexpr void merge(std::vector<Fragment>& sorted) {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (are_one(sorted[kept], sorted[i])) {
+      sorted[kept] = united(sorted[kept], sorted[i]);
+    } else {
+      sorted[++kept] = sorted[i];
+    }
+  }
+  if (!sorted.empty()) sorted.resize(kept + 1);
+}
+
+/// Where two surfaces pass through each other, and the share of the front one there.
+struct Crossing {
+  Mask mask = 0;
+  double front = 1;
+};
+
+/// Carpenter's estimate: of two fragments whose depths overlap neither hides the other. The one that begins
+/// in front is seen to the share (back's z_far - front's z_near) / (sum of both extents), which is above 0
+/// and below 1; exact for two planes with opposite slopes along one direction. Of several behind the first
+/// that crosses counts.
+constexpr Crossing crossing(std::span<const Fragment> sorted, std::size_t number) {
+  const Fragment& front = sorted[number];
+  for (const Fragment& back : sorted.subspan(number + 1)) {
+    if (back.z_near >= front.z_far) break;
+    if (back.surface == front.surface || (back.mask & front.mask) == 0) continue;
+    const double extents = (front.z_far - front.z_near) + (back.z_far - back.z_near);
+    return {back.mask & front.mask, (back.z_far - front.z_near) / extents};
+  }
+  return {};
+}
+
+/// What of each sub-sample is still seen from the eye: parts of the pixel that all fragments so far have
+/// treated alike. A fragment cuts each part in two, inside and outside of its mask: the recursion of the
+/// source, taken front to back.
+class Light {
+ public:
+  /// The sub-samples behind which nothing is seen.
+  constexpr Mask covered() const { return covered_; }
+  /// The share of the pixel that is still seen, from 1 down to 0. Accuracy: exact for opaque fragments.
+  constexpr double left() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) sum += parts_[i].seen * area_of(parts_[i].mask);
+    return sum;
+  }
+  /// What a fragment takes of it: the share of the pixel that is seen in its colour.
+  constexpr double take(const Fragment& f, Mask visible, const Crossing& crossed) {
+    return take(visible & ~crossed.mask, f.opacity) + take(visible & crossed.mask, f.opacity * crossed.front);
+  }
+
+ private:
+  struct Part {
+    Mask mask;
+    double seen;
+  };
+  constexpr double take(Mask mask, double opacity) {
+    double taken = 0;
+    for (std::size_t i = 0, n = count_; i < n && mask != 0; ++i) {
+      const Mask in = parts_[i].mask & mask, out = parts_[i].mask & ~mask;
+      if (in == 0) continue;
+      taken += parts_[i].seen * opacity * area_of(in);
+      if (out != 0) parts_[count_++] = {out, parts_[i].seen};
+      parts_[i] = {in, parts_[i].seen * (1 - opacity)};
+    }
+    if (opacity == 1) cover(mask);
+    return taken;
+  }
+  constexpr void cover(Mask mask) {
+    covered_ |= mask;
+    const auto gone = [&](const Part& part) { return (part.mask & ~covered_) == 0; };
+    const auto end = parts_.begin() + static_cast<std::ptrdiff_t>(count_);
+    count_ = static_cast<std::size_t>(std::remove_if(parts_.begin(), end, gone) - parts_.begin());
+  }
+
+  std::array<Part, samples> parts_{{{full, 1}}};  // disjoint, so that there are never more
+  std::size_t count_ = 1;
+  Mask covered_ = 0;
+};
+
+// --- Steps -------------------------------------------------------
+
+/// The list goes from front to back.
+struct Sorted {
+  std::vector<Fragment> list;
+};
+/// What abuts on one surface has become one.
+struct Merged {
+  std::vector<Fragment> list;
+};
+/// A fragment was compared with what is covered.
+struct Masked {
+  std::size_t number;
+  Fragment fragment;
+  Mask covered, visible;
+};
+/// It has got its share.
+struct Weighed {
+  std::size_t number;
+  Fragment fragment;
+  Mask visible;
+  double crossed;  ///< what is seen of it where another passes through it; 1 where none does
+  double weight;
+  Mask covered;
+  double left;  ///< for what is behind
+};
+/// The pixel is full, or the list at its end.
+struct Finished {
+  std::size_t used, listed;  ///< fragments
+  double left;               ///< for the background
+};
+
+// --- The taught method -------------------------------------------
+
+constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
+
+/// Gives each fragment of a pixel the share of it that it is seen in, front to back, and stops when the pixel
+/// is full. Carpenter 1984, p. 106.
+///
+/// list: the pixel's fragments in any order; sorted and merged afterwards. take(Fragment, double weight) is
+///   called for each that is seen, front to back.
+///
+/// Domain: masks not 0 or 0, which are not seen; opacities from 0 to 1; z_near <= z_far, finite.
+/// Steps: Sorted Merged (Masked Weighed)* Finished.
+/// Accuracy: weights of opaque fragments whose depths don't overlap are popcount/32, exactly; weights and
+///   what is left add up to 1 within 1e-13, exactly where all are opaque. Where depths overlap, see crossing.
+/// Cost: sorting, then an "and not" and a popcount for each fragment; at most 32 parts with opacity. No
+///   memory.
+/// Errors: ContractViolation for opacities outside of the domain.
+///
+/// Returns the share that is covered; the rest shows the background.
+template <std::invocable<const Fragment&, double> Take,
+          Observer<Sorted, Merged, Masked, Weighed, Finished> O = Unobserved>
+constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer = {}) {
+  // Front to back
+  std::ranges::sort(list, nearer);
+  if constexpr (observed<O>) observer(Sorted{list});
+  // What abuts on one surface is one
+  merge(list);
+  if constexpr (observed<O>) observer(Merged{list});
+  Light light;
+  std::size_t used = 0;
+  for (const Fragment& f : list) {
+    expects(is_share(f.opacity), "an opacity lies between 0 and 1, got {}", f.opacity);
+    // What nothing nearer hides
+    const Mask covered = light.covered();
+    const Mask visible = f.mask & ~covered;
+    if constexpr (observed<O>) observer(Masked{used, f, covered, visible});
+    // Its share of what is still seen
+    const auto c = crossing(list, used);
+    const auto w = light.take(f, visible, c);
+    if constexpr (observed<O>) observer(Weighed{used, f, visible, c.front, w, light.covered(), light.left()});
+    if (w > 0) take(f, w);
+    used += 1;
+    // Full: nothing behind is seen
+    if (light.covered() == full) break;
+  }
+  // The background shows through the rest
+  const double left = light.left();
+  if constexpr (observed<O>) observer(Finished{used, list.size(), left});
+  return 1 - left;
+}
+
+}  // namespace gradus::a_buffer

@@ -1,0 +1,375 @@
+#pragma once
+// Samples that are random and yet nowhere crowded: any two of them are at least a radius apart. An eye's
+// light cells beside its fovea lie so, and that is why it sees noise where a grid would show false waves.
+//
+// Areas reach from (0, 0) to their size. One that wraps goes on at the opposite side, as a tile does beside
+// its copies: then samples keep their distance across its borders too.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/arithmetic/elementary.hpp"
+#include "core/contract.hpp"
+#include "core/geometry.hpp"
+#include "core/observe.hpp"
+#include "core/random.hpp"
+
+namespace gradus::poisson_disc {
+
+/// Where samples are put.
+struct Area {
+  dvec2 size{1};
+  bool wraps = false;  ///< whether it is a tile, which goes on at the opposite side
+};
+
+// --- Steps -------------------------------------------------------
+
+/// An area is to be filled; the grid has cells so small that each holds one sample at most.
+struct Started {
+  Area area;
+  double radius;  ///< 0 where it is not given
+  ivec2 cells;    ///< 0 where there is no grid
+};
+
+/// An active sample was chosen, beside which the next one is looked for.
+struct Chosen {
+  dvec2 sample;
+  int active;  ///< how many there are
+};
+
+/// A place was tried.
+struct Tried {
+  dvec2 place;
+  double nearest;   ///< distance to the nearest sample that was asked; infinite where there was none
+  dvec2 neighbour;  ///< that sample
+  bool inside;      ///< whether the place is in the area
+  bool kept;        ///< it is a sample now
+};
+
+/// No place was found beside a sample: it is active no more.
+struct Retired {
+  dvec2 sample;
+};
+
+/// A candidate was compared with the best one so far.
+struct Compared {
+  dvec2 place;
+  double nearest;   ///< distance to the nearest sample; infinite for the first one
+  dvec2 neighbour;  ///< that sample
+  bool best;        ///< it is farther from all of them than any before
+};
+
+/// Of several candidates the one farthest from all samples was taken.
+struct Taken {
+  dvec2 sample;
+  double nearest;  ///< distance to the nearest sample before; infinite for the first one
+  int candidates;
+};
+
+/// All is done.
+struct Finished {
+  int samples;
+};
+
+// --- Distances ---------------------------------------------------
+
+/// The way from one place to another, the shorter one round a tile.
+constexpr dvec2 way_between(const Area& area, dvec2 from, dvec2 to) {
+  dvec2 way = to - from;
+  if (area.wraps) way -= area.size * glm::round(way / area.size);
+  return way;
+}
+
+/// The square of a distance. Accuracy: 3 ulp.
+constexpr double squared(dvec2 way) { return way.x * way.x + way.y * way.y; }
+
+/// The square that rounded squares of distances must reach, so that no two samples are nearer than the
+/// radius: on the way round a tile a coordinate is off by 2^-52 of the tile's size, 2^-38 of the radius.
+constexpr double safe_square(double radius) { return radius * radius * (1 + 0x1p-36); }
+
+/// The distance of a place to the nearest of some samples, and which one that is.
+struct Nearest {
+  double square = std::numeric_limits<double>::infinity();
+  dvec2 sample{0};
+
+  constexpr void ask(const Area& area, dvec2 place, dvec2 other) {
+    const double here = squared(way_between(area, place, other));
+    if (here < square) *this = {here, other};
+  }
+  double distance() const { return std::sqrt(square); }
+};
+
+/// The smallest distance between any two samples, infinite for fewer than two. Cost: all pairs.
+inline double least_distance(const Area& area, std::span<const dvec2> samples) {
+  Nearest least;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) least.ask(area, samples[i], samples[k]);
+  }
+  return least.distance();
+}
+
+/// Whether a place lies in the area.
+constexpr bool contains(const Area& area, dvec2 p) {
+  return 0 <= p.x && p.x < area.size.x && 0 <= p.y && p.y < area.size.y;
+}
+
+/// Any place of the area.
+constexpr dvec2 random_place(const Area& area, Random& random) {
+  const double x = random.uniform(0, area.size.x);
+  return {x, random.uniform(0, area.size.y)};
+}
+
+// --- The grid ----------------------------------------------------
+
+/// Which sample lies in which cell. A cell's diagonal is at most the radius, so that no cell holds two.
+class Grid {
+ public:
+  Grid(const Area& area, double radius)
+      : area_(area),
+        cells_(glm::max(glm::ceil(area.size * (1.4142135623730951 / radius)), 1.0)),
+        reach_(glm::ceil(radius * dvec2(cells_) / area.size)),
+        samples_(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y), dvec2(-1)) {}
+
+  ivec2 cells() const { return cells_; }
+  /// How many cells away a sample may lie that is too near.
+  ivec2 reach() const { return reach_; }
+  ivec2 cell_of(dvec2 place) const { return glm::min(ivec2(place / area_.size * dvec2(cells_)), cells_ - 1); }
+  void put(dvec2 sample) { samples_[index(cell_of(sample))] = sample; }
+
+  /// The sample nearest to a place, of those in the cells round it; none for one outside of the area.
+  Nearest nearest(dvec2 place) const {
+    Nearest nearest;
+    if (!contains(area_, place)) return nearest;
+    const ivec2 cell = cell_of(place);
+    for (int y = cell.y - reach_.y; y <= cell.y + reach_.y; ++y) {
+      for (int x = cell.x - reach_.x; x <= cell.x + reach_.x; ++x) ask({x, y}, place, nearest);
+    }
+    return nearest;
+  }
+
+ private:
+  std::size_t index(ivec2 cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) +
+           static_cast<std::size_t>(cell.x);
+  }
+  void ask(ivec2 cell, dvec2 place, Nearest& nearest) const {
+    if (area_.wraps) cell = (cell % cells_ + cells_) % cells_;
+    if (cell.x < 0 || cell.x >= cells_.x || cell.y < 0 || cell.y >= cells_.y) return;
+    const dvec2 sample = samples_[index(cell)];
+    if (sample.x >= 0) nearest.ask(area_, place, sample);
+  }
+
+  Area area_;
+  ivec2 cells_, reach_;
+  std::vector<dvec2> samples_;  ///< by cell; below 0 where there is none
+};
+
+/// What lies between one and two radii from a sample.
+struct Ring {
+  Area area;
+  double radius;
+
+  /// A place there, each part of the ring equally likely; of a tile, in it.
+  dvec2 at(dvec2 sample, Random& random) const {
+    const double angle = random.uniform(0, 6.283185307179586);
+    const double distance = radius * sqrt(1 + 3 * random.unit());
+    const dvec2 place = sample + distance * dvec2(cos(angle), sin(angle));
+    if (!area.wraps) return place;
+    const dvec2 round = place - area.size * glm::floor(place / area.size);
+    return {round.x < area.size.x ? round.x : 0, round.y < area.size.y ? round.y : 0};
+  }
+};
+
+/// The number of one of the active samples, each equally likely.
+constexpr std::size_t any_of(const std::vector<dvec2>& active, Random& random) {
+  return static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(active.size()) - 1));
+}
+
+/// Takes a sample out of the list; the last one gets its number.
+constexpr void remove(std::vector<dvec2>& active, std::size_t number) {
+  active[number] = active.back();
+  active.pop_back();
+}
+
+/// The sample nearest to a place.
+constexpr Nearest nearest_of(const Area& area, std::span<const dvec2> samples, dvec2 place) {
+  Nearest nearest;
+  for (const dvec2 sample : samples) nearest.ask(area, place, sample);
+  return nearest;
+}
+
+/// The unit square, whose copies fit together.
+inline constexpr Area tile{dvec2(1), true};
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The same in the tile.
+constexpr Nearest nearest_of(std::span<const dvec2> samples, dvec2 place) {
+  return nearest_of(tile, samples, place);
+}
+
+/// How many candidates a sample has after these: so many for each of them.
+constexpr int count_of(std::span<const dvec2> before, int candidates) {
+  return candidates * std::max(static_cast<int>(before.size()), 1);
+}
+
+/// The largest number of cells a side of the area is cut into.
+inline constexpr int most_cells = 1 << 14;
+
+/// What the methods with a radius take.
+inline void check(const Area& area, double radius) {
+  const double width = area.size.x, height = area.size.y;
+  expects(0 < width && width <= 0x1p500 && 0 < height && height <= 0x1p500,
+          "an area has a size above 0, not {} x {}", width, height);
+  expects(radius <= 0x1p500 && std::max(width, height) * 1.5 <= radius * most_cells,
+          "a radius above {} of the area's longer side, not {}", 1.5 / most_cells, radius);
+  expects(!area.wraps || 2 * radius <= std::min(width, height),
+          "a tile of at least two radii a side, not {} x {} with {}", width, height, radius);
+}
+
+// --- The methods -------------------------------------------------
+
+/// Throws darts: any place that is far enough from all samples becomes one, until many in a row were not.
+/// Source: R. L. Cook, Stochastic sampling in computer graphics, ACM Transactions on Graphics 5(1), 1986.
+///
+/// area: where. radius: the distance of any two samples, in its unit. misses: how many darts in a row must
+///   miss, >= 1. plot(dvec2) is called for each sample, in their order.
+///
+/// Domain: as check says: the radius is no smaller than 1.5/2^14 of the longer side, and of a tile at most
+///   half of the shorter.
+/// Steps: Started Tried+ Finished.
+/// Accuracy: no two samples are nearer than the radius, not even by a rounding. It leaves gaps: how many
+///   darts must miss is all that ends it.
+/// Cost: each dart asks the cells round it; the last gaps take most darts.
+/// Errors: ContractViolation outside of the domain.
+template <class Plot, Observer<Started, Tried, Finished> O = Unobserved>
+void dart_throwing(const Area& area, double radius, int misses, Random random, Plot&& plot,
+                   O&& observer = {}) {
+  check(area, radius);
+  expects(misses >= 1, "at least 1 dart must miss, not {}", misses);
+  Grid grid(area, radius);
+  const double least = safe_square(radius);
+  int samples = 0, missed = 0;
+  if constexpr (observed<O>) observer(Started{area, radius, grid.cells()});
+  while (missed < misses) {
+    // Anywhere
+    auto dart = random_place(area, random);
+    // Far enough from all others?
+    const Nearest near = grid.nearest(dart);
+    const bool kept = near.square >= least;
+    if constexpr (observed<O>) observer(Tried{dart, near.distance(), near.sample, true, kept});
+    missed += 1;
+    if (!kept) continue;
+    grid.put(dart);
+    plot(dart);
+    samples += 1;
+    missed = 0;
+  }
+  if constexpr (observed<O>) observer(Finished{samples});
+}
+
+/// Looks for each new sample beside one that is there, between one and two radii from it.
+/// Source: R. Bridson, Fast Poisson disk sampling in arbitrary dimensions, SIGGRAPH 2007 sketches.
+///
+/// area, radius, plot: as for dart_throwing. tries: how many places are tried beside a sample, >= 1; 30 are
+///   usual.
+///
+/// Domain: as for dart_throwing.
+/// Steps: Started (Chosen Tried+ Retired?)* Finished, before them Tried for the first sample.
+/// Accuracy: no two samples are nearer than the radius, not even by a rounding. Each sample but the first has
+///   another within two radii.
+/// Cost: proportional to the number of samples: each is retired once, after tries that failed, and each try
+///   asks some 25 cells.
+/// Errors: ContractViolation outside of the domain.
+template <class Plot, Observer<Started, Chosen, Tried, Retired, Finished> O = Unobserved>
+void bridson(const Area& area, double radius, int tries, Random random, Plot&& plot, O&& observer = {}) {
+  check(area, radius);
+  expects(tries >= 1, "at least 1 try beside a sample, not {}", tries);
+  const Ring ring{area, radius};
+  Grid grid(area, radius);
+  const double least = safe_square(radius);
+  int samples = 0;
+  std::vector<dvec2> active;
+  const auto keep = [&](dvec2 sample) {
+    grid.put(sample);
+    active.push_back(sample);
+    plot(sample);
+    samples += 1;
+  };
+  if constexpr (observed<O>) observer(Started{area, radius, grid.cells()});
+  // The first one anywhere
+  auto first = random_place(area, random);
+  keep(first);
+  if constexpr (observed<O>) observer(Tried{first, Nearest().distance(), first, true, true});
+  while (!active.empty()) {
+    // Any active sample
+    const auto i = any_of(active, random);
+    const dvec2 sample = active[i];
+    if constexpr (observed<O>) observer(Chosen{sample, static_cast<int>(active.size())});
+    bool kept = false;
+    for (int k = 0; k < tries && !kept; ++k) {
+      // A place in the ring round it
+      auto place = ring.at(sample, random);
+      const bool inside =  // of the area
+          contains(area, place);
+      // Far enough from all others?
+      const auto near = grid.nearest(place);
+      kept = inside && near.square >= least;
+      if constexpr (observed<O>) observer(Tried{place, near.distance(), near.sample, inside, kept});
+      if (kept) keep(place);
+    }
+    if (kept) continue;
+    // No room beside it
+    remove(active, i);
+    if constexpr (observed<O>) observer(Retired{sample});
+  }
+  if constexpr (observed<O>) observer(Finished{samples});
+}
+
+/// Puts down exactly so many samples, each the best of several candidates: the one farthest from all samples
+/// before. The unit square is a tile, so that the pattern of a pixel goes on in those beside it.
+/// Source: D. P. Mitchell, Spectrally optimal sampling for distribution ray tracing, SIGGRAPH 1991.
+///
+/// samples: where they are put, in [0, 1) x [0, 1). candidates: for each sample so many times the number of
+///   samples before, >= 1; more make the pattern more even.
+///
+/// Domain: up to 4,096 samples.
+/// Steps: Started (Compared+ Taken)* Finished.
+/// Accuracy: promises no distance: the smallest one is returned; infinite for fewer than two samples.
+/// Cost: candidates * n^3 / 3 distances for n samples.
+/// Errors: ContractViolation outside of the domain.
+template <Observer<Started, Compared, Taken, Finished> O = Unobserved>
+double best_candidate(std::span<dvec2> samples, int candidates, Random random, O&& observer = {}) {
+  expects(samples.size() <= 4096, "at most 4096 samples, not {}", samples.size());
+  expects(candidates >= 1, "at least 1 candidate a sample, not {}", candidates);
+  double least = infinite;
+  if constexpr (observed<O>) observer(Started{tile, 0, ivec2(0)});
+  std::size_t i = 0;
+  for (dvec2& sample : samples) {
+    const auto before = samples.first(i++);
+    auto n = count_of(before, candidates);
+    double far = -1;
+    for (int k = 0; k < n; ++k) {
+      // The farthest from all before
+      auto place = random_place(tile, random);
+      auto near = nearest_of(before, place);
+      const bool better = near.square > far;
+      if constexpr (observed<O>) observer(Compared{place, near.distance(), near.sample, better});
+      if (!better) continue;
+      far = near.square;
+      sample = place;
+    }
+    least = std::min(least, far);
+    if constexpr (observed<O>) observer(Taken{sample, std::sqrt(far), n});
+  }
+  if constexpr (observed<O>) observer(Finished{static_cast<int>(samples.size())});
+  return std::sqrt(least);
+}
+
+}  // namespace gradus::poisson_disc

@@ -1,0 +1,87 @@
+#pragma once
+// One pixel drawn large with its 32 sub-samples, the fragments' polygons over it; and masks as little
+// patterns of bits.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "antialiasing/a_buffer/a_buffer.hpp"
+#include "stories/antialiasing/ring_cut.hpp"
+#include "stories/paper.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::a_buffer {
+
+inline constexpr int paper_width = 36, paper_height = 24;
+
+/// What lies in the pixel: a convex polygon and its place in depth.
+struct Piece {
+  std::string name;
+  std::vector<dvec2> ring;     ///< in the pixel, from 0 to 1, y down
+  std::vector<ivec2> snapped;  ///< on the grid of 1/256 pixel
+  Fragment fragment;
+};
+
+/// "f0f0f0f0", two digits a row.
+inline std::string hex_of(Mask mask) { return fmt::format("{:08x}", mask); }
+
+/// The pixel, 21 units wide and high, its rows downwards.
+struct LargePixel {
+  static constexpr double side = 21;
+  static constexpr dvec2 corner{0.8, 22.6};
+
+  static dvec2 at(dvec2 p) { return {corner.x + side * p.x, corner.y - side * p.y}; }
+  static dvec2 place(int sample) {
+    return at({(sample % mask_columns + 0.5) / mask_columns, (sample / mask_columns + 0.5) / mask_rows});
+  }
+  static std::vector<dvec2> on_paper(const std::vector<dvec2>& ring) {
+    std::vector<dvec2> places;
+    for (const dvec2 p : ring) places.push_back(at(p));
+    return places;
+  }
+
+  static void add_grid(View& view) {
+    view.add({"a pixel", Role::boundary, Path{{at({0, 0}), at({1, 0}), at({1, 1}), at({0, 1})}, true}});
+    for (int i = 1; i < mask_columns; ++i) {
+      const double x = double{1} * i / mask_columns;
+      view.add({fmt::format("a x {}", i), Role::guide, Stroke{at({x, 0}), at({x, 1}), false, false, true}});
+    }
+    for (int i = 1; i < mask_rows; ++i) {
+      const double y = double{1} * i / mask_rows;
+      view.add({fmt::format("a y {}", i), Role::guide, Stroke{at({0, y}), at({1, y}), false, false, true}});
+    }
+  }
+  /// As much of a polygon as lies in the pixel, with its name.
+  static void add_polygon(View& view, const Piece& piece, Role role, bool filled) {
+    const std::vector<dvec2> ring = on_paper(ring_within(piece.ring, dvec2(0), dvec2(1)));
+    if (ring.size() < 3) return;
+    const std::string id = "b " + piece.name;
+    if (filled) view.add({id + " inside", role, Area{{ring}, 1}});
+    view.add({id, role, Path{ring, true}});
+  }
+  static void add_samples(View& view, Mask of_these, Role role, bool ring) {
+    for (int i = 0; i < samples; ++i) {
+      if ((of_these & bit_of(i)) != 0)
+        view.add({fmt::format("d sample {:02}", i), role, Dot{place(i), ring}});
+    }
+  }
+};
+
+/// A mask as a pattern: its bits filled, in a frame. corner: its upper left one.
+inline void add_pattern(View& view, const std::string& id, dvec2 corner, Mask mask, Role role) {
+  constexpr double width = 0.5, height = 0.5;
+  const auto at = [&](int column, int row) { return corner + dvec2(column * width, -row * height); };
+  gradus::Area bits;
+  for (int i = 0; i < samples; ++i) {
+    if ((mask & bit_of(i)) == 0) continue;
+    const int x = i % mask_columns, y = i / mask_columns;
+    bits.rings.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  }
+  bits.shade = 3;
+  if (!bits.rings.empty()) view.add({id + " bits", role, bits});
+  view.add({id + " frame", role,
+            Path{{at(0, 0), at(mask_columns, 0), at(mask_columns, mask_rows), at(0, mask_rows)}, true}});
+}
+
+}  // namespace gradus::a_buffer

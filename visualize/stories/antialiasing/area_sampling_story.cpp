@@ -1,0 +1,236 @@
+// The story of exact areas: a polygon cut at the borders of pixels, what is seen in one pixel, and a thin
+// triangle that does not vanish.
+
+#include "antialiasing/area_sampling/area_sampling.hpp"
+
+#include "antialiasing/area_sampling/area_sampling_notes.hpp"
+#include "stories/antialiasing/area_sampling_moving.hpp"
+#include "stories/antialiasing/area_sampling_pixel.hpp"
+#include "stories/antialiasing/area_sampling_subject.hpp"
+
+namespace gradus::area_sampling {
+namespace {
+
+/// The areas of one polygon, pixel by pixel.
+class Story {
+ public:
+  Story(const Words& words, const Window& window) : words_(words), window_(window) {}
+
+  /// The pixel in which the polygon has most corners, the last of several.
+  std::optional<StepNumber> telling() const { return telling_; }
+  double sum() const { return to_double(sum_); }
+
+  void show(Board& board, const Started& s) {
+    next(board, s.box.lower);
+    for (const ivec2 p : s.corners) outline_.push_back(in_pixels(dvec2(p)) - 0.5);
+    board.keep("polygon", Role::input, Path{outline_, true});
+  }
+  Event say(const Started& s) const {
+    return {.text = "started",
+            .facts = {{"corners", std::ssize(s.corners)}},
+            .words = {{"columns", std::max<std::int64_t>(0, s.box.width())},
+                      {"rows", std::max<std::int64_t>(0, s.box.height())}},
+            .key = "polygon"};
+  }
+
+  void show(Board& board, const BorderCut& b) {
+    const bool of_row = b.border.axis == 1;
+    number_ = (b.border.at - (b.border.above ? 0 : subpixels)) / subpixels;
+    if (of_row && !b.border.above) {
+      row_ = number_;
+      next(board, {window_.lower.x, row_});
+    } else {
+      board.detail(of_row ? ivec2{window_.lower.x, number_} : ivec2{number_, row_});
+    }
+    board.mark("left", Role::candidate, Area{{on_grid(b.left)}, 2});
+    board.mark("left border", Role::candidate, Path{on_grid(b.left), true});
+    board.mark("border", Role::boundary, border(b.border));
+  }
+  Event say(const BorderCut& b) const {
+    const bool of_row = b.border.axis == 1;
+    constexpr std::array<std::string_view, 4> texts{"cut.left", "cut.right", "cut.top", "cut.bottom"};
+    return {.text = texts[(of_row ? 2U : 0U) + (b.border.above ? 0U : 1U)],
+            .facts = {{"corners", std::ssize(b.left)}},
+            .words = {{"number", number_}, {"n", b.left.size()}},
+            .key = figure_number(number_),
+            .phase = words_.say("phase.row", {{"row", of_row ? number_ : row_}})};
+  }
+
+  void show(Board& board, const AreaTaken<Exact>& a) {
+    next(board, a.pixel);
+    sum_ = sum_ + a.area;
+    board.put(a.pixel, Role::result, "", tint(to_double(a.area)));
+    const std::vector<dvec2> piece = on_grid(a.piece);
+    if (window_.width() <= 8 && window_.height() <= 8)
+      board.keep("area " + pixel_key(a.pixel), Role::input, Text{clear_place(a.pixel), area_text(a.area)});
+    board.mark("piece", Role::current, Area{{piece}, 2});
+    board.mark("piece border", Role::current, Path{piece, true});
+    if (a.piece.size() < most_corners_) return;
+    most_corners_ = a.piece.size();
+    telling_ = {milestones_, 0};
+  }
+  Event say(const AreaTaken<Exact>& a) const {
+    const double area = to_double(a.area);
+    Event event{
+        .text = a.area == Exact(1) ? "taken.whole" : "taken.piece",
+        .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
+        .words = {{"pixel", a.pixel},
+                  {"area", area_text(a.area)},
+                  {"byte", byte_of(area)},
+                  {"sum", area_text(sum_)},
+                  {"n", a.piece.size()}},
+
+        .row = {a.pixel.x, a.pixel.y, a.piece.size(), area_text(a.area), byte_of(a.piece, a.pixel, area)},
+        .key = pixel_key(a.pixel),
+        .phase = words_.say("phase.row", {{"row", row_}})};
+    return event;
+  }
+
+  void show(Board& board, const Finished&) { next(board, window_.lower); }
+  Event say(const Finished& f) const {
+    return {.text = "finished",
+            .facts = {{"clipped", f.clipped}, {"covered", f.covered}},
+            .words = {{"clipped", f.clipped}, {"sum", area_text(sum_)}},
+            .count = f.covered};
+  }
+
+ private:
+  static std::vector<dvec2> on_grid(const Polygon& polygon) {
+    std::vector<dvec2> ring = ring_of(polygon);
+    for (dvec2& p : ring) p -= 0.5;
+    return ring;
+  }
+  /// A border of the pixels, across the window.
+  Stroke border(const Border& b) const {
+    const double at = static_cast<double>(b.at) / subpixels - 0.5;
+    const dvec2 lower = dvec2(window_.lower) - 0.5, upper = dvec2(window_.upper) + 0.5;
+    return b.axis == 1 ? Stroke{{lower.x, at}, {upper.x, at}} : Stroke{{at, row_ - 0.5}, {at, row_ + 0.5}};
+  }
+  /// Where in a pixel a short text stays farthest from the polygon's edges; it is about twice as wide as
+  /// high.
+  dvec2 clear_place(ivec2 pixel) const {
+    dvec2 best(pixel);
+    double farthest_off = -1;
+    for (int k = 0; k < 25; ++k) {
+      const dvec2 p = dvec2(pixel) + dvec2{k % 5 - 2, k / 5 - 2} * dvec2{0.09, 0.14};
+      double off = 2;
+      for (std::size_t i = 0; i < outline_.size(); ++i)
+        off = std::min(off, distance(p, outline_[i], outline_[i + 1 < outline_.size() ? i + 1 : 0]));
+      off = std::min(off, 0.21) - 0.1 * glm::length(p - dvec2(pixel));
+      if (off > farthest_off) farthest_off = off, best = p;
+    }
+    return best;
+  }
+  /// From an edge, with widths counted half.
+  static double distance(dvec2 p, dvec2 a, dvec2 b) {
+    const dvec2 narrow{0.5, 1}, way = (b - a) * narrow, to = (p - a) * narrow;
+    const double length = glm::dot(way, way);
+    const double t = length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0;
+    return glm::length(to - t * way);
+  }
+  /// From paper to a light blue, on which figures can be read.
+  static Rgba8 tint(double area) {
+    const auto mix = [area](int full) {
+      return static_cast<std::uint8_t>(std::lround(255 - area * (255 - full)));
+    };
+    return {mix(86), mix(180), mix(233), 255};
+  }
+  void next(Board& board, ivec2 focus) {
+    board.milestone(focus);
+    ++milestones_;
+  }
+
+  const Words& words_;
+  const Window window_;
+  int number_ = 0, row_ = 0;
+  Exact sum_ = 0;
+  std::vector<dvec2> outline_{};
+  std::size_t most_corners_ = 0;
+  std::int64_t milestones_ = -1;
+  std::optional<StepNumber> telling_{};
+};
+
+// --- The methods
+
+void tell_pixel_areas(Narrator& narrator) {
+  const ExactScope scope;
+  const Words& words = narrator.words();
+  const std::vector<ivec2> corners = corners_of(narrator.arguments());
+  const Window window = window_of(narrator.arguments());
+  narrator.subtitle("subtitle", {{"n", corners.size()}});
+  Grid& grid = narrator.trace().grid;
+  grid.cells = window;
+  grid.y_up = false;
+  grid.x_name = words.symbol("x");
+  grid.y_name = words.symbol("y");
+  grid.whole = true;
+  narrator.legend({{Role::input, "polygon"},
+                   {Role::boundary, "border"},
+                   {Role::candidate, "left"},
+                   {Role::current, "piece"}});
+  Story story(words, window);
+  pixel_areas<Exact>(corners, window, [](ivec2, Exact) {}, narrator.watcher(story));
+  if (story.telling()) narrator.telling(*story.telling());
+  narrator.result({{"sum", story.sum()}});
+}
+
+void tell_visible(Narrator& narrator) {
+  tell_in_pixel(narrator, false, [](auto... run) { visible_areas(run...); });
+}
+
+void tell_without_visibility(Narrator& narrator) {
+  tell_in_pixel(narrator, true, [](auto... run) { areas_without_visibility(run...); });
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  using namespace parameters;
+  static const TopicEntry topic = completed<entry>(
+      {.name = "area_sampling",
+       .chapter = "antialiasing",
+       .aliases = {"catmull", "exact coverage", "pixel coverage", "unweighted area sampling"},
+       .summary = "each pixel takes of each polygon as much as its exact visible area there",
+       .methods = {{.name = "pixel_areas",
+                    .standing = Standing::taught,
+                    .tell = tell_pixel_areas,
+                    .unread = {"triangles", "thin"}},
+                   {.name = "visible_areas",
+                    .tell = tell_visible,
+                    .file = "visible_areas.hpp",
+                    .unread = {"polygon", "window", "thin"}},
+                   {.name = "moving",
+                    .tell = tell_moving,
+                    .function = "pixel_areas",
+                    .unread = {"polygon", "window", "triangles"}},
+                   {.name = "areas_without_visibility",
+                    .standing = Standing::faulty,
+                    .tell = tell_without_visibility,
+                    .unread = {"polygon", "window", "thin"}}},
+       .columns = {{"x"}, {"y"}, {"corners"}, {"area"}, {"byte"}},
+       .parameters =
+           {points(3, 50, "polygon", "1,3 4,1 2,5", "0.5,0.5 3.5,0.5 3.5,2.5 2,1.5 0.5,2.5",
+                   "the corners of a polygon, x right and y down in pixels; pixel (0, 0) goes from 0 to 1",
+                   xy, {1e-6, 1e6}),
+            {.name = "window",
+             .type = ParameterType::window,
+             .default_value = "0,0,4,4",
+             .example = "0,0,7,7",
+             .help = "the pixels that are asked for: xmin,ymin,xmax,ymax, both corners included; of more "
+                     "than 16 columns or rows the first 16"},
+            faces(18, "triangles",
+                  "A: 0.12,-0.3,0.3 1.3,0.35,0.3 0.15,0.68,0.3; B: -0.3,0.5,0.1 1.4,0.2,0.5 0.9,1.3,0.4; "
+                  "C: -0.9,-0.3,0.8 1.9,-0.3,0.8 1.9,2.5,0.8",
+                  "A: 0,0,1 1,0,1 0,1,1; B: 0,0,0 1,0,2 1,1,2",
+                  "triangles over the pixel from 0,0 to 1,1, with the depths of their corners; smaller is "
+                  "nearer",
+                  {1e-6, 1e6}),
+            points(3, 3, "thin", "0.4,1 9.6,1.7 0.4,1.4", "0.2,0.2 7.8,0.2 0.2,0.6",
+                   "method moving: the triangle that is moved down by quarters of a pixel", xy,
+                   {1e-6, 1000})},
+       .examples = {"--polygon '1,3 4,1 2,5'", "--method visible_areas", "--method moving"}});
+  return topic;
+}
+
+}  // namespace gradus::area_sampling

@@ -1,0 +1,306 @@
+#pragma once
+// A sine, its samples, and the slowest sine that has the same ones; and samples at exactly twice its
+// frequency.
+
+#include "antialiasing/sampling_theorem/sampling_theorem_notes.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::sampling_theorem {
+
+/// What is sampled, and how.
+struct Task {
+  double f, fs, phase;  ///< Hz, samples a second, turns
+  std::int64_t count;
+
+  double value(double t) const { return wave(f, t); }
+  /// The sine of another frequency with the same start.
+  double wave(double frequency, double t) const {
+    return sin_cos_half_turns(2 * (std::remainder(frequency * t, 1) + phase)).sin;
+  }
+  double seconds() const { return static_cast<double>(count) / fs; }
+};
+
+/// With `rate`, that one instead of the one given.
+inline Task task_of(const Arguments& given, std::optional<double> rate = {}) {
+  const Task task{*given.number("frequency"), rate ? *rate : *given.number("rate"),
+                  *given.number("phase") / 360, given.integer("samples")};
+  if (!(task.fs > 0)) refuse(given, {"rate", "frequency"}, "expected a number above 0");
+  if (std::abs(task.f) * task.seconds() > 60)
+    refuse(given, {"frequency", "samples", "rate"}, "expected at most 60 cycles in all samples");
+  return task;
+}
+
+/// A curve over a panel's whole width, fine enough for so many cycles.
+template <class Curve>
+Path path_of(const Panel& panel, double from, double to, double cycles, const Curve& curve) {
+  const int steps = std::clamp(static_cast<int>(std::ceil(32 * std::abs(cycles))), 96, 1920);
+  Path path;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = from + (to - from) * i / steps;
+    path.points.push_back(panel.at(dvec2{t, curve(t)}));
+  }
+  return path;
+}
+
+/// No rounding errors among the numbers of a figure.
+inline double told(double value) { return std::abs(value) < 1e-12 ? 0 : value; }
+
+class SineStory {
+ public:
+  SineStory(const Words& words, const Task& task)
+      : words_(words),
+        task_(task),
+        panel_({{2.6, 10}, {39.4, 24.8}}, {{0, -1}, {task.seconds(), 1}}, Panel::Fit::stretched) {}
+
+  static constexpr int width = 42, height = 26;
+
+  void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
+  Event say(const steps::Started&) const {
+    return {.text = "sine.started", .words = {{"f", task_.f}, {"fs", task_.fs}, {"count", task_.count}}};
+  }
+
+  void show(Board& board, const Sampled<double>& s) {
+    taken_.push_back(s);
+    board.milestone(drawing());
+  }
+  Event say(const Sampled<double>& s) const {
+    const double value = told(s.value);
+    return {.text = "sine.sampled",
+            .facts = {{"k", s.k}, {"t", s.time}, {"value", value}},
+            .words = {{"k", s.k}, {"t", s.time}, {"value", value}, {"fs", task_.fs}},
+            .row = {s.k, s.time, value},
+            .key = figure_number(s.k),
+            .phase = words_.say("phase.samples")};
+  }
+
+  void show(Board& board, const Folded<double>& f) {
+    folded_ = f;
+    board.milestone(drawing());
+  }
+  Event say(const Folded<double>& f) const {
+    const bool enough = is_enough(f.f, f.fs);
+    Event event{.text = enough  ? "sine.enough"
+                        : f.tie ? "sine.tie"
+                                : "sine.folded",
+                .facts = {{"alias", f.alias}, {"tie", f.tie}},
+                .words = {{"f", f.f},
+                          {"twice", 2 * std::abs(f.f)},
+                          {"fs", f.fs},
+                          {"rates", rates()},
+                          {"half", 0.5 * f.fs},
+                          {"left", told(std::abs(task_.value(0)))},
+                          {"alias", f.alias}},
+                .phase = words_.say("phase.alias")};
+    event.decides = yes_or_no(words_, "question.enough", {{"fs", f.fs}, {"twice", 2 * std::abs(f.f)}}, enough,
+                              "the sine itself", "an alias");
+    return event;
+  }
+
+  void show(Board& board, const steps::Finished&) {
+    ended_ = true;
+    board.milestone(drawing());
+  }
+  Event say(const steps::Finished&) const {
+    const bool same = folded_->alias == folded_->f;
+    return {.text = same ? "sine.finished" : "sine.finished_alias",
+            .facts = {{"most", most()}},
+            .words = {{"f", task_.f}, {"alias", folded_->alias}, {"count", task_.count}, {"most", most()}}};
+  }
+
+ private:
+  std::int64_t rates() const {
+    return static_cast<std::int64_t>(std::round((folded_->f - folded_->alias) / task_.fs));
+  }
+  /// How far the two sines lie apart between the samples.
+  double most() const {
+    double most = 0;
+    for (int i = 0; i <= 64 * task_.count; ++i) {
+      const double t = i / 64.0 / task_.fs;
+      most = std::max(most, std::abs(task_.value(t) - task_.wave(folded_->alias, t)));
+    }
+    return std::round(told(most) * 1e4) / 1e4;
+  }
+  View drawing() const {
+    View view;
+    add_axes(view, panel_, "a", {words_.symbol("t"), ""}, 6);
+    view.add({"b zero", Role::guide,
+              Stroke{panel_.at({0, 0}), panel_.at({task_.seconds(), 0}), false, false, true}});
+    view.add({"c sine", Role::input,
+              path_of(panel_, 0, task_.seconds(), task_.f * task_.seconds(),
+                      [&](double t) { return task_.value(t); })});
+    if (folded_ && folded_->alias != folded_->f) {
+      view.add({"d alias", Role::result,
+                path_of(panel_, 0, task_.seconds(), folded_->alias * task_.seconds(),
+                        [&](double t) { return task_.wave(folded_->alias, t); })});
+    }
+    for (const Sampled<double>& s : taken_) {
+      const bool now = !folded_ && s.k + 1 == std::ssize(taken_);
+      const Role role = now ? Role::current : Role::accepted;
+      const std::string id = fmt::format("{:02}", s.k);
+      view.add({"e stem " + id, role,
+                Stroke{panel_.at({s.time, 0}), panel_.at({s.time, s.value}), false, !now, true}});
+      view.add({"f sample " + id, role, Dot{panel_.at({s.time, s.value})}});
+    }
+    add_frequencies(view);
+    return view;
+  }
+  /// The frequencies in a row: the band between minus and plus half the rate, and the way into it.
+  void add_frequencies(View& view) const {
+    const double half = 0.5 * task_.fs, far = std::max(1.15 * std::abs(task_.f), 0.65 * task_.fs);
+    const NumberLine line({2.6, 3.6}, {39.4, 3.6}, task_.f < 0 ? -far : -1.3 * half,
+                          task_.f < 0 ? 1.3 * half : far);
+    line.add_to(view, "g", words_.symbol("f"), 8);
+    view.add({"h band", Role::candidate, Stroke{line.at(-half), line.at(half)}});
+    view.add({"i frequency", Role::input, Dot{line.at(task_.f)}});
+    if (!folded_ || folded_->alias == folded_->f) return;
+    const dvec2 up{0, 1.1};
+    const dvec2 from = line.at(task_.f), to = line.at(folded_->alias);
+    view.add({"j way", Role::measure, Stroke{from + up, to + up, true}});
+    view.add(
+        {"j way name", Role::measure,
+         Text{0.5 * (from + to) + dvec2{0, 2.1}, words_.say("way", {{"rates", rates()}, {"fs", task_.fs}})}});
+    view.add({"k alias", Role::result, Dot{to}});
+    // The two frequencies beyond the arrow's ends
+    const double side = task_.f < 0 ? -0.7 : 0.7;
+    const auto hertz = [&](double f) { return words_.say("hertz", {{"f", f}}); };
+    view.add({"l frequency", Role::input,
+              Text{from + up + dvec2{side, 0}, hertz(task_.f), side > 0 ? Align::left : Align::right}});
+    view.add({"l alias", Role::result,
+              Text{to + up - dvec2{side, 0}, hertz(folded_->alias), side > 0 ? Align::right : Align::left}});
+  }
+
+  const Words& words_;
+  const Task task_;
+  const Panel panel_;
+  std::vector<Sampled<double>> taken_{};
+  std::optional<Folded<double>> folded_{};
+  bool ended_ = false;
+};
+
+inline void tell_sine(Narrator& narrator) {
+  const Task task = task_of(narrator.arguments());
+  narrator.paper(SineStory::width, SineStory::height);
+  narrator.subtitle("subtitle.sine", {{"f", task.f}, {"fs", task.fs}, {"phase", task.phase * 360}});
+  narrator.list("sample");
+  narrator.list_below("alias_of");
+  narrator.columns({{"k"}, {"t"}, {"value"}});
+  narrator.legend({{Role::input, "sine"},
+                   {Role::current, "sample"},
+                   {Role::accepted, "samples"},
+                   {Role::candidate, "band"},
+                   {Role::measure, "away"},
+                   {Role::result, "alias"}});
+  SineStory story(narrator.words(), task);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  std::vector<double> samples(static_cast<std::size_t>(task.count));
+  sample([&](double t) { return task.value(t); }, task.fs, std::span(samples), watch);
+  const double alias = alias_of(task.f, task.fs, watch);
+  watch(steps::Finished{}, 0);
+  narrator.telling({task.count + 1, 0});
+  narrator.result({{"alias", alias}, {"enough", is_enough(task.f, task.fs)}});
+}
+
+// --- At exactly twice the frequency -----------------------------------------------------------------------
+
+/// What the samples give back is drawn.
+struct CameBack {
+  double size;
+};
+
+class TwiceStory {
+ public:
+  TwiceStory(const Words& words, const Task& task)
+      : words_(words),
+        task_(task),
+        panel_({{2.6, 3.4}, {39.4, 24.4}}, {{0, -1}, {task.seconds(), 1}}, Panel::Fit::stretched) {}
+
+  static constexpr int width = 42, height = 26;
+
+  void show(Board& board, const RateJudged<double>&) {
+    judged_ = true;
+    board.milestone(drawing());
+  }
+  Event say(const RateJudged<double>& j) const {
+    return {.text = "twice.judged",
+            .facts = {{"accepted", j.enough}, {"right", is_enough(j.f, j.fs)}},
+            .words = {{"f", task_.f}, {"fs", task_.fs}},
+            .phase = words_.say("phase.rule"),
+            .decides = yes_or_no(words_, "question.twice", {{"fs", task_.fs}, {"f", task_.f}}, j.enough,
+                                 "accepted")};
+  }
+  void show(Board& board, const Sampled<double>& s) {
+    taken_.push_back(s);
+    board.milestone(drawing());
+  }
+  Event say(const Sampled<double>& s) const {
+    const double value = told(s.value);
+    return {.text = value == 0 ? "twice.zero" : "twice.sampled",
+            .facts = {{"k", s.k}, {"t", s.time}, {"value", value}},
+            .words = {{"k", s.k}, {"t", s.time}, {"value", value}},
+            .row = {s.k, s.time, value},
+            .key = figure_number(s.k),
+            .phase = words_.say("phase.samples")};
+  }
+  void show(Board& board, const CameBack&) { board.milestone(drawing()); }
+  Event say(const CameBack& b) const {
+    return {.text = b.size == 0 ? "twice.nothing" : "twice.smaller",
+            .facts = {{"size", b.size}},
+            .words = {{"f", task_.f}, {"fs", task_.fs}, {"size", b.size}, {"count", task_.count}},
+            .phase = words_.say("phase.back")};
+  }
+
+ private:
+  View drawing() const {
+    View view;
+    add_axes(view, panel_, "a", {words_.symbol("t"), ""}, 6);
+    view.add({"b zero", Role::guide,
+              Stroke{panel_.at({0, 0}), panel_.at({task_.seconds(), 0}), false, false, true}});
+    const double cycles = task_.f * task_.seconds();
+    view.add({"c sine", Role::input,
+              path_of(panel_, 0, task_.seconds(), cycles, [&](double t) { return task_.value(t); })});
+    if (judged_) {
+      const double first = task_.value(0);
+      view.add({"d back", Role::rejected, path_of(panel_, 0, task_.seconds(), cycles, [&](double t) {
+                  return told(first) * sin_cos_half_turns(t * task_.fs).cos;
+                })});
+    }
+    for (const Sampled<double>& s : taken_) {
+      const bool now = !judged_ && s.k + 1 == std::ssize(taken_);
+      view.add({fmt::format("f sample {:02}", s.k), now ? Role::current : Role::accepted,
+                Dot{panel_.at({s.time, told(s.value)})}});
+    }
+    return view;
+  }
+
+  const Words& words_;
+  const Task task_;
+  const Panel panel_;
+  std::vector<Sampled<double>> taken_{};
+  bool judged_ = false;
+};
+
+inline void tell_at_least_twice(Narrator& narrator) {
+  const Arguments& given = narrator.arguments();
+  const double f = *given.number("frequency");
+  const Task task = task_of(given, 2 * std::abs(f));
+  narrator.paper(TwiceStory::width, TwiceStory::height);
+  narrator.subtitle("subtitle.sine", {{"f", task.f}, {"fs", task.fs}, {"phase", task.phase * 360}});
+  narrator.columns({{"k"}, {"t"}, {"value"}});
+  narrator.legend({{Role::input, "sine"},
+                   {Role::current, "sample"},
+                   {Role::accepted, "samples"},
+                   {Role::rejected, "back"}});
+  TwiceStory story(narrator.words(), task);
+  const auto watch = narrator.watcher(story);
+  std::vector<double> samples(static_cast<std::size_t>(task.count));
+  sample([&](double t) { return task.value(t); }, task.fs, std::span(samples),
+         [&](const Sampled<double>& s) { watch(s, 0); });
+  at_least_twice(task.f, task.fs, watch);
+  const double left = std::abs(told(task.value(0)));
+  watch(CameBack{left}, 0);
+  narrator.telling({task.count, 0});
+  narrator.result({{"size", left}});
+}
+
+}  // namespace gradus::sampling_theorem
