@@ -1,0 +1,21 @@
+#pragma once
+// What `gradus explain` and `gradus render --report` print.
+
+#include <string>
+
+#include "plan/ledger.hpp"
+#include "plan/plan.hpp"
+#include "scene/scene.hpp"
+
+namespace gradus::cli {
+
+/// A plan as a table: objects that are treated alike share a line. name: of the scene.
+std::string plan_text(const std::string& name, const pipeline::Scene& scene, const pipeline::Plan& plan);
+
+/// The same as JSON, each object and stage.
+std::string plan_json(const std::string& name, const pipeline::Scene& scene, const pipeline::Plan& plan);
+
+/// What was done and left out, and how long the parts took.
+std::string ledger_text(const std::string& name, const pipeline::Ledger& ledger);
+
+}  // namespace gradus::cli
