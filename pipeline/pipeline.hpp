@@ -12,6 +12,8 @@
 #include "stages/6_rasterization.hpp"
 #include "stages/7_visibility_and_shading.hpp"
 #include "stages/8_output.hpp"
+#include "stages/antialiasing.hpp"
+#include "stages/arrangement.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline {
@@ -24,7 +26,7 @@ template <class O>
 concept ChainObserver = Observer<O, VertexRead, FaceRead, Placed, Turned, Projected, Faced, Clipped, Snapped,
                                  Covered, DepthTested, Shaded, Written>;
 
-/// Renders a scene.
+/// Renders a scene from the centres of the pixels.
 ///
 /// scene: objects, camera and lights. size: of the picture; its width / height is the camera's.
 ///
@@ -40,7 +42,7 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
           "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
   const double aspect = static_cast<double>(width) / height;
-  const Camera& camera = scene.camera;
+  const auto& camera = scene.camera;
 
   // 1 Input model
   auto model = input(scene, observer);
@@ -53,8 +55,11 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
   const Model<ClipPoint> facing =  // by the sign of det[x y w]
       remove_back_faces(scene, seen, observer);
   // 5 Clipping, then division by w
-  const Triangles triangles =  // near and far plane cut
+  auto triangles =  // near and far plane cut
       clip(world, facing, size, observer);
+  // Painter, BSP tree: depth by order
+  arrange(scene, facing, size,  // z-buffer: as they are
+          triangles);
   // 6 Rasterization
   Visible kept(width, height);
   auto emit = [&](const Fragment& f) {
@@ -67,6 +72,34 @@ Image render(const Scene& scene, Size size, O&& observer = {}) {
       shade(scene, triangles, kept, observer);
   // 8 Output
   return output(light, observer);
+}
+
+/// The light of a scene with the antialiasing that it asks for, before its background or none.
+///
+/// scene, size: as for render.
+///
+/// Domain, Errors: those of render and of antialias.
+/// Accuracy: without antialiasing, the bits of render.
+/// Cost: that of antialias.
+inline LightPicture antialiased(const Scene& scene, Size size) {
+  const auto [width, height] = size;
+  expects(1 <= width && width <= largest_side && 1 <= height && height <= largest_side,
+          "a picture has 1 to {} pixels a side, not {} x {}", largest_side, width, height);
+  const double aspect = static_cast<double>(width) / height;
+  // 1 to 5 as without
+  const auto world = to_world(scene, input(scene));
+  const auto seen = to_clip(scene.camera, aspect, world);
+  const auto facing = remove_back_faces(scene, seen);
+  Triangles triangles = clip(world, facing, size);
+  arrange(scene, facing, size, triangles);
+  // 6 and 7, of several places a pixel
+  return antialias(scene, triangles, size);
+}
+
+/// The picture of it, before the scene's background.
+inline Image render_antialiased(const Scene& scene, Size size) {
+  // 8 Output
+  return output(over_background(antialiased(scene, size), scene.background));
 }
 
 }  // namespace gradus::pipeline

@@ -32,7 +32,8 @@ Image render_with(Fault fault, const Scene& scene, Size size, O&& observer = {})
   const auto seen = to_clip(scene.camera, static_cast<double>(width) / height, world, observer);
   const auto facing = fault == Fault::cull_after_division ? cull_after_division(scene, seen, observer)
                                                           : remove_back_faces(scene, seen, observer);
-  const Triangles triangles = clip(world, facing, size, observer);
+  Triangles triangles = clip(world, facing, size, observer);
+  arrange(scene, facing, size, triangles);
   Visible kept(width, height);
   const auto emit = [&](const Fragment& f) { keep_nearest(f, kept, observer); };
   if (fault == Fault::closed_half_planes) {

@@ -54,6 +54,28 @@ FileRead too_large(const std::string& path, std::size_t most) {
   return {"", fmt::format("expected a file of at most {} MiB, found {}", most >> 20, shown(path))};
 }
 
+/// Where a name leads from a folder: as it says, else to its last part there; nothing where no file is.
+std::optional<fs::path> place_of(const fs::path& folder, std::string name) {
+  std::ranges::replace(name, '\\', '/');
+  for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
+    std::error_code error;
+    if (fs::exists(candidate, error) && !fs::is_directory(candidate, error)) return candidate;
+  }
+  return std::nullopt;
+}
+
+/// The file at a place that a name leads to from a folder.
+LibraryText text_at(const fs::path& place, const fs::path& folder, const std::string& name, std::size_t most,
+                    const Took& took) {
+  LibraryText text;
+  FileRead file = read_regular_file(place.string(), most);
+  text.text = std::move(file.bytes);
+  text.problem = std::move(file.problem);
+  text.quotable = lies_in(folder, place);
+  if (took && text.problem.empty()) took(name, place.string(), text);
+  return text;
+}
+
 }  // namespace
 
 FileRead read_regular_file(const std::string& path, std::size_t most) {
@@ -89,21 +111,26 @@ bool lies_in(const fs::path& folder, const fs::path& file) {
 FileReader libraries_beside(const std::string& model, Took took) {
   const fs::path folder = fs::path(model).parent_path();
   return [folder, took = std::move(took)](const std::string& name) -> std::optional<LibraryText> {
-    std::string native = name;
-    std::ranges::replace(native, '\\', '/');
-    for (const fs::path& candidate : {folder / native, folder / fs::path(native).filename()}) {
-      std::error_code error;
-      if (!fs::exists(candidate, error) || fs::is_directory(candidate, error)) continue;
-      LibraryText library;
-      FileRead file = read_regular_file(candidate.string(), most_library_bytes);
-      library.text = std::move(file.bytes);
-      library.problem = std::move(file.problem);
-      library.quotable = lies_in(folder, candidate);
-      if (took && library.problem.empty()) took(name, candidate.string(), library);
-      return library;
-    }
-    return std::nullopt;
+    const std::optional<fs::path> place = place_of(folder, name);
+    if (!place) return std::nullopt;
+    return text_at(*place, folder, name, most_library_bytes, took);
   };
+}
+
+ModelFinder models_beside(const std::string& scene, const Took& took) {
+  const fs::path folder = fs::path(scene).parent_path();
+  return [folder, took](const std::string& name) -> std::optional<FoundModel> {
+    const std::optional<fs::path> place = place_of(folder, name);
+    if (!place) return std::nullopt;
+    LibraryText text = text_at(*place, folder, name, most_file_bytes, took);
+    return FoundModel{std::move(text), place->string(), libraries_beside(place->string(), took)};
+  };
+}
+
+SceneFile load_scene(const std::string& path, const PictureDecoder& decode) {
+  const FileRead file = read_regular_file(path);
+  if (!file.problem.empty()) refuse_input(file.problem);
+  return parse_scene(file.bytes, path, models_beside(path), decode);
 }
 
 ModelFile load_obj(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/obj.hpp"
+#include "scene/scene_file.hpp"
 
 namespace gradus::pipeline {
 
@@ -34,6 +35,15 @@ bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& f
 /// model: path of its file; "" for one in the current folder. took: is told of each file that was read.
 using Took = std::function<void(const std::string& name, const std::string& path, const LibraryText& file)>;
 FileReader libraries_beside(const std::string& model, Took took = {});
+
+/// Reads the models that a scene names from where the scene lies, and what they name from where they lie.
+/// scene, took: as for libraries_beside; a model may be as large as most_file_bytes.
+ModelFinder models_beside(const std::string& scene, const Took& took = {});
+
+/// Reads a scene file and the models it names. decode: as for parse_scene.
+///
+/// Domain and errors: as parse_scene; InputError also for what read_regular_file refuses.
+SceneFile load_scene(const std::string& path, const PictureDecoder& decode = {});
 
 /// Reads an OBJ file and the material libraries it names.
 ///

@@ -12,15 +12,6 @@
 namespace gradus::pipeline {
 namespace {
 
-std::array<dvec3, 8> corners_of(const Bounds& bounds) {
-  std::array<dvec3, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = {i & 1 ? bounds.upper.x : bounds.lower.x, i & 2 ? bounds.upper.y : bounds.lower.y,
-                  i & 4 ? bounds.upper.z : bounds.lower.z};
-  }
-  return corners;
-}
-
 /// Where along an axis of the view the eye, at depth z, has as much above as below it in the picture. Some
 /// place between a and b does.
 double middle(std::span<const dvec3> seen, int axis, double z, double a, double b) {
@@ -47,9 +38,9 @@ dvec3 viewing_side(const Object& object) {
   dvec3 sum{0};
   double area = 0;
   const glm::dmat3 turn = affine_3d::normal_matrix(object.placement);
-  const double scale = unit_scale(bounds_of(object.mesh));
-  for (const MeshFace& face : object.mesh.faces) {
-    const dvec3 vector = turn * area_vector(object.mesh, face, scale);
+  const double scale = unit_scale(bounds_of(*object.mesh));
+  for (const MeshFace& face : object.mesh->faces) {
+    const dvec3 vector = turn * area_vector(*object.mesh, face, scale);
     sum += vector;
     area += length_of(vector);
   }
@@ -101,14 +92,14 @@ Camera framed(std::span<const dvec3> points, double aspect, dvec3 side, double v
 
 Camera framed(const Bounds& bounds, double aspect, dvec3 side, double vertical_radians) {
   expects(!bounds.empty(), "there is nothing to frame: the box is empty");
-  const std::array<dvec3, 8> corners = corners_of(bounds);
+  const std::array<dvec3, 8> corners = bounds.corners();
   return framed(std::span<const dvec3>(corners), aspect, side, vertical_radians);
 }
 
 Camera with_depths(Camera camera, const Bounds& bounds) {
   expects(!bounds.empty(), "there is nothing to see: the box is empty");
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-  for (const dvec3 corner : corners_of(bounds)) {
+  for (const dvec3 corner : bounds.corners()) {
     const double depth = viewing::to_view(camera.frame, corner).z;
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
@@ -137,8 +128,8 @@ Scene scene_of(Mesh mesh, double aspect, std::string name) {
   scene.objects.push_back(object_of(std::move(mesh), std::move(name)));
   const Object& object = scene.objects[0];
   std::vector<dvec3> points;
-  points.reserve(object.mesh.corners.size());
-  for (const Corner& corner : object.mesh.corners) points.push_back(position_of(object.mesh, corner));
+  points.reserve(object.mesh->corners.size());
+  for (const Corner& corner : object.mesh->corners) points.push_back(position_of(*object.mesh, corner));
   scene.camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object));
   scene.lights = default_lights(scene.camera);
   return scene;

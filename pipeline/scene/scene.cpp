@@ -1,5 +1,6 @@
 #include "scene/scene.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "transformation/affine_3d/affine_3d.hpp"
@@ -9,17 +10,34 @@ namespace gradus::pipeline {
 Object object_of(Mesh mesh, std::string name) {
   add_missing_normals(mesh);
   const bool closed = closed_outward(mesh);
-  return {std::move(name), std::move(mesh), glm::dmat4(1), !closed};
+  return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), glm::dmat4(1), !closed};
 }
+
+namespace {
+
+/// The place of a corner in world space.
+dvec3 place_of(const Object& object, const Corner& corner) {
+  return affine_3d::transform(object.placement, position_of(*object.mesh, corner));
+}
+
+}  // namespace
 
 Bounds bounds_of(const Scene& scene) {
   Bounds bounds;
   for (const Object& object : scene.objects) {
-    for (const Corner& corner : object.mesh.corners) {
-      bounds.add(affine_3d::transform(object.placement, position_of(object.mesh, corner)));
-    }
+    for (const Corner& corner : object.mesh->corners) bounds.add(place_of(object, corner));
   }
   return bounds;
+}
+
+bool lies_behind(const Scene& scene) {
+  if (scene.camera.rays) return false;
+  const Frame<double>& frame = scene.camera.frame;
+  return std::ranges::all_of(scene.objects, [&](const Object& object) {
+    return std::ranges::all_of(object.mesh->corners, [&](const Corner& corner) {
+      return glm::dot(frame.forward, place_of(object, corner) - frame.eye) <= 0;
+    });
+  });
 }
 
 }  // namespace gradus::pipeline

@@ -2,28 +2,25 @@
 // What is to be seen: objects, lights and a camera.
 
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/camera.hpp"
 #include "core/mesh.hpp"
 #include "core/surface.hpp"
+#include "scene/antialiasing.hpp"
+#include "scene/choices.hpp"
+#include "scene/scene_camera.hpp"
 
 namespace gradus::pipeline {
 
 /// A mesh and where it stands.
 struct Object {
   std::string name;
-  Mesh mesh;                ///< every corner with a normal (add_missing_normals)
+  std::shared_ptr<const Mesh>
+      mesh;                 ///< every corner with a normal (add_missing_normals); others may show it, too
   glm::dmat4 placement{1};  ///< object space to world space, affine
   bool two_sided = true;    ///< false: back faces are never seen and are removed
-};
-
-/// How often light is computed (shading/polygon_shading).
-enum class Shading {
-  flat,     ///< once a face
-  gouraud,  ///< once a corner of a triangle; what lies between is mixed
-  phong,    ///< once a pixel
 };
 
 /// How a surface takes its colour from its texture (shading/texture_mapping).
@@ -36,12 +33,16 @@ enum class TextureFilter {
 /// Objects in the order of their numbers, in one world.
 struct Scene {
   std::vector<Object> objects;
-  Camera camera;
+  SceneCamera camera;
   std::vector<Light> lights;
   LinearRgb ambient{0.15f};    ///< the light that comes from everywhere
   LinearRgb background{1.0f};  ///< where there is nothing
   Shading shading = Shading::phong;
+  HiddenSurfaces hidden_surfaces = HiddenSurfaces::z_buffer;
+  Culling culling = Culling::closed_bodies;
   TextureFilter filter = TextureFilter::mip_mapped;
+  Antialiasing antialiasing = default_antialiasing;  ///< of `antialiased`; `render` asks centres
+  int samples = default_samples;                     ///< a pixel
 };
 
 /// The object with this number.
@@ -55,5 +56,8 @@ Object object_of(Mesh mesh, std::string name = {});
 
 /// The box that holds all objects, in world space.
 Bounds bounds_of(const Scene& scene);
+
+/// Whether all objects lie behind the camera's eye, or beside it; never where rays are parallel.
+bool lies_behind(const Scene& scene);
 
 }  // namespace gradus::pipeline

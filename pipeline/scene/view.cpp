@@ -9,16 +9,21 @@
 #include "core/contract.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "scene/framing.hpp"
+#include "scene/parallel_view.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline {
 namespace {
 
-std::vector<dvec3> points_of(const Object& object) {
+using Objects = std::span<const Object>;
+
+/// Of all objects, turned.
+std::vector<dvec3> points_of(Objects objects, const glm::dmat3& turn = glm::dmat3(1)) {
   std::vector<dvec3> points;
-  points.reserve(object.mesh.corners.size());
-  for (const Corner& corner : object.mesh.corners) {
-    points.push_back(affine_3d::transform(object.placement, position_of(object.mesh, corner)));
+  for (const Object& object : objects) {
+    const glm::dmat4 placement = glm::dmat4(turn) * object.placement;
+    for (const Corner& corner : object.mesh->corners)
+      points.push_back(affine_3d::transform(placement, position_of(*object.mesh, corner)));
   }
   return points;
 }
@@ -38,26 +43,43 @@ glm::dmat3 upright(dvec3 up) {
   return glm::transpose(glm::dmat3(x, y, glm::cross(x, y)));
 }
 
-/// The aim of the camera that shows all of the object.
-Aim framing_aim(const Object& object, dvec3 up, double aspect, double radians) {
+/// From where they are looked at once they are turned; several have no front.
+dvec3 side_of(Objects objects, const glm::dmat3& turn) {
+  if (objects.size() != 1) return front_right_above;
+  Object turned = objects[0];
+  turned.placement = glm::dmat4(turn) * turned.placement;
+  return viewing_side(turned);
+}
+
+/// The aim of the camera that shows all objects.
+Aim framing_aim(Objects objects, dvec3 up, double aspect, double radians) {
   const glm::dmat3 turn = upright(up);
-  Object turned = object;
-  turned.placement = glm::dmat4(turn) * object.placement;
-  const std::vector<dvec3> points = points_of(turned);
+  const std::vector<dvec3> points = points_of(objects, turn);
   const Frame<double> frame =
-      framed(std::span<const dvec3>(points), aspect, viewing_side(turned), radians).frame;
+      framed(std::span<const dvec3>(points), aspect, side_of(objects, turn), radians).frame;
   const double distance = length_of(bounds_of(points).centre() - frame.eye);
   const glm::dmat3 back = glm::transpose(turn);
   return {back * frame.eye, back * (frame.eye + distance * frame.forward), up};
 }
 
+/// From where an oblique picture shows the front in its true shape.
+dvec3 eye_before(const std::vector<dvec3>& points, dvec3 target, dvec3 up) {
+  const double radius = bounds_of(points).radius();
+  return target + glm::transpose(upright(up)) * dvec3{0, 0, radius > 0 ? 3 * radius : 1};
+}
+
 }  // namespace
 
-Aim aim_of(const Object& object, const View& view, double aspect) {
-  Aim aim = framing_aim(object, view.up.value_or(dvec3{0, 1, 0}), aspect, view.vertical_radians);
+Aim aim_of(Objects objects, const View& view, double aspect) {
+  const dvec3 middle = view.target.value_or(bounds_of(points_of(objects)).centre());
+  if (leans(view.projection) && !view.eye) {
+    const dvec3 up = view.up.value_or(dvec3{0, 1, 0});
+    return {eye_before(points_of(objects), middle, up), middle, up};
+  }
+  Aim aim = framing_aim(objects, view.up.value_or(dvec3{0, 1, 0}), aspect, view.vertical_radians);
   if (!view.eye && !view.target) return aim;
   aim.eye = view.eye.value_or(aim.eye);
-  aim.target = view.target.value_or(bounds_of(points_of(object)).centre());
+  aim.target = middle;
   // Seen from nearly straight above or below, y tells no direction in the picture
   if (!view.up && viewing::sine_between(aim.target - aim.eye, aim.up) < 0.1) aim.up = {0, 0, -1};
   return aim;
@@ -69,11 +91,17 @@ bool tells_upright(const Aim& aim) {
   return viewing::sine_between(aim.target - aim.eye, aim.up) >= viewing::least_sine<double>;
 }
 
-Camera camera_of(const Aim& aim, double vertical_radians, const Object& object) {
+Camera camera_of(const Aim& aim, double vertical_radians, Objects objects) {
   Camera camera;
   camera.frame = viewing::look_at(aim.eye, aim.target, aim.up);
   camera.lens.vertical_radians = vertical_radians;
-  return with_depths(camera, bounds_of(points_of(object)));
+  return with_depths(camera, bounds_of(points_of(objects)));
+}
+
+SceneCamera camera_of(const Aim& aim, const View& view, Objects objects, double aspect) {
+  const Camera camera = camera_of(aim, view.vertical_radians, objects);
+  if (has_eye(view.projection)) return camera;
+  return with_rays(camera, view, length_of(aim.target - aim.eye), objects, aspect);
 }
 
 }  // namespace gradus::pipeline

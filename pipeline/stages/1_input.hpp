@@ -105,7 +105,7 @@ Model<ObjectPoint> input(const Scene& scene, O&& observer = {}) {
   Model<ObjectPoint> model;
   int number = 0;
   for (const Object& object : scene.objects) {
-    bring_in(object.mesh, number, model, observer);
+    bring_in(*object.mesh, number, model, observer);
     ++number;
   }
   return model;

@@ -14,7 +14,7 @@ namespace gradus::pipeline {
 struct Faced {
   PieceId id;
   back_face_culling::Facing facing;
-  bool two_sided;  ///< its object shows its back faces too
+  bool two_sided;  ///< its back is shown, too
   bool removed;
 };
 
@@ -24,8 +24,10 @@ inline back_face_culling::Facing facing(const Model<ClipPoint>& model, const Pie
   return back_face_culling::facing(model.point(a).at, model.point(b).at, model.point(c).at);
 }
 
-/// Whether its object shows its back faces, too.
+/// Whether its back is shown, too: as its object says, unless all backs are asked for or none.
 inline bool two_sided(const Scene& scene, const Piece& piece) {
+  if (scene.culling == Culling::none) return true;
+  if (scene.culling == Culling::back) return false;
   return object_at(scene, piece.id.object).two_sided;
 }
 

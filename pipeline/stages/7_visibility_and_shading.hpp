@@ -11,11 +11,13 @@
 
 #include "core/observe.hpp"
 #include "core/raster.hpp"
+#include "plan/plan.hpp"
 #include "scene/scene.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "stages/points.hpp"
 #include "stages/textures.hpp"
+#include "stages/wireframe.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 #include "visibility/z_buffer/z_buffer.hpp"
 
@@ -81,42 +83,56 @@ Value mean(const Fragment& fragment, const Triangle& triangle, Member member) {
 using Surface = polygon_shading::Surface<double>;
 using Parts = illumination::Parts<double>;
 
+/// What shading has done, and what a plan has spared it.
+struct ShadingCount {
+  std::int64_t lamps = 0, lamps_out_of_range = 0;  ///< lamps it looked at, and left out
+  std::int64_t lamps_without_highlight = 0;        ///< of those it looked at
+  std::int64_t places = 0, places_without_texture = 0;
+};
+
 /// The light of a scene, computed where its shading asks for it, and kept as long as it may be asked for
-/// again.
+/// again. A plan spares it the lights that do not reach an object, and highlights that are none.
 class SceneLight {
  public:
-  SceneLight(const Scene& scene, Size picture) : scene_(scene), textures_(scene.filter, picture) {}
+  SceneLight(const Scene& scene, Size picture, const Plan* plan = nullptr)
+      : scene_(scene), plan_(plan), textures_(scene.filter, picture) {}
 
   const Scene& scene() const { return scene_; }
-  /// How often Phong's model was asked so far.
-  std::int64_t computed() const { return computed_; }
+  const ShadingCount& count() const { return count_; }
 
   Parts at(const Fragment& f, const Triangle& t, const Surface& here) {
+    if (scene_.shading == Shading::wireframe) return {dvec3(ink_on(scene_.background)), {}, {}};
     if (scene_.shading == Shading::flat) return of_face(f, t);
     if (scene_.shading == Shading::gouraud) return of_corners(f, t);
     return at(f, here);
   }
   /// The colour that the surface's texture has at (u, v), if it has one.
   std::optional<LinearRgb> texel(const Fragment& f, const Triangle& t, dvec2 uv) {
-    return textures_.at(f, t, material(f), uv);
+    if (scene_.shading == Shading::wireframe) return std::nullopt;
+    const auto texel = textures_.at(f, t, material(f), uv);
+    ++count_.places;
+    count_.places_without_texture += !texel;
+    return texel;
   }
   const Material& material(const Fragment& f) const {
     return mesh(f).materials[static_cast<std::size_t>(face(f).material)];
   }
-  const Mesh& mesh(const Fragment& f) const { return object_at(scene_, f.id.object).mesh; }
+  /// The places whose light a fragment gets: its own, the middle of its face, or its triangle's corners.
+  std::vector<Surface> surfaces_lit(const Fragment& f, const Triangle& t, const Surface& here) const {
+    if (scene_.shading == Shading::wireframe) return {};
+    if (scene_.shading == Shading::flat) return {middle_of_face(f, t)};
+    if (scene_.shading == Shading::gouraud) return {corner_of(t, 0), corner_of(t, 1), corner_of(t, 2)};
+    return {here};
+  }
+  const Mesh& mesh(const Fragment& f) const { return *object_at(scene_, f.id.object).mesh; }
   const MeshFace& face(const Fragment& f) const { return mesh(f).faces[static_cast<std::size_t>(f.id.face)]; }
 
  private:
-  Parts at(const Fragment& f, const Surface& surface) {
-    ++computed_;
-    return illumination::phong(surface.place, surface.normal, scene_.camera.frame.eye, material(f),
-                               std::span<const Light>(scene_.lights), scene_.ambient);
+  static Surface corner_of(const Triangle& t, std::size_t k) {
+    return {t.corners[k].world.at, t.corners[k].normal};
   }
 
-  /// For the middle of the whole face, on the side that is seen.
-  Parts of_face(const Fragment& f, const Triangle& t) {
-    const auto [known, is_new] = faces_.try_emplace({f.id.object, f.id.face, t.seen_from_behind});
-    if (!is_new) return known->second;
+  Surface middle_of_face(const Fragment& f, const Triangle& t) const {
     std::vector<polygon_shading::Corner<double, Surface>> corners;
     const glm::dmat4& placement = object_at(scene_, f.id.object).placement;
     for (const Corner& corner : corners_of(mesh(f), face(f)))
@@ -124,14 +140,54 @@ class SceneLight {
     Surface middle =
         polygon_shading::middle_of(std::span<const polygon_shading::Corner<double, Surface>>(corners));
     if (affine_3d::mirrors(placement) != t.seen_from_behind) middle.normal = -middle.normal;
-    return known->second = at(f, middle);
+    return middle;
+  }
+
+  Parts at(const Fragment& f, const Surface& surface) {
+    const Lights& lights = lights_of(f.id.object);
+    const Material& m = material(f);
+    const bool matte = plan_ && !plan_->highlights(m);
+    count_.lamps += lights.lamps;
+    count_.lamps_out_of_range += lights.lamps_left_out;
+    count_.lamps_without_highlight += matte ? lights.lamps : 0;
+    if (matte) return illumination::matte(surface.place, surface.normal, m, lights.reaching, scene_.ambient);
+    return illumination::phong(surface.place, surface.normal, viewer_of(scene_.camera, surface.place), m,
+                               lights.reaching, scene_.ambient);
+  }
+
+  /// The lights that may reach an object.
+  struct Lights {
+    std::vector<Light> chosen;  ///< where some are left out
+    std::span<const Light> reaching;
+    std::int64_t lamps = 0, lamps_left_out = 0;
+  };
+  const Lights& lights_of(int object) {
+    const auto [known, is_new] = lights_.try_emplace(plan_ ? object : 0);
+    if (!is_new) return known->second;
+    Lights& lights = known->second;
+    lights.reaching = scene_.lights;
+    if (plan_ && plan_->of(object).lights.size() < scene_.lights.size()) {
+      for (int number : plan_->of(object).lights)
+        lights.chosen.push_back(scene_.lights[static_cast<std::size_t>(number)]);
+      lights.reaching = lights.chosen;
+    }
+    for (const Light& light : lights.reaching) lights.lamps += illumination::lamps(light);
+    for (const Light& light : scene_.lights) lights.lamps_left_out += illumination::lamps(light);
+    lights.lamps_left_out -= lights.lamps;
+    return lights;
+  }
+
+  /// For the middle of the whole face, on the side that is seen.
+  Parts of_face(const Fragment& f, const Triangle& t) {
+    const auto [known, is_new] = faces_.try_emplace({f.id.object, f.id.face, t.seen_from_behind});
+    if (is_new) known->second = at(f, middle_of_face(f, t));
+    return known->second;
   }
 
   Parts of_corners(const Fragment& f, const Triangle& t) {
     const auto [known, is_new] = corners_.try_emplace(f.triangle);
     if (is_new) {
-      for (std::size_t k = 0; k < 3; ++k)
-        known->second[k] = at(f, Surface{t.corners[k].world.at, t.corners[k].normal});
+      for (std::size_t k = 0; k < 3; ++k) known->second[k] = at(f, corner_of(t, k));
     }
     const auto mixed = [&](dvec3 Parts::* part) {
       const auto& [a, b, c] = known->second;
@@ -141,8 +197,10 @@ class SceneLight {
   }
 
   const Scene& scene_;
-  std::int64_t computed_ = 0;
+  const Plan* plan_;
+  ShadingCount count_{};
   Textures textures_;
+  std::map<int, Lights> lights_{};  ///< by object, where a plan tells them apart
   std::map<std::array<int, 3>, Parts> faces_{};
   std::map<int, std::array<Parts, 3>> corners_{};  ///< by triangle
 };

@@ -1,11 +1,15 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "cli/errors.hpp"
 #include "cli/names.hpp"
+#include "plan/rules.hpp"
+#include "scene/antialiasing.hpp"
+#include "scene/choices.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -74,6 +78,48 @@ const std::vector<Flag> outputs{
      "over 100 steps none; none: hard cuts"},
     {"fps", 0, "N", "MP4: pictures a second; default 25"},
     {"loop", 0, "N", "GIF and WebP: how often it runs; 0 (default): for ever"},
+};
+
+/// How a scene is seen.
+const std::vector<Flag> views{
+    {"size", 0, "WxH", "in pixels, up to 8192 a side; default 800x600, or what the scene says"},
+    {"eye", 0, "X,Y,Z", "where it is seen from; default: in front, so that all of it is in the picture"},
+    {"target", 0, "X,Y,Z", "what the eye looks at; default: the middle of the model"},
+    {"up", 0, "X,Y,Z", "the direction that is up in the picture; default 0,1,0"},
+    {"fov", 0, "DEGREES", "the angle of view between the lower and the upper edge; default 40"},
+    {"projection", 0, "HOW",
+     fmt::format("how space comes into the picture: {}; default {}",
+                 fmt::join(pipeline::projection_names, ", "), pipeline::projection_names[0])},
+    {"height", 0, "UNITS",
+     "how much is seen from the lower to the upper edge where rays meet in no eye; default: all of it"},
+    {"receding", 0, "DEGREES", "oblique: the angle at which depth is drawn; default 45"},
+    {"foreshortening", 0, "FACTOR",
+     "oblique: how long a unit of depth is drawn: 1 cavalier, 0.5 cabinet (default)"},
+    {"light", 0, "X,Y,Z", "where a lamp stands; default: light from behind the viewer's left shoulder"},
+    {"background", 0, "COLOR", "#rrggbb, a colour's name, or none for a transparent one; default white"},
+    {"shading", 0, "HOW",
+     "light once a face, a corner or a pixel: flat, gouraud or phong (default); wireframe draws edges "
+     "alone"},
+    {"hidden-surfaces", 0, "METHOD",
+     fmt::format("what decides which surface is seen: {}; default {}",
+                 fmt::join(pipeline::hidden_surface_names, ", "), pipeline::hidden_surface_names[0])},
+    {"culling", 0, "WHICH",
+     "faces that turn their backs are left out: auto (of closed bodies, default), none or back (all)"},
+    {"filter", 0, "HOW",
+     "how textures are looked up: nearest, bilinear or mipmapped (default); none leaves them out"},
+    {"aa", 0, "METHOD",
+     fmt::format("antialiasing: {}; default {}", fmt::join(pipeline::antialiasing_names, ", "),
+                 name_of(pipeline::default_antialiasing))},
+    {"samples", 0, "N",
+     fmt::format("samples a pixel, for methods that take some; default {}", pipeline::default_samples)},
+};
+
+/// What of a scene is rendered.
+const std::vector<Flag> plans{
+    {"part", 0, "C,R,WxH", "only these pixels of the picture: column and row of the first, and how many"},
+    {"without", 0, "RULES",
+     fmt::format("skips nothing by these rules: {}, or all; the picture is the same",
+                 fmt::join(pipeline::rule_names, ", "))},
 };
 
 std::vector<Flag> joined(std::vector<Flag> flags, std::initializer_list<std::vector<Flag>> more) {
@@ -162,29 +208,71 @@ std::vector<Command> all_commands() {
         "gradus figures -o out/ --jobs 2 --force"},
        Operand::lecture},
       {"render",
-       "a MODEL.obj",
-       "renders a model: OBJ, with the materials that lie beside it, into a PNG",
+       "a MODEL.obj or a SCENE.json",
+       "renders a model (OBJ, with the materials that lie beside it) or a scene of several into a PNG",
        1,
        1,
        false,
-       {with_help(output, "the PNG; - is standard output"),
-        {"size", 0, "WxH", "in pixels, up to 8192 a side; default 800x600"},
-        {"eye", 0, "X,Y,Z", "where it is seen from; default: in front, so that all of it is in the picture"},
-        {"target", 0, "X,Y,Z", "what the eye looks at; default: the middle of the model"},
-        {"up", 0, "X,Y,Z", "the direction that is up in the picture; default 0,1,0"},
-        {"fov", 0, "DEGREES", "the angle of view between the lower and the upper edge; default 40"},
-        {"light", 0, "X,Y,Z", "where a lamp stands; default: light from behind the viewer's left shoulder"},
-        {"background", 0, "COLOR", "#rrggbb, a colour's name, or none for a transparent one; default white"},
-        {"shading", 0, "HOW", "light once a face, a corner or a pixel: flat, gouraud or phong (default)"},
-        {"filter", 0, "HOW",
-         "how textures are looked up: nearest, bilinear or mipmapped (default); none leaves them out"},
-        force},
-       {"gradus render letter_f.obj -o f.png", "gradus render spot.obj -o spot.png --eye=-1.5,1.2,-2.7",
+       joined({with_help(output, "the PNG; - is standard output")},
+              {views,
+               plans,
+               {{"report", 0, "", "prints what was done and what was left out, stage by stage"},
+                {"why", 0, "C,R",
+                 "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "
+                 "left"},
+                force}}),
+       {"gradus render letter_f.obj -o f.png", "gradus render town.json -o town.png",
+        "gradus render spot.obj -o spot.png --eye=-1.5,1.2,-2.7",
         "gradus render letter_f.obj -o wide.png --size 640x360 --fov 90",
         "gradus render spot.obj -o lamp.png --eye=-3,1,0 --light=-2,2,-2 --background "
         "'#202830'",
-        "gradus render letter_f.obj -o - --background none > clear.png"},
+        "gradus render letter_f.obj -o - --background none > clear.png",
+        "gradus render town.json -o roof.png --part 600,300,320x180 --report",
+        "gradus render spot.json --why 480,300"},
        Operand::model},
+      {"explain",
+       "a MODEL.obj or a SCENE.json",
+       "prints what rendering it will run and skip, object by object and stage by stage, and why",
+       1,
+       1,
+       false,
+       joined({{"json", 0, "", "as JSON: the decision on each object and stage"},
+               with_help(output, "draws instead where in the picture work is left out; a PNG or SVG"),
+               force},
+              {views, plans}),
+       {"gradus explain town.json", "gradus explain town.json --part 200,100,300x200",
+        "gradus explain closed_room.json --json", "gradus explain spot.obj --eye=-1.5,1.2,-2.7",
+        "gradus explain town.json -o left_out.png"},
+       Operand::model},
+      {"demo",
+       "a DEMO: forward, target or both",
+       "films the view from a car on a circular road: along the road, at one target, or both side by side",
+       1,
+       1,
+       false,
+       {with_help(output,
+                  "the film, an MP4; a name that ends in .png: a strip of five frames; - is standard "
+                  "output"),
+        {"frames", 0, "DIR", "a folder for every frame, 000.png and so on; with -o or without"},
+        {"data", 0, "FILE",
+         "camera, road, film and model, as `gradus inspect` lists them; default: the program's own pyramid"},
+        {"texture", 0, "FILE", "the PNG that the model wears; default: the pyramid's stones"},
+        {"jobs", 'j', "N", "how many frames at once; default: the usable cores"},
+        force},
+       {"gradus demo forward -o forward.mp4", "gradus demo target -o target.mp4 --frames target/",
+        "gradus demo both -o both.png                  # five frames of each",
+        "gradus demo forward --frames forward/"},
+       Operand::demo,
+       {"a film: 1000 frames, 60 a second"}},
+      {"inspect",
+       "a FILE",
+       "lists what stands in a file of data for gradus demo: keys, types, shapes",
+       1,
+       1,
+       false,
+       {{"json", 0, "", "as JSON"}, width},
+       {"gradus inspect pyramid_demo.json", "gradus inspect pyramid_demo.json --json"},
+       Operand::data},
       {"bench",
        "TOPICs",
        "measures the methods of topics: time against error, beside others' programs",

@@ -21,7 +21,7 @@ struct Flag {
 };
 
 /// What an operand is, for completion.
-enum class Operand { none, topic, page, lecture, model, figure, shell, folder };
+enum class Operand { none, topic, page, lecture, model, figure, shell, folder, demo, data };
 
 struct Command {
   std::string name;
@@ -67,6 +67,9 @@ int run(const Request& request);
 int figure(const Request& request);
 int figures(const Request& request);
 int render(const Request& request);
+int explain(const Request& request);
+int demo(const Request& request);
+int inspect(const Request& request);
 int again(const Request& request);
 int completion(const Request& request);
 int manual(const Request& request);

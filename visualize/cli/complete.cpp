@@ -15,9 +15,13 @@
 #include "cli/files.hpp"
 #include "cli/names.hpp"
 #include "cli/notation_reader.hpp"
+#include "cli/road_film.hpp"
 #include "cli/shipped.hpp"
 #include "figure/sheet.hpp"
 #include "figure/wording.hpp"
+#include "plan/rules.hpp"
+#include "scene/antialiasing.hpp"
+#include "scene/choices.hpp"
 #include "stories/colors.hpp"
 #include "stories/point_text.hpp"
 
@@ -86,6 +90,12 @@ void add_files(Words& words, Texts endings) {
 void add_models(Words& words) {
   for (const std::string& name : shipped_examples(".obj")) words.add(name, "comes with gradus");
   add_files(words, {".obj"});
+}
+
+void add_models_and_scenes(Words& words) {
+  add_models(words);
+  for (const std::string& name : shipped_examples(".json")) words.add(name, "comes with gradus");
+  add_files(words, {".obj", ".json"});
 }
 
 // --- Values of flags -----------------------------------------------------------------------------
@@ -161,9 +171,30 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
   } else if (name == "size") {
     words.add_all(Texts{"16:9", "4:3", "1:1"});
   } else if (name == "shading") {
-    words.add_all(Texts{"flat", "gouraud", "phong"});
+    for (const std::string_view how : pipeline::shading_names) words.add(std::string(how));
+  } else if (name == "projection") {
+    for (const std::string_view how : pipeline::projection_names) words.add(std::string(how));
+  } else if (name == "hidden_surfaces") {
+    for (const std::string_view how : pipeline::hidden_surface_names) words.add(std::string(how));
+  } else if (name == "culling") {
+    for (const std::string_view which : pipeline::culling_names) words.add(std::string(which));
+  } else if (name == "foreshortening") {
+    words.add("1", "cavalier");
+    words.add("0.5", "cabinet");
   } else if (name == "filter") {
     words.add_all(Texts{"nearest", "bilinear", "mipmapped", "none"});
+  } else if (name == "aa") {
+    for (const std::string_view method : pipeline::antialiasing_names) words.add(std::string(method));
+  } else if (name == "without") {
+    Words list = words.in_list();
+    list.add("all", "everything is done");
+    for (const std::string_view rule : pipeline::rule_names) list.add(std::string(rule));
+  } else if (name == "why") {
+    words.add("120,88", "for example");
+  } else if (name == "part") {
+    words.add("0,0,200x100", "for example");
+  } else if (name == "samples") {
+    words.add_all(Texts{"4", "16", "64"});
   } else if (name == "only") {
     add_topics(words);
   } else if (name == "notation") {
@@ -304,13 +335,20 @@ class Line {
       case Operand::lecture:
         return add_files(words, {".json"});
       case Operand::model:
-        return add_models(words);
+        return add_models_and_scenes(words);
       case Operand::figure:
         return add_files(words, {".svg", ".png", ".pdf", ".pptx", ".html", ".gif", ".mp4", ".webp"});
       case Operand::shell:
         return words.add_all(Texts{"bash", "zsh", "fish"});
       case Operand::folder:
         words.to().folders = true;
+        return;
+      case Operand::demo:
+        for (const DemoName& demo : demo_names) words.add(demo.name, demo.what);
+        return;
+      case Operand::data:
+        words.add("pyramid_demo.json", "comes with gradus");
+        return add_files(words, {".json"});
     }
   }
 

@@ -125,9 +125,7 @@ std::optional<std::string> faces_text(const JsonNode& faces, const ComplainOfLin
 
 std::string faces_of_file(std::string_view text, const pipeline::TextFile& file,
                           const pipeline::FileReader& open, std::int64_t most) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first == std::string_view::npos || (text[first] != '[' && text[first] != '{'))
-    return faces_of_obj(text, file, open, most);
+  if (!pipeline::begins_as_json(text)) return faces_of_obj(text, file, open, most);
   const ComplainOfLine refuse = [&](int line, const std::string& what) {
     throw InputError(fmt::format("{}:{}: {}", file.name, line, what));
   };

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/located_json.hpp"
+#include "cli/written_json.hpp"
 #include "scene/obj.hpp"
 
 namespace gradus::cli {

@@ -1,16 +1,13 @@
 // `gradus figures`: all figures of a lecture, several at a time, only what has changed.
 
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/errata.hpp"
@@ -19,6 +16,7 @@
 #include "cli/gallery.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "cli/threads.hpp"
 #include "cli/topic_pages.hpp"
 #include "cli/zip.hpp"
 #include "core/image.hpp"
@@ -35,28 +33,6 @@ constexpr const char* manifest_name = ".gradus-manifest.json";
 constexpr const char* index_name = "index.html";
 constexpr const char* topics_folder = "topics/";
 constexpr const char* errata_name = "errata.html";
-
-/// The cores this process may use: what the scheduler grants, within what the machine allows.
-std::size_t usable_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  const bool known = sched_getaffinity(0, sizeof set, &set) == 0;
-  const std::size_t allowed = known ? static_cast<std::size_t>(CPU_COUNT(&set)) : 1;
-  const char* granted = std::getenv("SLURM_CPUS_PER_TASK");
-  const auto count = granted ? whole_number(granted) : std::nullopt;
-  return count && *count > 0 ? std::min(allowed, static_cast<std::size_t>(*count)) : allowed;
-}
-
-std::size_t read_jobs(const Request& request) {
-  const auto text = request.flags.find("jobs");
-  if (text == request.flags.end()) return usable_cores();
-  const auto count = whole_number(text->second);
-  if (!count || *count < 1 || *count > 1024) {
-    throw UsageError(
-        fmt::format("--jobs: expected a whole number from 1 to 1024, found {}", shown(text->second)));
-  }
-  return static_cast<std::size_t>(*count);
-}
 
 /// What lies in the output folder, as far as it was made here. Remembered in a file of the folder, which is
 /// written anew from time to time: each time costs as much as there is to remember.
@@ -175,18 +151,6 @@ class Album {
   bool changed_ = false;  ///< since it was written down
   std::chrono::steady_clock::time_point next_save_{};
 };
-
-/// Calls do_one(i) for every i < count, on several threads.
-template <class DoOne>
-void in_parallel(std::size_t count, std::size_t threads, DoOne do_one) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) do_one(i);
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < std::min(threads, count); ++i) others.emplace_back(work);
-  work();
-}
 
 /// A figure or render, and its fingerprint: another one when the program, the input or the lecture's words
 /// differ.

@@ -234,8 +234,10 @@ void expect_between(std::string_view flag, Number least, Number most, Number fou
 }  // namespace
 
 void check_film(FilmFormat format, const FilmOptions& options, bool transparent) {
-  expect_between("seconds-per-step", 0.04, 60.0, options.seconds_per_step);
-  expect_between("hold-last", 0.04, 600.0, options.hold_last);
+  // A frame of a faster film lasts less
+  const double least = format == FilmFormat::mp4 ? std::min(0.04, 1.0 / std::max(options.fps, 1)) : 0.04;
+  expect_between("seconds-per-step", least, 60.0, options.seconds_per_step);
+  expect_between("hold-last", least, 600.0, options.hold_last);
   expect_between("transition", 0.0, 10.0, options.transition.value_or(0));
   expect_between("fps", 1, 60, options.fps);
   expect_between("loop", 0, 65535, options.loop);

@@ -14,7 +14,7 @@
 namespace gradus::cli {
 
 struct FilmOptions {
-  double seconds_per_step = 1.5;  ///< how long a frame stays: 0.04 to 60, and at least one frame of `fps`
+  double seconds_per_step = 1.5;  ///< how long a frame stays: 0.04 (MP4: 1 / fps) to 60
   double hold_last = 3;           ///< the same for the last one: 0.04 to 600
   int fps = 25;                   ///< MP4: frames a second, 1 to 60; the others hold each frame but once
   int loop = 0;                   ///< GIF, WebP: how often it plays, to 65535; 0: for ever

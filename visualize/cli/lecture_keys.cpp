@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "cli/choices.hpp"
 #include "cli/lecture.hpp"
-#include "cli/located_json.hpp"
 #include "cli/names.hpp"
+#include "cli/written_json.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -16,14 +17,17 @@ using Texts = std::vector<std::string>;
 
 /// Flags that say where to and in which format: a lecture has keys of its own for that, or none.
 bool is_about_output(const Flag& flag) {
-  return flag.name == "output" || flag.name == "format" || flag.name == "force" || flag.name == "snippet";
+  constexpr std::array<std::string_view, 8> names{"output", "format", "force",   "snippet",
+                                                  "report", "part",   "without", "why"};
+  return std::ranges::find(names, flag.name) != names.end();
 }
 
 KeyKind kind_of(const Flag& flag) {
   if (flag.value.empty()) return KeyKind::toggle;
   if (flag.name == "label") return KeyKind::labels;
   if (flag.name == "notation") return KeyKind::notation;
-  if (flag.value == "N" || flag.value == "DEGREES") return KeyKind::number;
+  for (const char* value : {"N", "DEGREES", "UNITS", "FACTOR"})
+    if (flag.value == value) return KeyKind::number;
   if (flag.value == "X,Y,Z") return KeyKind::place;
   return flag.value == "LIST" || flag.value.find(',') != std::string::npos ? KeyKind::list : KeyKind::text;
 }
@@ -67,7 +71,8 @@ std::vector<LectureKey> all_keys() {
 
 std::vector<LectureKey> all_render_keys() {
   std::vector<LectureKey> keys{
-      {"model", KeyKind::text, false, false, "the model: an OBJ file, with the materials that lie beside it"},
+      {"model", KeyKind::text, false, false,
+       "the model: an OBJ file, with the materials that lie beside it, or a scene of several: a JSON file"},
       {"name", KeyKind::text, false, false,
        "name of the render's folder and files: letters a-z, digits, _ and -; default: the model's, numbered"},
       {"title", KeyKind::text, false, false, "heads its card"},

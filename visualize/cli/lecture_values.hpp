@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/lecture.hpp"
-#include "cli/located_json.hpp"
+#include "cli/written_json.hpp"
 
 namespace gradus::cli {
 

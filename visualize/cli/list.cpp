@@ -47,7 +47,8 @@ std::string table(std::span<const TopicEntry* const> topics, bool color) {
 }
 
 /// What is no topic, for who looks for it here.
-constexpr std::string_view models = "\nModels are drawn by another command: gradus render --help\n";
+constexpr std::string_view models =
+    "\nModels and scenes are drawn by another command: gradus render --help\n";
 
 }  // namespace
 

@@ -28,12 +28,15 @@ int perform(const std::vector<std::string>& words) {
   if (name == "bench" || name == "stress") return hand_over(request);
   if (name == "completion") return completion(request);
   if (name == "man") return manual(request);
+  if (name == "inspect") return inspect(request);
   if (name == "open") return open_gallery(request);
   const Working working(name + (request.topic ? " " + request.topic->name : ""), request.quiet());
   if (name == "run") return run(request);
   if (name == "figure") return figure(request);
   if (name == "figures") return figures(request);
   if (name == "render") return render(request);
+  if (name == "explain") return explain(request);
+  if (name == "demo") return demo(request);
   return again(request);
 }
 

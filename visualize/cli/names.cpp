@@ -105,6 +105,10 @@ bool matches_glob(std::string_view pattern, std::string_view name) {
   return fnmatch(wanted.c_str(), folded(name).c_str(), 0) == 0;
 }
 
+std::string counted(std::int64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string shell_quoted(std::string_view value) {
   constexpr std::string_view plain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=@%+-";

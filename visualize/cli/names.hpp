@@ -2,6 +2,7 @@
 // Names as people type them: hyphen = underscore, upper = lower case, a unique beginning is enough, and an
 // unknown name gets the nearest one.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,6 +35,9 @@ std::string suggestion(std::string_view word, std::span<const std::string> names
 
 /// Whether a name matches a shell pattern like "circle*"; hyphen = underscore in both.
 bool matches_glob(std::string_view pattern, std::string_view name);
+
+/// "3 faces", "1 face".
+std::string counted(std::int64_t count, std::string_view what);
 
 /// A value as a POSIX shell would need it: quoted only where it must be.
 std::string shell_quoted(std::string_view value);

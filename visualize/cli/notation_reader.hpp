@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/inputs.hpp"
-#include "cli/located_json.hpp"
+#include "cli/written_json.hpp"
 #include "figure/notation.hpp"
 
 namespace gradus::cli {

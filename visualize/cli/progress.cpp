@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 
@@ -16,6 +17,14 @@ constexpr std::size_t bar_width = 24;
 
 /// How many bars of items are shown.
 std::atomic<int> bars = 0;
+/// What Working::reached was told last.
+std::atomic<double> share_done = 0;
+
+/// A bar that is full where all is done.
+std::string bar_of(double share) {
+  const auto full = static_cast<std::size_t>(bar_width * std::clamp(share, 0.0, 1.0) + 1e-9);
+  return std::string(full, '#') + std::string(bar_width - full, '.');
+}
 
 /// A block that moves to and fro.
 std::string moving_block(std::size_t tick) {
@@ -71,9 +80,8 @@ void Progress::tell() {
 
 void Progress::draw() const {
   if (style_ != Style::bar) return;
-  const std::size_t full = bar_width * count_ / done_.size();
-  StatusLine::only().show(fmt::format("[{}{}] {}/{} {}", std::string(full, '#'),
-                                      std::string(bar_width - full, '.'), count_, done_.size(), latest_));
+  const double share = static_cast<double>(count_) / static_cast<double>(done_.size());
+  StatusLine::only().show(fmt::format("[{}] {}/{} {}", bar_of(share), count_, done_.size(), latest_));
 }
 
 Working::Working(std::string what, bool quiet) : what_(std::move(what)) {
@@ -91,6 +99,8 @@ Working::~Working() {
   StatusLine::only().clear();
 }
 
+void Working::reached(double share) { share_done = share; }
+
 void Working::tick() {
   using namespace std::chrono_literals;
   const auto start = std::chrono::steady_clock::now();
@@ -99,7 +109,9 @@ void Working::tick() {
     if (bars > 0) continue;
     const auto spent =
         std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start);
-    StatusLine::only().show(fmt::format("[{}] {}, {} s", moving_block(i), what_, spent.count()));
+    const double share = share_done;
+    StatusLine::only().show(
+        fmt::format("[{}] {}, {} s", share > 0 ? bar_of(share) : moving_block(i), what_, spent.count()));
   }
 }
 

@@ -45,14 +45,17 @@ class Progress {
   std::string latest_;
 };
 
-/// Says on a terminal, from the first second on, that a command is at work, and for how long: work whose end
-/// nobody can tell has no other bar. Nothing with -q, or while a bar of items is shown.
+/// Says on a terminal, from the first second on, that a command is at work, and for how long; a bar as long
+/// as the share that is done, where somebody tells it. Nothing with -q, or while a bar of items is shown.
 class Working {
  public:
   Working(std::string what, bool quiet);
   ~Working();
   Working(const Working&) = delete;
   Working& operator=(const Working&) = delete;
+
+  /// So much of the work is done, from 0 to 1. From any thread.
+  static void reached(double share);
 
  private:
   void tick();

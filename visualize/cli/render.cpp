@@ -1,11 +1,13 @@
-// `gradus render`: a picture of a model, by the textbook chain.
+// `gradus render`: a picture of a model or a scene, by the textbook chain.
 
 #include "cli/render.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -14,16 +16,20 @@
 
 #include "cairo/image_file.hpp"
 #include "cli/errors.hpp"
+#include "cli/explain.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_choices.hpp"
+#include "cli/render_input.hpp"
 #include "core/colour.hpp"
 #include "pipeline.hpp"
-#include "scene/files.hpp"
+#include "plan/planned.hpp"
 #include "scene/framing.hpp"
-#include "scene/obj.hpp"
-#include "scene/textures.hpp"
+#include "scene/scene_file.hpp"
 #include "scene/view.hpp"
 #include "stories/point_text.hpp"
+#include "why/why_text.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -35,18 +41,23 @@ namespace fs = std::filesystem;
 constexpr std::int64_t most_pixels_a_side = 8192, most_pixels = 1 << 25;
 constexpr double least_degrees = 0.001, most_degrees = 179.999;
 constexpr double largest_coordinate = 1e30;  // as in models
+constexpr std::int64_t most_samples = 256;
 
 /// What the flags say.
 struct Wish {
   pipeline::Size size;
   pipeline::View view;
   std::optional<dvec3> light;
+  std::optional<dvec2> depths;  ///< of the near and the far plane
   std::optional<Rgba8> background;
   bool transparent = false;
-  pipeline::Shading shading = pipeline::Shading::phong;
+  DrawnSurfaces surfaces;
   std::optional<pipeline::TextureFilter> filter =
       pipeline::TextureFilter::mip_mapped;  ///< nothing: no textures
-  std::string said;                         ///< the flags in their canonical spelling, " --size 640x480"
+  pipeline::Antialiasing antialiasing = pipeline::default_antialiasing;
+  int samples = pipeline::default_samples;
+  PlanWish plan;
+  std::string said;  ///< the flags in their canonical spelling, " --size 640x480"
 };
 
 std::optional<Number> number_in(std::string_view text) {
@@ -71,29 +82,34 @@ std::optional<std::array<Number, 3>> triple_in(std::string_view text) {
 class WishReader {
  public:
   explicit WishReader(const std::map<std::string, std::string>& flags) : flags_(flags) {}
+  /// Flags that change what a scene's file says: each counts, also where it says what is the default
+  /// elsewhere.
+  WishReader(const std::map<std::string, std::string>& flags, Wish of_file)
+      : flags_(flags), over_file_(true), wish_(std::move(of_file)) {}
 
   Wish read() {
     read_size();
-    wish_.view.eye = vector("eye");
-    wish_.view.target = vector("target");
-    wish_.view.up = vector("up");
+    read_vector("eye", wish_.view.eye);
+    read_vector("target", wish_.view.target);
+    read_vector("up", wish_.view.up);
     if (wish_.view.up == dvec3{0}) refuse_flag("up", "a direction like 0,1,0", "0,0,0");
+    const SayFlag note = [this](auto flag, auto value, bool is_default) { say(flag, value, is_default); };
+    read_projection(flags_, note, wish_.view);
     read_fov();
-    wish_.light = vector("light");
+    read_vector("light", wish_.light);
     read_background();
-    read_shading();
+    read_surfaces(flags_, note, wish_.surfaces);
     read_filter();
+    read_antialiasing();
+    read_samples();
     return std::move(wish_);
   }
 
  private:
-  const std::string* given(const std::string& flag) const {
-    const auto found = flags_.find(flag);
-    return found == flags_.end() ? nullptr : &found->second;
-  }
+  const std::string* given(const std::string& flag) const { return cli::given(flags_, flag); }
 
-  void say(std::string_view flag, std::string_view value) {
-    wish_.said += fmt::format(" --{} {}", flag, shell_quoted(value));
+  void say(std::string_view flag, std::string_view value, bool is_default = false) {
+    if (over_file_ || !is_default) wish_.said += fmt::format(" --{} {}", flag, shell_quoted(value));
   }
 
   void read_size() {
@@ -115,12 +131,12 @@ class WishReader {
     }
     wish_.size = {static_cast<int>(*width), static_cast<int>(*height)};
     const std::string canonical = fmt::format("{}x{}", *width, *height);
-    if (canonical != "800x600") say("size", canonical);
+    say("size", canonical, canonical == "800x600");
   }
 
-  std::optional<dvec3> vector(const std::string& flag) {
+  void read_vector(const std::string& flag, std::optional<dvec3>& into) {
     const std::string* text = given(flag);
-    if (!text) return std::nullopt;
+    if (!text) return;
     const auto numbers = triple_in(*text);
     const auto fits = [](const Number& n) { return std::abs(n.value) <= largest_coordinate; };
     if (!numbers || !std::ranges::all_of(*numbers, fits)) {
@@ -128,7 +144,7 @@ class WishReader {
     }
     const auto& [x, y, z] = *numbers;
     say(flag, fmt::format("{},{},{}", x.text, y.text, z.text));
-    return dvec3{x.value, y.value, z.value};
+    into = dvec3{x.value, y.value, z.value};
   }
 
   void read_fov() {
@@ -140,9 +156,9 @@ class WishReader {
                   fmt::format("the vertical angle of view, {} to {} degrees", least_degrees, most_degrees),
                   shown(*text));
     }
-    if (degrees->value == 40) return;
-    wish_.view.vertical_radians = degrees->value * 3.141592653589793 / 180;
-    say("fov", degrees->text);
+    wish_.view.vertical_radians =
+        degrees->value == 40 ? pipeline::View{}.vertical_radians : degrees->value * 3.141592653589793 / 180;
+    say("fov", degrees->text, degrees->value == 40);
   }
 
   void read_background() {
@@ -153,18 +169,7 @@ class WishReader {
     const Parameter parameter{"background", ParameterType::color, "", "", ""};
     const Arguments::Entry read = read_argument(parameter, *text);
     wish_.background = std::get<Rgba8>(read.value);
-    if (wish_.background != Rgba8{255, 255, 255}) say("background", read.text);
-  }
-
-  void read_shading() {
-    const std::string* text = given("shading");
-    if (!text) return;
-    const std::string word = folded(trimmed(*text));
-    constexpr std::array<std::string_view, 3> names{"flat", "gouraud", "phong"};
-    const auto found = std::ranges::find(names, word);
-    if (found == names.end()) refuse_flag("shading", "one of flat, gouraud, phong", shown(*text));
-    wish_.shading = static_cast<pipeline::Shading>(found - names.begin());
-    if (wish_.shading != pipeline::Shading::phong) say("shading", word);
+    say("background", read.text, wish_.background == Rgba8{255, 255, 255});
   }
 
   void read_filter() {
@@ -175,7 +180,7 @@ class WishReader {
     const auto found = std::ranges::find(names, word);
     if (found == names.end())
       refuse_flag("filter", "one of nearest, bilinear, mipmapped, none", shown(*text));
-    if (word != "mipmapped") say("filter", word);
+    say("filter", word, word == "mipmapped");
     if (word == "none") {
       wish_.filter = std::nullopt;
     } else {
@@ -183,46 +188,51 @@ class WishReader {
     }
   }
 
+  void read_antialiasing() {
+    const std::string* text = given("aa");
+    if (!text) return;
+    const std::string word = folded(trimmed(*text));
+    const auto& names = pipeline::antialiasing_names;
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end())
+      refuse_flag("aa", fmt::format("one of {}", fmt::join(names, ", ")), shown(*text));
+    wish_.antialiasing = static_cast<pipeline::Antialiasing>(found - names.begin());
+    say("aa", word, wish_.antialiasing == pipeline::default_antialiasing);
+  }
+
+  void read_samples() {
+    const std::string* text = given("samples");
+    if (!text) return;
+    const pipeline::Antialiasing method = wish_.antialiasing;
+    if (!takes_samples(method)) {
+      refuse_flag("samples", fmt::format("no number beside --aa {}, which has its own", name_of(method)),
+                  shown(*text));
+    }
+    const auto count = whole_number(folded(trimmed(*text)));
+    if (!count || *count < 1 || *count > most_samples)
+      refuse_flag("samples", fmt::format("1 to {} samples a pixel", most_samples), shown(*text));
+    if (takes_squares(method) && pipeline::grid_side(static_cast<int>(*count)) == 0)
+      refuse_flag("samples", "a square like 4, 9 or 16, for they stand in cells", shown(*text));
+    wish_.samples = static_cast<int>(*count);
+    say("samples", fmt::format("{}", wish_.samples), wish_.samples == pipeline::default_samples);
+  }
+
   const std::map<std::string, std::string>& flags_;
+  bool over_file_ = false;
   Wish wish_;
 };
 
-// --- The model ---------------------------------------------------------------------------------------------
-
-struct Input {
-  pipeline::ModelFile model;
-  std::string name;    ///< without folders
-  std::string hashes;  ///< of the model and its libraries, in the order in which they were read
-  std::vector<std::string> files;
-  bool quotable = true;  ///< the model's file
-};
-
-/// Takes PNG files alone.
-Image picture_in(const std::string& bytes, const std::string& name, std::int64_t most) {
-  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name, most);
-}
-
-/// textures: whether the pictures are read that materials name.
-Input read_model(const std::string& operand, const FindFile& find, bool textures) {
-  Input input;
-  const bool from_stdin = operand == dash;
-  const FoundFile file = from_stdin ? FoundFile(operand) : find(operand, "MODEL");
-  const auto take = [&input](const std::string& path, const std::string& bytes) {
-    input.hashes += (input.hashes.empty() ? "" : " ") + fingerprint(bytes);
-    input.files.push_back(path);
-  };
-  const std::string text = read_input(file.path, "MODEL");
-  take(file.path, text);
-  input.name = from_stdin ? operand : fs::path(operand).filename().string();
-  input.quotable = file.quotable;
-  const auto took = [&](const std::string&, const std::string& path, const pipeline::LibraryText& library) {
-    take(path, library.text);
-  };
-  const std::string called = from_stdin ? "standard input" : file.path;
-  const auto beside = pipeline::libraries_beside(from_stdin ? "" : file.path, took);
-  input.model = pipeline::parse_obj(text, {called, file.quotable}, beside);
-  if (textures) pipeline::load_textures(input.model.mesh, beside, picture_in, called);
-  return input;
+/// What a scene's file wishes before any flag.
+Wish wish_of(const pipeline::SceneFile& file) {
+  Wish wish;
+  if (file.size) wish.size = {file.size->x, file.size->y};
+  wish.view = file.view;
+  wish.depths = file.depths;
+  wish.surfaces = {file.scene.hidden_surfaces, file.scene.culling, file.scene.shading};
+  wish.filter = file.scene.filter;
+  wish.antialiasing = file.scene.antialiasing;
+  wish.samples = file.scene.samples;
+  return wish;
 }
 
 // --- The scene ---------------------------------------------------------------------------------------------
@@ -230,8 +240,10 @@ Input read_model(const std::string& operand, const FindFile& find, bool textures
 std::string text_of(dvec3 v) { return fmt::format("{:.4g},{:.4g},{:.4g}", v.x, v.y, v.z); }
 
 /// Throws UsageError for flags that leave the picture undetermined.
-Camera camera_for(const pipeline::Object& object, const pipeline::View& view, double aspect) {
-  const pipeline::Aim aim = pipeline::aim_of(object, view, aspect);
+pipeline::SceneCamera camera_for(const std::vector<pipeline::Object>& objects, const Wish& wish) {
+  const pipeline::View& view = wish.view;
+  const double aspect = static_cast<double>(wish.size.width) / wish.size.height;
+  const pipeline::Aim aim = pipeline::aim_of(objects, view, aspect);
   if (!leads_somewhere(aim)) {
     if (view.target)
       refuse_flag("target", "another point than the eye " + text_of(aim.eye), text_of(aim.target));
@@ -247,15 +259,17 @@ Camera camera_for(const pipeline::Object& object, const pipeline::View& view, do
                             text_of(aim.target)),
                 text_of(aim.up));
   }
-  return camera_of(aim, view.vertical_radians, object);
+  pipeline::SceneCamera camera = camera_of(aim, view, objects, aspect);
+  if (!wish.depths) return camera;
+  camera.lens.near = wish.depths->x, camera.lens.far = wish.depths->y;
+  if (camera.rays) camera.rays->near = wish.depths->x, camera.rays->far = wish.depths->y;
+  return camera;
 }
 
-pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) {
-  pipeline::Scene scene;
-  scene.objects.push_back(pipeline::object_of(std::move(mesh), name));
-  scene.camera =
-      camera_for(scene.objects[0], wish.view, static_cast<double>(wish.size.width) / wish.size.height);
-  scene.lights = pipeline::default_lights(scene.camera);
+pipeline::Scene scene_for(pipeline::SceneFile file, const Wish& wish) {
+  pipeline::Scene scene = std::move(file.scene);
+  scene.camera = camera_for(scene.objects, wish);
+  if (!file.lights_told) scene.lights = pipeline::default_lights(scene.camera);
   if (wish.light) {
     Light lamp;
     lamp.position = *wish.light;
@@ -263,8 +277,12 @@ pipeline::Scene scene_for(Mesh mesh, const std::string& name, const Wish& wish) 
     scene.lights = {lamp};
   }
   if (wish.background) scene.background = linear_from_srgb8(*wish.background);
-  scene.shading = wish.shading;
+  scene.hidden_surfaces = wish.surfaces.hidden;
+  scene.culling = wish.surfaces.culling;
+  scene.shading = wish.surfaces.shading;
   if (wish.filter) scene.filter = *wish.filter;
+  scene.antialiasing = wish.antialiasing;
+  scene.samples = wish.samples;
   return scene;
 }
 
@@ -276,49 +294,57 @@ struct Picture {
   std::int64_t covered = 0;
 };
 
-Picture picture_of(const pipeline::Scene& scene, const Wish& wish) {
-  Raster<std::uint8_t> shows_model(wish.size.width, wish.size.height, 0);
-  Picture picture;
-  auto mark = [&](const pipeline::Shaded& pixel) {
-    shows_model[pixel.fragment.pixel] = 1;
-    ++picture.covered;
-  };
-  picture.image = pipeline::render(scene, wish.size, only<pipeline::Shaded>(mark));
-  for (int y = 0; wish.transparent && y < wish.size.height; ++y) {
-    for (int x = 0; x < wish.size.width; ++x) {
-      if (!shows_model[{x, y}]) picture.image[{x, y}] = {0, 0, 0, 0};
-    }
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// ledger: gets what was done, and what the plan left out.
+Picture picture_of(const pipeline::Scene& scene, const Wish& wish, pipeline::Ledger& ledger) {
+  pipeline::Plan plan = pipeline::timed(seconds_now, ledger.planning, [&] {
+    return pipeline::plan_of(scene, wish.size, wish.plan.rules, wish.plan.part);
+  });
+  const pipeline::LightPicture light =
+      antialiased_by_plan(scene, plan, ledger, seconds_now, Working::reached);
+  Working::reached(0);  // what comes is no part of it
+  const auto shows_model = [](const pipeline::PixelLight& pixel) { return pixel.share > 0; };
+  Image image = pipeline::timed(seconds_now, ledger.writing, [&] {
+    return wish.transparent ? with_alpha(light) : pipeline::output(over_background(light, scene.background));
+  });
+  return {std::move(image), std::ranges::count_if(light.cells(), shows_model)};
+}
+
+/// The size of the picture, or of the part of it that is asked for.
+pipeline::Size shown_size(const Wish& wish) {
+  if (!wish.plan.part) return wish.size;
+  return {static_cast<int>(wish.plan.part->width()), static_cast<int>(wish.plan.part->height())};
+}
+
+/// "spot.obj: 5856 faces, 11712 triangles", of a scene with its objects.
+std::string contents_of(const std::string& name, const pipeline::Scene& scene, bool is_scene) {
+  std::int64_t faces = 0, triangles = 0;
+  for (const pipeline::Object& object : scene.objects) {
+    faces += std::ssize(object.mesh->faces);
+    triangles += triangle_count(*object.mesh);
   }
-  return picture;
+  return fmt::format("{}: {}{}, {}", name,
+                     is_scene ? counted(std::ssize(scene.objects), "object") + ", " : "",
+                     counted(faces, "face"), counted(triangles, "triangle"));
 }
 
-std::string counted(std::int64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-Colophon colophon_of(const Input& input, const pipeline::Scene& scene, const Wish& wish) {
-  const std::string name = input.name == dash ? "a model" : input.name;
-  const Mesh& mesh = scene.objects[0].mesh;
+Colophon colophon_of(const RenderInput& input, const pipeline::Scene& scene, const Wish& wish) {
+  const std::string name = input.name == dash ? input.is_scene ? "a scene" : "a model" : input.name;
+  const auto [width, height] = shown_size(wish);
   return {fmt::format("{}, rendered", name),
-          fmt::format("{}: {}, {}, seen from {}, {} x {} pixels.", name,
-                      counted(static_cast<std::int64_t>(mesh.faces.size()), "face"),
-                      counted(triangle_count(mesh), "triangle"), text_of(scene.camera.frame.eye),
-                      wish.size.width, wish.size.height),
+          fmt::format("{}, seen from {}, {} x {} pixels.", contents_of(name, scene, input.is_scene),
+                      text_of(scene.camera.frame.eye), width, height),
           fmt::format("gradus render {}{}", shell_quoted(input.name), wish.said), input.hashes};
 }
 
-/// What the reader of the model left out; of much the beginning.
-std::vector<std::string> remarks_on(const Input& input) { return first_notes(input.model.notes); }
-
 /// Why there is nothing to be seen.
 std::string empty_remark(const pipeline::Scene& scene) {
-  const Mesh& mesh = scene.objects[0].mesh;
-  const bool behind = std::ranges::all_of(mesh.corners, [&](const Corner& corner) {
-    const Frame<double>& frame = scene.camera.frame;
-    return glm::dot(frame.forward, position_of(mesh, corner) - frame.eye) <= 0;
-  });
-  return behind ? "render: the whole model lies behind the eye: the picture shows the background alone"
-                : "render: no pixel shows the model: the picture shows the background alone";
+  return lies_behind(scene)
+             ? "render: the whole model lies behind the eye: the picture shows the background alone"
+             : "render: no pixel shows the model: the picture shows the background alone";
 }
 
 /// All that a request asks for, read and ready to be rendered.
@@ -331,10 +357,16 @@ struct Shot {
 Shot shot_of(const Request& request, const FindFile& find) {
   Shot shot;
   shot.wish = WishReader(request.flags).read();
-  Input input = read_model(request.operands.at(0), find, shot.wish.filter.has_value());
-  shot.brief = {
-      {}, input.files, input.quotable, remarks_on(input), shot.wish.size.width, shot.wish.size.height};
-  shot.scene = scene_for(std::move(input.model.mesh), input.name, shot.wish);
+  RenderInput input = read_render_input(request.operands.at(0), find, shot.wish.filter.has_value());
+  // The first reading has found what is wrong with the flags alone
+  if (input.is_scene) shot.wish = WishReader(request.flags, wish_of(input.scene)).read();
+  shot.wish.plan = plan_wish(request.flags, shot.wish.size);
+  shot.wish.said += shot.wish.plan.said;
+  check_projection(request.flags, shot.wish.view.projection);
+  const std::vector<std::string> remarks = first_notes(input.scene.notes);
+  const auto [width, height] = shown_size(shot.wish);
+  shot.brief = {{}, input.files, input.quotable, remarks, width, height};
+  shot.scene = scene_for(std::move(input.scene), shot.wish);
   shot.brief.colophon = colophon_of(input, shot.scene, shot.wish);
   return shot;
 }
@@ -345,12 +377,22 @@ RenderBrief render_brief(const Request& request, const FindFile& find) {
   return shot_of(request, find).brief;
 }
 
+std::string scene_name(const RenderBrief& brief) {
+  const std::string& file = brief.files.front();
+  return file == dash ? "standard input" : fs::path(file).filename().string();
+}
+
+RenderJob render_job(const Request& request) {
+  Shot shot = shot_of(request, as_named);
+  return {std::move(shot.scene), shot.wish.size, std::move(shot.wish.plan), std::move(shot.brief)};
+}
+
 Rendered rendered(const Request& request, const FindFile& find,
                   const std::function<void(const RenderBrief&)>& on_read) {
   Shot shot = shot_of(request, find);
   if (on_read) on_read(shot.brief);
-  Rendered result{std::move(shot.brief), ""};
-  const Picture picture = picture_of(shot.scene, shot.wish);
+  Rendered result{std::move(shot.brief), "", {}};
+  const Picture picture = picture_of(shot.scene, shot.wish, result.ledger);
   if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
   result.png = png_of(picture.image, result.colophon);
   return result;
@@ -373,7 +415,25 @@ void write_rendered(const Rendered& picture, const Output& output) {
   if (output.path != dash) note(shown_name(output.path));
 }
 
+/// --why C,R: tells of that pixel instead of rendering.
+int tell_why(const Request& request, const std::string& pixel) {
+  for (const auto& [flag, spelled] :
+       {std::pair{"output", "-o"}, {"report", "--report"}, {"part", "--part"}}) {
+    if (request.has(flag))
+      throw UsageError(fmt::format("--why: expected alone, without {0}: it prints, found {0}", spelled));
+  }
+  const RenderJob job = render_job(request);
+  const ivec2 place = pixel_flag("why", pixel, job.size);
+  if (!request.quiet())
+    for (const std::string& remark : job.brief.remarks) note(remark);
+  write_stream(Stream::out,
+               why_text(scene_name(job.brief), job.scene, job.size, why(job.scene, job.size, place)));
+  return 0;
+}
+
 int render(const Request& request) {
+  if (const auto pixel = request.flags.find("why"); pixel != request.flags.end())
+    return tell_why(request, pixel->second);
   const auto wanted = request.flags.find("output");
   if (wanted == request.flags.end()) {
     throw UsageError("-o: expected a file like model.png, or - for standard output, found none");
@@ -383,7 +443,12 @@ int render(const Request& request) {
   const auto check = [&output](const RenderBrief& brief) {
     check_output(output.path, brief.files, output.replace);
   };
-  write_rendered(rendered(request, as_named, check), output);
+  const Rendered picture = rendered(request, as_named, check);
+  write_rendered(picture, output);
+  if (request.has("report")) {
+    const Stream stream = output.path == dash ? Stream::err : Stream::out;
+    write_stream(stream, ledger_text(scene_name(picture), picture.ledger));
+  }
   return 0;
 }
 

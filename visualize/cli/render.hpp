@@ -8,7 +8,10 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
+#include "cli/plan_flags.hpp"
 #include "figure/colophon.hpp"
+#include "plan/ledger.hpp"
+#include "scene/scene.hpp"
 
 namespace gradus::cli {
 
@@ -24,6 +27,15 @@ struct RenderBrief {
 /// A picture of a model, as the bytes of a PNG.
 struct Rendered : RenderBrief {
   std::string png;
+  pipeline::Ledger ledger;  ///< what was done for it
+};
+
+/// All that a request asks for, read and not yet rendered.
+struct RenderJob {
+  pipeline::Scene scene;
+  pipeline::Size size;
+  PlanWish plan;
+  RenderBrief brief;
 };
 
 /// Renders what a request of `gradus render` asks for. find: where the model lies; its material libraries lie
@@ -33,6 +45,12 @@ Rendered rendered(const Request& request, const FindFile& find = as_named,
 
 /// The same short of rendering: reads flags and model, and aims the camera. Throws what rendered() would.
 RenderBrief render_brief(const Request& request, const FindFile& find = as_named);
+
+/// The same with the scene itself.
+RenderJob render_job(const Request& request);
+
+/// What a model or a scene is called: its file's name.
+std::string scene_name(const RenderBrief& brief);
 
 /// Writes the picture, and the remarks to stderr unless that is to be quiet. check_output() has let it.
 /// Throws WorkError.

@@ -23,8 +23,9 @@ std::string shipped(const std::string& name) {
 
 std::string shipped_example(std::string_view name) {
   if (name.empty() || name.front() == '.' || name.find('/') != std::string_view::npos) return "";
-  for (const char* const folder : {"examples/models/", "examples/images/"}) {
-    for (const char* const ending : {"", ".obj", ".png"}) {
+  for (const char* const folder :
+       {"examples/models/", "examples/images/", "examples/scenes/", "examples/demos/"}) {
+    for (const char* const ending : {"", ".obj", ".png", ".json"}) {
       if (std::string path = shipped(folder + std::string(name) + ending); !path.empty()) return path;
     }
   }
@@ -35,8 +36,10 @@ std::vector<std::string> shipped_examples(std::string_view ending) {
   std::vector<std::string> names;
   const fs::path examples = fs::path(shipped("examples/gallery.json")).parent_path();
   std::error_code error;
-  for (const fs::path& folder : {examples / "models", examples / "images"}) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+  for (const char* const folder : {"models", "images", "scenes"}) {
+    // Scenes lie beside models that are only parts of them
+    if ((ending == ".json") != (folder == std::string_view("scenes"))) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(examples / folder, error)) {
       if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
     }
   }

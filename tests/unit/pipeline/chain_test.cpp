@@ -14,6 +14,7 @@
 #include "pipeline_notes.hpp"
 #include "scene/files.hpp"
 #include "scene/framing.hpp"
+#include "support/change_mesh.hpp"
 #include "support/seed.hpp"
 #include "transformation/affine_3d/affine_3d.hpp"
 
@@ -38,7 +39,7 @@ Scene glowing(std::vector<std::pair<std::string, LinearRgb>> models) {
   scene.camera.lens = {radians_from_degrees(90), 1, 100};
   for (const auto& [text, colour] : models) {
     scene.objects.push_back(object_of(model(text)));
-    for (Material& m : scene.objects.back().mesh.materials) m.emission = colour;
+    test::change_materials(scene.objects.back(), [&](Material& m) { m.emission = colour; });
   }
   return scene;
 }
@@ -49,7 +50,7 @@ TEST(Chain, TheLetterReadsAsF) {
   // From straight ahead, in 16 x 12 pixels
   Scene scene = scene_of(letter(), 16.0 / 12);
   const auto picture = [&](dvec3 side) {
-    std::vector<dvec3> points = scene.objects[0].mesh.positions;
+    std::vector<dvec3> points = scene.objects[0].mesh->positions;
     scene.camera = framed(std::span<const dvec3>(points), 16.0 / 12, side);
     const Image image = render(scene, {16, 12});
     std::string text;
@@ -155,7 +156,7 @@ TEST(Chain, AtEqualDepthTheLowestObjectAndFaceIsSeen) {
   EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), red);
   // Two faces of one object
   scene = glowing({{wall + "usemtl a\nf 1 2 3\nusemtl b\nf 2 3 1\n", {1, 0, 0}}});
-  scene.objects[0].mesh.materials[2].emission = {0, 1, 0};
+  test::change_mesh(scene.objects[0], [](Mesh& mesh) { mesh.materials[2].emission = {0, 1, 0}; });
   EXPECT_EQ((render(scene, {8, 8})[{6, 4}]), red);
 }
 
@@ -353,7 +354,7 @@ TEST(Chain, ShadingsDifferWhereNormalsDo) {
     return most;
   };
   Scene scene = scene_of(letter(), 1.5);
-  for (Material& m : scene.objects[0].mesh.materials) m.specular = LinearRgb{0};
+  test::change_materials(scene.objects[0], [](Material& m) { m.specular = LinearRgb{0}; });
   Light sun;
   sun.kind = Light::Kind::directional;
   sun.direction = {1, -2, -3};

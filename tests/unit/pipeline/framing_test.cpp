@@ -12,6 +12,7 @@
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewport/viewport.hpp"
 #include "scene/files.hpp"
+#include "support/change_mesh.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::pipeline {
@@ -84,7 +85,9 @@ TEST(Framing, RoomsAreSeenFromTheirOpenSide) {
   EXPECT_TRUE(room.two_sided);
   EXPECT_EQ(viewing_side(room), (dvec3{0, 0, -1}));
   Object tiny = room;
-  for (dvec3& at : tiny.mesh.positions) at *= 0x1p-1000;
+  test::change_mesh(tiny, [](Mesh& mesh) {
+    for (dvec3& at : mesh.positions) at *= 0x1p-1000;
+  });
   EXPECT_EQ(viewing_side(tiny), (dvec3{0, 0, -1})) << "whatever its size";
   const Object letter = object_of(load_obj(models + "examples/models/letter_f.obj").mesh);
   EXPECT_FALSE(letter.two_sided);

@@ -89,7 +89,7 @@ TEST(Textures, RowZeroIsAtTheTopAndVGoesUp) {
 /// Each visible fragment has the colour that its texture coordinates have on the texture.
 TEST(Textures, TexelsAreThoseOfTheTextureCoordinates) {
   const Scene scene = scene_with("Kd 1 1 1\n", TextureFilter::nearest);
-  const Image& texels = scene.objects[0].mesh.materials[1].diffuse_map.texels;
+  const Image& texels = scene.objects[0].mesh->materials[1].diffuse_map.texels;
   int looked_at = 0;
   const auto watch = [&](const Shaded& s) {
     ASSERT_TRUE(s.texel);

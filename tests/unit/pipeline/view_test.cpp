@@ -33,7 +33,7 @@ TEST(View, NothingToldShowsAllFromTheFront) {
   EXPECT_TRUE(near(aim.up, {0, 1, 0}));
   EXPECT_GT(aim.eye.z, 4) << "in front";
   const Camera camera = camera_of(aim, 0.7, object);
-  for (const dvec3 at : object.mesh.positions) {
+  for (const dvec3 at : object.mesh->positions) {
     const dvec3 v = viewing::to_view(camera.frame, at);
     EXPECT_LT(camera.lens.near, v.z);
     EXPECT_GT(camera.lens.far, v.z);
@@ -42,9 +42,10 @@ TEST(View, NothingToldShowsAllFromTheFront) {
 }
 
 /// The same body, magnified by a power of two.
-Object magnified(Object object, int exponent) {
-  for (dvec3& at : object.mesh.positions) at *= std::ldexp(1.0, exponent);
-  return object_of(object.mesh);
+Object magnified(const Object& object, int exponent) {
+  Mesh mesh = *object.mesh;
+  for (dvec3& at : mesh.positions) at *= std::ldexp(1.0, exponent);
+  return object_of(mesh);
 }
 
 TEST(View, SizeMakesNoDifference) {

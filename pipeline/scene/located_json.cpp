@@ -1,4 +1,4 @@
-#include "cli/located_json.hpp"
+#include "scene/located_json.hpp"
 
 #include <fmt/format.h>
 
@@ -6,20 +6,15 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "core/image.hpp"
-#include "stories/point_text.hpp"
-#include "web/json.hpp"
+#include "core/refusal.hpp"
+#include "core/shown.hpp"
 
-namespace gradus::cli {
+namespace gradus::pipeline {
 namespace {
 
 using Kind = JsonNode::Kind;
 
 constexpr int deepest = 64;
-
-JsonNode node_of(Kind kind, std::string_view text = "", bool truth = false) {
-  return {kind, 0, std::string(text), truth, {}, {}};
-}
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
@@ -54,7 +49,7 @@ class JsonReader {
 
  private:
   [[noreturn]] void refuse(std::string_view expected, std::string_view what) const {
-    throw InputError(fmt::format("{}:{}: expected {}, found {}", file_, line_, expected, what));
+    refuse_input(fmt::format("{}:{}: expected {}, found {}", file_, line_, expected, what));
   }
 
   char now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
@@ -78,7 +73,8 @@ class JsonReader {
     } else if (is_letter(now()) || is_digit(now())) {
       while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
     }
-    const std::string what = shown(trimmed(text_.substr(at_, end - at_)));
+    const std::string_view text = text_.substr(at_, end - at_);
+    const std::string what = shown(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
     if (now() == '\'') return what + " (JSON takes double quotes)";
     if (now() == '#' || rest().starts_with("//") || rest().starts_with("/*")) {
       return what + " (JSON has no comments)";
@@ -96,18 +92,17 @@ class JsonReader {
   JsonNode unplaced_value(int depth) {
     if (now() == '{') return object(depth);
     if (now() == '[') return list(depth);
-    if (now() == '"') return node_of(Kind::text, string("a text"));
+    if (now() == '"') return json_node(Kind::text, string("a text"));
     if (now() == '-' || is_digit(now())) return number();
-    for (const auto& [word, node] : {std::pair{"true", node_of(Kind::boolean, "", true)},
-                                     {"false", node_of(Kind::boolean)},
-                                     {"null", node_of(Kind::null)}}) {
-      const std::string_view name(word);
+    for (const std::string_view name : {"true", "false", "null"}) {
       if (!rest().starts_with(name) ||
           (at_ + name.size() < text_.size() &&
            (is_letter(text_[at_ + name.size()]) || is_digit(text_[at_ + name.size()])))) {
         continue;
       }
       at_ += name.size();
+      JsonNode node = json_node(name == "null" ? Kind::null : Kind::boolean);
+      node.truth = name == "true";
       return node;
     }
     refuse("a value (a text in double quotes, a number, true, false, a list or an object)", found());
@@ -119,7 +114,7 @@ class JsonReader {
 
   JsonNode object(int depth) {
     enter(depth);
-    JsonNode node = node_of(Kind::object);
+    JsonNode node = json_node(Kind::object);
     std::unordered_set<std::string> keys;
     ++at_;
     skip_space();
@@ -148,7 +143,7 @@ class JsonReader {
 
   JsonNode list(int depth) {
     enter(depth);
-    JsonNode node = node_of(Kind::list);
+    JsonNode node = json_node(Kind::list);
     ++at_;
     skip_space();
     if (skip(']')) return node;
@@ -179,7 +174,7 @@ class JsonReader {
       if (now() == '+' || now() == '-') ++at_;
       digits();
     }
-    return node_of(Kind::number, text_.substr(start, at_ - start));
+    return json_node(Kind::number, std::string(text_.substr(start, at_ - start)));
   }
 
   std::string string(std::string_view expected) {
@@ -247,14 +242,28 @@ class JsonReader {
   int line_ = 1;
 };
 
-// --- Writing -----------------------------------------------------------------------------------------------
-
-constexpr std::size_t widest_line = 110;
-
 }  // namespace
 
-std::string json_on_one_line(const JsonNode& node) {
-  std::string text;
+const JsonMember* JsonNode::member(std::string_view key) const {
+  const auto found = std::ranges::find(members, key, &JsonMember::key);
+  return found == members.end() ? nullptr : &*found;
+}
+
+JsonNode json_node(JsonNode::Kind kind, std::string text) {
+  JsonNode node;
+  node.kind = kind;
+  node.text = std::move(text);
+  return node;
+}
+
+bool begins_as_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
+JsonNode read_json(std::string_view text, const std::string& file) { return JsonReader(text, file).whole(); }
+
+std::string described(const JsonNode& node) {
   switch (node.kind) {
     case Kind::null:
       return "null";
@@ -263,83 +272,13 @@ std::string json_on_one_line(const JsonNode& node) {
     case Kind::number:
       return node.text;
     case Kind::text:
-      return json_quoted(node.text);
-    case Kind::list:
-      for (const JsonNode& element : node.elements) {
-        text += (text.empty() ? "" : ", ") + json_on_one_line(element);
-      }
-      return "[" + text + "]";
-    case Kind::object:
-      for (const JsonMember& member : node.members) {
-        text += (text.empty() ? "" : ", ") + json_quoted(member.key) + ": " + json_on_one_line(member.value);
-      }
-      return "{" + text + "}";
-  }
-  return text;
-}
-
-namespace {
-
-/// `before`: columns that are taken on the first line.
-std::string indented(const JsonNode& node, std::size_t indent, std::size_t before) {
-  std::string line = json_on_one_line(node);
-  const bool has_parts = !node.elements.empty() || !node.members.empty();
-  if (!has_parts || before + line.size() < widest_line) return line;
-  const std::string margin(indent + 2, ' '), end = "\n" + std::string(indent, ' ');
-  std::string text, separator = "\n" + margin;
-  for (const JsonNode& element : node.elements) {
-    text += separator + indented(element, indent + 2, indent + 2);
-    separator = ",\n" + margin;
-  }
-  for (const JsonMember& member : node.members) {
-    const std::string key = json_quoted(member.key) + ": ";
-    text += separator + key + indented(member.value, indent + 2, indent + 2 + key.size());
-    separator = ",\n" + margin;
-  }
-  return node.kind == Kind::list ? "[" + text + end + "]" : "{" + text + end + "}";
-}
-
-}  // namespace
-
-const JsonMember* JsonNode::member(std::string_view key) const {
-  const auto found = std::ranges::find(members, key, &JsonMember::key);
-  return found == members.end() ? nullptr : &*found;
-}
-
-JsonNode read_json(std::string_view text, const std::string& file) { return JsonReader(text, file).whole(); }
-
-std::string described(const JsonNode& node) {
-  switch (node.kind) {
-    case Kind::text:
       return shown(node.text);
     case Kind::list:
       return node.elements.empty() ? "an empty list" : "a list";
     case Kind::object:
       return "an object";
-    default:
-      return json_on_one_line(node);
   }
+  return node.text;
 }
 
-JsonNode json_text(std::string_view text) { return node_of(Kind::text, text); }
-JsonNode json_number(std::string_view as_written) { return node_of(Kind::number, as_written); }
-JsonNode json_truth(bool truth) { return node_of(Kind::boolean, "", truth); }
-JsonNode json_list(std::vector<JsonNode> elements) {
-  JsonNode node = node_of(Kind::list);
-  node.elements = std::move(elements);
-  return node;
-}
-JsonNode json_texts(const std::vector<std::string>& texts) {
-  JsonNode node = node_of(Kind::list);
-  for (const std::string& text : texts) node.elements.push_back(json_text(text));
-  return node;
-}
-JsonNode json_object(std::vector<JsonMember> members) {
-  JsonNode node = node_of(Kind::object);
-  node.members = std::move(members);
-  return node;
-}
-
-std::string write_json(const JsonNode& node) { return indented(node, 0, 0) + "\n"; }
-
-}  // namespace gradus::cli
+}  // namespace gradus::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+// What can be chosen for each picture, and what users call it. Each list of names has the order of its enum.
+
+#include <array>
+#include <string_view>
+
+namespace gradus::pipeline {
+
+/// How often light is computed (shading/polygon_shading).
+enum class Shading {
+  flat,       ///< once a face
+  gouraud,    ///< once a corner of a triangle; what lies between is mixed
+  phong,      ///< once a pixel
+  wireframe,  ///< never: the edges of faces alone are drawn
+};
+inline constexpr std::array<std::string_view, 4> shading_names{"flat", "gouraud", "phong", "wireframe"};
+
+/// How space comes into the picture's plane.
+enum class Projection3d {
+  perspective,   ///< through the eye (projection/perspective)
+  orthographic,  ///< along the view direction (projection/parallel)
+  oblique,       ///< along a direction that leans against it
+};
+inline constexpr std::array<std::string_view, 3> projection_names{"perspective", "orthographic", "oblique"};
+
+/// Whether rays meet in an eye; others run beside one another.
+constexpr bool has_eye(Projection3d projection) { return projection == Projection3d::perspective; }
+/// Whether rays lean against the view direction.
+constexpr bool leans(Projection3d projection) { return projection == Projection3d::oblique; }
+
+/// What decides which of two surfaces is seen where both are.
+enum class HiddenSurfaces {
+  z_buffer,  ///< the depth of each pixel (visibility/z_buffer)
+  painter,   ///< the depth of each triangle's farthest corner: wrong for some (visibility/painter)
+  bsp_tree,  ///< the order of a BSP tree, which cuts triangles (visibility/bsp_tree)
+};
+inline constexpr std::array<std::string_view, 3> hidden_surface_names{"z_buffer", "painter", "bsp_tree"};
+
+/// Which faces are left out because they turn their backs.
+enum class Culling {
+  closed_bodies,  ///< those of objects that are not two-sided
+  none,           ///< not one
+  back,           ///< all
+};
+inline constexpr std::array<std::string_view, 3> culling_names{"auto", "none", "back"};
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,379 @@
+#pragma once
+// Antialiasing in the chain: stages 6 and 7 again, with the light of a pixel from more than its centre. What
+// is averaged is linear light, before stage 8.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "antialiasing/a_buffer/a_buffer_picture.hpp"
+#include "antialiasing/adaptive/adaptive.hpp"
+#include "antialiasing/area_sampling/visible_picture.hpp"
+#include "antialiasing/jittered/jittered.hpp"
+#include "antialiasing/poisson_disc/poisson_disc.hpp"
+#include "core/colour.hpp"
+#include "core/image.hpp"
+#include "core/random.hpp"
+#include "core/raster.hpp"
+#include "scene/scene.hpp"
+#include "stages/6_rasterization.hpp"
+#include "stages/7_visibility_and_shading.hpp"
+#include "stages/points.hpp"
+
+namespace gradus::pipeline {
+
+/// The light of a pixel: of its objects the sum of share times colour, and the share that they cover.
+struct PixelLight {
+  dvec3 sum{0};
+  double share = 0;
+};
+/// Of the pixels of a window, whose upper left one is cell (0, 0).
+using LightPicture = Raster<PixelLight>;
+
+/// The picture of a window, nothing in it yet.
+inline LightPicture empty_picture(const Window& window) {
+  return {static_cast<int>(window.width()), static_cast<int>(window.height())};
+}
+
+// --- What the methods are given ------------------------------------------------------------------
+
+/// The triangles of stage 5 in the picture. One that stage 6 would not draw keeps its number, without area.
+inline std::vector<triangle_coverage::ScreenTriangle> screen_triangles(const Triangles& triangles,
+                                                                       Size size) {
+  std::vector<triangle_coverage::ScreenTriangle> all;
+  all.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const triangle_coverage::Triangle grid = on_grid(snapped(in_picture(t, size)));
+    const auto& [a, b, c] = t.corners;
+    if (keeps_side(t, area_of(grid)))
+      all.push_back({grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z}});
+    else
+      all.push_back({});
+  }
+  return all;
+}
+
+/// Stage 7's colour of a triangle, at the place of a pixel that has these weights.
+class FragmentColour {
+ public:
+  FragmentColour(const Scene& scene, const Triangles& triangles, Size size, const Plan* plan = nullptr)
+      : triangles_(triangles), light_(scene, size, plan) {}
+
+  const ShadingCount& count() const { return light_.count(); }
+
+  dvec3 operator()(int triangle, ivec2 pixel, const triangle_coverage::Weights& at) {
+    const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+    // A place on an edge may have been rounded to beyond it
+    const triangle_coverage::Weights within{
+        std::max<std::int64_t>(at[0], 0), std::max<std::int64_t>(at[1], 0), std::max<std::int64_t>(at[2], 0)};
+    const Fragment f{t.id, triangle, pixel, 0, shares_of(within, over_w_of(t))};
+    return dvec3(shaded(light_, f, t).colour);
+  }
+
+ private:
+  const Triangles& triangles_;
+  SceneLight light_;
+};
+
+/// Who watches a picture being made.
+struct PictureWatch {
+  ShadingCount count{};                   ///< what shading did
+  std::int64_t without_area = 0;          ///< triangles that stage 6 does not draw
+  std::function<void(double)> reached{};  ///< told of the share that is done, from 0 to 1
+};
+
+/// Everything a method needs.
+struct Shot {
+  std::vector<triangle_coverage::ScreenTriangle> triangles;
+  Window picture, window;  ///< all of it, and the part that is asked for
+  FragmentColour colour;
+  int samples;
+  LinearRgb background;
+  std::function<void(double)> reached;  ///< PictureWatch's
+
+  /// So many of so many are done.
+  void tell(std::int64_t done, std::int64_t all) const {
+    if (reached) reached(static_cast<double>(done) / static_cast<double>(all));
+  }
+};
+
+// --- Patterns ------------------------------------------------------------------------------------
+
+/// Where pixels are sampled, in 1/256 pixel: a sheet of side x side patterns, which repeats.
+struct Pattern {
+  int side = 1, count = 1;
+  std::vector<ivec2> places{{128, 128}};  ///< pixel by pixel
+
+  ivec2 at(ivec2 pixel, int sample) const {
+    const int which = pixel.y % side * side + pixel.x % side;
+    return places[static_cast<std::size_t>(which * count + sample)];
+  }
+};
+
+/// A place in the unit square on the grid of 1/256.
+inline ivec2 on_sample_grid(dvec2 place) {
+  return glm::min(ivec2(place * double{triangle_coverage::subpixels}),
+                  ivec2(triangle_coverage::subpixels - 1));
+}
+
+/// The middles of side x side cells, row by row. Domain: samples is a square.
+inline Pattern grid_pattern(int samples) {
+  const int side = grid_side(samples);
+  Pattern pattern{1, samples, {}};
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i)
+      pattern.places.push_back((2 * ivec2{i, j} + 1) * triangle_coverage::subpixels / (2 * side));
+  return pattern;
+}
+
+/// A pattern of its own for each of side x side pixels: `draw` puts samples into a span, from the random
+/// numbers of that pixel.
+template <class Draw>
+Pattern random_pattern(int side, int samples, const Draw& draw) {
+  constexpr std::uint64_t seed = 1;
+  Pattern pattern{side, samples, {}};
+  std::vector<dvec2> places(static_cast<std::size_t>(samples));
+  for (std::uint64_t pixel = 0; pixel < static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
+       ++pixel) {
+    draw(std::span<dvec2>(places), Random(seed).split(pixel));
+    for (const dvec2 place : places) pattern.places.push_back(on_sample_grid(place));
+  }
+  return pattern;
+}
+/// One sample in each of so many cells, anywhere in it.
+inline Pattern jittered_pattern(int samples) {
+  return random_pattern(64, samples, [](auto places, Random random) { jittered::jittered(places, random); });
+}
+/// Samples that keep their distance, also from those of the pixels beside it. Patterns of many samples are
+/// dear, and there are fewer of them.
+inline Pattern poisson_disc_pattern(int samples) {
+  return random_pattern(samples <= 16   ? 32
+                        : samples <= 64 ? 8
+                                        : 4,
+                        samples, [](auto places, Random random) {
+                          poisson_disc::best_candidate(places, places.size() <= 64 ? 4 : 1, random);
+                        });
+}
+
+// --- Point samples -------------------------------------------------------------------------------
+
+/// One sample of each pixel through the z-buffer: stage 6 at a place of the pixel's own.
+inline Raster<z_buffer::Cell<double, int>> pass_of(const std::vector<adaptive::Prepared>& triangles,
+                                                   const Window& window, const Pattern& pattern, int sample) {
+  Raster<z_buffer::Cell<double, int>> kept(static_cast<int>(window.width()),
+                                           static_cast<int>(window.height()));
+  int i = -1;
+  for (const auto& t : triangles) {
+    ++i;
+    const auto [lower, upper] = t.box;
+    for (int y = lower.y; y <= upper.y; ++y) {
+      for (int x = lower.x; x <= upper.x; ++x) {
+        const ivec2 p{x, y};
+        const auto w = weights_at_place(t.edges, adaptive::place_in(p, pattern.at(p, sample)));
+        if (holds(t.edges, w)) z_buffer::keep_nearest(kept, p - window.lower, t.depth.at(w), i);
+      }
+    }
+  }
+  return kept;
+}
+
+/// The accumulation buffer: a picture a sample, one after the other, each added to the sum.
+inline LightPicture passes(Shot& shot, const Pattern& pattern) {
+  LightPicture sum = empty_picture(shot.window);
+  Raster<int> covered(sum.width(), sum.height());
+  const auto triangles = adaptive::prepare(shot.triangles, shot.window);
+  const double share = 1.0 / pattern.count;
+  for (int s = 0; s < pattern.count; ++s) {
+    // 6 Rasterization at shifted places, 7 Hidden surface removal
+    shot.tell(s, pattern.count);
+    const auto kept = pass_of(triangles, shot.window, pattern, s);
+    for (int y = 0; y < sum.height(); ++y) {
+      for (int x = 0; x < sum.width(); ++x) {
+        const ivec2 cell{x, y}, p = shot.window.lower + cell;
+        if (!kept[cell].taken) continue;
+        // 7 Shading, at the sample
+        const auto& t = triangles[static_cast<std::size_t>(kept[cell].key)];
+        const auto w = weights_at_place(t.edges, adaptive::place_in(p, pattern.at(p, s)));
+        sum[cell].sum = sum[cell].sum + share * shot.colour(kept[cell].key, p, w);
+        sum[cell].share = static_cast<double>(++covered[cell]) / pattern.count;
+      }
+    }
+  }
+  return sum;
+}
+
+/// Supersampling: all samples of a pixel side by side, as in a picture of so many times the size, and their
+/// mean. In bands of rows, so that only one of them is that large at a time.
+inline LightPicture side_by_side(Shot& shot, const Pattern& pattern) {
+  constexpr int rows = 32;
+  LightPicture picture = empty_picture(shot.window);
+  const auto& [lower, upper] = shot.window;
+  for (int top = lower.y; top <= upper.y; top += rows) {
+    shot.tell(top - lower.y, picture.height());
+    const Window band{{lower.x, top}, {upper.x, std::min(top + rows - 1, upper.y)}};
+    const auto triangles = adaptive::prepare(shot.triangles, band);
+    adaptive::Survey survey(triangles, band, pattern.places);
+    survey.cross_all();
+    survey.make_samples();
+    adaptive::take_samples(survey);
+    for (int y = band.lower.y; y <= band.upper.y; ++y) {
+      for (int x = band.lower.x; x <= band.upper.x; ++x) {
+        const auto [sum, share] = adaptive::mix_each(survey, {x, y}, shot.colour);
+        picture[ivec2{x, y} - lower] = {sum, share};
+      }
+    }
+  }
+  return picture;
+}
+
+// --- Fragments -----------------------------------------------------------------------------------
+
+/// The light of a pixel before the background.
+inline LinearRgb over(const PixelLight& light, const LinearRgb& background) {
+  if (light.share == 1) return LinearRgb(light.sum);
+  return LinearRgb(light.sum + (1 - light.share) * dvec3(background));
+}
+
+/// By how many of 255 steps two pixels of the finished picture differ, in the component that differs most.
+inline double steps_between(const LinearRgb& a, const LinearRgb& b) {
+  const Rgba8 p = srgb8_from_linear(a), q = srgb8_from_linear(b);
+  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+}
+
+/// Neighbours that differ by more steps than this are refined.
+inline constexpr double contrast_threshold = 16;
+
+/// A method of fragments: draw(triangles, window, colour, plot).
+template <class Draw>
+LightPicture of_fragments(Shot& shot, const Window& window, const Draw& draw) {
+  LightPicture picture = empty_picture(shot.window);
+  draw(std::span<const triangle_coverage::ScreenTriangle>(shot.triangles), window, shot.colour,
+       [&](ivec2 p, const dvec3& sum, double share) {
+         if (p.x == window.lower.x) shot.tell(p.y - window.lower.y, window.height());
+         if (shot.window.contains(p)) picture[p - shot.window.lower] = {sum, share};
+       });
+  return picture;
+}
+template <class Draw>
+LightPicture of_fragments(Shot& shot, const Draw& draw) {
+  return of_fragments(shot, shot.window, draw);
+}
+
+/// Exact areas of what is seen.
+inline LightPicture by_areas(Shot& shot) {
+  return of_fragments(shot, [](auto triangles, const Window& window, auto& colour, const auto& plot) {
+    area_sampling::visible_areas(triangles, window, colour, plot);
+  });
+}
+/// Masks of 32 sub-samples.
+inline LightPicture by_masks(Shot& shot) {
+  return of_fragments(shot, [](auto triangles, const Window& window, auto& colour, const auto& plot) {
+    a_buffer::a_buffer(triangles, window, colour, plot);
+  });
+}
+/// Samples where edges cross a pixel, and one colour a fragment.
+inline LightPicture adaptively(Shot& shot) {
+  const auto places = adaptive::n_rooks(shot.samples);
+  return of_fragments(shot, [&](auto triangles, const Window& window, auto& colour, const auto& plot) {
+    adaptive::adaptive(triangles, window, places, colour, plot);
+  });
+}
+/// The same, and a colour a sample where neighbours differ, also those beside the window.
+inline LightPicture by_contrast(Shot& shot) {
+  const auto& [lower, upper] = shot.window;
+  const Window with_neighbours = intersection({lower - 1, upper + 1}, shot.picture);
+  const auto places = adaptive::n_rooks(shot.samples);
+  const auto contrast = [&](const auto& a, const auto& b) {
+    return steps_between(over({a.sum, a.share}, shot.background), over({b.sum, b.share}, shot.background));
+  };
+  return of_fragments(
+      shot, with_neighbours, [&](auto triangles, const Window& window, auto& colour, const auto& plot) {
+        adaptive::adaptive_contrast(triangles, window, places, contrast, contrast_threshold, colour, plot);
+      });
+}
+
+// --- The methods ---------------------------------------------------------------------------------
+
+/// The picture of a shot by one of the methods.
+inline LightPicture by_method(Shot& shot, Antialiasing method) {
+  switch (method) {
+    case Antialiasing::none:
+      return passes(shot, {});
+    case Antialiasing::supersampling:
+      return side_by_side(shot, grid_pattern(shot.samples));
+    case Antialiasing::accumulation_buffer:
+      return passes(shot, grid_pattern(shot.samples));
+    case Antialiasing::jittered:
+      return passes(shot, jittered_pattern(shot.samples));
+    case Antialiasing::poisson_disc:
+      return passes(shot, poisson_disc_pattern(shot.samples));
+    case Antialiasing::area_sampling:
+      return by_areas(shot);
+    case Antialiasing::a_buffer:
+      return by_masks(shot);
+    case Antialiasing::adaptive:
+      return adaptively(shot);
+    case Antialiasing::adaptive_contrast:
+      break;
+  }
+  return by_contrast(shot);
+}
+
+/// Stages 6 and 7 with the antialiasing that the scene asks for.
+///
+/// triangles: from stage 5. size: of the picture. plan: of the same scene; the picture is that of its window.
+///   watch: told of the work, and what was done.
+///
+/// Domain: that of rasterize; 1 to 256 samples; a square of up to 1024 where takes_squares says so.
+/// Accuracy: with Antialiasing::none the bits of rasterize, keep_nearest and shade.
+/// Cost: colours: one a pixel (none), one a sample (supersampling, accumulation_buffer, jittered,
+///   poisson_disc), one a fragment (the others); adaptive_contrast one a sample in some pixels.
+/// Errors: ContractViolation for another number of samples.
+inline LightPicture antialias(const Scene& scene, const Triangles& triangles, Size size,
+                              const Plan* plan = nullptr, PictureWatch* watch = nullptr) {
+  const Window picture = picture_window(size);
+  Shot shot{screen_triangles(triangles, size), picture,       plan ? plan->window : picture,
+            {scene, triangles, size, plan},    scene.samples, scene.background,
+            watch ? watch->reached : nullptr};
+  const Antialiasing method = scene.antialiasing;
+  const int most = takes_squares(method) ? 1024 : 256;
+  expects(1 <= scene.samples && scene.samples <= most, "a pixel takes 1 to {} samples, not {}", most,
+          scene.samples);
+  expects(!takes_squares(method) || grid_side(scene.samples) != 0,
+          "samples in cells are a square like 16, not {}", scene.samples);
+  LightPicture light = by_method(shot, method);
+  if (watch) {
+    watch->count = shot.colour.count();
+    watch->without_area =
+        std::ranges::count_if(shot.triangles, [](const auto& t) { return area_of(t.corners) == 0; });
+  }
+  return light;
+}
+
+/// The light before the scene's background.
+inline Raster<LinearRgb> over_background(const LightPicture& picture, const LinearRgb& background) {
+  Raster<LinearRgb> light(picture.width(), picture.height(), background);
+  for (std::size_t i = 0; i < picture.cells().size(); ++i)
+    light.cells()[i] = over(picture.cells()[i], background);
+  return light;
+}
+
+/// The picture with a transparent ground: the covered share as alpha, and the colour of what covers it, which
+/// is not darker where it covers little.
+/// Accuracy: the nearest bytes. Wherever alpha is 0 all is 0.
+inline Image with_alpha(const LightPicture& picture) {
+  Image image(picture.width(), picture.height(), Rgba8{0, 0, 0, 0});
+  for (std::size_t i = 0; i < picture.cells().size(); ++i) {
+    const PixelLight& light = picture.cells()[i];
+    const auto alpha = static_cast<std::uint8_t>(std::floor(255 * light.share + 0.5));
+    if (alpha == 0) continue;
+    Rgba8& pixel = image.cells()[i];
+    pixel = srgb8_from_linear(LinearRgb(light.sum / light.share));
+    pixel.a = alpha;
+  }
+  return image;
+}
+
+}  // namespace gradus::pipeline

@@ -1,0 +1,37 @@
+#pragma once
+// The flags of `gradus render` that choose among ways to draw: projection, hidden surfaces, culling, shading.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "scene/choices.hpp"
+#include "scene/view.hpp"
+
+namespace gradus::cli {
+
+using Flags = std::map<std::string, std::string>;
+/// What a flag says; nothing where it was not given.
+const std::string* given(const Flags& flags, const std::string& flag);
+
+/// Is told each flag that was read in its canonical spelling, and whether it says what is the default.
+using SayFlag = std::function<void(std::string_view flag, std::string_view value, bool is_default)>;
+
+/// How surfaces are drawn; what nobody names is the first of each.
+struct DrawnSurfaces {
+  pipeline::HiddenSurfaces hidden{};
+  pipeline::Culling culling{};
+  pipeline::Shading shading = pipeline::Shading::phong;
+};
+
+/// --projection, --height, --receding, --foreshortening. Errors: UsageError for values that are none.
+void read_projection(const Flags& flags, const SayFlag& say, pipeline::View& view);
+/// --hidden-surfaces, --culling, --shading. Errors: UsageError for names that are none.
+void read_surfaces(const Flags& flags, const SayFlag& say, DrawnSurfaces& surfaces);
+
+/// Refuses flags that the projection has no use for, once flags and scene have said which it is.
+/// Errors: UsageError.
+void check_projection(const Flags& flags, pipeline::Projection3d projection);
+
+}  // namespace gradus::cli
