@@ -116,6 +116,13 @@ if(GRADUS_PRECOMPILE)
   endif()
 endif()
 
+# Clang warns of what GCC's headers use themselves, the buffer of stable sorts.
+function(gradus_allow_own_deprecations target)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -Wno-deprecated-declarations)
+  endif()
+endfunction()
+
 # gradus_compile_quickly(target [_tests]): with -O1 in a release build, and with the precompiled headers (of tests).
 function(gradus_compile_quickly target)
   target_compile_options(${target} PRIVATE ${quickly})
@@ -123,10 +130,7 @@ function(gradus_compile_quickly target)
   if(GRADUS_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
-  # Clang warns of what GCC's headers use themselves once they are precompiled
-  if(GRADUS_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    target_compile_options(${target} PRIVATE -Wno-deprecated-declarations)
-  endif()
+  gradus_allow_own_deprecations(${target})
   if(TARGET gradus_precompiled${ARGN})
     set(from gradus_precompiled${ARGN})
   else()
@@ -144,6 +148,7 @@ endfunction()
 
 # The precompiled headers for what is optimised, where they were compiled with the same options.
 function(gradus_precompile target)
+  gradus_allow_own_deprecations(${target})
   if(TARGET gradus_precompiled AND NOT quickly)
     target_precompile_headers(${target} REUSE_FROM gradus_precompiled)
   endif()

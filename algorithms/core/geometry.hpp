@@ -2,8 +2,10 @@
 // The few shapes that topics share. Vectors are GLM's; what GLM lacks is here.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -141,6 +143,13 @@ struct Bounds {
   dvec3 centre() const { return lower * 0.5 + upper * 0.5; }
   /// Half the diagonal: the ball round the centre that holds the box. Domain: not empty.
   double radius() const { return length_of(upper * 0.5 - lower * 0.5); }
+  /// x first, then y, then z. Domain: not empty.
+  std::array<dvec3, 8> corners() const {
+    std::array<dvec3, 8> all;
+    for (std::size_t i = 0; i < 8; ++i)
+      all[i] = {i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z};
+    return all;
+  }
 };
 
 }  // namespace gradus

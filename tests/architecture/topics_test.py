@@ -17,7 +17,8 @@ import new_topic
 import project
 
 # Names in the lists that are no topics
-OTHERS = {"core", "elementary", "exact", "figures", "hidden_surfaces", "pipeline", "shared", "textbook_chain"}
+OTHERS = {"core", "elementary", "exact", "exact_areas", "figures", "hidden_surfaces", "pipeline", "plan", "render_antialiasing", "shared", "single_edges",
+          "textbook_chain"}
 WITH_TEXT = {".cpp", ".hpp", ".txt", ".md", ".json", ".csv"}
 
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/located_json.hpp"
+#include "cli/written_json.hpp"
 #include "core/image.hpp"
 #include "support/fuzz_input.hpp"
 #include "web/json.hpp"

@@ -62,7 +62,7 @@ def test_everything_of_the_catalogue_is_offered():
     commands = words_after("")
     for name in commands:
         check({"--help", "--quiet"} <= words_after(name, "--"), f"flags of {name}")
-    check({"list", "help", "run", "figure", "figures", "render", "bench", "stress", "again", "open", "completion", "man"} <= commands,
+    check({"list", "help", "run", "figure", "figures", "render", "demo", "inspect", "bench", "stress", "again", "open", "completion", "man"} <= commands,
           f"{commands}")
 
 
@@ -105,8 +105,12 @@ def test_words_as_they_are_typed():
     check("--label" in words_after("figure", "bresenham_line", "--label", "p=d", "--"), "some may come again")
     equal(words_after("zzz", ""), set(), "nothing behind what can't be read")
     equal(words_after("run", "zzz", "--"), set(), "nor behind no topic")
-    equal(following("render", "")[0].keys() >= {"letter_f.obj", "spot.obj"}, True, "models that come with it")
-    equal(following("render", "")[1], ["files\t.obj"], "and those that lie here")
+    equal(following("render", "")[0].keys() >= {"letter_f.obj", "spot.obj", "town.json"}, True, "models and scenes that come with it")
+    equal(following("render", "")[1], ["files\t.obj .json"], "and those that lie here")
+    equal(words_after("demo", ""), {"forward", "target", "both"}, "demonstrations")
+    check("folders" in following("demo", "forward", "--frames", "")[1], "a folder for frames")
+    equal(following("inspect", "")[0].keys(), {"pyramid_demo.json"}, "the program's own data")
+    equal(following("inspect", "")[1], ["files\t.json"], "and those that lie here")
     equal(following("again", "")[1], ["files\t.svg .png .pdf .pptx .html .gif .mp4 .webp"], "figures")
     equal(following("figures", "")[1], ["files\t.json"], "lectures")
     equal(following("open", "")[1], ["folders"], "folders")

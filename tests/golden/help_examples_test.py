@@ -6,6 +6,7 @@
 Pages with a topic of their own (`gradus run TOPIC --help`) are tried from the build alone.
 """
 import concurrent.futures
+import json
 import os
 import pathlib
 import re
@@ -20,11 +21,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
 from command import GRADUS, PLAIN, check, equal
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", pathlib.Path(GRADUS).parent))
 LECTURE = """{"title": "Mine", "figures": [{"topic": "bresenham_line", "input": {"to": "5,2"}, "outputs": ["svg"]},
  {"topic": "bresenham_circle", "input": {"radius": "4"}, "outputs": ["svg"]}]}"""
 # What would take long is asked for less: the words stay those of the page
-SHORTER = {"bench": " --seconds 0.0005 --repetitions 1", "stress": " --seconds 1", "figures": " --only bresenham_line"}
+SHORTER = {"bench": " --seconds 0.0005 --repetitions 1", "stress": " --seconds 1", "figures": " --only bresenham_line",
+           "demo": " --data short.json"}
 SMALLER = re.compile(r"\.gif|\.mp4|\.webp|\{step\}\.png")  # many pictures
 
 
@@ -43,6 +46,8 @@ class Place:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="gradus_examples_"))
         (self.folder / "photo.png").write_bytes(png(60, 50))
         (self.folder / "my_lecture.json").write_text(LECTURE)
+        data = json.loads((ROOT / "examples/demos/pyramid_demo.json").read_text())
+        (self.folder / "short.json").write_text(json.dumps({**data, "k_duration": 1, "k_fps": 3}))
         bin = self.folder / ".bin"
         bin.mkdir()
         for name in ("xdg-open", "firefox"):

@@ -60,8 +60,8 @@ TEST(Listing, LeavesThePlumbingOut) {
   for (const TopicEntry* entry : catalogue()) {
     for (const Method& method : entry->methods) {
       const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
-      // An exhibit may be one wrong line and what it stands among
-      EXPECT_GE(trace.listing.size(), method.standing == Standing::faulty ? 4u : 8u) << method.name;
+      // An exhibit may be one wrong line and what it stands among, a method a loop of few
+      EXPECT_GE(trace.listing.size(), method.standing == Standing::faulty ? 4u : 7u) << method.name;
       for (const SourceLine& line : trace.listing) {
         EXPECT_EQ(line.text.find("observe"), std::string::npos) << line.text;
         EXPECT_EQ(line.text.find("expect"), std::string::npos) << line.text;

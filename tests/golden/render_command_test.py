@@ -7,25 +7,14 @@ import os
 import pathlib
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import time
-import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
 from command import GRADUS, check, equal
-from renders import LETTER, MODELS, Picture, ROOT, SHARE, SPOT, differing, gradus, picture, read, write
-
-
-def png(texts):
-    """One white pixel that carries these texts."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0))
-            + b"".join(chunk(b"iTXt", k.encode() + b"\0\0\0\0\0" + v.encode()) for k, v in texts.items())
-            + chunk(b"IDAT", zlib.compress(b"\0\xff\xff\xff")) + chunk(b"IEND", b""))
+from renders import LETTER, MODELS, Picture, ROOT, SHARE, SPOT, differing, gradus, picture, png, read, write
 
 
 # --- The command ------------------------------------------------------------------------------------------------
@@ -37,6 +26,9 @@ def test_examples_run():
     check(len(examples) >= 7, f"examples to paste: {examples}")
     for line in examples:
         result = subprocess.run(line.replace("gradus", f"'{GRADUS}'", 1), shell=True, capture_output=True)
+        if "--why" in line:
+            check(result.returncode == 0 and result.stdout.startswith(b"Pixel "), f"{line}: {result.stderr}")
+            continue
         target = line.split("> ")[-1] if ">" in line else re.search(r"-o (\S+)", line)[1]
         equal(result.returncode, 0, f"{line}: {result.stderr}")
         check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
@@ -63,8 +55,10 @@ def test_same_bytes():
 
 
 def test_metadata():
-    shown = picture(LETTER, "--size", "80x60", "--fov", "40", "--background", "None", "--target", "0.50,1/2,0")
+    shown = picture(LETTER, "--size", "80x60", "--fov", "40", "--background", "None", "--target", "0.50,1/2,0", "--samples", "016")
     equal(shown.texts["gradus-command"], "gradus render letter_f.obj --size 80x60 --target 0.5,1/2,0 --background none", "command")
+    other = picture(LETTER, "--size", "80x60", "--samples", "4", "--aa", "Jittered").texts["gradus-command"]
+    equal(other, "gradus render letter_f.obj --size 80x60 --aa jittered --samples 4", "how it is antialiased")
     equal(shown.texts["Title"], "letter_f.obj, rendered", "title")
     check(re.fullmatch(r"letter_f.obj: 12 faces, 36 triangles, seen from \S+, 80 x 60 pixels\.", shown.texts["Description"]),
           shown.texts["Description"])
@@ -78,9 +72,9 @@ def test_bad_commands():
     fov = "--fov: expected the vertical angle of view, 0.001 to 179.999 degrees, found "
     out = ["-o", "x.png"]
     cases = [
-        ([], "render: expected a MODEL.obj, found none (`gradus render --help` shows examples)"),
+        ([], "render: expected a MODEL.obj or a SCENE.json, found none (`gradus render --help` shows examples)"),
         ([SPOT], "-o: expected a file like model.png, or - for standard output, found none"),
-        ([SPOT, LETTER, *out], re.compile("render: expected only a MODEL.obj, found '.*letter_f.obj'")),
+        ([SPOT, LETTER, *out], re.compile("render: expected only a MODEL.obj or a SCENE.json, found '.*letter_f.obj'")),
         ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png, found 'x.svg'"),
         ([SPOT, "-o", "x"], "-o: expected a name that ends in .png, found 'x'"),
         ([SPOT, "-o", "none/x.png"], "-o: expected a folder that exists, found 'none'"),
@@ -104,7 +98,14 @@ def test_bad_commands():
         *[([SPOT, *out, "--fov", text], fov + f"'{text}'") for text in ("0", "180", "-40", "nan", "inf", "1e-9", "forty", "40,5")],
         ([SPOT, *out, "--background", "blurple"], re.compile("--background: expected .*#rrggbb.*, found 'blurple'.*")),
         ([SPOT, *out, "--background", "#12345"], re.compile("--background: expected .*#rrggbb.*, found '#12345'.*")),
-        ([SPOT, *out, "--shading", "toon"], "--shading: expected one of flat, gouraud, phong, found 'toon'"),
+        ([SPOT, *out, "--shading", "toon"], "--shading: expected one of flat, gouraud, phong, wireframe, found 'toon'"),
+        ([SPOT, *out, "--aa", "msaa"],
+         "--aa: expected one of none, supersampling, accumulation_buffer, jittered, poisson_disc, area_sampling, a_buffer, adaptive, adaptive+contrast, found 'msaa'"),
+        *[([SPOT, *out, "--samples", text], f"--samples: expected 1 to 256 samples a pixel, found '{text}'") for text in ("0", "257", "-4", "4.5", "many")],
+        ([SPOT, *out, "--samples", "8", "--aa", "supersampling"],
+         "--samples: expected a square like 4, 9 or 16, for they stand in cells, found '8'"),
+        *[([SPOT, *out, "--samples", "16", "--aa", method], f"--samples: expected no number beside --aa {method}, which has its own, found '16'")
+          for method in ("none", "area_sampling", "a_buffer")],
         ([SPOT, *out, "--step", "3"], re.compile("render: unknown flag '--step': expected one of --output, --size, .*")),
         ([SPOT, *out, "--eye"], "--eye: expected X,Y,Z, found none"),
         ([SPOT, *out, "--eye", "1,2,3", "--eye", "1,2,3"], "--eye: expected one value, found '1,2,3' and '1,2,3'"),

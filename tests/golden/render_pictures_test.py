@@ -20,9 +20,9 @@ RENDERS = ROOT / "tests/golden/renders"
 BOX, SHELF = str(OTHERS / "tinyobj/cornell_box.obj"), str(OTHERS / "geometry_central/platonic_shelf.obj")
 TORUS = os.path.join(tempfile.mkdtemp(prefix="gradus_render_"), "torus.obj")
 
-# The committed pictures, all 160 x 120; render_test.cpp makes those of SHARED
+# The committed pictures, all 160 x 120. Those of centres alone; render_test.cpp makes those of SHARED
 SHARED = ("letter_f", "spot", "cornell_box")
-REFERENCES = {
+CENTRES = {
     "letter_f": [LETTER],
     "letter_f_from_behind": [LETTER, "--eye", "-1,1,-4"],
     "spot": [SPOT],
@@ -33,6 +33,11 @@ REFERENCES = {
     "cornell_box": [BOX],
     "platonic_shelf": [SHELF],
 }
+# Antialiased ones
+METHODS = ("supersampling", "accumulation_buffer", "jittered", "poisson_disc", "area_sampling", "a_buffer", "adaptive", "adaptive+contrast")
+REFERENCES = {name: [*words, "--aa", "none"] for name, words in CENTRES.items()}
+REFERENCES |= {f"letter_f_{method.replace('+', '_')}": [LETTER, "--aa", method] for method in METHODS}
+REFERENCES |= {f"{name}_adaptive": CENTRES[name] for name in ("spot_face", "cornell_box", "platonic_shelf")}
 
 
 def write_torus():
@@ -58,6 +63,39 @@ def test_references():
         check(share <= SHARE, f"{name}: {share} of the pixels differ by more than {LEVELS} levels")
     check(differing(Picture(read(RENDERS / "spot.png")), Picture(read(RENDERS / "torus.png"))) > 0.1,
           "two models differ")
+
+
+def test_antialiasing():
+    """Edges have shades between; the default is adaptive; equal places give equal bytes."""
+    centres = picture(LETTER, "--size", "160x120", "--aa", "none")
+    colours = {p for row in centres.pixels for p in row}
+    plain = picture(LETTER, "--size", "160x120")
+    equal(plain.pixels, picture(LETTER, "--size", "160x120", "--aa", "Adaptive", "--samples", "16").pixels, "the default")
+    once, passes = (picture(LETTER, "--size", "160x120", "--aa", method).pixels for method in ("supersampling", "accumulation_buffer"))
+    equal(once, passes, "passes give the picture of all samples at once")
+    for method in METHODS:
+        shown = picture(LETTER, "--size", "160x120", "--aa", method)
+        between = sum(p not in colours for row in shown.pixels for p in row)
+        check(between > 200, f"{method}: {between} pixels have shades that no centre has")
+        check(0.01 < differing(shown, centres) < 0.06, f"{method}: edges alone differ: {differing(shown, centres)}")
+
+
+def test_transparent_edges():
+    """Partly covered pixels have the colour of what covers them, not of a ground."""
+    shown = picture(LETTER, "--size", "160x120", "--background", "none")
+    white = picture(LETTER, "--size", "160x120")
+    alphas = {p[3] for row in shown.pixels for p in row}
+    check({0, 255} < alphas and len(alphas) > 8, f"alpha has shares: {sorted(alphas)}")
+    for row, solid in zip(shown.pixels, white.pixels):
+        for p, q in zip(row, solid):
+            if p[3] == 255:
+                equal(p[:3], q, "covered pixels are the same")
+            elif p[3] == 0:
+                equal((p, q), ((0, 0, 0, 0), (255, 255, 255)), "and so are bare ones")
+            else:
+                check(all(a <= b + 1 for a, b in zip(p[:3], q)), f"{p} before white is {q}")
+    orange_edges = [p for row in shown.pixels for p in row if 0 < p[3] < 128 and orange(p)]
+    check(len(orange_edges) > 20, f"the front's edges are orange however little is covered: {len(orange_edges)}")
 
 
 def orange(p):
@@ -93,7 +131,7 @@ def test_f_reads_as_f():
 
 def framing_of(words, size):
     """Share of the picture between each border and the model, and the larger share that the model takes."""
-    shown = picture(*words, "--background", "none", "--size", "x".join(map(str, size)))
+    shown = picture(*words, "--background", "none", "--size", "x".join(map(str, size)), "--aa", "none")
     equal(shown.kind, 6, "with alpha")
     check({p[3] for row in shown.pixels for p in row} <= {0, 255}, "alpha is all or nothing")
     left, top, right, bottom = shown.where(lambda p: p[3] == 255)

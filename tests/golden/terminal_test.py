@@ -53,6 +53,18 @@ def test_color():
     check("\x1b[" in fill and "bbb" in fill, "--color is the terminal's, --paint the topic's")
 
 
+def test_long_renders_have_a_bar():
+    def shares(text):
+        return [bar.count("#") for bar in re.findall(r"\[([#.]{24})\] render, \d+ s", text)]
+    # Longer than any machine draws at once; watched only until the bar has grown
+    words = ("render", "letter_f.obj", "-o", "long.png", "--size", "4000x3000", "--aa", "supersampling", "--samples", "1024")
+    text, code = on_terminal(*words, enough=lambda text: len(set(shares(text))) > 1)
+    seen = shares(text)
+    check(code == 130 and len(set(seen)) > 1 and seen == sorted(seen), f"a bar that grows: {code}, {seen}")
+    equal(files(), [], "an interrupted render leaves no file")
+    equal(on_terminal("-q", "render", "letter_f.obj", "-o", "short.png", "--size", "16x16")[0], "", "none where all is done at once")
+
+
 def test_progress():
     words = ["figure", "bresenham_line", "-o", "p{step}.svg"]
     text, code = on_terminal(*words)

@@ -215,9 +215,9 @@ def test_the_schema_says_what_the_program_does():
     render = schema["$defs"]["render"]["properties"]
     check(all(part.get("description") for part in (*schema["properties"].values(), *figure["properties"].values(), *render.values())),
           "every key has a description")
-    flags = set(re.findall(r"^ +(?:-\w, )?--(\w+) ", gradus("render", "--help")[1], re.MULTILINE))
+    flags = {flag.replace("-", "_") for flag in re.findall(r"^ +(?:-\w, )?--([\w-]+) ", gradus("render", "--help")[1], re.MULTILINE)}
     check(len(flags) > 9, sorted(flags))
-    equal(set(render), flags - {"output", "force", "color", "quiet", "help", "version"} | {"model", "name", "title", "caption"},
+    equal(set(render), flags - {"output", "report", "part", "without", "why", "force", "color", "quiet", "help", "version"} | {"model", "name", "title", "caption"},
           "keys of a render")
 
     gallery = json.loads((ROOT / "examples/gallery.json").read_text(encoding="utf-8"))

@@ -3,6 +3,7 @@ import os
 import pty
 import select
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -71,8 +72,9 @@ def png(width, height, gray):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
-def on_terminal(*words, env=None, stdin=subprocess.DEVNULL):
-    """Output of a run whose stdout and stderr are a terminal, and its exit code."""
+def on_terminal(*words, env=None, stdin=subprocess.DEVNULL, enough=None):
+    """Output of a run whose stdout and stderr are a terminal, and its exit code. As soon as enough(output) holds, the run
+    is interrupted, as by Ctrl-C."""
     main, terminal = pty.openpty()
     process = subprocess.Popen([GRADUS, *words], stdin=stdin, stdout=terminal, stderr=terminal,
                                env={**PLAIN, "TERM": "xterm", **(env or {})})
@@ -87,6 +89,9 @@ def on_terminal(*words, env=None, stdin=subprocess.DEVNULL):
         if not block:
             break
         seen += block
+        if enough and enough(seen.decode("utf-8", "replace")):
+            process.send_signal(signal.SIGINT)
+            enough = None
     os.close(main)
     return seen.decode("utf-8", "replace"), process.wait()
 

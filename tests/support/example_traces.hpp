@@ -101,6 +101,63 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "2"}, {"kd", "0"}});
   lit({{"method", "unclamped"}, {"lights", "0,3,4"}, {"eye", "0,2,-4"}, {"shininess", "0.5"}});
   lit({{"method", "unclamped"}, {"lights", "0,-3,4 3,0,-2"}, {"kd", "0.5"}, {"eye", "0,2,5"}});
+  const auto smooth = [&](std::string to, std::string method) {
+    tell("antialiased_line", {{"to", to}, {"method", method}});
+  };
+  for (const char* to : {"0,0", "5,0", "4,2", "8,6"}) {
+    for (const char* method : {"wu", "gupta_sproull", "exact_area", "distance_along_column"})
+      smooth(to, method);
+  }
+  for (const char* method : {"jittered", "uniform", "regular", "n_rooks", "correlated_multi_jittered",
+                             "sobol", "all_patterns", "pictures", "whole_coordinates", "divided_by_asked"})
+    tell("jittered", {{"method", method}, {"samples", "1"}});
+  tell("jittered", {{"method", "n_rooks"}, {"samples", "8"}});
+  tell("jittered", {{"method", "pictures"}, {"samples", "4"}, {"scene", "zone_plate"}});
+  tell("jittered", {{"method", "divided_by_asked"}, {"samples", "8"}});
+  const auto listed = [&](std::string polygons, std::string depths, std::string surfaces = "") {
+    std::map<std::string, std::string> given{{"polygons", polygons}, {"depths", depths}};
+    if (!surfaces.empty()) given["surfaces"] = surfaces;
+    tell("a_buffer", given);
+  };
+  const std::string whole = "-1,-1 2,-1 2,2 -1,2", corner = "0,0 0.13,0 0,0.26",
+                    two_bits = "0,0 0.26,0 0.26,0.25 0,0.25", strip = "-1,-1 0.5,-1 0.5,2 -1,2",
+                    right = "0.5,-1 2,-1 2,2 0.5,2";
+  listed(corner, "0,0,1");
+  listed("3,3 4,3 4,4", "0,0,1");
+  listed(whole + "; " + corner, "0,0,1 1,1,1");
+  listed(corner + "; " + two_bits, "0,0,1 1,1,1");
+  listed(two_bits + "; " + corner, "0,0,1 1,1,1");
+  listed(whole + "; " + strip, "0.2,0.8,1 0.3,0.9,1");
+  listed(strip + "; " + whole, "0.2,0.2,0.5 0.3,0.9,1");
+  listed(strip + "; " + right, "0.2,0.2,1 0.3,0.3,1", "1 1");
+  listed(two_bits + "; 0.26,0 0.5,0 0.5,0.25 0.26,0.25; 0.5,0 1,0 1,0.25 0.5,0.25",
+         "0.2,0.2,1 0.3,0.3,1 0.4,0.4,1", "1 1 1");
+  tell("a_buffer", {{"method", "mask_of"}, {"polygons", corner}, {"depths", "0,0,1"}});
+  for (const char* method : {"sum_of_areas", "divided_by_covered"})
+    tell("a_buffer", {{"method", method}, {"polygons", strip}, {"depths", "0,0,1"}});
+  for (const char* filter : {"tent", "gaussian"})
+    tell("supersampling", {{"filter", filter}, {"samples", "2"}});
+  tell("supersampling", {{"method", "rays"}, {"samples", "1"}});
+  for (const char* method : {"bridson", "dart_throwing"}) {
+    tell("poisson_disc", {{"method", method}, {"radius", "2"}, {"tries", "1"}});
+    tell("poisson_disc", {{"method", method}, {"radius", "0.8"}, {"tries", "1"}});
+    tell("poisson_disc", {{"method", method}, {"tile", "yes"}, {"area", "1,1"}, {"radius", "0.4"}});
+  }
+  for (const char* samples : {"1", "2"})
+    tell("poisson_disc", {{"method", "best_candidate"}, {"samples", samples}, {"candidates", "1"}});
+  const auto accumulated = [&](std::string method, std::map<std::string, std::string> given) {
+    given["method"] = method;
+    tell("accumulation_buffer", given);
+  };
+  for (const char* method : {"accumulate", "eight_bits", "wide_sums"})
+    accumulated(method, {{"a", "1"}, {"b", "1"}});
+  accumulated("accumulate", {{"a", "8"}, {"b", "8"}, {"pixel", "0,0"}});
+  accumulated("accumulate", {{"triangle", "1,1 1,1 3,3"}});
+  accumulated("eight_bits", {{"a", "8"}, {"b", "8"}, {"value", "255"}});
+  accumulated("motion_blur", {{"passes", "1"}});
+  accumulated("motion_blur", {{"passes", "64"}, {"speed", "0"}});
+  accumulated("depth_of_field", {{"eyes", "1"}});
+  accumulated("depth_of_field", {{"focus", "8"}});
   tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "16"}});
   tell("texture_mapping", {{"method", "mip_mapped"}, {"texels", "2"}});
   tell("texture_mapping", {{"method", "mip_mapped"},
@@ -110,6 +167,21 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   tell("texture_mapping", {{"corners", "0,12,1 12,12,1 12,0,1 0,0,1"}});
   for (const char* texels : {"1", "2", "3"})
     tell("texture_mapping", {{"method", "mip_chain"}, {"texels", texels}});
+  for (const char* method : {"adaptive", "each_sample"}) {
+    tell("adaptive", {{"method", method}, {"faces", "A: 0.3,0.4,1 7,1,1 2,7,1"}, {"pixel", "4,4"}});
+    // One behind the other, one that pierces both where no edge crosses
+    tell("adaptive", {{"method", method},
+                      {"faces",
+                       "A: -20,-20,0.5 30,-20,0.5 0,30,0.5; B: -20,-20,0.7 30,-20,0.7 0,30,0.7; "
+                       "C: -20,-20,-0.4 30,-20,1.6 0,30,0.4"},
+                      {"samples", "4"},
+                      {"columns", "5"},
+                      {"rows", "4"},
+                      {"pixel", "3,2"}});
+  }
+  tell("adaptive", {{"method", "adaptive_contrast"}, {"surface", "chequered"}, {"threshold", "60"}});
+  for (const char* thickness : {"0.1", "0.2", "1"})
+    tell("adaptive", {{"method", "thin"}, {"thickness", thickness}});
   const auto line = [&](std::string from, std::string to, std::string method = "decision_parameter") {
     tell("bresenham_line", {{"from", from}, {"to", to}, {"method", method}}, 200);
   };
@@ -151,6 +223,21 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   if (only.empty() || only == "bresenham_circle") {
     traces.push_back(trace_of("bresenham_circle", {{"radius", "2147483647"}}, {1'000'000'000, 60, wording}));
   }
+  for (const char* frequency : {"3", "5", "-9"})
+    tell("sampling_theorem", {{"frequency", frequency}, {"phase", "30"}});
+  for (const char* frequency : {"3", "5"}) {
+    tell("sampling_theorem", {{"method", "reconstruction"}, {"frequency", frequency}, {"phase", "30"}});
+    tell("sampling_theorem", {{"method", "at_least_twice"}, {"frequency", frequency}, {"phase", "30"}});
+  }
+  for (const char* revolutions : {"1", "1.5", "3", "30", "13"}) {
+    for (const char* spokes : {"1", "8"}) {
+      for (const char* method : {"wagon_wheel", "half_frame_rate"}) {
+        tell("sampling_theorem",
+             {{"method", method}, {"revolutions", revolutions}, {"spokes", spokes}, {"shown", "2"}});
+      }
+    }
+  }
+  tell("sampling_theorem", {{"method", "zone_plate"}, {"pixels", "16"}, {"distance", "4"}});
   const auto triangles = [&](std::string method, std::string given, std::string samples = "centres") {
     tell("triangle_coverage", {{"method", method}, {"triangles", given}, {"samples", samples}});
   };
@@ -169,6 +256,19 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
     tell("triangle_coverage",
          {{"method", method}, {"triangles", "-9,4 20,3.5 7,90"}, {"window", "0,0,11,9"}});
   }
+  for (const char* polygon : {"0,0 3,0 3,2 0,2", "0.5,0.5 4.5,0.5 4.5,3.5 2.5,1.25 0.5,3.5",
+                              "0.25,0.25 0.75,0.25 0.5,0.75", "1,1 1,1 3,2", "7,7 9,7 9,9"}) {
+    tell("area_sampling", {{"polygon", polygon}});
+  }
+  for (const char* method : {"visible_areas", "areas_without_visibility"}) {
+    for (const char* layers : {"A: 0,0,1 1,0,1 0,1,1", "A: -1,-1,1 3,-1,1 -1,3,1; B: 0,0,2 1,0,2 0,1,2",
+                               "A: 0,0,1 1,0,1 0,1,1; B: 1,0,0 1,1,0 0.5,1,0; C: 0,0,0 1,0,3 1,1,3",
+                               "A: 0,0,0 1,0,1 0,1,0; B: 1,0,0 1,1,0 0.75,1,2"}) {
+      tell("area_sampling", {{"method", method}, {"triangles", layers}});
+    }
+  }
+  for (const char* thin : {"0.1,0.2 6,0.3 0.1,0.6", "0.3,0.3 0.7,0.3 0.5,0.7"})
+    tell("area_sampling", {{"method", "moving"}, {"thin", thin}});
   const auto z_buffer = [&](std::string method, std::string faces, std::string order, std::string depth,
                             std::string far) {
     tell("z_buffer",

@@ -34,8 +34,8 @@ FACES = [(INTER + "Inter-Regular.otf", INTER + "Inter-Regular.otf", [], DEJAVU +
          (INTER + "Inter-Bold.otf", INTER + "Inter-Regular.otf", SPACES, DEJAVU + "DejaVuSans-Bold.ttf"),
          (INTER + "Inter-Italic.otf", INTER + "Inter-Italic.otf", [], DEJAVU + "DejaVuSans-Oblique.ttf"),
          (JETBRAINS + "JetBrainsMono-Regular.ttf", INTER + "Inter-Regular.otf", RAISED, DEJAVU + "DejaVuSansMono.ttf"),
-         (JETBRAINS + "JetBrainsMono-Bold.ttf", INTER + "Inter-Bold.otf", RAISED, DEJAVU + "DejaVuSansMono-Bold.ttf"),
-         (INTER + "Inter-BoldItalic.otf", INTER + "Inter-Italic.otf", SPACES, DEJAVU + "DejaVuSans-BoldOblique.ttf")]
+         (JETBRAINS + "JetBrainsMono-Bold.ttf", INTER + "Inter-Bold.otf", RAISED, DEJAVU + "DejaVuSansMono.ttf"),
+         (INTER + "Inter-BoldItalic.otf", INTER + "Inter-Italic.otf", SPACES, DEJAVU + "DejaVuSans-Bold.ttf")]
 UNITS = 2048  # an em
 TARGET = pathlib.Path(__file__).resolve().parents[2] / "visualize/figure/font_metrics.inc"
 

@@ -290,6 +290,8 @@ class Narrator {
   }
   /// The source line that reported the last step.
   int line() const { return line_; }
+  /// The last one that is listed: where a run is done.
+  int last_line() { return trace().listing.back().number; }
 
   /// What is done with the trace once all is told.
   void afterwards(std::function<void(Trace&)> change) { afterwards_ = std::move(change); }
@@ -321,6 +323,16 @@ class Narrator {
   std::optional<StepNumber> telling_;
   int line_ = 0;
   std::function<void(Trace&)> afterwards_;
+};
+
+/// Watches a run that is told as a whole: the source line that reports such a step.
+template <class Noted>
+struct LineOf {
+  int line = 0;
+  template <class Step>
+  void operator()(const Step&, int at = __builtin_LINE(), const char* = nullptr) {
+    if constexpr (std::same_as<Step, Noted>) line = at;
+  }
 };
 
 /// Runs a topic: refuses what its method can't take, then has the method tell itself.

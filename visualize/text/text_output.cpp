@@ -8,18 +8,10 @@
 #include "figure/metrics.hpp"
 #include "figure/number_text.hpp"
 #include "text/escape.hpp"
+#include "text/table.hpp"
 
 namespace gradus {
 namespace {
-
-/// Columns that a text takes in a terminal (every character in figures is one wide).
-std::size_t columns(const std::string& text) { return code_points(text).size(); }
-
-std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::size_t have = columns(text);
-  const std::string space(width > have ? width - have : 0, ' ');
-  return right ? space + text : text + space;
-}
 
 /// What the step's row looks like once its test has been read: the row that a later step completes.
 std::vector<Row> completed_rows(const Trace& trace, std::vector<const TraceStep*>& owners) {

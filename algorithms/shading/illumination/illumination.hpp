@@ -274,6 +274,39 @@ Parts<T> phong(glm::vec<3, T> place, glm::vec<3, T> normal, glm::vec<3, T> eye, 
   return phong(place, normal, eye, material, lights, ambient, AllSeen{});
 }
 
+/// Phong's illumination of a surface without a highlight (k_s = 0), nothing standing between it and the
+/// lamps: what phong gives, without asking where the viewer stands.
+///
+/// place, normal, material, lights, ambient: as for phong.
+///
+/// Domain: as for phong; the material's k_s is 0.
+/// Steps: none.
+/// Accuracy: the bits of phong.
+/// Cost: a square root for each lamp.
+/// Errors: none.
+template <std::floating_point T, class M>
+Parts<T> matte(glm::vec<3, T> place, glm::vec<3, T> normal, const M& material, std::span<const Light> lights,
+               ColourOf<M> ambient) {
+  using Vec = glm::vec<3, T>;
+  Vec diffuse{T(0)};
+  // Light that comes from everywhere
+  auto even = material.ambient * ambient;
+  const Vec base(material.emission + even);
+  const Vec kd(material.diffuse);
+  AllSeen visible;
+  for (const Light& light : lights) {
+    const int m = lamps(light);
+    for (int p = 0; p < m; ++p) {
+      auto a =  // L, f: what arrives
+          arriving(light, p, place, visible);
+      const T nl = glm::dot(normal, a.to_light);
+      const Vec i = a.share() * Vec(light.intensity);
+      diffuse += i * (scattered(nl) * kd);
+    }
+  }
+  return {base, diffuse, Vec{T(0)}};
+}
+
 /// Blinn's highlight in Phong's model: (N.H)^n in place of (R.V)^n, with H halfway between L and V. It is
 /// about as wide as Phong's with a quarter of the exponent, and never cut off before the horizon.
 /// J. F. Blinn, Models of light reflection for computer synthesized pictures, SIGGRAPH 1977, 192-198.

@@ -148,6 +148,8 @@ bool judged(Judge& judge, const TopicEntry& topic, const std::vector<Argument>& 
     return true;
   } catch (const ArgumentError& error) {
     judge.text("refusal", error.what());
+    if (without_notes(error.what()) != error.what())
+      judge.complain("the notes of a figure in {}", error.what());
     if (std::ranges::find(given, error.parameter, &Argument::name) == given.end())
       judge.complain("--{}, which nobody gave, is blamed: {}", error.parameter, error.what());
   } catch (const std::exception& error) {

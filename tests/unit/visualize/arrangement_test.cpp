@@ -128,6 +128,10 @@ TEST(Hero, MarksOfTheGalleryReachFar) {
                                               {"illumination_minus_normal", 0.95},
                                               {"back_face_culling_concave", 0.85},
                                               {"back_face_culling_concave_near", 0.9},
+                                              {"poisson_disc_tile", 0.97},
+                                              {"poisson_disc_best_candidate", 0.94},
+                                              {"a_buffer", 0.95},
+                                              {"a_buffer_glass", 0.96},
                                               {"pipeline", 0.78},
                                               {"pipeline_clipping", 0.82}};
   for (const GalleryFigure& figure : gallery()) {

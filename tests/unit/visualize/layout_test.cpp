@@ -137,8 +137,9 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
 }
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
-  std::size_t sentences = 0;
+  std::size_t sentences = 0, next = 0;
   for (const cli::LectureFigure& figure : cli::read_lecture(cli::gallery_lecture()).figures) {
+    if (test::sanitized && next++ % 6 != 0) continue;
     const Trace trace = figure.spec.topic->run(figure.spec.arguments, {});
     Playhead playhead(trace);
     for (const Case& aspect : aspects()) {

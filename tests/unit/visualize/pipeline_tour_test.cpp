@@ -268,7 +268,7 @@ TEST(PipelineTour, TellsTheNumbersOfAnotherWayToThem) {
     for (const TraceStep& step : trace.steps) {
       if (step.type == "VertexRead") {
         object[step.key] = place(step);
-        EXPECT_EQ(place(step), s.objects[0].mesh.positions[std::stoul(step.key.substr(1))]);
+        EXPECT_EQ(place(step), s.objects[0].mesh->positions[std::stoul(step.key.substr(1))]);
       } else if (step.type == "Placed") {
         const dvec3 p = object.at(step.key);
         const dvec3 turned{std::cos(turn) * p.x + std::sin(turn) * p.z, p.y,

@@ -46,8 +46,8 @@ Sight near_sight(const Scene& scene) {
 Camera camera_of(const Scene& scene, const Arguments& arguments, double aspect, Fault fault) {
   const Object& object = scene.objects[0];
   std::vector<dvec3> points;
-  for (const Corner& corner : object.mesh.corners) {
-    points.push_back(affine_3d::transform(object.placement, position_of(object.mesh, corner)));
+  for (const Corner& corner : object.mesh->corners) {
+    points.push_back(affine_3d::transform(object.placement, position_of(*object.mesh, corner)));
   }
   const double fov = arguments.number("fov").value_or(40) * radians_a_degree;
   Camera camera = framed(std::span<const dvec3>(points), aspect, viewing_side(object), fov);

@@ -91,7 +91,7 @@ Views::Views(const Run& run, const Followed& followed, const Words& words)
       pixel_(followed.pixel),
       words_(words),
       unit_(run.size.width / 36.0),
-      world_(run.scene.objects[0].mesh) {
+      world_(*run.scene.objects[0].mesh) {
   for (std::size_t i = 0; i < world_.positions.size(); ++i) world_.positions[i] = run.placed[i].to.at;
 }
 
@@ -200,7 +200,7 @@ View Views::object(const Pointer& at) const {
   const Panel panel = this->panel(0.1, 1, extent(place));
   caption(view, panel, "object");
   axes(view, this->panel(0, 1, extent(place)), "object", oblique);
-  solid(view, panel, "object", run_.scene.objects[0].mesh, from_the_front(), oblique);
+  solid(view, panel, "object", *run_.scene.objects[0].mesh, from_the_front(), oblique);
   std::vector<dvec2> own;
   for (const PieceCorner& corner : piece_.corners)
     own.push_back(place(static_cast<std::size_t>(corner.vertex)));
@@ -221,7 +221,7 @@ View Views::world(const Pointer& at) const {
   const Panel here = panel(0.09, 0.38, extent(before));
   caption(view, here, "object");
   axes(view, panel(0, 0.38, extent(before)), "object", oblique);
-  solid(view, here, "object", run_.scene.objects[0].mesh, from_the_front(), oblique);
+  solid(view, here, "object", *run_.scene.objects[0].mesh, from_the_front(), oblique);
   followed(view, here, "object", own(before), {}, false);
   const Camera& camera = run_.scene.camera;
   const dvec3 eye = camera.frame.eye;

@@ -339,9 +339,6 @@ void say_axes_of_code(Narrator& narrator) {
   }
 }
 
-/// Where the matrix is returned.
-int last_line(Narrator& narrator) { return narrator.trace().listing.back().number; }
-
 /// The frame, and the matrix that `make` makes of it.
 template <Along along, Way way, auto make>
 void tell_view(Narrator& narrator) {
@@ -372,7 +369,7 @@ void tell_view(Narrator& narrator) {
   const dvec3 ahead{0, 0, scene.distance};
   watch(way == Way::inverse ? Viewed<double>{through(matrix, ahead), ahead}
                             : Viewed<double>{scene.target, through(matrix, scene.target)},
-        last_line(narrator));
+        narrator.last_line());
   conclude(narrator, matrix);
 }
 
@@ -393,8 +390,8 @@ void tell_any_frame(Narrator& narrator) {
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   const glm::dmat4 inverse = inverse_of_any_frame(scene.frame(), watch);
-  for (int row = 0; row < 3; ++row) watch(RowMultiplied{row, inverse}, last_line(narrator));
-  watch(Inverted{}, last_line(narrator));
+  for (int row = 0; row < 3; ++row) watch(RowMultiplied{row, inverse}, narrator.last_line());
+  watch(Inverted{}, narrator.last_line());
   conclude(narrator, inverse);
 }
 

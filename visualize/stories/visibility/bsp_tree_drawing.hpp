@@ -47,7 +47,7 @@ class PartNames {
 /// Where each node of a whole tree stands: what lies behind to the left, what lies in front to the right.
 class TreeDrawing {
  public:
-  TreeDrawing(const DTree& tree, const Extent& place) : tree_(tree), at_(tree.size()) {
+  TreeDrawing(const DTree& tree, const Extent& place) : at_(tree.size()) {
     std::size_t rank = 0, deepest = 0;
     std::vector<std::size_t> ranks(tree.size()), depths(tree.size());
     const std::function<void(std::size_t, std::size_t)> walk = [&](std::size_t node, std::size_t depth) {
@@ -101,7 +101,6 @@ class TreeDrawing {
   static constexpr double radius = 1.15;
 
  private:
-  const DTree& tree_;
   std::vector<dvec2> at_;
 };
 

@@ -3,6 +3,7 @@
 // each other in some order.
 
 #include "stories/visibility/faces_task.hpp"
+#include "stories/visibility/name_places.hpp"
 
 namespace gradus {
 
@@ -55,7 +56,7 @@ class FacesPicture {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       for (dvec3& p : faces[i].ring) p = lifted(p, sheet * static_cast<double>(i + 1));
     }
-    draw(view, std::move(drawing), faces);
+    draw(view, std::move(drawing), faces, ground);
   }
 
  private:
@@ -65,7 +66,15 @@ class FacesPicture {
     return flat.x * reader_.right + flat.y * reader_.up + height * reader_.towards;
   }
 
-  void draw(View& view, SpaceDrawing drawing, const std::vector<ShownFace>& faces) const {
+  Ring2 flat(const std::vector<dvec3>& ring) const {
+    Ring2 points;
+    for (const dvec3 p : ring) points.push_back(reader_.flat(p));
+    return points;
+  }
+
+  /// Names keep out of the outlines of what is still to come, where they can.
+  void draw(View& view, SpaceDrawing drawing, const std::vector<ShownFace>& faces,
+            const std::vector<std::vector<dvec3>>& ground = {}) const {
     std::vector<std::vector<dvec3>> rings;
     double size = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -82,9 +91,15 @@ class FacesPicture {
     }
     drawing.add_to(view, "a");
     const HiddenLines lines(rings, distant_viewer(reader_.towards), size);
+    std::vector<Ring2> waiting;
+    for (const auto& ring : ground) waiting.push_back(flat(ring));
+    const auto is_clear = [&](dvec3 p) {
+      return std::ranges::all_of(waiting,
+                                 [&](const Ring2& ring) { return depth_inside(ring, reader_.flat(p)) < 0; });
+    };
     for (std::size_t i = 0; i < faces.size(); ++i) {
       view.add({fmt::format("n {:03}", i), faces[i].role,
-                Text{at(faces_task::seen_place(faces[i].ring, lines)), faces[i].name}});
+                Text{at(faces_task::seen_place(faces[i].ring, lines, is_clear)), faces[i].name}});
     }
   }
 

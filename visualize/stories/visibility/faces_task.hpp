@@ -108,20 +108,23 @@ inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
 }
 
 /// A place inside a convex ring where nothing hides it, for its name; its middle where all of it is hidden.
-inline dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines) {
+template <class IsClear>
+dvec3 seen_place(const std::vector<dvec3>& ring, const HiddenLines& lines, IsClear is_clear) {
   dvec3 middle{0};
   for (const dvec3 p : ring) middle += p / static_cast<double>(ring.size());
-  const auto is_seen = [&](dvec3 p) { return !lines.pieces(p - 1e-3 * (p - middle), p).front().hidden; };
-  if (!lines.pieces(middle, middle + 1e-3 * (ring[0] - middle)).front().hidden) return middle;
+  const auto is_seen = [&](dvec3 p, dvec3 from) { return !lines.pieces(from, p).front().hidden; };
+  std::vector<dvec3> seen;
+  if (is_seen(middle + 1e-3 * (ring[0] - middle), middle)) seen.push_back(middle);
   for (const double part : {0.3, 0.5, 0.7}) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       for (const dvec3 towards : {ring[i], 0.5 * (ring[i] + ring[(i + 1) % ring.size()])}) {
         const dvec3 p = middle + part * (towards - middle);
-        if (is_seen(p)) return p;
+        if (is_seen(p, p - 1e-3 * (p - middle))) seen.push_back(p);
       }
     }
   }
-  return middle;
+  const auto clear = std::ranges::find_if(seen, is_clear);
+  return clear != seen.end() ? *clear : seen.empty() ? middle : seen.front();
 }
 
 }  // namespace gradus::faces_task

@@ -45,7 +45,8 @@ Subject subject_of(const Arguments& arguments) {
   for (const dvec3 p : subject.points) {
     if (glm::clamp(p, 0.0, side) != p)
       refuse(arguments, {"points", "side"},
-             fmt::format("expected points within 0 and {} on each axis, found {}", side, figure_place(p)));
+             fmt::format("expected points within 0 and {} on each axis, found ({}, {}, {})", side, p.x, p.y,
+                         p.z));
   }
   if (!far && (std::abs(eye.x) > 8 * side || std::abs(eye.y) > 8 * side || std::abs(eye.z) > 8 * side))
     refuse(

@@ -3,6 +3,7 @@
 // from above, and a plane edge-on.
 
 #include "stories/visibility/bsp_tree_drawing.hpp"
+#include "stories/visibility/name_places.hpp"
 #include "visibility/painter/painter.hpp"
 
 namespace gradus::painter {
@@ -13,7 +14,6 @@ using bsp_tree::PartNames;
 using DView = painter::View<double>;
 using Drawing = gradus::View;
 using Rectangle = gradus::Extent;
-using Ring2 = std::vector<dvec2>;
 
 inline constexpr int paper_width = 36, paper_height = 24;
 
@@ -143,14 +143,17 @@ class Picture {
     for (const DPolygon& polygon : waiting) ground.push_back(on_screen(polygon));
     flat_.add_painted(drawing, std::move(faces), ground);
   }
-  /// The outline of one that waits, with its name.
-  void add_outline(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name) const {
+  /// The outline of one that waits, with its name where it is in none of the others that wait.
+  void add_outline(Drawing& drawing, const DPolygon& polygon, Role role, const std::string& name,
+                   const std::vector<DPolygon>& waiting) const {
     const Ring2 ring = at(polygon);
-    dvec2 middle{0};
-    for (const dvec2 p : ring) middle += p / static_cast<double>(ring.size());
+    std::vector<Ring2> others;
+    for (const DPolygon& other : waiting) {
+      if (Ring2 outline = at(other); outline != ring) others.push_back(std::move(outline));
+    }
     if (role != Role::past) drawing.add({"p " + name + " inside", role, Area{{ring}, 1}});
     drawing.add({"p " + name, role, Path{ring, true}});
-    drawing.add({"p " + name + " name", role, Text{middle, name}});
+    drawing.add({"p " + name + " name", role, Text{clear_place(ring, others), name}});
   }
   /// Where one may cover the other.
   void add_common(Drawing& drawing, const DPolygon& p, const DPolygon& q, Role role) const {

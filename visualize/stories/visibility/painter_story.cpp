@@ -297,7 +297,7 @@ class OrderStory {
     const Role last = done_ ? Role::result : p_ ? Role::input : Role::current;
     picture_.add_painted(drawing, painted_, names_, done_ ? Role::result : Role::input, last, waiting_);
     for (const DPolygon& polygon : waiting_)
-      picture_.add_outline(drawing, polygon, role_of(polygon), names_(polygon));
+      picture_.add_outline(drawing, polygon, role_of(polygon), names_(polygon), waiting_);
     if (q_ && passed_) add_test(drawing);
     if (wrong_) picture_.add_common(drawing, wrong_->late, wrong_->early, Role::rejected);
     add_order(drawing);

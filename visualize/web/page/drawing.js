@@ -97,6 +97,9 @@ class Drawing {
   }
 
   // What stays while the view does: picture, grid lines, axes
+
+  /** Draws it anew next time, for texts are as wide as the letters there are. */
+  forgetStill() { this.stillKey = null; }
   keepStill(key) {
     if (key === this.stillKey) return;
     this.stillKey = key;

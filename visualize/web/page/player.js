@@ -24,6 +24,7 @@ class GradusPlayer extends PlayerView {
     // The page's own letters come a moment after its first layout
     Promise.all([...document.fonts].map((font) => font.load())).then(() => {
       if (this.run) this.showColumns();
+      this.drawing.forgetStill();
       this.resize();
     });
   }
