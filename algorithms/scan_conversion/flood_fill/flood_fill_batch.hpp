@@ -1,10 +1,14 @@
 #pragma once
 // Fills on plain memory. fill_rows does what fill_raster does, with a row as a pointer and the raster's edges
 // as bounds of the loops instead of a question a cell. fill_by_labels looks at the whole raster, 64 cells at
-// a time, and pays for no branch a cell.
+// a time, and pays for no branch a cell. fill_area picks: a small area is not worth a look at the whole
+// raster.
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
@@ -12,21 +16,11 @@
 
 namespace gradus::flood_fill {
 
-/// Gives every cell that is connected to the seed through cells of the seed's value a new value: the cells
-/// and the count of fill_raster, and faster where runs are long.
-/// P. S. Heckbert, A seed fill algorithm, Graphics Gems, 1990, 275-277.
-///
-/// seed: column, row. value: the new one; when it is the seed's own, nothing is painted.
-///
-/// Domain: any raster that fits into memory.
-/// Accuracy: exactly the cells of fill_raster.
-/// Cost: reads a cell at most a few times and writes it once; the stack is that of `span`, 16 bytes an
-///   entry, at most 2 on an empty canvas.
-/// Errors: ContractViolation when the seed lies outside the raster.
-template <class Cell>
-Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
-                 Connectivity connectivity = Connectivity::four) {
-  expects_inside(raster, seed);
+/// Fills as fill_rows does for as long as goes_on(run) holds for each run that it has painted; nothing when
+/// it stopped.
+template <class Cell, class GoesOn>
+std::optional<Filled> rows_while(GoesOn goes_on, Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                                 Connectivity connectivity) {
   const Cell old = raster[seed], ink = value;
   const int reach = corners(connectivity), end = raster.width() - 1;
   Stack<Span> waiting;
@@ -48,6 +42,7 @@ Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
   };
 
   const Span first = paint_run_at(raster.row(seed.y).data(), seed.y, seed.x, 1);
+  if (!goes_on(first)) return std::nullopt;
   waiting.push(first.turned());
   waiting.push(first);
   while (!waiting.empty()) {
@@ -59,6 +54,7 @@ Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
     for (int x = std::max(s.left - reach, 0); x <= last; ++x) {
       if (!(row[x] == old)) continue;
       const Span run = paint_run_at(row, y, x, s.way);
+      if (!goes_on(run)) return std::nullopt;
       waiting.push(run);
       if (run.left < s.left - 1 + reach) waiting.push(run.left_of(s));
       if (run.right > s.right + 1 - reach) waiting.push(run.right_of(s));
@@ -66,6 +62,24 @@ Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
     }
   }
   return tally(waiting, painted);
+}
+
+/// Gives every cell that is connected to the seed through cells of the seed's value a new value: the cells
+/// and the count of fill_raster, and faster where runs are long.
+/// P. S. Heckbert, A seed fill algorithm, Graphics Gems, 1990, 275-277.
+///
+/// seed: column, row. value: the new one; when it is the seed's own, nothing is painted.
+///
+/// Domain: any raster that fits into memory.
+/// Accuracy: exactly the cells of fill_raster.
+/// Cost: reads a cell at most a few times and writes it once; the stack is that of `span`, 16 bytes an
+///   entry, at most 2 on an empty canvas.
+/// Errors: ContractViolation when the seed lies outside the raster.
+template <class Cell>
+Filled fill_rows(Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                 Connectivity connectivity = Connectivity::four) {
+  expects_inside(raster, seed);
+  return *rows_while([](const Span&) { return true; }, raster, seed, value, connectivity);
 }
 
 /// The part of a word's runs that is wanted, a run for each set bit of `starts`. `run`: the number of the
@@ -119,6 +133,35 @@ Filled fill_by_labels(Raster<Cell>& raster, ivec2 seed, const Cell& value,
   }
   filled.peak_bytes = bitmap.bytes() + labels.bytes();
   return filled;
+}
+
+/// Areas of at most 1 / so many of a raster's cells are small.
+inline constexpr Whole small_part = 32;
+
+/// What fill_rows does, by the method that suits the area: by rows for as long as it may be small; an area
+/// that turns out larger is cleared again and filled by labels.
+///
+/// raster, seed, value, Domain, Errors: as for fill_by_labels.
+///
+/// Accuracy: exactly the cells of fill_raster.
+/// Cost: of a small area, that of fill_rows, however large the raster; else that of fill_by_labels and of
+///   1/32 of the raster filled and cleared. Memory: 16 bytes a run of what was painted by rows, until then.
+template <class Cell>
+Filled fill_area(Raster<Cell>& raster, ivec2 seed, const Cell& value,
+                 Connectivity connectivity = Connectivity::four) {
+  expects_inside(raster, seed);
+  const Cell old = raster[seed];
+  const Whole most = Whole{raster.width()} * raster.height() / small_part;
+  std::vector<Span> runs;
+  Whole painted = 0;
+  const auto is_small = [&](const Span& run) {
+    runs.push_back(run);
+    painted += run.length();
+    return painted <= most;
+  };
+  if (const auto filled = rows_while(is_small, raster, seed, value, connectivity)) return *filled;
+  for (const Span& run : runs) std::fill_n(&raster[{run.left, run.row}], run.length(), old);
+  return fill_by_labels(raster, seed, value, connectivity);
 }
 
 }  // namespace gradus::flood_fill

@@ -1,4 +1,4 @@
-// Fills of areas of five kinds by every method, beside OpenCV's floodFill.
+// Fills of areas of six kinds by every method, beside OpenCV's floodFill.
 
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
@@ -36,9 +36,18 @@ struct Scene {
   std::int64_t cells = 0;  ///< of the area
 };
 
+constexpr auto connectivity = flood_fill::Connectivity::four;
+
+/// The area that a cell belongs to.
+Scene scene_from(const Canvas& canvas, ivec2 seed) {
+  const auto is_free = [&](ivec2 p) { return canvas[p] == 0; };
+  Scene scene{canvas, stress::area_of(canvas.width(), canvas.height(), seed, connectivity, is_free), seed};
+  scene.cells = std::ranges::count(scene.area.cells(), 1);
+  return scene;
+}
+
 Scene scene_of(const Canvas& canvas) {
   const auto is_free = [&](ivec2 p) { return canvas[p] == 0; };
-  const auto connectivity = flood_fill::Connectivity::four;
   const auto areas = stress::areas_of(canvas.width(), canvas.height(), connectivity, is_free);
   std::vector<std::int64_t> cells(areas.cells().size());
   for (const int area : areas.cells()) {
@@ -46,9 +55,7 @@ Scene scene_of(const Canvas& canvas) {
   }
   const auto largest = std::ranges::max_element(cells);
   const int first = static_cast<int>(largest - cells.begin());
-  const ivec2 seed{first % canvas.width(), first / canvas.width()};
-  return {canvas, stress::area_of(canvas.width(), canvas.height(), seed, connectivity, is_free), seed,
-          *largest};
+  return scene_from(canvas, {first % canvas.width(), first / canvas.width()});
 }
 
 /// Cells walled off at random; with 60 % free just above where one area spans the picture.
@@ -112,10 +119,21 @@ Canvas spiral(int side) {
   return canvas;
 }
 
+/// A room of ten cells in the middle of an empty canvas.
+Canvas room(int side) {
+  Canvas canvas(side, side);
+  const ivec2 lower = ivec2(side / 2) - ivec2(6, 1);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 12; ++x) canvas[lower + ivec2(x, y)] = y == 1 && x % 11 != 0 ? 0 : 1;
+  }
+  return canvas;
+}
+
 const Scene& scene(const std::string& kind, int side) {
   static std::map<std::pair<std::string, int>, Scene> made;
   const auto [at, added] = made.try_emplace({kind, side});
   if (!added) return at->second;
+  if (kind == "room") return at->second = scene_from(room(side), ivec2(side / 2));
   at->second = scene_of(kind == "noise"    ? noise(side)
                         : kind == "maze"   ? maze(side)
                         : kind == "comb"   ? comb(side)
@@ -157,6 +175,8 @@ void add_cases(std::vector<Case>& cases, const Scene& scene, const Workload& wor
       [](Canvas& canvas, ivec2 seed) { flood_fill::fill_rows(canvas, seed, std::uint8_t{2}); });
   add("fill_by_labels", Standing::batch,
       [](Canvas& canvas, ivec2 seed) { flood_fill::fill_by_labels(canvas, seed, std::uint8_t{2}); });
+  add("fill_area", Standing::batch,
+      [](Canvas& canvas, ivec2 seed) { flood_fill::fill_area(canvas, seed, std::uint8_t{2}); });
 #ifdef GRADUS_HAS_OPENCV
   add("OpenCV floodFill", Standing::peer, [](Canvas& canvas, ivec2 seed) {
     cv::Mat picture(canvas.height(), canvas.width(), CV_8UC1, canvas.cells().data());
@@ -167,7 +187,7 @@ void add_cases(std::vector<Case>& cases, const Scene& scene, const Workload& wor
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const char* kind : {"empty", "noise", "maze", "comb", "spiral"}) {
+  for (const char* kind : {"empty", "noise", "maze", "comb", "spiral", "room"}) {
     add_cases(all, scene(kind, 1024), {fmt::format("{} 1024", kind)});
   }
   for (const int side : {64, 256, 1024, 4096}) {

@@ -112,7 +112,8 @@ double fills_error(const RasterCase& given) {
     }
   };
   double error = judged([&](auto& cells) { return fill_rows(cells, seed, value, connectivity); }) +
-                 judged([&](auto& cells) { return fill_by_labels(cells, seed, value, connectivity); });
+                 judged([&](auto& cells) { return fill_by_labels(cells, seed, value, connectivity); }) +
+                 judged([&](auto& cells) { return fill_area(cells, seed, value, connectivity); });
   for (const Method method : methods) {
     error += judged([&](auto& cells) { return fill_raster(cells, seed, value, method, connectivity); });
   }
@@ -356,9 +357,10 @@ double image_error(const Input& input) {
     }
   }
   if (!taken || tolerance > 0) return error;
-  Image by_rows = before, by_labels = before;
+  Image by_rows = before, by_labels = before, by_size = before;
   judge(fill_rows(by_rows, seed, ink, connectivity), by_rows);
   judge(fill_by_labels(by_labels, seed, ink, connectivity), by_labels);
+  judge(fill_area(by_size, seed, ink, connectivity), by_size);
   return error;
 }
 

@@ -114,14 +114,47 @@ TEST(FloodFill, EveryPictureOfTwelveCells) {
         fill_maze(filled, seed, 'x', {.connectivity = connectivity, .method = method});
         expect_filled(filled);
       }
-      Maze by_rows = picture, by_labels = picture;
+      Maze by_rows = picture, by_labels = picture, by_size = picture;
       fill_rows(by_rows, seed, 'x', connectivity);
       expect_filled(by_rows);
       fill_by_labels(by_labels, seed, 'x', connectivity);
       expect_filled(by_labels);
+      fill_area(by_size, seed, 'x', connectivity);
+      expect_filled(by_size);
     }
   }
-  EXPECT_EQ(cases, 5 * 2 * 12 * 2048);
+  EXPECT_EQ(cases, 6 * 2 * 12 * 2048);
+}
+
+TEST(FloodFill, ASmallAreaCostsNoLookAtTheWholeRaster) {
+  // A room of ten cells in a raster of a million: what the method remembers tells which one it was
+  Raster<std::uint8_t> raster(1000, 1000);
+  for (int x = 499; x <= 510; ++x) raster[{x, 499}] = raster[{x, 501}] = 1;
+  raster[{499, 500}] = raster[{510, 500}] = 1;
+  const auto before = raster;
+  const Filled room = fill_area(raster, {505, 500}, std::uint8_t{2});
+  EXPECT_EQ(room.painted, 10);
+  EXPECT_LT(room.peak_bytes, 100u);
+  EXPECT_EQ(std::ranges::count(raster.cells(), 2), 10);
+
+  // All around it: by labels, a bit a cell at least, and not a cell else
+  raster = before;
+  auto by_pixels = before;
+  const Filled around = fill_area(raster, {0, 0}, std::uint8_t{2});
+  EXPECT_EQ(around.painted, fill_raster(by_pixels, {0, 0}, std::uint8_t{2}).painted);
+  EXPECT_EQ(raster, by_pixels);
+  EXPECT_GT(around.peak_bytes, 1000u * 1000 / 8);
+}
+
+TEST(FloodFill, AnAreaIsSmallUpToOnePartInThirtyTwo) {
+  for (const int more : {0, 1}) {
+    Raster<std::uint8_t> raster(64, 64, 1);
+    const int cells = 64 * 64 / 32 + more;
+    for (int i = 0; i < cells; ++i) raster[{i % 64, i / 64}] = 0;
+    const Filled filled = fill_area(raster, {3, 1}, std::uint8_t{2});
+    EXPECT_EQ(filled.painted, cells);
+    EXPECT_EQ(filled.peak_bytes > 64 * 64 / 8, more == 1) << filled.peak_bytes;
+  }
 }
 
 TEST(FloodFill, StepsOfDepthFirst) {
