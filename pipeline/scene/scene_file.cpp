@@ -309,8 +309,9 @@ class Lamps {
 
 class SceneReader {
  public:
-  SceneReader(const std::string& name, const ModelFinder& find, const PictureDecoder& decode)
-      : values_(name), find_(find), decode_(decode), name_(name) {}
+  SceneReader(const std::string& name, const ModelFinder& find, const PictureDecoder& decode,
+              const ModelImporter& import)
+      : values_(name), find_(find), decode_(decode), import_(import), name_(name) {}
 
   SceneFile read(const JsonNode& root) {
     const Found at{root, ""};
@@ -451,8 +452,9 @@ class SceneReader {
     if (!found) values_.refuse(at, "the name of a file that is there");
     if (!found->text.problem.empty())
       refuse_input(fmt::format("{}:{}: {}: {}", name_, at.node.line, at.way, found->text.problem));
-    ModelFile model = parse_obj(found->text.text, {found->called, found->text.quotable}, found->beside);
-    if (decode_) load_textures(model.mesh, found->beside, decode_, found->called);
+    const TextFile file{found->called, found->text.quotable};
+    ModelFile model = read_model(found->text.text, file, found->beside, import_);
+    if (decode_) load_textures(model, found->beside, decode_, found->called);
     file_.notes.insert(file_.notes.end(), model.notes.begin(), model.notes.end());
     return models_.emplace(name, object_of(std::move(model.mesh), name)).first->second;
   }
@@ -481,6 +483,7 @@ class SceneReader {
   Values values_;
   const ModelFinder& find_;
   const PictureDecoder& decode_;
+  const ModelImporter& import_;
   const std::string& name_;
   std::map<std::string, Object, std::less<>> models_;
   SceneFile file_;
@@ -489,8 +492,8 @@ class SceneReader {
 }  // namespace
 
 SceneFile parse_scene(std::string_view text, const std::string& name, const ModelFinder& find,
-                      const PictureDecoder& decode) {
-  return SceneReader(name, find, decode).read(read_json(text, name));
+                      const PictureDecoder& decode, const ModelImporter& import) {
+  return SceneReader(name, find, decode, import).read(read_json(text, name));
 }
 
 }  // namespace gradus::pipeline
