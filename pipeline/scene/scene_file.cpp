@@ -317,9 +317,8 @@ class SceneReader {
     const Found at{root, ""};
     for (const auto& [key, value] :
          values_.members(at, {"$schema", "size", "background", "ambient", "shading", "hidden_surfaces",
-                              "culling", "filter", "aa", "samples", "camera", "lights", "objects"})) {
+                              "culling", "filter", "aa", "samples", "camera", "lights", "objects"}))
       take(key, value);
-    }
     check_samples(at);
     take_objects(values_.needed(at, "objects"));
     return std::move(file_);
@@ -407,7 +406,6 @@ class SceneReader {
   }
 
   // Objects
-
   void take_objects(const Found& at) {
     const std::vector<Found> objects = values_.elements(at, "a list of objects", most_objects);
     if (objects.empty()) values_.refuse(at, "a list of at least one object");
@@ -419,7 +417,7 @@ class SceneReader {
     Object object = model_of(values_.needed(at, "model"));
     if (const auto name = Values::member(at, "name")) object.name = values_.text(*name, "a name");
     if (const auto sides = Values::member(at, "two_sided")) object.two_sided = values_.truth(*sides);
-    if (const auto material = Values::member(at, "material")) object.mesh = covered(*object.mesh, *material);
+    if (const auto material = Values::member(at, "material")) cover(object, *material);
     const Placing placing(values_);
     const auto place = Values::member(at, "place"), instances = Values::member(at, "instances");
     if (place) object.placement = placing.read(*place);
@@ -444,8 +442,7 @@ class SceneReader {
 
   const Object& model_of(const Found& at) {
     const std::string& name = values_.text(at, "a file's name like \"../models/spot.obj\"");
-    const auto known = models_.find(name);
-    if (known != models_.end()) return known->second;
+    if (const auto known = models_.find(name); known != models_.end()) return known->second;
     if (models_.size() == most_models)
       values_.refuse(at, fmt::format("at most {} different models", most_models), "one more");
     const std::optional<FoundModel> found = find_(name);
@@ -459,25 +456,29 @@ class SceneReader {
     return models_.emplace(name, object_of(std::move(model.mesh), name)).first->second;
   }
 
-  /// The mesh with one material for all faces.
-  std::shared_ptr<const Mesh> covered(Mesh mesh, const Found& at) const {
+  /// Gives all faces one material.
+  void cover(Object& object, const Found& at) const {
+    const auto number = [&](const Found& value, double most, std::string_view expected) {
+      return static_cast<float>(values_.number_in(value, 0, most, expected));
+    };
     Material material;
     material.name = "scene";
     std::optional<LinearRgb> ambient;
     for (const auto& [key, value] :
-         values_.members(at, {"ambient", "diffuse", "specular", "shininess", "emission"})) {
+         values_.members(at, {"ambient", "diffuse", "specular", "shininess", "emission", "opacity"})) {
       if (key == "ambient") ambient = values_.colour(value);
       if (key == "diffuse") material.diffuse = values_.colour(value);
       if (key == "specular") material.specular = values_.colour(value);
       if (key == "emission") material.emission = values_.colour(value);
-      if (key == "shininess")
-        material.shininess =
-            static_cast<float>(values_.number_in(value, 0, largest, "an exponent from 0 on"));
+      if (key == "shininess") material.shininess = number(value, largest, "an exponent from 0 on");
+      if (key == "opacity") material.opacity = number(value, 1, "an opacity from 0 to 1");
     }
     material.ambient = ambient.value_or(material.diffuse);  // as in material libraries
+    Mesh mesh = *object.mesh;
     mesh.materials = {Material{}, material};
     for (MeshFace& face : mesh.faces) face.material = 1;
-    return std::make_shared<const Mesh>(std::move(mesh));
+    object.see_through = material.opacity < 1;
+    object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   }
 
   Values values_;
