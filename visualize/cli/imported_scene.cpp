@@ -20,7 +20,7 @@
 namespace gradus::cli {
 namespace {
 
-constexpr float largest = 1e30f;  // as in OBJ files
+constexpr float largest_number = 1e30f;  // as in OBJ files
 
 /// Rows of Assimp's matrices, columns of ours; what stands in the last row has no place in a model.
 glm::dmat4 affine(const aiMatrix4x4& m) {
@@ -80,7 +80,7 @@ class Conversion {
   }
 
   void check(double number, std::string_view what) const {
-    if (std::abs(number) <= largest) return;
+    if (std::abs(number) <= largest_number) return;
     refuse(fmt::format("expected {} within 1e30 of 0, found {}", what,
                        file_.quotable ? fmt::format("{}", number) : "something else"));
   }
@@ -121,7 +121,7 @@ class Conversion {
     if (const auto strength = value_of<float>(from, AI_MATKEY_SHININESS_STRENGTH); strength && *strength >= 0)
       m.specular = light_of({m.specular.r * *strength, m.specular.g * *strength, m.specular.b * *strength});
     if (const auto exponent = value_of<float>(from, AI_MATKEY_SHININESS);
-        exponent && 0 <= *exponent && *exponent <= largest)
+        exponent && 0 <= *exponent && *exponent <= largest_number)
       m.shininess = *exponent;
     // The factor of a picture that is not read: all of the surface would shine
     if (from.GetTextureCount(aiTextureType_EMISSIVE) == 0)

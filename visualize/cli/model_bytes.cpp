@@ -9,7 +9,7 @@
 namespace gradus::cli {
 namespace {
 
-class Writer {
+class ModelWriter {
  public:
   template <class T>
     requires std::is_trivially_copyable_v<T>
@@ -35,9 +35,9 @@ class Writer {
   std::string bytes_;
 };
 
-class Reader {
+class ModelReader {
  public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
+  explicit ModelReader(std::string_view bytes) : rest_(bytes) {}
 
   template <class T>
     requires std::is_trivially_copyable_v<T>
@@ -103,9 +103,9 @@ void fields(Wire& wire, T& mesh) {
   wire(mesh.materials), wire(mesh.files);
 }
 
-using Picture = std::pair<std::string, std::string>;
+using PictureFile = std::pair<std::string, std::string>;
 template <class Wire, class T>
-  requires std::same_as<std::remove_const_t<T>, Picture>
+  requires std::same_as<std::remove_const_t<T>, PictureFile>
 void fields(Wire& wire, T& picture) {
   wire(picture.first), wire(picture.second);
 }
@@ -126,22 +126,22 @@ bool is_sound(const Mesh& mesh) {
 }  // namespace
 
 std::string bytes_of(const pipeline::ModelFile& model) {
-  Writer wire;
+  ModelWriter wire;
   fields(wire, model.mesh);
   wire(model.normals_in_file), wire(model.points), wire(model.lines), wire(model.notes);
-  wire(std::vector<Picture>(model.pictures.begin(), model.pictures.end()));
+  wire(std::vector<PictureFile>(model.pictures.begin(), model.pictures.end()));
   return wire.take();
 }
 
 std::optional<pipeline::ModelFile> model_in_bytes(std::string_view bytes) {
-  Reader wire(bytes);
+  ModelReader wire(bytes);
   pipeline::ModelFile model;
-  std::vector<Picture> pictures;
+  std::vector<PictureFile> pictures;
   fields(wire, model.mesh);
   wire(model.normals_in_file), wire(model.points), wire(model.lines), wire(model.notes);
   wire(pictures);
   if (!wire.whole() || !is_sound(model.mesh)) return std::nullopt;
-  for (Picture& picture : pictures) model.pictures.insert(std::move(picture));
+  for (PictureFile& picture : pictures) model.pictures.insert(std::move(picture));
   return model;
 }
 

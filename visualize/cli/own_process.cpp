@@ -22,7 +22,7 @@
 namespace gradus::cli {
 namespace {
 
-void limit(int resource, rlim_t most) {
+void limit_to(int resource, rlim_t most) {
   rlimit now{};
   if (getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
   now.rlim_cur = std::min(most, now.rlim_max);
@@ -42,9 +42,9 @@ void restrain(const ProcessLimits& limits) {
   // A library that finds its memory broken would say so to whoever watches
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
-  limit(RLIMIT_AS, memory_now() + limits.bytes);
+  limit_to(RLIMIT_CORE, 0);
+  limit_to(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
+  limit_to(RLIMIT_AS, memory_now() + limits.bytes);
 }
 
 /// Never returns: destructors, and what stands in buffers, are the original's.

@@ -93,16 +93,12 @@ TEST(ImportedModel, PolygonsStayAndSharedPlacesAreOne) {
 }
 
 TEST(ImportedModel, StlIsFlatAndOneBody) {
+  const std::vector<std::string> corners{"0 0 0", "1 0 0", "0 1 0", "0 0 0", "0 0 1", "1 0 0"};
   std::string text = "solid s\n";
-  for (const char* triangle : {"0 0 0 1 0 0 0 1 0", "0 0 0 0 0 1 1 0 0"}) {
-    double v[9];
-    std::sscanf(triangle, "%lf %lf %lf %lf %lf %lf %lf %lf %lf", v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6,
-                v + 7, v + 8);
-    text += "facet normal 0 0 0\nouter loop\n";
-    for (int i = 0; i < 9; i += 3)
-      text += "vertex " + std::to_string(v[i]) + " " + std::to_string(v[i + 1]) + " " +
-              std::to_string(v[i + 2]) + "\n";
-    text += "endloop\nendfacet\n";
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i % 3 == 0) text += "facet normal 0 0 0\nouter loop\n";
+    text += "vertex " + corners[i] + "\n";
+    if (i % 3 == 2) text += "endloop\nendfacet\n";
   }
   const ModelFile m = model_in(text + "endsolid s\n", "m.stl");
   EXPECT_EQ(m.mesh.positions.size(), 4u) << "the common edge stands there twice";

@@ -45,7 +45,7 @@ Bytes packed(const Image& image, int subsampling, int format = TJPF_RGBA, int fl
 }
 
 /// What is wrong with it; empty when nothing is.
-std::string complaint(const std::function<void()>& call) {
+std::string problem_of(const std::function<void()>& call) {
   try {
     call();
   } catch (const InputError& error) {
@@ -55,7 +55,7 @@ std::string complaint(const std::function<void()>& call) {
 }
 
 std::string complaint_about(const Bytes& bytes, std::int64_t most = 1 << 20) {
-  return complaint([&] { decode_jpeg(bytes, "x.jpg", most); });
+  return problem_of([&] { decode_jpeg(bytes, "x.jpg", most); });
 }
 
 /// The largest difference of a channel.
@@ -139,8 +139,8 @@ TEST(Jpeg, PicturesAreToldByTheirFirstBytes) {
   };
   EXPECT_EQ(picture(bytes), decode_jpeg(bytes, "x", 64));
   EXPECT_EQ(picture(png), slopes(8, 8));
-  EXPECT_EQ(complaint([&] { picture({}); }), "x: expected a PNG or JPEG file, found an empty one");
-  EXPECT_EQ(complaint([&] { picture({'G', 'I', 'F'}); }),
+  EXPECT_EQ(problem_of([&] { picture({}); }), "x: expected a PNG or JPEG file, found an empty one");
+  EXPECT_EQ(problem_of([&] { picture({'G', 'I', 'F'}); }),
             "x: expected a PNG or JPEG file, found something else");
   EXPECT_FALSE(begins_as_jpeg(png));
 }
