@@ -150,6 +150,12 @@ std::vector<std::string> take_names(std::string_view& answer) {
   return names;
 }
 
+/// Many times what a model of so many bytes takes that is what it seems to be.
+ProcessLimits limits_for(std::size_t bytes) {
+  constexpr std::size_t mib = std::size_t{1} << 20, gib = std::size_t{1} << 30;
+  return {.seconds = 10 + bytes / mib, .bytes = gib + 64 * bytes};
+}
+
 /// Assimp was not made for files that want to do harm, and some that are merely damaged make it crash.
 pipeline::ModelFile import_model(std::string_view bytes, const pipeline::TextFile& file,
                                  const pipeline::FileReader& open) {
@@ -158,9 +164,10 @@ pipeline::ModelFile import_model(std::string_view bytes, const pipeline::TextFil
   const auto refuse = [&file](std::string_view what) {
     refuse_input(fmt::format("{}: {}", shown_name(file.name), what));
   };
-  const ProcessResult result = in_own_process([&] { return answer_of(bytes, file, open); });
+  const ProcessResult result =
+      in_own_process([&] { return answer_of(bytes, file, open); }, limits_for(bytes.size()));
   if (result.end == ProcessResult::End::too_much)
-    refuse("expected a model that Assimp reads in 5 minutes and in what memory there is, found another");
+    refuse(fmt::format("{} (Assimp does not come to an end)", no_model));
   if (result.end == ProcessResult::End::crashed) refuse(fmt::format("{} (Assimp has crashed)", no_model));
   std::string_view answer = result.bytes;
   // Whoever reads files for us is told here what has been read there

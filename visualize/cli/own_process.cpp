@@ -43,7 +43,7 @@ void restrain(const ProcessLimits& limits) {
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   limit_to(RLIMIT_CORE, 0);
-  limit_to(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
+  limit_to(RLIMIT_CPU, limits.seconds);
   limit_to(RLIMIT_AS, memory_now() + limits.bytes);
 }
 

@@ -10,8 +10,8 @@ namespace gradus::cli {
 
 /// What such a process may take.
 struct ProcessLimits {
-  int seconds = 300;                         ///< of a processor's time
-  std::size_t bytes = std::size_t{8} << 30;  ///< of memory, beside what this process has
+  std::size_t seconds;  ///< of a processor's time
+  std::size_t bytes;    ///< of memory, beside what this process has
 };
 
 /// What came of it.
@@ -30,6 +30,6 @@ struct ProcessResult {
 ///
 /// Domain: work that needs no other thread. Cost: that of a process, and of copying the result twice.
 /// Errors: WorkError when there can be no other process.
-ProcessResult in_own_process(const std::function<std::string()>& work, const ProcessLimits& limits = {});
+ProcessResult in_own_process(const std::function<std::string()>& work, const ProcessLimits& limits);
 
 }  // namespace gradus::cli

@@ -16,10 +16,12 @@ namespace {
 
 using End = ProcessResult::End;
 
+constexpr ProcessLimits enough{.seconds = 100, .bytes = std::size_t{1} << 30};
+
 TEST(OwnProcess, ReturnsAllBytes) {
   for (const std::size_t size : {0u, 1u, 1u << 16, 5'000'000u}) {
     const std::string bytes(size, '\0');
-    const ProcessResult result = in_own_process([&] { return bytes; });
+    const ProcessResult result = in_own_process([&] { return bytes; }, enough);
     EXPECT_EQ(result.end, End::whole);
     EXPECT_EQ(result.bytes, bytes);
   }
@@ -27,25 +29,26 @@ TEST(OwnProcess, ReturnsAllBytes) {
 
 TEST(OwnProcess, WhatItDoesToItselfIsItsOwn) {
   int number = 1;
-  EXPECT_EQ(in_own_process([&] { return std::to_string(++number); }).bytes, "2");
+  EXPECT_EQ(in_own_process([&] { return std::to_string(++number); }, enough).bytes, "2");
   EXPECT_EQ(number, 1);
 }
 
 TEST(OwnProcess, MayEndByAnything) {
-  EXPECT_EQ(in_own_process([]() -> std::string { throw std::runtime_error("no"); }).end, End::crashed);
+  EXPECT_EQ(in_own_process([]() -> std::string { throw std::runtime_error("no"); }, enough).end,
+            End::crashed);
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE}) {
     const auto crash = [signal]() -> std::string {
       std::signal(signal, SIG_DFL);
       raise(signal);
       return "still here";
     };
-    EXPECT_EQ(in_own_process(crash).end, End::crashed) << signal;
+    EXPECT_EQ(in_own_process(crash, enough).end, End::crashed) << signal;
   }
   const auto out_of_time = []() -> std::string {
     raise(SIGXCPU);
     return "still here";
   };
-  EXPECT_EQ(in_own_process(out_of_time).end, End::too_much);
+  EXPECT_EQ(in_own_process(out_of_time, enough).end, End::too_much);
 }
 
 TEST(OwnProcess, HasItsLimits) {
@@ -54,7 +57,7 @@ TEST(OwnProcess, HasItsLimits) {
     getrlimit(RLIMIT_CPU, &time), getrlimit(RLIMIT_CORE, &core);
     return std::to_string(time.rlim_cur) + " " + std::to_string(core.rlim_cur);
   };
-  EXPECT_EQ(in_own_process(limits, {.seconds = 7}).bytes, "7 0");
+  EXPECT_EQ(in_own_process(limits, {.seconds = 7, .bytes = std::size_t{1} << 30}).bytes, "7 0");
 }
 
 // --- What crosses between processes of ours
