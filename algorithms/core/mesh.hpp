@@ -29,7 +29,7 @@ struct MeshFace {
   int count = 0;     ///< corners, >= 3
   int material = 0;  ///< number into mesh.materials
   int file = -1;     ///< number into mesh.files; -1 when it comes from none
-  int line = 0;      ///< line of that file, from 1
+  int line = 0;      ///< line of that file, from 1; 0 when it is not known
 };
 
 /// Positions, faces and all they refer to. A face's id is its place in `faces`.

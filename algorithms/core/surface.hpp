@@ -27,8 +27,8 @@ struct Material {
   LinearRgb specular{0.0f};  ///< k_s: the share in the highlight, >= 0
   float shininess = 32;      ///< n: the exponent of the highlight, >= 0; larger is smaller and sharper
   LinearRgb emission{0.0f};  ///< light of its own, >= 0
-  float opacity = 1;      ///< 1 covers all behind it, 0 nothing; the textbook chain draws everything opaque
-  Texture diffuse_map{};  ///< multiplies ambient and diffuse part where its file was read
+  float opacity = 1;         ///< 1 covers all behind it, 0 nothing
+  Texture diffuse_map{};     ///< multiplies ambient and diffuse part where its file was read
 };
 
 }  // namespace gradus

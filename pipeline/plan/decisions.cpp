@@ -28,6 +28,8 @@ std::string reason_of(const Scene& scene, const ObjectPlan& plan) {
 Decision on_facing(const Scene& scene, const Object& object) {
   if (scene.culling == Culling::back) return {4, Work::run, "backs are left out, as asked for"};
   if (scene.culling == Culling::none) return {4, Work::part, "backs are asked for, and only marked"};
+  if (shows_through(scene, object))
+    return {4, Work::part, "lets light through: backs are seen, and only marked"};
   if (object.two_sided) return {4, Work::part, "open or two-sided: backs are seen, and only marked"};
   return {4, Work::run, "closed and outward: backs are never seen"};
 }

@@ -209,7 +209,8 @@ Triangles geometry(const Scene& scene, Plan& plan, Ledger& ledger, const Clock& 
     }
     Triangles& triangles = of_object[static_cast<std::size_t>(number)];
     triangles = timed(clock, ledger.geometry, [&] { return geometry_of(scene, number, plan, ledger); });
-    if (hides && may_hide(object, rest[i])) cover.add(number, triangles);
+    const bool opaque = !shows_through(scene, object_at(scene, number));
+    if (hides && opaque && may_hide(object, rest[i])) cover.add(number, triangles);
   }
   count_objects(scene, plan, ledger);
 

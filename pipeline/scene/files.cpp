@@ -12,6 +12,7 @@
 
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
+#include "scene/model_formats.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -110,10 +111,11 @@ bool lies_in(const fs::path& folder, const fs::path& file) {
 
 FileReader libraries_beside(const std::string& model, Took took) {
   const fs::path folder = fs::path(model).parent_path();
-  return [folder, took = std::move(took)](const std::string& name) -> std::optional<LibraryText> {
+  const std::size_t most = is_imported(model) ? most_file_bytes : most_library_bytes;
+  return [folder, most, took = std::move(took)](const std::string& name) -> std::optional<LibraryText> {
     const std::optional<fs::path> place = place_of(folder, name);
     if (!place) return std::nullopt;
-    return text_at(*place, folder, name, most_library_bytes, took);
+    return text_at(*place, folder, name, most, took);
   };
 }
 

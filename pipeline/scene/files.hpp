@@ -11,7 +11,7 @@
 
 namespace gradus::pipeline {
 
-/// The most that a file may hold, and a material library.
+/// The most that a file may hold, and what an OBJ file names.
 inline constexpr std::size_t most_file_bytes = std::size_t{256} << 20;
 inline constexpr std::size_t most_library_bytes = std::size_t{16} << 20;
 
@@ -30,7 +30,8 @@ bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& f
 
 /// Reads what a model names from where the model lies: where the name says, with / or, as on Windows,
 /// \ between folders; else, for a path on another disk, under its last part. A folder of that name is no
-/// file. What lies outside of the model's folder is read but not quotable.
+/// file. What lies outside of the model's folder is read but not quotable. What an OBJ file names may be as
+/// large as most_library_bytes, what others name as most_file_bytes: the model itself stands there.
 ///
 /// model: path of its file; "" for one in the current folder. took: is told of each file that was read.
 using Took = std::function<void(const std::string& name, const std::string& path, const LibraryText& file)>;

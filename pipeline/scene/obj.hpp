@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ struct ModelFile {
   std::int64_t normals_in_file = 0;
   std::int64_t points = 0, lines = 0;  ///< statements that a renderer of faces has no use for
   std::vector<std::string> notes;      ///< what was assumed or left out, "file:line: …"
+  /// Picture files that stand in the model's own, by the names that its materials call them.
+  std::map<std::string, std::string> pictures{};
 };
 
 /// A model may name so many material libraries.

@@ -7,10 +7,17 @@
 
 namespace gradus::pipeline {
 
+bool lets_light_through(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.faces, [&](const MeshFace& face) {
+    return mesh.materials[static_cast<std::size_t>(face.material)].opacity < 1;
+  });
+}
+
 Object object_of(Mesh mesh, std::string name) {
   add_missing_normals(mesh);
-  const bool closed = closed_outward(mesh);
-  return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), glm::dmat4(1), !closed};
+  const bool closed = closed_outward(mesh), see_through = lets_light_through(mesh);
+  return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), glm::dmat4(1), !closed,
+          see_through};
 }
 
 namespace {

@@ -18,9 +18,10 @@ namespace gradus::pipeline {
 struct Object {
   std::string name;
   std::shared_ptr<const Mesh>
-      mesh;                 ///< every corner with a normal (add_missing_normals); others may show it, too
-  glm::dmat4 placement{1};  ///< object space to world space, affine
-  bool two_sided = true;    ///< false: back faces are never seen and are removed
+      mesh;                  ///< every corner with a normal (add_missing_normals); others may show it, too
+  glm::dmat4 placement{1};   ///< object space to world space, affine
+  bool two_sided = true;     ///< false: back faces are never seen and are removed
+  bool see_through = false;  ///< some face lets light through: see draws_opacity
 };
 
 /// How a surface takes its colour from its texture (shading/texture_mapping).
@@ -50,8 +51,21 @@ inline const Object& object_at(const Scene& scene, int number) {
   return scene.objects[static_cast<std::size_t>(number)];
 }
 
-/// The object of a mesh: missing normals are made, and it is two-sided unless it encloses a body
-/// (closed_outward).
+/// Whether opacities are drawn. The A-buffer alone keeps all that lies behind a place; other methods keep
+/// what is nearest, as if nothing let light through.
+inline bool draws_opacity(const Scene& scene) {
+  return scene.antialiasing == Antialiasing::a_buffer && scene.shading != Shading::wireframe;
+}
+/// Whether an object's backs, and what stands behind it, may be seen through it.
+inline bool shows_through(const Scene& scene, const Object& object) {
+  return object.see_through && draws_opacity(scene);
+}
+
+/// Whether some face has a material that lets light through.
+bool lets_light_through(const Mesh& mesh);
+
+/// The object of a mesh: missing normals are made, it is two-sided unless it encloses a body
+/// (closed_outward), and see-through where a face lets light through.
 Object object_of(Mesh mesh, std::string name = {});
 
 /// The box that holds all objects, in world space.

@@ -309,16 +309,16 @@ class Lamps {
 
 class SceneReader {
  public:
-  SceneReader(const std::string& name, const ModelFinder& find, const PictureDecoder& decode)
-      : values_(name), find_(find), decode_(decode), name_(name) {}
+  SceneReader(const std::string& name, const ModelFinder& find, const PictureDecoder& decode,
+              const ModelImporter& import)
+      : values_(name), find_(find), decode_(decode), import_(import), name_(name) {}
 
   SceneFile read(const JsonNode& root) {
     const Found at{root, ""};
     for (const auto& [key, value] :
          values_.members(at, {"$schema", "size", "background", "ambient", "shading", "hidden_surfaces",
-                              "culling", "filter", "aa", "samples", "camera", "lights", "objects"})) {
+                              "culling", "filter", "aa", "samples", "camera", "lights", "objects"}))
       take(key, value);
-    }
     check_samples(at);
     take_objects(values_.needed(at, "objects"));
     return std::move(file_);
@@ -406,7 +406,6 @@ class SceneReader {
   }
 
   // Objects
-
   void take_objects(const Found& at) {
     const std::vector<Found> objects = values_.elements(at, "a list of objects", most_objects);
     if (objects.empty()) values_.refuse(at, "a list of at least one object");
@@ -418,7 +417,7 @@ class SceneReader {
     Object object = model_of(values_.needed(at, "model"));
     if (const auto name = Values::member(at, "name")) object.name = values_.text(*name, "a name");
     if (const auto sides = Values::member(at, "two_sided")) object.two_sided = values_.truth(*sides);
-    if (const auto material = Values::member(at, "material")) object.mesh = covered(*object.mesh, *material);
+    if (const auto material = Values::member(at, "material")) cover(object, *material);
     const Placing placing(values_);
     const auto place = Values::member(at, "place"), instances = Values::member(at, "instances");
     if (place) object.placement = placing.read(*place);
@@ -443,44 +442,49 @@ class SceneReader {
 
   const Object& model_of(const Found& at) {
     const std::string& name = values_.text(at, "a file's name like \"../models/spot.obj\"");
-    const auto known = models_.find(name);
-    if (known != models_.end()) return known->second;
+    if (const auto known = models_.find(name); known != models_.end()) return known->second;
     if (models_.size() == most_models)
       values_.refuse(at, fmt::format("at most {} different models", most_models), "one more");
     const std::optional<FoundModel> found = find_(name);
     if (!found) values_.refuse(at, "the name of a file that is there");
     if (!found->text.problem.empty())
       refuse_input(fmt::format("{}:{}: {}: {}", name_, at.node.line, at.way, found->text.problem));
-    ModelFile model = parse_obj(found->text.text, {found->called, found->text.quotable}, found->beside);
-    if (decode_) load_textures(model.mesh, found->beside, decode_, found->called);
+    const TextFile file{found->called, found->text.quotable};
+    ModelFile model = read_model(found->text.text, file, found->beside, import_);
+    if (decode_) load_textures(model, found->beside, decode_, found->called);
     file_.notes.insert(file_.notes.end(), model.notes.begin(), model.notes.end());
     return models_.emplace(name, object_of(std::move(model.mesh), name)).first->second;
   }
 
-  /// The mesh with one material for all faces.
-  std::shared_ptr<const Mesh> covered(Mesh mesh, const Found& at) const {
+  /// Gives all faces one material.
+  void cover(Object& object, const Found& at) const {
+    const auto number = [&](const Found& value, double most, std::string_view expected) {
+      return static_cast<float>(values_.number_in(value, 0, most, expected));
+    };
     Material material;
     material.name = "scene";
     std::optional<LinearRgb> ambient;
     for (const auto& [key, value] :
-         values_.members(at, {"ambient", "diffuse", "specular", "shininess", "emission"})) {
+         values_.members(at, {"ambient", "diffuse", "specular", "shininess", "emission", "opacity"})) {
       if (key == "ambient") ambient = values_.colour(value);
       if (key == "diffuse") material.diffuse = values_.colour(value);
       if (key == "specular") material.specular = values_.colour(value);
       if (key == "emission") material.emission = values_.colour(value);
-      if (key == "shininess")
-        material.shininess =
-            static_cast<float>(values_.number_in(value, 0, largest, "an exponent from 0 on"));
+      if (key == "shininess") material.shininess = number(value, largest, "an exponent from 0 on");
+      if (key == "opacity") material.opacity = number(value, 1, "an opacity from 0 to 1");
     }
     material.ambient = ambient.value_or(material.diffuse);  // as in material libraries
+    Mesh mesh = *object.mesh;
     mesh.materials = {Material{}, material};
     for (MeshFace& face : mesh.faces) face.material = 1;
-    return std::make_shared<const Mesh>(std::move(mesh));
+    object.see_through = material.opacity < 1;
+    object.mesh = std::make_shared<const Mesh>(std::move(mesh));
   }
 
   Values values_;
   const ModelFinder& find_;
   const PictureDecoder& decode_;
+  const ModelImporter& import_;
   const std::string& name_;
   std::map<std::string, Object, std::less<>> models_;
   SceneFile file_;
@@ -489,8 +493,8 @@ class SceneReader {
 }  // namespace
 
 SceneFile parse_scene(std::string_view text, const std::string& name, const ModelFinder& find,
-                      const PictureDecoder& decode) {
-  return SceneReader(name, find, decode).read(read_json(text, name));
+                      const PictureDecoder& decode, const ModelImporter& import) {
+  return SceneReader(name, find, decode, import).read(read_json(text, name));
 }
 
 }  // namespace gradus::pipeline

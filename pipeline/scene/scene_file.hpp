@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/image.hpp"
-#include "scene/obj.hpp"
+#include "scene/model_formats.hpp"
 #include "scene/scene.hpp"
 #include "scene/textures.hpp"
 #include "scene/view.hpp"
@@ -42,7 +42,8 @@ using ModelFinder = std::function<std::optional<FoundModel>(const std::string& n
 ///
 /// text: the file's contents. name: how mistakes call it. find: how to get at the models it names; each is
 /// read
-///   once. decode: makes textures of files; without it none are read.
+///   once. decode: makes textures of files; without it none are read. import: reads models that are no OBJ
+///   files.
 ///
 /// Placing: the transformations of an object's `place` act on it one after the other, the first one first; an
 /// object with `instances` stands once for each of them, there first by `place`.
@@ -55,6 +56,6 @@ using ModelFinder = std::function<std::optional<FoundModel>(const std::string& n
 ///   that has no inverse), more than most_models, most_objects, most_lights; "file:line: …" for what is no
 ///   JSON and for what is wrong with a model.
 SceneFile parse_scene(std::string_view text, const std::string& name, const ModelFinder& find,
-                      const PictureDecoder& decode);
+                      const PictureDecoder& decode, const ModelImporter& import = {});
 
 }  // namespace gradus::pipeline

@@ -30,7 +30,7 @@ class Loader {
       refuse_input(fmt::format("{}: {}", texture.place, what));
     };
     const auto file = open_(texture.file);
-    if (!file) fail("expected a PNG file of that name beside the model, found none");
+    if (!file) fail("expected a PNG or JPEG file of that name beside the model, found none");
     const bool quotable = file->quotable && texture.quotable;
     if (!file->problem.empty()) fail(quotable ? file->problem : "expected a file that can be read");
     Image image = decode_(file->text, texture.place, left_);
@@ -70,6 +70,15 @@ void load_textures(Mesh& mesh, const FileReader& open, const PictureDecoder& dec
     check_coordinates(mesh, face, name);
     if (loaded.insert(face.material).second) loader.load(texture);
   }
+}
+
+void load_textures(ModelFile& model, const FileReader& open, const PictureDecoder& decode,
+                   const std::string& name) {
+  const FileReader inside_first = [&](const std::string& file) -> std::optional<LibraryText> {
+    const auto found = model.pictures.find(file);
+    return found == model.pictures.end() ? open(file) : LibraryText(found->second);
+  };
+  load_textures(model.mesh, inside_first, decode, name);
 }
 
 }  // namespace gradus::pipeline

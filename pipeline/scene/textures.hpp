@@ -1,5 +1,6 @@
 #pragma once
-// The pictures that materials name. What a PNG is, the caller knows: pages that draw models have none.
+// The pictures that materials name. What a PNG or a JPEG is, the caller knows: pages that draw models have
+// none.
 
 #include <functional>
 #include <string>
@@ -29,5 +30,8 @@ using PictureDecoder =
 ///   picture or larger than 2^15 a side, for more than most_texels in all, and for texture coordinates beyond
 ///   farthest_texture_coordinate where there is a texture.
 void load_textures(Mesh& mesh, const FileReader& open, const PictureDecoder& decode, const std::string& name);
+/// The same of a model, which may hold pictures itself.
+void load_textures(ModelFile& model, const FileReader& open, const PictureDecoder& decode,
+                   const std::string& name);
 
 }  // namespace gradus::pipeline

@@ -24,11 +24,13 @@ inline back_face_culling::Facing facing(const Model<ClipPoint>& model, const Pie
   return back_face_culling::facing(model.point(a).at, model.point(b).at, model.point(c).at);
 }
 
-/// Whether its back is shown, too: as its object says, unless all backs are asked for or none.
+/// Whether its back is shown, too: as its object says, or where one sees through that, unless all backs are
+/// asked for or none.
 inline bool two_sided(const Scene& scene, const Piece& piece) {
   if (scene.culling == Culling::none) return true;
   if (scene.culling == Culling::back) return false;
-  return object_at(scene, piece.id.object).two_sided;
+  const Object& object = object_at(scene, piece.id.object);
+  return object.two_sided || shows_through(scene, object);
 }
 
 /// Removes the pieces that show their backs, and those seen edge-on. Those of two-sided objects stay and are

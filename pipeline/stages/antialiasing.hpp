@@ -63,6 +63,13 @@ class FragmentColour {
 
   const ShadingCount& count() const { return light_.count(); }
 
+  /// How much a triangle covers of what lies behind it.
+  double opacity(int triangle) const {
+    const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+    if (!draws_opacity(light_.scene())) return 1;
+    return double{light_.material({t.id, triangle}).opacity};
+  }
+
   dvec3 operator()(int triangle, ivec2 pixel, const triangle_coverage::Weights& at) {
     const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
     // A place on an edge may have been rounded to beyond it
@@ -267,10 +274,11 @@ inline LightPicture by_areas(Shot& shot) {
     area_sampling::visible_areas(triangles, window, colour, plot);
   });
 }
-/// Masks of 32 sub-samples.
+/// Masks of 32 sub-samples; what lets light through shows what is behind it.
 inline LightPicture by_masks(Shot& shot) {
   return of_fragments(shot, [](auto triangles, const Window& window, auto& colour, const auto& plot) {
-    a_buffer::a_buffer(triangles, window, colour, plot);
+    const auto opacity = [&](int triangle) { return colour.opacity(triangle); };
+    a_buffer::a_buffer(triangles, window, colour, plot, a_buffer::OwnSurface{}, opacity);
   });
 }
 /// Samples where edges cross a pixel, and one colour a fragment.

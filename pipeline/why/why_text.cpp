@@ -25,11 +25,14 @@ std::string base_of(const std::string& path) { return path.substr(path.rfind('/'
 
 // --- A triangle ------------------------------------------------------------------------------------
 
-/// "Spot, face 812 (spot.obj:4031), triangle 1 of 2"; faces and triangles are counted from 1.
+/// "Spot, face 812 (spot.obj:4031), triangle 1 of 2", imported "(spot.glb)"; faces and triangles are counted
+/// from 1.
 std::string title_of(const Scene& scene, const FragmentStory& story) {
   const PieceId id = story.tested.fragment.id;
   const std::string file = visible(base_of(file_of(scene, story.face)));
-  const std::string from = file.empty() ? "" : fmt::format(" ({}:{})", file, story.face.line);
+  // Imported faces know no line
+  const std::string line = story.face.line == 0 ? "" : fmt::format(":{}", story.face.line);
+  const std::string from = file.empty() ? "" : fmt::format(" ({}{})", file, line);
   return fmt::format("{}, face {}{}, triangle {} of {}", visible(object_at(scene, id.object).name),
                      id.face + 1, from, id.piece + 1, story.face.pieces.size());
 }

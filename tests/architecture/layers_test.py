@@ -34,10 +34,12 @@ PACKAGES = {
     "hwy/": "algorithms/",
     "cmark-gfm": "visualize/web/topic_page.cpp",
     "archive": "visualize/cli/zip.cpp",
+    "turbojpeg.h": "visualize/cairo/jpeg.cpp",
+    "assimp/": "visualize/cli/imported_",
     "tiny_obj_loader.h": "tests/",
 }
-ONE_FILE = ("zlib.h", "CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive")  # heavy or confined: a single .cpp
-ORACLES = ("zlib.h", "boost/", "png.h", "nlohmann/", "hwy/", "cairo")  # tests and benchmarks use them too
+ONE_FILE = ("zlib.h", "CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive", "turbojpeg.h")  # heavy or confined: a single .cpp
+ORACLES = ("zlib.h", "boost/", "png.h", "nlohmann/", "hwy/", "cairo", "turbojpeg.h", "assimp/")  # tests and benchmarks use them too
 BATCH_ONLY = ("hwy/",)  # SIMD: nothing that a reader of the algorithm sees
 
 # Not in algorithms/: they don't exist everywhere the algorithms run

@@ -166,9 +166,9 @@ def test_textures():
     def refused(what, *words):
         result = gradus("render", "m.obj", "-o", "m.png", *words)
         equal((result.code, result.err, os.path.exists("m.png")), (2, f"gradus: m.mtl:3: map_Kd 'wood.png': {what}\n", False), what)
-    refused("expected a PNG file of that name beside the model, found none")
+    refused("expected a PNG or JPEG file of that name beside the model, found none")
     write("wood.png", "no picture")
-    refused("expected a PNG file, found something else")
+    refused("expected a PNG or JPEG file, found something else")
     whole = read(MODELS / "spot_texture.png")
     write("wood.png", whole[:5000])
     refused("expected a whole PNG file, found a damaged one (the file ends too early)")

@@ -52,6 +52,21 @@ def test_shipped_scenes():
         check(len({p for row in shown.pixels for p in row}) > 20, f"{name} shows something")
 
 
+def test_opacity_is_drawn_by_the_a_buffer_alone():
+    write("wall.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n")
+    def wall(z, light, opacity):
+        material = {"diffuse": [0, 0, 0], "emission": light, "opacity": opacity}
+        return {"model": "wall.obj", "place": {"translate": [0, 0, z]}, "material": material}
+    write("s.json", json.dumps({"size": [9, 9], "background": [0, 0, 1], "camera": {"eye": [0, 0, 9], "fov": 6},
+                                "objects": [wall(-1, [0, 1, 0], 0.5), wall(1, [1, 0, 0], 0.5)]}))
+    remark = "render: what lets light through is drawn opaque; --aa a_buffer draws it by its opacity\n"
+    for words, said, colour in ((("--aa", "a_buffer"), "", (188, 137, 137)), ((), remark, (255, 0, 0)), (("--aa", "none"), remark, (255, 0, 0))):
+        result = gradus("render", "s.json", "-o", "-", *words)
+        equal((result.code, result.err), (0, said), f"{words}: a remark")
+        # Half of the first, a quarter of the second and of the ground, in sRGB
+        equal(Picture(result.bytes).pixels[4][4], colour, f"{words}: the middle")
+
+
 def in_view(camera, place, radius):
     """Whether a ball lies in the round cone about the picture of a camera, or touches it."""
     minus = [t - e for t, e in zip(camera["target"], camera["eye"])]

@@ -1,7 +1,10 @@
 #pragma once
-// Pictures that were not drawn by Cairo as files that say what made them, like figures do.
+// Picture files: those that users give, and pictures that were not drawn by Cairo as files that say what made
+// them, like figures do.
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/image.hpp"
 #include "figure/colophon.hpp"
@@ -10,5 +13,10 @@ namespace gradus {
 
 /// The picture as a PNG with the same texts in it as a figure's: `colophon_in` finds them there.
 std::string png_of(const Image& image, const Colophon& colophon);
+
+/// The picture in the bytes of a PNG or JPEG file; `name` is how errors call it. Throws InputError: as
+/// decode_png and decode_jpeg do, and for bytes that are neither.
+Image decode_picture(std::string_view bytes, const std::string& name,
+                     std::int64_t most_pixels = most_png_pixels);
 
 }  // namespace gradus

@@ -209,7 +209,8 @@ std::vector<Command> all_commands() {
        Operand::lecture},
       {"render",
        "a MODEL.obj or a SCENE.json",
-       "renders a model (OBJ, with the materials that lie beside it) or a scene of several into a PNG",
+       "renders a model (OBJ with the materials that lie beside it, glTF, PLY, STL and others) or a scene of "
+       "several into a PNG",
        1,
        1,
        false,

@@ -13,6 +13,7 @@
 #include "cli/errors.hpp"
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
+#include "cli/imported_model.hpp"
 #include "cli/names.hpp"
 #include "cli/notation_reader.hpp"
 #include "cli/road_film.hpp"
@@ -95,7 +96,12 @@ void add_models(Words& words) {
 void add_models_and_scenes(Words& words) {
   add_models(words);
   for (const std::string& name : shipped_examples(".json")) words.add(name, "comes with gradus");
-  add_files(words, {".obj", ".json"});
+  Texts endings{".obj", ".json"};
+  if (model_importer()) {
+    for (const std::string_view ending : pipeline::imported_endings)
+      endings.push_back(fmt::format(".{}", ending));
+  }
+  add_files(words, std::move(endings));
 }
 
 // --- Values of flags -----------------------------------------------------------------------------
@@ -126,7 +132,7 @@ void add_values(Words& words, const Parameter& parameter) {
       return words.add_all(color_names());
     case ParameterType::picture:
       for (const std::string& name : shipped_examples(".png")) words.add(name, "comes with gradus");
-      return add_files(words, {".png"});
+      return add_files(words, {".png", ".jpg", ".jpeg"});
     case ParameterType::maze:
       return add_files(words, {});
     case ParameterType::faces:

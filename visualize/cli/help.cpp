@@ -63,7 +63,7 @@ std::string range_of(const Parameter& parameter) {
     case ParameterType::paint:
       return "#rrggbb or a basic colour's name; for a maze a letter";
     case ParameterType::picture:
-      return "a PNG file, or - for standard input";
+      return "a PNG or JPEG file, or - for standard input";
     case ParameterType::maze:
       return "a text file, - for standard input, or rows like '#.#/...'";
     case ParameterType::number:

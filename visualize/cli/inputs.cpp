@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cairo/image_file.hpp"
 #include "cli/errors.hpp"
 #include "cli/faces_file.hpp"
 #include "cli/files.hpp"
@@ -96,13 +97,12 @@ class InputReader {
 
   Arguments::Entry picture(const Parameter& parameter, const std::string& text) {
     const std::string name = canonical(parameter, text), bytes = file_bytes(parameter, text).bytes;
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     const std::string called =
         fmt::format("{}: {}", flag_of(parameter), text == dash ? "standard input" : shown(text));
     return {.name = parameter.name,
             .text = name,
             .image = std::make_shared<const Image>(
-                decode_png({data, bytes.size()}, called, std::min(parameter.most, most_png_pixels))),
+                decode_picture(bytes, called, std::min(parameter.most, most_png_pixels))),
             .hash = fingerprint(bytes)};
   }
 

@@ -347,6 +347,13 @@ std::string empty_remark(const pipeline::Scene& scene) {
              : "render: no pixel shows the model: the picture shows the background alone";
 }
 
+/// What a method of antialiasing can't draw.
+std::optional<std::string> opacity_remark(const pipeline::Scene& scene) {
+  const bool drawn = draws_opacity(scene) || scene.shading == pipeline::Shading::wireframe;
+  if (drawn || !std::ranges::any_of(scene.objects, &pipeline::Object::see_through)) return std::nullopt;
+  return "render: what lets light through is drawn opaque; --aa a_buffer draws it by its opacity";
+}
+
 /// All that a request asks for, read and ready to be rendered.
 struct Shot {
   Wish wish;
@@ -367,6 +374,7 @@ Shot shot_of(const Request& request, const FindFile& find) {
   const auto [width, height] = shown_size(shot.wish);
   shot.brief = {{}, input.files, input.quotable, remarks, width, height};
   shot.scene = scene_for(std::move(input.scene), shot.wish);
+  if (const auto remark = opacity_remark(shot.scene)) shot.brief.remarks.push_back(*remark);
   shot.brief.colophon = colophon_of(input, shot.scene, shot.wish);
   return shot;
 }

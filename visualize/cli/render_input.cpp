@@ -5,9 +5,10 @@
 
 #include "cairo/image_file.hpp"
 #include "cli/files.hpp"
+#include "cli/imported_model.hpp"
 #include "scene/files.hpp"
 #include "scene/located_json.hpp"
-#include "scene/obj.hpp"
+#include "scene/model_formats.hpp"
 #include "scene/textures.hpp"
 
 namespace gradus::cli {
@@ -15,15 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes PNG files alone.
-Image picture_in(const std::string& bytes, const std::string& name, std::int64_t most) {
-  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name, most);
-}
-
 pipeline::SceneFile scene_in(const std::string& text, const std::string& called, bool quotable,
                              const pipeline::ModelFinder& find, const pipeline::PictureDecoder& decode) {
   try {
-    return pipeline::parse_scene(text, called, find, decode);
+    return pipeline::parse_scene(text, called, find, decode, model_importer());
   } catch (const InputError&) {
     if (quotable) throw;
     throw InputError(called + ": expected a scene, found something else");
@@ -44,19 +40,19 @@ RenderInput read_render_input(const std::string& operand, const FindFile& find, 
   take(file.path, text);
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
   input.quotable = file.quotable;
-  input.is_scene = pipeline::begins_as_json(text);  // no OBJ file does
+  input.is_scene = !pipeline::is_imported(file.path) && pipeline::begins_as_json(text);  // no OBJ file does
   const auto took = [&](const std::string&, const std::string& path, const pipeline::LibraryText& library) {
     take(path, library.text);
   };
   const std::string called = from_stdin ? "standard input" : file.path, place = from_stdin ? "" : file.path;
-  const pipeline::PictureDecoder decode = textures ? picture_in : pipeline::PictureDecoder();
+  const pipeline::PictureDecoder decode = textures ? decode_picture : pipeline::PictureDecoder();
   if (input.is_scene) {
     input.scene = scene_in(text, called, file.quotable, pipeline::models_beside(place, took), decode);
     return input;
   }
   const auto beside = pipeline::libraries_beside(place, took);
-  pipeline::ModelFile model = pipeline::parse_obj(text, {called, file.quotable}, beside);
-  if (textures) pipeline::load_textures(model.mesh, beside, picture_in, called);
+  pipeline::ModelFile model = pipeline::read_model(text, {called, file.quotable}, beside, model_importer());
+  if (textures) pipeline::load_textures(model, beside, decode_picture, called);
   input.scene.notes = std::move(model.notes);
   input.scene.scene.objects.push_back(pipeline::object_of(std::move(model.mesh), input.name));
   return input;

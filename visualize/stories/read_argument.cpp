@@ -167,7 +167,7 @@ std::string base_name(std::string_view path) { return std::string(path.substr(pa
 
 Taken read_picture(const Parameter& parameter, std::string_view text) {
   const std::string name = base_name(text);
-  if (name.empty()) refuse_value(parameter, "a PNG file", text);
+  if (name.empty()) refuse_value(parameter, "a PNG or JPEG file", text);
   return {{}, name};
 }
 

@@ -36,7 +36,7 @@ enum class ParameterType {
   choice,   ///< one of `choices`
   color,    ///< "#rrggbb" or a CSS basic colour name; canonical "#rrggbb"
   paint,    ///< a colour as above or, for mazes, one letter
-  picture,  ///< a PNG file
+  picture,  ///< a PNG or JPEG file
   maze,    ///< a text file, "-", or the rows themselves joined by "/"; a short file is made canonical as rows
   number,  ///< one number: "0.5", "1/3"
   numbers,  ///< as many numbers as `parts` has names: "1,0.5,2" for x,y,z

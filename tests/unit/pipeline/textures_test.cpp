@@ -136,8 +136,9 @@ std::string refusal_of(const std::string& model, const Files& files,
 
 TEST(Textures, RefusedWithTheLineThatNamesThem) {
   Files files{{"m.mtl", "newmtl m\nKd 1 1 1\nmap_Kd -clamp on my wood.png\n"}};
-  EXPECT_EQ(refusal_of(square, files),
-            "m.mtl:3: map_Kd 'my wood.png': expected a PNG file of that name beside the model, found none");
+  EXPECT_EQ(
+      refusal_of(square, files),
+      "m.mtl:3: map_Kd 'my wood.png': expected a PNG or JPEG file of that name beside the model, found none");
   const auto wide = [](const std::string&, const std::string&, std::int64_t) { return Image(40'000, 1); };
   files["my wood.png"] = "";
   EXPECT_EQ(refusal_of(square, files, wide),

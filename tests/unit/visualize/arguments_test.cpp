@@ -106,7 +106,7 @@ TEST(Canonical, FilesGoByTheirNames) {
   EXPECT_EQ(canonical(parameter(ParameterType::picture), "some/folder/horse.png"), "horse.png");
   EXPECT_EQ(canonical(parameter(ParameterType::picture), "-"), "-");
   EXPECT_EQ(complaint(parameter(ParameterType::picture), "folder/"),
-            "value: expected a PNG file, found 'folder/'");
+            "value: expected a PNG or JPEG file, found 'folder/'");
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "some/folder/room.txt"), "room.txt");
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "room.txt"), "room.txt");
   EXPECT_EQ(canonical(parameter(ParameterType::maze), "mazes/room"), "room");

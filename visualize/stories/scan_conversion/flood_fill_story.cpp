@@ -163,7 +163,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
              .type = ParameterType::picture,
              .default_value = "",
              .example = "photo.png",
-             .help = fmt::format("what to fill instead: a PNG file of at most {} pixels", most_pixels),
+             .help =
+                 fmt::format("what to fill instead: a PNG or JPEG file of at most {} pixels", most_pixels),
              .most = most_pixels,
              .instead_of = "maze"},
             {"at", ParameterType::cell, "1,1", "3,4", "seed: column,row from the top left"},

@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Models that are no OBJ files: the same picture as of the same model in OBJ, and one line for what is wrong with them.
+
+    tests/golden/imported_models_test.py [GRADUS]
+"""
+import json
+import os
+import pathlib
+import random
+import struct
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import check, equal
+from model_files import Model, box, data_uri, glb, glb_of, gltf, gltf_parts, house, obj, ply, stl
+from renders import MODELS, Picture, gradus, picture, read, write
+
+SMALL = ("--size", "64x48")
+SEED = int(os.environ.get("GRADUS_SEED", 20261125))
+MUTATIONS = 2000 if os.environ.get("GRADUS_STRESS") else 60
+TEXTURE = MODELS / "spot_texture.png"
+
+
+def pixels(name, *words):
+    return picture(name, *SMALL, *words).pixels
+
+
+def written(name, data):
+    write(name, data)
+    return name
+
+
+# --- The same picture ------------------------------------------------------------------------------------------
+
+
+def test_formats_that_carry_the_same():
+    """Positions and faces alone: flat in STL and glTF, smooth in PLY."""
+    cut = house().cut()
+    flat, smooth = pixels(written("flat.obj", obj(cut))), pixels(written("smooth.obj", obj(house(), smooth=True)))
+    check(flat != smooth, "the two can be told apart")
+    for name, data in {"a.stl": stl(cut), "b.STL": stl(cut, binary=True), "a.gltf": gltf(cut), "a.glb": glb(cut)}.items():
+        # glTF's default material is white, ours is not
+        check(pixels(written(name, data)) == flat if "stl" in name.lower() else True, f"{name} looks like flat.obj")
+    grey = {"pbrMetallicRoughness": {"baseColorFactor": [0.7, 0.7, 0.7, 1]}}
+    write("grey.obj", obj(cut, "mtllib grey.mtl\nusemtl grey"))
+    write("grey.mtl", "newmtl grey\nKd 0.7 0.7 0.7\n")
+    flat_grey = pixels("grey.obj")
+    equal(flat_grey, flat, "the default, said")
+    for name, data in {"a.gltf": gltf(cut, material=grey), "a.glb": glb(cut, material=grey)}.items():
+        check(pixels(written(name, data)) == flat, f"{name} looks like flat.obj")
+    for name, data in {"a.ply": ply(house()), "b.ply": ply(house(), "<"), "c.ply": ply(house(), ">")}.items():
+        check(pixels(written(name, data)) == smooth, f"{name} looks like smooth.obj")
+    # Bodies are closed as in OBJ: the explanation says so of each
+    for name in ("flat.obj", "smooth.obj", "a.stl", "a.glb", "b.ply"):
+        check("closed and outward" in gradus("explain", name).out, f"{name} is a closed body")
+
+
+def test_textures():
+    """A picture beside the model, in its buffer and in its JSON, v from the other edge; names as URIs have them."""
+    model, png = box(2, 1, 1).cut(), read(TEXTURE)
+    write("wood of mine.png", png)
+    write("m.mtl", "newmtl m\nKd 0.5 0.25 1\nmap_Kd wood of mine.png\n")
+    write("m.obj", obj(model, "mtllib m.mtl\nusemtl m"))
+    expected = pixels("m.obj")
+    material = {"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "baseColorTexture": {"index": 0}}}
+    root, buffer = gltf_parts(model, material=material, image="wood%20of%20mine.png")
+    root["buffers"] = [{"byteLength": len(buffer), "uri": "the%20buffer.bin"}]
+    write("the buffer.bin", buffer)
+    for name, data in {"beside.gltf": json.dumps(root), "inside.gltf": gltf(model, material=material, image=data_uri(png, "image/png")),
+                       "inside.glb": glb(model, material=material, image=png)}.items():
+        check(pixels(written(name, data)) == expected, f"{name} looks like m.obj")
+    plain = pixels("inside.glb", "--filter", "none")
+    check(plain == pixels("m.obj", "--filter", "none") != expected, "--filter none reads none")
+    # A file that has changed is told, the same one gives the same bytes
+    shown = picture("beside.gltf", *SMALL)
+    equal(len(shown.texts["gradus-input-hash"].split()), 3, "model, buffer and picture")
+    equal(gradus("render", "beside.gltf", *SMALL, "-o", "m.png").code, 0, "rendered")
+    equal(gradus("again", "m.png", "-o", "again.png").code, 0, "again")
+    equal(read("again.png"), read("m.png"), "the same bytes")
+    write("the buffer.bin", buffer[:-1] + b"?")
+    result = gradus("again", "m.png", "-o", "again.png")
+    check(result.code == 2 and "again: expected the input with which" in result.err, f"another buffer: {result.err}")
+    result = gradus("render", "beside.gltf", "-o", "the buffer.bin")
+    check(result.code == 2 and "-o: expected a name that ends in .png" in result.err, result.err)
+
+
+def test_nodes():
+    """Hierarchies are multiplied out; what a node mirrors keeps its outside."""
+    model = box(1, 2, 0.5).cut()
+    turn = [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1]  # a quarter about z, then by 1 to the right; column by column
+    nodes = [{"children": [1, 2], "translation": [0, 0, 1]}, {"mesh": 0, "matrix": turn},
+             {"children": [3], "scale": [2, 2, 2], "translation": [4, 0, 0]}, {"mesh": 0, "scale": [-1, 1, 1]}]
+    first = model.moved(lambda p: (1 - p[1], p[0], p[2] + 1))
+    second = model.turned_round().moved(lambda p: (4 - 2 * p[0], 2 * p[1], 2 * p[2] + 1))
+    grey = {"pbrMetallicRoughness": {"baseColorFactor": [0.7, 0.7, 0.7, 1]}}
+    write("m.glb", glb(model, nodes=nodes, material=grey))
+    write("m.obj", obj(first.and_also(second)))
+    for words in ((), ("--culling", "back"), ("--eye", "9,4,-7")):
+        check(pixels("m.glb", *words) == pixels("m.obj", *words), f"{words}: as the transformed OBJ file")
+    result = gradus("explain", "m.glb")
+    check("closed and outward" in result.out, f"and it is closed: {result.out}")
+
+
+def test_scenes_and_why():
+    model = box().cut()
+    write("m.ply", ply(model))
+    write("m.obj", obj(model, smooth=True))
+    def scene(name):
+        return json.dumps({"objects": [{"model": name, "place": {"translate": [i, 0, 0]}} for i in (0, 3)]})
+    check(pixels(written("p.json", scene("m.ply"))) == pixels(written("o.json", scene("m.obj"))), "a scene of it")
+    equal(len(picture("p.json", *SMALL).texts["gradus-input-hash"].split()), 2, "scene and model")
+    result = gradus("render", "m.ply", *SMALL, "--why", "32,24")
+    check(result.code == 0 and "m.ply, face " in result.out and "(m.ply), triangle 1 of 1" in result.out, f"why: {result.out}")
+
+
+def test_remarks():
+    """What is there and not used."""
+    root, buffer = gltf_parts(box().cut())
+    root["cameras"] = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]
+    root["nodes"].append({"camera": 0})
+    root["scenes"][0]["nodes"].append(1)
+    write("m.glb", glb_of(root, buffer))
+    result = gradus("render", "m.glb", *SMALL, "-o", "m.png")
+    equal((result.code, result.err), (0, "m.glb: its cameras and lights are not used\nm.png\n"), "a camera")
+    colours = ply(box()).replace(b"property float z\n", b"property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n")
+    rows = colours.split(b"\n")
+    start = rows.index(b"end_header") + 1
+    write("m.ply", b"\n".join(rows[:start] + [row + b" 255 0 0" for row in rows[start:start + 8]] + rows[start + 8:]))
+    equal(gradus("render", "m.ply", *SMALL, "-o", "m.png").err, "m.ply: colours of vertices are not used\nm.png\n", "colours")
+
+
+# --- What is refused --------------------------------------------------------------------------------------------
+
+
+def refused(name, data, *expected):
+    """One line that holds all of these, code 2, and nothing written."""
+    write(name, data)
+    before = sorted(os.listdir("."))
+    result = gradus("render", name, *SMALL, "-o", "out.png", timeout=60)
+    fits = result.code == 2 and result.err.startswith(f"gradus: {name}") and result.err.count("\n") == 1
+    check(fits and all(text in result.err for text in expected), f"{name}: {expected}\n    {result.code} {result.err}")
+    equal(sorted(os.listdir(".")), before, f"{name} leaves nothing")
+
+
+def test_broken_files():
+    model = box().cut()
+    whole = glb(model)
+    refused("a.gltf", gltf(model, uri="gone.bin"), "a.gltf: expected the file 'gone.bin' beside it, found none")
+    os.mkdir("folder.bin")
+    refused("a.gltf", gltf(model, uri="folder.bin"), "a.gltf: expected the file 'folder.bin' beside it, found none")
+    refused("cut.glb", whole[:-40], "cut.glb: expected ")
+    for name in ("a.ply", "a.stl", "a.glb", "a.gltf", "a.fbx", "a.dae", "a.3ds", "a.off"):
+        refused(name, "", f"{name}")
+        refused(name, "This is no model.\x1b[31m\n", f"{name}")
+    def with_first(number):
+        return Model([(number, 0, 0), *model.positions[1:]], model.faces)
+    for number in (float("nan"), float("inf"), 1e31):
+        refused("far.ply", ply(with_first(number), "<"), "far.ply: expected coordinates within 1e30 of 0, found ")
+    refused("far.stl", stl(with_first(-1e31), binary=True), "expected coordinates within 1e30 of 0, found -9.99")
+    refused("bare.ply", ply(Model(model.positions, [])), "bare.ply: ")
+    refused("beyond.ply", ply(Model(model.positions, [(0, 1, 8)])), "beyond.ply: ")
+    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+    place = "a.gltf: texture 'gone.png' of material "
+    refused("a.gltf", gltf(model, material=material, image="gone.png"), place,
+            "expected a PNG or JPEG file of that name beside the model, found none")
+    refused("a.glb", glb(model, material=material, image=b"no picture"), "expected a PNG or JPEG file, found something else")
+
+
+def test_gltf_that_goes_round():
+    """Nodes that are no trees, counts of what is not there, and JSON that is none."""
+    root, buffer = gltf_parts(box().cut())
+    def changed(**keys):
+        return json.dumps(root | {"buffers": [{"byteLength": len(buffer), "uri": data_uri(buffer)}]} | keys, indent=1)
+    shared = [{"children": [i + 1, i + 1]} for i in range(60)] + [{"mesh": 0}]
+    refused("a.gltf", changed(nodes=shared), "a.gltf:", ": expected nodes with one parent each, found another one of node 1")
+    refused("a.gltf", changed(nodes=[{"children": [1]}, {"children": [0]}]), "expected nodes in trees, found some that are their own ancestors")
+    refused("a.gltf", changed(nodes=[{"children": [0]}]), "expected nodes in trees")
+    refused("a.gltf", changed(nodes=[{"children": [7]}]), "expected a node from 0 to 0, found 7")
+    refused("a.gltf", changed(scenes=[{"nodes": [0, 0]}]), "expected each node once, found node 0 again")
+    refused("a.gltf", changed(accessors=[root["accessors"][0] | {"count": 4_000_000_000}]), "expected a whole number up to ")
+    refused("a.gltf", changed(nodes={"n": {}}), "expected a list of nodes, as in glTF 2.0, found an object")
+    refused("a.gltf", '{"asset":\n{"version": "2.0",}\n}', "a.gltf:2: expected ")
+    write("a.gltf", changed(nodes=[{"mesh": 0}] * 3, scenes=[{"nodes": [0, 1, 2]}]))
+    equal(gradus("render", "a.gltf", *SMALL, "-o", "a.png").code, 0, "a mesh may be shown several times")
+
+
+def test_what_others_name_is_not_quoted():
+    """A scene may name any file: what is wrong with one elsewhere is told without a word of it."""
+    os.mkdir("here")
+    write("secret.ply", "topsecret:x:0:0\n")
+    write("secret.gltf", '{"topsecret": x}')
+    os.chdir("here")
+    for name in ("secret.ply", "secret.gltf"):
+        write("s.json", json.dumps({"objects": [{"model": f"../{name}"}]}))
+        result = gradus("render", "s.json", "-o", "s.png")
+        check(result.code == 2 and f"{name}: expected a" in result.err and "topsecret" not in result.err and result.err.count("\n") == 1,
+              f"{name}: {result.err}")
+
+
+def test_mutations():
+    """Files with a few wrong bytes: a picture or a refusal, never a crash."""
+    draw, model = random.Random(SEED), house().cut()
+    files = {"m.ply": ply(house()), "b.ply": ply(house(), "<"), "m.stl": stl(model), "b.stl": stl(model, True),
+             "m.glb": glb(model), "m.gltf": gltf(model)}
+    taken = crashed = 0
+    for n in range(MUTATIONS):
+        name = draw.choice(sorted(files))
+        data = bytearray(files[name])
+        for _ in range(draw.randint(1, 4)):
+            at = draw.randrange(len(data))
+            how = draw.random()
+            if how < 0.6:
+                data[at] = draw.choice([0, 1, 0x7f, 0x80, 0xff, draw.randrange(256), ord(draw.choice("0123456789-e.,:[]{} "))])
+            elif how < 0.8:
+                del data[at:at + draw.choice([1, 4, 40])]
+            else:
+                data[at:at] = struct.pack("<i", draw.choice([0, -1, 1, 2**31 - 1, 2**30]))
+        write(name, bytes(data))
+        result = gradus("render", name, "--size", "16x12", "-o", "m.png", timeout=600)
+        taken += result.code == 0
+        fits = result.code == 0 or result.code == 2 and result.err.startswith("gradus: ") and result.err.count("\n") == 1
+        check(fits, f"mutation {n} of {name}, seed {SEED}: {result.code} {result.err}")
+        crashed += "crashed" in result.err
+    print(f"{taken} of {MUTATIONS} mutated models were rendered, Assimp crashed over {crashed}")
+
+
+sys.exit(command.run_all(globals()))
