@@ -78,8 +78,8 @@ def test_bad_commands():
         ([], "render: expected a MODEL.obj or a SCENE.json, found none (`gradus render --help` shows examples)"),
         ([SPOT], "-o: expected a file like model.png, or - for standard output, found none"),
         ([SPOT, LETTER, *out], re.compile("render: expected only a MODEL.obj or a SCENE.json, found '.*letter_f.obj'")),
-        ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png, found 'x.svg'"),
-        ([SPOT, "-o", "x"], "-o: expected a name that ends in .png, found 'x'"),
+        ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png or .html, found 'x.svg'"),
+        ([SPOT, "-o", "x"], "-o: expected a name that ends in .png or .html, found 'x'"),
         ([SPOT, "-o", "none/x.png"], "-o: expected a folder that exists, found 'none'"),
         ([SPOT, "-o", "."], "-o: expected a file's name, found '.'"),
         (["none.obj", *out], "MODEL: expected a readable file, found 'none.obj' (No such file or directory)"),
@@ -303,7 +303,7 @@ def test_again():
     equal(read("big.png"), read("other.png"), "larger, on another ground")
     refused("--theme: expected a figure, found the rendered picture 'f.png'", "f.png", "--theme", "dark")
     refused("--label: expected a figure, found the rendered picture 'f.png'", "f.png", "--label", "p=d")
-    refused("-o: expected a name that ends in .png, found 'f.svg'", "f.png", "-o", "f.svg")
+    refused("-o: expected a name that ends in .png or .html, found 'f.svg'", "f.png", "-o", "f.svg")
     refused("-o: expected another file than the input, found 'f.png'", "f.png", "-o", "f.png")
     write("letter_f.mtl", read("letter_f.mtl") + b"\n")
     refused(r"again: expected the input with which the figure was made \(.*\), found fnv1a:\S+ fnv1a:\S+", "f.png")

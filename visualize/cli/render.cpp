@@ -19,6 +19,7 @@
 #include "cli/explain.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/picture_page.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_choices.hpp"
 #include "cli/render_input.hpp"
@@ -404,13 +405,14 @@ void check_rendered_output(const Request& request, const std::string& output) {
   if (output == dash && is_terminal(Stream::out)) {
     throw UsageError("-o: expected a file or a pipe for png, found a terminal");
   }
-  if (output != dash && folded(fs::path(output).extension().string()) != ".png")
-    throw UsageError(fmt::format("-o: expected a name that ends in .png, found {}", shown(output)));
+  if (output != dash && !is_page(output) && folded(fs::path(output).extension().string()) != ".png")
+    throw UsageError(fmt::format("-o: expected a name that ends in .png or .html, found {}", shown(output)));
 }
 
 void make_rendered(const Request& request, const Output& output, const FindFile& find,
                    const std::function<void(const RenderBrief&)>& on_read) {
   if (request.has("why")) return draw_why(request, output, find, on_read);
+  if (is_page(output.path)) return write_picture_page(request, output, find, on_read);
   const Rendered picture = rendered(request, find, on_read);
   write_output(output.path, picture.png, output.replace);
   if (!output.quiet) {
