@@ -1,8 +1,6 @@
 #include "why/why.hpp"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -12,15 +10,11 @@
 namespace gradus::pipeline {
 namespace {
 
-/// Which triangle of which object.
-using Key = std::tuple<int, int, int>;
-Key key_of(PieceId id) { return {id.object, id.face, id.piece}; }
-
 /// Keeps what is told of some pieces, and nothing else.
 class PieceWatcher {
  public:
-  explicit PieceWatcher(std::map<Key, FragmentStory>& stories) : stories_(stories) {
-    for (const auto& [key, story] : stories) faces_.insert({{std::get<0>(key), std::get<1>(key)}, {}});
+  explicit PieceWatcher(std::map<PieceId, FragmentStory>& stories) : stories_(stories) {
+    for (const auto& [id, story] : stories) faces_.insert({{id.object, id.face}, {}});
   }
 
   void operator()(const FaceRead& step) {
@@ -57,11 +51,11 @@ class PieceWatcher {
  private:
   template <class Tell>
   void tell(PieceId id, const Tell& what) {
-    const auto story = stories_.find(key_of(id));
+    const auto story = stories_.find(id);
     if (story != stories_.end()) what(story->second);
   }
 
-  std::map<Key, FragmentStory>& stories_;
+  std::map<PieceId, FragmentStory>& stories_;
   std::map<std::pair<int, int>, FaceRead> faces_;
   std::map<VertexId, Placed> placed_;
   std::map<VertexId, Projected> projected_;
@@ -80,23 +74,12 @@ Triangles stages_of(const Scene& scene, int number, Size size, Watcher&& watcher
   return scene.shading == Shading::wireframe ? outlines(facing, size) : triangles;
 }
 
-/// What stages 6 and 7 tell of one pixel.
-class PixelWatcher {
- public:
-  explicit PixelWatcher(ivec2 pixel) : pixel_(pixel) {}
+/// Keeps where triangles stand in the picture.
+struct SnapWatcher {
+  std::vector<Snapped>& snapped;
 
-  void operator()(const Snapped& step) { last_ = step; }
-  void operator()(const Covered& step) {
-    if (step.fragment.pixel == pixel_) snapped.insert({step.fragment.triangle, *last_});
-  }
-  void operator()(const DepthTested& step) { tests.push_back(step); }
-
-  std::map<int, Snapped> snapped{};  ///< by triangle
-  std::vector<DepthTested> tests{};
-
- private:
-  ivec2 pixel_;
-  std::optional<Snapped> last_{};
+  void operator()(const Snapped& step) { snapped.push_back(step); }
+  void operator()(const Covered&) {}
 };
 
 /// Keeps what each lamp adds.
@@ -126,71 +109,109 @@ std::vector<LampStory> lamps_of(const Scene& scene, const SceneLight& light, con
   return lamps;
 }
 
-/// The pixel of the antialiased picture.
-Rgba8 in_the_picture(const Scene& scene, Size size, ivec2 pixel) {
-  Plan plan = plan_of(scene, size, Rules::all(), Window{pixel, pixel});
-  Ledger ledger;
-  return output(over_background(antialiased_by_plan(scene, plan, ledger), scene.background))[{0, 0}];
-}
-
-/// The objects whose boxes may cover the pixel; all of them where triangles have a drawing order.
-std::vector<int> objects_near(const Scene& scene, Size size, ivec2 pixel) {
+/// The objects whose boxes may cover a window; all of them where triangles have a drawing order.
+std::vector<int> objects_near(const Scene& scene, Size size, const Window& window) {
   const bool ordered = scene.hidden_surfaces != HiddenSurfaces::z_buffer;
   const Rules rules =
       ordered ? Rules::none() : Rules::none().with(Rule::outside).with(Rule::area_of_interest);
-  const Plan plan = plan_of(scene, size, rules, Window{pixel, pixel});
+  const Plan plan = plan_of(scene, size, rules, window);
   std::vector<int> numbers;
   for (int number = 0; number < std::ssize(scene.objects); ++number)
     if (plan.draws(number)) numbers.push_back(number);
   return numbers;
 }
 
-}  // namespace
+/// A window of the antialiased picture.
+Image in_the_picture(const Scene& scene, Size size, const Window& window,
+                     const std::function<void(double)>& reached) {
+  Plan plan = plan_of(scene, size, Rules::all(), window);
+  Ledger ledger;
+  return output(over_background(antialiased_by_plan(scene, plan, ledger, {}, reached), scene.background));
+}
 
-PixelStory why(const Scene& scene, Size size, ivec2 pixel) {
-  expects(picture_window(size).contains(pixel), "a pixel of {} x {}, not ({}, {})", size.width, size.height,
-          pixel.x, pixel.y);
-  const std::vector<int> objects = objects_near(scene, size, pixel);
+/// The triangles of some objects, as stage 6 gets them.
+Triangles triangles_of(const Scene& scene, Size size, const std::vector<int>& objects) {
   Triangles triangles;
   for (int number : objects)
     append(triangles, stages_of(scene, number, size, Unobserved{}, [](const auto&) {}));
   if (scene.shading != Shading::wireframe) arrange(scene, {}, size, triangles);
+  return triangles;
+}
 
-  // Who covers the pixel?
-  PixelWatcher watcher(pixel);
-  Visible kept(size.width, size.height);
-  const auto emit = [&](const Fragment& f) {
-    if (f.pixel == pixel) keep_nearest(f, kept, watcher);
+}  // namespace
+
+PixelStories::PixelStories(const Scene& scene, Size size, const Window& window,
+                           const std::function<void(double)>& reached)
+    : scene_(scene), size_(size), window_(window), light_(scene, size) {
+  expects(!window.empty() && picture_window(size).contains(window.lower) &&
+              picture_window(size).contains(window.upper),
+          "pixels of {} x {}, not those from ({}, {}) to ({}, {})", size.width, size.height, window.lower.x,
+          window.lower.y, window.upper.x, window.upper.y);
+  const std::vector<int> objects = objects_near(scene, size, window);
+  triangles_ = triangles_of(scene, size, objects);
+  find_fragments();
+  find_pieces(objects);
+  picture_ = in_the_picture(scene, size, window, reached);
+}
+
+/// Who covers the pixels?
+void PixelStories::find_fragments() {
+  fragments_ =
+      Raster<std::vector<Fragment>>(static_cast<int>(window_.width()), static_cast<int>(window_.height()));
+  const auto keep = [&](const Fragment& f) {
+    if (window_.contains(f.pixel)) fragments_[f.pixel - window_.lower].push_back(f);
   };
-  rasterize(triangles, size, emit, watcher);
+  rasterize(triangles_, size_, keep, SnapWatcher{snapped_});
+}
 
-  // How did they come there?
-  std::map<Key, FragmentStory> stories;
-  for (const DepthTested& test : watcher.tests) stories[key_of(test.fragment.id)];
+/// How did they come there?
+void PixelStories::find_pieces(const std::vector<int>& objects) {
+  for (const std::vector<Fragment>& fragments : fragments_.cells())
+    for (const Fragment& f : fragments) pieces_[f.id];
   for (int number : objects) {
-    PieceWatcher pieces(stories);
-    stages_of(scene, number, size, pieces, [&](const Model<ClipPoint>& model) { pieces.finish(model); });
+    PieceWatcher watcher(pieces_);
+    stages_of(scene_, number, size_, watcher, [&](const Model<ClipPoint>& model) { watcher.finish(model); });
   }
+}
 
+PixelStory PixelStories::of(ivec2 pixel) {
+  expects(window_.contains(pixel), "a pixel from ({}, {}) to ({}, {}), not ({}, {})", window_.lower.x,
+          window_.lower.y, window_.upper.x, window_.upper.y, pixel.x, pixel.y);
   PixelStory story;
   story.pixel = pixel;
-  for (const DepthTested& test : watcher.tests) {
-    FragmentStory fragment = stories[key_of(test.fragment.id)];
-    fragment.snapped = watcher.snapped.at(test.fragment.triangle);
-    fragment.tested = test;
+  // The z-buffer of one pixel
+  Visible kept(1, 1);
+  for (Fragment f : fragments_[pixel - window_.lower]) {
+    FragmentStory fragment = pieces_.at(f.id);
+    fragment.snapped = snapped_[static_cast<std::size_t>(f.triangle)];
+    f.pixel = {0, 0};
+    keep_nearest(f, kept, [&](const DepthTested& step) { fragment.tested = step; });
+    fragment.tested.fragment.pixel = pixel;
+    if (fragment.tested.before) fragment.tested.before->pixel = pixel;
     story.fragments.push_back(std::move(fragment));
   }
-  LinearRgb colour = scene.background;
-  if (const auto seen = held(kept[pixel])) {
-    SceneLight light(scene, size);
-    const Triangle& t = triangle_of(*seen, triangles);
-    story.shaded = shaded(light, *seen, t);
-    story.lamps = lamps_of(scene, light, *seen, t, {story.shaded->place.at, story.shaded->normal});
+  LinearRgb colour = scene_.background;
+  if (auto seen = held(kept[{0, 0}])) {
+    seen->pixel = pixel;
+    const Triangle& t = triangle_of(*seen, triangles_);
+    story.shaded = shaded(light_, *seen, t);
+    story.lamps = lamps_of(scene_, light_, *seen, t, {story.shaded->place.at, story.shaded->normal});
     colour = story.shaded->colour;
   }
   story.written = {pixel, colour, srgb8_from_linear(colour), too_bright(colour)};
-  story.picture = in_the_picture(scene, size, pixel);
+  story.picture = picture_[pixel - window_.lower];
   return story;
+}
+
+PixelStory why(const Scene& scene, Size size, ivec2 pixel) {
+  return PixelStories(scene, size, {pixel, pixel}).of(pixel);
+}
+
+std::int64_t lamps_told(const Scene& scene) {
+  if (scene.shading == Shading::wireframe) return 0;
+  std::int64_t lamps = 0;
+  for (const Light& light : scene.lights) lamps += illumination::lamps(light);
+  return lamps * (scene.shading == Shading::gouraud ? 3 : 1);
 }
 
 std::string file_of(const Scene& scene, const FaceRead& face) {

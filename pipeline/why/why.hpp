@@ -3,10 +3,15 @@
 // colour.
 
 #include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/image.hpp"
+#include "core/raster.hpp"
 #include "scene/scene.hpp"
 #include "stages/1_input.hpp"
 #include "stages/2_world.hpp"
@@ -53,15 +58,54 @@ struct PixelStory {
   Rgba8 picture;                 ///< of the picture, with the scene's antialiasing
 };
 
-/// Tells what happens at a pixel's centre in `render`.
-///
-/// size: of the picture. pixel: column and row, from 0.
-///
-/// Domain: that of render.
-/// Accuracy: the values of the chain, bit for bit.
-/// Cost: the chain for the objects whose boxes may cover the pixel.
-/// Errors: ContractViolation for a pixel beside the picture, and those of render.
+/// The stories of the pixels of a part of a picture, all from one run of the chain.
+class PixelStories {
+ public:
+  /// size: of the picture. window: the pixels, column and row from 0. reached: told of the share of the
+  ///   antialiased picture that is done, from 0 to 1.
+  ///
+  /// Domain: that of render; the scene outlives the stories.
+  /// Cost: the chain for the objects whose boxes may cover the window, twice, and the antialiased picture.
+  /// Errors: ContractViolation for a window that is empty or not within the picture, and those of render.
+  PixelStories(const Scene& scene, Size size, const Window& window,
+               const std::function<void(double)>& reached = {});
+
+  /// What happens at the pixel's centre in `render`. Keeps light that other pixels may ask for again.
+  ///
+  /// Accuracy: the values of the chain, bit for bit.
+  /// Cost: its fragments, and the light of the one seen.
+  /// Errors: ContractViolation for a pixel beside the window.
+  PixelStory of(ivec2 pixel);
+
+  /// The window of the picture, with the scene's antialiasing.
+  const Image& picture() const { return picture_; }
+
+ private:
+  void find_fragments();
+  void find_pieces(const std::vector<int>& objects);
+
+  const Scene& scene_;
+  Size size_;
+  Window window_;
+  SceneLight light_;
+  Triangles triangles_{};
+  std::vector<Snapped> snapped_{};             ///< by triangle
+  Raster<std::vector<Fragment>> fragments_{};  ///< of each pixel, in the order in which they came
+  std::map<PieceId, FragmentStory> pieces_{};  ///< up to clipping
+  Image picture_{};                            ///< of the window, antialiased
+};
+
+/// The story of one pixel.
 PixelStory why(const Scene& scene, Size size, ivec2 pixel);
+
+/// Of how many lamps the story of a shaded pixel tells: an area's all, and of each corner with Gouraud's
+/// shading.
+std::int64_t lamps_told(const Scene& scene);
+
+/// A snapped place in pixels.
+inline dvec2 in_pixels(const SnappedPoint& point) {
+  return dvec2(point.at) / double{triangle_coverage::subpixels};
+}
 
 /// The file that a face was read from; empty when from none.
 std::string file_of(const Scene& scene, const FaceRead& face);

@@ -12,30 +12,17 @@ namespace {
 
 // --- Values ----------------------------------------------------------------------------------------
 
-std::string text_of(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+std::string text_of(double value) { return told_number(value); }
 std::string text_of(dvec2 v) { return fmt::format("({}, {})", text_of(v.x), text_of(v.y)); }
 std::string text_of(dvec3 v) { return fmt::format("({}, {}, {})", text_of(v.x), text_of(v.y), text_of(v.z)); }
 std::string text_of(const glm::dvec4& v) {
   return fmt::format("({}, {}, {}, {})", text_of(v.x), text_of(v.y), text_of(v.z), text_of(v.w));
 }
-std::string text_of(const Rgba8& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
 /// The name of a file without its folders.
 std::string base_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 // --- A triangle ------------------------------------------------------------------------------------
-
-/// "Spot, face 812 (spot.obj:4031), triangle 1 of 2", imported "(spot.glb)"; faces and triangles are counted
-/// from 1.
-std::string title_of(const Scene& scene, const FragmentStory& story) {
-  const PieceId id = story.tested.fragment.id;
-  const std::string file = visible(base_of(file_of(scene, story.face)));
-  // Imported faces know no line
-  const std::string line = story.face.line == 0 ? "" : fmt::format(":{}", story.face.line);
-  const std::string from = file.empty() ? "" : fmt::format(" ({}{})", file, line);
-  return fmt::format("{}, face {}{}, triangle {} of {}", visible(object_at(scene, id.object).name),
-                     id.face + 1, from, id.piece + 1, story.face.pieces.size());
-}
 
 std::string facing_text(const FragmentStory& story) {
   if (story.faced.facing == back_face_culling::Facing::front) return "front: det[x y w] > 0";
@@ -54,16 +41,14 @@ std::string depth_text(const DepthTested& tested) {
                      tested.nearer ? "nearer, takes its place" : "not nearer, thrown away");
 }
 
-/// What the depth of a fragment is.
-std::string_view depth_name(const Scene& scene) {
-  return scene.hidden_surfaces == HiddenSurfaces::z_buffer ? "7 depth" : "7 drawing order";
+std::string line_of(std::string_view stage, std::string_view what) {
+  return fmt::format("  {:<17}{}\n", stage, what);
 }
 
-std::string story_of(const Scene& scene, const FragmentStory& story) {
-  std::string text = title_of(scene, story) + "\n";
-  const auto line = [&text](std::string_view stage, std::string_view what) {
-    text += fmt::format("  {:<17}{}\n", stage, what);
-  };
+/// What is the same wherever the triangle is seen: stages 1 to 6.
+std::string triangle_text(const Scene& scene, const FragmentStory& story) {
+  std::string text = triangle_name(scene, story) + "\n";
+  const auto line = [&text](std::string_view stage, std::string_view what) { text += line_of(stage, what); };
   const auto corners = [&](std::string_view stage, const auto& of) {
     for (std::size_t i = 0; i < 3; ++i) line(i == 0 ? stage : "", of(i));
   };
@@ -75,11 +60,15 @@ std::string story_of(const Scene& scene, const FragmentStory& story) {
   line("4 facing", facing_text(story));
   line("5 clipping", clipping_text(story.clipped));
   corners("6 rasterization", [&](std::size_t i) {
-    return text_of(dvec2(story.snapped.corners[i].at) / 256.0) + ", snapped to 1/256 pixel";
+    return text_of(in_pixels(story.snapped.corners[i])) + ", snapped to 1/256 pixel";
   });
-  line("", fmt::format("shares of the corners {}", text_of(story.tested.fragment.weights)));
-  line(depth_name(scene), depth_text(story.tested));
   return text;
+}
+
+/// Stages 6 and 7 at the pixel.
+std::string fragment_text(const Scene& scene, const FragmentStory& story) {
+  return line_of("", fmt::format("shares of the corners {}", text_of(story.tested.fragment.weights))) +
+         line_of(fmt::format("7 {}", depth_name(scene)), depth_text(story.tested));
 }
 
 // --- The light -------------------------------------------------------------------------------------
@@ -89,12 +78,16 @@ std::string_view kind_of(const Light& light) {
   return names[static_cast<std::size_t>(light.kind)];
 }
 
+std::string named(std::size_t number, const Light& light, std::string_view point) {
+  return fmt::format("light {} ({}{})", number + 1, kind_of(light), point);
+}
+
 std::string lamp_text(const Scene& scene, const LampStory& lamp) {
   const auto& [number, sample, arrival, mirror, n_dot_l, cosine, diffuse, specular] = lamp.added;
   const Light& light = scene.lights[number];
   const std::string point = light.kind == Light::Kind::area ? fmt::format(", point {}", sample + 1) : "";
-  std::string text = fmt::format("light {} ({}{}): N.L {}, R.V {}, ", number + 1, kind_of(light), point,
-                                 text_of(n_dot_l), text_of(cosine));
+  std::string text =
+      fmt::format("{}: N.L {}, R.V {}, ", named(number, light, point), text_of(n_dot_l), text_of(cosine));
   text += fmt::format("arrives {} (distance {}, attenuation {}, range {}, cone {})", text_of(arrival.share()),
                       text_of(arrival.distance), text_of(arrival.attenuation), text_of(arrival.window),
                       text_of(arrival.cone));
@@ -102,17 +95,10 @@ std::string lamp_text(const Scene& scene, const LampStory& lamp) {
   return text + fmt::format(": diffuse {}, highlight {}", text_of(diffuse), text_of(specular));
 }
 
-std::string where_text(Shading shading) {
-  if (shading == Shading::wireframe) return "none: an edge has the colour of ink";
-  if (shading == Shading::flat) return "flat: in the middle of the face";
-  if (shading == Shading::gouraud) return "Gouraud: at the three corners, mixed by their shares";
-  return "Phong: at the pixel";
-}
-
 std::string light_of(const Scene& scene, const PixelStory& story) {
   if (!story.shaded) return "";
   const Shaded& lit = *story.shaded;
-  std::string text = fmt::format("light, {}\n", where_text(scene.shading));
+  std::string text = fmt::format("light, {}\n", lit_where(scene.shading));
   const auto line = [&text](const std::string& what) { text += fmt::format("  {}\n", what); };
   line(fmt::format("place {}, normal {}", text_of(lit.place.at), text_of(lit.normal)));
   const Mesh& mesh = *object_at(scene, lit.fragment.id.object).mesh;
@@ -137,22 +123,65 @@ std::string covered_text(std::size_t count) {
 std::string colour_text(const PixelStory& story, Antialiasing method) {
   const std::string centre =
       fmt::format("8 output: light {} is {} in sRGB{}", text_of(dvec3(story.written.light)),
-                  text_of(story.written.colour), story.written.cut_off ? ", cut off at full white" : "");
+                  told_colour(story.written.colour), story.written.cut_off ? ", cut off at full white" : "");
   if (method == Antialiasing::none) return centre + "\n";
   return fmt::format("{}; with the pixel's other samples ({}) the picture has {}\n", centre, name_of(method),
-                     text_of(story.picture));
+                     told_colour(story.picture));
 }
 
 }  // namespace
 
-std::string why_text(const std::string& name, const Scene& scene, Size size, const PixelStory& story) {
-  std::string text =
-      fmt::format("Pixel {},{} of {}, {} x {}. {}\n\n", story.pixel.x, story.pixel.y, visible(name),
-                  size.width, size.height, covered_text(story.fragments.size()));
-  for (const FragmentStory& fragment : story.fragments) text += story_of(scene, fragment) + "\n";
+std::string told_number(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+
+std::string told_colour(const Rgba8& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
+
+std::string triangle_name(const Scene& scene, const FragmentStory& story) {
+  const PieceId id = story.tested.fragment.id;
+  const std::string file = visible(base_of(file_of(scene, story.face)));
+  // Imported faces know no line
+  const std::string line = story.face.line == 0 ? "" : fmt::format(":{}", story.face.line);
+  const std::string from = file.empty() ? "" : fmt::format(" ({}{})", file, line);
+  return fmt::format("{}, face {}{}, triangle {} of {}", visible(object_at(scene, id.object).name),
+                     id.face + 1, from, id.piece + 1, story.face.pieces.size());
+}
+
+std::string_view depth_name(const Scene& scene) {
+  return scene.hidden_surfaces == HiddenSurfaces::z_buffer ? "depth" : "drawing order";
+}
+
+std::string lit_where(Shading shading) {
+  if (shading == Shading::wireframe) return "none: an edge has the colour of ink";
+  if (shading == Shading::flat) return "flat: in the middle of the face";
+  if (shading == Shading::gouraud) return "Gouraud: at the three corners, mixed by their shares";
+  return "Phong: at the pixel";
+}
+
+std::string light_name(const Scene& scene, std::size_t number) {
+  return named(number, scene.lights[number], "");
+}
+
+std::vector<StoryPart> why_parts(const std::string& name, const Scene& scene, Size size,
+                                 const PixelStory& story, TriangleTexts& known) {
+  std::vector<StoryPart> parts;
+  parts.push_back(
+      {fmt::format("Pixel {},{} of {}, {} x {}. {}\n\n", story.pixel.x, story.pixel.y, visible(name),
+                   size.width, size.height, covered_text(story.fragments.size()))});
+  for (const FragmentStory& fragment : story.fragments) {
+    const auto [text, is_new] = known.try_emplace(fragment.tested.fragment.triangle);
+    if (is_new) text->second = triangle_text(scene, fragment);
+    parts.push_back({text->second, true});
+    parts.push_back({fragment_text(scene, fragment) + "\n"});
+  }
   const std::string light = light_of(scene, story);
-  if (!light.empty()) text += light + "\n";
-  return text + colour_text(story, scene.antialiasing);
+  parts.push_back({(light.empty() ? "" : light + "\n") + colour_text(story, scene.antialiasing)});
+  return parts;
+}
+
+std::string why_text(const std::string& name, const Scene& scene, Size size, const PixelStory& story) {
+  std::string text;
+  TriangleTexts known;
+  for (const StoryPart& part : why_parts(name, scene, size, story, known)) text += part.text;
+  return text;
 }
 
 }  // namespace gradus::pipeline

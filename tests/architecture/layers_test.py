@@ -26,7 +26,7 @@ LAYERS = {
 PACKAGES = {
     "cairo": "visualize/cairo/",
     "fontconfig/": "visualize/cairo/",
-    "zlib.h": "visualize/cairo/web_font.cpp",
+    "zlib.h": "visualize/cairo/deflated.cpp",
     "CLI/": "visualize/cli/",
     "nlohmann/": "visualize/web/json.cpp",
     "boost/": "algorithms/core/arithmetic/exact_scalar.cpp",

@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 """The gallery and the topic pages in headless Chromium, from file://.
 
-    pages_test.py GALLERY MADE
+    pages_test.py GALLERY MADE PICTURE
 
-GALLERY is a folder that `gradus figures` made, MADE the gallery page that make_pages made up. Prints `N passed, N failed`, exits 1 when a check failed, 77 when there
+GALLERY is a folder that `gradus figures` made, MADE the gallery page that make_pages made up, PICTURE the page of a rendered picture. Prints `N passed, N failed`, exits 1 when a check failed, 77 when there
 is no Chromium.
 """
 
 import base64
+import os
 import pathlib
 import re
+import shlex
 import shutil
+import subprocess
 import sys
 
 from player_page import Checks, Page
@@ -201,6 +204,43 @@ def errata(check, browser, path):
     no_errors(check, page, 'errata')
 
 
+STORY = 'document.querySelector("[data-part=story]").textContent'
+
+
+def picture(check, browser, path):
+    """A click and a key press tell of a pixel what `gradus render --why` tells."""
+    page = Page(browser, path)
+    words = shlex.split(page.run('return document.querySelector(\'meta[name="gradus-command"]\').content'))[1:]
+    gradus = os.environ.get('GRADUS_COMMAND', 'gradus')
+
+    def told(pixel):
+        return subprocess.run([gradus, *words, '--why', pixel], capture_output=True, encoding='utf-8', check=True).stdout
+
+    def shows(what, pixel):
+        check.that(f'{what}: pixel {pixel}', page.wait_for(f'{STORY}.startsWith("Pixel {pixel} ")'), page.run(f'return {STORY}'))
+        check.equal(f'{what}: what is told of {pixel}', page.run(f'return {STORY}'), told(pixel))
+        check.equal(f'{what}: the address', page.run('return location.hash'), f'#pixel={pixel}')
+        check.equal(f'{what}: said aloud', page.run('return document.querySelector(".notice").textContent'), told(pixel).split('\n')[0])
+        check.equal(f'{what}: the command', page.run('return document.querySelector("[data-part=command]").textContent'),
+                    f'gradus {shlex.join(words)} --why {pixel}')
+
+    left, top, width, high, columns, rows = page.run("""const image = document.images[0], box = image.getBoundingClientRect();
+        return [box.left, box.top, box.width, box.height, image.naturalWidth, image.naturalHeight]""")
+    column, row = columns // 2, rows * 11 // 20
+    page.click(round(left + (column + 0.5) * width / columns), round(top + (row + 0.5) * high / rows))
+    shows('a click', f'{column},{row}')
+    page.press('ArrowRight', 'ArrowDown', 'Enter')
+    shows('keys', f'{column + 1},{row + 1}')
+    page.run('document.querySelector("[data-part=column]").focus(); document.activeElement.value = "3"')
+    page.press('Enter')
+    shows('numbers', f'3,{row + 1}')
+    fits(check, page, 'picture')
+    theme_switch(check, page, 'picture')
+    no_errors(check, page, 'picture')
+    page = Page(browser, path, f'#pixel={columns - 1},{rows - 1}')
+    shows('an address', f'{columns - 1},{rows - 1}')
+
+
 def main():
     folder = pathlib.Path(sys.argv[1]).resolve()
     if not shutil.which('chromium') or not shutil.which('chromedriver'):
@@ -215,6 +255,7 @@ def main():
         for path in pages:
             topic_page(check, browser, path)
         errata(check, browser, folder / 'errata.html')
+        picture(check, browser, pathlib.Path(sys.argv[3]).resolve())
     print(f'{check.passed} passed, {len(check.failed)} failed')
     sys.exit(bool(check.failed))
 

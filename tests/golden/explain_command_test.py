@@ -144,9 +144,8 @@ def test_refusals():
             equal((result.code, result.err, result.out), (2, f"gradus: {complaint}\n", ""), f"{name} {words}")
     pixel = "--why: expected column and row like 120,88 within the picture of 160x90, found "
     for words, complaint in ((["--why", "160,0"], pixel + "'160,0'"), (["--why", "5"], pixel + "'5'"), (["--why=-1,2"], pixel + "'-1,2'"),
-                             (["--why", "1,2", "-o", "x.png"], "--why: expected alone, without -o: it prints, found -o"),
-                             (["--why", "1,2", "--report"], "--why: expected alone, without --report: it prints, found --report"),
-                             (["--why", "1,2", "--part", "0,0,9x9"], "--why: expected alone, without --part: it prints, found --part")):
+                             (["--why", "1,2", "--report"], "--why: expected alone, without --report: it tells of one pixel, found --report"),
+                             (["--why", "1,2", "--part", "0,0,9x9"], "--why: expected alone, without --part: it tells of one pixel, found --part")):
         result = gradus("render", LETTER, *SMALL, *words)
         equal((result.code, result.err, result.out), (2, f"gradus: {complaint}\n", ""), words)
     for words, complaint in (

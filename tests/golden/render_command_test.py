@@ -24,15 +24,18 @@ def test_examples_run():
     examples = re.findall(r"^  (gradus render .*)$", gradus("render", "--help").bytes.decode(), re.M)
     examples += re.findall(r"^(gradus render .*)$", (ROOT / "docs/rendering.md").read_text(), re.M)
     check(len(examples) >= 7, f"examples to paste: {examples}")
-    for line in examples:
+    for line in dict.fromkeys(re.sub("  +#.*", "", line) for line in examples):
         result = subprocess.run(line.replace("gradus", f"'{GRADUS}'", 1), shell=True, capture_output=True)
-        if "--why" in line:
+        if "--why" in line and "-o" not in line:
             check(result.returncode == 0 and result.stdout.startswith(b"Pixel "), f"{line}: {result.stderr}")
             continue
         target = line.split("> ")[-1] if ">" in line else re.search(r"-o (\S+)", line)[1]
         equal(result.returncode, 0, f"{line}: {result.stderr}")
+        if not target.endswith(".png"):
+            check(read(target).startswith((b"<?xml", b"<!DOCTYPE html>")), f"{line} makes what its name says")
+            continue
         check(Picture(read(target)).where(lambda p: p != (255, 255, 255)), f"{line} shows something")
-    for name in ("f.png", "spot.png"):
+    for name in ("f.png", "spot.png", "why.png"):
         check(differing(Picture(read(name)), Picture(read(ROOT / "docs/rendering" / name))) <= SHARE,
               f"docs/rendering/{name} is what its command makes")
     overview = gradus("--help").bytes.decode()
@@ -75,8 +78,8 @@ def test_bad_commands():
         ([], "render: expected a MODEL.obj or a SCENE.json, found none (`gradus render --help` shows examples)"),
         ([SPOT], "-o: expected a file like model.png, or - for standard output, found none"),
         ([SPOT, LETTER, *out], re.compile("render: expected only a MODEL.obj or a SCENE.json, found '.*letter_f.obj'")),
-        ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png, found 'x.svg'"),
-        ([SPOT, "-o", "x"], "-o: expected a name that ends in .png, found 'x'"),
+        ([SPOT, "-o", "x.svg"], "-o: expected a name that ends in .png or .html, found 'x.svg'"),
+        ([SPOT, "-o", "x"], "-o: expected a name that ends in .png or .html, found 'x'"),
         ([SPOT, "-o", "none/x.png"], "-o: expected a folder that exists, found 'none'"),
         ([SPOT, "-o", "."], "-o: expected a file's name, found '.'"),
         (["none.obj", *out], "MODEL: expected a readable file, found 'none.obj' (No such file or directory)"),
@@ -300,7 +303,7 @@ def test_again():
     equal(read("big.png"), read("other.png"), "larger, on another ground")
     refused("--theme: expected a figure, found the rendered picture 'f.png'", "f.png", "--theme", "dark")
     refused("--label: expected a figure, found the rendered picture 'f.png'", "f.png", "--label", "p=d")
-    refused("-o: expected a name that ends in .png, found 'f.svg'", "f.png", "-o", "f.svg")
+    refused("-o: expected a name that ends in .png or .html, found 'f.svg'", "f.png", "-o", "f.svg")
     refused("-o: expected another file than the input, found 'f.png'", "f.png", "-o", "f.png")
     write("letter_f.mtl", read("letter_f.mtl") + b"\n")
     refused(r"again: expected the input with which the figure was made \(.*\), found fnv1a:\S+ fnv1a:\S+", "f.png")

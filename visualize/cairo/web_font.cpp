@@ -5,16 +5,15 @@
 #include "cairo/web_font.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "cairo/deflated.hpp"
 #include "cairo/fonts.hpp"
 #include "figure/markup.hpp"
 #include "figure/metrics.hpp"
@@ -336,13 +335,7 @@ std::uint32_t checksum_of(const std::string& table) {
 
 /// Packed by zlib, or as it is where that is no longer.
 std::string packed(const std::string& table) {
-  uLongf size = compressBound(static_cast<uLong>(table.size()));
-  std::string out(size, '\0');
-  const int status =
-      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(table.data()),
-                static_cast<uLong>(table.size()), 9);
-  if (status != Z_OK) throw std::runtime_error("zlib does not pack a font");
-  out.resize(size);
+  std::string out = deflated(table);
   return out.size() < table.size() ? out : table;
 }
 

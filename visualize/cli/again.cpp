@@ -109,7 +109,7 @@ int render_again(Request recorded, const Colophon& colophon, const Request& requ
     throw UsageError(fmt::format("--label: expected a figure, found the rendered picture {}", shown(path)));
   }
   const Output output = output_for(request, path);
-  check_picture_output(output.path);
+  check_rendered_output(recorded, output.path);
   const auto find = [&](const std::string& name, const std::string& flag) {
     return find_input(name, flag, path, colophon.input_hash);
   };
@@ -119,7 +119,7 @@ int render_again(Request recorded, const Colophon& colophon, const Request& requ
     inputs.push_back(path);
     check_output(output.path, inputs, output.replace);
   };
-  write_rendered(rendered(recorded, find, check), output);
+  make_rendered(recorded, output, find, check);
   return 0;
 }
 

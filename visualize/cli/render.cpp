@@ -19,9 +19,11 @@
 #include "cli/explain.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "cli/picture_page.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_choices.hpp"
 #include "cli/render_input.hpp"
+#include "cli/why.hpp"
 #include "core/colour.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
@@ -29,7 +31,6 @@
 #include "scene/scene_file.hpp"
 #include "scene/view.hpp"
 #include "stories/point_text.hpp"
-#include "why/why_text.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -390,8 +391,8 @@ std::string scene_name(const RenderBrief& brief) {
   return file == dash ? "standard input" : fs::path(file).filename().string();
 }
 
-RenderJob render_job(const Request& request) {
-  Shot shot = shot_of(request, as_named);
+RenderJob render_job(const Request& request, const FindFile& find) {
+  Shot shot = shot_of(request, find);
   return {std::move(shot.scene), shot.wish.size, std::move(shot.wish.plan), std::move(shot.brief)};
 }
 
@@ -406,57 +407,45 @@ Rendered rendered(const Request& request, const FindFile& find,
   return result;
 }
 
-void check_picture_output(const std::string& output) {
+void check_rendered_output(const Request& request, const std::string& output) {
   check_output(output, {}, Replace::anything);
+  if (request.has("why")) return check_why_output(output);
   if (output == dash && is_terminal(Stream::out)) {
     throw UsageError("-o: expected a file or a pipe for png, found a terminal");
   }
-  if (output != dash && folded(fs::path(output).extension().string()) != ".png") {
-    throw UsageError(fmt::format("-o: expected a name that ends in .png, found {}", shown(output)));
-  }
+  if (output != dash && !is_page(output) && folded(fs::path(output).extension().string()) != ".png")
+    throw UsageError(fmt::format("-o: expected a name that ends in .png or .html, found {}", shown(output)));
 }
 
-void write_rendered(const Rendered& picture, const Output& output) {
+void make_rendered(const Request& request, const Output& output, const FindFile& find,
+                   const std::function<void(const RenderBrief&)>& on_read) {
+  if (request.has("why")) return draw_why(request, output, find, on_read);
+  if (is_page(output.path)) return write_picture_page(request, output, find, on_read);
+  const Rendered picture = rendered(request, find, on_read);
   write_output(output.path, picture.png, output.replace);
-  if (output.quiet) return;
-  for (const std::string& remark : picture.remarks) note(remark);
-  if (output.path != dash) note(shown_name(output.path));
-}
-
-/// --why C,R: tells of that pixel instead of rendering.
-int tell_why(const Request& request, const std::string& pixel) {
-  for (const auto& [flag, spelled] :
-       {std::pair{"output", "-o"}, {"report", "--report"}, {"part", "--part"}}) {
-    if (request.has(flag))
-      throw UsageError(fmt::format("--why: expected alone, without {0}: it prints, found {0}", spelled));
+  if (!output.quiet) {
+    for (const std::string& remark : picture.remarks) note(remark);
+    if (output.path != dash) note(shown_name(output.path));
   }
-  const RenderJob job = render_job(request);
-  const ivec2 place = pixel_flag("why", pixel, job.size);
-  if (!request.quiet())
-    for (const std::string& remark : job.brief.remarks) note(remark);
-  write_stream(Stream::out,
-               why_text(scene_name(job.brief), job.scene, job.size, why(job.scene, job.size, place)));
-  return 0;
+  if (!request.has("report")) return;
+  const Stream stream = output.path == dash ? Stream::err : Stream::out;
+  write_stream(stream, ledger_text(scene_name(picture), picture.ledger));
 }
 
 int render(const Request& request) {
-  if (const auto pixel = request.flags.find("why"); pixel != request.flags.end())
-    return tell_why(request, pixel->second);
   const auto wanted = request.flags.find("output");
   if (wanted == request.flags.end()) {
+    if (request.has("why")) {
+      print_why(request);
+      return 0;
+    }
     throw UsageError("-o: expected a file like model.png, or - for standard output, found none");
   }
   const Output output{wanted->second, replaces(request.has("force")), request.quiet()};
-  check_picture_output(output.path);
-  const auto check = [&output](const RenderBrief& brief) {
+  check_rendered_output(request, output.path);
+  make_rendered(request, output, as_named, [&output](const RenderBrief& brief) {
     check_output(output.path, brief.files, output.replace);
-  };
-  const Rendered picture = rendered(request, as_named, check);
-  write_rendered(picture, output);
-  if (request.has("report")) {
-    const Stream stream = output.path == dash ? Stream::err : Stream::out;
-    write_stream(stream, ledger_text(scene_name(picture), picture.ledger));
-  }
+  });
   return 0;
 }
 

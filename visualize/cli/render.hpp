@@ -47,16 +47,18 @@ Rendered rendered(const Request& request, const FindFile& find = as_named,
 RenderBrief render_brief(const Request& request, const FindFile& find = as_named);
 
 /// The same with the scene itself.
-RenderJob render_job(const Request& request);
+RenderJob render_job(const Request& request, const FindFile& find = as_named);
+
+/// Makes what a request of `gradus render` with an output asks for, as the output's name says: a picture, or
+/// with --why a figure. Throws what rendered() would, and WorkError.
+void make_rendered(const Request& request, const Output& output, const FindFile& find,
+                   const std::function<void(const RenderBrief&)>& on_read);
 
 /// What a model or a scene is called: its file's name.
 std::string scene_name(const RenderBrief& brief);
 
-/// Writes the picture, and the remarks to stderr unless that is to be quiet. check_output() has let it.
-/// Throws WorkError.
-void write_rendered(const Rendered& picture, const Output& output);
-
-/// Refuses an output that can't be a picture's: no PNG by its name, a folder, a terminal. Throws UsageError.
-void check_picture_output(const std::string& output);
+/// Refuses an output that can't be what such a request makes: another ending, a folder, a terminal. Throws
+/// UsageError.
+void check_rendered_output(const Request& request, const std::string& output);
 
 }  // namespace gradus::cli

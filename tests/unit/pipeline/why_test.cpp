@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "core/contract.hpp"
@@ -12,6 +13,7 @@
 #include "support/random_scenes.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
+#include "why/why_text.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -114,6 +116,38 @@ TEST(Why, TellsWhatTheChainDoes) {
   EXPECT_GT(covered, 100);
   EXPECT_GT(layers, 50);
   EXPECT_GT(cut, 5);
+}
+
+/// The stories of a part of the picture at once are those of its pixels one by one.
+TEST(Why, AllPixelsAtOnceAreToldAsOneByOne) {
+  int told = 0;
+  for (std::uint64_t i = 0; i < (test::sanitized ? 4 : 12); ++i) {
+    Random random(test::seed(), i);
+    Scene scene = test::random_screened_scene(random, 5);
+    scene.shading = static_cast<Shading>(i % 4);
+    scene.hidden_surfaces = static_cast<HiddenSurfaces>(i % 3);
+    scene.samples = 4;
+    const Window window{{3, 2}, {36, 28}};
+    PixelStories stories(scene, size, window);
+    TriangleTexts known;
+    for (int k = 0; k < 4; ++k) {
+      const int x = static_cast<int>(random.uniform_int(window.lower.x, window.upper.x));
+      const ivec2 pixel{x, static_cast<int>(random.uniform_int(window.lower.y, window.upper.y))};
+      std::string joined;
+      for (const StoryPart& part : why_parts("scene", scene, size, stories.of(pixel), known))
+        joined += part.text;
+      EXPECT_EQ(joined, why_text("scene", scene, size, why(scene, size, pixel)))
+          << "seed " << test::seed() << ", case " << i;
+      told += joined.find("covers its centre") == joined.npos;
+    }
+    EXPECT_EQ(stories.picture().width(), 34);
+    EXPECT_THROW(stories.of({2, 2}), ContractViolation);
+  }
+  EXPECT_GT(told, 0) << "several triangles over a centre";
+  Random random(1);
+  const Scene scene = test::random_scene(random, 1);
+  for (const Window& window : {Window{{0, 0}, {40, 29}}, {{-1, 0}, {3, 3}}, {{4, 4}, {3, 3}}})
+    EXPECT_THROW(PixelStories(scene, size, window), ContractViolation);
 }
 
 TEST(Why, RefusesAPixelBesideThePicture) {

@@ -1,0 +1,20 @@
+#include "cairo/deflated.hpp"
+
+#include <zlib.h>
+
+#include <stdexcept>
+
+namespace gradus {
+
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string out(size, '\0');
+  const int status =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                static_cast<uLong>(bytes.size()), 9);
+  if (status != Z_OK) throw std::runtime_error("zlib does not pack");
+  out.resize(size);
+  return out;
+}
+
+}  // namespace gradus
