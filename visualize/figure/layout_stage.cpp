@@ -174,6 +174,7 @@ Stage stage_of(const Trace& trace, const Look& look) {
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
   stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
+  stage.lines = slide ? grid.lines : 0;
   stage.largest_cell = slide ? 96 : 120;
   return stage;
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "pipeline.hpp"
+#include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
@@ -58,6 +59,11 @@ const TraceStep& milestone(const Trace& trace, std::int64_t stage) {
   return trace.steps[index_of(trace, {stage, 0})];
 }
 
+/// Where the picture, on the left, has a pixel.
+ivec2 in_drawing(pipeline::Size picture, ivec2 pixel) {
+  return textbook_chain::ChainPaper(picture).cell(textbook_chain::Side::before, pixel);
+}
+
 TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
   const auto method = [](const char* name, Given given = {}) {
     given["method"] = name;
@@ -87,7 +93,7 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
     int marked = 0;
     for (int y = 0; y < 28; ++y) {
       for (int x = 0; x < 40; ++x) {
-        const auto look = canvas.at({x, y});
+        const auto look = canvas.at(in_drawing({40, 28}, {x, y}));
         marked += look && look->role == Role::rejected;
       }
     }
@@ -309,9 +315,9 @@ TEST(PipelineTour, ShowsThePictureThatRenderMakes) {
     const Image image = pipeline::render(scene(given), size(given));
     Playhead playhead(trace);
     const Canvas& canvas = playhead.at(trace.steps.size() - 1);
-    EXPECT_FALSE(canvas.plane());
     for (int y = 0; y < image.height(); ++y) {
-      for (int x = 0; x < image.width(); ++x) ASSERT_EQ(canvas.at({x, y}).value().color, (image[{x, y}]));
+      for (int x = 0; x < image.width(); ++x)
+        ASSERT_EQ(canvas.at(in_drawing(size(given), {x, y})).value().color, (image[{x, y}]));
     }
     const ivec2 pixel = std::get<ivec2>(trace.result[0].value);
     const Rgba8 c = image[pixel];
@@ -340,7 +346,7 @@ TEST(PipelineTour, CountsWhatEveryStageKeeps) {
     EXPECT_EQ(count(7, "covered"), count(6, "covered"));
     EXPECT_LE(count(7, "visible"), count(6, "fragments"));
     EXPECT_EQ(count(8, "visible"), count(7, "visible"));
-    EXPECT_EQ(count(8, "pixels"), trace.grid.cells.width() * trace.grid.cells.height());
+    EXPECT_EQ(count(8, "pixels"), std::int64_t{size(given).width} * size(given).height);
     std::int64_t cells = 0;
     for (const TraceStep& step : trace.steps) {
       if (step.type == "Covered")
