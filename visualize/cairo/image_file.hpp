@@ -2,6 +2,7 @@
 // Pictures that were not drawn by Cairo as files that say what made them, like figures do.
 
 #include <string>
+#include <string_view>
 
 #include "core/image.hpp"
 #include "figure/colophon.hpp"
@@ -10,5 +11,9 @@ namespace gradus {
 
 /// The picture as a PNG with the same texts in it as a figure's: `colophon_in` finds them there.
 std::string png_of(const Image& image, const Colophon& colophon);
+
+/// Whether a file's bytes are what png_of makes for this colophon, but for the picture, of which it is only
+/// asked whether it is there to the end. Errors: InputError for bytes that are no PNG.
+bool is_png_of(std::string_view bytes, const Colophon& colophon);
 
 }  // namespace gradus
