@@ -56,9 +56,14 @@ struct Ledger {
   /// Planning with the search for what is hidden; stages 1 to 5; 6 and 7, which alternate; 8.
   double planning = 0, geometry = 0, pixels = 0, writing = 0;
 
-  std::vector<const LedgerRow*> rows() const {
-    return {&input,         &world, &perspective, &facing, &clipping,
-            &rasterization, &lamps, &highlights,  &texels, &output};
+  std::vector<const LedgerRow*> rows() const { return rows_of<const LedgerRow>(*this); }
+  std::vector<LedgerRow*> rows() { return rows_of<LedgerRow>(*this); }
+
+ private:
+  template <class Row, class Self>
+  static std::vector<Row*> rows_of(Self& ledger) {
+    return {&ledger.input,         &ledger.world, &ledger.perspective, &ledger.facing, &ledger.clipping,
+            &ledger.rasterization, &ledger.lamps, &ledger.highlights,  &ledger.texels, &ledger.output};
   }
 };
 

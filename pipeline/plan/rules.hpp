@@ -17,15 +17,16 @@ enum class Rule {
   inside,            ///< it lies wholly between the planes: nothing of it is cut
   out_of_range,      ///< the light's range ends before the object
   no_highlight,      ///< k_s = 0: the material has no highlight
+  unchanged,         ///< of a film's frames: nothing has changed since the one before
 };
 
-inline constexpr std::size_t rule_count = 6;
-inline constexpr std::array<Rule, rule_count> all_rules{Rule::outside,      Rule::area_of_interest,
-                                                        Rule::hidden,       Rule::inside,
-                                                        Rule::out_of_range, Rule::no_highlight};
+inline constexpr std::size_t rule_count = 7;
+inline constexpr std::array<Rule, rule_count> all_rules{
+    Rule::outside,      Rule::area_of_interest, Rule::hidden,   Rule::inside,
+    Rule::out_of_range, Rule::no_highlight,     Rule::unchanged};
 /// As the command spells them, in the order of the enumeration.
 inline constexpr std::array<std::string_view, rule_count> rule_names{
-    "outside", "area_of_interest", "hidden", "inside", "out_of_range", "no_highlight"};
+    "outside", "area_of_interest", "hidden", "inside", "out_of_range", "no_highlight", "unchanged"};
 
 inline constexpr std::string_view name_of(Rule rule) { return rule_names[static_cast<std::size_t>(rule)]; }
 

@@ -17,6 +17,7 @@
 #include "core/colour.hpp"
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
+#include "scene/camera_path_keys.hpp"
 #include "scene/decimal.hpp"
 #include "scene/located_json.hpp"
 #include "scene/projection_keys.hpp"
@@ -29,7 +30,6 @@ using Kind = JsonNode::Kind;
 using Keys = std::initializer_list<std::string_view>;
 
 constexpr double largest = 1e30;  // as in models
-constexpr double least_degrees = 0.001, most_degrees = 179.999;
 constexpr int largest_picture = 8192;
 
 /// A value and the way to it, "/objects/0/place".
@@ -364,38 +364,19 @@ class SceneReader {
 
   void take_camera(const Found& at) {
     values_.members(at, {"eye", "target", "up", "projection", "fov", "focal", "sensor", "height", "receding",
-                         "foreshortening", "near", "far"});
+                         "foreshortening", "near", "far", "path", "interpolation"});
     View& view = file_.view;
     if (const auto eye = Values::member(at, "eye")) view.eye = values_.vector(*eye);
     if (const auto target = Values::member(at, "target")) view.target = values_.vector(*target);
     if (const auto up = Values::member(at, "up")) view.up = values_.direction(*up);
     take_projection(values_, at, view);
-    take_lens(at);
+    take_lens(values_, at, view);
+    file_.path = camera_path_in(values_, at, view);
     const auto near = Values::member(at, "near"), far = Values::member(at, "far");
     if (!near && !far) return;
     file_.depths =
         dvec2{values_.above_zero(values_.needed(at, "near")), values_.above_zero(values_.needed(at, "far"))};
     if (!(file_.depths->x < file_.depths->y)) values_.refuse(*far, "a far plane behind the near one");
-  }
-
-  /// The angle of view, told or by what a camera's lens and film make of it.
-  void take_lens(const Found& at) {
-    const auto fov = Values::member(at, "fov"), focal = Values::member(at, "focal"),
-               sensor = Values::member(at, "sensor");
-    const std::string expected =
-        fmt::format("the vertical angle of view, {} to {} degrees", least_degrees, most_degrees);
-    double& radians = file_.view.vertical_radians;
-    if (fov) {
-      if (focal) values_.refuse(*focal, "either an angle of view or a focal length", "both");
-      if (sensor) values_.refuse(*sensor, "either an angle of view or a sensor", "both");
-      radians = radians_from_degrees(values_.number_in(*fov, least_degrees, most_degrees, expected));
-    } else if (focal || sensor) {
-      const double length = values_.above_zero(values_.needed(at, "focal"));
-      const double height = values_.above_zero(values_.needed(at, "sensor"));
-      radians = 2 * atan2(height / 2, length);
-      if (!(radians_from_degrees(least_degrees) <= radians && radians <= radians_from_degrees(most_degrees)))
-        values_.refuse(*focal, expected, fmt::format("{:.3g}", radians / radians_from_degrees(1)));
-    }
   }
 
   void take_lights(const Found& at) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "scene/camera_path.hpp"
 #include "scene/model_formats.hpp"
 #include "scene/scene.hpp"
 #include "scene/textures.hpp"
@@ -25,6 +26,7 @@ struct SceneFile {
   bool lights_told = false;        ///< else whoever places the camera adds default_lights
   std::optional<ivec2> size;       ///< of the picture, in pixels
   View view;                       ///< what is told of the camera
+  std::optional<CameraPath> path;  ///< where it moves, if it does; its eye is told by path or view
   std::optional<dvec2> depths;     ///< near and far, 0 < near < far
   std::vector<std::string> notes;  ///< what was assumed or left out in models, "file:line: …"
 };

@@ -71,15 +71,16 @@ dvec3 eye_before(const std::vector<dvec3>& points, dvec3 target, dvec3 up) {
 }  // namespace
 
 Aim aim_of(Objects objects, const View& view, double aspect) {
-  const dvec3 middle = view.target.value_or(bounds_of(points_of(objects)).centre());
-  if (leans(view.projection) && !view.eye) {
-    const dvec3 up = view.up.value_or(dvec3{0, 1, 0});
-    return {eye_before(points_of(objects), middle, up), middle, up};
+  const dvec3 up = view.up.value_or(dvec3{0, 1, 0});
+  expects(unit_vector(up) != dvec3{0}, "up is the zero vector, which points nowhere");
+  const dvec3 middle = view.target ? *view.target : bounds_of(points_of(objects)).centre();
+  Aim aim{view.eye.value_or(dvec3{0}), middle, up};
+  if (!view.eye) {
+    if (leans(view.projection)) return {eye_before(points_of(objects), middle, up), middle, up};
+    aim = framing_aim(objects, up, aspect, view.vertical_radians);
+    if (!view.target) return aim;
+    aim.target = middle;
   }
-  Aim aim = framing_aim(objects, view.up.value_or(dvec3{0, 1, 0}), aspect, view.vertical_radians);
-  if (!view.eye && !view.target) return aim;
-  aim.eye = view.eye.value_or(aim.eye);
-  aim.target = middle;
   // Seen from nearly straight above or below, y tells no direction in the picture
   if (!view.up && viewing::sine_between(aim.target - aim.eye, aim.up) < 0.1) aim.up = {0, 0, -1};
   return aim;

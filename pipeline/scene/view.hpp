@@ -10,6 +10,9 @@
 
 namespace gradus::pipeline {
 
+/// The angles of view that may be asked for, in degrees.
+inline constexpr double least_degrees = 0.001, most_degrees = 179.999;
+
 /// What is told of a view, in world space.
 struct View {
   std::optional<dvec3> eye, target, up;               ///< up: a direction, any length but 0

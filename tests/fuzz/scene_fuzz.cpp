@@ -24,6 +24,16 @@ std::optional<pipeline::FoundModel> found(const std::string& name) {
 
 bool finite(dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+void expect_sound(const pipeline::CameraPath& path, const pipeline::View& beside) {
+  require(0 <= path.first && path.first < path.last && path.last <= pipeline::most_frame, "frames");
+  require(!path.eye.empty() || beside.eye, "an eye is told");
+  for (const double share : {0.0, 0.3, 0.5, 1.0}) {
+    const pipeline::View view = view_at(path, beside, path.first + share * (path.last - path.first));
+    require(view.eye && finite(*view.eye), "an eye is somewhere");
+    require(0 < view.vertical_radians && view.vertical_radians < 3.1416, "an angle of view on a path");
+  }
+}
+
 void expect_sound(const pipeline::SceneFile& file) {
   require(!file.scene.objects.empty(), "a scene has an object");
   for (const pipeline::Object& object : file.scene.objects) {
@@ -44,6 +54,7 @@ void expect_sound(const pipeline::SceneFile& file) {
   if (file.depths) require(0 < file.depths->x && file.depths->x < file.depths->y, "far lies behind near");
   require(0 < file.view.vertical_radians && file.view.vertical_radians < 3.1416, "an angle of view");
   require(file.view.up != dvec3{0}, "up is a direction");
+  if (file.path) expect_sound(*file.path, file.view);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ def test_names_move_no_terminal():
 
 def test_refusals():
     part = "--part: expected column, row and size like 120,88,200x100 within the picture of 160x90, found "
-    rules = ("--without: expected all, or some of outside, area_of_interest, hidden, inside, out_of_range, no_highlight, "
+    rules = ("--without: expected all, or some of outside, area_of_interest, hidden, inside, out_of_range, no_highlight, unchanged, "
              "found ")
     for words, complaint in (
             (["--part", "0,0,161x90"], part + "'0,0,161x90'"), (["--part", "160,0,1x1"], part + "'160,0,1x1'"),

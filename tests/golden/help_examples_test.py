@@ -20,6 +20,7 @@ import zlib
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
 from command import GRADUS, PLAIN, check, equal
+from renders import fewer_frames
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", pathlib.Path(GRADUS).parent))
@@ -65,6 +66,8 @@ class Place:
 
 def shorter(line):
     name = re.search(r"\bgradus (\w+)", line)
+    if name and name[1] == "render":
+        return fewer_frames(line)
     extra = SHORTER.get(name[1] if name else "")
     if name and name[1] == "figure" and SMALLER.search(line) and "--size" not in line:
         extra = " --size 320x180"

@@ -32,7 +32,7 @@ VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 BEYOND = re.compile("|".join((
     "a place with an inverse", "an inner cone within", "a far plane behind", "another point than", "a direction that is not along",
     "another direction than", "the name of a file that is there", "no number of samples", "a square like", "the last row",
-    "told apart", "the vertical angle of view.*found [0-9.]+$", "coordinates", "in all")))
+    "a frame after", "told apart", "the vertical angle of view.*found [0-9.]+$", "coordinates", "in all")))
 
 
 def in_scenes_folder():
@@ -43,7 +43,7 @@ def in_scenes_folder():
 
 
 def test_shipped_scenes():
-    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "spot", "town", "town_at_night", "wide_field"], "what is shipped")
+    equal(NAMES, ["circular_road", "closed_room", "cornell_box", "spot", "town", "town_at_night", "town_flight", "wide_field"], "what is shipped")
     for name in NAMES:
         shown = picture(f"{name}.json", "--size", "96x64")
         scene = json.loads((SCENES / f"{name}.json").read_text())
@@ -218,7 +218,7 @@ def changed(scene, rng):
         del holder[way[-1]]
     elif kind == 1 and isinstance(holder, dict):
         holder[rng.choice(["fov", "near", "focal", "colour", "scale", "target", "samples", "range", "matrix", "height", "receding",
-                           "projection"])] = rng.choice(
+                           "projection", "path", "interpolation", "frame", "eye"])] = rng.choice(
             [1, 2, 30, [1, 2, 3], "#ffffff", [[1, 0, 0, 2], [0, 1, 0, 3], [0, 0, 1, 4]]])
     elif kind == 2 and isinstance(holder, list):
         holder.insert(way[-1], copy.deepcopy(holder[way[-1]]))

@@ -19,4 +19,8 @@ std::string png_of(const Image& image, const Colophon& colophon);
 Image decode_picture(std::string_view bytes, const std::string& name,
                      std::int64_t most_pixels = most_png_pixels);
 
+/// Whether a file's bytes are what png_of makes for this colophon, but for the picture, of which it is only
+/// asked whether it is there to the end. Errors: InputError for bytes that are no PNG.
+bool is_png_of(std::string_view bytes, const Colophon& colophon);
+
 }  // namespace gradus

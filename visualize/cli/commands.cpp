@@ -114,6 +114,8 @@ const std::vector<Flag> views{
      fmt::format("samples a pixel, for methods that take some; default {}", pipeline::default_samples)},
 };
 
+const Flag frames{"frames", 0, "FRAMES", ""};
+
 /// What of a scene is rendered.
 const std::vector<Flag> plans{
     {"part", 0, "C,R,WxH", "only these pixels of the picture: column and row of the first, and how many"},
@@ -214,15 +216,22 @@ std::vector<Command> all_commands() {
        1,
        1,
        false,
-       joined({with_help(output,
-                         "the PNG, - is standard output; an HTML page tells of the pixel that is clicked")},
-              {views,
-               plans,
-               {{"report", 0, "", "prints what was done and what was left out, stage by stage"},
-                {"why", 0, "C,R",
-                 "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "
-                 "left; with -o draws it: SVG, PNG or PDF"},
-                force}}),
+       joined(
+           {with_help(output,
+                      "the PNG; - is standard output; an HTML page tells of the pixel that is clicked; "
+                      "{frame} in the name makes one file a frame of the camera's path, .mp4 a film")},
+           {views,
+            plans,
+            {with_help(frames,
+                       "of the camera's path: 0-124, 17, or 0-124/5, every fifth; default: all, or the "
+                       "first for one picture"),
+             {"array", 0, "K/N", "of the frames every N-th from the K-th on: one of N parts, for a cluster"},
+             {"jobs", 'j', "N", "how many frames at once; default: the usable cores"},
+             {"report", 0, "", "prints what was done and what was left out, stage by stage"},
+             {"why", 0, "C,R",
+              "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "
+              "left; with -o draws it: SVG, PNG or PDF"},
+             force}}),
        {"gradus render letter_f.obj -o f.png", "gradus render town.json -o town.png",
         "gradus render spot.obj -o spot.png --eye=-1.5,1.2,-2.7",
         "gradus render letter_f.obj -o wide.png --size 640x360 --fov 90",
@@ -231,7 +240,9 @@ std::vector<Command> all_commands() {
         "gradus render letter_f.obj -o - --background none > clear.png",
         "gradus render town.json -o roof.png --part 600,300,320x180 --report",
         "gradus render spot.json --why 480,300", "gradus render spot.json --why 480,300 -o why.svg",
-        "gradus render spot.json -o spot.html --size 240x135    # a page to click in"},
+        "gradus render spot.json -o spot.html --size 240x135    # a page to click in",
+        "gradus render town_flight.json -o 'frames/f-{frame}.png' --frames 0-124 --size 320x180",
+        "gradus render town_flight.json -o flight.mp4 --size 320x180"},
        Operand::model},
       {"explain",
        "a MODEL.obj or a SCENE.json",
@@ -241,6 +252,7 @@ std::vector<Command> all_commands() {
        false,
        joined({{"json", 0, "", "as JSON: the decision on each object and stage"},
                with_help(output, "draws instead where in the picture work is left out; a PNG or SVG"),
+               with_help(frames, "one frame of the camera's path, like 17; default: its first"),
                force},
               {views, plans}),
        {"gradus explain town.json", "gradus explain town.json --part 200,100,300x200",

@@ -199,6 +199,10 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
     words.add("120,88", "for example");
   } else if (name == "part") {
     words.add("0,0,200x100", "for example");
+  } else if (flag.value == "FRAMES") {
+    words.add("0-124", "for example");
+  } else if (name == "array") {
+    words.add("1/4", "for example");
   } else if (name == "samples") {
     words.add_all(Texts{"4", "16", "64"});
   } else if (name == "only") {

@@ -90,6 +90,26 @@ std::array<std::array<std::int64_t, 3>, pipeline::object_stages> works_of(const 
   return counts;
 }
 
+/// Frames one after the other, each with the last of them: {65, 74}.
+std::vector<std::pair<int, int>> runs_of(const std::vector<int>& frames) {
+  std::vector<std::pair<int, int>> runs;
+  for (const int frame : frames) {
+    if (runs.empty() || runs.back().second + 1 != frame) runs.emplace_back(frame, frame);
+    runs.back().second = frame;
+  }
+  return runs;
+}
+
+/// "frame 0 of 0 to 124; unchanged since the one before: 65 to 74".
+std::string path_line(const PathFacts& path) {
+  std::vector<std::string> runs;
+  for (const auto& [first, last] : runs_of(path.unchanged))
+    runs.push_back(first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last));
+  return fmt::format("frame {} of {} to {}; {}\n", path.shown, path.first, path.last,
+                     runs.empty() ? "every frame is rendered anew"
+                                  : fmt::format("unchanged since the one before: {}", fmt::join(runs, ", ")));
+}
+
 std::string head_of(const std::string& name, const Scene& scene, const Plan& plan) {
   std::int64_t triangles = 0;
   for (const pipeline::Object& object : scene.objects) triangles += triangle_count(*object.mesh);
@@ -101,7 +121,8 @@ std::string head_of(const std::string& name, const Scene& scene, const Plan& pla
 
 }  // namespace
 
-std::string plan_text(const std::string& name, const Scene& scene, const Plan& plan) {
+std::string plan_text(const std::string& name, const Scene& scene, const Plan& plan,
+                      const std::optional<PathFacts>& path) {
   std::vector<TextRow> stages{{"stage", "run", "part", "skip"}};
   const auto works = works_of(scene, plan);
   for (std::size_t i = 0; i < works.size(); ++i) {
@@ -109,7 +130,8 @@ std::string plan_text(const std::string& name, const Scene& scene, const Plan& p
     stages.push_back({fmt::format("{} {}", i + 1, pipeline::stage_names[i]), fmt::format("{}", run),
                       fmt::format("{}", part), fmt::format("{}", skip)});
   }
-  std::string text = head_of(name, scene, plan) + "\n" + table_of(stages, {false, true, true, true});
+  std::string text = head_of(name, scene, plan) + (path ? path_line(*path) : "") + "\n" +
+                     table_of(stages, {false, true, true, true});
   for (const auto& [how, alike] : by_treatment(scene, plan)) {
     const std::string first = visible(alike.first);
     text += fmt::format("\n{}, {}: {}\n{}", counted(alike.objects, "object"),
@@ -119,7 +141,8 @@ std::string plan_text(const std::string& name, const Scene& scene, const Plan& p
   return text;
 }
 
-std::string plan_json(const std::string& name, const Scene& scene, const Plan& plan) {
+std::string plan_json(const std::string& name, const Scene& scene, const Plan& plan,
+                      const std::optional<PathFacts>& path) {
   const auto number = [](auto value) { return json_number(fmt::format("{}", value)); };
   std::vector<JsonNode> objects;
   for (int i = 0; i < std::ssize(scene.objects); ++i) {
@@ -138,13 +161,23 @@ std::string plan_json(const std::string& name, const Scene& scene, const Plan& p
                                    {"stages", 0, json_list(std::move(stages))}}));
   }
   const auto& [lower, upper] = plan.window;
-  return write_json(json_object({{"scene", 0, json_text(name)},
-                                 {"width", 0, number(plan.size.width)},
-                                 {"height", 0, number(plan.size.height)},
-                                 {"part", 0,
-                                  json_list({number(lower.x), number(lower.y), number(plan.window.width()),
-                                             number(plan.window.height())})},
-                                 {"objects", 0, json_list(std::move(objects))}}));
+  std::vector<JsonMember> members{{"scene", 0, json_text(name)},
+                                  {"width", 0, number(plan.size.width)},
+                                  {"height", 0, number(plan.size.height)},
+                                  {"part", 0,
+                                   json_list({number(lower.x), number(lower.y), number(plan.window.width()),
+                                              number(plan.window.height())})}};
+  if (path) {
+    std::vector<JsonNode> unchanged;
+    for (const int frame : path->unchanged) unchanged.push_back(number(frame));
+    members.push_back({"frames", 0,
+                       json_object({{"first", 0, number(path->first)},
+                                    {"last", 0, number(path->last)},
+                                    {"shown", 0, number(path->shown)},
+                                    {"unchanged", 0, json_list(std::move(unchanged))}})});
+  }
+  members.push_back({"objects", 0, json_list(std::move(objects))});
+  return write_json(json_object(std::move(members)));
 }
 
 std::string ledger_text(const std::string& name, const Ledger& ledger) {
@@ -239,7 +272,8 @@ int explain(const Request& request) {
   geometry(job.scene, plan, ledger);  // finds what is hidden
   const std::string name = scene_name(job.brief);
   const bool json = request.has("json");
-  write_stream(Stream::out, json ? plan_json(name, job.scene, plan) : plan_text(name, job.scene, plan));
+  write_stream(Stream::out, json ? plan_json(name, job.scene, plan, job.path)
+                                 : plan_text(name, job.scene, plan, job.path));
   return 0;
 }
 

@@ -2,6 +2,7 @@
 // A model as a picture: what `gradus render` makes, and `gradus again` makes again.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,19 @@ struct Rendered : RenderBrief {
   pipeline::Ledger ledger;  ///< what was done for it
 };
 
+/// The frames of a camera's path, which of them is rendered, and which show what the one before them shows.
+struct PathFacts {
+  int first = 0, last = 0, shown = 0;
+  std::vector<int> unchanged{};
+};
+
 /// All that a request asks for, read and not yet rendered.
 struct RenderJob {
   pipeline::Scene scene;
   pipeline::Size size;
   PlanWish plan;
   RenderBrief brief;
+  std::optional<PathFacts> path;
 };
 
 /// Renders what a request of `gradus render` asks for. find: where the model lies; its material libraries lie

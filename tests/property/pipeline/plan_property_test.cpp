@@ -5,9 +5,11 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
+#include "plan/unchanged.hpp"
 #include "support/random_scenes.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
@@ -96,9 +98,58 @@ TEST(Plan, ChangesNoBitOfAnyPixel) {
   }
   EXPECT_EQ(ran, cases);
   for (const Rule rule : all_rules) {
+    if (rule == Rule::unchanged) continue;  // it takes more than one picture: the next test
     RecordProperty(std::string(name_of(rule)), static_cast<int>(fired[rule]));
     EXPECT_GE(fired[rule], test::sanitized ? 1 : 1000) << name_of(rule);
   }
+}
+
+/// Views of a film that stands still now and then.
+std::vector<View> random_views(Random& random, int count) {
+  std::vector<View> views;
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && random.unit() < 0.9) {
+      views.push_back(views.back());
+      continue;
+    }
+    View view;
+    view.eye = test::random_point(random, 8);
+    view.target = test::random_point(random, 3);
+    view.vertical_radians = random.uniform(0.3, 2);
+    if (random.unit() < 0.3) view.projection = static_cast<Projection3d>(random.uniform_int(1, 2));
+    views.push_back(view);
+  }
+  return views;
+}
+
+TEST(Plan, AFrameThatIsUnchangedHasEachBitOfThePictureThatItTakes) {
+  const std::uint64_t seed = test::seed();
+  constexpr int films = test::sanitized ? 3 : 40, frames = 30;
+  constexpr Size size{6, 4};
+  int taken = 0;
+  for (int i = 0; i < films; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i));
+    Scene scene = test::random_scene(random, 2);
+    scene.antialiasing = i % 4 == 0   ? Antialiasing::adaptive
+                         : i % 4 == 1 ? Antialiasing::jittered
+                                      : Antialiasing::none;
+    scene.samples = 4;
+    choose(scene, random);
+    const std::vector<View> views = random_views(random, frames);
+    const std::vector<std::size_t> pictures = pictures_of(views);
+    std::vector<LightPicture> drawn;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      const Aim aim = aim_of(scene.objects, views[k], 1.5);
+      ASSERT_TRUE(leads_somewhere(aim) && tells_upright(aim));
+      scene.camera = camera_of(aim, views[k], scene.objects, 1.5);
+      drawn.push_back(antialiased(scene, size));
+      ASSERT_EQ(differing(drawn.back(), drawn[pictures[k]], picture_window(size)), 0)
+          << "seed " << seed << ", film " << i << ", frame " << k;
+      taken += pictures[k] != k;
+    }
+  }
+  RecordProperty(std::string(name_of(Rule::unchanged)), taken);
+  EXPECT_GE(taken, test::sanitized ? 1 : 1000);
 }
 
 TEST(Plan, LightWithoutAHighlightIsPhongs) {
