@@ -18,6 +18,7 @@ from command import GRADUS, check, equal
 from figure_files import (
     LINE, SVG, by_id, described, difference, figure, gradus, main, page_count, page_size, pdf_info, pdf_text, pixels,
     png_size, read, refused, run, slot_text, svg, texts)
+from renders import fewer_frames
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LONG = ["bresenham_line", "--from", "-600,0", "--to", "600,301"]
@@ -395,7 +396,7 @@ def shorter(command):
         return re.sub(r" --seconds \d+|$", " --seconds 1", command, count=1)
     if command.startswith("gradus figures -o ") and "--only" not in command:
         return f"{command} --only 'flood_fill*'"
-    return command
+    return fewer_frames(command) if command.startswith("gradus render ") else command
 
 
 def commands_run(commands):
