@@ -44,7 +44,7 @@ struct PlaceHash {
 /// A value of a material, if it has one.
 template <class T>
 std::optional<T> value_of(const aiMaterial& material, const char* key, unsigned type, unsigned index) {
-  T value;
+  T value{};
   if (material.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
   return value;
 }

@@ -97,11 +97,23 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// The first method of antialiasing that draws opacities.
+std::string_view method_for_opacity() {
+  const auto draws = [](std::string_view name) {
+    const auto at = std::ranges::find(pipeline::antialiasing_names, name);
+    pipeline::Scene scene;
+    scene.antialiasing = static_cast<pipeline::Antialiasing>(at - pipeline::antialiasing_names.begin());
+    return draws_opacity(scene);
+  };
+  return *std::ranges::find_if(pipeline::antialiasing_names, draws);
+}
+
 /// What a method of antialiasing can't draw.
 std::optional<std::string> opacity_remark(const pipeline::Scene& scene) {
   const bool drawn = draws_opacity(scene) || scene.shading == pipeline::Shading::wireframe;
   if (drawn || !std::ranges::any_of(scene.objects, &pipeline::Object::see_through)) return std::nullopt;
-  return "render: what lets light through is drawn opaque; --aa a_buffer draws it by its opacity";
+  return fmt::format("render: what lets light through is drawn opaque; --aa {} draws it by its opacity",
+                     method_for_opacity());
 }
 
 }  // namespace
