@@ -1,5 +1,8 @@
 #include "stories/pipeline/chain_cards.hpp"
 
+#include <cmath>
+
+#include "figure/number_text.hpp"
 #include "stories/pipeline/chain_coordinates.hpp"
 
 namespace gradus::textbook_chain {
@@ -36,6 +39,11 @@ Texts column_of(const glm::vec<N, double>& v, double noise) {
   Texts rows;
   for (int i = 0; i < N; ++i) rows.push_back({real_text(v[i], noise)});
   return rows;
+}
+
+/// An amount of light: a byte of the picture has no more than three decimals.
+std::string light_text(double light) {
+  return with_note(without_notes(figure_real(std::round(light * 1000) / 1000)), light);
 }
 
 std::string hex_of(const Rgba8& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
@@ -245,7 +253,7 @@ void Cards::depth(View& view, const DepthTested& last) const {
 
 void Cards::lamp(Texts& rows, const LampLight& l) const {
   const auto row = [&](std::string name, const std::string& what, const dvec3& c) {
-    rows.push_back({std::move(name), what, real_text(c.x), real_text(c.y), real_text(c.z)});
+    rows.push_back({std::move(name), what, light_text(c.x), light_text(c.y), light_text(c.z)});
   };
   const std::string name = see("card.lamp", {{"number", l.light + 1}});
   const std::string n_dot_l = fmt::format("N·L = {}", real_text(l.n_dot_l));
@@ -262,13 +270,14 @@ void Cards::light(View& view) const {
   if (!way_.shaded) return;
   Card card = this->card(view, "light");
   const auto row = [](const std::string& name, const dvec3& c) {
-    return std::vector<std::string>{name, "", real_text(c.x), real_text(c.y), real_text(c.z)};
+    return std::vector<std::string>{name, "", light_text(c.x), light_text(c.y), light_text(c.z)};
   };
   Texts rows{row(see("card.ambient"), way_.shaded->ambient)};
   for (const LampLight& l : way_.lamps) {
     if (rows.size() + 2 < most_rows + 1) lamp(rows, l);
   }
   rows.push_back(row(see("card.sum"), dvec3(way_.shaded->colour)));
+  rows.back()[1] = "R, G, B";
   card.high(rows.size()).block(rows, Fence::none, Role::input, 2);
 }
 
