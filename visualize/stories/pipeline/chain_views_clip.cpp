@@ -78,8 +78,8 @@ View Views::clip_space(const Pointer& at) const {
   arrow(view, words_.symbol("P"));
   space(view, Side::after, "space.clip");
   const auto clip = [&](std::size_t i) {
-    const glm::dvec4 at = run_.clip[i].clip.at;
-    return dvec3{at.x, at.y, at.w};
+    const glm::dvec4 place = run_.clip[i].clip.at;
+    return dvec3{place.x, place.y, place.w};
   };
   side_panel(view, Side::after, "clip", clip, 1, depth, pointed);
   cards_.projection(view, *pointed.corner);
