@@ -64,7 +64,7 @@ void check_frames(const FrameRange& range, const std::optional<pipeline::CameraP
   }
 }
 
-Part read_array(const Flags& flags) {
+ArrayPart read_array(const Flags& flags) {
   const std::string* text = given(flags, "array");
   if (!text) return {};
   const auto [number_text, of_text] = cut(trimmed(*text), '/');
@@ -74,7 +74,7 @@ Part read_array(const Flags& flags) {
   return {*number, *of};
 }
 
-std::vector<int> frames_of(const FrameRange& range, const Part& part) {
+std::vector<int> frames_of(const FrameRange& range, const ArrayPart& part) {
   std::vector<int> frames;
   const std::int64_t stride = std::int64_t{range.step} * part.of;
   for (std::int64_t frame = range.first + std::int64_t{range.step} * (part.number - 1); frame <= range.last;

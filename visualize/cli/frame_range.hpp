@@ -30,14 +30,14 @@ void check_frames(const FrameRange& range, const std::optional<pipeline::CameraP
                   const std::string& scene);
 
 /// One of several parts of the frames, counted from 1.
-struct Part {
+struct ArrayPart {
   int number = 1, of = 1;
 };
 /// --array K/N; the whole where it is not given. Throws UsageError.
-Part read_array(const Flags& flags);
+ArrayPart read_array(const Flags& flags);
 
 /// Every N-th frame of the range, from its K-th on: all parts together have each frame once.
-std::vector<int> frames_of(const FrameRange& range, const Part& part);
+std::vector<int> frames_of(const FrameRange& range, const ArrayPart& part);
 
 /// The name with the frame's number in it, with as many digits as the path's last frame has, at least three.
 std::string frame_name(std::string output, int frame, const pipeline::CameraPath& path);

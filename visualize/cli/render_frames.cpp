@@ -47,7 +47,7 @@ struct Run {
 };
 
 Run run_of(const Request& request) {
-  const Part part = read_array(request.flags);
+  const ArrayPart part = read_array(request.flags);
   Run run{read_shot(request, as_named), {}, {}, {}, {}};
   const Wish& wish = run.shot.wish;
   if (!wish.path)

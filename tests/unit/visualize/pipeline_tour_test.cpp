@@ -13,13 +13,13 @@
 #include "pipeline.hpp"
 #include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
-#include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
+#include "support/tours.hpp"
 
 namespace gradus {
 namespace {
 
-using Given = std::map<std::string, std::string>;
+using test::tours::Given, test::tours::scene, test::tours::size, test::tours::tour;
 
 /// Runs in which nothing is cut, something is cut, the followed face is removed, and nothing is seen.
 const std::vector<Given>& runs() {
@@ -29,15 +29,6 @@ const std::vector<Given>& runs() {
                                       {{"eye", "0.3,0.6,1"}, {"target", "0.3,0.6,5"}, {"columns", "9"}},
                                       {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}}};
   return all;
-}
-
-Trace tour(const Given& given) { return test::trace_of("pipeline", given); }
-pipeline::Scene scene(const Given& given) {
-  return textbook_chain::scene_of(test::complete(test::topic("pipeline"), given));
-}
-pipeline::Size size(const Given& given) {
-  const Arguments arguments = test::complete(test::topic("pipeline"), given);
-  return {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))};
 }
 
 template <class T>

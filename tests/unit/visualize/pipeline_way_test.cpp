@@ -11,22 +11,14 @@
 
 #include "stories/pipeline/chain_run.hpp"
 #include "stories/pipeline/chain_way.hpp"
-#include "support/example_traces.hpp"
+#include "support/tours.hpp"
 #include "why/why.hpp"
 
 namespace gradus {
 namespace {
 
-using Given = std::map<std::string, std::string>;
+using test::tours::Given, test::tours::scene, test::tours::size, test::tours::tour;
 
-Trace tour(const Given& given) { return test::trace_of("pipeline", given); }
-pipeline::Scene scene(const Given& given) {
-  return textbook_chain::scene_of(test::complete(test::topic("pipeline"), given));
-}
-pipeline::Size size(const Given& given) {
-  const Arguments arguments = test::complete(test::topic("pipeline"), given);
-  return {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))};
-}
 // ---------------------------------------------------------------
 
 /// Runs whose followed triangle meets others in the followed pixel, is cut, and is lit by both lamps.
