@@ -107,9 +107,8 @@ def try_page(gradus, words):
                 wrong.append(f"gradus {words}: {line}\n    {done.returncode} {done.stderr.strip()}")
             written = re.search(r" (?:-o|>) ?'?([\w./{}-]+)", line)
             if written and written[1] != "-":
-                name = written[1].replace("{step}", "0")
-                if not (place.folder / name).exists() and not list(place.folder.glob(written[1].replace("{step}", "*"))):
-                    wrong.append(f"gradus {words}: {line}\n    nothing was written as {name}")
+                if not list(place.folder.glob(re.sub(r"\{(step|frame)\}", "*", written[1]))):
+                    wrong.append(f"gradus {words}: {line}\n    nothing was written as {written[1]}")
             if "gradus open" in line:
                 opened = place.folder / ".opened"
                 page = opened.read_text().strip() if opened.exists() else "none"
