@@ -42,9 +42,8 @@ class Survey {
   }
   void add(const CellChange& change) {
     if (!change.look) return;
-    const bool counts = change.look->role != Role::guide;
-    add(dvec2(change.at) - 0.5, counts);
-    add(dvec2(change.at) + 0.5, counts);
+    add(dvec2(change.at) - 0.5, true);
+    add(dvec2(change.at) + 0.5, true);
   }
 
   Content content() && {

@@ -67,12 +67,11 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
       "subtitle",
       {{"model", model.empty() ? "letter_f.obj" : model}, {"width", size.width}, {"height", size.height}});
   Grid& grid = narrator.trace().grid;
-  const ChainPaper paper(size);
-  grid.cells = paper.cells();
-  grid.lines = paper.least_cell();
+  grid.cells = run.image.window();
   grid.y_up = false;
   grid.whole = true;
-  grid.axes = false;
+  grid.x_name = narrator.words().say("column_name");
+  grid.y_name = narrator.words().say("row_name");
   narrator.shows_depths(true);
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
@@ -86,7 +85,6 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
                      Role::input});
   }
   Tour(narrator, run, followed, listed, last, exchanged.stage).tell();
-  if (exchanged.stage == 0) narrator.telling({static_cast<std::int64_t>(last), 0});
   const Rgba8 colour = run.image[followed.pixel];
   const bool chosen = arguments.has("face") && !arguments.text("face").empty();
   std::vector<Field> result{{"pixel", followed.pixel},
