@@ -157,7 +157,7 @@ std::string covered_text(const Scene& scene, const PixelStory& story) {
   const std::size_t count = story.fragments.size();
   const std::string name = pipeline::triangle_name(scene, *seen);
   return count == 1 ? name + " alone covers its centre"
-                    : fmt::format("of {} triangles over its centre {} is seen", count, name);
+                    : fmt::format("seen of {} triangles over its centre: {}", count, name);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ using plot::PixelFigure;
 PixelFigure figure_of(ivec2 pixel, std::size_t covers, std::size_t lights) {
   PixelFigure figure;
   figure.title = "spot.json: why pixel 3,2 is #ffede0";
-  figure.subtitle = "of 2 triangles over its centre Spot, face 143 (spot.obj:600) is seen";
+  figure.subtitle = "seen of 2 triangles over its centre: Spot, face 143 (spot.obj:600)";
   figure.sentence =
       "Ambient (0.1, 0.1, 0.1) + diffuse (0.5, 0.4, 0.3) + highlight (0, 0, 0) = (0.6, 0.5, 0.4).";
   figure.picture = Image(40, 20, {90, 120, 80});
