@@ -42,8 +42,9 @@ class Survey {
   }
   void add(const CellChange& change) {
     if (!change.look) return;
-    add(dvec2(change.at) - 0.5, true);
-    add(dvec2(change.at) + 0.5, true);
+    const bool counts = change.look->role != Role::guide;
+    add(dvec2(change.at) - 0.5, counts);
+    add(dvec2(change.at) + 0.5, counts);
   }
 
   Content content() && {

@@ -40,6 +40,7 @@ struct Path {
   std::vector<dvec2> points;
   bool closed = false;
   bool dashed = false;
+  bool aside = false;  ///< as for a text
   friend bool operator==(const Path&, const Path&) = default;
 };
 
@@ -144,6 +145,7 @@ struct Grid {
   std::string x_name = "x", y_name = "y";
   bool whole = false;  ///< all cells are always shown, however small: no view that follows the step
   bool axes = true;    ///< false: a paper, whose drawings bring scales of their own
+  double lines = 0;    ///< of a paper with lines of text: in units of a slide, how large a cell they ask for
   int shelf = 0;  ///< so many rows, those of the least numbers, are no part of the grid but room beside it:
                   ///< cells that a story puts there are drawn, without lines, centres and numbers
   /// The input picture, if there is one: one texel a cell, from cells.lower, row 0 first. Copies share it.

@@ -113,6 +113,7 @@ struct Stage {
   const Content* content = nullptr;         ///< of a paper: what else needs room beside it
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
+  double lines = 0;  ///< as Grid::lines, on a slide: below it code and table give way to a paper
 };
 /// Throws ContractViolation when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);

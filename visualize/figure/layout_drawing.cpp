@@ -264,6 +264,7 @@ class DrawingLayout {
       take_chain(mark, {stroke->a, stroke->b},
                  {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
+      if (path->aside && at_.among_many) return;
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       take_dot(mark, *dot);

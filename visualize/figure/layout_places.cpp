@@ -186,6 +186,12 @@ std::optional<Choice> best_of(const Wants& wants, const Look& look, const Stage&
 /// In the small boxes of a handout's page the listing gives way, then the table.
 bool may_give_way(const Look& look) { return look.layout == Layout::handout && look.least_text > 0; }
 
+/// Lines of text on a paper would lie on each other.
+bool crowded(const Stage& stage, const Choice& choice) {
+  const std::optional<Fit> shown = fit(stage, choice.body.drawing.width, choice.body.drawing.height);
+  return !shown || shown->cell < stage.lines;
+}
+
 bool legible(const Choice& choice) { return choice.worth > -0.5 || choice.worth > -2 + 6 / many_cells; }
 
 ivec2 largest_in(const Page& page, Wants wants, const Look& look, const Stage& stage) {
@@ -207,7 +213,8 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
   if (!look.slots.contains(Slot::drawing)) return without_drawing(page.middle, wants);
   auto choice = best_of(wants, look, stage, page);
   for (bool* slot : {&wants.listing, &wants.table}) {
-    if (!may_give_way(look) || (choice && legible(*choice))) break;
+    const bool gives_way = may_give_way(look) && !(choice && legible(*choice));
+    if (!gives_way && (stage.lines <= 0 || (choice && !crowded(stage, *choice)))) break;
     *slot = false;
     choice = best_of(wants, look, stage, page);
   }

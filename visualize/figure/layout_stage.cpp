@@ -170,10 +170,12 @@ Stage stage_of(const Trace& trace, const Look& look) {
   const bool slide = look.layout == Layout::slide;
   // The pixels of a picture may be as small as they are asked for
   const bool pixels = look.view && grid.picture;
-  const double least_whole = grid.axes ? 6 : 3;  // the units of a paper are no cells
+  // The units of a paper are no cells; where it says how large its lines want them, they may be smaller still
+  const double least_whole = grid.axes ? 6 : grid.lines > 0 ? 1.5 : 3;
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
   stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
+  stage.lines = slide ? grid.lines : 0;
   stage.largest_cell = slide ? 96 : 120;
   return stage;
 }

@@ -244,6 +244,7 @@ Json grid_json(const Grid& grid) {
            {"y_name", grid.y_name}};
   if (grid.whole) out["whole"] = true;
   if (!grid.axes) out["axes"] = false;
+  if (grid.lines > 0) out["lines"] = grid.lines;
   if (grid.shelf > 0) out["shelf"] = grid.shelf;
   if (grid.picture) out["picture"] = picture_json(*grid.picture);
   return out;

@@ -11,14 +11,15 @@
 #include <tuple>
 
 #include "pipeline.hpp"
+#include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
-#include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
+#include "support/tours.hpp"
 
 namespace gradus {
 namespace {
 
-using Given = std::map<std::string, std::string>;
+using test::tours::Given, test::tours::scene, test::tours::size, test::tours::tour;
 
 /// Runs in which nothing is cut, something is cut, the followed face is removed, and nothing is seen.
 const std::vector<Given>& runs() {
@@ -28,15 +29,6 @@ const std::vector<Given>& runs() {
                                       {{"eye", "0.3,0.6,1"}, {"target", "0.3,0.6,5"}, {"columns", "9"}},
                                       {{"turn", "-65"}, {"fov", "70"}, {"columns", "33"}, {"rows", "21"}}};
   return all;
-}
-
-Trace tour(const Given& given) { return test::trace_of("pipeline", given); }
-pipeline::Scene scene(const Given& given) {
-  return textbook_chain::scene_of(test::complete(test::topic("pipeline"), given));
-}
-pipeline::Size size(const Given& given) {
-  const Arguments arguments = test::complete(test::topic("pipeline"), given);
-  return {static_cast<int>(arguments.integer("columns")), static_cast<int>(arguments.integer("rows"))};
 }
 
 template <class T>
@@ -56,6 +48,11 @@ dvec3 place(const TraceStep& step) {
 }
 const TraceStep& milestone(const Trace& trace, std::int64_t stage) {
   return trace.steps[index_of(trace, {stage, 0})];
+}
+
+/// Where the picture, on the left, has a pixel.
+ivec2 in_drawing(pipeline::Size picture, ivec2 pixel) {
+  return textbook_chain::ChainPaper(picture).cell(textbook_chain::Side::before, pixel);
 }
 
 TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
@@ -87,7 +84,7 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
     int marked = 0;
     for (int y = 0; y < 28; ++y) {
       for (int x = 0; x < 40; ++x) {
-        const auto look = canvas.at({x, y});
+        const auto look = canvas.at(in_drawing({40, 28}, {x, y}));
         marked += look && look->role == Role::rejected;
       }
     }
@@ -309,9 +306,9 @@ TEST(PipelineTour, ShowsThePictureThatRenderMakes) {
     const Image image = pipeline::render(scene(given), size(given));
     Playhead playhead(trace);
     const Canvas& canvas = playhead.at(trace.steps.size() - 1);
-    EXPECT_FALSE(canvas.plane());
     for (int y = 0; y < image.height(); ++y) {
-      for (int x = 0; x < image.width(); ++x) ASSERT_EQ(canvas.at({x, y}).value().color, (image[{x, y}]));
+      for (int x = 0; x < image.width(); ++x)
+        ASSERT_EQ(canvas.at(in_drawing(size(given), {x, y})).value().color, (image[{x, y}]));
     }
     const ivec2 pixel = std::get<ivec2>(trace.result[0].value);
     const Rgba8 c = image[pixel];
@@ -340,7 +337,7 @@ TEST(PipelineTour, CountsWhatEveryStageKeeps) {
     EXPECT_EQ(count(7, "covered"), count(6, "covered"));
     EXPECT_LE(count(7, "visible"), count(6, "fragments"));
     EXPECT_EQ(count(8, "visible"), count(7, "visible"));
-    EXPECT_EQ(count(8, "pixels"), trace.grid.cells.width() * trace.grid.cells.height());
+    EXPECT_EQ(count(8, "pixels"), std::int64_t{size(given).width} * size(given).height);
     std::int64_t cells = 0;
     for (const TraceStep& step : trace.steps) {
       if (step.type == "Covered")

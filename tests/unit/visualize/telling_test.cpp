@@ -137,6 +137,7 @@ std::vector<Rare> rare_runs() {
       {"perspective", {{"method", "parallel_by_plane"}, {"turn", "0,30"}}},
       {"perspective", {{"at", "0,0,2"}, {"turn", "40,30"}}},
       {"pipeline", {{"pixel", "0,0"}}},
+      {"pipeline", {{"turn", "-30"}, {"face", "7"}, {"pixel", "18,7"}}},
       {"pipeline", {{"eye", "0,0,-5"}}, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
       {"pipeline", {{"eye", "5,0,0"}, {"target", "0,0,0"}}, "v 0 0 0\nv 0 1 1\nv 1 0 0\nv 1 1 1\nf 1 2 3\n"},
       {"pipeline", {{"eye", "0,0,0.5"}, {"target", "0,0,-9"}, {"face", "1"}}, before_and_behind},

@@ -78,7 +78,7 @@ std::string Tour::corner_names() const {
 
 void Tour::goal() {
   stage_ = 0;
-  milestone(views_.object(), "Started",
+  milestone(views_.goal(), "Started",
             {.text = seen_ ? "started" : "started.bare",
              .facts = {{"face", face()}, {"piece", piece_.id.piece}, {"pixel", pixel_}},
              .words = {{"width", run_.size.width}, {"height", run_.size.height}}});
@@ -88,7 +88,7 @@ void Tour::input() {
   for (std::size_t i = 0; i < 3; ++i) {
     const dvec3 p = run_.read[vertex(i)].point.at;
     const std::string name = vertex_name(i);
-    fine(views_.object({i, at_text(p)}), "VertexRead",
+    fine(views_.object({i, ""}), "VertexRead",
          {.text = "vertex_read",
           .facts = fields_of(p),
           .words = {{"name", name}, {"place", at_text(p)}},
@@ -114,7 +114,7 @@ void Tour::world() {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [from, to] = std::pair{run_.placed[vertex(i)].from.at, run_.placed[vertex(i)].to.at};
     const std::string name = vertex_name(i);
-    fine(views_.world({i, at_text(to)}), "Placed",
+    fine(views_.world({i, ""}), "Placed",
          {.text = from != to ? "placed.moved" : "placed.same",
           .facts = fields_of(to),
           .words = {{"name", name}, {"from", at_text(from)}, {"to", at_text(to)}},
@@ -147,10 +147,10 @@ void Tour::perspective() {
   }
   const auto behind = std::ranges::count_if(run_.clip, [](const Projected& p) { return p.clip.at.z < 0; });
   milestone(views_.clip_space(), "PerspectiveTransformation",
-            {.text = "perspective",
+            {.text = behind > 0 ? "perspective" : "perspective.none",
              .facts = {{"before_near", behind}},
              .words = {{"vertices", run_.clip.size()}, {"test", before_near(words_)}},
-             .count = behind});
+             .count = behind > 0 ? std::optional(behind) : std::nullopt});
 }
 
 std::array<glm::dvec4, 3> Tour::corners() const {
@@ -224,9 +224,9 @@ void Tour::clipping() {
   const auto changed = std::ranges::count_if(run_.clipped, &Clipped::changed);
   const auto gone = std::ranges::count_if(run_.clipped, [](const Clipped& c) { return c.after.empty(); });
   milestone(views_.clipping(), "Clipping",
-            {.text = "clipping",
+            {.text = changed > 0 ? "clipping" : "clipping.none",
              .facts = {{"clipped", changed}, {"gone", gone}, {"triangles", std::ssize(run_.snapped)}},
-             .count = changed});
+             .count = changed > 0 ? std::optional(changed) : std::nullopt});
 }
 
 void Tour::clipped_corner(const Clipped& own, std::size_t k) {

@@ -84,24 +84,17 @@ void Tour::covered_row(int y, const CoveredRow& covered) {
 }
 
 void Tour::edge_functions() {
-  const auto found = std::ranges::find_if(
-      run_.covered, [&](const Fragment& f) { return f.id == piece_.id && f.pixel == pixel_; });
-  if (found == run_.covered.end()) return;
-  const Snapped& triangle = run_.snapped[static_cast<std::size_t>(found->triangle)];
-  const auto edges = triangle_coverage::edges_of(on_grid(triangle.corners));
-  dvec3 e{0};
-  for (int i = 0; i < 3; ++i) {
-    const auto at = edges[static_cast<std::size_t>(i)].at(triangle_coverage::centre_of(pixel_));
-    e[i] = static_cast<double>(at) / 65536;
-  }
-  fine(views_.edge_functions(triangle), "EdgesTested",
+  const auto& [fragment, edges] = std::pair{views_.way().fragment, views_.way().edges};
+  if (!fragment || !edges) return;
+  const dvec3 e = edges->values;
+  fine(views_.edge_functions(*edges), "EdgesTested",
        {.text = "covered.edges",
-        .facts = {{"e0", e[0]}, {"e1", e[1]}, {"e2", e[2]}, {"depth", found->depth}},
+        .facts = {{"e0", e[0]}, {"e1", e[1]}, {"e2", e[2]}, {"depth", fragment->depth}},
         .words = {pixel_word(),
                   {"a", real_text(e[0])},
                   {"b", real_text(e[1])},
                   {"c", real_text(e[2])},
-                  {"depth", real_text(found->depth)}},
+                  {"depth", real_text(fragment->depth)}},
         .row = row(words_.say("edges"), e),
         .key = pixel_key(pixel_),
         .decides = yes_or_no(words_, "question.inside", {pixel_word()}, true, "inside")},
@@ -114,16 +107,12 @@ void Tour::expanded_edge_functions() {
   if (wrong == run_.misjudged.end()) return;
   const Snapped& triangle = run_.snapped[static_cast<std::size_t>(wrong->triangle)];
   const auto edges = triangle_coverage::edges_of(on_grid(triangle.corners));
-  const ivec2 centre = triangle_coverage::centre_of(pixel_);
   const dvec3 found = triangle_coverage::FarEdges(edges, dvec2(far_origin)).areas_at(pixel_);
-  dvec3 exact{0};
-  for (int i = 0; i < 3; ++i) {
-    exact[i] = static_cast<double>(edges[static_cast<std::size_t>(i)].at(centre)) / 65536;
-  }
-  fine(views_.edge_functions(triangle), "EdgesTested",
+  const EdgeValues exact = edge_values(run_, wrong->triangle, pixel_);
+  fine(views_.edge_functions(exact, found), "EdgesTested",
        {.text = "expanded.edges",
         .facts = {{"e0", found[0]}, {"e1", found[1]}, {"e2", found[2]}},
-        .words = {pixel_word(), {"found", place_text(found)}, {"exact", place_text(exact)}},
+        .words = {pixel_word(), {"found", place_text(found)}, {"exact", place_text(exact.values)}},
         .row = row(words_.say("edges"), found),
         .key = pixel_key(pixel_),
         .decides = yes_or_no(words_, "question.inside", {pixel_word()}, wrong->covered, "inside", "outside")},
@@ -136,7 +125,7 @@ void Tour::visibility() {
   }
   if (const Shaded* shaded = run_.shaded_at(pixel_)) {
     const dvec3 sum(shaded->colour);
-    fine(views_.lit(), "Shaded",
+    fine(views_.shading(), "Shaded",
          {.text = "shaded",
           .facts = {{"red", sum.x}, {"green", sum.y}, {"blue", sum.z}},
           .words = {pixel_word(),
@@ -150,7 +139,7 @@ void Tour::visibility() {
   const auto covered = std::ranges::count(run_.covered, piece_.id, &Fragment::id);
   const auto won =
       std::ranges::count_if(run_.shaded, [&](const Shaded& s) { return s.fragment.id == piece_.id; });
-  milestone(views_.depths(), "HiddenSurfaceRemovalAndShading",
+  milestone(views_.visibility(), "HiddenSurfaceRemovalAndShading",
             {.text = "visibility",
              .facts = {{"nearest", won}, {"covered", covered}, {"visible", std::ssize(run_.shaded)}},
              .words = {face_word(), {"shown", run_.shaded.size()}, {"fragments", run_.tests.size()}},
@@ -171,10 +160,7 @@ void Tour::depth_test(const DepthTested& test) {
     event.words.push_back({"other", test.before->id.face});
     event.words.push_back({"kept", real_text(test.before->depth)});
   }
-  const std::string depth = fmt::format("{} = {}", words_.symbol("z"), real_text(f.depth));
-  const std::string against =
-      test.before ? fmt::format(" {} {}", test.nearer ? "<" : "≥", real_text(test.before->depth)) : "";
-  fine(views_.depths(depth + against), "DepthTested", std::move(event), {}, "keep_nearest(");
+  fine(views_.depths(test), "DepthTested", std::move(event), {}, "keep_nearest(");
 }
 
 void Tour::output() {

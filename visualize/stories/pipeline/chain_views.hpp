@@ -1,8 +1,14 @@
 #pragma once
-// The drawings of the tour: the model in the space of each stage, and the picture's cells from stage 6 on.
+// The drawings of the tour: before and after each stage, the model in the spaces of the stage or the picture
+// with its pixels, the followed triangle and pixel in them, and the stage's numbers below.
+
+#include <functional>
 
 #include "figure/drawing.hpp"
+#include "stories/pipeline/chain_cards.hpp"
+#include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
+#include "stories/pipeline/chain_way.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
 
@@ -19,7 +25,13 @@ struct Pointer {
 class Views {
  public:
   Views(const Run& run, const Followed& followed, const Words& words);
+  Views(const Views&) = delete;
+  Views& operator=(const Views&) = delete;
 
+  const Way& way() const { return way_; }
+  const ChainPaper& paper() const { return paper_; }
+
+  View goal() const;
   View object(const Pointer& at = {}) const;
   View world(const Pointer& at = {}) const;
   View clip_space(const Pointer& at = {}) const;
@@ -27,49 +39,106 @@ class Views {
   View clipping(const Pointer& at = {}) const;
   /// Cells of the followed piece down to this row; -1: before the first.
   View raster(int last_row, const Pointer& at = {}) const;
-  /// The edge functions at the followed pixel, which the followed piece covers.
-  View edge_functions(const pipeline::Snapped& triangle) const;
-  /// Which fragments of the followed piece are nearest, among the depths of all; `at`: of the followed pixel.
-  View depths(const std::string& at = {}) const;
-  /// The light of what is seen.
-  View lit() const;
-  /// The picture; only the followed pixel of it where `whole` is false.
+  /// The edge functions at the followed pixel. found: what a faulty stage has for them.
+  View edge_functions(const EdgeValues& values, const std::optional<dvec3>& found = {}) const;
+  /// The depths of what is nearest, and which fragments of the followed piece are.
+  View depths(const pipeline::DepthTested& at) const;
+  /// The place that is seen at the followed pixel, its normal and where its light comes from; and the light.
+  View shading() const;
+  /// Depths, and the light of what is seen.
+  View visibility() const;
+  /// The picture, only the followed pixel of it where `whole` is false; and the way that led to the pixel.
   View output(bool whole) const;
 
  private:
-  /// From where a solid is looked at, and what is right and towards the reader there.
+  using Flat = std::function<dvec2(dvec3)>;
+  using FacePart = std::pair<int, std::vector<dvec3>>;  ///< which face, and the ring
+  using Placing = std::function<dvec3(std::size_t)>;    ///< a vertex in some space
+
+  /// From where a solid is looked at; what is right, up and towards the reader there; and its place on paper.
   struct Sight {
     Viewer viewer;
-    dvec3 right, towards;
+    dvec3 right, up, towards;
+    Flat flat;
   };
-  /// The paper from `left` to `right`, as parts of its width.
-  Panel panel(double left, double right, const Extent& world) const;
 
-  template <class At>
-  void outlines(View& view, const Panel& panel, const std::string& name, At at, const Pointer& pointer,
-                bool labelled = true) const;
-  template <class At>
-  Extent extent(At at, const std::vector<dvec2>& more = {}) const;
-  template <class At>
-  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh, const Sight& sight,
-             At flat) const;
-  void divided_solid(View& view, const Panel& panel, double aspect) const;
-  int shade_of_face(int face) const;
-  /// Seen along z, as the model was made, or from its right side, where what looks at its front looks right.
-  Sight from_the_front() const;
-  Sight from_the_right() const;
-  void followed(View& view, const Panel& panel, const std::string& name, const std::vector<dvec2>& corners,
-                const Pointer& pointer, bool labelled) const;
-  void wedge_axes(View& view, const Panel& panel, const std::string& name, double depth,
-                  const std::string& along) const;
-  dvec2 corner_in_picture(const pipeline::SnappedPoint& p) const;
+  // --- Panels and what is the same in all of them
+
+  Panel panel(const Extent& place, const Extent& world) const;
+  Panel panel(Side side, const Extent& world) const { return panel(paper_.panel(side), world); }
+  void caption(View& view, Side side, const std::string& text) const;
+  void space(View& view, Side side, const char* key) const { caption(view, side, words_.say(key)); }
+  /// From panel to panel, between their captions, with the name of what leads there.
+  void arrow(View& view, const std::string& name = "") const;
   void polygon(View& view, const Panel& panel, std::string id, Role role,
                const std::vector<dvec2>& points) const;
-  /// aside: from the panel's middle, in units.
-  void caption(View& view, const Panel& panel, const std::string& key, double aside = 0) const;
-  void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth) const;
-  void axes(View& view, const Panel& panel, const std::string& name, dvec2 (*to_paper)(dvec3)) const;
-  void mark_pixel(View& view) const;
+  void area(View& view, const Panel& panel, std::string id, Role role,
+            const std::vector<dvec2>& points) const;
+  Side side_of(const Panel& panel) const;
+  /// Where the followed pixel's place on the followed piece lies, if it lies there.
+  void pixel_place(View& view, const std::string& name, dvec2 at) const;
+  std::string pixel_name() const { return figure_point(pixel_); }
+
+  // --- Solids
+
+  Extent extent(const Placing& place, const Flat& flat, const std::vector<dvec2>& more = {}) const;
+  void axes(View& view, const Panel& panel, const std::string& name, const Flat& flat) const;
+  void solid(View& view, const Panel& panel, const std::string& name, const Mesh& mesh,
+             const Sight& sight) const;
+  /// Pieces of faces as a solid whose faces have the shades that they have from the directions of `sight`,
+  /// which are those of the world.
+  void pieces_solid(View& view, const Panel& panel, const std::string& name,
+                    const std::vector<FacePart>& parts, const Sight& sight,
+                    const std::array<dvec3, 3>& world) const;
+  void side_solid(View& view, const Panel& panel, const std::string& name,
+                  const std::vector<FacePart>& parts) const;
+  void seen_solid(View& view, const Panel& panel, const std::string& name,
+                  const std::vector<FacePart>& parts) const;
+  bool few_faces() const;
+  std::vector<FacePart> pieces(const Placing& place) const;
+  int shade_of_face(int face, const std::array<dvec3, 3>& world) const;
+  /// Seen along z, as the model was made.
+  Sight from_the_front() const;
+  /// Seen from the camera's right, so that what looks at a front looks right.
+  Sight from_aside() const;
+  std::vector<dvec2> own(const Placing& place, const Flat& flat) const;
+  /// Which corners of the followed piece have names.
+  enum class Names { none, pointed, all };
+  void followed(View& view, const Panel& panel, const std::string& name, const std::vector<dvec2>& corners,
+                const Pointer& pointer, Names names) const;
+
+  // --- Stages of vertices
+
+  void object_panel(View& view, const Extent& place, const Pointer& at, Names names) const;
+  void wedge(View& view, const Panel& panel, const std::string& name, double slope, double depth,
+             const std::string& along) const;
+  void side_panel(View& view, Side side, const std::string& name, const Placing& place, double slope,
+                  double depth, const Pointer& at) const;
+  void lines_of_sight(View& view, const Panel& panel, const Flat& flat) const;
+  std::vector<dvec2> window_in_world(const Flat& flat) const;
+  std::vector<dvec3> seen_ring(const pipeline::Piece& piece) const;
+  /// Where the picture will be.
+  Panel picture_panel(Side side) const;
+  void window(View& view, const Panel& panel, const std::string& id) const;
+  void clip_panel(View& view, const Pointer& at) const;
+  void divided_panel(View& view, const Pointer& at) const;
+
+  // --- Stages of pixels
+
+  dvec2 corner_in_picture(const pipeline::SnappedPoint& p) const { return dvec2(p.at) / 256.0 - 0.5; }
+  void frame(View& view, Side side) const;
+  void put(View& view, Side side, ivec2 pixel, Role role, std::optional<Rgba8> color = {}) const;
+  void mark_pixel(View& view, Side side) const;
+  void depth_picture(View& view, Side side) const;
+  void lit_picture(View& view, Side side) const;
+  /// The pixels round the followed one, large: what of the followed piece they are, and its outline.
+  Panel near_pixel(View& view, Side side, const std::function<std::optional<Role>(ivec2)>& role) const;
+  Panel near_panel(Side side) const;
+  void edge_lines(View& view, const EdgeValues& values) const;
+  void outline_near(View& view, const Panel& panel) const;
+  Extent window_near() const;
+  std::optional<Role> covered_role(ivec2 pixel, int last_row) const;
+  std::optional<Role> kept_role(ivec2 pixel) const;
 
   bool follows(pipeline::PieceId id) const { return id == piece_.id; }
 
@@ -77,21 +146,13 @@ class Views {
   const pipeline::Piece& piece_;
   ivec2 pixel_;
   const Words& words_;
-  const double unit_;                           ///< a thirty-sixth of the paper's width
+  const ChainPaper paper_;
+  const double unit_;
+  const Way way_;
+  const Cards cards_;
+  const double aspect_;
   Mesh world_;                                  ///< the model where it stands
   mutable std::map<std::string, View> solids_;  ///< that were drawn already
 };
-
-/// "E0", "E1", "E2": the edge functions, each of the edge opposite a corner.
-inline std::string edge_name(std::size_t edge) { return fmt::format("E{}", edge); }
-
-/// Below it a number of a picture, of a depth or of light is a rounding error.
-inline constexpr double small = 1e-6;
-/// A number as the tour shows it: what is smaller than `noise` is a rounding error.
-inline std::string real_text(double value, double noise = small) { return figure_real(value, noise); }
-/// "(1, −0.5, 2)".
-inline std::string place_text(dvec3 p, double noise = small) {
-  return figure_place(p, [noise](double number) { return real_text(number, noise); });
-}
 
 }  // namespace gradus::textbook_chain

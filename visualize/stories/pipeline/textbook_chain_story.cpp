@@ -67,11 +67,12 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
       "subtitle",
       {{"model", model.empty() ? "letter_f.obj" : model}, {"width", size.width}, {"height", size.height}});
   Grid& grid = narrator.trace().grid;
-  grid.cells = run.image.window();
+  const ChainPaper paper(size);
+  grid.cells = paper.cells();
+  grid.lines = paper.least_cell();
   grid.y_up = false;
   grid.whole = true;
-  grid.x_name = narrator.words().say("column_name");
-  grid.y_name = narrator.words().say("row_name");
+  grid.axes = false;
   narrator.shows_depths(true);
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
@@ -85,6 +86,7 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
                      Role::input});
   }
   Tour(narrator, run, followed, listed, last, exchanged.stage).tell();
+  if (exchanged.stage == 0) narrator.telling({static_cast<std::int64_t>(last), 0});
   const Rgba8 colour = run.image[followed.pixel];
   const bool chosen = arguments.has("face") && !arguments.text("face").empty();
   std::vector<Field> result{{"pixel", followed.pixel},

@@ -128,6 +128,17 @@ class Stage {
     return {cell: Math.max(low, 1e-3), margins: this.textMargins(low)};
   }
 
+  /** Pixels for a unit of letters: in a small room those of a paper with lines of text get smaller, so that no line
+      lies on another. */
+  letters(width, height, s) {
+    const {lines = 0} = this.grid, room = `${width} ${height} ${s}`;
+    if (this.lettered?.room === room) return this.lettered.s;
+    const least = 0.4 * s;
+    while (s > least && this.fit(width / s, height / s).cell < lines) s *= 0.95;
+    this.lettered = {room, s};
+    return s;
+  }
+
   /** How a drawing of this size shows it. */
   fit(width, height) {
     const {x0, y0, x1, y1} = this.cells, all = {columns: x1 - x0 + 1, rows: y1 - y0 + 1};
@@ -156,7 +167,8 @@ function followed(lower, upper, count, focus) {
 }
 
 /** Where the parts of the drawing lie, in pixels. Depends on the room and the focus only, never on the way here. */
-function arrange(stage, width, height, s, focus) {
+function arrange(stage, width, height, unit, focus) {
+  const s = stage.letters(width, height, unit);
   const shown = stage.fit(width / s, height / s), {margins, follows} = shown, cell = shown.cell * s;
   const room = {x: 0, y: 0, width, height};
   let inset = null, view = stage.cells, origin = stage.lower, size = stage.size;
