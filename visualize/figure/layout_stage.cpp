@@ -170,13 +170,27 @@ Stage stage_of(const Trace& trace, const Look& look) {
   const bool slide = look.layout == Layout::slide;
   // The pixels of a picture may be as small as they are asked for
   const bool pixels = look.view && grid.picture;
-  // The units of a paper are no cells; where it says how large its lines want them, they may be smaller still
+  // The units of a paper are no cells, and those of one with lines have room for two pictures
   const double least_whole = grid.axes ? 6 : grid.lines > 0 ? 1.5 : 3;
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
   stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
-  stage.lines = slide ? grid.lines : 0;
+  stage.lines = grid.lines;
   stage.largest_cell = slide ? 96 : 120;
+  return stage;
+}
+
+Stage bare(Stage stage, Content& content) {
+  expects(stage.content, "only a paper has something aside");
+  content = *stage.content;
+  content.all = content.bare;
+  content.core.lower = glm::max(content.core.lower, content.bare.lower);
+  content.core.upper = glm::min(content.core.upper, content.bare.upper);
+  std::erase_if(content.texts, [](const Content::TextRoom& text) { return text.aside; });
+  cut_to(stage, content);
+  stage.core = glm::min(content.core.size(), stage.size);
+  stage.bare = true;
+  stage.lines = 0;
   return stage;
 }
 
@@ -218,6 +232,7 @@ Fit capacity(const Stage& stage, double width, double height) {
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
   const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
   Scene scene;
+  scene.bare = stage.bare;
   if (!shown) return scene;
   const Margins& margins = shown->margins;
   scene.follows = shown->follows;
