@@ -94,8 +94,9 @@ struct ShadingCount {
 /// again. A plan spares it the lights that do not reach an object, and highlights that are none.
 class SceneLight {
  public:
-  SceneLight(const Scene& scene, Size picture, const Plan* plan = nullptr)
-      : scene_(scene), plan_(plan), textures_(scene.filter, picture) {}
+  SceneLight(const Scene& scene, Size picture, const Plan* plan = nullptr,
+             const LinearTextures* decoded = nullptr)
+      : scene_(scene), plan_(plan), textures_(scene.filter, picture, decoded) {}
 
   const Scene& scene() const { return scene_; }
   const ShadingCount& count() const { return count_; }

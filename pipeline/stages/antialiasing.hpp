@@ -58,8 +58,9 @@ inline std::vector<triangle_coverage::ScreenTriangle> screen_triangles(const Tri
 /// Stage 7's colour of a triangle, at the place of a pixel that has these weights.
 class FragmentColour {
  public:
-  FragmentColour(const Scene& scene, const Triangles& triangles, Size size, const Plan* plan = nullptr)
-      : triangles_(triangles), light_(scene, size, plan) {}
+  FragmentColour(const Scene& scene, const Triangles& triangles, Size size, const Plan* plan = nullptr,
+                 const LinearTextures* decoded = nullptr)
+      : triangles_(triangles), light_(scene, size, plan, decoded) {}
 
   const ShadingCount& count() const { return light_.count(); }
 
@@ -304,19 +305,24 @@ inline LightPicture by_contrast(Shot& shot) {
 
 // --- The methods ---------------------------------------------------------------------------------
 
-/// The picture of a shot by one of the methods.
-inline LightPicture by_method(Shot& shot, Antialiasing method) {
+/// Where a method samples every pixel. Those that look at edges have no pattern: it is one of centres.
+inline Pattern pattern_of(Antialiasing method, int samples) {
+  if (takes_squares(method)) return grid_pattern(samples);
+  if (method == Antialiasing::jittered) return jittered_pattern(samples);
+  if (method == Antialiasing::poisson_disc) return poisson_disc_pattern(samples);
+  return {};
+}
+
+/// The picture of a shot by one of the methods. pattern: of the method.
+inline LightPicture by_method(Shot& shot, Antialiasing method, const Pattern& pattern) {
   switch (method) {
-    case Antialiasing::none:
-      return passes(shot, {});
     case Antialiasing::supersampling:
-      return side_by_side(shot, grid_pattern(shot.samples));
+      return side_by_side(shot, pattern);
+    case Antialiasing::none:
     case Antialiasing::accumulation_buffer:
-      return passes(shot, grid_pattern(shot.samples));
     case Antialiasing::jittered:
-      return passes(shot, jittered_pattern(shot.samples));
     case Antialiasing::poisson_disc:
-      return passes(shot, poisson_disc_pattern(shot.samples));
+      return passes(shot, pattern);
     case Antialiasing::area_sampling:
       return by_areas(shot);
     case Antialiasing::a_buffer:
@@ -327,6 +333,16 @@ inline LightPicture by_method(Shot& shot, Antialiasing method) {
       break;
   }
   return by_contrast(shot);
+}
+
+/// Refuses numbers of samples that a scene's method does not take.
+inline void check_samples(const Scene& scene) {
+  const Antialiasing method = scene.antialiasing;
+  const int most = takes_squares(method) ? 1024 : 256;
+  expects(1 <= scene.samples && scene.samples <= most, "a pixel takes 1 to {} samples, not {}", most,
+          scene.samples);
+  expects(!takes_squares(method) || grid_side(scene.samples) != 0,
+          "samples in cells are a square like 16, not {}", scene.samples);
 }
 
 /// Stages 6 and 7 with the antialiasing that the scene asks for.
@@ -345,13 +361,8 @@ inline LightPicture antialias(const Scene& scene, const Triangles& triangles, Si
   Shot shot{screen_triangles(triangles, size), picture,       plan ? plan->window : picture,
             {scene, triangles, size, plan},    scene.samples, scene.background,
             watch ? watch->reached : nullptr};
-  const Antialiasing method = scene.antialiasing;
-  const int most = takes_squares(method) ? 1024 : 256;
-  expects(1 <= scene.samples && scene.samples <= most, "a pixel takes 1 to {} samples, not {}", most,
-          scene.samples);
-  expects(!takes_squares(method) || grid_side(scene.samples) != 0,
-          "samples in cells are a square like 16, not {}", scene.samples);
-  LightPicture light = by_method(shot, method);
+  check_samples(scene);
+  LightPicture light = by_method(shot, scene.antialiasing, pattern_of(scene.antialiasing, scene.samples));
   if (watch) {
     watch->count = shot.colour.count();
     watch->without_area =

@@ -26,24 +26,40 @@ struct LinearTexture {
   texture_mapping::MipChain<LinearRgb> chain() const { return {size, levels}; }
 };
 
+/// Textures that are decoded, by the material that has them.
+using LinearTextures = std::map<const Material*, LinearTexture>;
+
+/// The texture of a material in linear light, decoded if it is not yet among the known; null for one without.
+inline const LinearTexture* add_texture(LinearTextures& known, const Material& material) {
+  const Image& texels = material.diffuse_map.texels;
+  if (texels.cells().empty()) return nullptr;
+  return &known.try_emplace(&material, texels).first->second;
+}
+
 /// The textures of a scene, each decoded when it is first asked for.
 class Textures {
  public:
-  Textures(TextureFilter filter, Size picture) : filter_(filter), picture_(picture) {}
+  /// decoded: those that are known already, if there are any; they must outlive it.
+  Textures(TextureFilter filter, Size picture, const LinearTextures* decoded = nullptr)
+      : filter_(filter), picture_(picture), decoded_(decoded) {}
 
   /// The colour of a fragment's texture at (u, v); nothing where its material has none.
   std::optional<LinearRgb> at(const Fragment& f, const Triangle& t, const Material& material, dvec2 uv) {
-    const Image& texels = material.diffuse_map.texels;
-    if (texels.cells().empty()) return std::nullopt;
-    const LinearTexture& texture = known_.try_emplace(&material, texels).first->second;
-    const auto chain = texture.chain();
-    const texture_mapping::Extent extent{texture.size};
+    const LinearTexture* texture = texture_of(material);
+    if (!texture) return std::nullopt;
+    const auto chain = texture->chain();
+    const texture_mapping::Extent extent{texture->size};
     if (filter_ == TextureFilter::nearest) return nearest(uv, extent, chain.level(0));
     if (filter_ == TextureFilter::bilinear) return bilinear(uv, extent, chain.level(0));
     return mip_mapped(uv, footprint(f, t, uv), chain);
   }
 
  private:
+  const LinearTexture* texture_of(const Material& material) {
+    if (!decoded_) return add_texture(known_, material);
+    const auto known = decoded_->find(&material);
+    return known == decoded_->end() ? add_texture(known_, material) : &known->second;
+  }
   /// How far (u, v) goes from this pixel to the next.
   texture_mapping::Footprint<double> footprint(const Fragment& f, const Triangle& t, dvec2 uv) {
     if (f.triangle != triangle_) {
@@ -62,7 +78,8 @@ class Textures {
 
   TextureFilter filter_;
   Size picture_;
-  std::map<const Material*, LinearTexture> known_{};
+  const LinearTextures* decoded_;
+  LinearTextures known_{};
   int triangle_ = -1;  ///< whose planes are kept
   std::optional<texture_mapping::Planes<double>> planes_{};
 };

@@ -32,6 +32,7 @@ PACKAGES = {
     "boost/": "algorithms/core/arithmetic/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
     "hwy/": "algorithms/",
+    "tbb/": "pipeline/engine/",
     "cmark-gfm": "visualize/web/topic_page.cpp",
     "archive": "visualize/cli/zip.cpp",
     "turbojpeg.h": "visualize/cairo/jpeg.cpp",

@@ -10,7 +10,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
 
-OTHERS = ("PNG", "ZLIB", "Boost", "hwy", "PkgConfig", "CLI11", "nlohmann_json", "Threads", "GTest", "benchmark", "Python3")
+OTHERS = ("PNG", "ZLIB", "Boost", "hwy", "TBB", "PkgConfig", "CLI11", "nlohmann_json", "Threads", "GTest", "benchmark", "Python3")
 
 
 class MinimalBuild(unittest.TestCase):

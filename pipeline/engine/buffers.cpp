@@ -1,0 +1,49 @@
+#include "engine/buffers.hpp"
+
+#include "modeling/ear_clipping/ear_clipping.hpp"
+
+namespace gradus::pipeline::engine {
+namespace {
+
+void add_pieces(const Mesh& mesh, std::int32_t number, std::vector<MeshPiece>& pieces) {
+  const MeshFace& face = mesh.faces[static_cast<std::size_t>(number)];
+  const auto corners = corners_of(mesh, face);
+  std::int32_t piece = 0;
+  const auto add = [&](const ear_clipping::Triangle& t) {
+    const auto vertex = [&](int corner) { return corners[static_cast<std::size_t>(corner)].position; };
+    pieces.push_back({number, piece, {t[0], t[1], t[2]}, {vertex(t[0]), vertex(t[1]), vertex(t[2])}});
+    ++piece;
+  };
+  if (face.count == 3) {
+    add({0, 1, 2});
+    return;
+  }
+  std::vector<dvec3> polygon;
+  for (const Corner& corner : corners) polygon.push_back(position_of(mesh, corner));
+  ear_clipping::triangulate(polygon, add);
+}
+
+std::vector<MeshPiece> pieces_of(const Mesh& mesh) {
+  std::vector<MeshPiece> pieces;
+  pieces.reserve(static_cast<std::size_t>(triangle_count(mesh)));
+  for (std::int32_t face = 0; face < std::ssize(mesh.faces); ++face) add_pieces(mesh, face, pieces);
+  return pieces;
+}
+
+}  // namespace
+
+Buffers buffers_of(const Scene& scene) {
+  Buffers buffers;
+  std::map<const Mesh*, std::shared_ptr<const std::vector<MeshPiece>>> known;
+  for (const Object& object : scene.objects) {
+    auto& pieces = known[object.mesh.get()];
+    if (!pieces) {
+      pieces = std::make_shared<const std::vector<MeshPiece>>(pieces_of(*object.mesh));
+      for (const Material& material : object.mesh->materials) add_texture(buffers.textures, material);
+    }
+    buffers.pieces.push_back(pieces);
+  }
+  return buffers;
+}
+
+}  // namespace gradus::pipeline::engine

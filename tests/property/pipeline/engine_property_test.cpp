@@ -1,0 +1,141 @@
+// The engine's pictures are those of the textbook chain: every pixel has the same winner and the same bits of
+// light, whatever the scene, the plan and the number of threads.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "engine/engine.hpp"
+#include "pipeline.hpp"
+#include "plan/planned.hpp"
+#include "support/random_scenes.hpp"
+#include "support/sanitized.hpp"
+#include "support/seed.hpp"
+
+namespace gradus::pipeline {
+namespace {
+
+/// How many pixels of two pictures differ in a bit.
+int differing(const LightPicture& a, const LightPicture& b) {
+  EXPECT_EQ(a.cells().size(), b.cells().size());
+  int count = 0;
+  for (std::size_t i = 0; i < a.cells().size(); ++i)
+    count += a.cells()[i].sum != b.cells()[i].sum || a.cells()[i].share != b.cells()[i].share;
+  return count;
+}
+
+/// A texture of random texels.
+Image random_texture(Random& random) {
+  const auto width = static_cast<int>(random.uniform_int(1, 40)),
+             height = static_cast<int>(random.uniform_int(1, 40));
+  Image texels(width, height);
+  for (Rgba8& texel : texels.cells()) {
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.uniform_int(0, 255)); };
+    const auto r = byte(), g = byte(), b = byte();
+    texel = {r, g, b, 255};
+  }
+  return texels;
+}
+
+/// Random texture coordinates for each corner, and a texture.
+Mesh textured(Mesh mesh, Random& random) {
+  for (Corner& corner : mesh.corners) {
+    corner.texture = static_cast<int>(mesh.textures.size());
+    const double u = random.uniform(-2, 2), v = random.uniform(-2, 2);
+    mesh.textures.push_back({u, v});
+  }
+  mesh.materials[0].diffuse_map.texels = random_texture(random);
+  return mesh;
+}
+
+/// Triangles of sizes from far below a pixel to far beyond the picture, some without area, some twice.
+Mesh loose_triangles(Random& random) {
+  Mesh mesh;
+  for (int i = 0; i < 40; ++i) {
+    const double size = std::pow(10.0, random.uniform(-4, 2));
+    const dvec3 middle = test::random_point(random, 4);
+    const int first = static_cast<int>(mesh.positions.size());
+    for (int k = 0; k < 3; ++k) mesh.positions.push_back(middle + test::random_point(random, size));
+    if (random.unit() < 0.1) mesh.positions.back() = mesh.positions[static_cast<std::size_t>(first)];
+    test::add_face(mesh, {first, first + 1, first + 2});
+    if (random.unit() < 0.2) test::add_face(mesh, {first + 1, first + 2, first});
+  }
+  mesh.materials = {test::random_material(random)};
+  return mesh;
+}
+
+/// One more object, of kinds that random_scene has not; or one of its objects a second time, as deep.
+void add_object(Scene& scene, Random& random) {
+  const auto kind = random.uniform_int(0, 3);
+  if (kind == 0) scene.objects.push_back(object_of(loose_triangles(random)));
+  if (kind == 1) scene.objects.push_back(object_of(textured(test::cube(), random)));
+  if (kind == 2) scene.objects.push_back(object_of(textured(test::ball(7), random)));
+  if (kind == 3) {
+    scene.objects.push_back(scene.objects.front());
+    Mesh mesh = *scene.objects.back().mesh;
+    mesh.materials = {test::random_material(random)};
+    scene.objects.back().mesh = std::make_shared<const Mesh>(std::move(mesh));
+  }
+  if (kind == 1 || kind == 2) {
+    const dvec3 place = test::random_point(random, 4),
+                axis = test::random_point(random, 1) + dvec3{0, 0, 0.01};
+    scene.objects.back().placement =
+        affine_3d::translation(place) * affine_3d::rotation(axis, random.uniform(0, 6));
+  }
+}
+
+Scene random_engine_scene(Random& random, int number) {
+  Scene scene = number % 2 == 0 ? test::random_scene(random, 8) : test::random_screened_scene(random, 8);
+  for (int i = 0; i < 3; ++i) add_object(scene, random);
+  scene.shading = static_cast<Shading>(random.uniform_int(0, 2));
+  scene.culling = static_cast<Culling>(random.uniform_int(0, 2));
+  scene.filter = static_cast<TextureFilter>(random.uniform_int(0, 2));
+  if (random.unit() < 0.3) {
+    const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+    scene.camera.rays = ParallelRays{
+        random.uniform(2, 9), {a, b}, random.uniform(1, 9), random.uniform(-3, 1), random.uniform(6, 15)};
+  }
+  return scene;
+}
+
+TEST(Engine, HasEveryBitOfTheTextbookChain) {
+  const std::uint64_t seed = test::seed();
+  constexpr int cases = test::sanitized ? 10 : 250;
+  for (int i = 0; i < cases; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i));
+    Scene scene = random_engine_scene(random, i);
+    scene.antialiasing = Antialiasing::none;
+    const Size size{static_cast<int>(random.uniform_int(1, 200)),
+                    static_cast<int>(random.uniform_int(1, 150))};
+    const LightPicture expected = antialiased(scene, size);
+    const engine::Buffers buffers = engine::buffers_of(scene);
+    const Plan plan = plan_of(scene, size);
+    for (const int threads : {1, 2, 4})
+      ASSERT_EQ(differing(engine::light_of(scene, buffers, plan, threads), expected), 0)
+          << "seed " << seed << ", case " << i << ", " << threads << " threads";
+    if (i % 10 == 0) ASSERT_TRUE(engine::render(scene, size) == render(scene, size)) << "seed " << seed;
+  }
+}
+
+TEST(Engine, HasEveryBitOfEachAntialiasingMethod) {
+  const std::uint64_t seed = test::seed();
+  constexpr int cases = test::sanitized ? 16 : 80;
+  constexpr Size size{150, 90};
+  for (int i = 0; i < cases; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i));
+    Scene scene = random_engine_scene(random, i);
+    scene.antialiasing = static_cast<Antialiasing>(i % 8 + 1);
+    scene.samples = 4;
+    const auto left = static_cast<int>(random.uniform_int(0, 100)),
+               top = static_cast<int>(random.uniform_int(0, 60));
+    Plan plan = plan_of(scene, size, Rules::all(), Window{{left, top}, {149, 89}});
+    const LightPicture light = engine::light_of(scene, engine::buffers_of(scene), plan, 2);
+    Ledger ledger;
+    ASSERT_EQ(differing(light, antialiased_by_plan(scene, plan, ledger)), 0)
+        << "seed " << seed << ", case " << i << ", " << name_of(scene.antialiasing);
+  }
+}
+
+}  // namespace
+}  // namespace gradus::pipeline

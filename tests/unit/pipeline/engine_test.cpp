@@ -1,0 +1,106 @@
+// The engine draws what the repository ships as the textbook chain does: every model, every scene.
+
+#include "engine/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+#include "pipeline.hpp"
+#include "scene/files.hpp"
+#include "scene/framing.hpp"
+#include "scene/scene_file.hpp"
+#include "support/random_scenes.hpp"
+
+namespace gradus::pipeline {
+namespace {
+
+constexpr Size size{160, 120};
+constexpr double aspect = 160.0 / 120;
+
+std::vector<std::string> shipped(const std::string& folder, const std::string& extension) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(GRADUS_SOURCE_DIR "/examples/" + folder))
+    if (entry.path().extension() == extension) paths.push_back(entry.path().string());
+  std::ranges::sort(paths);
+  return paths;
+}
+
+Image decode(const std::string& bytes, const std::string& name, std::int64_t) {
+  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name);
+}
+
+Scene scene_in(const std::string& path) {
+  SceneFile file = load_scene(path, decode);
+  const View view = file.path ? view_at(*file.path, file.view, file.path->first) : file.view;
+  file.scene.camera = camera_of(aim_of(file.scene.objects, view, aspect), view, file.scene.objects, aspect);
+  if (!file.lights_told) file.scene.lights = default_lights(file.scene.camera);
+  return file.scene;
+}
+
+std::vector<std::pair<std::string, Scene>> all_shipped() {
+  std::vector<std::pair<std::string, Scene>> scenes;
+  for (const std::string& path : shipped("scenes", ".json")) scenes.emplace_back(path, scene_in(path));
+  for (const char* folder : {"scenes", "models"})
+    for (const std::string& path : shipped(folder, ".obj"))
+      scenes.emplace_back(path, scene_of(load_obj(path).mesh, aspect));
+  return scenes;
+}
+
+bool same_light(const LightPicture& a, const LightPicture& b) {
+  return std::ranges::equal(a.cells(), b.cells(), [](const PixelLight& p, const PixelLight& q) {
+    return p.sum == q.sum && p.share == q.share;
+  });
+}
+
+TEST(Engine, DrawsWhatIsShippedAsTheTextbookChainDoes) {
+  int drawn = 0;
+  for (auto& [path, scene] : all_shipped()) {
+    if (!engine::draws(scene)) continue;
+    const engine::Buffers buffers = engine::buffers_of(scene);
+    for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
+      scene.shading = shading;
+      scene.antialiasing = shading == Shading::gouraud ? Antialiasing::adaptive : Antialiasing::none;
+      const LightPicture light = engine::light_of(scene, buffers, plan_of(scene, size), 2);
+      EXPECT_TRUE(same_light(light, antialiased(scene, size))) << path;
+      EXPECT_TRUE(std::ranges::any_of(light.cells(), [](const PixelLight& p) { return p.share > 0; }))
+          << path;
+      ++drawn;
+    }
+  }
+  EXPECT_GE(drawn, 3 * 19);
+}
+
+TEST(Engine, LeavesToTheTextbookChainWhatIsDrawnInAnOrder) {
+  Scene scene;
+  EXPECT_TRUE(engine::draws(scene));
+  scene.hidden_surfaces = HiddenSurfaces::painter;
+  EXPECT_FALSE(engine::draws(scene));
+  EXPECT_THROW(engine::light_of(scene, engine::buffers_of(scene), plan_of(scene, size)), ContractViolation);
+  scene.hidden_surfaces = HiddenSurfaces::z_buffer;
+  scene.shading = Shading::wireframe;
+  EXPECT_FALSE(engine::draws(scene));
+}
+
+TEST(Engine, OfNothingThereIsNoLight) {
+  const Scene empty;
+  EXPECT_TRUE(engine::render(empty, size) == Image(160, 120, srgb8_from_linear(empty.background)));
+}
+
+TEST(Engine, ObjectsOfOneMeshShareItsPieces) {
+  Scene scene;
+  scene.objects = {object_of(test::cube()), object_of(test::cube())};
+  scene.objects.push_back(scene.objects.front());
+  const engine::Buffers buffers = engine::buffers_of(scene);
+  ASSERT_EQ(buffers.pieces.size(), 3u);
+  EXPECT_EQ(buffers.pieces[0], buffers.pieces[2]);
+  EXPECT_NE(buffers.pieces[0], buffers.pieces[1]);
+  EXPECT_EQ(buffers.pieces[0]->size(), 12u);
+}
+
+}  // namespace
+}  // namespace gradus::pipeline
