@@ -113,7 +113,7 @@ struct Stage {
   const Content* content = nullptr;         ///< of a paper: what else needs room beside it
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
-  double lines = 0;  ///< as Grid::lines: with smaller cells what is aside would lie on itself
+  double lines = 0;   ///< as Grid::lines: with smaller cells what is aside would lie on itself
   bool bare = false;  ///< without what is aside
 };
 /// Throws ContractViolation when the look's view misses the grid.
@@ -172,7 +172,7 @@ struct Scene {
   Box inset;                             ///< of the overview, where there is one
   Box settled;                           ///< what the drawing fills in every step: cells, axes, overview
   Box labels;                            ///< where labels may stand
-  bool bare = false;        ///< without what is aside
+  bool bare = false;                     ///< without what is aside
   bool among_many = false;  ///< one of many drawings: names have no leaders but what the step points at
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
