@@ -401,7 +401,6 @@ TEST(PipelineTour, NumbersAreShownWhereTheyHaveRoom) {
   EXPECT_FALSE(shows_numbers(960, all));
   EXPECT_TRUE(shows_numbers(960, drawing));
   EXPECT_FALSE(shows_numbers(720, all));
-  EXPECT_TRUE(shows_numbers(720, drawing));
 }
 
 TEST(PipelineTour, RefusesWhatThereIsNot) {
