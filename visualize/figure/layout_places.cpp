@@ -213,10 +213,11 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
     *slot = false;
     choice = best_of(wants, look, stage, page);
   }
-  if (!choice &&
-      !stage.fixed) {  // a table of few columns stands beside the listing, and both below the drawing
+  const bool poor = !choice || (stage.content && choice->worth < 0);
+  if (poor && !stage.fixed) {  // a table of few columns stands beside the listing, and both below the drawing
     wants.columns_to_spare = spare_columns(*wants.trace);
-    choice = best_of(wants, look, stage, page);
+    const auto other = best_of(wants, look, stage, page);
+    if (!choice || (other && other->worth > choice->worth)) choice = other;
   }
   if (choice) return choice->body;
   if (!stage.fixed) return without_drawing(page.middle, wants);

@@ -195,7 +195,7 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
     ASSERT_EQ(again.milestones, spec.milestones) << command;
     ASSERT_EQ(text_of(again.steps), text_of(spec.steps)) << command;
   }
-  EXPECT_GT(kept, test::thinned(2000, 100));
+  EXPECT_GT(kept, test::thinned(2000, 50));
 }
 
 }  // namespace
