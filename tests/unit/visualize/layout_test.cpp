@@ -47,7 +47,7 @@ void cells_of_a_slide_are_never_smaller_than_24_of_720(const Trace& trace, const
   if (look.layout == Layout::handout) return;
   // A grid that is shown whole pays with smaller cells, and where two pictures share a square slide, more
   const bool pair = trace.grid.lines > 0 && look.width == look.height;
-  const double least = !trace.grid.whole ? 24 : pair ? 1.5 : 6;
+  const double least = !trace.grid.whole ? 24 : pair ? 5 : 6;
   for (const Shape& shape : sheet.shapes) {
     const RectShape* rect = std::get_if<RectShape>(&shape.what);
     if (!rect || !shape.id.starts_with("cell ")) continue;
