@@ -5,13 +5,14 @@
 namespace gradus::pipeline::engine {
 namespace {
 
-void add_pieces(const Mesh& mesh, std::int32_t number, std::vector<MeshPiece>& pieces) {
+void add_pieces(const Mesh& mesh, std::int32_t number, MeshPieces& pieces) {
   const MeshFace& face = mesh.faces[static_cast<std::size_t>(number)];
   const auto corners = corners_of(mesh, face);
   std::int32_t piece = 0;
   const auto add = [&](const ear_clipping::Triangle& t) {
     const auto vertex = [&](int corner) { return corners[static_cast<std::size_t>(corner)].position; };
-    pieces.push_back({number, piece, {t[0], t[1], t[2]}, {vertex(t[0]), vertex(t[1]), vertex(t[2])}});
+    pieces.vertices.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+    pieces.of_faces.push_back({number, piece, {t[0], t[1], t[2]}});
     ++piece;
   };
   if (face.count == 3) {
@@ -23,9 +24,11 @@ void add_pieces(const Mesh& mesh, std::int32_t number, std::vector<MeshPiece>& p
   ear_clipping::triangulate(polygon, add);
 }
 
-std::vector<MeshPiece> pieces_of(const Mesh& mesh) {
-  std::vector<MeshPiece> pieces;
-  pieces.reserve(static_cast<std::size_t>(triangle_count(mesh)));
+MeshPieces pieces_of(const Mesh& mesh) {
+  MeshPieces pieces;
+  const auto count = static_cast<std::size_t>(triangle_count(mesh));
+  pieces.vertices.reserve(count);
+  pieces.of_faces.reserve(count);
   for (std::int32_t face = 0; face < std::ssize(mesh.faces); ++face) add_pieces(mesh, face, pieces);
   return pieces;
 }
@@ -34,11 +37,11 @@ std::vector<MeshPiece> pieces_of(const Mesh& mesh) {
 
 Buffers buffers_of(const Scene& scene) {
   Buffers buffers;
-  std::map<const Mesh*, std::shared_ptr<const std::vector<MeshPiece>>> known;
+  std::map<const Mesh*, std::shared_ptr<const MeshPieces>> known;
   for (const Object& object : scene.objects) {
     auto& pieces = known[object.mesh.get()];
     if (!pieces) {
-      pieces = std::make_shared<const std::vector<MeshPiece>>(pieces_of(*object.mesh));
+      pieces = std::make_shared<const MeshPieces>(pieces_of(*object.mesh));
       for (const Material& material : object.mesh->materials) add_texture(buffers.textures, material);
     }
     buffers.pieces.push_back(pieces);

@@ -1,7 +1,6 @@
 #pragma once
-// The picture in tiles: which triangles may touch which, and what is nearest at each pixel of one.
+// The picture in tiles, and which triangles may touch which of them.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -39,12 +38,6 @@ class TileGrid {
   int columns_, rows_;
 };
 
-/// The pixels that a triangle is sorted by.
-enum class Touch {
-  centres,     ///< those in its box by their centres
-  neighbours,  ///< all that its box meets, and those beside them
-};
-
 /// Sorts the triangles of every batch by the tiles that their boxes meet. Runs on the threads of the arena
 /// that it is called in. Cost: 4 bytes a triangle and tile, 4 bytes a batch and tile.
 void bin(Frame& frame, const TileGrid& grid, Touch touch);
@@ -60,32 +53,5 @@ void visit_tile(const Frame& frame, int tile, const Visit& visit) {
     base += static_cast<std::int32_t>(batch_triangles);
   }
 }
-
-/// The number of no triangle.
-inline constexpr std::int32_t no_triangle = -1;
-
-/// What is nearest at each pixel of a tile.
-class TileBuffer {
- public:
-  /// Nothing in it yet.
-  explicit TileBuffer(const Window& pixels);
-
-  /// Keeps a triangle where it is nearest, of equals the one with the lowest number.
-  /// Accuracy: coverage exact, depths those of triangle_coverage::Linear: the winner is the z-buffer's.
-  void draw(const FrameTriangle& triangle, std::int32_t id);
-
-  std::int32_t winner(ivec2 pixel) const { return ids_[place(pixel)]; }
-
- private:
-  std::size_t place(ivec2 pixel) const {
-    const ivec2 at = pixel - pixels_.lower;
-    return static_cast<std::size_t>(at.y * tile_side + at.x);
-  }
-
-  static constexpr std::size_t cells = tile_side * tile_side;
-  Window pixels_;
-  std::array<double, cells> depths_;
-  std::array<std::int32_t, cells> ids_;
-};
 
 }  // namespace gradus::pipeline::engine

@@ -84,6 +84,17 @@ void prepare(const std::string& folder, const std::vector<const Subject*>& wante
   }
 }
 
+/// Measures a subject against its peer. Throws WorkError where that is missing and asked for.
+Findings duels_of(const Subject& subject, const Effort& effort, const cli::Request& request) {
+  Findings found{&subject, {}};
+  cli::Progress progress(subject.duel_count, request.quiet());
+  std::size_t done = 0;
+  found.duels = subject.duels(effort, [&] { progress.finished(done++, ""); }, found.peer);
+  if (request.has("require-peers") && found.peer.empty())
+    throw cli::WorkError(fmt::format("{}: the program that it is compared with is not there", subject.topic));
+  return found;
+}
+
 int bench(const cli::Request& request) {
   const std::vector<const Subject*> wanted = chosen(request);
   Effort effort;
@@ -94,6 +105,11 @@ int bench(const cli::Request& request) {
   if (request.has("output")) prepare(request.flags.at("output"), wanted, replace);
   std::vector<Findings> all;
   for (const Subject* subject : wanted) {
+    if (subject->duels) {
+      all.push_back(duels_of(*subject, effort, request));
+      if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
+      continue;
+    }
     std::vector<Case> cases = subject->cases();
     cli::Progress progress(cases.size() * static_cast<std::size_t>(effort.repetitions), request.quiet());
     std::size_t done = 0;

@@ -1,0 +1,395 @@
+#include "engine/shading_batch.hpp"
+
+#include <array>
+#include <bit>
+#include <limits>
+
+// Highway compiles what follows once for every kind of machine, and picks at run time
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/shading_batch.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+// After it
+#include <hwy/highway.h>
+
+#include "core/colour.hpp"
+#include "engine/visibility_batch.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradus::pipeline::engine::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, block_cells>;
+using DI = hn::RebindToSigned<D>;
+using F = hn::Vec<D>;
+using I = hn::Vec<DI>;
+using M = hn::Mask<D>;
+
+HWY_INLINE F set(float x) { return hn::Set(D(), x); }
+HWY_INLINE I whole(std::int32_t x) { return hn::Set(DI(), x); }
+HWY_INLINE F zero() { return hn::Zero(D()); }
+HWY_INLINE F positive(F x) { return hn::Max(x, zero()); }
+
+struct Vec3 {
+  F x, y, z;
+};
+HWY_INLINE Vec3 set(const glm::vec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
+HWY_INLINE F dot(const Vec3& a, const Vec3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Vec3 scaled(const Vec3& v, F by) { return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)}; }
+HWY_INLINE Vec3 minus(const Vec3& a, const Vec3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec3 add_scaled(const Vec3& a, const Vec3& b, F by) {
+  return {hn::Add(a.x, hn::Mul(b.x, by)), hn::Add(a.y, hn::Mul(b.y, by)), hn::Add(a.z, hn::Mul(b.z, by))};
+}
+// 1 / length, 0 for the zero vector
+HWY_INLINE F over_length(F square) {
+  return hn::IfThenElseZero(hn::Gt(square, zero()), hn::Div(set(1), hn::Sqrt(square)));
+}
+HWY_INLINE Vec3 unit(const Vec3& v) { return scaled(v, over_length(dot(v, v))); }
+
+// --- Powers --------------------------------------------------------------------------------------
+
+// c0 + c1 x + c2 x^2 + ...
+template <std::size_t n>
+HWY_INLINE F polynomial(F x, const float (&c)[n]) {
+  F sum = set(c[n - 1]);
+  for (std::size_t i = n - 1; i-- > 0;) sum = hn::Add(hn::Mul(sum, x), set(c[i]));
+  return sum;
+}
+
+// Within 2^-22, for normal x > 0. With x = 2^n m, 2 artanh((m - 1) / (m + 1)) / ln 2 + n
+HWY_INLINE F log2_of(F x) {
+  const DI di;
+  // m from sqrt(1/2) to sqrt(2)
+  const I bits = hn::BitCast(di, x), shifted = hn::Sub(bits, whole(0x3f3504f3));
+  const I n = hn::ShiftRight<23>(shifted);
+  const F m = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(n)));
+  const F z = hn::Div(hn::Sub(m, set(1)), hn::Add(m, set(1)));
+  constexpr float series[] = {2.88539008f, 0.961796694f, 0.577078016f, 0.412198583f, 0.320598898f};
+  return hn::Add(hn::ConvertTo(D(), n), hn::Mul(z, polynomial(hn::Mul(z, z), series)));
+}
+
+// Within 2^-22 of 2^x, for x from -126 to 126; less gives less than 2^-125
+HWY_INLINE F exp2_of(F x) {
+  const F within = hn::Max(hn::Min(x, set(126)), set(-126)), n = hn::Round(within), part = hn::Sub(within, n);
+  constexpr float series[] = {
+      1, 0.693147181f, 0.240226507f, 0.0555041087f, 0.00961812911f, 0.00133335581f, 0.000154035304f};
+  const I shift = hn::ShiftLeft<23>(hn::ConvertTo(DI(), n));
+  return hn::BitCast(D(), hn::Add(hn::BitCast(DI(), polynomial(part, series)), shift));
+}
+
+// x > 0 to a power
+HWY_INLINE F power(F x, float by, int whole_power) {
+  if (whole_power < 0) return exp2_of(hn::Mul(log2_of(hn::Max(x, set(0x1p-100f))), set(by)));
+  F result = set(1);
+  for (int bit = std::bit_width(static_cast<unsigned>(whole_power)); bit-- > 0;) {
+    result = hn::Mul(result, result);
+    if (whole_power >> bit & 1) result = hn::Mul(result, x);
+  }
+  return result;
+}
+
+// --- Light ---------------------------------------------------------------------------------------
+
+// What leaves a surface: scattered light and the highlight
+struct Light3 {
+  Vec3 scattered, highlight;
+};
+
+// The way to a lamp and what of its light arrives
+struct Arriving {
+  Vec3 way;
+  F share;
+};
+
+HWY_INLINE F window_of(const Lamp& lamp, F distance) {
+  const F part = hn::Div(distance, set(lamp.range)), square = hn::Mul(part, part);
+  const F left = hn::Sub(set(1), hn::Mul(square, square));
+  return hn::IfThenElseZero(hn::Lt(distance, set(lamp.range)), hn::Mul(left, left));
+}
+
+HWY_INLINE F cone_of(const Lamp& lamp, const Vec3& way) {
+  const F c = hn::Neg(dot(way, set(lamp.front)));
+  // The nearer to the inner cone the more; division by 0 where both cones are one is not asked for
+  const F t = hn::IfThenElse(hn::Lt(c, set(lamp.inner)),
+                             hn::Div(hn::Sub(c, set(lamp.outer)), set(lamp.inner - lamp.outer)), set(1));
+  F edge = hn::Mul(hn::Mul(t, t), hn::Sub(set(3), hn::Mul(set(2), t)));
+  if (lamp.concentration > 0) edge = hn::Mul(edge, power(positive(c), lamp.concentration, -1));
+  return hn::IfThenElseZero(hn::Gt(c, set(lamp.outer)), edge);
+}
+
+HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
+  if (lamp.kind == Light::Kind::directional)
+    return {set(lamp.place), set(lamp.constant > 1 ? 1 / lamp.constant : 1.0f)};
+  const Vec3 to = minus(set(lamp.place), place);
+  const F square = dot(to, to), over = over_length(square);
+  Arriving a{scaled(to, over), set(1)};
+  if (lamp.weakens() || lamp.range < std::numeric_limits<float>::infinity()) {
+    const F distance = hn::Mul(square, over);
+    const F by = hn::Mul(distance, hn::Add(set(lamp.linear), hn::Mul(distance, set(lamp.quadratic))));
+    a.share = hn::Div(set(1), hn::Max(hn::Add(set(lamp.constant), by), set(1)));
+    if (lamp.range < std::numeric_limits<float>::infinity())
+      a.share = hn::Mul(a.share, window_of(lamp, distance));
+  }
+  if (lamp.kind == Light::Kind::spot) a.share = hn::Mul(a.share, cone_of(lamp, a.way));
+  if (lamp.kind == Light::Kind::area)
+    a.share = hn::Mul(a.share, positive(hn::Neg(dot(a.way, set(lamp.front)))));
+  return a;
+}
+
+// Phong's model, as illumination::phong has it
+HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& normal, const Vec3& viewer) {
+  Light3 sum{{zero(), zero(), zero()}, {zero(), zero(), zero()}};
+  const F nv = dot(normal, viewer);
+  for (const Lamp& lamp : group.lamps) {
+    const auto [way, share] = arriving(lamp, place);
+    const F nl = dot(normal, way);
+    sum.scattered = add_scaled(sum.scattered, set(lamp.intensity), hn::Mul(share, positive(nl)));
+    if (!group.shines()) continue;
+    // R.V, with R = 2 (N.L) N - L
+    const F rv = hn::Sub(hn::Mul(hn::Add(nl, nl), nv), dot(way, viewer));
+    const M seen = hn::And(hn::Gt(nl, zero()), hn::Gt(rv, zero()));
+    if (hn::AllFalse(D(), seen)) continue;
+    const F mirrored = hn::IfThenElseZero(seen, power(rv, group.shininess, group.whole_power));
+    sum.highlight = add_scaled(sum.highlight, set(lamp.intensity), hn::Mul(share, mirrored));
+  }
+  const auto times = [](const Vec3& v, const glm::vec3& by) {
+    return Vec3{hn::Mul(v.x, set(by.x)), hn::Mul(v.y, set(by.y)), hn::Mul(v.z, set(by.z))};
+  };
+  const Vec3 scattered = times(sum.scattered, group.diffuse), even = set(group.even);
+  return {{hn::Add(even.x, scattered.x), hn::Add(even.y, scattered.y), hn::Add(even.z, scattered.z)},
+          times(sum.highlight, group.specular)};
+}
+
+// --- Textures ------------------------------------------------------------------------------------
+
+struct Uv {
+  F u, v;
+};
+
+// The mean of the four texels of a level that lie about (u, v)
+HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
+  const DI di;
+  const D d;
+  const I columns = hn::GatherIndex(di, texture.columns.data(), level),
+          rows = hn::GatherIndex(di, texture.rows.data(), level),
+          begin = hn::GatherIndex(di, texture.begin.data(), level);
+  // Cells from 0 to count - 1, beyond which the texture comes again
+  struct Axis {
+    I first, second;
+    F part;
+  };
+  const auto axis = [&](F coordinate, I count) {
+    const F size = hn::ConvertTo(d, count), place = hn::Sub(hn::Mul(coordinate, size), set(0.5f)),
+            cell = hn::Floor(place);
+    const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
+    // The quotient may have been rounded to the next whole number
+    const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
+    const I first = hn::IfThenElse(hn::Ge(low, count), hn::Sub(low, count), low),
+            next = hn::Add(first, whole(1));
+    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(place, cell)};
+  };
+  const Axis x = axis(at.u, columns), y = axis(at.v, rows);
+  const auto line = [&](I up) {
+    const I row = hn::Sub(hn::Sub(rows, whole(1)), up);
+    return hn::Add(begin, hn::Mul(row, columns));
+  };
+  const auto texel = [&](I row, I column) {
+    const I index = hn::Mul(hn::Add(row, column), whole(3));
+    return Vec3{hn::GatherIndex(d, texture.texels, index),
+                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(1))),
+                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(2)))};
+  };
+  const auto mixed = [](const Vec3& a, const Vec3& b, F part) { return add_scaled(a, minus(b, a), part); };
+  const I below = line(y.first), above = line(y.second);
+  return mixed(mixed(texel(below, x.first), texel(below, x.second), x.part),
+               mixed(texel(above, x.first), texel(above, x.second), x.part), y.part);
+}
+
+// side: the square of the footprint's longer side, in texels
+HWY_INLINE Vec3 mip_mapped(const TextureLevels& texture, F square, const Uv& at) {
+  const DI di;
+  const I last = whole(texture.levels - 1);
+  // Far too long ones, and what is no number, have the last level
+  const F most = set(static_cast<float>(texture.levels - 1));
+  const M short_enough = hn::Lt(square, set(0x1p40f));
+  const F height = hn::IfThenElse(short_enough, hn::Mul(set(0.5f), log2_of(hn::Max(square, set(1)))), most);
+  const F level = hn::Min(height, most), lower = hn::Floor(level);
+  const I k = hn::ConvertTo(di, lower);
+  const Vec3 finer = bilinear(texture, k, at);
+  const F part = hn::Sub(level, lower);
+  if (hn::AllTrue(D(), hn::Eq(part, zero()))) return finer;
+  const Vec3 coarser = bilinear(texture, hn::Min(hn::Add(k, whole(1)), last), at);
+  return add_scaled(finer, minus(coarser, finer), part);
+}
+
+// --- Colours -------------------------------------------------------------------------------------
+
+// The nearest of 0 to 255 by sRGB's curve, or its neighbour
+HWY_INLINE I byte_of(F light) {
+  const F x = hn::Min(positive(light), set(1));
+  const F root = hn::Sqrt(hn::Sqrt(x));
+  // 255 (1.055 x^(1/2.4) - 0.055) within 1/400
+  constexpr float curve[] = {-15.7155746f, 42.0683701f, 317.274569f, -142.176691f, 69.5518221f, -16.0035428f};
+  const F value =
+      hn::IfThenElse(hn::Lt(x, set(0.0031308f)), hn::Mul(x, set(12.92f * 255)), polynomial(root, curve));
+  return hn::ConvertTo(DI(), hn::Add(value, set(0.5f)));
+}
+
+HWY_INLINE I packed_of(const Vec3& light) {
+  const I red = byte_of(light.x), green = hn::ShiftLeft<8>(byte_of(light.y)),
+          blue = hn::ShiftLeft<16>(byte_of(light.z));
+  return hn::Or(hn::Or(red, green), hn::Or(blue, whole(static_cast<std::int32_t>(0xff000000U))));
+}
+
+// --- Pixels --------------------------------------------------------------------------------------
+
+// The records of some pixels: of each its own, or one of all
+struct OwnRecords {
+  const float* all;
+  I begins;
+  HWY_INLINE F operator()(int place) const { return hn::GatherIndex(D(), all + place, begins); }
+};
+struct OneRecord {
+  const float* one;
+  HWY_INLINE F operator()(int place) const { return set(one[place]); }
+};
+
+template <class Records>
+HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row) {
+  const F x = hn::Sub(column, records(record::column)), y = hn::Sub(row, records(record::row));
+  const auto plane = [&](int place) {
+    return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
+  };
+  const auto three = [&](int place) { return Vec3{plane(place), plane(place + 3), plane(place + 6)}; };
+  const ShadingGroup& group = *lit_cells.group;
+  const F w = hn::Div(set(1), plane(record::over_w));
+  const Vec3 first = scaled(three(record::values), w), second = three(record::values + 9);
+  Light3 light{};
+  if (lit_cells.per_pixel) {
+    const bool parallel = lit_cells.towards != glm::vec3(0);
+    const Vec3 viewer = parallel ? set(lit_cells.towards) : unit(minus(set(glm::vec3(0)), first));
+    light = lit(group, first, unit(second), viewer);
+  } else {
+    light = {first, scaled(second, w)};
+  }
+  if (group.texture.levels > 0) {
+    const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w)};
+    Vec3 texel;
+    if (group.texture.levels == 1) {
+      texel = bilinear(group.texture, hn::Zero(DI()), at);
+    } else {
+      // How far (u, v) goes from a pixel to the next, in texels
+      const auto square = [&](int step) {
+        const F growth = records(record::over_w + step);
+        const auto along = [&](int place, F coordinate, std::int32_t count) {
+          const F way = hn::Mul(hn::Sub(records(place + step), hn::Mul(growth, coordinate)), w);
+          return hn::Mul(way, set(static_cast<float>(count)));
+        };
+        const F u = along(record::texture, at.u, group.texture.columns[0]),
+                v = along(record::texture + 3, at.v, group.texture.rows[0]);
+        return hn::Add(hn::Mul(u, u), hn::Mul(v, v));
+      };
+      texel = mip_mapped(group.texture, hn::Max(square(1), square(2)), at);
+    }
+    light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
+                       hn::Mul(light.scattered.z, texel.z)};
+  }
+  return packed_of({hn::Add(light.scattered.x, light.highlight.x),
+                    hn::Add(light.scattered.y, light.highlight.y),
+                    hn::Add(light.scattered.z, light.highlight.z)});
+}
+
+void light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, const std::int32_t* slots,
+                      std::size_t count, std::uint32_t* colours) {
+  const DI di;
+  const D d;
+  const float* const all = lit_cells.records->data();
+  alignas(64) std::int32_t done[hn::MaxLanes(D())];
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const I cell = hn::LoadU(di, cells + i);
+    // Where the cell stands: see TileBuffer::cell
+    const I block = hn::ShiftRight<4>(cell);
+    const I x = hn::Add(hn::ShiftLeft<2>(hn::And(block, whole(blocks_across - 1))), hn::And(cell, whole(3)));
+    const I y =
+        hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<4>(block)), hn::And(hn::ShiftRight<2>(cell), whole(3)));
+    const OwnRecords records{all, hn::Mul(hn::LoadU(di, slots + i), whole(record::size))};
+    hn::Store(colour_of(lit_cells, records, hn::ConvertTo(d, x), hn::ConvertTo(d, y)), di, done);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      colours[cells[i + k]] = static_cast<std::uint32_t>(done[k]);
+  }
+}
+
+void light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, const std::int32_t* slots,
+                       std::size_t count, std::uint32_t* colours) {
+  const D d;
+  const DI di;
+  alignas(64) static constexpr float across[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+  alignas(64) static constexpr float down[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t block = blocks[i];
+    const OneRecord records{lit_cells.records[slots[i]].data()};
+    const auto column = static_cast<float>(block % blocks_across * block_side),
+               row = static_cast<float>(block / blocks_across * block_side);
+    for (std::size_t k = 0; k < block_cells; k += hn::Lanes(d)) {
+      const F x = hn::Add(set(column), hn::Load(d, across + k)), y = hn::Add(set(row), hn::Load(d, down + k));
+      hn::StoreU(hn::BitCast(hn::RebindToUnsigned<DI>(), colour_of(lit_cells, records, x, y)),
+                 hn::RebindToUnsigned<DI>(), colours + block * block_cells + k);
+    }
+  }
+  (void)di;
+}
+
+void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, const float* places,
+                        const float* normals, std::size_t count, float* light) {
+  const D d;
+  const bool parallel = towards != glm::vec3(0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto load = [&](const float* from) {
+      return Vec3{hn::LoadU(d, from + i), hn::LoadU(d, from + count + i), hn::LoadU(d, from + 2 * count + i)};
+    };
+    const Vec3 place = load(places), viewer = parallel ? set(towards) : unit(minus(set(glm::vec3(0)), place));
+    const auto [scattered, highlight] = lit(group, place, load(normals), viewer);
+    const auto store = [&](const Vec3& v, float* to) {
+      hn::StoreU(v.x, d, to + i);
+      hn::StoreU(v.y, d, to + count + i);
+      hn::StoreU(v.z, d, to + 2 * count + i);
+    };
+    store(scattered, light);
+    store(highlight, light + 3 * count);
+  }
+}
+
+}  // namespace gradus::pipeline::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gradus::pipeline::engine {
+HWY_EXPORT(light_some_cells);
+HWY_EXPORT(light_some_blocks);
+HWY_EXPORT(light_some_corners);
+
+void light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
+                 std::span<const std::int32_t> slots, std::uint32_t* colours) {
+  HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
+}
+
+void light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
+                  std::span<const std::int32_t> slots, std::uint32_t* colours) {
+  HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(), colours);
+}
+
+void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {
+  HWY_DYNAMIC_DISPATCH(light_some_corners)
+  (group, towards, corners.places.data(), corners.normals.data(), corners.places.size() / 3,
+   corners.light.data());
+}
+
+std::uint32_t packed(const LinearRgb& colour) {
+  return std::bit_cast<std::uint32_t>(srgb8_from_linear(colour));
+}
+
+}  // namespace gradus::pipeline::engine
+#endif

@@ -1,0 +1,245 @@
+#include "engine/tile_shader.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace gradus::pipeline::engine {
+namespace {
+
+/// Lists of pixels end with some of their last one, to fill registers.
+constexpr std::size_t full = block_cells;
+
+template <class T>
+void fill_up(std::vector<T>& list) {
+  while (list.size() % full != 0) list.push_back(list.back());
+}
+
+/// Texture coordinates with a whole number taken off, the same of all corners, and how far they go then.
+double brought_near(std::array<dvec2, 3>& uv) {
+  const dvec2 off{std::floor(uv[0].x), std::floor(uv[0].y)};
+  double farthest = 0;
+  for (dvec2& at : uv) {
+    at -= off;
+    farthest = std::max({farthest, std::abs(at.x), std::abs(at.y)});
+  }
+  return farthest;
+}
+
+}  // namespace
+
+TileShader::TileShader(const FrameShading& shading)
+    : shading_(shading),
+      surfaces_(shading.scene(), shading.buffers(), shading.plan(), shading.frame()),
+      background_(packed(shading.scene().background)),
+      table_(2 * TileBuffer::cells, -1),
+      share_of_group_(shading.groups().size(), -1) {}
+
+void TileShader::Share::clear() {
+  for (auto* list : {&cells, &cell_slots, &blocks, &block_slots, &slots}) list->clear();
+}
+
+/// The place of a triangle among those that are seen.
+std::int32_t TileShader::slot_of(std::int32_t id) {
+  const std::size_t mask = table_.size() - 1;
+  // Fibonacci hashing, then the next free place
+  std::size_t at = static_cast<std::size_t>(static_cast<std::uint32_t>(id) * 2654435769U >> 19);
+  while (table_[at] >= 0 && seen_[static_cast<std::size_t>(table_[at])].id != id) at = (at + 1) & mask;
+  if (table_[at] < 0) {
+    table_[at] = static_cast<std::int32_t>(seen_.size());
+    seen_.push_back({id, 0, false});
+  }
+  return table_[at];
+}
+
+/// Returns whether single precision will do.
+bool TileShader::describe(Seen& seen, ivec2 origin, TriangleRecord& record) {
+  const PlaneMaker& planes = makers_.emplace_back(shading_.frame().triangle(seen.id).grid, origin);
+  SeenCorners& corners = corners_.emplace_back(shading_.corners_of(seen.id));
+  corners.over_w /= std::max({corners.over_w.x, corners.over_w.y, corners.over_w.z});
+  const dvec3& q = corners.over_w;
+  record[record::column] = static_cast<float>(planes.pixel().x - origin.x);
+  record[record::row] = static_cast<float>(planes.pixel().y - origin.y);
+  planes.put(q, &record[record::over_w]);
+  const auto& [a, b, c] = corners.places;
+  if (shading_.scene().shading == Shading::phong) {
+    const auto& [n, m, o] = corners.normals;
+    for (int axis = 0; axis < 3; ++axis) {
+      float* const into = &record[static_cast<std::size_t>(record::values + 3 * axis)];
+      planes.put(q * dvec3{a[axis], b[axis], c[axis]}, into);
+      planes.put(q * dvec3{n[axis], m[axis], o[axis]}, into + 9);
+    }
+  }
+  const TextureLevels& texture = shading_.groups()[static_cast<std::size_t>(seen.group)].texture;
+  if (texture.levels == 0) return true;
+  const double farthest = brought_near(corners.texture);
+  const auto& [r, s, t] = corners.texture;
+  planes.put(q * dvec3{r.x, s.x, t.x}, &record[record::texture]);
+  planes.put(q * dvec3{r.y, s.y, t.y}, &record[record::texture + 3]);
+  return farthest * std::max(texture.columns[0], texture.rows[0]) <= 8192;
+}
+
+void TileShader::describe_all(ivec2 origin) {
+  records_.resize(seen_.size());
+  corners_.clear();
+  makers_.clear();
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    Seen& seen = seen_[i];
+    seen.group = shading_.group_of(seen.id);
+    seen.careful = !describe(seen, origin, records_[i]);
+    std::int32_t& share = share_of_group_[static_cast<std::size_t>(seen.group)];
+    if (share < 0) {
+      share = static_cast<std::int32_t>(groups_here_.size());
+      groups_here_.push_back(seen.group);
+      if (shares_.size() < groups_here_.size()) shares_.emplace_back();
+      shares_[static_cast<std::size_t>(share)].clear();
+    }
+    shares_[static_cast<std::size_t>(share)].slots.push_back(static_cast<std::int32_t>(i));
+  }
+}
+
+/// Gouraud: light at the corners of the triangles of a group.
+void TileShader::light_corners_of(Share& share, const ShadingGroup& group) {
+  const std::size_t corners = 3 * share.slots.size(), count = (corners + full - 1) / full * full;
+  places_.assign(3 * count, 1);
+  normals_.assign(3 * count, 0);
+  light_.resize(6 * count);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const SeenCorners& of = corners_[static_cast<std::size_t>(share.slots[i / 3])];
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t at = static_cast<std::size_t>(axis) * count + i;
+      places_[at] = static_cast<float>(of.places[i % 3][axis]);
+      normals_[at] = static_cast<float>(of.normals[i % 3][axis]);
+    }
+  }
+  light_corners(group, shading_.towards(), {places_, normals_, light_});
+  for (std::size_t i = 0; i < share.slots.size(); ++i) {
+    const auto slot = static_cast<std::size_t>(share.slots[i]);
+    for (std::size_t value = 0; value < 6; ++value) {
+      const float* const at = &light_[value * count + 3 * i];
+      makers_[slot].put(corners_[slot].over_w * dvec3{at[0], at[1], at[2]},
+                        &records_[slot][record::values + 3 * value]);
+    }
+  }
+}
+
+/// Flat: light of whole faces.
+void TileShader::put_light_of_faces() {
+  for (std::size_t slot = 0; slot < seen_.size(); ++slot) {
+    const Parts parts = surfaces_.of_face(seen_[slot].id);
+    const dvec3 scattered = parts.ambient + parts.diffuse;
+    for (int axis = 0; axis < 3; ++axis) {
+      float* const into = &records_[slot][static_cast<std::size_t>(record::values + 3 * axis)];
+      makers_[slot].put(corners_[slot].over_w * scattered[axis], into);
+      makers_[slot].put(corners_[slot].over_w * parts.specular[axis], into + 9);
+    }
+  }
+}
+
+/// Sorts pixels by their groups, whole blocks of one triangle apart.
+void TileShader::sort(const TileBuffer&) {
+  careful_cells_.clear();
+  careful_slots_.clear();
+  constexpr auto blocks = static_cast<std::int32_t>(TileBuffer::cells / block_cells);
+  const auto share_of = [&](std::int32_t slot) -> Share& {
+    const Seen& seen = seen_[static_cast<std::size_t>(slot)];
+    return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(seen.group)])];
+  };
+  for (std::int32_t block = 0; block < blocks; ++block) {
+    const auto own = std::span(slots_).subspan(static_cast<std::size_t>(block) * full, full);
+    const std::int32_t first = own[0];
+    const bool one = std::ranges::all_of(own, [&](std::int32_t slot) { return slot == first; });
+    if (one && first < 0) continue;
+    if (one && !seen_[static_cast<std::size_t>(first)].careful) {
+      Share& share = share_of(first);
+      share.blocks.push_back(block);
+      share.block_slots.push_back(first);
+      continue;
+    }
+    for (std::size_t i = 0; i < full; ++i) {
+      if (own[i] < 0) continue;
+      const std::int32_t cell = block * block_cells + static_cast<std::int32_t>(i);
+      const bool careful = seen_[static_cast<std::size_t>(own[i])].careful;
+      Share& share = share_of(own[i]);
+      (careful ? careful_cells_ : share.cells).push_back(cell);
+      (careful ? careful_slots_ : share.cell_slots).push_back(own[i]);
+    }
+  }
+}
+
+/// Counts what lights the pixels of a group. Flat light is counted where it is made.
+void TileShader::count_light(const Share& share, const ShadingGroup& group) {
+  const auto pixels = static_cast<std::int64_t>(share.cells.size() + full * share.blocks.size());
+  count_.places += pixels;
+  count_.places_without_texture += group.texture.levels == 0 ? pixels : 0;
+  const Shading how = shading_.scene().shading;
+  if (how == Shading::flat) return;
+  const std::int64_t lit = how == Shading::phong ? pixels : 3 * std::ssize(share.slots),
+                     lamps = std::ssize(group.lamps);
+  count_.lamps += lit * lamps;
+  count_.lamps_out_of_range += lit * group.lamps_left_out;
+  count_.lamps_without_highlight += group.spared ? lit * lamps : 0;
+}
+
+ShadingCount TileShader::count() const {
+  ShadingCount sum = count_;
+  sum.add(surfaces_.count());
+  return sum;
+}
+
+/// Copies the pixels of the tile from their cells.
+void TileShader::write(const Window& pixels, Image& image) const {
+  const ivec2 corner = pixels.lower - shading_.plan().window.lower;
+  const auto width = static_cast<int>(pixels.width());
+  for (int y = 0; y < pixels.height(); ++y) {
+    Rgba8* const row = image.row(corner.y + y).data() + corner.x;
+    for (int x = 0; x < width; x += block_side) {
+      const std::uint32_t* const from = &colours_[TileBuffer::cell({x, y})];
+      for (int i = 0; i < std::min(block_side, width - x); ++i) row[x + i] = std::bit_cast<Rgba8>(from[i]);
+    }
+  }
+}
+
+std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, Image& image) {
+  std::ranges::fill(table_, -1);
+  seen_.clear();
+  std::int64_t covered = 0;
+  std::int32_t last_id = no_triangle, last_slot = -1;
+  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell) {
+    const std::int32_t id = buffer.ids[cell];
+    if (id != last_id) last_id = id, last_slot = id == no_triangle ? -1 : slot_of(id);
+    slots_[cell] = last_slot;
+    covered += last_slot >= 0;
+  }
+  colours_.fill(background_);
+  if (covered > 0) {
+    describe_all(pixels.lower);
+    const Shading how = shading_.scene().shading;
+    if (how == Shading::flat) put_light_of_faces();
+    sort(buffer);
+    for (const std::int32_t number : groups_here_) {
+      const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
+      Share& share = shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(number)])];
+      count_light(share, group);
+      if (how == Shading::gouraud) light_corners_of(share, group);
+      const LitCells lit{&group, records_.data(), how == Shading::phong, shading_.towards()};
+      light_blocks(lit, share.blocks, share.block_slots, colours_.data());
+      fill_up(share.cells);
+      fill_up(share.cell_slots);
+      light_cells(lit, share.cells, share.cell_slots, colours_.data());
+    }
+    for (const std::int32_t number : groups_here_) share_of_group_[static_cast<std::size_t>(number)] = -1;
+    groups_here_.clear();
+    for (std::size_t i = 0; i < careful_cells_.size(); ++i) {
+      const std::int32_t cell = careful_cells_[i], block = cell / block_cells, in_block = cell % block_cells;
+      const ivec2 at{block % blocks_across * block_side + in_block % block_side,
+                     block / blocks_across * block_side + in_block / block_side};
+      const std::int32_t id = seen_[static_cast<std::size_t>(careful_slots_[i])].id;
+      colours_[static_cast<std::size_t>(cell)] = packed(surfaces_.colour(id, pixels.lower + at));
+    }
+  }
+  write(pixels, image);
+  return covered;
+}
+
+}  // namespace gradus::pipeline::engine

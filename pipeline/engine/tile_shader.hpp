@@ -1,0 +1,68 @@
+#pragma once
+// The colours of a tile: its pixels sorted by what lights them alike, and lit sixteen at once.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image.hpp"
+#include "engine/shading_batch.hpp"
+#include "engine/surfaces.hpp"
+#include "engine/visibility_batch.hpp"
+
+namespace gradus::pipeline::engine {
+
+/// Colours one tile after the other. One a thread: it keeps its memory.
+class TileShader {
+ public:
+  explicit TileShader(const FrameShading& shading);
+
+  /// Writes the pixels of a tile. buffer: from find_nearest. image: that of the plan's window.
+  /// Returns how many show a triangle.
+  /// Accuracy: as light_cells. Cost: a record a triangle that is seen in the tile, 0.2 microseconds, and
+  ///   light_cells or light_blocks; a triangle whose texture repeats very often has the textbook's
+  ///   arithmetic.
+  std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
+  /// What it has done so far.
+  ShadingCount count() const;
+
+ private:
+  /// A triangle that is seen in the tile.
+  struct Seen {
+    std::int32_t id, group;
+    bool careful;  ///< single precision would not do
+  };
+  /// Pixels of a group, as light_cells and light_blocks take them.
+  struct Share {
+    std::vector<std::int32_t> cells, cell_slots, blocks, block_slots, slots;
+
+    void clear();
+  };
+
+  std::int32_t slot_of(std::int32_t id);
+  void describe_all(ivec2 origin);
+  bool describe(Seen& seen, ivec2 origin, TriangleRecord& record);
+  void light_corners_of(Share& share, const ShadingGroup& group);
+  void put_light_of_faces();
+  void sort(const TileBuffer& buffer);
+  void count_light(const Share& share, const ShadingGroup& group);
+  void write(const Window& pixels, Image& image) const;
+
+  const FrameShading& shading_;
+  Surfaces surfaces_;
+  std::uint32_t background_;
+  ShadingCount count_{};
+  std::vector<std::int32_t> table_;  ///< slots by a hash of ids
+  std::vector<Seen> seen_;
+  std::vector<TriangleRecord> records_;
+  std::vector<SeenCorners> corners_;
+  std::vector<PlaneMaker> makers_;
+  std::vector<std::int32_t> share_of_group_;
+  std::vector<Share> shares_;
+  std::vector<std::int32_t> groups_here_;
+  std::vector<std::int32_t> careful_cells_, careful_slots_;
+  std::vector<float> places_, normals_, light_;
+  alignas(64) std::array<std::int32_t, TileBuffer::cells> slots_;
+  alignas(64) std::array<std::uint32_t, TileBuffer::cells> colours_;
+};
+
+}  // namespace gradus::pipeline::engine
