@@ -91,6 +91,13 @@ if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O[23]")
   set(quickly $<$<CONFIG:Release>:-O1>)
 endif()
 
+# What the sanitized tests spend their time in is compiled with -O1 in a build that else is not optimised (preset asan-ubsan),
+# and without the precompiled headers, which are compiled with its -O0.
+set(busy)
+if(CMAKE_CXX_FLAGS_RELWITHDEBINFO MATCHES "-O0")
+  set(busy $<$<CONFIG:RelWithDebInfo>:-O1>)
+endif()
+
 # The standard library's and the packages' headers, compiled once for libraries and once, with GoogleTest's and Boost's,
 # for the programs of tests. What a header of ours lacks still shows: headers_alone goes without.
 if(GRADUS_PRECOMPILE)

@@ -1,6 +1,6 @@
 #include "engine/buffers.hpp"
 
-#include "modeling/ear_clipping/ear_clipping.hpp"
+#include "stages/1_input.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
@@ -9,19 +9,12 @@ void add_pieces(const Mesh& mesh, std::int32_t number, MeshPieces& pieces) {
   const MeshFace& face = mesh.faces[static_cast<std::size_t>(number)];
   const auto corners = corners_of(mesh, face);
   std::int32_t piece = 0;
-  const auto add = [&](const ear_clipping::Triangle& t) {
+  triangulate(mesh, face, [&](const ear_clipping::Triangle& t) {
     const auto vertex = [&](int corner) { return corners[static_cast<std::size_t>(corner)].position; };
     pieces.vertices.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
     pieces.of_faces.push_back({number, piece, {t[0], t[1], t[2]}});
     ++piece;
-  };
-  if (face.count == 3) {
-    add({0, 1, 2});
-    return;
-  }
-  std::vector<dvec3> polygon;
-  for (const Corner& corner : corners) polygon.push_back(position_of(mesh, corner));
-  ear_clipping::triangulate(polygon, add);
+  });
 }
 
 MeshPieces pieces_of(const Mesh& mesh) {

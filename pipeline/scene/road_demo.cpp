@@ -10,7 +10,7 @@
 namespace gradus::pipeline {
 namespace {
 
-constexpr int rows = 512;
+constexpr int picture_rows = 512;
 constexpr int road_pieces = 120;
 constexpr double road_share = 1.0 / 40;  ///< of the radius, to each side
 constexpr double ground_share = 8;       ///< of the radius, to each side
@@ -83,8 +83,8 @@ Camera camera_at(const RoadDemo& demo, Gaze gaze, int frame, const Bounds& bound
 }
 
 ivec2 frame_size(const RoadDemo& demo) {
-  const double columns = std::round(rows * demo.sensor_width / demo.sensor_height);
-  return {static_cast<int>(columns), rows};
+  const double columns = std::round(picture_rows * demo.sensor_width / demo.sensor_height);
+  return {static_cast<int>(columns), picture_rows};
 }
 
 Scene scene_of(const RoadDemo& demo, Image texture) {

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-constexpr double largest = farthest_texture_coordinate;
+constexpr double largest_number = farthest_texture_coordinate;
 constexpr double most_rounds = 1000;
 constexpr int any = -1;  ///< as many as there are
 
@@ -27,22 +27,23 @@ struct KnownKey {
   int rows, columns;
   std::string_view expected, meaning;
 };
-constexpr std::string_view one = "a number", upright = "3 rows of one number", three = "3 numbers";
+constexpr std::string_view a_number = "a number", as_column = "3 rows of one number",
+                           three_numbers = "3 numbers";
 constexpr std::array<KnownKey, demo_keys> known_keys{{
-    {"k_cam_up", 3, 1, upright, "what is up in the picture, a hint"},
-    {"k_sensor_height", 0, 0, one, "height of the camera's sensor"},
-    {"k_sensor_width", 0, 0, one, "width of the camera's sensor"},
-    {"k_f", 0, 0, one, "focal length, in the unit of the sensor"},
-    {"car_velocity", 0, 0, one, "speed of the car, lengths a second"},
-    {"k_road_radius", 0, 0, one, "radius of the circular road"},
-    {"k_road_center", 3, 0, three, "centre of the road"},
-    {"k_cam_car_rel_pos", 3, 0, three, "the camera in the car's axes: out, ahead, up"},
-    {"k_duration", 0, 0, one, "length of the film, seconds"},
-    {"k_fps", 0, 0, one, "frames a second"},
+    {"k_cam_up", 3, 1, as_column, "what is up in the picture, a hint"},
+    {"k_sensor_height", 0, 0, a_number, "height of the camera's sensor"},
+    {"k_sensor_width", 0, 0, a_number, "width of the camera's sensor"},
+    {"k_f", 0, 0, a_number, "focal length, in the unit of the sensor"},
+    {"car_velocity", 0, 0, a_number, "speed of the car, lengths a second"},
+    {"k_road_radius", 0, 0, a_number, "radius of the circular road"},
+    {"k_road_center", 3, 0, three_numbers, "centre of the road"},
+    {"k_cam_car_rel_pos", 3, 0, three_numbers, "the camera in the car's axes: out, ahead, up"},
+    {"k_duration", 0, 0, a_number, "length of the film, seconds"},
+    {"k_fps", 0, 0, a_number, "frames a second"},
     {"v_pos", 3, any, "3 rows of as many numbers", "places of the vertices, a column each"},
     {"v_uvs", any, 2, "rows of 2 numbers", "their places in the texture, a row each, v up"},
     {"t_pos_idx", any, 3, "rows of 3 numbers", "triangles, a row of three vertices each"},
-    {"k_cam_target", 3, 1, upright, "what the camera of the demo target looks at"},
+    {"k_cam_target", 3, 1, as_column, "what the camera of the demo target looks at"},
 }};
 
 /// The numbers under a key, row by row.
@@ -131,8 +132,9 @@ class DataReader {
     double value = 0;
     const char* const first = node.text.data();
     const auto read = read_decimal_by_strtod(first, first + node.text.size(), value);
-    if (read.ec != std::errc{} || !(std::abs(value) <= largest))
-      refuse(*block.member, node.line, fmt::format("numbers of at most {} in size", largest), node.text);
+    if (read.ec != std::errc{} || !(std::abs(value) <= largest_number))
+      refuse(*block.member, node.line, fmt::format("numbers of at most {} in size", largest_number),
+             node.text);
     block.numbers.push_back(value);
     block.whole = block.whole && node.text.find_first_of(".eE") == std::string::npos;
   }

@@ -14,9 +14,9 @@
 namespace gradus::pipeline {
 namespace {
 
-class Loader {
+class TextureLoader {
  public:
-  Loader(const FileReader& open, const PictureDecoder& decode) : open_(open), decode_(decode) {}
+  TextureLoader(const FileReader& open, const PictureDecoder& decode) : open_(open), decode_(decode) {}
 
   void load(Texture& texture) {
     const auto [known, is_new] = read_.try_emplace(texture.file);
@@ -62,7 +62,7 @@ void check_coordinates(const Mesh& mesh, const MeshFace& face, const std::string
 
 void load_textures(Mesh& mesh, const FileReader& open, const PictureDecoder& decode,
                    const std::string& name) {
-  Loader loader(open, decode);
+  TextureLoader loader(open, decode);
   std::set<int> loaded;
   for (const MeshFace& face : mesh.faces) {
     Texture& texture = mesh.materials[static_cast<std::size_t>(face.material)].diffuse_map;

@@ -1,6 +1,7 @@
 #pragma once
 // Stage 1, input model: the vertices of every object, and its faces cut into triangles.
 
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -42,23 +43,28 @@ inline PieceCorner corner_of(const Mesh& mesh, const MeshFace& face, int i, int 
           corner.texture < 0 ? dvec2{0, 0} : mesh.textures[static_cast<std::size_t>(corner.texture)]};
 }
 
-/// The triangles of a face: itself, or the ears of a larger one.
-inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
-  const MeshFace& face = mesh.faces[static_cast<std::size_t>(id.face)];
-  std::vector<Piece> pieces;
-  const auto add = [&](const ear_clipping::Triangle& t) {
-    pieces.push_back({id,
-                      {corner_of(mesh, face, t[0], first), corner_of(mesh, face, t[1], first),
-                       corner_of(mesh, face, t[2], first)}});
-    ++id.piece;
-  };
+/// The triangles of a face, by the places of its corners: itself, or the ears of a larger one.
+template <std::invocable<const ear_clipping::Triangle&> Add>
+void triangulate(const Mesh& mesh, const MeshFace& face, const Add& add) {
   if (face.count == 3) {
     add({0, 1, 2});
-    return pieces;
+    return;
   }
   std::vector<dvec3> polygon;
   for (const Corner& corner : corners_of(mesh, face)) polygon.push_back(position_of(mesh, corner));
   ear_clipping::triangulate(polygon, add);
+}
+
+/// The same as pieces.
+inline std::vector<Piece> cut(const Mesh& mesh, PieceId id, int first) {
+  const MeshFace& face = mesh.faces[static_cast<std::size_t>(id.face)];
+  std::vector<Piece> pieces;
+  triangulate(mesh, face, [&](const ear_clipping::Triangle& t) {
+    pieces.push_back({id,
+                      {corner_of(mesh, face, t[0], first), corner_of(mesh, face, t[1], first),
+                       corner_of(mesh, face, t[2], first)}});
+    ++id.piece;
+  });
   return pieces;
 }
 

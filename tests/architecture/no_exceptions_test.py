@@ -23,6 +23,7 @@ PROGRAM = pathlib.Path(__file__).resolve().parent / "no_exceptions/main.cpp"
 TOPICS = ("scan_conversion/bresenham_line", "clipping/liang_barsky")  # those of the program
 ALONE = "visualize/stories/clipping/polygon_circle_story.cpp"
 OUTER = {"algorithms/core/image.cpp", "pipeline/scene/files.cpp"}  # PNG, files
+THREADED = "pipeline/engine/"  # a page has one thread, and draws by the textbook chain
 ROOTS = ("visualize", "algorithms", "pipeline")
 PACKAGES = ("fmt/core.h", "glm/glm.hpp", "nlohmann/json.hpp", "boost/version.hpp")
 
@@ -41,8 +42,8 @@ int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }
 
 
 def matching(*patterns):
-    return sorted({path.relative_to(project.ROOT).as_posix() for pattern in patterns
-                   for path in project.ROOT.glob(pattern)} - OUTER)
+    found = {path.relative_to(project.ROOT).as_posix() for pattern in patterns for path in project.ROOT.glob(pattern)}
+    return sorted(path for path in found - OUTER if not path.startswith(THREADED))
 
 
 def of_the_program():
@@ -102,12 +103,16 @@ class NoExceptions(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
 
     def compile(self, compiler, units, *how):
-        """The objects of these units. Where the files of one can't be compiled together, each is compiled alone."""
+        """The objects of these units. Where the files of one can't be compiled together, its halves are."""
         objects = []
         for files in units:
+            if len(files) == 1:
+                objects += self.compile_one(compiler, files[0], *how, required=True)
+                continue
             together = self.write("unit.cpp", "".join(f'#include "{file}"\n' for file in files))
-            objects += self.compile_one(compiler, together, *how) or [
-                found for file in files for found in self.compile_one(compiler, file, *how, required=True)]
+            half = len(files) // 2
+            objects += (self.compile_one(compiler, together, *how) or
+                        self.compile(compiler, [files[:half], files[half:]], *how))
         return objects
 
     def compile_one(self, compiler, source, *how, required=False):

@@ -22,7 +22,7 @@ class Survey {
       add(stroke->a, counts);
       add(stroke->b, counts);
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      for (const dvec2 p : path->points) add(p, counts);
+      for (const dvec2 p : path->points) add(p, counts, path->aside);
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       add(dot->at, counts);
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
@@ -42,9 +42,9 @@ class Survey {
   }
   void add(const CellChange& change) {
     if (!change.look) return;
-    const bool counts = change.look->role != Role::guide;
-    add(dvec2(change.at) - 0.5, counts);
-    add(dvec2(change.at) + 0.5, counts);
+    const bool aside = change.look->role == Role::guide;
+    add(dvec2(change.at) - 0.5, true, aside);
+    add(dvec2(change.at) + 0.5, true, aside);
   }
 
   Content content() && {
@@ -53,14 +53,16 @@ class Survey {
   }
 
  private:
-  void add(dvec2 p, bool counts) {
+  void add(dvec2 p, bool counts, bool aside = false) {
     p = glm::clamp(p, lower_, upper_);  // marks are cut there
     content_.all.add(p);
+    if (!aside) content_.bare.add(p);
     if (counts) content_.core.add(p);
   }
   void add_text(dvec2 at, double left, double right, double up, double down, bool aside = false) {
     if (at != glm::clamp(at, lower_, upper_)) return;
     content_.all.add(at);
+    if (!aside) content_.bare.add(at);
     Content::TextRoom& room =
         texts_.try_emplace({at.x, at.y}, Content::TextRoom{at, 0, 0, 0, 0, aside}).first->second;
     room.left = std::max(room.left, left);

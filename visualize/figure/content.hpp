@@ -30,6 +30,7 @@ struct Content {
   };
 
   Part all;   ///< marks, cells and the places of texts
+  Part bare;  ///< all but what is aside
   Part core;  ///< what it is about: without guides, tinted areas and texts
   std::vector<TextRoom> texts;
 };

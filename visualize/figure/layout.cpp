@@ -79,8 +79,10 @@ Box crop_box(const Places& at, const Box& drawing, const Look& look, double s) {
 }
 
 Window visible_cells(const Figure& figure, const Look& look) {
-  const Stage stage = stage_of(*figure.trace, look);
+  Stage stage = stage_of(*figure.trace, look);
   const Places at = places_of(*figure.trace, look, stage);
+  Content content;
+  if (at.bare) stage = bare(stage, content);
   const double s = unit_of(look);
   return scene_of(figure, look, stage, scaled(at.drawing, s), s).frame.view;
 }
@@ -104,8 +106,10 @@ std::vector<Row> last_rows(const Figure& figure) {
 Sheet lay_out(const Figure& figure, const Look& look) {
   using namespace layout;
   const double s = unit_of(look);
-  const Stage stage = stage_of(*figure.trace, look);
+  Stage stage = stage_of(*figure.trace, look);
   const layout::Places at = places_of(*figure.trace, look, stage);
+  Content content;
+  if (at.bare) stage = bare(stage, content);
   Sheet sheet{look.width, look.height, {}, s};
   Scene scene;
   // A slot that was given a place gets its shapes, in this order

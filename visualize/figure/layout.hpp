@@ -113,10 +113,13 @@ struct Stage {
   const Content* content = nullptr;         ///< of a paper: what else needs room beside it
   double least_cell = 0, largest_cell = 0;  ///< units
   double easy_cell = 0;                     ///< from here on no text is given up for larger cells
-  double lines = 0;  ///< as Grid::lines, on a slide: below it code and table give way to a paper
+  double lines = 0;   ///< as Grid::lines: with smaller cells what is aside would lie on itself
+  bool bare = false;  ///< without what is aside
 };
 /// Throws ContractViolation when the look's view misses the grid.
 Stage stage_of(const Trace& trace, const Look& look);
+/// The same without what is aside. `content`: what there was, kept for as long as the stage is used.
+Stage bare(Stage stage, Content& content);
 
 /// Units beside what is shown, for axes and texts.
 struct Margins {
@@ -169,6 +172,7 @@ struct Scene {
   Box inset;                             ///< of the overview, where there is one
   Box settled;                           ///< what the drawing fills in every step: cells, axes, overview
   Box labels;                            ///< where labels may stand
+  bool bare = false;                     ///< without what is aside
   bool among_many = false;  ///< one of many drawings: names have no leaders but what the step points at
 };
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& box, double scale);
@@ -251,6 +255,7 @@ struct Places {
   Box title, drawing, listing, table, sentence, footer;
   int lines = 0, rows = 0;  ///< that the listing and the table can show
   int sentence_lines = 2, footer_lines = 1;
+  bool bare = false;  ///< the drawing is without what is aside, for which there is no room
   Heading heading;
 };
 /// Throws ContractViolation when the look's view has more cells than fit.

@@ -259,19 +259,21 @@ class DrawingLayout {
 
   // --- Marks: taken first, drawn once the texts have their places -----------------------------------------
 
+  bool without_asides() const { return at_.among_many || at_.bare; }
+
   void take(const Mark& mark, bool fixed) {
     if (const Stroke* stroke = std::get_if<Stroke>(&mark.shape)) {
       take_chain(mark, {stroke->a, stroke->b},
                  {.arrow = stroke->arrow, .dashed = stroke->dashed, .thin = stroke->thin});
     } else if (const Path* path = std::get_if<Path>(&mark.shape)) {
-      if (path->aside && at_.among_many) return;
+      if (path->aside && without_asides()) return;
       take_chain(mark, path->points, {.closed = path->closed, .dashed = path->dashed});
     } else if (const Dot* dot = std::get_if<Dot>(&mark.shape)) {
       take_dot(mark, *dot);
     } else if (const Area* area = std::get_if<Area>(&mark.shape)) {
       take_area(mark, *area);
     } else if (const Text* text = std::get_if<Text>(&mark.shape)) {
-      if (!(text->aside && at_.among_many)) texts_.emplace_back(&mark, text);
+      if (!(text->aside && without_asides())) texts_.emplace_back(&mark, text);
     } else if (const Label* label = std::get_if<Label>(&mark.shape)) {
       (fixed ? fixed_labels_ : labels_).emplace_back(&mark, label);
     }

@@ -20,6 +20,7 @@ constexpr double upright_width = 0.9, upright_height = 0.62;
 constexpr double wide_sheet = 1.6;  ///< width to height: from here on the code may stand beside the drawing
 constexpr double many_cells = 14;   ///< along a side of a view that follows the step: no reader misses more
 constexpr int most_rows = 40;
+constexpr double crowded = -10;  ///< of what is worthless, since lines of text lie on each other
 /// Characters in a line of a listing beside the drawing, the first choice first.
 constexpr std::array<std::size_t, 5> line_lengths{36, 33, 30, 27, 24};
 
@@ -127,6 +128,7 @@ double worth_of(const Fit& shown, const Stage& stage, const Page& page) {
   const double across = stands_below(page) ? upright_width * page.middle.width : hero_width * page.width;
   const double up = (stands_below(page) ? upright_height : hero_height) * page.middle.height;
   const double reach = std::min(1.0, std::max(marks.x / across, marks.y / up));
+  if (shown.cell < stage.lines) return reach + crowded;
   return shown.cell >= stage.largest_cell ? 1 : shown.cell < stage.easy_cell ? reach - 0.5 : reach;
 }
 
@@ -186,12 +188,6 @@ std::optional<Choice> best_of(const Wants& wants, const Look& look, const Stage&
 /// In the small boxes of a handout's page the listing gives way, then the table.
 bool may_give_way(const Look& look) { return look.layout == Layout::handout && look.least_text > 0; }
 
-/// Lines of text on a paper would lie on each other.
-bool crowded(const Stage& stage, const Choice& choice) {
-  const std::optional<Fit> shown = fit(stage, choice.body.drawing.width, choice.body.drawing.height);
-  return !shown || shown->cell < stage.lines;
-}
-
 bool legible(const Choice& choice) { return choice.worth > -0.5 || choice.worth > -2 + 6 / many_cells; }
 
 ivec2 largest_in(const Page& page, Wants wants, const Look& look, const Stage& stage) {
@@ -213,15 +209,15 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
   if (!look.slots.contains(Slot::drawing)) return without_drawing(page.middle, wants);
   auto choice = best_of(wants, look, stage, page);
   for (bool* slot : {&wants.listing, &wants.table}) {
-    const bool gives_way = may_give_way(look) && !(choice && legible(*choice));
-    if (!gives_way && (stage.lines <= 0 || (choice && !crowded(stage, *choice)))) break;
+    if (!may_give_way(look) || (choice && legible(*choice))) break;
     *slot = false;
     choice = best_of(wants, look, stage, page);
   }
-  if (!choice &&
-      !stage.fixed) {  // a table of few columns stands beside the listing, and both below the drawing
+  const bool poor = !choice || (stage.content && choice->worth < 0);
+  if (poor && !stage.fixed) {  // a table of few columns stands beside the listing, and both below the drawing
     wants.columns_to_spare = spare_columns(*wants.trace);
-    choice = best_of(wants, look, stage, page);
+    const auto other = best_of(wants, look, stage, page);
+    if (!choice || (other && other->worth > choice->worth)) choice = other;
   }
   if (choice) return choice->body;
   if (!stage.fixed) return without_drawing(page.middle, wants);
@@ -230,13 +226,25 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
                                 stage.cells.width(), stage.cells.height()));
 }
 
+/// Whether lines of text on the paper would lie on each other.
+bool is_crowded(const Stage& stage, const Body& body) {
+  const std::optional<Fit> shown = fit(stage, body.drawing.width, body.drawing.height);
+  return stage.lines > 0 && (!shown || shown->cell < stage.lines);
+}
+
 }  // namespace
 
 Places places_of(const Trace& trace, const Look& look, const Stage& stage) {
   const Page page = page_of(trace, look);
   ListingRows listing_rows(trace);
-  const Body body = body_of(page, wants_of(trace, look, page, listing_rows), look, stage);
+  const Wants wants = wants_of(trace, look, page, listing_rows);
+  Body body = body_of(page, wants, look, stage);
   Places at = page.at;
+  if (stage.content && is_crowded(stage, body)) {
+    Content content;
+    body = body_of(page, wants, look, bare(stage, content));
+    at.bare = true;
+  }
   at.drawing = body.drawing;
   at.listing = body.listing;
   at.table = body.table;

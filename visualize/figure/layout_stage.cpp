@@ -17,6 +17,7 @@ namespace {
 constexpr double followed_cell = 30;
 constexpr double axis_below = 28, axis_above = 22, axis_rim = 4;
 constexpr double roomy_cell = 44;  ///< from here on the name of the columns stands below the last one
+constexpr double easy_pixel = 6;   ///< of a picture on a paper with lines
 constexpr double paper_rim = 2;    ///< of a line's width at the border of a paper
 constexpr double inset_height = 104, inset_gap = 8;         ///< of an overview above the view
 constexpr double inset_width = 190, inset_column_gap = 16;  ///< of one beside it
@@ -170,13 +171,28 @@ Stage stage_of(const Trace& trace, const Look& look) {
   const bool slide = look.layout == Layout::slide;
   // The pixels of a picture may be as small as they are asked for
   const bool pixels = look.view && grid.picture;
-  // The units of a paper are no cells; where it says how large its lines want them, they may be smaller still
+  // The units of a paper are no cells; two pictures and all texts leave little of a square slide
   const double least_whole = grid.axes ? 6 : grid.lines > 0 ? 1.5 : 3;
   stage.least_cell = pixels ? 0.2 : grid.whole ? least_whole : slide ? least_cell : 16;
   // In print it is the real size of a cell that counts: 3 mm
-  stage.easy_cell = std::max(stage.least_cell, look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0.0);
-  stage.lines = slide ? grid.lines : 0;
+  const double printed = look.least_text > 0 && grid.axes ? 11 / unit_of(look) : 0;
+  stage.easy_cell = std::max({stage.least_cell, printed, grid.lines > 0 ? easy_pixel : 0});
+  stage.lines = grid.lines;
   stage.largest_cell = slide ? 96 : 120;
+  return stage;
+}
+
+Stage bare(Stage stage, Content& content) {
+  expects(stage.content, "only a paper has something aside");
+  content = *stage.content;
+  content.all = content.bare;
+  content.core.lower = glm::max(content.core.lower, content.bare.lower);
+  content.core.upper = glm::min(content.core.upper, content.bare.upper);
+  std::erase_if(content.texts, [](const Content::TextRoom& text) { return text.aside; });
+  cut_to(stage, content);
+  stage.core = glm::min(content.core.size(), stage.size);
+  stage.bare = true;
+  stage.lines = 0;
   return stage;
 }
 
@@ -218,6 +234,7 @@ Fit capacity(const Stage& stage, double width, double height) {
 Scene scene_of(const Figure& figure, const Look& look, const Stage& stage, const Box& slot, double s) {
   const std::optional<Fit> shown = fit(stage, slot.width / s, slot.height / s);
   Scene scene;
+  scene.bare = stage.bare;
   if (!shown) return scene;
   const Margins& margins = shown->margins;
   scene.follows = shown->follows;

@@ -26,13 +26,19 @@ constexpr double wide_text = 240;
 constexpr std::size_t many = 3;
 constexpr double rim = 0.1;  ///< beside the marks, in parts of their longer side
 
+/// Beside another drawing there is no room for lines of text.
+Stage beside_another(Stage stage, Content& content) {
+  return stage.content && stage.lines > 0 ? bare(stage, content) : stage;
+}
+
 /// What all runs have to show, so that they share axes and scale. `content` keeps what stands on their
 /// papers.
 Stage common_stage(std::span<const Trace* const> runs, const Look& look, Content& content) {
-  Stage all = stage_of(*runs.front(), look);
+  Content front, others;
+  Stage all = beside_another(stage_of(*runs.front(), look), front);
   dvec2 upper = all.lower + all.size;
   for (const Trace* run : runs) {
-    const Stage other = stage_of(*run, look);
+    const Stage other = beside_another(stage_of(*run, look), others);
     upper = glm::max(upper, other.lower + other.size);
     all.cells = {glm::min(all.cells.lower, other.cells.lower), glm::max(all.cells.upper, other.cells.upper)};
     all.lower = glm::min(all.lower, other.lower);

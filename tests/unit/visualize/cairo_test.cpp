@@ -14,6 +14,7 @@
 #include "figure/metrics.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
+#include "support/sheets.hpp"
 
 namespace gradus {
 namespace {
@@ -24,11 +25,11 @@ Sheet sheet_at(const Trace& trace, StepNumber number) {
 }
 
 /// All telling traces; under a sanitizer every fourth of them.
-std::vector<Trace> some_traces() {
-  std::vector<Trace> some;
+std::vector<const Trace*> some_traces() {
+  std::vector<const Trace*> some;
   std::size_t number = 0;
-  for (Trace& trace : test::telling_traces()) {
-    if (!test::sanitized || number++ % 4 == 0) some.push_back(std::move(trace));
+  for (const Trace& trace : test::shared_traces()) {
+    if (!test::sanitized || number++ % 4 == 0) some.push_back(&trace);
   }
   return some;
 }
@@ -151,7 +152,8 @@ TEST(Svg, SaysWhatItShowsFirst) {
 }
 
 TEST(Svg, EveryIdIsUniqueAndEveryLetterKnown) {
-  for (const Trace& trace : some_traces()) {
+  for (const Trace* each : some_traces()) {
+    const Trace& trace = *each;
     const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), themes()[0], hostile_colophon);
     const auto ids = all(svg, " id=\"([^\"]*)\"");
     const std::set<std::string> once(ids.begin(), ids.end());
@@ -165,7 +167,8 @@ TEST(Svg, EveryIdIsUniqueAndEveryLetterKnown) {
 }
 
 TEST(Svg, GroupsAreSlotsAndRolesInDrawingOrder) {
-  for (const Trace& trace : some_traces()) {
+  for (const Trace* each : some_traces()) {
+    const Trace& trace = *each;
     const Sheet sheet = sheet_at(trace, trace.steps[trace.steps.size() / 2].number);
     const std::string svg = svg_of(sheet, themes()[0], hostile_colophon);
     for (const Slot slot : all_slots) {
@@ -390,7 +393,8 @@ TEST(CairoOutput, PngHoldsTheFigure) {
 }
 
 TEST(CairoOutput, EveryThemeDrawsEveryTellingTrace) {
-  for (const Trace& trace : some_traces()) {
+  for (const Trace* each : some_traces()) {
+    const Trace& trace = *each;
     for (const Theme& theme : themes()) {
       const std::string svg = svg_of(sheet_at(trace, trace.steps.back().number), theme, hostile_colophon);
       EXPECT_NE(svg.find("</svg>"), std::string::npos);

@@ -145,7 +145,7 @@ std::vector<std::string> random_flags(std::mt19937& random) {
 TEST(FigureSpecs, CommandsReadBackAsThemselves) {
   std::mt19937 random(7);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < test::thinned(3000, 10); ++i) {
+  for (std::size_t i = 0; i < test::thinned(3000, 50); ++i) {
     std::vector<std::string> words = random_flags(random);
     words.insert(words.begin(), {"figure", "bresenham_line"});
     FigureSpec spec;
@@ -195,7 +195,7 @@ TEST(FigureSpecs, CommandsReadBackAsThemselves) {
     ASSERT_EQ(again.milestones, spec.milestones) << command;
     ASSERT_EQ(text_of(again.steps), text_of(spec.steps)) << command;
   }
-  EXPECT_GT(kept, test::thinned(2000, 10));
+  EXPECT_GT(kept, test::thinned(2000, 50));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "figure/metrics.hpp"
 #include "stories/paper.hpp"
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus {
 namespace {
@@ -222,8 +223,10 @@ Judged judge_all(const Wording& wording) {
 }
 
 TEST(NumberText, ACalculatorAgreesWithEverySentence) {
+  int next = 0;
   for (const Language& language : languages()) {
     for (const Numbers numbers : {Numbers::decimals, Numbers::fractions}) {
+      if (test::sanitized && next++ % 3 != 0) continue;  // each of both once
       const Judged judged = judge_all(Wording(language, {}, numbers));
       EXPECT_GT(judged.equal, 100) << language.code();
       EXPECT_GT(judged.about, 10) << language.code();

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <tuple>
 
+#include "figure/figure.hpp"
+#include "figure/layout.hpp"
 #include "pipeline.hpp"
 #include "stories/pipeline/chain_paper.hpp"
 #include "stories/pipeline/chain_run.hpp"
@@ -375,6 +378,29 @@ TEST(PipelineTour, SpeaksEveryLanguage) {
       for (const TraceStep& step : trace.steps) EXPECT_FALSE(step.sentence.empty());
     }
   }
+}
+
+/// Lines of numbers below the panels are legible or are left out; listing and table stay in any case.
+TEST(PipelineTour, NumbersAreShownWhereTheyHaveRoom) {
+  const Trace trace = tour({});
+  Playhead playhead(trace);
+  const Figure figure = figure_of(trace, playhead, {6, 0});
+  const auto shows_numbers = [&](double width, const std::set<Slot>& slots) {
+    Look look;
+    look.width = width;
+    look.height = 720;
+    look.slots = slots;
+    return std::ranges::any_of(lay_out(figure, look).shapes, [](const Shape& shape) {
+      const TextShape* text = std::get_if<TextShape>(&shape.what);
+      return shape.slot == Slot::drawing && text && text->text.starts_with("λ");
+    });
+  };
+  const std::set<Slot> all{all_slots.begin(), all_slots.end()};
+  const std::set<Slot> drawing{Slot::title, Slot::drawing, Slot::sentence, Slot::footer};
+  EXPECT_TRUE(shows_numbers(1280, all));
+  EXPECT_FALSE(shows_numbers(960, all));
+  EXPECT_TRUE(shows_numbers(960, drawing));
+  EXPECT_FALSE(shows_numbers(720, all));
 }
 
 TEST(PipelineTour, RefusesWhatThereIsNot) {

@@ -12,6 +12,7 @@
 
 #include "stories/topic.hpp"
 #include "support/example_traces.hpp"
+#include "support/sheets.hpp"
 
 namespace gradus {
 namespace {
@@ -301,7 +302,7 @@ TEST(Telling, DecisionsAreWhole) {
 
 /// "p_before" is a value of p, "code_a" one of code.
 TEST(Telling, ValuesNameTheirQuantity) {
-  for (const Trace& trace : test::telling_traces()) {
+  for (const Trace& trace : test::shared_traces()) {
     for (const TraceStep& step : trace.steps) {
       for (const Field& field : step.fields) {
         const std::string& quantity = field.quantity.empty() ? field.name : field.quantity;

@@ -11,6 +11,7 @@
 #include "figure/figure.hpp"
 #include "figure/metrics.hpp"
 #include "support/example_traces.hpp"
+#include "support/sheets.hpp"
 #include "theme/theme.hpp"
 
 namespace gradus {
@@ -181,7 +182,7 @@ TEST(Typesetting, AReadersNameIsColouredAndTheCodesOwnStays) {
 
 TEST(Typesetting, ABoxIsAsWideAsItsPieces) {
   std::size_t with_spans = 0;
-  for (const Trace& trace : test::telling_traces()) {
+  for (const Trace& trace : test::shared_traces()) {
     for (const Shape& shape : drawn(trace, trace.telling).shapes) {
       const TextShape* text = std::get_if<TextShape>(&shape.what);
       if (!text || text->spans.empty()) continue;

@@ -156,7 +156,7 @@ void for_each_sheet(const std::vector<Trace>& traces, See see) {
 }
 
 TEST(Labels, StandForTheSymbolEverywhereButInTheListing) {
-  const std::vector<Trace> plain = test::telling_traces();
+  const std::vector<Trace>& plain = test::shared_traces();
   for (const std::string_view code : {"en", "de"}) {
     const std::vector<Trace> traces = test::telling_traces(labelled({{"p", "d"}, {"NE", "T"}}, code));
     const Names old{"p", "NE"}, fresh{"d", "T"};
@@ -217,7 +217,7 @@ bool same_but_for_commas(std::optional<CellLook> a, std::optional<CellLook> b) {
 }
 
 TEST(Languages, TellTheSameRun) {
-  const std::vector<Trace> english = test::telling_traces();
+  const std::vector<Trace>& english = test::shared_traces();
   for (const Language& other : languages()) {
     if (&other == &languages().front()) continue;
     const std::vector<Trace> told = test::telling_traces(Wording(other));
@@ -279,8 +279,9 @@ TEST(Languages, NumbersOfASentenceAreTheSame) {
     return found;
   };
   std::size_t sentences = 0;
+  const std::vector<Trace>& english = test::shared_traces();
   for (const Language& other : languages()) {
-    const std::vector<Trace> english = test::telling_traces(), told = test::telling_traces(Wording(other));
+    const std::vector<Trace> told = test::telling_traces(Wording(other));
     for (std::size_t i = 0; i < told.size(); ++i) {
       for (std::size_t k = 0; k < told[i].steps.size(); ++k, ++sentences) {
         EXPECT_EQ(digits(english[i].steps[k].sentence), digits(told[i].steps[k].sentence))

@@ -30,10 +30,10 @@ Panel Views::panel(const Extent& place, const Extent& world) const {
   return {{place.lower + margin, place.upper - margin}, widened(world, 0.02), Panel::Fit::same_scale, false};
 }
 
-void Views::caption(View& view, Side side, const std::string& text) const {
+void Views::caption(View& view, Side side, const std::string& text, bool aside) const {
   const Extent place = paper_.panel(side);
   view.add({side == Side::before ? "caption before" : "caption after", Role::guide,
-            Text{{place.centre().x, place.lower.y - 0.9 * unit_}, text}});
+            Text{{place.centre().x, place.lower.y - 0.9 * unit_}, text, Align::centre, aside}});
 }
 
 void Views::arrow(View& view, const std::string& name) const {
@@ -228,11 +228,10 @@ View Views::goal() const {
 
 View Views::object(const Pointer& at) const {
   View view;
-  space(view, Side::before, "space.file");
+  caption(view, Side::before, words_.say("space.file"), true);
   cards_.file(view);
-  arrow(view);
   space(view, Side::after, "space.object");
-  object_panel(view, paper_.column(Side::after), at, Names::all);
+  object_panel(view, paper_.panel(Side::after), at, Names::all);
   return view;
 }
 

@@ -66,7 +66,8 @@ class Views {
 
   Panel panel(const Extent& place, const Extent& world) const;
   Panel panel(Side side, const Extent& world) const { return panel(paper_.panel(side), world); }
-  void caption(View& view, Side side, const std::string& text) const;
+  /// aside: of a panel that has nothing but text.
+  void caption(View& view, Side side, const std::string& text, bool aside = false) const;
   void space(View& view, Side side, const char* key) const { caption(view, side, words_.say(key)); }
   /// From panel to panel, between their captions, with the name of what leads there.
   void arrow(View& view, const std::string& name = "") const;

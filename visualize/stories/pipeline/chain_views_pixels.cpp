@@ -300,7 +300,7 @@ View Views::output(bool whole) const {
     view.add({padded("c triangle", triangle.triangle), Role::current, std::move(path)});
   }
   mark_pixel(view, Side::before);
-  caption(view, Side::after, words_.say("space.way", {{"pixel", pixel_}}));
+  caption(view, Side::after, words_.say("space.way", {{"pixel", pixel_}}), true);
   cards_.bytes(view);
   cards_.way(view);
   // The colour, large

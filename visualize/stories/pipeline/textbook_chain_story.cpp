@@ -73,6 +73,8 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
   grid.y_up = false;
   grid.whole = true;
   grid.axes = false;
+  grid.x_name = narrator.words().symbol("x");
+  grid.y_name = narrator.words().symbol("y");
   narrator.shows_depths(true);
   narrator.legend({Role::current, Role::accepted, Role::rejected, Role::past, Role::boundary, Role::candidate,
                    Role::input});
