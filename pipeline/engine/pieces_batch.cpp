@@ -47,7 +47,7 @@ HWY_INLINE M meets(V a, V b, V c, int lower, int upper, int margin) {
   const V first = hn::ShiftRight<8>(hn::Add(least, set(centre > 0 ? centre - 1 : -256 * margin))),
           last = hn::ShiftRight<8>(hn::Add(most, set(centre > 0 ? -centre : 256 * margin)));
   const V from = hn::Max(first, set(lower)), to = hn::Min(last, set(upper));
-  return hn::Le(from, to);
+  return hn::Not(hn::Gt(from, to));
 }
 
 PieceCount choose_all(const PieceChoice& choice, const PieceVertices* pieces, std::size_t count,

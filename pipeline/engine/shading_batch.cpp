@@ -84,7 +84,7 @@ HWY_INLINE F exp2_of(F x) {
 HWY_INLINE F power(F x, float by, int whole_power) {
   if (whole_power < 0) return exp2_of(hn::Mul(log2_of(hn::Max(x, set(0x1p-100f))), set(by)));
   F result = set(1);
-  for (int bit = std::bit_width(static_cast<unsigned>(whole_power)); bit-- > 0;) {
+  for (auto bit = static_cast<int>(std::bit_width(static_cast<unsigned>(whole_power))); bit-- > 0;) {
     result = hn::Mul(result, result);
     if (whole_power >> bit & 1) result = hn::Mul(result, x);
   }
@@ -187,7 +187,7 @@ HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
     const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
     // The quotient may have been rounded to the next whole number
     const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
-    const I first = hn::IfThenElse(hn::Ge(low, count), hn::Sub(low, count), low),
+    const I first = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count)),
             next = hn::Add(first, whole(1));
     return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(place, cell)};
   };

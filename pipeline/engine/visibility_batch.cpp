@@ -66,6 +66,12 @@ inline std::int64_t largest(const Side& s, const Window& box) {
          std::max(s.b * box.lower.y, s.b * box.upper.y);
 }
 
+/// The pixels of the blocks that a box meets.
+inline Window in_blocks(const Window& box) {
+  return {box.lower / block_side * block_side,
+          box.upper / block_side * block_side + ivec2{block_side - 1, block_side - 1}};
+}
+
 /// 1 - depth over the pixels of a tile.
 struct NearnessPlane {
   double at, right, down;
@@ -139,9 +145,11 @@ class Visibility {
     Cast cast = cast_of(t, box, pixels_.lower);
     if (cast.largest_nearness < farthest_) return;
     bool long_sides = false;
+    const Window blocks = in_blocks(cast.box);
     for (Side& side : cast.sides) {
       if (largest(side, cast.box) < 0) return;
-      if (least(side, cast.box) >= 0) side = {0, 0, 0};
+      // Blocks reach beyond the box, where that side alone may leave pixels out
+      if (least(side, blocks) >= 0) side = {0, 0, 0};
       long_sides |= std::max(std::abs(side.a), std::abs(side.b)) >= 1 << 23;
     }
     if (!is_flat_enough(cast) || long_sides)
@@ -214,7 +222,7 @@ class Visibility {
       };
       // The sign of one is that of all
       const auto signs = hn::Or(hn::Or(side(0), side(1)), side(2));
-      const auto inside = hn::RebindMask(single, hn::Ge(signs, hn::Zero(whole)));
+      const auto inside = hn::RebindMask(single, hn::Not(hn::Lt(signs, hn::Zero(whole))));
       if (hn::AllFalse(single, inside)) continue;
       float* const nearness = buffer_.nearness.data() + base + i;
       const auto mine = hn::Add(hn::Set(single, near), hn::Load(single, rise + i));

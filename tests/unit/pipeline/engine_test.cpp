@@ -99,7 +99,7 @@ TEST(Engine, ObjectsOfOneMeshShareItsPieces) {
   ASSERT_EQ(buffers.pieces.size(), 3u);
   EXPECT_EQ(buffers.pieces[0], buffers.pieces[2]);
   EXPECT_NE(buffers.pieces[0], buffers.pieces[1]);
-  EXPECT_EQ(buffers.pieces[0]->size(), 12u);
+  EXPECT_EQ(buffers.pieces[0]->count(), 12);
 }
 
 }  // namespace
