@@ -26,7 +26,10 @@ Lamp lamp_of(const Light& light, int point, dvec3 eye) {
             {},
             static_cast<float>(light.outer_cosine),
             static_cast<float>(light.inner_cosine),
-            static_cast<float>(light.concentration)};
+            static_cast<float>(light.concentration),
+            0};
+  // Places there are as far from the eye as the lamp is, with digits down to 2^-24 of that
+  if (!far) lamp.beside = 0x1p-14f * glm::dot(lamp.place, lamp.place);
   if (light.kind == Light::Kind::spot) lamp.front = unit_vector(light.direction);
   if (light.kind == Light::Kind::area)
     lamp.front = unit_vector(glm::cross(unit_vector(light.across), unit_vector(light.along))) /
@@ -84,23 +87,28 @@ SeenCorners corners_of_cut(const Triangle& t, dvec3 eye) {
 
 }  // namespace
 
-PlaneMaker::PlaneMaker(const triangle_coverage::Triangle& grid, ivec2 origin) {
-  const auto near = [](int at, int from) { return std::clamp((at >> 8) - from, 0, 63) + from; };
-  pixel_ = {near(grid[0].x, origin.x), near(grid[0].y, origin.y)};
+PlaneMaker::PlaneMaker(const triangle_coverage::Triangle& grid, const Window& box, const dvec3& over_w) {
   const auto edges = triangle_coverage::edges_of(grid);
   const auto area = static_cast<double>(std::abs(triangle_coverage::doubled_area(grid)));
-  const ivec2 centre = triangle_coverage::centre_of(pixel_);
+  constexpr double most_change = 16;
+  const ivec2 reach = box.upper - box.lower;
   for (std::size_t k = 0; k < 2; ++k) {
     const triangle_coverage::Edge& edge = edges[k + 1];
-    there_[k] = static_cast<double>(edge.at(centre)) / area;
     across_[k] = static_cast<double>(edge.step()) / area;
     down_[k] = static_cast<double>(edge.to.x - edge.from.x) * triangle_coverage::subpixels / area;
+    thin_ |= std::abs(across_[k]) * reach.x + std::abs(down_[k]) * reach.y > most_change;
   }
+  const double to_second = over_w.y - over_w.x, to_third = over_w.z - over_w.x;
+  const bool right = to_second * across_[0] + to_third * across_[1] > 0,
+             below = to_second * down_[0] + to_third * down_[1] > 0;
+  pixel_ = {right ? box.upper.x : box.lower.x, below ? box.upper.y : box.lower.y};
+  const ivec2 centre = triangle_coverage::centre_of(pixel_);
+  for (std::size_t k = 0; k < 2; ++k) there_[k] = static_cast<double>(edges[k + 1].at(centre)) / area;
 }
 
 void PlaneMaker::put(const dvec3& at, float* into) const {
   const double second = at.y - at.x, third = at.z - at.x;
-  into[0] = static_cast<float>(at.x + second * there_[0] + third * there_[1]);
+  into[0] = static_cast<float>(there(at));
   into[1] = static_cast<float>(second * across_[0] + third * across_[1]);
   into[2] = static_cast<float>(second * down_[0] + third * down_[1]);
 }

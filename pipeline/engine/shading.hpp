@@ -21,6 +21,7 @@ struct Lamp {
   float constant, linear, quadratic, range;
   glm::vec3 front;  ///< spot: its axis; area: the way it faces, over the number of its points
   float outer, inner, concentration;
+  float beside;  ///< places whose squared distance is less are too near
 
   bool weakens() const { return constant != 1 || linear != 0 || quadratic != 0; }
 };
@@ -50,7 +51,8 @@ namespace record {
 inline constexpr int column = 0, row = 1;  ///< of the pixel that planes count from
 inline constexpr int over_w = 2;           ///< planes have three numbers: there, a column more, a row more
 inline constexpr int values = 5;           ///< six planes: place and normal; or scattered light and highlight
-inline constexpr int texture = 23;         ///< two planes
+inline constexpr int texture = 23;         ///< two planes, of what is more than the base
+inline constexpr int base = 29;            ///< texture coordinates of the pixel that planes count from
 inline constexpr int size = 32;            ///< numbers in all
 }  // namespace record
 
@@ -67,16 +69,24 @@ struct SeenCorners {
 /// Planes over a triangle.
 class PlaneMaker {
  public:
-  /// origin: pixel of the picture that columns and rows of the record count from.
-  PlaneMaker(const triangle_coverage::Triangle& grid, ivec2 origin);
+  /// box: pixels that are asked for; not empty. over_w: of the corners. Planes count from the pixel in a
+  /// corner of the box that is nearest to the viewer: from there on what is linear on the surface changes ever
+  /// faster, so that single precision has the digits it needs everywhere.
+  PlaneMaker(const triangle_coverage::Triangle& grid, const Window& box, const dvec3& over_w);
 
-  /// The pixel that planes count from, near the triangle's first corner.
   ivec2 pixel() const { return pixel_; }
   /// Writes the plane of a value that is linear in the picture. at: of the corners.
   void put(const dvec3& at, float* into) const;
+  /// Its value at pixel().
+  double there(const dvec3& at) const {
+    return at.x + (at.y - at.x) * there_[0] + (at.z - at.x) * there_[1];
+  }
+  /// Whether the triangle is so thin that planes lose digits.
+  bool is_thin() const { return thin_; }
 
  private:
   ivec2 pixel_;
+  bool thin_ = false;
   double there_[2], across_[2], down_[2];  ///< shares of the second and the third corner
 };
 

@@ -23,6 +23,14 @@ using DI = hn::RebindToSigned<D>;
 using F = hn::Vec<D>;
 using I = hn::Vec<DI>;
 using M = hn::Mask<D>;
+using MI = hn::Mask<DI>;
+
+// Cosines that are less from where something ends are in doubt
+constexpr float unsure_choice = 0x1p-18f;
+// Squares of the length of a mean of normals from here on down
+constexpr float unsure_normal = 0x1p-8f;
+// Cones between whose cosines there is less have an edge that single precision cannot draw
+constexpr float sharp_cone = 0x1p-6f;
 
 HWY_INLINE F set(float x) { return hn::Set(D(), x); }
 HWY_INLINE I whole(std::int32_t x) { return hn::Set(DI(), x); }
@@ -93,16 +101,22 @@ HWY_INLINE F power(F x, float by, int whole_power) {
 
 // --- Light ---------------------------------------------------------------------------------------
 
-// What leaves a surface: scattered light and the highlight
+// What leaves a surface: scattered light and the highlight. Doubtful where single precision might choose
+// otherwise than double does, or loses too much
 struct Light3 {
   Vec3 scattered, highlight;
+  M doubtful;
 };
 
 // The way to a lamp and what of its light arrives
 struct Arriving {
   Vec3 way;
   F share;
+  M doubtful;
 };
+
+HWY_INLINE M never() { return hn::FirstN(D(), 0); }
+HWY_INLINE M near_zero(F x, float limit) { return hn::Lt(hn::Abs(x), set(limit)); }
 
 HWY_INLINE F window_of(const Lamp& lamp, F distance) {
   const F part = hn::Div(distance, set(lamp.range)), square = hn::Mul(part, part);
@@ -110,8 +124,8 @@ HWY_INLINE F window_of(const Lamp& lamp, F distance) {
   return hn::IfThenElseZero(hn::Lt(distance, set(lamp.range)), hn::Mul(left, left));
 }
 
-HWY_INLINE F cone_of(const Lamp& lamp, const Vec3& way) {
-  const F c = hn::Neg(dot(way, set(lamp.front)));
+// c: the cosine to the spot's axis
+HWY_INLINE F cone_of(const Lamp& lamp, F c) {
   // The nearer to the inner cone the more; division by 0 where both cones are one is not asked for
   const F t = hn::IfThenElse(hn::Lt(c, set(lamp.inner)),
                              hn::Div(hn::Sub(c, set(lamp.outer)), set(lamp.inner - lamp.outer)), set(1));
@@ -122,10 +136,11 @@ HWY_INLINE F cone_of(const Lamp& lamp, const Vec3& way) {
 
 HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
   if (lamp.kind == Light::Kind::directional)
-    return {set(lamp.place), set(lamp.constant > 1 ? 1 / lamp.constant : 1.0f)};
+    return {set(lamp.place), set(lamp.constant > 1 ? 1 / lamp.constant : 1.0f), never()};
   const Vec3 to = minus(set(lamp.place), place);
   const F square = dot(to, to), over = over_length(square);
-  Arriving a{scaled(to, over), set(1)};
+  // Beside the lamp the way to it is a difference of numbers that are nearly equal
+  Arriving a{scaled(to, over), set(1), hn::Lt(square, set(lamp.beside))};
   if (lamp.weakens() || lamp.range < std::numeric_limits<float>::infinity()) {
     const F distance = hn::Mul(square, over);
     const F by = hn::Mul(distance, hn::Add(set(lamp.linear), hn::Mul(distance, set(lamp.quadratic))));
@@ -133,7 +148,15 @@ HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
     if (lamp.range < std::numeric_limits<float>::infinity())
       a.share = hn::Mul(a.share, window_of(lamp, distance));
   }
-  if (lamp.kind == Light::Kind::spot) a.share = hn::Mul(a.share, cone_of(lamp, a.way));
+  if (lamp.kind == Light::Kind::spot) {
+    const F c = hn::Neg(dot(a.way, set(lamp.front)));
+    a.share = hn::Mul(a.share, cone_of(lamp, c));
+    if (lamp.inner - lamp.outer < sharp_cone) {
+      const F middle = set((lamp.inner + lamp.outer) / 2), half = set((lamp.inner - lamp.outer) / 2);
+      const M on_edge = hn::Lt(hn::Abs(hn::Sub(c, middle)), hn::Add(half, set(unsure_choice)));
+      a.doubtful = hn::Or(a.doubtful, on_edge);
+    }
+  }
   if (lamp.kind == Light::Kind::area)
     a.share = hn::Mul(a.share, positive(hn::Neg(dot(a.way, set(lamp.front)))));
   return a;
@@ -141,16 +164,20 @@ HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
 
 // Phong's model, as illumination::phong has it
 HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& normal, const Vec3& viewer) {
-  Light3 sum{{zero(), zero(), zero()}, {zero(), zero(), zero()}};
+  Light3 sum{{zero(), zero(), zero()}, {zero(), zero(), zero()}, never()};
   const F nv = dot(normal, viewer);
   for (const Lamp& lamp : group.lamps) {
-    const auto [way, share] = arriving(lamp, place);
+    const auto [way, share, beside] = arriving(lamp, place);
     const F nl = dot(normal, way);
+    sum.doubtful = hn::Or(sum.doubtful, beside);
     sum.scattered = add_scaled(sum.scattered, set(lamp.intensity), hn::Mul(share, positive(nl)));
     if (!group.shines()) continue;
     // R.V, with R = 2 (N.L) N - L
     const F rv = hn::Sub(hn::Mul(hn::Add(nl, nl), nv), dot(way, viewer));
     const M seen = hn::And(hn::Gt(nl, zero()), hn::Gt(rv, zero()));
+    // The highlight ends at the horizon all at once, and steeply where R.V is small and so is its power
+    sum.doubtful = hn::Or(sum.doubtful, near_zero(nl, unsure_choice));
+    if (group.shininess < 1) sum.doubtful = hn::Or(sum.doubtful, near_zero(rv, 0x1p-10f));
     if (hn::AllFalse(D(), seen)) continue;
     const F mirrored = hn::IfThenElseZero(seen, power(rv, group.shininess, group.whole_power));
     sum.highlight = add_scaled(sum.highlight, set(lamp.intensity), hn::Mul(share, mirrored));
@@ -160,13 +187,16 @@ HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& 
   };
   const Vec3 scattered = times(sum.scattered, group.diffuse), even = set(group.even);
   return {{hn::Add(even.x, scattered.x), hn::Add(even.y, scattered.y), hn::Add(even.z, scattered.z)},
-          times(sum.highlight, group.specular)};
+          times(sum.highlight, group.specular),
+          sum.doubtful};
 }
 
 // --- Textures ------------------------------------------------------------------------------------
 
+// Texture coordinates: those of a place nearby, with few digits, and how far it is from there
 struct Uv {
   F u, v;
+  F base_u, base_v;
 };
 
 // The mean of the four texels of a level that lie about (u, v)
@@ -181,17 +211,20 @@ HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
     I first, second;
     F part;
   };
-  const auto axis = [&](F coordinate, I count) {
-    const F size = hn::ConvertTo(d, count), place = hn::Sub(hn::Mul(coordinate, size), set(0.5f)),
-            cell = hn::Floor(place);
+  const auto axis = [&](F base, F way, I count) {
+    const F size = hn::ConvertTo(d, count), there = hn::Sub(hn::Mul(base, size), set(0.5f)),
+            cell_there = hn::Floor(there);
+    // From here on digits count: texels on from that cell
+    const F on = hn::Add(hn::Sub(there, cell_there), hn::Mul(way, size)), cells_on = hn::Floor(on),
+            cell = hn::Add(cell_there, cells_on);
     const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
     // The quotient may have been rounded to the next whole number
     const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
     const I first = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count)),
             next = hn::Add(first, whole(1));
-    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(place, cell)};
+    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(on, cells_on)};
   };
-  const Axis x = axis(at.u, columns), y = axis(at.v, rows);
+  const Axis x = axis(at.base_u, at.u, columns), y = axis(at.base_v, at.v, rows);
   const auto line = [&](I up) {
     const I row = hn::Sub(hn::Sub(rows, whole(1)), up);
     return hn::Add(begin, hn::Mul(row, columns));
@@ -258,7 +291,7 @@ struct OneRecord {
 };
 
 template <class Records>
-HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row) {
+HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
   const F x = hn::Sub(column, records(record::column)), y = hn::Sub(row, records(record::row));
   const auto plane = [&](int place) {
     return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
@@ -268,15 +301,21 @@ HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F colu
   const F w = hn::Div(set(1), plane(record::over_w));
   const Vec3 first = scaled(three(record::values), w), second = three(record::values + 9);
   Light3 light{};
+  light.doubtful = never();
   if (lit_cells.per_pixel) {
     const bool parallel = lit_cells.towards != glm::vec3(0);
     const Vec3 viewer = parallel ? set(lit_cells.towards) : unit(minus(set(glm::vec3(0)), first));
-    light = lit(group, first, unit(second), viewer);
+    const F square = dot(second, second);
+    light = lit(group, first, scaled(second, over_length(square)), viewer);
+    // Normals that nearly cancel out lose digits
+    const M short_normal = hn::Lt(hn::Mul(hn::Mul(w, w), square), set(unsure_normal));
+    light.doubtful = hn::Or(light.doubtful, short_normal);
   } else {
-    light = {first, scaled(second, w)};
+    light = {first, scaled(second, w), never()};
   }
   if (group.texture.levels > 0) {
-    const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w)};
+    const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w),
+                records(record::base), records(record::base + 1)};
     Vec3 texel;
     if (group.texture.levels == 1) {
       texel = bilinear(group.texture, hn::Zero(DI()), at);
@@ -297,17 +336,21 @@ HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F colu
     light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
                        hn::Mul(light.scattered.z, texel.z)};
   }
-  return packed_of({hn::Add(light.scattered.x, light.highlight.x),
-                    hn::Add(light.scattered.y, light.highlight.y),
-                    hn::Add(light.scattered.z, light.highlight.z)});
+  const I packed = packed_of({hn::Add(light.scattered.x, light.highlight.x),
+                              hn::Add(light.scattered.y, light.highlight.y),
+                              hn::Add(light.scattered.z, light.highlight.z)});
+  const auto doubtful = hn::RebindMask(DI(), light.doubtful);
+  any_doubtful = hn::Or(any_doubtful, doubtful);
+  return hn::IfThenZeroElse(doubtful, packed);
 }
 
-void light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, const std::int32_t* slots,
+bool light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, const std::int32_t* slots,
                       std::size_t count, std::uint32_t* colours) {
   const DI di;
   const D d;
   const float* const all = lit_cells.records->data();
   alignas(64) std::int32_t done[hn::MaxLanes(D())];
+  MI doubtful = hn::FirstN(di, 0);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const I cell = hn::LoadU(di, cells + i);
     // Where the cell stands: see TileBuffer::cell
@@ -316,16 +359,19 @@ void light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, cons
     const I y =
         hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<4>(block)), hn::And(hn::ShiftRight<2>(cell), whole(3)));
     const OwnRecords records{all, hn::Mul(hn::LoadU(di, slots + i), whole(record::size))};
-    hn::Store(colour_of(lit_cells, records, hn::ConvertTo(d, x), hn::ConvertTo(d, y)), di, done);
+    hn::Store(colour_of(lit_cells, records, hn::ConvertTo(d, x), hn::ConvertTo(d, y), doubtful), di, done);
     for (std::size_t k = 0; k < hn::Lanes(d); ++k)
       colours[cells[i + k]] = static_cast<std::uint32_t>(done[k]);
   }
+  return !hn::AllFalse(di, doubtful);
 }
 
-void light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, const std::int32_t* slots,
+bool light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, const std::int32_t* slots,
                        std::size_t count, std::uint32_t* colours) {
   const D d;
   const DI di;
+  const hn::RebindToUnsigned<DI> du;
+  MI doubtful = hn::FirstN(di, 0);
   alignas(64) static constexpr float across[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
   alignas(64) static constexpr float down[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
   for (std::size_t i = 0; i < count; ++i) {
@@ -335,11 +381,11 @@ void light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, co
                row = static_cast<float>(block / blocks_across * block_side);
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(d)) {
       const F x = hn::Add(set(column), hn::Load(d, across + k)), y = hn::Add(set(row), hn::Load(d, down + k));
-      hn::StoreU(hn::BitCast(hn::RebindToUnsigned<DI>(), colour_of(lit_cells, records, x, y)),
-                 hn::RebindToUnsigned<DI>(), colours + block * block_cells + k);
+      hn::StoreU(hn::BitCast(du, colour_of(lit_cells, records, x, y, doubtful)), du,
+                 colours + block * block_cells + k);
     }
   }
-  (void)di;
+  return !hn::AllFalse(di, doubtful);
 }
 
 void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, const float* places,
@@ -351,7 +397,7 @@ void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, con
       return Vec3{hn::LoadU(d, from + i), hn::LoadU(d, from + count + i), hn::LoadU(d, from + 2 * count + i)};
     };
     const Vec3 place = load(places), viewer = parallel ? set(towards) : unit(minus(set(glm::vec3(0)), place));
-    const auto [scattered, highlight] = lit(group, place, load(normals), viewer);
+    const auto [scattered, highlight, doubtful] = lit(group, place, load(normals), viewer);
     const auto store = [&](const Vec3& v, float* to) {
       hn::StoreU(v.x, d, to + i);
       hn::StoreU(v.y, d, to + count + i);
@@ -359,6 +405,7 @@ void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, con
     };
     store(scattered, light);
     store(highlight, light + 3 * count);
+    hn::StoreU(hn::IfThenElseZero(doubtful, set(1)), d, light + 6 * count + i);
   }
 }
 
@@ -371,14 +418,14 @@ HWY_EXPORT(light_some_cells);
 HWY_EXPORT(light_some_blocks);
 HWY_EXPORT(light_some_corners);
 
-void light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
+bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
                  std::span<const std::int32_t> slots, std::uint32_t* colours) {
-  HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
+  return HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
 }
 
-void light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
+bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
                   std::span<const std::int32_t> slots, std::uint32_t* colours) {
-  HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(), colours);
+  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(), colours);
 }
 
 void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {

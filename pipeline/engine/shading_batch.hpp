@@ -19,21 +19,23 @@ struct LitCells {
 /// Colours of cells, each with its own record.
 ///
 /// cells, slots: as long; a multiple of 16. colours: of all cells of the tile; gets 8-bit sRGB, red in the
-///   lowest byte.
+///   lowest byte, or 0 for those in doubt, which the textbook's arithmetic must light: where a highlight or
+///   a spot ends at once, beside a lamp, and where normals nearly cancel out.
 ///
+/// Returns whether some are in doubt.
 /// Accuracy: the nearest byte or one beside it where single precision suits; the same on every machine.
 /// Cost: 10 nanoseconds a pixel and lamp with 16 lanes.
-void light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
+bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
                  std::span<const std::int32_t> slots, std::uint32_t* colours);
 /// The same of whole blocks of 4 x 4 cells, each with one record.
 /// blocks: numbers of blocks. Cost: 4 nanoseconds a pixel and lamp.
-void light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
+bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
                   std::span<const std::int32_t> slots, std::uint32_t* colours);
 
 /// A corner that is lit, and its light: scattered light of three colours, then the highlight's.
 struct LitCorners {
   std::span<const float> places, normals;  ///< three numbers each, x of all, then y of all, then z of all
-  std::span<float> light;                  ///< six numbers each, in the same way
+  std::span<float> light;  ///< six numbers each, in the same way, then 1 where they are in doubt, else 0
 };
 
 /// Lights corners. Domain: a multiple of 16 of them. Accuracy, cost: as light_cells.

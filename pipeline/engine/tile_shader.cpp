@@ -15,15 +15,10 @@ void fill_up(std::vector<T>& list) {
   while (list.size() % full != 0) list.push_back(list.back());
 }
 
-/// Texture coordinates with a whole number taken off, the same of all corners, and how far they go then.
-double brought_near(std::array<dvec2, 3>& uv) {
-  const dvec2 off{std::floor(uv[0].x), std::floor(uv[0].y)};
-  double farthest = 0;
-  for (dvec2& at : uv) {
-    at -= off;
-    farthest = std::max({farthest, std::abs(at.x), std::abs(at.y)});
-  }
-  return farthest;
+/// A number of few binary digits from 0 to 1, at or below the part of x behind the point.
+double rounded_part(double x, std::int32_t texels) {
+  const double part = x - std::floor(x), digits = 0x1p23 / std::bit_ceil(static_cast<unsigned>(texels));
+  return std::floor(part * digits) / digits;
 }
 
 }  // namespace
@@ -52,14 +47,35 @@ std::int32_t TileShader::slot_of(std::int32_t id) {
   return table_[at];
 }
 
+/// Writes what is linear on the texture. Returns whether single precision will do.
+bool TileShader::describe_texture(const TextureLevels& texture, const SeenCorners& corners,
+                                  const PlaneMaker& planes, TriangleRecord& record) const {
+  const dvec3& q = corners.over_w;
+  const ivec2 texels{texture.columns[0], texture.rows[0]};
+  double farthest = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto& [a, b, c] = corners.texture;
+    dvec3 at{a[axis], b[axis], c[axis]};
+    const double here = planes.there(q * at) / planes.there(q), base = rounded_part(here, texels[axis]);
+    at -= std::floor(here) + base;
+    record[static_cast<std::size_t>(record::base + axis)] = static_cast<float>(base);
+    planes.put(q * at, &record[static_cast<std::size_t>(record::texture + 3 * axis)]);
+    farthest = std::max({farthest, std::abs(at.x) * texels[axis], std::abs(at.y) * texels[axis],
+                         std::abs(at.z) * texels[axis]});
+  }
+  // Where there are levels, texels are as large as pixels, and so there are few of them in a tile
+  return texture.levels > 1 || farthest <= 1024;
+}
+
 /// Returns whether single precision will do.
-bool TileShader::describe(Seen& seen, ivec2 origin, TriangleRecord& record) {
-  const PlaneMaker& planes = makers_.emplace_back(shading_.frame().triangle(seen.id).grid, origin);
+bool TileShader::describe(const Seen& seen, const Window& pixels, TriangleRecord& record) {
+  const auto& grid = shading_.frame().triangle(seen.id).grid;
   SeenCorners& corners = corners_.emplace_back(shading_.corners_of(seen.id));
   corners.over_w /= std::max({corners.over_w.x, corners.over_w.y, corners.over_w.z});
   const dvec3& q = corners.over_w;
-  record[record::column] = static_cast<float>(planes.pixel().x - origin.x);
-  record[record::row] = static_cast<float>(planes.pixel().y - origin.y);
+  const PlaneMaker& planes = makers_.emplace_back(grid, triangle_coverage::centres(grid, pixels), q);
+  record[record::column] = static_cast<float>(planes.pixel().x - pixels.lower.x);
+  record[record::row] = static_cast<float>(planes.pixel().y - pixels.lower.y);
   planes.put(q, &record[record::over_w]);
   const auto& [a, b, c] = corners.places;
   if (shading_.scene().shading == Shading::phong) {
@@ -71,22 +87,18 @@ bool TileShader::describe(Seen& seen, ivec2 origin, TriangleRecord& record) {
     }
   }
   const TextureLevels& texture = shading_.groups()[static_cast<std::size_t>(seen.group)].texture;
-  if (texture.levels == 0) return true;
-  const double farthest = brought_near(corners.texture);
-  const auto& [r, s, t] = corners.texture;
-  planes.put(q * dvec3{r.x, s.x, t.x}, &record[record::texture]);
-  planes.put(q * dvec3{r.y, s.y, t.y}, &record[record::texture + 3]);
-  return farthest * std::max(texture.columns[0], texture.rows[0]) <= 8192;
+  const bool texture_will_do = texture.levels == 0 || describe_texture(texture, corners, planes, record);
+  return texture_will_do && !planes.is_thin();
 }
 
-void TileShader::describe_all(ivec2 origin) {
+void TileShader::describe_all(const Window& pixels) {
   records_.resize(seen_.size());
   corners_.clear();
   makers_.clear();
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     Seen& seen = seen_[i];
     seen.group = shading_.group_of(seen.id);
-    seen.careful = !describe(seen, origin, records_[i]);
+    seen.careful = !describe(seen, pixels, records_[i]);
     std::int32_t& share = share_of_group_[static_cast<std::size_t>(seen.group)];
     if (share < 0) {
       share = static_cast<std::int32_t>(groups_here_.size());
@@ -103,7 +115,7 @@ void TileShader::light_corners_of(Share& share, const ShadingGroup& group) {
   const std::size_t corners = 3 * share.slots.size(), count = (corners + full - 1) / full * full;
   places_.assign(3 * count, 1);
   normals_.assign(3 * count, 0);
-  light_.resize(6 * count);
+  light_.resize(7 * count);
   for (std::size_t i = 0; i < corners; ++i) {
     const SeenCorners& of = corners_[static_cast<std::size_t>(share.slots[i / 3])];
     for (int axis = 0; axis < 3; ++axis) {
@@ -115,6 +127,8 @@ void TileShader::light_corners_of(Share& share, const ShadingGroup& group) {
   light_corners(group, shading_.towards(), {places_, normals_, light_});
   for (std::size_t i = 0; i < share.slots.size(); ++i) {
     const auto slot = static_cast<std::size_t>(share.slots[i]);
+    const float* const doubts = &light_[6 * count + 3 * i];
+    seen_[slot].careful |= doubts[0] + doubts[1] + doubts[2] > 0;
     for (std::size_t value = 0; value < 6; ++value) {
       const float* const at = &light_[value * count + 3 * i];
       makers_[slot].put(corners_[slot].over_w * dvec3{at[0], at[1], at[2]},
@@ -136,14 +150,38 @@ void TileShader::put_light_of_faces() {
   }
 }
 
+void TileShader::light_all_corners() {
+  for (const std::int32_t number : groups_here_)
+    light_corners_of(share_of(number), shading_.groups()[static_cast<std::size_t>(number)]);
+}
+
+/// Adds to the pixels that are done with care those that batches left in doubt.
+void TileShader::take_doubtful() {
+  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell) {
+    if (slots_[cell] < 0 || colours_[cell] != 0) continue;
+    careful_cells_.push_back(static_cast<std::int32_t>(cell));
+    careful_slots_.push_back(slots_[cell]);
+  }
+}
+
+/// By the textbook's arithmetic.
+void TileShader::colour_carefully(ivec2 origin) {
+  for (std::size_t i = 0; i < careful_cells_.size(); ++i) {
+    const std::int32_t cell = careful_cells_[i], block = cell / block_cells, in_block = cell % block_cells;
+    const ivec2 at{block % blocks_across * block_side + in_block % block_side,
+                   block / blocks_across * block_side + in_block / block_side};
+    const std::int32_t id = seen_[static_cast<std::size_t>(careful_slots_[i])].id;
+    colours_[static_cast<std::size_t>(cell)] = packed(surfaces_.colour(id, origin + at));
+  }
+}
+
 /// Sorts pixels by their groups, whole blocks of one triangle apart.
-void TileShader::sort(const TileBuffer&) {
+void TileShader::sort() {
   careful_cells_.clear();
   careful_slots_.clear();
   constexpr auto blocks = static_cast<std::int32_t>(TileBuffer::cells / block_cells);
-  const auto share_of = [&](std::int32_t slot) -> Share& {
-    const Seen& seen = seen_[static_cast<std::size_t>(slot)];
-    return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(seen.group)])];
+  const auto share_for = [&](std::int32_t slot) -> Share& {
+    return share_of(seen_[static_cast<std::size_t>(slot)].group);
   };
   for (std::int32_t block = 0; block < blocks; ++block) {
     const auto own = std::span(slots_).subspan(static_cast<std::size_t>(block) * full, full);
@@ -151,7 +189,7 @@ void TileShader::sort(const TileBuffer&) {
     const bool one = std::ranges::all_of(own, [&](std::int32_t slot) { return slot == first; });
     if (one && first < 0) continue;
     if (one && !seen_[static_cast<std::size_t>(first)].careful) {
-      Share& share = share_of(first);
+      Share& share = share_for(first);
       share.blocks.push_back(block);
       share.block_slots.push_back(first);
       continue;
@@ -160,7 +198,7 @@ void TileShader::sort(const TileBuffer&) {
       if (own[i] < 0) continue;
       const std::int32_t cell = block * block_cells + static_cast<std::int32_t>(i);
       const bool careful = seen_[static_cast<std::size_t>(own[i])].careful;
-      Share& share = share_of(own[i]);
+      Share& share = share_for(own[i]);
       (careful ? careful_cells_ : share.cells).push_back(cell);
       (careful ? careful_slots_ : share.cell_slots).push_back(own[i]);
     }
@@ -213,30 +251,26 @@ std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, 
   }
   colours_.fill(background_);
   if (covered > 0) {
-    describe_all(pixels.lower);
+    describe_all(pixels);
     const Shading how = shading_.scene().shading;
     if (how == Shading::flat) put_light_of_faces();
-    sort(buffer);
+    if (how == Shading::gouraud) light_all_corners();
+    sort();
+    bool some_in_doubt = false;
     for (const std::int32_t number : groups_here_) {
       const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
-      Share& share = shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(number)])];
+      Share& share = share_of(number);
       count_light(share, group);
-      if (how == Shading::gouraud) light_corners_of(share, group);
       const LitCells lit{&group, records_.data(), how == Shading::phong, shading_.towards()};
-      light_blocks(lit, share.blocks, share.block_slots, colours_.data());
+      some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, colours_.data());
       fill_up(share.cells);
       fill_up(share.cell_slots);
-      light_cells(lit, share.cells, share.cell_slots, colours_.data());
+      some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());
     }
     for (const std::int32_t number : groups_here_) share_of_group_[static_cast<std::size_t>(number)] = -1;
     groups_here_.clear();
-    for (std::size_t i = 0; i < careful_cells_.size(); ++i) {
-      const std::int32_t cell = careful_cells_[i], block = cell / block_cells, in_block = cell % block_cells;
-      const ivec2 at{block % blocks_across * block_side + in_block % block_side,
-                     block / blocks_across * block_side + in_block / block_side};
-      const std::int32_t id = seen_[static_cast<std::size_t>(careful_slots_[i])].id;
-      colours_[static_cast<std::size_t>(cell)] = packed(surfaces_.colour(id, pixels.lower + at));
-    }
+    if (some_in_doubt) take_doubtful();
+    colour_carefully(pixels.lower);
   }
   write(pixels, image);
   return covered;

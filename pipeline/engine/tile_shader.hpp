@@ -39,11 +39,19 @@ class TileShader {
   };
 
   std::int32_t slot_of(std::int32_t id);
-  void describe_all(ivec2 origin);
-  bool describe(Seen& seen, ivec2 origin, TriangleRecord& record);
+  Share& share_of(std::int32_t group) {
+    return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
+  }
+  void describe_all(const Window& pixels);
+  bool describe(const Seen& seen, const Window& pixels, TriangleRecord& record);
+  bool describe_texture(const TextureLevels& texture, const SeenCorners& corners, const PlaneMaker& planes,
+                        TriangleRecord& record) const;
+  void light_all_corners();
   void light_corners_of(Share& share, const ShadingGroup& group);
   void put_light_of_faces();
-  void sort(const TileBuffer& buffer);
+  void sort();
+  void take_doubtful();
+  void colour_carefully(ivec2 origin);
   void count_light(const Share& share, const ShadingGroup& group);
   void write(const Window& pixels, Image& image) const;
 
