@@ -15,16 +15,19 @@
 
 namespace gradus::pipeline::engine {
 
-/// A piece of a face, and which of its face's corners it has.
+/// A piece of a face, which of its face's corners it has, and what shading asks for, side by side.
 struct MeshPiece {
-  std::int32_t face = 0, piece = 0;
-  std::array<std::int32_t, 3> corners{};
+  std::int32_t face = 0, piece = 0, material = 0;
+  std::array<std::int32_t, 3> corners{};  ///< counted from the face's first
+  std::array<std::int32_t, 3> normals{};  ///< of the mesh; -1 - i: the i-th of MeshPieces::flat_normals
+  std::array<std::int32_t, 3> textures{};
 };
 
 /// The pieces of a mesh, in the order of stage 1.
 struct MeshPieces {
   std::vector<PieceVertices> vertices;
   std::vector<MeshPiece> of_faces;
+  std::vector<dvec3> flat_normals{};  ///< of faces with corners that have none
 
   std::int64_t count() const { return std::ssize(vertices); }
 };
@@ -39,7 +42,7 @@ struct Buffers {
 ///
 /// Domain: coordinates are finite.
 /// Accuracy: the pieces of `input`, in its order.
-/// Cost: ear clipping for faces of more than 3 corners; memory of 32 bytes a piece of a mesh, 16 bytes a
+/// Cost: ear clipping for faces of more than 3 corners; memory of 60 bytes a piece of a mesh, 16 bytes a
 /// texel. Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
 Buffers buffers_of(const Scene& scene);
 

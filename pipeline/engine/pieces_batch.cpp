@@ -39,15 +39,53 @@ HWY_INLINE M all_small(V a, V b, V c, V e) {
   return hn::Lt(sizes, set(1 << 15));
 }
 
-// Whether pixels of the window lie in the range of one axis
-HWY_INLINE M meets(V a, V b, V c, int lower, int upper, int margin) {
+// Pixels of the window in the range of one axis, from the first to the last
+struct Range {
+  V from, to;
+};
+HWY_INLINE Range range_of(V a, V b, V c, int lower, int upper, int margin) {
   const V least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
-  // From the first centre, or pixel, in the range to the last
+  // By their centres, or by where they begin and end
   const int centre = margin == 0 ? 128 : 0;
   const V first = hn::ShiftRight<8>(hn::Add(least, set(centre > 0 ? centre - 1 : -256 * margin))),
           last = hn::ShiftRight<8>(hn::Add(most, set(centre > 0 ? -centre : 256 * margin)));
-  const V from = hn::Max(first, set(lower)), to = hn::Min(last, set(upper));
-  return hn::Not(hn::Gt(from, to));
+  return {hn::Max(first, set(lower)), hn::Min(last, set(upper))};
+}
+HWY_INLINE M is_empty(const Range& range) { return hn::Gt(range.from, range.to); }
+HWY_INLINE M is_short(const Range& range) { return hn::Lt(hn::Sub(range.to, range.from), set(2)); }
+
+// A side of a triangle, with the inside on its positive side: triangle_coverage::Edge
+struct Edge {
+  Places from;
+  V dx, dy, least;  // least: what a place that belongs has
+};
+HWY_INLINE Edge edge_of(const Places& a, const Places& b, M turned) {
+  const auto along = [&](V p, V q) {
+    const V way = hn::Sub(q, p);
+    return hn::IfThenElse(turned, hn::Neg(way), way);
+  };
+  const V dx = along(a.x, b.x), dy = along(a.y, b.y), none = hn::Zero(D());
+  const M owns = hn::Or(hn::Lt(dy, none), hn::And(hn::Eq(dy, none), hn::Gt(dx, none)));
+  return {a, dx, dy, hn::IfThenElse(owns, none, set(1))};
+}
+HWY_INLINE M belongs(const Edge& edge, V x, V y) {
+  const V at = hn::Sub(hn::Mul(edge.dx, hn::Sub(y, edge.from.y)), hn::Mul(edge.dy, hn::Sub(x, edge.from.x)));
+  return hn::Not(hn::Lt(at, edge.least));
+}
+
+// Whether a triangle covers one of the four centres at the ends of two ranges. Exact for triangles of less
+// than 128 pixels, where the centres lie in their boxes
+HWY_INLINE M covers_one(const Places& a, const Places& b, const Places& c, V area, const Range& columns,
+                        const Range& rows) {
+  const M turned = hn::Lt(area, hn::Zero(D()));
+  const Edge ab = edge_of(a, b, turned), bc = edge_of(b, c, turned), ca = edge_of(c, a, turned);
+  const auto centre = [](V pixel) { return hn::Add(hn::ShiftLeft<8>(pixel), set(128)); };
+  const V left = centre(columns.from), right = centre(columns.to), up = centre(rows.from),
+          down = centre(rows.to);
+  const auto covers = [&](V x, V y) {
+    return hn::And(hn::And(belongs(ab, x, y), belongs(bc, x, y)), belongs(ca, x, y));
+  };
+  return hn::Or(hn::Or(covers(left, up), covers(right, up)), hn::Or(covers(left, down), covers(right, down)));
 }
 
 PieceCount choose_all(const PieceChoice& choice, const PieceVertices* pieces, std::size_t count,
@@ -87,8 +125,14 @@ PieceCount choose_all(const PieceChoice& choice, const PieceVertices* pieces, st
     const M behind = hn::And(small, hn::Gt(area, slack));
     const M front = hn::And(small, hn::Lt(area, hn::Neg(slack)));
     const M without_area = hn::And(small, hn::Eq(area, set(0)));
-    const M asked = hn::Or(some_out, hn::And(meets(a.x, b.x, c.x, window.lower.x, window.upper.x, margin),
-                                             meets(a.y, b.y, c.y, window.lower.y, window.upper.y, margin)));
+    const Range columns = range_of(a.x, b.x, c.x, window.lower.x, window.upper.x, margin),
+                rows = range_of(a.y, b.y, c.y, window.lower.y, window.upper.y, margin);
+    M asked = hn::Not(hn::Or(is_empty(columns), is_empty(rows)));
+    if (margin == 0) {
+      const M few = hn::And(small, hn::And(is_short(columns), is_short(rows)));
+      asked = hn::AndNot(hn::AndNot(covers_one(a, b, c, area, columns, rows), few), asked);
+    }
+    asked = hn::Or(some_out, asked);
     const M cut_away = hn::And(there, all_out);
     const M in_view = hn::AndNot(all_out, there);
     const M turned = two_sided ? hn::AndNot(behind, behind) : hn::And(in_view, behind);

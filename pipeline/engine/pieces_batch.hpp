@@ -48,7 +48,8 @@ struct PieceCount {
   }
 };
 
-/// Leaves out pieces that are turned away, and pieces that no pixel of the window asks for.
+/// Leaves out pieces that are turned away, and pieces that no pixel of the window asks for: of those whose
+/// box holds up to 2 x 2 centres all that cover none.
 ///
 /// pieces: of an object. grid: its vertices in the picture (place_vertices). first: the number of the first
 ///   of the pieces. left: gets those that are left, in their order; as long as pieces.

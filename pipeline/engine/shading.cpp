@@ -150,10 +150,11 @@ std::int32_t FrameShading::group_for(const Material& material, const std::vector
 std::int32_t FrameShading::group_of(std::int32_t id) const {
   const FrameTriangle& t = frame_.triangle(id);
   const FrameObject& object = frame_.object_of(t);
-  const Mesh& mesh = *object_at(scene_, object.number).mesh;
-  const int face = t.cut ? frame_.cut_triangle(id).id.face
-                         : object.pieces->of_faces[static_cast<std::size_t>(t.piece)].face;
-  const int material = mesh.faces[static_cast<std::size_t>(face)].material;
+  const auto of_cut = [&] {
+    const Mesh& mesh = *object_at(scene_, object.number).mesh;
+    return mesh.faces[static_cast<std::size_t>(frame_.cut_triangle(id).id.face)].material;
+  };
+  const int material = t.cut ? of_cut() : object.pieces->of_faces[static_cast<std::size_t>(t.piece)].material;
   return group_[static_cast<std::size_t>(first_[static_cast<std::size_t>(t.object)] + material)];
 }
 
@@ -166,17 +167,18 @@ SeenCorners FrameShading::corners_of(std::int32_t id) const {
   const Mesh& mesh = *placed.mesh;
   const auto piece = static_cast<std::size_t>(t.piece);
   const MeshPiece& of_face = object.pieces->of_faces[piece];
-  const MeshFace& face = mesh.faces[static_cast<std::size_t>(of_face.face)];
   SeenCorners corners;
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k), from = object.mirrored && k > 0 ? 3 - at : at;
     const auto vertex = static_cast<std::size_t>(object.pieces->vertices[piece][from]);
+    const std::int32_t own = of_face.normals[from], texture = of_face.textures[from];
     const dvec3 world = affine_3d::transform(placed.placement, mesh.positions[vertex]);
-    const PieceCorner corner = corner_of(mesh, face, of_face.corners[from], 0);
-    const dvec3 normal = quick_unit(object.normal_matrix * corner.normal);
+    const dvec3 normal = quick_unit(object.normal_matrix *
+                                    (own < 0 ? object.pieces->flat_normals[static_cast<std::size_t>(-1 - own)]
+                                             : mesh.normals[static_cast<std::size_t>(own)]));
     corners.places[at] = world - eye;
     corners.normals[at] = t.seen_from_behind ? -normal : normal;
-    corners.texture[at] = corner.texture;
+    if (texture >= 0) corners.texture[at] = mesh.textures[static_cast<std::size_t>(texture)];
     if (!scene_.camera.rays)
       corners.over_w[k] = 1 / glm::dot(scene_.camera.frame.forward, corners.places[at]);
   }

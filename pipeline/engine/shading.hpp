@@ -62,7 +62,7 @@ using TriangleRecord = std::array<float, record::size>;
 /// The corners of a triangle that is seen.
 struct SeenCorners {
   std::array<dvec3, 3> places, normals;  ///< counted from the eye; of length 1 or 0, on the viewer's side
-  std::array<dvec2, 3> texture;
+  std::array<dvec2, 3> texture{};
   dvec3 over_w{1};  ///< 1 / w, up to a factor
 };
 
@@ -70,17 +70,15 @@ struct SeenCorners {
 class PlaneMaker {
  public:
   /// box: pixels that are asked for; not empty. over_w: of the corners. Planes count from the pixel in a
-  /// corner of the box that is nearest to the viewer: from there on what is linear on the surface changes ever
-  /// faster, so that single precision has the digits it needs everywhere.
+  /// corner of the box that is nearest to the viewer: from there on what is linear on the surface changes
+  /// ever faster, so that single precision has the digits it needs everywhere.
   PlaneMaker(const triangle_coverage::Triangle& grid, const Window& box, const dvec3& over_w);
 
   ivec2 pixel() const { return pixel_; }
   /// Writes the plane of a value that is linear in the picture. at: of the corners.
   void put(const dvec3& at, float* into) const;
   /// Its value at pixel().
-  double there(const dvec3& at) const {
-    return at.x + (at.y - at.x) * there_[0] + (at.z - at.x) * there_[1];
-  }
+  double there(const dvec3& at) const { return at.x + (at.y - at.x) * there_[0] + (at.z - at.x) * there_[1]; }
   /// Whether the triangle is so thin that planes lose digits.
   bool is_thin() const { return thin_; }
 

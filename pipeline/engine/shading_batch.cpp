@@ -336,9 +336,9 @@ HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F colu
     light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
                        hn::Mul(light.scattered.z, texel.z)};
   }
-  const I packed = packed_of({hn::Add(light.scattered.x, light.highlight.x),
-                              hn::Add(light.scattered.y, light.highlight.y),
-                              hn::Add(light.scattered.z, light.highlight.z)});
+  const I packed =
+      packed_of({hn::Add(light.scattered.x, light.highlight.x), hn::Add(light.scattered.y, light.highlight.y),
+                 hn::Add(light.scattered.z, light.highlight.z)});
   const auto doubtful = hn::RebindMask(DI(), light.doubtful);
   any_doubtful = hn::Or(any_doubtful, doubtful);
   return hn::IfThenZeroElse(doubtful, packed);
@@ -367,7 +367,7 @@ bool light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, cons
 }
 
 bool light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, const std::int32_t* slots,
-                       std::size_t count, std::uint32_t* colours) {
+                       std::size_t count, const std::int32_t* slots_of_cells, std::uint32_t* colours) {
   const D d;
   const DI di;
   const hn::RebindToUnsigned<DI> du;
@@ -381,8 +381,13 @@ bool light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, co
                row = static_cast<float>(block / blocks_across * block_side);
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(d)) {
       const F x = hn::Add(set(column), hn::Load(d, across + k)), y = hn::Add(set(row), hn::Load(d, down + k));
-      hn::StoreU(hn::BitCast(du, colour_of(lit_cells, records, x, y, doubtful)), du,
-                 colours + block * block_cells + k);
+      const std::size_t cell = static_cast<std::size_t>(block * block_cells) + k;
+      const auto own = hn::Eq(hn::Load(di, slots_of_cells + cell), whole(slots[i]));
+      if (hn::AllFalse(di, own)) continue;
+      MI in_doubt = hn::FirstN(di, 0);
+      const I colour = colour_of(lit_cells, records, x, y, in_doubt);
+      hn::BlendedStore(hn::BitCast(du, colour), hn::RebindMask(du, own), du, colours + cell);
+      doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
     }
   }
   return !hn::AllFalse(di, doubtful);
@@ -424,8 +429,10 @@ bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
 }
 
 bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
-                  std::span<const std::int32_t> slots, std::uint32_t* colours) {
-  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(), colours);
+                  std::span<const std::int32_t> slots, const std::int32_t* slots_of_cells,
+                  std::uint32_t* colours) {
+  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(),
+                                                 slots_of_cells, colours);
 }
 
 void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {

@@ -32,6 +32,7 @@ TileShader::TileShader(const FrameShading& shading)
 
 void TileShader::Share::clear() {
   for (auto* list : {&cells, &cell_slots, &blocks, &block_slots, &slots}) list->clear();
+  pixels = 0;
 }
 
 /// The place of a triangle among those that are seen.
@@ -42,7 +43,7 @@ std::int32_t TileShader::slot_of(std::int32_t id) {
   while (table_[at] >= 0 && seen_[static_cast<std::size_t>(table_[at])].id != id) at = (at + 1) & mask;
   if (table_[at] < 0) {
     table_[at] = static_cast<std::int32_t>(seen_.size());
-    seen_.push_back({id, 0, false});
+    seen_.push_back({id, 0, 0, false});
   }
   return table_[at];
 }
@@ -107,6 +108,7 @@ void TileShader::describe_all(const Window& pixels) {
       shares_[static_cast<std::size_t>(share)].clear();
     }
     shares_[static_cast<std::size_t>(share)].slots.push_back(static_cast<std::int32_t>(i));
+    shares_[static_cast<std::size_t>(share)].pixels += seen.pixels;
   }
 }
 
@@ -175,39 +177,61 @@ void TileShader::colour_carefully(ivec2 origin) {
   }
 }
 
-/// Sorts pixels by their groups, whole blocks of one triangle apart.
+/// The different slots of a block, and how many they are, if at most so many; else 0.
+template <std::size_t most>
+std::size_t different(std::span<const std::int32_t> slots, std::array<std::int32_t, most>& found) {
+  std::size_t count = 0;
+  for (const std::int32_t slot : slots) {
+    if (slot < 0 || std::ranges::find(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+                                      slot) != found.begin() + static_cast<std::ptrdiff_t>(count))
+      continue;
+    if (count == most) return 0;
+    found[count++] = slot;
+  }
+  return count;
+}
+
+/// Sorts pixels by their groups; blocks that show few triangles apart.
 void TileShader::sort() {
   careful_cells_.clear();
   careful_slots_.clear();
-  constexpr auto blocks = static_cast<std::int32_t>(TileBuffer::cells / block_cells);
-  const auto share_for = [&](std::int32_t slot) -> Share& {
-    return share_of(seen_[static_cast<std::size_t>(slot)].group);
-  };
-  for (std::int32_t block = 0; block < blocks; ++block) {
+  for (const auto& [block, slot] : blocks_of_one_) add_block(block, slot);
+  for (const std::int32_t block : mixed_blocks_) {
     const auto own = std::span(slots_).subspan(static_cast<std::size_t>(block) * full, full);
-    const std::int32_t first = own[0];
-    const bool one = std::ranges::all_of(own, [&](std::int32_t slot) { return slot == first; });
-    if (one && first < 0) continue;
-    if (one && !seen_[static_cast<std::size_t>(first)].careful) {
-      Share& share = share_for(first);
-      share.blocks.push_back(block);
-      share.block_slots.push_back(first);
+    std::array<std::int32_t, 3> slots;
+    if (const std::size_t few = different(own, slots); few > 0) {
+      for (std::size_t i = 0; i < few; ++i) add_block(block, slots[i]);
       continue;
     }
-    for (std::size_t i = 0; i < full; ++i) {
-      if (own[i] < 0) continue;
-      const std::int32_t cell = block * block_cells + static_cast<std::int32_t>(i);
-      const bool careful = seen_[static_cast<std::size_t>(own[i])].careful;
-      Share& share = share_for(own[i]);
-      (careful ? careful_cells_ : share.cells).push_back(cell);
-      (careful ? careful_slots_ : share.cell_slots).push_back(own[i]);
-    }
+    for (std::size_t i = 0; i < full; ++i)
+      if (own[i] >= 0) add_cell(block * block_cells + static_cast<std::int32_t>(i), own[i]);
   }
+}
+
+void TileShader::add_cell(std::int32_t cell, std::int32_t slot) {
+  const Seen& seen = seen_[static_cast<std::size_t>(slot)];
+  Share& share = share_of(seen.group);
+  share.pixels -= seen.careful;  // the textbook's arithmetic counts its own
+  (seen.careful ? careful_cells_ : share.cells).push_back(cell);
+  (seen.careful ? careful_slots_ : share.cell_slots).push_back(slot);
+}
+
+void TileShader::add_block(std::int32_t block, std::int32_t slot) {
+  const Seen& seen = seen_[static_cast<std::size_t>(slot)];
+  if (!seen.careful) {
+    Share& share = share_of(seen.group);
+    share.blocks.push_back(block);
+    share.block_slots.push_back(slot);
+    return;
+  }
+  const std::int32_t first = block * block_cells;
+  for (std::int32_t cell = first; cell < first + block_cells; ++cell)
+    if (slots_[static_cast<std::size_t>(cell)] == slot) add_cell(cell, slot);
 }
 
 /// Counts what lights the pixels of a group. Flat light is counted where it is made.
 void TileShader::count_light(const Share& share, const ShadingGroup& group) {
-  const auto pixels = static_cast<std::int64_t>(share.cells.size() + full * share.blocks.size());
+  const std::int64_t pixels = share.pixels;
   count_.places += pixels;
   count_.places_without_texture += group.texture.levels == 0 ? pixels : 0;
   const Shading how = shading_.scene().shading;
@@ -238,17 +262,44 @@ void TileShader::write(const Window& pixels, Image& image) const {
   }
 }
 
+/// Numbers the triangles that are seen, and tells which blocks show one alone. Returns the pixels that show
+/// some.
+std::int64_t TileShader::find_seen(const TileBuffer& buffer) {
+  blocks_of_one_.clear();
+  mixed_blocks_.clear();
+  std::int64_t covered = 0;
+  std::int32_t last_id = no_triangle, last_slot = -1;
+  const auto see = [&](std::int32_t id, std::int64_t pixels) {
+    if (id != last_id) last_id = id, last_slot = id == no_triangle ? -1 : slot_of(id);
+    if (last_slot < 0) return;
+    covered += pixels;
+    seen_[static_cast<std::size_t>(last_slot)].pixels += static_cast<std::int32_t>(pixels);
+  };
+  constexpr auto blocks = static_cast<std::int32_t>(TileBuffer::cells / full);
+  for (std::int32_t block = 0; block < blocks; ++block) {
+    const auto first = static_cast<std::size_t>(block) * full;
+    const std::int32_t* const ids = &buffer.ids[first];
+    std::int32_t differ = 0;
+    for (std::size_t i = 1; i < full; ++i) differ |= ids[i] ^ ids[0];
+    if (differ == 0) {
+      see(ids[0], full);
+      std::fill_n(&slots_[first], full, last_slot);
+      if (last_slot >= 0) blocks_of_one_.emplace_back(block, last_slot);
+      continue;
+    }
+    mixed_blocks_.push_back(block);
+    for (std::size_t i = 0; i < full; ++i) {
+      see(ids[i], 1);
+      slots_[first + i] = last_slot;
+    }
+  }
+  return covered;
+}
+
 std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, Image& image) {
   std::ranges::fill(table_, -1);
   seen_.clear();
-  std::int64_t covered = 0;
-  std::int32_t last_id = no_triangle, last_slot = -1;
-  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell) {
-    const std::int32_t id = buffer.ids[cell];
-    if (id != last_id) last_id = id, last_slot = id == no_triangle ? -1 : slot_of(id);
-    slots_[cell] = last_slot;
-    covered += last_slot >= 0;
-  }
+  const std::int64_t covered = find_seen(buffer);
   colours_.fill(background_);
   if (covered > 0) {
     describe_all(pixels);
@@ -262,7 +313,7 @@ std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, 
       Share& share = share_of(number);
       count_light(share, group);
       const LitCells lit{&group, records_.data(), how == Shading::phong, shading_.towards()};
-      some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, colours_.data());
+      some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, slots_.data(), colours_.data());
       fill_up(share.cells);
       fill_up(share.cell_slots);
       some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());

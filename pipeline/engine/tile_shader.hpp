@@ -2,6 +2,7 @@
 // The colours of a tile: its pixels sorted by what lights them alike, and lit sixteen at once.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/image.hpp"
@@ -29,16 +30,19 @@ class TileShader {
   /// A triangle that is seen in the tile.
   struct Seen {
     std::int32_t id, group;
-    bool careful;  ///< single precision would not do
+    std::int32_t pixels;  ///< that show it
+    bool careful;         ///< single precision would not do
   };
   /// Pixels of a group, as light_cells and light_blocks take them.
   struct Share {
     std::vector<std::int32_t> cells, cell_slots, blocks, block_slots, slots;
+    std::int64_t pixels = 0;
 
     void clear();
   };
 
   std::int32_t slot_of(std::int32_t id);
+  std::int64_t find_seen(const TileBuffer& buffer);
   Share& share_of(std::int32_t group) {
     return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
   }
@@ -50,6 +54,8 @@ class TileShader {
   void light_corners_of(Share& share, const ShadingGroup& group);
   void put_light_of_faces();
   void sort();
+  void add_cell(std::int32_t cell, std::int32_t slot);
+  void add_block(std::int32_t block, std::int32_t slot);
   void take_doubtful();
   void colour_carefully(ivec2 origin);
   void count_light(const Share& share, const ShadingGroup& group);
@@ -67,6 +73,8 @@ class TileShader {
   std::vector<std::int32_t> share_of_group_;
   std::vector<Share> shares_;
   std::vector<std::int32_t> groups_here_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> blocks_of_one_;  ///< and their slots
+  std::vector<std::int32_t> mixed_blocks_;
   std::vector<std::int32_t> careful_cells_, careful_slots_;
   std::vector<float> places_, normals_, light_;
   alignas(64) std::array<std::int32_t, TileBuffer::cells> slots_;

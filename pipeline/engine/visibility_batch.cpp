@@ -50,18 +50,18 @@ struct Side {
 };
 
 /// The edge function over 256, rounded down, which keeps its sign; less by one where the edge does not own
-/// what lies on it.
-inline Side side_of(const triangle_coverage::Edge& edge, ivec2 origin) {
-  const std::int64_t there = edge.at(triangle_coverage::centre_of(origin)) - !edge.owns;
-  return {there >> 8, std::int64_t{edge.from.y} - edge.to.y, std::int64_t{edge.to.x} - edge.from.x};
+/// what lies on it. there: the edge function in the centre that x and y are counted from.
+HWY_INLINE Side side_of(const triangle_coverage::Edge& edge, std::int64_t there) {
+  return {(there - !edge.owns) >> 8, std::int64_t{edge.from.y} - edge.to.y,
+          std::int64_t{edge.to.x} - edge.from.x};
 }
 
 /// The least and the largest value over a box.
-inline std::int64_t least(const Side& s, const Window& box) {
+HWY_INLINE std::int64_t least(const Side& s, const Window& box) {
   return s.at + std::min(s.a * box.lower.x, s.a * box.upper.x) +
          std::min(s.b * box.lower.y, s.b * box.upper.y);
 }
-inline std::int64_t largest(const Side& s, const Window& box) {
+HWY_INLINE std::int64_t largest(const Side& s, const Window& box) {
   return s.at + std::max(s.a * box.lower.x, s.a * box.upper.x) +
          std::max(s.b * box.lower.y, s.b * box.upper.y);
 }
@@ -82,38 +82,33 @@ struct Cast {
   Window box;  ///< pixels that it may cover, counted from the tile's upper left
   std::array<Side, 3> sides;
   NearnessPlane plane;
-  double least_nearness, largest_nearness;  ///< of the corners
 };
 
-inline NearnessPlane plane_of(const FrameTriangle& t, const triangle_coverage::Edges& edges,
-                              const std::array<Side, 3>& sides, ivec2 origin) {
-  const auto area = static_cast<double>(std::abs(triangle_coverage::doubled_area(t.grid)));
-  const double first = 1 - t.depth.x, to_second = t.depth.x - t.depth.y, to_third = t.depth.x - t.depth.z;
-  const auto mixed = [&](std::int64_t second, std::int64_t third) {
-    return (static_cast<double>(second) * to_second + static_cast<double>(third) * to_third) / area;
-  };
-  const ivec2 there = triangle_coverage::centre_of(origin);
-  constexpr int step = triangle_coverage::subpixels;
-  return {first + mixed(edges[1].at(there), edges[2].at(there)), step * mixed(sides[1].a, sides[2].a),
-          step * mixed(sides[1].b, sides[2].b)};
-}
-
 /// How a triangle lies over a tile. box: not empty.
-inline Cast cast_of(const FrameTriangle& t, const Window& box, ivec2 origin) {
+HWY_INLINE Cast cast_of(const FrameTriangle& t, const Window& box, ivec2 origin) {
   const auto edges = triangle_coverage::edges_of(t.grid);
-  Cast cast{{box.lower - origin, box.upper - origin}, {}, {}, 0, 0};
-  for (std::size_t k = 0; k < 3; ++k) cast.sides[k] = side_of(edges[k], origin);
-  cast.plane = plane_of(t, edges, cast.sides, origin);
-  const auto [nearest, farthest] = std::minmax({t.depth.x, t.depth.y, t.depth.z});
-  cast.largest_nearness = 1 - nearest;
-  cast.least_nearness = 1 - farthest;
+  const ivec2 there = triangle_coverage::centre_of(origin);
+  const std::int64_t second = edges[1].at(there), third = edges[2].at(there);
+  Cast cast;
+  cast.box = {box.lower - origin, box.upper - origin};
+  cast.sides = {side_of(edges[0], edges[0].at(there)), side_of(edges[1], second), side_of(edges[2], third)};
+  const double over_area = 1 / static_cast<double>(std::abs(triangle_coverage::doubled_area(t.grid)));
+  const double to_second = (t.depth.x - t.depth.y) * over_area,
+               to_third = (t.depth.x - t.depth.z) * over_area;
+  const auto mixed = [&](std::int64_t a, std::int64_t b) {
+    return static_cast<double>(a) * to_second + static_cast<double>(b) * to_third;
+  };
+  constexpr int step = triangle_coverage::subpixels;
+  cast.plane = {(1 - t.depth.x) + mixed(second, third), step * mixed(cast.sides[1].a, cast.sides[2].a),
+                step * mixed(cast.sides[1].b, cast.sides[2].b)};
   return cast;
 }
 
 /// Whether single precision stays within the shares above.
-inline bool is_flat_enough(const Cast& cast) {
-  const double slope = std::abs(cast.plane.right) + std::abs(cast.plane.down);
-  return slope <= std::max(cast.least_nearness / 2, 0x1p-9);
+HWY_INLINE bool is_flat_enough(const NearnessPlane& plane, const dvec3& depth) {
+  const double slope = std::abs(plane.right) + std::abs(plane.down);
+  const double least_nearness = 1 - std::max(std::max(depth.x, depth.y), depth.z);
+  return slope <= std::max(least_nearness / 2, 0x1p-9);
 }
 
 }  // namespace gradus::pipeline::engine
@@ -142,8 +137,8 @@ class Visibility {
     const FrameTriangle& t = frame_.triangle(id);
     const Window box = triangle_coverage::centres(t.grid, pixels_);
     if (box.empty()) return;
+    if (1 - std::min(std::min(t.depth.x, t.depth.y), t.depth.z) < farthest_) return;
     Cast cast = cast_of(t, box, pixels_.lower);
-    if (cast.largest_nearness < farthest_) return;
     bool long_sides = false;
     const Window blocks = in_blocks(cast.box);
     for (Side& side : cast.sides) {
@@ -152,7 +147,7 @@ class Visibility {
       if (least(side, blocks) >= 0) side = {0, 0, 0};
       long_sides |= std::max(std::abs(side.a), std::abs(side.b)) >= 1 << 23;
     }
-    if (!is_flat_enough(cast) || long_sides)
+    if (!is_flat_enough(cast.plane, t.depth) || long_sides)
       draw_pixels(t, id);
     else
       draw_blocks(cast, id);

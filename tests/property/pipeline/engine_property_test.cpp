@@ -1,5 +1,5 @@
-// The engine's pictures are those of the textbook chain: every pixel has the same winner, and the same bits of
-// light or a colour at most one step of 255 away, whatever the scene, the plan and the number of threads.
+// The engine's pictures are those of the textbook chain: every pixel has the same winner, and the same bits
+// of light or a colour at most one step of 255 away, whatever the scene, the plan and the number of threads.
 
 #include <gtest/gtest.h>
 
