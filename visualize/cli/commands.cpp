@@ -230,7 +230,7 @@ std::vector<Command> all_commands() {
              {"engine", 0, "NAME",
               "what draws: fast (default), in tiles on all cores, or textbook, the eight stages one after "
               "the "
-              "other; wireframes, the painter and the BSP tree are the textbook's"},
+              "other; wireframes and triangles in an order of their own are always the textbook's"},
              {"report", 0, "", "prints what was done and what was left out, stage by stage"},
              {"why", 0, "C,R",
               "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "

@@ -76,9 +76,9 @@ Rendered rendered(const Request& request, const FindFile& find,
   Shot shot = shot_of(request, find);
   if (on_read) on_read(shot.brief);
   Rendered result{std::move(shot.brief), "", {}};
-  const ShotPainter painter(shot, usable_cores());
-  const Picture picture = painter.paint(shot.scene, result.ledger, Working::reached);
-  result.drawn_by = painter.drawn_by();
+  const ShotArtist artist(shot, usable_cores());
+  const Picture picture = artist.paint(shot.scene, result.ledger, Working::reached);
+  result.drawn_by = artist.drawn_by();
   Working::reached(0);  // what comes is no part of it
   if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
   result.png = png_of(picture.image, result.colophon);

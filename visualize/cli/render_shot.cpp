@@ -178,16 +178,16 @@ Shot read_shot(const Request& request, const FindFile& find) {
   return shot;
 }
 
-ShotPainter::ShotPainter(const Shot& shot, std::size_t threads)
+ShotArtist::ShotArtist(const Shot& shot, std::size_t threads)
     : shot_(shot), threads_(static_cast<int>(threads)) {
   if (shot.wish.surfaces.by == DrawnBy::fast && pipeline::engine::draws(shot.scene))
     buffers_ = pipeline::engine::buffers_of(shot.scene);
 }
 
-std::string_view ShotPainter::drawn_by() const { return buffers_ ? "the engine" : "the textbook chain"; }
+std::string_view ShotArtist::drawn_by() const { return buffers_ ? "the engine" : "the textbook chain"; }
 
-Picture ShotPainter::paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
-                           const std::function<void(double)>& reached) const {
+Picture ShotArtist::paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
+                          const std::function<void(double)>& reached) const {
   const Wish& wish = shot_.wish;
   pipeline::Plan plan = pipeline::timed(seconds_now, ledger.planning, [&] {
     return pipeline::plan_of(scene, wish.size, wish.plan.rules, wish.plan.part);

@@ -48,10 +48,10 @@ struct Picture {
 };
 
 /// Draws the pictures of a shot, by the engine where the shot and the scene let it.
-class ShotPainter {
+class ShotArtist {
  public:
   /// shot: must outlive it. threads: of the engine, for one picture.
-  ShotPainter(const Shot& shot, std::size_t threads);
+  ShotArtist(const Shot& shot, std::size_t threads);
 
   /// scene: that of the shot, its camera anywhere. ledger: gets what was done, and what was left out.
   /// reached: told of the share that is done. From any thread.
