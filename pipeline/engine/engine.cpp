@@ -9,9 +9,14 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <span>
+#include <vector>
 
+#include "antialiasing/adaptive/sample_places.hpp"
 #include "engine/account.hpp"
 #include "engine/geometry.hpp"
+#include "engine/samples_batch.hpp"
+#include "engine/shading.hpp"
 #include "engine/surfaces.hpp"
 #include "engine/tile_shader.hpp"
 #include "engine/tiles.hpp"
@@ -104,15 +109,22 @@ class Artist {
         buffer_(std::make_unique<TileBuffer>()),
         shader_(std::make_unique<TileShader>(shading)) {}
 
-  std::int64_t draw(int tile, const Window& pixels, Image& image) {
-    find_nearest(frame_, tile, pixels, *buffer_);
-    return shader_->colour(pixels, *buffer_, image);
+  /// places: of the samples of a pixel; none: their centres.
+  std::int64_t draw(int tile, const Window& pixels, std::span<const ivec2> places, Image& image) {
+    if (places.empty()) {
+      find_nearest(frame_, tile, pixels, *buffer_);
+      return shader_->colour(pixels, *buffer_, image);
+    }
+    if (!samples_) samples_ = std::make_unique<SampleBuffer>();
+    find_samples(frame_, tile, pixels, places, *samples_);
+    return shader_->mix(pixels, *samples_, places, image);
   }
   ShadingCount count() const { return shader_->count(); }
 
  private:
   const Frame& frame_;
   std::unique_ptr<TileBuffer> buffer_;
+  std::unique_ptr<SampleBuffer> samples_;
   std::unique_ptr<TileShader> shader_;
 };
 
@@ -165,6 +177,13 @@ bool draws(const Scene& scene) {
   return scene.shading != Shading::wireframe && scene.hidden_surfaces == HiddenSurfaces::z_buffer;
 }
 
+bool draws_in_single_precision(const Scene& scene) {
+  const bool method =
+      scene.antialiasing == Antialiasing::none ||
+      (scene.antialiasing == Antialiasing::adaptive && scene.samples <= static_cast<int>(most_samples));
+  return method && suits_single_precision(scene);
+}
+
 LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& plan, int threads,
                       const EngineWatch& watch) {
   check(scene, threads);
@@ -191,7 +210,7 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
 Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
                    int threads, const EngineWatch& watch) {
-  if (scene.antialiasing != Antialiasing::none || !suits_single_precision(scene)) {
+  if (!draws_in_single_precision(scene)) {
     const LightPicture light = light_of(scene, buffers, plan, threads, watch);
     const auto shows = [](const PixelLight& pixel) { return pixel.share > 0; };
     return {output(over_background(light, scene.background)), std::ranges::count_if(light.cells(), shows)};
@@ -200,12 +219,15 @@ Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan,
   Picture picture{Image(static_cast<int>(plan.window.width()), static_cast<int>(plan.window.height()))};
   std::atomic<std::int64_t> covered = 0;
   Frame& frame = workspace.frame();
+  const bool samples = scene.antialiasing == Antialiasing::adaptive;
+  const std::vector<ivec2> places = samples ? adaptive::n_rooks(scene.samples) : std::vector<ivec2>{};
+  const Touch touch = samples ? Touch::neighbours : Touch::centres;
   on_threads(threads, [&] {
-    draw_picture(scene, buffers, plan, Touch::centres, frame, watch, [&](const TileGrid& grid, Done& done) {
+    draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {
       const FrameShading shading(scene, buffers, plan, frame);
       tbb::enumerable_thread_specific<Artist> artists([&] { return Artist(shading); });
       tbb::parallel_for(0, grid.count(), [&](int tile) {
-        covered += artists.local().draw(tile, grid.tile(tile), picture.image);
+        covered += artists.local().draw(tile, grid.tile(tile), places, picture.image);
         done.tile();
       });
       for (const Artist& artist : artists) done.add(artist.count());

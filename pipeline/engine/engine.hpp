@@ -22,6 +22,10 @@ struct Frame;
 /// asks for the painter or a BSP tree.
 bool draws(const Scene& scene);
 
+/// Whether picture_of computes light in single precision: with the antialiasing methods `none` and, of up to
+/// 16 samples, `adaptive`, where single precision suits the scene. For all else it has that of light_of.
+bool draws_in_single_precision(const Scene& scene);
+
 /// Who watches a picture being made.
 struct EngineWatch {
   Ledger* ledger =
@@ -64,8 +68,8 @@ class Workspace {
   std::unique_ptr<Frame> frame_;
 };
 
-/// The part of the picture that a plan asks for, before the scene's background. Light of pixels without
-/// antialiasing is computed in single precision where that suits the scene (suits_single_precision).
+/// The part of the picture that a plan asks for, before the scene's background: in single precision, sixteen
+/// pixels at once, where draws_in_single_precision says so.
 ///
 /// scene, buffers, plan, threads: as for light_of. workspace: of one picture at a time.
 ///

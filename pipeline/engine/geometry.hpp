@@ -2,6 +2,7 @@
 // Stages 2 to 5 in batches: each vertex goes through the camera once, pieces are chosen by whole numbers, and
 // only those with a vertex beyond a plane are clipped.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -61,6 +62,13 @@ enum class Touch {
 
 /// The pixels of a window that the box of a triangle touches.
 Window touched(const triangle_coverage::Triangle& triangle, const Window& window, Touch touch);
+
+/// The pixels of a window whose squares the box of a triangle touches.
+inline Window squares_of(const triangle_coverage::Triangle& t, const Window& window) {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return intersection({{left >> 8, top >> 8}, {right >> 8, bottom >> 8}}, window);
+}
 
 /// All that is drawn of a scene in one picture. Its memory can serve the next one.
 struct Frame {

@@ -291,7 +291,7 @@ struct OneRecord {
 };
 
 template <class Records>
-HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
+HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F column, F row, M& doubtful) {
   const F x = hn::Sub(column, records(record::column)), y = hn::Sub(row, records(record::row));
   const auto plane = [&](int place) {
     return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
@@ -336,10 +336,16 @@ HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F colu
     light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
                        hn::Mul(light.scattered.z, texel.z)};
   }
-  const I packed =
-      packed_of({hn::Add(light.scattered.x, light.highlight.x), hn::Add(light.scattered.y, light.highlight.y),
-                 hn::Add(light.scattered.z, light.highlight.z)});
-  const auto doubtful = hn::RebindMask(DI(), light.doubtful);
+  doubtful = light.doubtful;
+  return {hn::Add(light.scattered.x, light.highlight.x), hn::Add(light.scattered.y, light.highlight.y),
+          hn::Add(light.scattered.z, light.highlight.z)};
+}
+
+template <class Records>
+HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
+  M in_doubt;
+  const I packed = packed_of(light_of(lit_cells, records, column, row, in_doubt));
+  const auto doubtful = hn::RebindMask(DI(), in_doubt);
   any_doubtful = hn::Or(any_doubtful, doubtful);
   return hn::IfThenZeroElse(doubtful, packed);
 }
@@ -393,6 +399,31 @@ bool light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, co
   return !hn::AllFalse(di, doubtful);
 }
 
+void light_some_places(const LitCells& lit_cells, const LitPlaces& places) {
+  const D d;
+  const DI di;
+  const std::size_t count = places.slots.size();
+  const float* const all = lit_cells.records->data();
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const OwnRecords records{all, hn::Mul(hn::LoadU(di, places.slots.data() + i), whole(record::size))};
+    M doubtful;
+    const F column = hn::LoadU(d, places.columns.data() + i), row = hn::LoadU(d, places.rows.data() + i);
+    const Vec3 light = light_of(lit_cells, records, column, row, doubtful);
+    hn::StoreU(hn::IfThenElse(doubtful, set(-1), light.x), d, places.light.data() + i);
+    hn::StoreU(light.y, d, places.light.data() + count + i);
+    hn::StoreU(light.z, d, places.light.data() + 2 * count + i);
+  }
+}
+
+void pack_some(const float* light, std::size_t count, std::uint32_t* colours) {
+  const D d;
+  const hn::RebindToUnsigned<DI> du;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto load = [&](std::size_t k) { return hn::LoadU(d, light + k * count + i); };
+    hn::StoreU(hn::BitCast(du, packed_of({load(0), load(1), load(2)})), du, colours + i);
+  }
+}
+
 void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, const float* places,
                         const float* normals, std::size_t count, float* light) {
   const D d;
@@ -422,6 +453,8 @@ namespace gradus::pipeline::engine {
 HWY_EXPORT(light_some_cells);
 HWY_EXPORT(light_some_blocks);
 HWY_EXPORT(light_some_corners);
+HWY_EXPORT(light_some_places);
+HWY_EXPORT(pack_some);
 
 bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
                  std::span<const std::int32_t> slots, std::uint32_t* colours) {
@@ -439,6 +472,14 @@ void light_corners(const ShadingGroup& group, const glm::vec3& towards, const Li
   HWY_DYNAMIC_DISPATCH(light_some_corners)
   (group, towards, corners.places.data(), corners.normals.data(), corners.places.size() / 3,
    corners.light.data());
+}
+
+void light_places(const LitCells& lit, const LitPlaces& places) {
+  HWY_DYNAMIC_DISPATCH(light_some_places)(lit, places);
+}
+
+void pack(std::span<const float> light, std::span<std::uint32_t> colours) {
+  HWY_DYNAMIC_DISPATCH(pack_some)(light.data(), colours.size(), colours.data());
 }
 
 std::uint32_t packed(const LinearRgb& colour) {

@@ -35,6 +35,19 @@ bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
                   std::span<const std::int32_t> slots, const std::int32_t* slots_of_cells,
                   std::uint32_t* colours);
 
+/// Places of one group, anywhere in a tile's pixels, and their light.
+struct LitPlaces {
+  std::span<const float> columns, rows;  ///< counted from the middle of the tile's first pixel
+  std::span<const std::int32_t> slots;   ///< which record each has
+  std::span<float> light;  ///< three numbers each, red of all, then green of all; red is -1 where in doubt
+};
+/// Linear light of places. Domain: a multiple of 16 of them. Accuracy, cost: as light_cells.
+void light_places(const LitCells& lit, const LitPlaces& places);
+
+/// 8-bit sRGB of linear light, as light_cells writes it. light: three numbers each, as LitPlaces has them.
+/// Domain: a multiple of 16. Accuracy: the nearest byte or one beside it.
+void pack(std::span<const float> light, std::span<std::uint32_t> colours);
+
 /// A corner that is lit, and its light: scattered light of three colours, then the highlight's.
 struct LitCorners {
   std::span<const float> places, normals;  ///< three numbers each, x of all, then y of all, then z of all

@@ -15,8 +15,12 @@ class Surfaces {
 
   /// The colour that a triangle has in the centre of a pixel. Accuracy: the bits of `shade`.
   LinearRgb colour(std::int32_t id, ivec2 pixel) {
+    return colour(id, pixel, triangle_coverage::centre_of(pixel));
+  }
+  /// The same at a place of the picture that the triangle covers, in 1/256 pixel.
+  LinearRgb colour(std::int32_t id, ivec2 pixel, ivec2 place) {
     turn_to(id);
-    const auto w = weights_at_place(edges_, triangle_coverage::centre_of(pixel));
+    const auto w = weights_at_place(edges_, place);
     return shaded(light_, {triangle_.id, id, pixel, 0, shares_of(w, over_w_)}, triangle_).colour;
   }
   /// The light of a triangle's whole face, before its texture: of flat shading.

@@ -39,13 +39,23 @@ void TileShader::Share::clear() {
 std::int32_t TileShader::slot_of(std::int32_t id) {
   const std::size_t mask = table_.size() - 1;
   // Fibonacci hashing, then the next free place
-  std::size_t at = static_cast<std::size_t>(static_cast<std::uint32_t>(id) * 2654435769U >> 19);
+  std::size_t at = static_cast<std::size_t>(static_cast<std::uint32_t>(id) * 2654435769U >> 12) & mask;
   while (table_[at] >= 0 && seen_[static_cast<std::size_t>(table_[at])].id != id) at = (at + 1) & mask;
   if (table_[at] < 0) {
     table_[at] = static_cast<std::int32_t>(seen_.size());
     seen_.push_back({id, 0, 0, false});
+    if (2 * seen_.size() > table_.size()) grow_table();
+    return static_cast<std::int32_t>(seen_.size()) - 1;
   }
   return table_[at];
+}
+
+void TileShader::grow_table() {
+  const std::vector<Seen> seen = std::move(seen_);
+  seen_.clear();
+  table_.assign(2 * table_.size(), -1);
+  for (const Seen& one : seen) slot_of(one.id);
+  seen_ = seen;
 }
 
 /// Writes what is linear on the texture. Returns whether single precision will do.
@@ -69,12 +79,13 @@ bool TileShader::describe_texture(const TextureLevels& texture, const SeenCorner
 }
 
 /// Returns whether single precision will do.
-bool TileShader::describe(const Seen& seen, const Window& pixels, TriangleRecord& record) {
+bool TileShader::describe(const Seen& seen, const Window& pixels, bool squares, TriangleRecord& record) {
   const auto& grid = shading_.frame().triangle(seen.id).grid;
   SeenCorners& corners = corners_.emplace_back(shading_.corners_of(seen.id));
   corners.over_w /= std::max({corners.over_w.x, corners.over_w.y, corners.over_w.z});
   const dvec3& q = corners.over_w;
-  const PlaneMaker& planes = makers_.emplace_back(grid, triangle_coverage::centres(grid, pixels), q);
+  const Window box = squares ? squares_of(grid, pixels) : triangle_coverage::centres(grid, pixels);
+  const PlaneMaker& planes = makers_.emplace_back(grid, box, q);
   record[record::column] = static_cast<float>(planes.pixel().x - pixels.lower.x);
   record[record::row] = static_cast<float>(planes.pixel().y - pixels.lower.y);
   planes.put(q, &record[record::over_w]);
@@ -92,14 +103,15 @@ bool TileShader::describe(const Seen& seen, const Window& pixels, TriangleRecord
   return texture_will_do && !planes.is_thin();
 }
 
-void TileShader::describe_all(const Window& pixels) {
+/// Records of all triangles that are seen. squares: they were asked for by the squares of pixels.
+void TileShader::describe_all(const Window& pixels, bool squares) {
   records_.resize(seen_.size());
   corners_.clear();
   makers_.clear();
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     Seen& seen = seen_[i];
     seen.group = shading_.group_of(seen.id);
-    seen.careful = !describe(seen, pixels, records_[i]);
+    seen.careful = !describe(seen, pixels, squares, records_[i]);
     std::int32_t& share = share_of_group_[static_cast<std::size_t>(seen.group)];
     if (share < 0) {
       share = static_cast<std::int32_t>(groups_here_.size());
@@ -110,6 +122,9 @@ void TileShader::describe_all(const Window& pixels) {
     shares_[static_cast<std::size_t>(share)].slots.push_back(static_cast<std::int32_t>(i));
     shares_[static_cast<std::size_t>(share)].pixels += seen.pixels;
   }
+  const Shading how = shading_.scene().shading;
+  if (how == Shading::flat) put_light_of_faces();
+  if (how == Shading::gouraud) light_all_corners();
 }
 
 /// Gouraud: light at the corners of the triangles of a group.
@@ -296,32 +311,40 @@ std::int64_t TileShader::find_seen(const TileBuffer& buffer) {
   return covered;
 }
 
-std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, Image& image) {
+/// For a new tile.
+void TileShader::begin() {
   std::ranges::fill(table_, -1);
   seen_.clear();
-  const std::int64_t covered = find_seen(buffer);
+  for (const std::int32_t number : groups_here_) share_of_group_[static_cast<std::size_t>(number)] = -1;
+  groups_here_.clear();
   colours_.fill(background_);
+}
+
+/// Colours the pixels that show one triangle alone.
+void TileShader::light_whole_pixels(ivec2 origin) {
+  sort();
+  bool some_in_doubt = false;
+  for (const std::int32_t number : groups_here_) {
+    const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
+    Share& share = share_of(number);
+    count_light(share, group);
+    const LitCells lit{&group, records_.data(), shading_.scene().shading == Shading::phong,
+                       shading_.towards()};
+    some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, slots_.data(), colours_.data());
+    fill_up(share.cells);
+    fill_up(share.cell_slots);
+    some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());
+  }
+  if (some_in_doubt) take_doubtful();
+  colour_carefully(origin);
+}
+
+std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, Image& image) {
+  begin();
+  const std::int64_t covered = find_seen(buffer);
   if (covered > 0) {
-    describe_all(pixels);
-    const Shading how = shading_.scene().shading;
-    if (how == Shading::flat) put_light_of_faces();
-    if (how == Shading::gouraud) light_all_corners();
-    sort();
-    bool some_in_doubt = false;
-    for (const std::int32_t number : groups_here_) {
-      const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
-      Share& share = share_of(number);
-      count_light(share, group);
-      const LitCells lit{&group, records_.data(), how == Shading::phong, shading_.towards()};
-      some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, slots_.data(), colours_.data());
-      fill_up(share.cells);
-      fill_up(share.cell_slots);
-      some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());
-    }
-    for (const std::int32_t number : groups_here_) share_of_group_[static_cast<std::size_t>(number)] = -1;
-    groups_here_.clear();
-    if (some_in_doubt) take_doubtful();
-    colour_carefully(pixels.lower);
+    describe_all(pixels, false);
+    light_whole_pixels(pixels.lower);
   }
   write(pixels, image);
   return covered;

@@ -2,10 +2,12 @@
 // The colours of a tile: its pixels sorted by what lights them alike, and lit sixteen at once.
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/image.hpp"
+#include "engine/samples_batch.hpp"
 #include "engine/shading_batch.hpp"
 #include "engine/surfaces.hpp"
 #include "engine/visibility_batch.hpp"
@@ -23,6 +25,11 @@ class TileShader {
   ///   light_cells or light_blocks; a triangle whose texture repeats very often has the textbook's
   ///   arithmetic.
   std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
+  /// The same of what the samples of each pixel show. buffer: from find_samples, with these places. Each
+  /// triangle has one colour in a pixel, where the textbook's `adaptive` asks for it, and counts for as many
+  /// samples as show it.
+  std::int64_t mix(const Window& pixels, const SampleBuffer& buffer, std::span<const ivec2> places,
+                   Image& image);
   /// What it has done so far.
   ShadingCount count() const;
 
@@ -41,13 +48,28 @@ class TileShader {
     void clear();
   };
 
+  /// A triangle in a pixel that shows several, or not one alone.
+  struct Fragment {
+    std::int32_t slot, samples;
+    std::size_t cell;
+    ivec2 place;  ///< in the pixel, in 1/256
+  };
+
+  std::int64_t find_fragments(const Window& pixels, const SampleBuffer& buffer,
+                              std::span<const ivec2> places);
+  void light_fragments(ivec2 origin);
+  void light_group(std::int32_t number, ivec2 origin);
+  void mix_fragments(std::size_t samples);
+  void begin();
+  void describe_all(const Window& box, bool squares);
+  void light_whole_pixels(ivec2 origin);
+  void grow_table();
   std::int32_t slot_of(std::int32_t id);
   std::int64_t find_seen(const TileBuffer& buffer);
   Share& share_of(std::int32_t group) {
     return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
   }
-  void describe_all(const Window& pixels);
-  bool describe(const Seen& seen, const Window& pixels, TriangleRecord& record);
+  bool describe(const Seen& seen, const Window& pixels, bool squares, TriangleRecord& record);
   bool describe_texture(const TextureLevels& texture, const SeenCorners& corners, const PlaneMaker& planes,
                         TriangleRecord& record) const;
   void light_all_corners();
@@ -77,6 +99,15 @@ class TileShader {
   std::vector<std::int32_t> mixed_blocks_;
   std::vector<std::int32_t> careful_cells_, careful_slots_;
   std::vector<float> places_, normals_, light_;
+  std::vector<std::pair<std::int32_t, Fragment>> found_;  ///< with their triangles
+  std::vector<Fragment> fragments_;                       ///< those of a pixel beside one another
+  std::vector<LinearRgb> fragment_light_;
+  std::vector<std::vector<std::int32_t>> fragments_of_;  ///< by share
+  std::vector<float> columns_, rows_;
+  std::vector<std::int32_t> fragment_slots_;
+  std::vector<std::size_t> mixed_cells_;
+  std::vector<std::uint32_t> packed_;
+  TileBuffer whole_;  ///< of the pixels that show one triangle alone
   alignas(64) std::array<std::int32_t, TileBuffer::cells> slots_;
   alignas(64) std::array<std::uint32_t, TileBuffer::cells> colours_;
 };

@@ -31,6 +31,12 @@ struct alignas(64) TileBuffer {
     const int block = at.y / block_side * blocks_across + at.x / block_side;
     return static_cast<std::size_t>(block * block_cells + at.y % block_side * block_side + at.x % block_side);
   }
+  /// The pixel of a cell.
+  static constexpr ivec2 place(std::size_t cell) {
+    const auto block = static_cast<int>(cell) / block_cells, within = static_cast<int>(cell) % block_cells;
+    return block_side * ivec2{block % blocks_across, block / blocks_across} +
+           ivec2{within % block_side, within / block_side};
+  }
 };
 
 /// Finds what is nearest at the pixels of a tile, of equals what comes first by object, face and piece.
