@@ -128,6 +128,16 @@ class Artist {
   std::unique_ptr<TileShader> shader_;
 };
 
+/// The samples of `adaptive`, those nearest to the pixel's centre first, of equals in their order.
+std::vector<ivec2> places_of(int samples) {
+  std::vector<ivec2> places = adaptive::n_rooks(samples);
+  std::ranges::stable_sort(places, {}, [](ivec2 place) {
+    const ivec2 from_centre = place - triangle_coverage::subpixels / 2;
+    return from_centre.x * from_centre.x + from_centre.y * from_centre.y;
+  });
+  return places;
+}
+
 // --- Both ----------------------------------------------------------------------------------------
 
 void check(const Scene& scene, int threads) {
@@ -220,7 +230,7 @@ Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan,
   std::atomic<std::int64_t> covered = 0;
   Frame& frame = workspace.frame();
   const bool samples = scene.antialiasing == Antialiasing::adaptive;
-  const std::vector<ivec2> places = samples ? adaptive::n_rooks(scene.samples) : std::vector<ivec2>{};
+  const std::vector<ivec2> places = samples ? places_of(scene.samples) : std::vector<ivec2>{};
   const Touch touch = samples ? Touch::neighbours : Touch::centres;
   on_threads(threads, [&] {
     draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {

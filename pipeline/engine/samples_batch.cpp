@@ -17,6 +17,8 @@ namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 static_assert(most_samples == block_cells);
+/// In place of a triangle's number.
+constexpr std::int32_t counted = -2;
 using Whole = hn::CappedTag<std::int32_t, block_cells>;
 using Single = hn::RebindToFloat<Whole>;
 using I = hn::Vec<Whole>;
@@ -59,12 +61,14 @@ class Sampling {
       Side& side = cast.sides[k];
       const std::int64_t half = half_pixel(side);
       if (largest(side, cast.box) < -half) return;
-      long_sides |= 2 * half >= 1 << 21;
       // It leaves out nothing, and may be too far for 32 bits
-      if (least(side, blocks) >= half) side = {1 << 20, 0, 0};
+      if (least(side, blocks) >= half)
+        side = {1 << 20, 0, 0};
+      else
+        long_sides |= 2 * half >= 1 << 23;
     }
     if (!is_flat_enough(cast.plane, t.depth) || long_sides)
-      draw_exactly(t, cast.box, id);
+      draw_exactly(t, cast, id);
     else
       draw_blocks(cast, id);
     since_ += static_cast<int>(box.width() * box.height());
@@ -249,26 +253,50 @@ class Sampling {
     of.ids[s] = id;
   }
 
-  /// Sample by sample, for triangles too steep or too long for blocks.
-  HWY_NOINLINE void draw_exactly(const FrameTriangle& t, const Window& box, std::int32_t id) {
+  /// Pixel by pixel, for triangles too steep or too long for blocks.
+  HWY_NOINLINE void draw_exactly(const FrameTriangle& t, const Cast& cast, std::int32_t id) {
     const auto edges = triangle_coverage::edges_of(t.grid);
-    const triangle_coverage::Linear depth(t.grid, t.depth);
-    for (int y = box.lower.y; y <= box.upper.y; ++y) {
-      for (int x = box.lower.x; x <= box.upper.x; ++x) {
+    const double slope = (std::abs(cast.plane.right) + std::abs(cast.plane.down)) / 2;
+    std::array<std::int64_t, 3> half;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ivec2 way = edges[k].to - edges[k].from;
+      half[k] = std::int64_t{triangle_coverage::subpixels / 2} * (std::abs(way.x) + std::abs(way.y)) + 1;
+    }
+    for (int y = cast.box.lower.y; y <= cast.box.upper.y; ++y) {
+      for (int x = cast.box.lower.x; x <= cast.box.upper.x; ++x) {
+        const auto w = weights_at_place(edges, triangle_coverage::centre_of(pixels_.lower + ivec2{x, y}));
+        if (w[0] < -half[0] || w[1] < -half[1] || w[2] < -half[2]) continue;
         const std::size_t cell = TileBuffer::cell({x, y});
-        for (std::size_t s = 0; s < places_.size(); ++s) {
-          const ivec2 place = place_of(cell, s);
-          const auto w = weights_at_place(edges, place);
-          if (!holds(edges, w)) continue;
-          PixelSamples& of = samples_of(cell);
-          const auto mine = static_cast<float>(1 - depth.at(w)), old = of.nearness[s];
-          if (mine > old + unsure_at(old)) {
-            of.nearness[s] = mine;
-            of.ids[s] = id;
-          } else if (mine >= old - unsure_at(old)) {
-            settle(of, s, place, mine, id);
-          }
+        const double middle = cast.plane.at + cast.plane.right * x + cast.plane.down * y;
+        const auto less = static_cast<float>(middle - slope), more = static_cast<float>(middle + slope);
+        float &least = buffer_.least[cell], &most = buffer_.most[cell];
+        if (more < least - unsure_at(least)) continue;
+        const bool full = w[0] >= half[0] && w[1] >= half[1] && w[2] >= half[2];
+        if (full && less > most + unsure_at(most)) {
+          least = less;
+          most = more;
+          buffer_.whole[cell] = id;
+        } else {
+          sample_exactly(t, edges, cell, id);
         }
+      }
+    }
+  }
+
+  void sample_exactly(const FrameTriangle& t, const triangle_coverage::Edges& edges, std::size_t cell,
+                      std::int32_t id) {
+    const triangle_coverage::Linear depth(t.grid, t.depth);
+    for (std::size_t s = 0; s < places_.size(); ++s) {
+      const ivec2 place = place_of(cell, s);
+      const auto w = weights_at_place(edges, place);
+      if (!holds(edges, w)) continue;
+      PixelSamples& of = samples_of(cell);
+      const auto mine = static_cast<float>(1 - depth.at(w)), old = of.nearness[s];
+      if (mine > old + unsure_at(old)) {
+        of.nearness[s] = mine;
+        of.ids[s] = id;
+      } else if (mine >= old - unsure_at(old)) {
+        settle(of, s, place, mine, id);
       }
     }
   }
@@ -289,12 +317,64 @@ void sample_tile(const Frame& frame, int tile, const Window& pixels, std::span<c
   visit_tile(frame, tile, [&](std::int32_t id) { sampling.draw(id); });
 }
 
+/// The triangles that the samples of a pixel show: those that stand in `samples`, or the one that covers all.
+HWY_INLINE void winners_of(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
+                           std::span<const ivec2> places, std::int32_t* winners) {
+  const Whole whole;
+  const Single single;
+  const PixelSamples& own = buffer.samples[static_cast<std::size_t>(buffer.sampled[cell])];
+  const std::int32_t other = buffer.whole[cell];
+  const float from = buffer.least[cell] - unsure_at(buffer.least[cell]),
+              to = buffer.most[cell] + unsure_at(buffer.most[cell]);
+  for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
+    const auto ids = hn::Load(whole, own.ids.data() + i);
+    const auto nearness = hn::Load(single, own.nearness.data() + i);
+    const auto mine = hn::Gt(nearness, hn::Set(single, to));
+    hn::Store(hn::IfThenElse(hn::RebindMask(whole, mine), ids, hn::Set(whole, other)), whole, winners + i);
+    const auto open = hn::AndNot(mine, hn::Ge(nearness, hn::Set(single, from)));
+    if (other == no_triangle || hn::AllFalse(single, open)) continue;
+    for (std::size_t s = i; s < std::min(i + hn::Lanes(whole), places.size()); ++s) {
+      if (own.ids[s] == no_triangle || own.nearness[s] > to || own.nearness[s] < from) continue;
+      const ivec2 there = pixel * triangle_coverage::subpixels + places[s];
+      winners[s] =
+          exact_depth(frame, own.ids[s], there) < exact_depth(frame, other, there) ? own.ids[s] : other;
+    }
+  }
+}
+
+void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
+               const SampleBuffer& buffer, std::vector<ShownTriangle>& shown) {
+  const Whole whole;
+  alignas(64) std::int32_t winners[most_samples];
+  for (std::size_t cell = 0; cell < SampleBuffer::cells; ++cell) {
+    if (buffer.sampled[cell] < 0) continue;
+    winners_of(frame, buffer, cell, pixels.lower + TileBuffer::place(cell), places, winners);
+    // Those that are left to count
+    auto left = static_cast<std::int32_t>(places.size());
+    for (std::size_t s = 0; left > 0 && s < places.size(); ++s) {
+      const std::int32_t id = winners[s];
+      if (id == counted) continue;
+      std::size_t times = 0;
+      for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
+        const auto there = hn::FirstN(whole, places.size() - std::min(i, places.size()));
+        const auto all = hn::Load(whole, winners + i), one = hn::Set(whole, id);
+        const auto same = hn::And(there, hn::Eq(all, one));
+        times += hn::CountTrue(whole, same);
+        hn::BlendedStore(hn::Set(whole, counted), same, whole, winners + i);
+      }
+      left -= static_cast<std::int32_t>(times);
+      if (id != no_triangle) shown.push_back({cell, id, static_cast<std::int32_t>(times)});
+    }
+  }
+}
+
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gradus::pipeline::engine {
 HWY_EXPORT(sample_tile);
+HWY_EXPORT(show_tile);
 
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer) {
@@ -303,18 +383,9 @@ void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<
   HWY_DYNAMIC_DISPATCH(sample_tile)(frame, tile, pixels, places, buffer);
 }
 
-std::int32_t winner_at(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
-                       std::size_t sample, ivec2 place) {
-  const std::int32_t whole = buffer.whole[cell], sampled = buffer.sampled[cell];
-  if (sampled < 0) return whole;
-  const PixelSamples& samples = buffer.samples[static_cast<std::size_t>(sampled)];
-  const std::int32_t own = samples.ids[sample];
-  if (own == no_triangle) return whole;
-  const float nearness = samples.nearness[sample], least = buffer.least[cell], most = buffer.most[cell];
-  if (whole == no_triangle || nearness > most + unsure_at(most)) return own;
-  if (nearness < least - unsure_at(least)) return whole;
-  const ivec2 there = pixel * triangle_coverage::subpixels + place;
-  return exact_depth(frame, own, there) < exact_depth(frame, whole, there) ? own : whole;
+void find_shown(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
+                const SampleBuffer& buffer, std::vector<ShownTriangle>& shown) {
+  HWY_DYNAMIC_DISPATCH(show_tile)(frame, pixels, places, buffer, shown);
 }
 
 }  // namespace gradus::pipeline::engine

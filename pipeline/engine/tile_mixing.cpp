@@ -1,40 +1,25 @@
 // Antialiased tiles: colours of triangles that share a pixel, mixed by the samples that show them.
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 
-#include "antialiasing/adaptive/pixel_survey.hpp"
 #include "engine/tile_shader.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
 
-/// The triangles that the samples of a pixel show, and how many each.
-class Shown {
- public:
-  void add(std::int32_t id) {
-    if (id == no_triangle) return;
-    ++samples_;
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (ids_[i] != id) continue;
-      ++times_[i];
-      return;
-    }
-    ids_[count_] = id;
-    times_[count_++] = 1;
-  }
-  std::size_t count() const { return count_; }
-  std::int32_t samples() const { return samples_; }
-  std::int32_t id(std::size_t i) const { return ids_[i]; }
-  std::int32_t times(std::size_t i) const { return times_[i]; }
-
- private:
-  std::array<std::int32_t, most_samples> ids_, times_;
-  std::size_t count_ = 0;
-  std::int32_t samples_ = 0;
-};
-
 constexpr ivec2 middle{triangle_coverage::subpixels / 2, triangle_coverage::subpixels / 2};
+
+/// Where a triangle's colour in a pixel is asked for: adaptive::colour_place. places: nearest to the centre
+/// first.
+ivec2 colour_place(const triangle_coverage::Edges& edges, ivec2 pixel, std::span<const ivec2> places) {
+  const auto covered = [&](ivec2 place) {
+    return holds(edges, weights_at_place(edges, pixel * triangle_coverage::subpixels + place));
+  };
+  if (covered(middle)) return middle;
+  const auto found = std::ranges::find_if(places, covered);
+  return found == places.end() ? middle : *found;
+}
 
 }  // namespace
 
@@ -45,27 +30,21 @@ std::int64_t TileShader::find_fragments(const Window& pixels, const SampleBuffer
   const Frame& frame = shading_.frame();
   whole_.ids = buffer.whole;
   fragments_.clear();
-  std::vector<std::pair<std::int32_t, Fragment>>& found = found_;
-  found.clear();
-  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell) {
-    if (buffer.sampled[cell] < 0) continue;
-    const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
-    Shown shown;
-    for (std::size_t s = 0; s < places.size(); ++s)
-      shown.add(winner_at(frame, buffer, cell, pixel, s, places[s]));
-    whole_.ids[cell] = no_triangle;
-    for (std::size_t i = 0; i < shown.count(); ++i) {
-      const auto edges = triangle_coverage::edges_of(frame.triangle(shown.id(i)).grid);
-      const ivec2 place = adaptive::colour_place(edges, pixel, places);
-      const bool alone = shown.times(i) == std::ssize(places) && place == middle;
-      if (alone)
-        whole_.ids[cell] = shown.id(i);
-      else
-        found.push_back({shown.id(i), {0, shown.times(i), cell, place}});
-    }
+  shown_.clear();
+  found_.clear();
+  find_shown(frame, pixels, places, buffer, shown_);
+  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell)
+    if (buffer.sampled[cell] >= 0) whole_.ids[cell] = no_triangle;
+  for (const auto& [cell, id, samples] : shown_) {
+    const auto edges = triangle_coverage::edges_of(frame.triangle(id).grid);
+    const ivec2 place = colour_place(edges, pixels.lower + TileBuffer::place(cell), places);
+    if (samples == std::ssize(places) && place == middle)
+      whole_.ids[cell] = id;
+    else
+      found_.push_back({id, {0, samples, cell, place}});
   }
   std::int64_t covered = find_seen(whole_);
-  for (auto& [id, fragment] : found) {
+  for (auto& [id, fragment] : found_) {
     fragment.slot = slot_of(id);
     covered += fragments_.empty() || fragments_.back().cell != fragment.cell;
     ++seen_[static_cast<std::size_t>(fragment.slot)].pixels;
@@ -99,7 +78,7 @@ void TileShader::light_group(std::int32_t number, ivec2 origin) {
     const ivec2 pixel = origin + TileBuffer::place(fragment.cell);
     fragment_light_[static_cast<std::size_t>(of[i])] =
         light_[i] < 0 || seen.careful
-            ? surfaces_.colour(seen.id, pixel, adaptive::place_in(pixel, fragment.place))
+            ? surfaces_.colour(seen.id, pixel, pixel * triangle_coverage::subpixels + fragment.place)
             : LinearRgb{light_[i], light_[count + i], light_[2 * count + i]};
   }
 }

@@ -79,15 +79,16 @@ bool TileShader::describe_texture(const TextureLevels& texture, const SeenCorner
 }
 
 /// Returns whether single precision will do.
-bool TileShader::describe(const Seen& seen, const Window& pixels, bool squares, TriangleRecord& record) {
+bool TileShader::describe(const Seen& seen, ivec2 origin, const Window& square, bool squares,
+                          TriangleRecord& record) {
   const auto& grid = shading_.frame().triangle(seen.id).grid;
   SeenCorners& corners = corners_.emplace_back(shading_.corners_of(seen.id));
   corners.over_w /= std::max({corners.over_w.x, corners.over_w.y, corners.over_w.z});
   const dvec3& q = corners.over_w;
-  const Window box = squares ? squares_of(grid, pixels) : triangle_coverage::centres(grid, pixels);
+  const Window box = squares ? squares_of(grid, square) : triangle_coverage::centres(grid, square);
   const PlaneMaker& planes = makers_.emplace_back(grid, box, q);
-  record[record::column] = static_cast<float>(planes.pixel().x - pixels.lower.x);
-  record[record::row] = static_cast<float>(planes.pixel().y - pixels.lower.y);
+  record[record::column] = static_cast<float>(planes.pixel().x - origin.x);
+  record[record::row] = static_cast<float>(planes.pixel().y - origin.y);
   planes.put(q, &record[record::over_w]);
   const auto& [a, b, c] = corners.places;
   if (shading_.scene().shading == Shading::phong) {
@@ -108,10 +109,12 @@ void TileShader::describe_all(const Window& pixels, bool squares) {
   records_.resize(seen_.size());
   corners_.clear();
   makers_.clear();
+  // A part of a picture has the bits of the whole
+  const Window square = intersection(square_with(pixels.lower), picture_window(shading_.plan().size));
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     Seen& seen = seen_[i];
     seen.group = shading_.group_of(seen.id);
-    seen.careful = !describe(seen, pixels, squares, records_[i]);
+    seen.careful = !describe(seen, pixels.lower, square, squares, records_[i]);
     std::int32_t& share = share_of_group_[static_cast<std::size_t>(seen.group)];
     if (share < 0) {
       share = static_cast<std::int32_t>(groups_here_.size());

@@ -25,7 +25,8 @@ class TileShader {
   ///   light_cells or light_blocks; a triangle whose texture repeats very often has the textbook's
   ///   arithmetic.
   std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
-  /// The same of what the samples of each pixel show. buffer: from find_samples, with these places. Each
+  /// The same of what the samples of each pixel show. buffer: from find_samples, with these places,
+  /// of which the first is nearest to the centre. Each
   /// triangle has one colour in a pixel, where the textbook's `adaptive` asks for it, and counts for as many
   /// samples as show it.
   std::int64_t mix(const Window& pixels, const SampleBuffer& buffer, std::span<const ivec2> places,
@@ -69,7 +70,7 @@ class TileShader {
   Share& share_of(std::int32_t group) {
     return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
   }
-  bool describe(const Seen& seen, const Window& pixels, bool squares, TriangleRecord& record);
+  bool describe(const Seen& seen, ivec2 origin, const Window& square, bool squares, TriangleRecord& record);
   bool describe_texture(const TextureLevels& texture, const SeenCorners& corners, const PlaneMaker& planes,
                         TriangleRecord& record) const;
   void light_all_corners();
@@ -99,6 +100,7 @@ class TileShader {
   std::vector<std::int32_t> mixed_blocks_;
   std::vector<std::int32_t> careful_cells_, careful_slots_;
   std::vector<float> places_, normals_, light_;
+  std::vector<ShownTriangle> shown_;
   std::vector<std::pair<std::int32_t, Fragment>> found_;  ///< with their triangles
   std::vector<Fragment> fragments_;                       ///< those of a pixel beside one another
   std::vector<LinearRgb> fragment_light_;

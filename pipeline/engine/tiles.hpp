@@ -12,29 +12,38 @@ namespace gradus::pipeline::engine {
 /// Pixels on a side of a tile.
 inline constexpr int tile_side = 64;
 
-/// The tiles of a part of a picture, row by row; those at the right and below may be smaller.
+/// The tile of a picture that holds a pixel: tiles begin at its upper left.
+inline Window square_with(ivec2 pixel) {
+  const ivec2 lower = pixel / tile_side * tile_side;
+  return {lower, lower + (tile_side - 1)};
+}
+
+/// The tiles of a part of a picture, row by row; those at its rim are cut off.
 class TileGrid {
  public:
+  /// Domain: within a picture.
   explicit TileGrid(const Window& window)
       : window_(window),
-        columns_(static_cast<int>((window.width() + tile_side - 1) / tile_side)),
-        rows_(static_cast<int>((window.height() + tile_side - 1) / tile_side)) {}
+        first_(window.lower / tile_side),
+        columns_(window.empty() ? 0 : window.upper.x / tile_side - first_.x + 1),
+        rows_(window.empty() ? 0 : window.upper.y / tile_side - first_.y + 1) {}
 
   int count() const { return columns_ * rows_; }
   int columns() const { return columns_; }
   const Window& window() const { return window_; }
   /// The pixels of a tile.
   Window tile(int number) const {
-    const ivec2 lower = window_.lower + tile_side * ivec2{number % columns_, number / columns_};
-    return intersection({lower, lower + (tile_side - 1)}, window_);
+    const ivec2 at = first_ + ivec2{number % columns_, number / columns_};
+    return intersection(square_with(tile_side * at), window_);
   }
   /// The columns and rows of tiles that hold these pixels. Domain: not empty, within the window.
   Window tiles_with(const Window& pixels) const {
-    return {(pixels.lower - window_.lower) / tile_side, (pixels.upper - window_.lower) / tile_side};
+    return {pixels.lower / tile_side - first_, pixels.upper / tile_side - first_};
   }
 
  private:
   Window window_;
+  ivec2 first_;
   int columns_, rows_;
 };
 

@@ -84,14 +84,19 @@ void prepare(const std::string& folder, const std::vector<const Subject*>& wante
   }
 }
 
-/// Measures a subject against its peer. Throws WorkError where that is missing and asked for.
+/// Measures a subject against its peer. Throws UsageError where that is missing and asked for.
 Findings duels_of(const Subject& subject, const Effort& effort, const cli::Request& request) {
+  const auto need = [&](bool there) {
+    if (request.has("require-peers") && !there)
+      throw cli::UsageError(
+          fmt::format("--require-peers: what {} is compared with is not there", subject.topic));
+  };
+  need(subject.peer_is_built);
   Findings found{&subject, {}};
   cli::Progress progress(subject.duel_count, request.quiet());
   std::size_t done = 0;
   found.duels = subject.duels(effort, [&] { progress.finished(done++, ""); }, found.peer);
-  if (request.has("require-peers") && found.peer.empty())
-    throw cli::WorkError(fmt::format("{}: the program that it is compared with is not there", subject.topic));
+  need(std::ranges::all_of(found.duels, [](const Duel& duel) { return duel.peer_ms.has_value(); }));
   return found;
 }
 

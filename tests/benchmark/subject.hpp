@@ -100,6 +100,7 @@ struct Subject {
   std::vector<Duel> (*duels)(const Effort& effort, const std::function<void()>& told,
                              std::string& peer) = nullptr;
   std::size_t duel_count = 0;
+  bool peer_is_built = false;  ///< whether its library was there at build time
 };
 
 /// Those of all topics, in the catalogue's order.

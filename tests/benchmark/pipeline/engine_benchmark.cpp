@@ -286,7 +286,11 @@ Subject engine() {
       .title = "A picture",
       .item = "picture",
       .duels = duels,
-      .duel_count = std::size(sizes) * std::size(shadings) * std::size(thread_counts) * workloads().size()};
+      .duel_count = std::size(sizes) * std::size(shadings) * std::size(thread_counts) * workloads().size(),
+#ifdef GRADUS_HAS_OSMESA
+      .peer_is_built = true
+#endif
+  };
 }
 
 }  // namespace gradus::bench

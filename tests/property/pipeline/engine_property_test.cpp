@@ -189,6 +189,15 @@ void expect_within_one_step(Antialiasing method, int cases) {
           << name << ", " << threads << " threads";
     comparison.add(image, output(over_background(antialiased(scene, size), scene.background)), name);
     in_single += engine::draws_in_single_precision(scene);
+    // A part has the bits of the whole
+    const auto left = static_cast<int>(random.uniform_int(0, size.width - 1)),
+               top = static_cast<int>(random.uniform_int(0, size.height - 1));
+    const Plan of_part =
+        plan_of(scene, size, Rules::all(), Window{{left, top}, {size.width - 1, size.height - 1}});
+    const Image part = engine::picture_of(scene, buffers, of_part, workspace, 2).image;
+    for (int y = top; y < size.height; ++y)
+      for (int x = left; x < size.width; ++x)
+        ASSERT_EQ(steps(part[ivec2{x - left, y - top}], image[ivec2{x, y}]), 0) << name << ", a part";
   }
   EXPECT_TRUE(comparison.is_close()) << "seed " << seed;
   EXPECT_GE(in_single * 2, cases) << "seed " << seed;
