@@ -12,18 +12,12 @@
 #include <hwy/highway.h>
 
 #include "core/colour.hpp"
+#include "engine/shading_lanes-inl.hpp"
 #include "engine/visibility_batch.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, block_cells>;
-using DI = hn::RebindToSigned<D>;
-using F = hn::Vec<D>;
-using I = hn::Vec<DI>;
-using M = hn::Mask<D>;
-using MI = hn::Mask<DI>;
 
 // Cosines that are less from where something ends are in doubt
 constexpr float unsure_choice = 0x1p-18f;
@@ -31,73 +25,6 @@ constexpr float unsure_choice = 0x1p-18f;
 constexpr float unsure_normal = 0x1p-8f;
 // Cones between whose cosines there is less have an edge that single precision cannot draw
 constexpr float sharp_cone = 0x1p-6f;
-
-HWY_INLINE F set(float x) { return hn::Set(D(), x); }
-HWY_INLINE I whole(std::int32_t x) { return hn::Set(DI(), x); }
-HWY_INLINE F zero() { return hn::Zero(D()); }
-HWY_INLINE F positive(F x) { return hn::Max(x, zero()); }
-
-struct Vec3 {
-  F x, y, z;
-};
-HWY_INLINE Vec3 set(const glm::vec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
-HWY_INLINE F dot(const Vec3& a, const Vec3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Vec3 scaled(const Vec3& v, F by) { return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)}; }
-HWY_INLINE Vec3 minus(const Vec3& a, const Vec3& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-HWY_INLINE Vec3 add_scaled(const Vec3& a, const Vec3& b, F by) {
-  return {hn::Add(a.x, hn::Mul(b.x, by)), hn::Add(a.y, hn::Mul(b.y, by)), hn::Add(a.z, hn::Mul(b.z, by))};
-}
-// 1 / length, 0 for the zero vector
-HWY_INLINE F over_length(F square) {
-  return hn::IfThenElseZero(hn::Gt(square, zero()), hn::Div(set(1), hn::Sqrt(square)));
-}
-HWY_INLINE Vec3 unit(const Vec3& v) { return scaled(v, over_length(dot(v, v))); }
-
-// --- Powers --------------------------------------------------------------------------------------
-
-// c0 + c1 x + c2 x^2 + ...
-template <std::size_t n>
-HWY_INLINE F polynomial(F x, const float (&c)[n]) {
-  F sum = set(c[n - 1]);
-  for (std::size_t i = n - 1; i-- > 0;) sum = hn::Add(hn::Mul(sum, x), set(c[i]));
-  return sum;
-}
-
-// Within 2^-22, for normal x > 0. With x = 2^n m, 2 artanh((m - 1) / (m + 1)) / ln 2 + n
-HWY_INLINE F log2_of(F x) {
-  const DI di;
-  // m from sqrt(1/2) to sqrt(2)
-  const I bits = hn::BitCast(di, x), shifted = hn::Sub(bits, whole(0x3f3504f3));
-  const I n = hn::ShiftRight<23>(shifted);
-  const F m = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(n)));
-  const F z = hn::Div(hn::Sub(m, set(1)), hn::Add(m, set(1)));
-  constexpr float series[] = {2.88539008f, 0.961796694f, 0.577078016f, 0.412198583f, 0.320598898f};
-  return hn::Add(hn::ConvertTo(D(), n), hn::Mul(z, polynomial(hn::Mul(z, z), series)));
-}
-
-// Within 2^-22 of 2^x, for x from -126 to 126; less gives less than 2^-125
-HWY_INLINE F exp2_of(F x) {
-  const F within = hn::Max(hn::Min(x, set(126)), set(-126)), n = hn::Round(within), part = hn::Sub(within, n);
-  constexpr float series[] = {
-      1, 0.693147181f, 0.240226507f, 0.0555041087f, 0.00961812911f, 0.00133335581f, 0.000154035304f};
-  const I shift = hn::ShiftLeft<23>(hn::ConvertTo(DI(), n));
-  return hn::BitCast(D(), hn::Add(hn::BitCast(DI(), polynomial(part, series)), shift));
-}
-
-// x > 0 to a power
-HWY_INLINE F power(F x, float by, int whole_power) {
-  if (whole_power < 0) return exp2_of(hn::Mul(log2_of(hn::Max(x, set(0x1p-100f))), set(by)));
-  F result = set(1);
-  for (auto bit = static_cast<int>(std::bit_width(static_cast<unsigned>(whole_power))); bit-- > 0;) {
-    result = hn::Mul(result, result);
-    if (whole_power >> bit & 1) result = hn::Mul(result, x);
-  }
-  return result;
-}
 
 // --- Light ---------------------------------------------------------------------------------------
 
@@ -191,92 +118,6 @@ HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& 
           sum.doubtful};
 }
 
-// --- Textures ------------------------------------------------------------------------------------
-
-// Texture coordinates: those of a place nearby, with few digits, and how far it is from there
-struct Uv {
-  F u, v;
-  F base_u, base_v;
-};
-
-// The mean of the four texels of a level that lie about (u, v)
-HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
-  const DI di;
-  const D d;
-  const I columns = hn::GatherIndex(di, texture.columns.data(), level),
-          rows = hn::GatherIndex(di, texture.rows.data(), level),
-          begin = hn::GatherIndex(di, texture.begin.data(), level);
-  // Cells from 0 to count - 1, beyond which the texture comes again
-  struct Axis {
-    I first, second;
-    F part;
-  };
-  const auto axis = [&](F base, F way, I count) {
-    const F size = hn::ConvertTo(d, count), there = hn::Sub(hn::Mul(base, size), set(0.5f)),
-            cell_there = hn::Floor(there);
-    // From here on digits count: texels on from that cell
-    const F on = hn::Add(hn::Sub(there, cell_there), hn::Mul(way, size)), cells_on = hn::Floor(on),
-            cell = hn::Add(cell_there, cells_on);
-    const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
-    // The quotient may have been rounded to the next whole number
-    const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
-    const I first = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count)),
-            next = hn::Add(first, whole(1));
-    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(on, cells_on)};
-  };
-  const Axis x = axis(at.base_u, at.u, columns), y = axis(at.base_v, at.v, rows);
-  const auto line = [&](I up) {
-    const I row = hn::Sub(hn::Sub(rows, whole(1)), up);
-    return hn::Add(begin, hn::Mul(row, columns));
-  };
-  const auto texel = [&](I row, I column) {
-    const I index = hn::Mul(hn::Add(row, column), whole(3));
-    return Vec3{hn::GatherIndex(d, texture.texels, index),
-                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(1))),
-                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(2)))};
-  };
-  const auto mixed = [](const Vec3& a, const Vec3& b, F part) { return add_scaled(a, minus(b, a), part); };
-  const I below = line(y.first), above = line(y.second);
-  return mixed(mixed(texel(below, x.first), texel(below, x.second), x.part),
-               mixed(texel(above, x.first), texel(above, x.second), x.part), y.part);
-}
-
-// side: the square of the footprint's longer side, in texels
-HWY_INLINE Vec3 mip_mapped(const TextureLevels& texture, F square, const Uv& at) {
-  const DI di;
-  const I last = whole(texture.levels - 1);
-  // Far too long ones, and what is no number, have the last level
-  const F most = set(static_cast<float>(texture.levels - 1));
-  const M short_enough = hn::Lt(square, set(0x1p40f));
-  const F height = hn::IfThenElse(short_enough, hn::Mul(set(0.5f), log2_of(hn::Max(square, set(1)))), most);
-  const F level = hn::Min(height, most), lower = hn::Floor(level);
-  const I k = hn::ConvertTo(di, lower);
-  const Vec3 finer = bilinear(texture, k, at);
-  const F part = hn::Sub(level, lower);
-  if (hn::AllTrue(D(), hn::Eq(part, zero()))) return finer;
-  const Vec3 coarser = bilinear(texture, hn::Min(hn::Add(k, whole(1)), last), at);
-  return add_scaled(finer, minus(coarser, finer), part);
-}
-
-// --- Colours -------------------------------------------------------------------------------------
-
-// The nearest of 0 to 255 by sRGB's curve, or its neighbour
-HWY_INLINE I byte_of(F light) {
-  const F x = hn::Min(positive(light), set(1));
-  const F root = hn::Sqrt(hn::Sqrt(x));
-  // 255 (1.055 x^(1/2.4) - 0.055) within 1/400
-  constexpr float curve[] = {-15.7155746f, 42.0683701f, 317.274569f, -142.176691f, 69.5518221f, -16.0035428f};
-  const F value =
-      hn::IfThenElse(hn::Lt(x, set(0.0031308f)), hn::Mul(x, set(12.92f * 255)), polynomial(root, curve));
-  return hn::ConvertTo(DI(), hn::Add(value, set(0.5f)));
-}
-
-HWY_INLINE I packed_of(const Vec3& light) {
-  const I red = byte_of(light.x), green = hn::ShiftLeft<8>(byte_of(light.y)),
-          blue = hn::ShiftLeft<16>(byte_of(light.z));
-  return hn::Or(hn::Or(red, green), hn::Or(blue, whole(static_cast<std::int32_t>(0xff000000U))));
-}
-
 // --- Pixels --------------------------------------------------------------------------------------
 
 // The records of some pixels: of each its own, or one of all
@@ -288,6 +129,16 @@ struct OwnRecords {
 struct OneRecord {
   const float* one;
   HWY_INLINE F operator()(int place) const { return set(one[place]); }
+};
+
+// Those of up to three triangles, of each pixel one
+struct BlendedRecords {
+  const float *first, *second, *third;
+  M of_second, of_third;
+  HWY_INLINE F operator()(int place) const {
+    const F other = hn::IfThenElse(of_second, set(second[place]), set(first[place]));
+    return hn::IfThenElse(of_third, set(third[place]), other);
+  }
 };
 
 template <class Records>
@@ -372,28 +223,48 @@ bool light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, cons
   return !hn::AllFalse(di, doubtful);
 }
 
-bool light_some_blocks(const LitCells& lit_cells, const std::int32_t* blocks, const std::int32_t* slots,
-                       std::size_t count, const std::int32_t* slots_of_cells, std::uint32_t* colours) {
+alignas(64) constexpr float cell_columns[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float cell_rows[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+// Colours the cells of a block that are `own` of those from k on
+template <class Records>
+HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, std::int32_t block,
+                            std::size_t k, MI own, std::uint32_t* colours, MI& doubtful) {
   const D d;
-  const DI di;
   const hn::RebindToUnsigned<DI> du;
+  const auto column = static_cast<float>(block % blocks_across * block_side),
+             row = static_cast<float>(block / blocks_across * block_side);
+  const F x = hn::Add(set(column), hn::Load(d, cell_columns + k)),
+          y = hn::Add(set(row), hn::Load(d, cell_rows + k));
+  MI in_doubt = hn::FirstN(DI(), 0);
+  const I colour = colour_of(lit_cells, records, x, y, in_doubt);
+  std::uint32_t* const to = colours + static_cast<std::size_t>(block * block_cells) + k;
+  hn::BlendedStore(hn::BitCast(du, colour), hn::RebindMask(du, own), du, to);
+  doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
+}
+
+bool light_some_blocks(const LitCells& lit_cells, const LitBlock* blocks, std::size_t count,
+                       const std::int32_t* slots_of_cells, std::uint32_t* colours) {
+  const DI di;
   MI doubtful = hn::FirstN(di, 0);
-  alignas(64) static constexpr float across[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-  alignas(64) static constexpr float down[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t block = blocks[i];
-    const OneRecord records{lit_cells.records[slots[i]].data()};
-    const auto column = static_cast<float>(block % blocks_across * block_side),
-               row = static_cast<float>(block / blocks_across * block_side);
-    for (std::size_t k = 0; k < block_cells; k += hn::Lanes(d)) {
-      const F x = hn::Add(set(column), hn::Load(d, across + k)), y = hn::Add(set(row), hn::Load(d, down + k));
-      const std::size_t cell = static_cast<std::size_t>(block * block_cells) + k;
-      const auto own = hn::Eq(hn::Load(di, slots_of_cells + cell), whole(slots[i]));
+    const auto& [block, slots] = blocks[i];
+    const auto record = [&](std::size_t which) { return lit_cells.records[slots[which]].data(); };
+    for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
+      const I cell_slots = hn::Load(di, slots_of_cells + static_cast<std::size_t>(block * block_cells) + k);
+      const auto of = [&](std::size_t which) { return hn::Eq(cell_slots, whole(slots[which])); };
+      const MI first = of(0);
+      if (slots[1] == slots[0]) {
+        if (hn::AllFalse(di, first)) continue;
+        light_block(lit_cells, OneRecord{record(0)}, block, k, first, colours, doubtful);
+        continue;
+      }
+      const MI second = of(1), third = of(2), own = hn::Or(first, hn::Or(second, third));
       if (hn::AllFalse(di, own)) continue;
-      MI in_doubt = hn::FirstN(di, 0);
-      const I colour = colour_of(lit_cells, records, x, y, in_doubt);
-      hn::BlendedStore(hn::BitCast(du, colour), hn::RebindMask(du, own), du, colours + cell);
-      doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
+      const D d;
+      const BlendedRecords records{record(0), record(1), record(2), hn::RebindMask(d, second),
+                                   hn::RebindMask(d, third)};
+      light_block(lit_cells, records, block, k, own, colours, doubtful);
     }
   }
   return !hn::AllFalse(di, doubtful);
@@ -461,11 +332,9 @@ bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
   return HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
 }
 
-bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
-                  std::span<const std::int32_t> slots, const std::int32_t* slots_of_cells,
+bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const std::int32_t* slots_of_cells,
                   std::uint32_t* colours) {
-  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), slots.data(), blocks.size(),
-                                                 slots_of_cells, colours);
+  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), slots_of_cells, colours);
 }
 
 void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {

@@ -1,6 +1,7 @@
 #pragma once
 // Light and colours in single precision, sixteen pixels at once.
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -27,12 +28,16 @@ struct LitCells {
 /// Cost: 10 nanoseconds a pixel and lamp with 16 lanes.
 bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
                  std::span<const std::int32_t> slots, std::uint32_t* colours);
-/// The same of blocks of 4 x 4 cells, of each those of one triangle.
-/// blocks: numbers of blocks. slots: as long; the record of the triangle. slots_of_cells: of all cells of the
-///   tile, aligned to 64 bytes; a cell of the block is coloured where it has that slot.
+/// A block of 4 x 4 cells, and the records of the triangles of one group in it: up to three, the others
+/// repeat the last one.
+struct LitBlock {
+  std::int32_t block;
+  std::array<std::int32_t, 3> slots;
+};
+/// The same of blocks, of each the cells that have one of its slots.
+/// slots_of_cells: of all cells of the tile, aligned to 64 bytes.
 /// Cost: 4 nanoseconds a pixel and lamp, of which a block has 16.
-bool light_blocks(const LitCells& lit, std::span<const std::int32_t> blocks,
-                  std::span<const std::int32_t> slots, const std::int32_t* slots_of_cells,
+bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const std::int32_t* slots_of_cells,
                   std::uint32_t* colours);
 
 /// Places of one group, anywhere in a tile's pixels, and their light.

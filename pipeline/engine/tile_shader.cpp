@@ -31,7 +31,8 @@ TileShader::TileShader(const FrameShading& shading)
       share_of_group_(shading.groups().size(), -1) {}
 
 void TileShader::Share::clear() {
-  for (auto* list : {&cells, &cell_slots, &blocks, &block_slots, &slots}) list->clear();
+  for (auto* list : {&cells, &cell_slots, &slots}) list->clear();
+  blocks.clear();
   pixels = 0;
 }
 
@@ -218,12 +219,25 @@ void TileShader::sort() {
     const auto own = std::span(slots_).subspan(static_cast<std::size_t>(block) * full, full);
     std::array<std::int32_t, 3> slots;
     if (const std::size_t few = different(own, slots); few > 0) {
-      for (std::size_t i = 0; i < few; ++i) add_block(block, slots[i]);
+      add_mixed_block(block, std::span(slots).first(few));
       continue;
     }
     for (std::size_t i = 0; i < full; ++i)
       if (own[i] >= 0) add_cell(block * block_cells + static_cast<std::int32_t>(i), own[i]);
   }
+}
+
+/// A block that shows up to three triangles.
+void TileShader::add_mixed_block(std::int32_t block, std::span<const std::int32_t> slots) {
+  const auto seen = [&](std::int32_t slot) -> const Seen& { return seen_[static_cast<std::size_t>(slot)]; };
+  const bool alike = std::ranges::all_of(slots, [&](std::int32_t slot) {
+    return !seen(slot).careful && seen(slot).group == seen(slots.front()).group;
+  });
+  if (alike)
+    share_of(seen(slots.front()).group)
+        .blocks.push_back({block, {slots.front(), slots[slots.size() > 1 ? 1 : 0], slots.back()}});
+  else
+    for (const std::int32_t slot : slots) add_block(block, slot);
 }
 
 void TileShader::add_cell(std::int32_t cell, std::int32_t slot) {
@@ -237,9 +251,7 @@ void TileShader::add_cell(std::int32_t cell, std::int32_t slot) {
 void TileShader::add_block(std::int32_t block, std::int32_t slot) {
   const Seen& seen = seen_[static_cast<std::size_t>(slot)];
   if (!seen.careful) {
-    Share& share = share_of(seen.group);
-    share.blocks.push_back(block);
-    share.block_slots.push_back(slot);
+    share_of(seen.group).blocks.push_back({block, {slot, slot, slot}});
     return;
   }
   const std::int32_t first = block * block_cells;
@@ -333,7 +345,7 @@ void TileShader::light_whole_pixels(ivec2 origin) {
     count_light(share, group);
     const LitCells lit{&group, records_.data(), shading_.scene().shading == Shading::phong,
                        shading_.towards()};
-    some_in_doubt |= light_blocks(lit, share.blocks, share.block_slots, slots_.data(), colours_.data());
+    some_in_doubt |= light_blocks(lit, share.blocks, slots_.data(), colours_.data());
     fill_up(share.cells);
     fill_up(share.cell_slots);
     some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());

@@ -43,7 +43,8 @@ class TileShader {
   };
   /// Pixels of a group, as light_cells and light_blocks take them.
   struct Share {
-    std::vector<std::int32_t> cells, cell_slots, blocks, block_slots, slots;
+    std::vector<std::int32_t> cells, cell_slots, slots;
+    std::vector<LitBlock> blocks;
     std::int64_t pixels = 0;
 
     void clear();
@@ -78,6 +79,7 @@ class TileShader {
   void put_light_of_faces();
   void sort();
   void add_cell(std::int32_t cell, std::int32_t slot);
+  void add_mixed_block(std::int32_t block, std::span<const std::int32_t> slots);
   void add_block(std::int32_t block, std::int32_t slot);
   void take_doubtful();
   void colour_carefully(ivec2 origin);

@@ -42,8 +42,10 @@ class Visibility {
     for (Side& side : cast.sides) {
       if (largest(side, cast.box) < 0) return;
       // Blocks reach beyond the box, where that side alone may leave pixels out
-      if (least(side, blocks) >= 0) side = {0, 0, 0};
-      long_sides |= std::max(std::abs(side.a), std::abs(side.b)) >= 1 << 23;
+      if (least(side, blocks) >= 0)
+        side = {0, 0, 0};
+      else
+        long_sides |= std::max(std::abs(side.a), std::abs(side.b)) >= 1 << 23;
     }
     if (!is_flat_enough(cast.plane, t.depth) || long_sides)
       draw_pixels(t, id);
