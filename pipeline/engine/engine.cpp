@@ -111,6 +111,10 @@ class Artist {
 
   /// places: of the samples of a pixel; none: their centres.
   std::int64_t draw(int tile, const Window& pixels, std::span<const ivec2> places, Image& image) {
+    if (is_empty(frame_, tile)) {
+      shader_->clear(pixels, image);
+      return 0;
+    }
     if (places.empty()) {
       find_nearest(frame_, tile, pixels, *buffer_);
       return shader_->colour(pixels, *buffer_, image);

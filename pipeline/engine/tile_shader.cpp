@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace gradus::pipeline::engine {
 namespace {
@@ -282,14 +283,20 @@ ShadingCount TileShader::count() const {
 /// Copies the pixels of the tile from their cells.
 void TileShader::write(const Window& pixels, Image& image) const {
   const ivec2 corner = pixels.lower - shading_.plan().window.lower;
-  const auto width = static_cast<int>(pixels.width());
+  const auto width = static_cast<int>(pixels.width()), whole = width / block_side * block_side;
   for (int y = 0; y < pixels.height(); ++y) {
     Rgba8* const row = image.row(corner.y + y).data() + corner.x;
-    for (int x = 0; x < width; x += block_side) {
-      const std::uint32_t* const from = &colours_[TileBuffer::cell({x, y})];
-      for (int i = 0; i < std::min(block_side, width - x); ++i) row[x + i] = std::bit_cast<Rgba8>(from[i]);
-    }
+    for (int x = 0; x < whole; x += block_side)
+      std::memcpy(static_cast<void*>(row + x), &colours_[TileBuffer::cell({x, y})],
+                  block_side * sizeof(Rgba8));
+    for (int x = whole; x < width; ++x) row[x] = std::bit_cast<Rgba8>(colours_[TileBuffer::cell({x, y})]);
   }
+}
+
+void TileShader::clear(const Window& pixels, Image& image) const {
+  const ivec2 corner = pixels.lower - shading_.plan().window.lower;
+  for (int y = 0; y < pixels.height(); ++y)
+    std::fill_n(image.row(corner.y + y).data() + corner.x, pixels.width(), std::bit_cast<Rgba8>(background_));
 }
 
 /// Numbers the triangles that are seen, and tells which blocks show one alone. Returns the pixels that show

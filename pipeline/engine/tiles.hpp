@@ -1,6 +1,7 @@
 #pragma once
 // The picture in tiles, and which triangles may touch which of them.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +51,13 @@ class TileGrid {
 /// Sorts the triangles of every batch by the tiles that their boxes meet. Runs on the threads of the arena
 /// that it is called in. Cost: 4 bytes a triangle and tile, 4 bytes a batch and tile.
 void bin(Frame& frame, const TileGrid& grid, Touch touch);
+
+/// Whether no triangle may touch a tile.
+inline bool is_empty(const Frame& frame, int tile) {
+  const auto number = static_cast<std::size_t>(tile);
+  return std::ranges::all_of(
+      frame.batches, [&](const Batch& batch) { return batch.first[number] == batch.first[number + 1]; });
+}
 
 /// The triangles that may touch a tile, in their order: visit(id).
 template <class Visit>

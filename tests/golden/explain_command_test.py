@@ -84,7 +84,9 @@ def test_plan_changes_no_pixel():
 
 def test_ledger_adds_up():
     totals = []
-    for words, drawn_by in (["--engine", "textbook"], "the textbook chain"), ([], "the engine"), (["--aa", "none"], "the engine"):
+    for words, drawn_by in ((["--engine", "textbook"], "the textbook chain"), ([], "the engine, in single precision"),
+                            (["--aa", "none"], "the engine, in single precision"),
+                            (["--background", "none"], "the engine, in double precision")):
         rows, text = ledger("town.json", *SMALL, *words)
         equal([row[0][0] for row in rows], list("1234567778"), f"the stages\n{text}")
         for name, total, done, left_out, why in rows:
@@ -94,7 +96,7 @@ def test_ledger_adds_up():
         equal(rows[0][4].get("hidden", 0) > 1000, drawn_by == "the textbook chain", text)
         check(f"\ndrawn by {drawn_by}\n" in text, text)
         totals.append(rows[0][1:2])
-    equal(totals, totals[:1] * 3, "the same faces")
+    equal(totals, totals[:1] * 4, "the same faces")
     check(re.search(r"^planning [\d.]+ ms, stages 1 to 5 [\d.]+ ms, 6 and 7 [\d.]+ ms, 8 [\d.]+ ms$", text, re.M), text)
     rows, text = ledger("town.json", *SMALL, "--without", "all")
     equal(rows[0][2:4], (rows[0][1], 0), f"without any rule all faces come in\n{text}")

@@ -184,7 +184,11 @@ ShotArtist::ShotArtist(const Shot& shot, std::size_t threads)
     buffers_ = pipeline::engine::buffers_of(shot.scene);
 }
 
-std::string_view ShotArtist::drawn_by() const { return buffers_ ? "the engine" : "the textbook chain"; }
+std::string_view ShotArtist::drawn_by() const {
+  if (!buffers_) return "the textbook chain";
+  const bool single = !shot_.wish.transparent && pipeline::engine::draws_in_single_precision(shot_.scene);
+  return single ? "the engine, in single precision" : "the engine, in double precision";
+}
 
 Picture ShotArtist::paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
                           const std::function<void(double)>& reached) const {
