@@ -1,13 +1,27 @@
 #include "engine/engine.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
 
+#include "antialiasing/adaptive/sample_places.hpp"
+#include "engine/account.hpp"
 #include "engine/geometry.hpp"
+#include "engine/samples_batch.hpp"
+#include "engine/shading.hpp"
+#include "engine/surfaces.hpp"
+#include "engine/tile_shader.hpp"
 #include "engine/tiles.hpp"
+#include "engine/visibility_batch.hpp"
+#include "plan/planned.hpp"
 #include "stages/8_output.hpp"
 #include "stages/antialiasing.hpp"
 
@@ -23,53 +37,50 @@ struct TileWork {
   Pattern pattern;  ///< of the scene's antialiasing
 };
 
-// --- From the centres of pixels ------------------------------------------------------------------
-
-/// The surface of one triangle after the other.
-class Surfaces {
+/// Sums up what tiles have done, on any thread.
+class Done {
  public:
-  explicit Surfaces(const TileWork& work)
-      : work_(work), light_(work.scene, work.plan.size, &work.plan, &work.buffers.textures) {}
+  Done(int tiles, const EngineWatch& watch) : tiles_(tiles), watch_(watch) {}
 
-  LinearRgb colour(std::int32_t id, ivec2 pixel) {
-    if (id != id_) turn_to(id);
-    const auto w = weights_at_place(edges_, triangle_coverage::centre_of(pixel));
-    return shaded(light_, {triangle_.id, id, pixel, 0, shares_of(w, over_w_)}, triangle_).colour;
+  void tile() {
+    const int done = ++done_;
+    if (watch_.reached) watch_.reached(static_cast<double>(done) / tiles_);
   }
+  void add(const ShadingCount& count) {
+    const std::scoped_lock lock(mutex_);
+    count_.add(count);
+  }
+  const ShadingCount& count() const { return count_; }
 
  private:
-  void turn_to(std::int32_t id) {
-    id_ = id;
-    triangle_ = whole_triangle(work_.scene, work_.frame, id);
-    edges_ = triangle_coverage::edges_of(work_.frame.triangle(id).grid);
-    over_w_ = over_w_of(triangle_);
-  }
-
-  const TileWork& work_;
-  SceneLight light_;
-  std::int32_t id_ = no_triangle;
-  Triangle triangle_;
-  triangle_coverage::Edges edges_;
-  dvec3 over_w_{0};
+  int tiles_;
+  const EngineWatch& watch_;
+  std::atomic<int> done_ = 0;
+  std::mutex mutex_;
+  ShadingCount count_{};
 };
 
-void draw_centres(const TileWork& work, int tile, const Window& pixels, LightPicture& picture) {
-  const auto buffer = std::make_unique<TileBuffer>(pixels);
-  visit_tile(work.frame, tile, [&](std::int32_t id) { buffer->draw(work.frame.triangle(id), id); });
-  Surfaces surfaces(work);
+// --- From the centres of pixels ------------------------------------------------------------------
+
+void draw_centres(const TileWork& work, int tile, const Window& pixels, LightPicture& picture, Done& done) {
+  const auto buffer = std::make_unique<TileBuffer>();
+  find_nearest(work.frame, tile, pixels, *buffer);
+  Surfaces surfaces(work.scene, work.buffers, work.plan, work.frame);
   for (int y = pixels.lower.y; y <= pixels.upper.y; ++y) {
     for (int x = pixels.lower.x; x <= pixels.upper.x; ++x) {
-      const std::int32_t id = buffer->winner({x, y});
+      const std::int32_t id = buffer->ids[TileBuffer::cell(ivec2{x, y} - pixels.lower)];
       if (id == no_triangle) continue;
       picture[ivec2{x, y} - work.plan.window.lower] = {dvec3(surfaces.colour(id, {x, y})), 1};
     }
   }
+  done.add(surfaces.count());
 }
 
 // --- Antialiased ---------------------------------------------------------------------------------
 
 /// The triangles of a tile as a picture of their own, by the textbook's method.
-void draw_antialiased(const TileWork& work, int tile, const Window& pixels, LightPicture& picture) {
+void draw_antialiased(const TileWork& work, int tile, const Window& pixels, LightPicture& picture,
+                      Done& done) {
   Triangles triangles;
   visit_tile(work.frame, tile,
              [&](std::int32_t id) { triangles.push_back(whole_triangle(work.scene, work.frame, id)); });
@@ -82,9 +93,96 @@ void draw_antialiased(const TileWork& work, int tile, const Window& pixels, Ligh
             scene.background,
             nullptr};
   const LightPicture part = by_method(shot, scene.antialiasing, pattern);
+  done.add(shot.colour.count());
   for (int y = 0; y < part.height(); ++y)
     for (int x = 0; x < part.width(); ++x)
       picture[pixels.lower - work.plan.window.lower + ivec2{x, y}] = part[{x, y}];
+}
+
+// --- In single precision -------------------------------------------------------------------------
+
+/// Draws tiles on one thread.
+class Artist {
+ public:
+  explicit Artist(const FrameShading& shading)
+      : frame_(shading.frame()),
+        buffer_(std::make_unique<TileBuffer>()),
+        shader_(std::make_unique<TileShader>(shading)) {}
+
+  /// places: of the samples of a pixel; none: their centres.
+  std::int64_t draw(int tile, const Window& pixels, std::span<const ivec2> places, Image& image) {
+    if (is_empty(frame_, tile)) {
+      shader_->clear(pixels, image);
+      return 0;
+    }
+    if (places.empty()) {
+      find_nearest(frame_, tile, pixels, *buffer_);
+      return shader_->colour(pixels, *buffer_, image);
+    }
+    if (!samples_) samples_ = std::make_unique<SampleBuffer>();
+    find_samples(frame_, tile, pixels, places, *samples_);
+    return shader_->mix(pixels, *samples_, places, image);
+  }
+  ShadingCount count() const { return shader_->count(); }
+
+ private:
+  const Frame& frame_;
+  std::unique_ptr<TileBuffer> buffer_;
+  std::unique_ptr<SampleBuffer> samples_;
+  std::unique_ptr<TileShader> shader_;
+};
+
+/// The samples of `adaptive`, those nearest to the pixel's centre first, of equals in their order.
+std::vector<ivec2> places_of(int samples) {
+  std::vector<ivec2> places = adaptive::n_rooks(samples);
+  std::ranges::stable_sort(places, {}, [](ivec2 place) {
+    const ivec2 from_centre = place - triangle_coverage::subpixels / 2;
+    return from_centre.x * from_centre.x + from_centre.y * from_centre.y;
+  });
+  return places;
+}
+
+// --- Both ----------------------------------------------------------------------------------------
+
+void check(const Scene& scene, int threads) {
+  expects(draws(scene), "the engine draws surfaces by the z-buffer alone");
+  expects(threads >= 0, "so many threads work at once, or 0 for all, not {}", threads);
+  check_samples(scene);
+}
+
+template <class Work>
+void on_threads(int threads, const Work& work) {
+  const int workers = threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
+  // Also more than there are cores, where that is asked for
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(workers));
+  tbb::task_arena(workers).execute(work);
+}
+
+/// Everything but the pixels.
+TileGrid make_tiles(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame) {
+  make_frame(scene, buffers, plan, touch, frame);
+  const TileGrid grid(plan.window);
+  bin(frame, grid, touch);
+  return grid;
+}
+
+/// Makes the tiles of a picture, and draws each: draw(grid).
+template <class Draw>
+void draw_picture(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame,
+                  const EngineWatch& watch, const Draw& draw) {
+  Ledger none;
+  Ledger& ledger = watch.ledger ? *watch.ledger : none;
+  const TileGrid grid =
+      timed(watch.clock, ledger.geometry, [&] { return make_tiles(scene, buffers, plan, touch, frame); });
+  Done done(grid.count(), watch);
+  timed(watch.clock, ledger.pixels, [&] {
+    draw(grid, done);
+    return 0;
+  });
+  if (!watch.ledger) return;
+  count_geometry(scene, plan, frame, ledger);
+  count_pixels(done.count(), plan, ledger);
 }
 
 }  // namespace
@@ -93,34 +191,71 @@ bool draws(const Scene& scene) {
   return scene.shading != Shading::wireframe && scene.hidden_surfaces == HiddenSurfaces::z_buffer;
 }
 
-LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& plan, int threads) {
-  expects(draws(scene), "the engine draws surfaces by the z-buffer alone");
-  expects(threads >= 0, "so many threads work at once, or 0 for all, not {}", threads);
-  check_samples(scene);
+bool draws_in_single_precision(const Scene& scene) {
+  const bool method =
+      scene.antialiasing == Antialiasing::none ||
+      (scene.antialiasing == Antialiasing::adaptive && scene.samples <= static_cast<int>(most_samples));
+  return method && suits_single_precision(scene);
+}
+
+LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& plan, int threads,
+                      const EngineWatch& watch) {
+  check(scene, threads);
   LightPicture picture = empty_picture(plan.window);
-  const int workers = threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
-  // Also more than there are cores, where that is asked for
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(workers));
-  tbb::task_arena arena(workers);
-  arena.execute([&] {
-    Frame frame = frame_of(scene, buffers, plan);
-    const TileGrid grid(plan.window);
-    bin(frame, grid, scene.antialiasing == Antialiasing::none ? Touch::centres : Touch::neighbours);
+  Frame frame;
+  on_threads(threads, [&] {
+    const bool centres = scene.antialiasing == Antialiasing::none;
     const TileWork work{scene, buffers, plan, frame, pattern_of(scene.antialiasing, scene.samples)};
-    tbb::parallel_for(0, grid.count(), [&](int tile) {
-      const auto draw = scene.antialiasing == Antialiasing::none ? draw_centres : draw_antialiased;
-      draw(work, tile, grid.tile(tile), picture);
+    const Touch touch = centres ? Touch::centres : Touch::neighbours;
+    draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {
+      tbb::parallel_for(0, grid.count(), [&](int tile) {
+        (centres ? draw_centres : draw_antialiased)(work, tile, grid.tile(tile), picture, done);
+        done.tile();
+      });
     });
   });
+  return picture;
+}
+
+Workspace::Workspace() : frame_(std::make_unique<Frame>()) {}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
+                   int threads, const EngineWatch& watch) {
+  if (!draws_in_single_precision(scene)) {
+    const LightPicture light = light_of(scene, buffers, plan, threads, watch);
+    const auto shows = [](const PixelLight& pixel) { return pixel.share > 0; };
+    return {output(over_background(light, scene.background)), std::ranges::count_if(light.cells(), shows)};
+  }
+  check(scene, threads);
+  Picture picture{Image(static_cast<int>(plan.window.width()), static_cast<int>(plan.window.height()))};
+  std::atomic<std::int64_t> covered = 0;
+  Frame& frame = workspace.frame();
+  const bool samples = scene.antialiasing == Antialiasing::adaptive;
+  const std::vector<ivec2> places = samples ? places_of(scene.samples) : std::vector<ivec2>{};
+  const Touch touch = samples ? Touch::neighbours : Touch::centres;
+  on_threads(threads, [&] {
+    draw_picture(scene, buffers, plan, touch, frame, watch, [&](const TileGrid& grid, Done& done) {
+      const FrameShading shading(scene, buffers, plan, frame);
+      tbb::enumerable_thread_specific<Artist> artists([&] { return Artist(shading); });
+      tbb::parallel_for(0, grid.count(), [&](int tile) {
+        covered += artists.local().draw(tile, grid.tile(tile), places, picture.image);
+        done.tile();
+      });
+      for (const Artist& artist : artists) done.add(artist.count());
+    });
+  });
+  picture.covered = covered;
   return picture;
 }
 
 Image render(const Scene& scene, Size size, int threads) {
   Scene centres = scene;
   centres.antialiasing = Antialiasing::none;
-  const Plan plan = plan_of(centres, size);
-  return output(over_background(light_of(centres, buffers_of(centres), plan, threads), scene.background));
+  Workspace workspace;
+  return picture_of(centres, buffers_of(centres), plan_of(centres, size), workspace, threads).image;
 }
 
 }  // namespace gradus::pipeline::engine

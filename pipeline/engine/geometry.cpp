@@ -5,11 +5,8 @@
 
 #include <algorithm>
 
-#include "projection/perspective/perspective.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "stages/1_input.hpp"
-#include "stages/2_world.hpp"
-#include "stages/3_perspective.hpp"
 #include "stages/4_back_faces.hpp"
 #include "stages/5_clipping.hpp"
 #include "stages/6_rasterization.hpp"
@@ -18,50 +15,47 @@
 namespace gradus::pipeline::engine {
 namespace {
 
-using GuardPlanes = std::array<sutherland_hodgman::Plane<double>, 6>;
-
-// --- Vertices ------------------------------------------------------------------------------------
-
-/// What all vertices and pieces of a picture are given.
-struct Passage {
-  const Scene& scene;
-  Size size;
-  SceneLens lens;
-  GuardPlanes planes;
-};
-
-FrameVertex vertex_of(const Passage& passage, const glm::dmat4& placement, dvec3 at) {
-  const auto& [scene, size, lens, planes] = passage;
-  FrameVertex v;
-  v.world = affine_3d::transform(placement, at);
-  v.clip = transform(lens, viewing::to_view(scene.camera.frame, v.world));
-  v.inside = std::ranges::all_of(planes, [&](const auto& plane) { return distance(plane, v.clip) >= 0; });
-  if (!v.inside) return v;
-  const dvec3 ndc = perspective::divide(v.clip);
-  v.depth = ndc.z;
-  v.grid = triangle_coverage::snap(viewport::to_pixel(dvec2(ndc), size.width, size.height));
-  return v;
-}
-
 /// The object that has an element of all: the last that begins at it or before.
 std::size_t object_with(const Frame& frame, std::int64_t element, std::int64_t FrameObject::* first) {
   const auto after = std::ranges::upper_bound(frame.objects, element, {}, first);
   return static_cast<std::size_t>(after - frame.objects.begin()) - 1;
 }
 
-void place_vertices(const Passage& passage, Frame& frame) {
-  const auto count = std::ssize(frame.vertices);
-  const tbb::blocked_range<std::int64_t> all(0, count, 2048);
-  tbb::parallel_for(all, [&](const tbb::blocked_range<std::int64_t>& part) {
-    std::size_t object = object_with(frame, part.begin(), &FrameObject::first_vertex);
-    for (std::int64_t i = part.begin(); i < part.end(); ++i) {
-      while (object + 1 < frame.objects.size() && frame.objects[object + 1].first_vertex <= i) ++object;
-      const FrameObject& of = frame.objects[object];
-      const Object& placed = object_at(passage.scene, of.number);
-      const dvec3 at = placed.mesh->positions[static_cast<std::size_t>(i - of.first_vertex)];
-      frame.vertices[static_cast<std::size_t>(i)] = vertex_of(passage, placed.placement, at);
-    }
-  });
+// --- Vertices ------------------------------------------------------------------------------------
+
+/// Vertices from begin to end, which may belong to several objects.
+void place_part(const Scene& scene, std::int64_t begin, std::int64_t end, Frame& frame) {
+  std::size_t object = object_with(frame, begin, &FrameObject::first_vertex);
+  while (begin < end) {
+    const FrameObject& of = frame.objects[object];
+    const Object& placed = object_at(scene, of.number);
+    const std::span<const dvec3> own(placed.mesh->positions);
+    const std::int64_t last = std::min(end, of.first_vertex + std::ssize(own));
+    const auto first = static_cast<std::size_t>(begin), count = static_cast<std::size_t>(last - begin);
+    place_vertices(
+        frame.path, placed.placement, own.subspan(static_cast<std::size_t>(begin - of.first_vertex), count),
+        std::span(frame.grid).subspan(first, count), std::span(frame.depths).subspan(first, count));
+    begin = last;
+    ++object;
+  }
+}
+
+void place_all_vertices(const Scene& scene, Frame& frame) {
+  const tbb::blocked_range<std::int64_t> all(0, std::ssize(frame.grid), 4096);
+  tbb::parallel_for(all, [&](const auto& part) { place_part(scene, part.begin(), part.end(), frame); });
+}
+
+/// A vertex in the world and in clip space.
+struct SpaceVertex {
+  dvec3 world{0};
+  glm::dvec4 clip{0};
+};
+
+SpaceVertex in_space(const Scene& scene, const Frame& frame, const FrameObject& object, std::int32_t vertex) {
+  const Object& placed = object_at(scene, object.number);
+  const dvec3 world =
+      affine_3d::transform(placed.placement, placed.mesh->positions[static_cast<std::size_t>(vertex)]);
+  return {world, transform(frame.path.lens, viewing::to_view(scene.camera.frame, world))};
 }
 
 // --- Pieces --------------------------------------------------------------------------------------
@@ -72,111 +66,149 @@ std::array<std::size_t, 3> order_of(const FrameObject& object) {
   return {0, 1, 2};
 }
 
-const FrameVertex& vertex_at(const Frame& frame, const FrameObject& object, std::int32_t vertex) {
-  return frame.vertices[static_cast<std::size_t>(object.first_vertex + vertex)];
-}
-
 /// A piece with what clipping and shading ask for: the polygon of stage 5.
-Polygon whole_polygon(const Scene& scene, const Frame& frame, const FrameObject& object,
-                      const MeshPiece& piece, bool seen_from_behind) {
+Polygon whole_polygon(const Scene& scene, const Frame& frame, const FrameObject& object, std::size_t piece,
+                      bool seen_from_behind) {
   const Mesh& mesh = *object_at(scene, object.number).mesh;
-  const MeshFace& face = mesh.faces[static_cast<std::size_t>(piece.face)];
+  const MeshPiece& of_face = object.pieces->of_faces[piece];
+  const MeshFace& face = mesh.faces[static_cast<std::size_t>(of_face.face)];
   Polygon polygon;
   polygon.reserve(3);
   for (const std::size_t k : order_of(object)) {
-    const PieceCorner corner = corner_of(mesh, face, piece.corners[k], 0);
+    const PieceCorner corner = corner_of(mesh, face, of_face.corners[k], 0);
     const dvec3 normal = unit_vector(object.normal_matrix * corner.normal);
-    const FrameVertex& v = vertex_at(frame, object, piece.vertices[k]);
-    polygon.push_back({v.clip, v.world, seen_from_behind ? -normal : normal, corner.texture});
+    const auto [world, clip] = in_space(scene, frame, object, object.pieces->vertices[piece][k]);
+    polygon.push_back({clip, world, seen_from_behind ? -normal : normal, corner.texture});
   }
   return polygon;
 }
 
-PieceId id_of(const FrameObject& object, const MeshPiece& piece) {
-  return {object.number, piece.face, piece.piece};
+PieceId id_of(const FrameObject& object, std::size_t piece) {
+  const MeshPiece& of_face = object.pieces->of_faces[piece];
+  return {object.number, of_face.face, of_face.piece};
 }
 
-/// Whether stage 4 keeps a piece, from which side it is seen.
-struct Side {
-  bool keep = false, behind = false;
-};
-
-Side side_of(const std::array<const FrameVertex*, 3>& v, bool two_sided) {
-  using back_face_culling::Facing;
-  const Facing facing = back_face_culling::facing(v[0]->clip, v[1]->clip, v[2]->clip);
-  const bool behind = facing == Facing::back;
-  return {facing == Facing::front || (behind && two_sided), behind};
-}
-
-/// Stages 4 and 5 for the pieces of one object.
+/// Stages 4 and 5 for pieces of one object.
 class PieceWork {
  public:
-  PieceWork(const Passage& passage, const Frame& frame, std::size_t object, Batch& batch)
-      : passage_(passage),
+  PieceWork(const Scene& scene, const Frame& frame, std::size_t object, const Window& window, Touch touch,
+            Batch& batch)
+      : scene_(scene),
         frame_(frame),
         object_(frame.objects[object]),
         place_(static_cast<std::int32_t>(object)),
-        order_(order_of(object_)),
-        two_sided_(two_sided(passage.scene, Piece{{object_.number, 0, 0}, {}, false})),
+        window_(window),
+        touch_(touch),
         batch_(batch) {}
 
-  void operator()(std::int32_t number) {
-    const MeshPiece& piece = object_.pieces[static_cast<std::size_t>(number)];
-    const auto vertex = [&](std::size_t k) { return &vertex_at(frame_, object_, piece.vertices[order_[k]]); };
-    const std::array<const FrameVertex*, 3> v{vertex(0), vertex(1), vertex(2)};
-    const Side side = side_of(v, two_sided_);
-    if (!side.keep) return;
-    if (v[0]->inside && v[1]->inside && v[2]->inside) {
-      add({{v[0]->grid, v[1]->grid, v[2]->grid},
-           {v[0]->depth, v[1]->depth, v[2]->depth},
-           place_,
-           number,
-           false,
-           side.behind});
-    } else {
-      cut(piece, side.behind);
+  void operator()(std::int64_t begin, std::int64_t end) {
+    std::array<Left, batch_pieces> left;
+    const auto count = static_cast<std::size_t>(end - begin);
+    const PieceChoice choice{window_, touch_ == Touch::centres ? 0 : 1, object_.two_sided, object_.mirrored};
+    const PieceCount counted = choose_pieces(
+        choice, std::span(object_.pieces->vertices).subspan(static_cast<std::size_t>(begin), count),
+        frame_.grid.data() + object_.first_vertex, static_cast<std::int32_t>(begin), left);
+    batch_.count.add(counted);
+    for (const Left& piece : std::span(left).first(static_cast<std::size_t>(counted.left))) {
+      if (piece.seen() == Seen::unsure)
+        look_closely(piece.number());
+      else
+        batch_.triangles.push_back(uncut(piece.number(), piece.seen() == Seen::behind));
     }
   }
 
  private:
-  /// Keeps what stage 6 draws.
-  void add(const FrameTriangle& t) {
-    const std::int64_t area = triangle_coverage::doubled_area(t.grid);
-    if (t.seen_from_behind ? area > 0 : area < 0) batch_.triangles.push_back(t);
+  FrameTriangle uncut(std::int32_t number, bool behind) const {
+    const PieceVertices& piece = object_.pieces->vertices[static_cast<std::size_t>(number)];
+    const auto order = order_of(object_);
+    const auto at = [&](std::size_t k) {
+      return static_cast<std::size_t>(object_.first_vertex + piece[order[k]]);
+    };
+    const std::size_t a = at(0), b = at(1), c = at(2);
+    return {{frame_.grid[a], frame_.grid[b], frame_.grid[c]},
+            {frame_.depths[a], frame_.depths[b], frame_.depths[c]},
+            place_,
+            number,
+            false,
+            behind};
   }
 
-  void cut(const MeshPiece& number, bool behind) {
-    const Polygon before = whole_polygon(passage_.scene, frame_, object_, number, behind);
-    const Piece piece{id_of(object_, number), {}, behind};
-    for (const Triangle& t : fan(piece, divided(part_inside(before, passage_.planes)))) {
+  void look_closely(std::int32_t number) {
+    using back_face_culling::Facing;
+    const PieceVertices& piece = object_.pieces->vertices[static_cast<std::size_t>(number)];
+    const auto order = order_of(object_);
+    const auto clip = [&](std::size_t k) { return in_space(scene_, frame_, object_, piece[order[k]]).clip; };
+    const Facing facing = back_face_culling::facing(clip(0), clip(1), clip(2));
+    const bool behind = facing == Facing::back;
+    if (facing == Facing::edge_on || (behind && !object_.two_sided)) {
+      ++batch_.count.turned_away;
+      return;
+    }
+    const auto outside = [&](std::int32_t vertex) {
+      return frame_.grid[static_cast<std::size_t>(object_.first_vertex + vertex)].x == beyond;
+    };
+    if (std::ranges::any_of(piece, outside))
+      cut(number, behind);
+    else
+      add(uncut(number, behind));
+  }
+
+  /// Keeps what stage 6 draws, where it may cover something.
+  void add(const FrameTriangle& t) {
+    const std::int64_t area = triangle_coverage::doubled_area(t.grid);
+    const bool drawn = t.seen_from_behind ? area > 0 : area < 0;
+    if (!drawn)
+      ++batch_.count.without_area;
+    else if (touched(t.grid, window_, touch_).empty())
+      ++batch_.count.without_pixel;
+    else
+      batch_.triangles.push_back(t);
+  }
+
+  void cut(std::int32_t number, bool behind) {
+    const auto place = static_cast<std::size_t>(number);
+    const Polygon before = whole_polygon(scene_, frame_, object_, place, behind);
+    const Piece piece{id_of(object_, place), {}, behind};
+    const auto planes = guard_volume(frame_.path.size);
+    const Triangles parts = fan(piece, divided(part_inside(before, planes)));
+    ++batch_.clipped;
+    batch_.clipped_away += parts.empty();
+    batch_.more += parts.empty() ? 0 : std::ssize(parts) - 1;
+    for (const Triangle& t : parts) {
       const auto& [a, b, c] = t.corners;
-      const auto place = static_cast<std::int32_t>(batch_.cut.size());
+      const auto in_cut = static_cast<std::int32_t>(batch_.cut.size());
       batch_.cut.push_back(t);
-      add({on_grid(snapped(in_picture(t, passage_.size))),
+      add({on_grid(snapped(in_picture(t, frame_.path.size))),
            {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z},
            place_,
-           place,
+           in_cut,
            true,
            behind});
     }
   }
 
-  const Passage& passage_;
+  const Scene& scene_;
   const Frame& frame_;
   const FrameObject& object_;
   std::int32_t place_;
-  std::array<std::size_t, 3> order_;
-  bool two_sided_;
+  Window window_;
+  Touch touch_;
   Batch& batch_;
 };
 
-void work_on(const Passage& passage, const Frame& frame, std::int64_t begin, std::int64_t end, Batch& batch) {
+/// Pieces from begin to end, which may belong to several objects.
+void make_batch(const Scene& scene, const Frame& frame, const Window& window, Touch touch, std::int64_t begin,
+                std::int64_t end, Batch& batch) {
+  batch.triangles.clear();
+  batch.cut.clear();
+  batch.count = {};
+  batch.clipped = batch.clipped_away = batch.more = 0;
   std::size_t object = object_with(frame, begin, &FrameObject::first_piece);
   while (begin < end) {
     const FrameObject& of = frame.objects[object];
-    const std::int64_t last = std::min(end, of.first_piece + std::ssize(of.pieces));
-    PieceWork work(passage, frame, object, batch);
-    for (; begin < last; ++begin) work(static_cast<std::int32_t>(begin - of.first_piece));
+    const std::int64_t last = std::min(end, of.first_piece + of.pieces->count());
+    PieceWork(scene, frame, object, window, touch, batch)(begin - of.first_piece, last - of.first_piece);
+    begin = last;
     ++object;
   }
 }
@@ -185,47 +217,53 @@ std::vector<FrameObject> objects_of(const Scene& scene, const Buffers& buffers, 
   std::vector<FrameObject> objects;
   std::int64_t vertices = 0, pieces = 0;
   for (int number = 0; number < size_of(scene.objects); ++number) {
-    const auto& own = *buffers.pieces[static_cast<std::size_t>(number)];
-    if (!plan.draws(number) || own.empty()) continue;
+    const MeshPieces& own = *buffers.pieces[static_cast<std::size_t>(number)];
+    if (!plan.draws(number) || own.count() == 0) continue;
     const Object& object = object_at(scene, number);
-    objects.push_back({number, vertices, pieces, own, affine_3d::normal_matrix(object.placement),
-                       affine_3d::mirrors(object.placement)});
+    objects.push_back({number, vertices, pieces, &own, affine_3d::normal_matrix(object.placement),
+                       affine_3d::mirrors(object.placement),
+                       two_sided(scene, Piece{{number, 0, 0}, {}, false})});
     vertices += std::ssize(object.mesh->positions);
-    pieces += std::ssize(own);
+    pieces += own.count();
   }
   return objects;
 }
 
 }  // namespace
 
-Frame frame_of(const Scene& scene, const Buffers& buffers, const Plan& plan) {
-  const auto [width, height] = plan.size;
-  const Passage passage{scene, plan.size, lens_of(scene.camera, static_cast<double>(width) / height),
-                        guard_volume(plan.size)};
-  Frame frame{objects_of(scene, buffers, plan), {}, {}};
-  if (frame.objects.empty()) return frame;
-  const FrameObject& last = frame.objects.back();
-  frame.vertices.resize(static_cast<std::size_t>(last.first_vertex) +
-                        object_at(scene, last.number).mesh->positions.size());
-  place_vertices(passage, frame);
+Window touched(const triangle_coverage::Triangle& t, const Window& window, Touch touch) {
+  if (touch == Touch::centres) return triangle_coverage::centres(t, window);
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return intersection({{(left >> 8) - 1, (top >> 8) - 1}, {(right >> 8) + 1, (bottom >> 8) + 1}}, window);
+}
 
-  const std::int64_t pieces = last.first_piece + std::ssize(last.pieces);
+void make_frame(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame) {
+  const auto [width, height] = plan.size;
+  frame.path = {scene.camera, lens_of(scene.camera, static_cast<double>(width) / height), plan.size};
+  frame.objects = objects_of(scene, buffers, plan);
+  std::int64_t vertices = 0, pieces = 0;
+  if (!frame.objects.empty()) {
+    const FrameObject& last = frame.objects.back();
+    vertices = last.first_vertex + std::ssize(object_at(scene, last.number).mesh->positions);
+    pieces = last.first_piece + last.pieces->count();
+  }
+  frame.grid.resize(static_cast<std::size_t>(vertices));
+  frame.depths.resize(static_cast<std::size_t>(vertices));
+  place_all_vertices(scene, frame);
+
   frame.batches.resize(static_cast<std::size_t>((pieces + batch_pieces - 1) / batch_pieces));
   tbb::parallel_for(std::int64_t{0}, std::ssize(frame.batches), [&](std::int64_t i) {
     const std::int64_t begin = i * batch_pieces, end = std::min(pieces, begin + batch_pieces);
-    work_on(passage, frame, begin, end, frame.batches[static_cast<std::size_t>(i)]);
+    make_batch(scene, frame, plan.window, touch, begin, end, frame.batches[static_cast<std::size_t>(i)]);
   });
-  return frame;
 }
 
 Triangle whole_triangle(const Scene& scene, const Frame& frame, std::int32_t id) {
   const FrameTriangle& t = frame.triangle(id);
-  if (t.cut) {
-    const Batch& batch = frame.batches[static_cast<std::size_t>(id / batch_triangles)];
-    return batch.cut[static_cast<std::size_t>(t.piece)];
-  }
-  const FrameObject& object = frame.objects[static_cast<std::size_t>(t.object)];
-  const MeshPiece& piece = object.pieces[static_cast<std::size_t>(t.piece)];
+  if (t.cut) return frame.cut_triangle(id);
+  const FrameObject& object = frame.object_of(t);
+  const auto piece = static_cast<std::size_t>(t.piece);
   const auto corners = divided(whole_polygon(scene, frame, object, piece, t.seen_from_behind));
   return {id_of(object, piece), {corners[0], corners[1], corners[2]}, t.seen_from_behind};
 }

@@ -2,9 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace gradus::pipeline::engine {
 namespace {
 
@@ -23,14 +20,6 @@ void sort_by_tile(const std::vector<Meeting>& meetings, int tiles, Batch& batch)
   std::vector<std::int32_t> next = batch.first;
   for (const Meeting& m : meetings)
     batch.in_tile[static_cast<std::size_t>(next[static_cast<std::size_t>(m.tile)]++)] = m.triangle;
-}
-
-/// The pixels of a window that a triangle may touch.
-Window touched(const triangle_coverage::Triangle& t, const Window& window, Touch touch) {
-  if (touch == Touch::centres) return triangle_coverage::centres(t, window);
-  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
-  const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
-  return intersection({{(left >> 8) - 1, (top >> 8) - 1}, {(right >> 8) + 1, (bottom >> 8) + 1}}, window);
 }
 
 void bin_batch(const TileGrid& grid, Touch touch, Batch& batch) {
@@ -55,22 +44,6 @@ void bin_batch(const TileGrid& grid, Touch touch, Batch& batch) {
 void bin(Frame& frame, const TileGrid& grid, Touch touch) {
   tbb::parallel_for(std::size_t{0}, frame.batches.size(),
                     [&](std::size_t i) { bin_batch(grid, touch, frame.batches[i]); });
-}
-
-TileBuffer::TileBuffer(const Window& pixels) : pixels_(pixels) {
-  depths_.fill(std::numeric_limits<double>::infinity());
-  ids_.fill(no_triangle);
-}
-
-void TileBuffer::draw(const FrameTriangle& triangle, std::int32_t id) {
-  const triangle_coverage::Linear depth(triangle.grid, triangle.depth);
-  triangle_coverage::cover(triangle.grid, pixels_, [&](ivec2 p, const triangle_coverage::Weights& w) {
-    const std::size_t at = place(p);
-    const double z = depth.at(w);
-    if (!(z < depths_[at] || (z == depths_[at] && id < ids_[at]))) return;
-    depths_[at] = z;
-    ids_[at] = id;
-  });
 }
 
 }  // namespace gradus::pipeline::engine

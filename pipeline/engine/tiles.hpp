@@ -1,7 +1,7 @@
 #pragma once
-// The picture in tiles: which triangles may touch which, and what is nearest at each pixel of one.
+// The picture in tiles, and which triangles may touch which of them.
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,41 +13,51 @@ namespace gradus::pipeline::engine {
 /// Pixels on a side of a tile.
 inline constexpr int tile_side = 64;
 
-/// The tiles of a part of a picture, row by row; those at the right and below may be smaller.
+/// The tile of a picture that holds a pixel: tiles begin at its upper left.
+inline Window square_with(ivec2 pixel) {
+  const ivec2 lower = pixel / tile_side * tile_side;
+  return {lower, lower + (tile_side - 1)};
+}
+
+/// The tiles of a part of a picture, row by row; those at its rim are cut off.
 class TileGrid {
  public:
+  /// Domain: within a picture.
   explicit TileGrid(const Window& window)
       : window_(window),
-        columns_(static_cast<int>((window.width() + tile_side - 1) / tile_side)),
-        rows_(static_cast<int>((window.height() + tile_side - 1) / tile_side)) {}
+        first_(window.lower / tile_side),
+        columns_(window.empty() ? 0 : window.upper.x / tile_side - first_.x + 1),
+        rows_(window.empty() ? 0 : window.upper.y / tile_side - first_.y + 1) {}
 
   int count() const { return columns_ * rows_; }
   int columns() const { return columns_; }
   const Window& window() const { return window_; }
   /// The pixels of a tile.
   Window tile(int number) const {
-    const ivec2 lower = window_.lower + tile_side * ivec2{number % columns_, number / columns_};
-    return intersection({lower, lower + (tile_side - 1)}, window_);
+    const ivec2 at = first_ + ivec2{number % columns_, number / columns_};
+    return intersection(square_with(tile_side * at), window_);
   }
   /// The columns and rows of tiles that hold these pixels. Domain: not empty, within the window.
   Window tiles_with(const Window& pixels) const {
-    return {(pixels.lower - window_.lower) / tile_side, (pixels.upper - window_.lower) / tile_side};
+    return {pixels.lower / tile_side - first_, pixels.upper / tile_side - first_};
   }
 
  private:
   Window window_;
+  ivec2 first_;
   int columns_, rows_;
-};
-
-/// The pixels that a triangle is sorted by.
-enum class Touch {
-  centres,     ///< those in its box by their centres
-  neighbours,  ///< all that its box meets, and those beside them
 };
 
 /// Sorts the triangles of every batch by the tiles that their boxes meet. Runs on the threads of the arena
 /// that it is called in. Cost: 4 bytes a triangle and tile, 4 bytes a batch and tile.
 void bin(Frame& frame, const TileGrid& grid, Touch touch);
+
+/// Whether no triangle may touch a tile.
+inline bool is_empty(const Frame& frame, int tile) {
+  const auto number = static_cast<std::size_t>(tile);
+  return std::ranges::all_of(
+      frame.batches, [&](const Batch& batch) { return batch.first[number] == batch.first[number + 1]; });
+}
 
 /// The triangles that may touch a tile, in their order: visit(id).
 template <class Visit>
@@ -60,32 +70,5 @@ void visit_tile(const Frame& frame, int tile, const Visit& visit) {
     base += static_cast<std::int32_t>(batch_triangles);
   }
 }
-
-/// The number of no triangle.
-inline constexpr std::int32_t no_triangle = -1;
-
-/// What is nearest at each pixel of a tile.
-class TileBuffer {
- public:
-  /// Nothing in it yet.
-  explicit TileBuffer(const Window& pixels);
-
-  /// Keeps a triangle where it is nearest, of equals the one with the lowest number.
-  /// Accuracy: coverage exact, depths those of triangle_coverage::Linear: the winner is the z-buffer's.
-  void draw(const FrameTriangle& triangle, std::int32_t id);
-
-  std::int32_t winner(ivec2 pixel) const { return ids_[place(pixel)]; }
-
- private:
-  std::size_t place(ivec2 pixel) const {
-    const ivec2 at = pixel - pixels_.lower;
-    return static_cast<std::size_t>(at.y * tile_side + at.x);
-  }
-
-  static constexpr std::size_t cells = tile_side * tile_side;
-  Window pixels_;
-  std::array<double, cells> depths_;
-  std::array<std::int32_t, cells> ids_;
-};
 
 }  // namespace gradus::pipeline::engine

@@ -153,6 +153,18 @@ void count_skipped(const Mesh& mesh, Rule rule, Ledger& ledger) {
   for (LedgerRow* row : {&ledger.facing, &ledger.clipping, &ledger.rasterization}) row->skip(why, triangles);
 }
 
+/// The painter's order or the tree's, where the scene asks for one, and what it adds and drops.
+Triangles in_drawing_order(const Scene& scene, Triangles triangles, Size size, Ledger& ledger) {
+  if (scene.shading == Shading::wireframe || scene.hidden_surfaces == HiddenSurfaces::z_buffer)
+    return triangles;
+  const auto before = count_of(triangles);
+  arrange(scene, {}, size, triangles);
+  count_change(before, count_of(triangles), no_area, ledger.rasterization);
+  return triangles;
+}
+
+}  // namespace
+
 void count_objects(const Scene& scene, const Plan& plan, Ledger& ledger) {
   int number = 0;
   for (const Object& object : scene.objects) {
@@ -163,10 +175,7 @@ void count_objects(const Scene& scene, const Plan& plan, Ledger& ledger) {
   }
 }
 
-void count_pixels(const PictureWatch& watch, const Plan& plan, Ledger& ledger) {
-  ledger.rasterization.done -= watch.without_area;
-  ledger.rasterization.skip(no_area, watch.without_area);
-  const ShadingCount& count = watch.count;
+void count_pixels(const ShadingCount& count, const Plan& plan, Ledger& ledger) {
   ledger.lamps.total = count.lamps + count.lamps_out_of_range;
   ledger.lamps.done = count.lamps;
   ledger.lamps.skip(name_of(Rule::out_of_range), count.lamps_out_of_range);
@@ -180,18 +189,6 @@ void count_pixels(const PictureWatch& watch, const Plan& plan, Ledger& ledger) {
   ledger.output.done = plan.window.width() * plan.window.height();
   ledger.output.skip(name_of(Rule::area_of_interest), ledger.output.total - ledger.output.done);
 }
-
-/// The painter's order or the tree's, where the scene asks for one, and what it adds and drops.
-Triangles in_drawing_order(const Scene& scene, Triangles triangles, Size size, Ledger& ledger) {
-  if (scene.shading == Shading::wireframe || scene.hidden_surfaces == HiddenSurfaces::z_buffer)
-    return triangles;
-  const auto before = count_of(triangles);
-  arrange(scene, {}, size, triangles);
-  count_change(before, count_of(triangles), no_area, ledger.rasterization);
-  return triangles;
-}
-
-}  // namespace
 
 Triangles geometry(const Scene& scene, Plan& plan, Ledger& ledger, const Clock& clock) {
   const bool hides = plan.rules.has(Rule::hidden);
@@ -227,7 +224,9 @@ LightPicture antialiased_by_plan(const Scene& scene, Plan& plan, Ledger& ledger,
   PictureWatch watch{.reached = reached};
   LightPicture light =
       timed(clock, ledger.pixels, [&] { return antialias(scene, triangles, plan.size, &plan, &watch); });
-  count_pixels(watch, plan, ledger);
+  ledger.rasterization.done -= watch.without_area;
+  ledger.rasterization.skip(no_area, watch.without_area);
+  count_pixels(watch.count, plan, ledger);
   return light;
 }
 

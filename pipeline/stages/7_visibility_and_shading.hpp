@@ -88,6 +88,14 @@ struct ShadingCount {
   std::int64_t lamps = 0, lamps_out_of_range = 0;  ///< lamps it looked at, and left out
   std::int64_t lamps_without_highlight = 0;        ///< of those it looked at
   std::int64_t places = 0, places_without_texture = 0;
+
+  void add(const ShadingCount& more) {
+    lamps += more.lamps;
+    lamps_out_of_range += more.lamps_out_of_range;
+    lamps_without_highlight += more.lamps_without_highlight;
+    places += more.places;
+    places_without_texture += more.places_without_texture;
+  }
 };
 
 /// The light of a scene, computed where its shading asks for it, and kept as long as it may be asked for

@@ -31,7 +31,7 @@ PACKAGES = {
     "nlohmann/": "visualize/web/json.cpp",
     "boost/": "algorithms/core/arithmetic/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
-    "hwy/": "algorithms/",
+    "hwy/": ("algorithms/", "pipeline/engine/"),
     "tbb/": "pipeline/engine/",
     "cmark-gfm": "visualize/web/topic_page.cpp",
     "archive": "visualize/cli/zip.cpp",

@@ -84,6 +84,22 @@ void prepare(const std::string& folder, const std::vector<const Subject*>& wante
   }
 }
 
+/// Measures a subject against its peer. Throws UsageError where that is missing and asked for.
+Findings duels_of(const Subject& subject, const Effort& effort, const cli::Request& request) {
+  const auto need = [&](bool there) {
+    if (request.has("require-peers") && !there)
+      throw cli::UsageError(
+          fmt::format("--require-peers: what {} is compared with is not there", subject.topic));
+  };
+  need(subject.peer_is_built);
+  Findings found{&subject, {}};
+  cli::Progress progress(subject.duel_count, request.quiet());
+  std::size_t done = 0;
+  found.duels = subject.duels(effort, [&] { progress.finished(done++, ""); }, found.peer);
+  need(std::ranges::all_of(found.duels, [](const Duel& duel) { return duel.peer_ms.has_value(); }));
+  return found;
+}
+
 int bench(const cli::Request& request) {
   const std::vector<const Subject*> wanted = chosen(request);
   Effort effort;
@@ -94,6 +110,11 @@ int bench(const cli::Request& request) {
   if (request.has("output")) prepare(request.flags.at("output"), wanted, replace);
   std::vector<Findings> all;
   for (const Subject* subject : wanted) {
+    if (subject->duels) {
+      all.push_back(duels_of(*subject, effort, request));
+      if (!request.has("json")) cli::write_stream(cli::Stream::out, table_of(all.back()) + "\n");
+      continue;
+    }
     std::vector<Case> cases = subject->cases();
     cli::Progress progress(cases.size() * static_cast<std::size_t>(effort.repetitions), request.quiet());
     std::size_t done = 0;

@@ -9,12 +9,6 @@
 
 namespace gradus::bench {
 
-/// How long to measure.
-struct Effort {
-  int repetitions = 9;
-  double seconds = 0.05;  ///< a repetition
-};
-
 /// A case, measured.
 struct Result {
   Case of;

@@ -66,6 +66,42 @@ bool beats(const Result& a, const Result& b) {
   return no_worse && (a.nanoseconds < b.nanoseconds || x.max < y.max || x.wrong < y.wrong);
 }
 
+std::string duels_table(const Findings& findings) {
+  const Subject& subject = *findings.subject;
+  const std::string peer = findings.peer.empty() ? "the peer is not there" : "beside " + findings.peer;
+  std::string text = fmt::format("{}: {}, {}\n\n  {:<62} {:>9} {:>9} {:>6} {:>8} {:>8}\n", subject.topic,
+                                 subject.title, peer, "", "ms", "peer ms", "ratio", "max diff", "off by 2");
+  for (const Duel& duel : findings.duels) {
+    text += fmt::format("  {:<62} {:>9.2f}", duel.workload, duel.ms);
+    if (duel.peer_ms) {
+      text += fmt::format(" {:>9.2f} {:>6.2f} {:>8} {:>8}", *duel.peer_ms, *duel.ratio(),
+                          duel.max_pixel_difference, duel.pixels_off);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+benchmark::BenchmarkReporter::Run run_of(const Subject& subject, const Duel& duel) {
+  using Run = benchmark::BenchmarkReporter::Run;
+  Run run;
+  run.run_name.function_name = fmt::format("{}/{}", subject.topic, duel.workload);
+  run.run_type = Run::RT_Aggregate;
+  run.aggregate_name = "median";
+  run.aggregate_unit = benchmark::StatisticUnit::kTime;
+  run.threads = 1;
+  run.iterations = 1;
+  run.real_accumulated_time = run.cpu_accumulated_time = 1e-3 * duel.ms;
+  run.time_unit = benchmark::kMillisecond;
+  run.counters["ms"] = duel.ms;
+  if (!duel.peer_ms) return run;
+  run.counters["peer_ms"] = *duel.peer_ms;
+  run.counters["ratio"] = *duel.ratio();
+  run.counters["max_pixel_difference"] = duel.max_pixel_difference;
+  run.counters["pixels_off"] = static_cast<double>(duel.pixels_off);
+  return run;
+}
+
 }  // namespace
 
 std::vector<bool> pareto_optimal(std::span<const Result> results) {
@@ -79,6 +115,7 @@ std::vector<bool> pareto_optimal(std::span<const Result> results) {
 }
 
 std::string table_of(const Findings& findings) {
+  if (!findings.duels.empty()) return duels_table(findings);
   const Subject& subject = *findings.subject;
   const std::vector<bool> best = pareto_optimal(findings.results);
   std::string text = fmt::format("{}: {}, times a {}\n", subject.topic, subject.title, subject.item);
@@ -106,6 +143,7 @@ std::string json_of(std::span<const Findings> findings) {
   using Run = benchmark::BenchmarkReporter::Run;
   std::vector<Run> runs;
   for (const Findings& found : findings) {
+    for (const Duel& duel : found.duels) runs.push_back(run_of(*found.subject, duel));
     for (const Result& result : found.results) {
       Run run;
       run.run_name.function_name =

@@ -14,17 +14,20 @@ namespace gradus::bench {
 struct Findings {
   const Subject* subject = nullptr;
   std::vector<Result> results;
+  std::vector<Duel> duels{};
+  std::string peer{};  ///< whom the duels are against; empty when it is not there
 };
 
 /// Which results no other method beats on the same workload: none is as fast, as accurate and as often right,
 /// and better in one of them.
 std::vector<bool> pareto_optimal(std::span<const Result> results);
 
-/// The table: a block a workload, its methods by time, the Pareto-optimal ones marked.
+/// The table: a block a workload, its methods by time, the Pareto-optimal ones marked; of duels a line each.
 std::string table_of(const Findings& findings);
 
 /// In Google Benchmark's layout: benchmarks[].name is topic/workload/method, times are those of an item;
-/// beside them error_max, error_rms and error_wrong where there is an oracle.
+/// beside them error_max, error_rms and error_wrong where there is an oracle. Of duels topic/workload, the
+/// time of a picture, and ms, peer_ms, ratio, max_pixel_difference and pixels_off; without a peer ms alone.
 std::string json_of(std::span<const Findings> findings);
 
 /// Time against error of the methods on the subject's telling workload, with the front.

@@ -69,6 +69,23 @@ struct Case {
   std::optional<Error> error{};     ///< nothing where there is no oracle
 };
 
+/// How long to measure.
+struct Effort {
+  int repetitions = 9;
+  double seconds = 0.05;  ///< a repetition
+};
+
+/// The same picture by us and by somebody else's program, in one run.
+struct Duel {
+  std::string workload;
+  double ms = 0;                    ///< a picture, the median of the repetitions
+  std::optional<double> peer_ms{};  ///< nothing where the peer is not there
+  int max_pixel_difference = 0;     ///< steps of 255, in the component that differs most
+  std::int64_t pixels_off = 0;      ///< that differ by more than one step
+
+  std::optional<double> ratio() const { return peer_ms ? std::optional(ms / *peer_ms) : std::nullopt; }
+};
+
 /// A topic's part of the benchmark.
 struct Subject {
   std::string topic;
@@ -79,6 +96,11 @@ struct Subject {
   std::string telling;  ///< the workload of the figure of time against error
   std::vector<Case> (*cases)();
   bool refined = false;  ///< the series makes errors smaller: a figure shows what that takes
+  /// Measured instead of cases; `told` is called after each. peer: whom they are against, as it calls itself.
+  std::vector<Duel> (*duels)(const Effort& effort, const std::function<void()>& told,
+                             std::string& peer) = nullptr;
+  std::size_t duel_count = 0;
+  bool peer_is_built = false;  ///< whether its library was there at build time
 };
 
 /// Those of all topics, in the catalogue's order.

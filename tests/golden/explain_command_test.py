@@ -59,11 +59,20 @@ def test_each_object_and_stage_has_a_decision():
     equal(sum(map(int, re.findall(r"^(\d+) objects?, \d+ triangle", text, re.M))), 1391, "and in one group")
 
 
+def most_steps(picture, other):
+    """The largest difference of two pictures of one size."""
+    return max(abs(a - b) for row, other_row in zip(picture, other, strict=True)
+               for pixel, other_pixel in zip(row, other_row, strict=True)
+               for a, b in zip(pixel, other_pixel, strict=True))
+
+
 def test_plan_changes_no_pixel():
     for scene in ("town.json", "closed_room.json", "spot.json"):
         whole = picture(scene, *SMALL)
         equal(picture(scene, *SMALL, "--without", "all").pixels, whole.pixels, f"{scene} without any rule")
         equal(picture(scene, *SMALL, "--without", "hidden, Outside").pixels, whole.pixels, f"{scene} without two rules")
+        check(most_steps(picture(scene, *SMALL, "--engine", "textbook").pixels, whole.pixels) <= 1,
+              f"{scene} by the textbook chain: at most a step of 255 apart")
         part = picture(scene, *SMALL, "--part", "40,20,70x50")
         equal(part.pixels, [row[40:110] for row in whole.pixels[20:70]], f"a part of {scene}")
         check(part.texts["gradus-command"].endswith(" --size 160x90 --part 40,20,70x50"), part.texts["gradus-command"])
@@ -74,12 +83,20 @@ def test_plan_changes_no_pixel():
 
 
 def test_ledger_adds_up():
-    rows, text = ledger("town.json", *SMALL)
-    equal([row[0][0] for row in rows], list("1234567778"), f"the stages\n{text}")
-    for name, total, done, left_out, why in rows:
-        equal(done + left_out, total, f"{name} of {text}")
-        equal(sum(why.values()), left_out, f"{name}: each has a reason\n{text}")
-    check(rows[0][4]["outside"] > 5000 and rows[0][4]["hidden"] > 1000, text)
+    totals = []
+    for words, drawn_by in ((["--engine", "textbook"], "the textbook chain"), ([], "the engine, in single precision"),
+                            (["--aa", "none"], "the engine, in single precision"),
+                            (["--background", "none"], "the engine, in double precision")):
+        rows, text = ledger("town.json", *SMALL, *words)
+        equal([row[0][0] for row in rows], list("1234567778"), f"the stages\n{text}")
+        for name, total, done, left_out, why in rows:
+            equal(done + left_out, total, f"{name} of {text}")
+            equal(sum(why.values()), left_out, f"{name}: each has a reason\n{text}")
+        check(rows[0][4]["outside"] > 5000, text)
+        equal(rows[0][4].get("hidden", 0) > 1000, drawn_by == "the textbook chain", text)
+        check(f"\ndrawn by {drawn_by}\n" in text, text)
+        totals.append(rows[0][1:2])
+    equal(totals, totals[:1] * 4, "the same faces")
     check(re.search(r"^planning [\d.]+ ms, stages 1 to 5 [\d.]+ ms, 6 and 7 [\d.]+ ms, 8 [\d.]+ ms$", text, re.M), text)
     rows, text = ledger("town.json", *SMALL, "--without", "all")
     equal(rows[0][2:4], (rows[0][1], 0), f"without any rule all faces come in\n{text}")
@@ -104,7 +121,7 @@ def test_why_leads_from_the_file_to_the_colour():
             check(any(max(abs(float(a) - b) for a, b in zip(corner, v)) < 1e-6 for v in there), f"{pixel}: {corner} of {there}")
         whole = picture("spot.json").pixels[row][column]
         equal(re.search(r"the picture has #(\w+)$", told, re.M)[1], "%02x%02x%02x" % whole[:3], pixel)
-        plain = picture("spot.json", "--aa", "none").pixels[row][column]
+        plain = picture("spot.json", "--aa", "none", "--engine", "textbook").pixels[row][column]
         equal(re.search(r"is #(\w+) in sRGB", told)[1], "%02x%02x%02x" % plain[:3], f"{pixel}, its centre")
         # ambient + diffuse + highlight = light, in three colours
         sums = re.search(r"ambient \((.*?)\) \+ diffuse \((.*?)\) \+ highlight \((.*?)\) = \((.*?)\)$", told, re.M).groups()

@@ -228,6 +228,10 @@ std::vector<Command> all_commands() {
                        "first for one picture"),
              {"array", 0, "K/N", "of the frames every N-th from the K-th on: one of N parts, for a cluster"},
              {"jobs", 'j', "N", "how many frames at once; default: the usable cores"},
+             {"engine", 0, "NAME",
+              "what draws: fast (default), in tiles on all cores, or textbook, the eight stages one after "
+              "the "
+              "other; wireframes and triangles in an order of their own are always the textbook's"},
              {"report", 0, "", "prints what was done and what was left out, stage by stage"},
              {"why", 0, "C,R",
               "prints instead why the pixel in this column and row is what it is, from 0,0 at the upper "
@@ -300,9 +304,10 @@ std::vector<Command> all_commands() {
         force,
         {"json", 0, "", "as JSON in Google Benchmark's layout, instead of tables"},
         {"seconds", 0, "N", "how long a repetition of one method lasts; default 0.05"},
-        {"repetitions", 0, "N", "of which the median counts; default 9"}},
+        {"repetitions", 0, "N", "of which the median counts; default 9"},
+        {"require-peers", 0, "", "fails where a program is missing that the engine is compared with"}},
        {"gradus bench", "gradus bench TOPIC", "gradus bench TOPIC -o bench/",
-        "gradus bench TOPIC --json > bench.json"},
+        "gradus bench TOPIC --json > bench.json", "gradus bench engine --require-peers"},
        Operand::topic},
       {"stress",
        "TOPICs",

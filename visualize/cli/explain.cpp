@@ -180,7 +180,7 @@ std::string plan_json(const std::string& name, const Scene& scene, const Plan& p
   return write_json(json_object(std::move(members)));
 }
 
-std::string ledger_text(const std::string& name, const Ledger& ledger) {
+std::string ledger_text(const std::string& name, const Ledger& ledger, std::string_view drawn_by) {
   std::vector<TextRow> rows{{"stage", "of", "total", "done", "left out", "why"}};
   for (const LedgerRow* row : ledger.rows()) {
     std::vector<std::string> why;
@@ -193,8 +193,8 @@ std::string ledger_text(const std::string& name, const Ledger& ledger) {
   const auto ms = [](double seconds) { return fmt::format("{:.1f} ms", 1000 * seconds); };
   return fmt::format("{}: done and left out\n\n", visible(name)) +
          table_of(rows, {false, false, true, true, true, false}) +
-         fmt::format("\nplanning {}, stages 1 to 5 {}, 6 and 7 {}, 8 {}\n", ms(ledger.planning),
-                     ms(ledger.geometry), ms(ledger.pixels), ms(ledger.writing));
+         fmt::format("\ndrawn by {}\nplanning {}, stages 1 to 5 {}, 6 and 7 {}, 8 {}\n", drawn_by,
+                     ms(ledger.planning), ms(ledger.geometry), ms(ledger.pixels), ms(ledger.writing));
 }
 
 namespace {

@@ -19,7 +19,7 @@ std::string plan_text(const std::string& name, const pipeline::Scene& scene, con
 std::string plan_json(const std::string& name, const pipeline::Scene& scene, const pipeline::Plan& plan,
                       const std::optional<PathFacts>& path = {});
 
-/// What was done and left out, and how long the parts took.
-std::string ledger_text(const std::string& name, const pipeline::Ledger& ledger);
+/// What was done and left out, by whom, and how long the parts took.
+std::string ledger_text(const std::string& name, const pipeline::Ledger& ledger, std::string_view drawn_by);
 
 }  // namespace gradus::cli

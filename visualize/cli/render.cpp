@@ -1,4 +1,4 @@
-// `gradus render`: a picture of a model or a scene, by the textbook chain.
+// `gradus render`: a picture of a model or a scene.
 
 #include "cli/render.hpp"
 
@@ -16,6 +16,7 @@
 #include "cli/progress.hpp"
 #include "cli/render_frames.hpp"
 #include "cli/render_shot.hpp"
+#include "cli/threads.hpp"
 #include "cli/why.hpp"
 #include "plan/unchanged.hpp"
 #include "stories/point_text.hpp"
@@ -75,7 +76,9 @@ Rendered rendered(const Request& request, const FindFile& find,
   Shot shot = shot_of(request, find);
   if (on_read) on_read(shot.brief);
   Rendered result{std::move(shot.brief), "", {}};
-  const Picture picture = picture_of(shot.scene, shot.wish, result.ledger, Working::reached);
+  const ShotArtist artist(shot, usable_cores());
+  const Picture picture = artist.paint(shot.scene, result.ledger, Working::reached);
+  result.drawn_by = artist.drawn_by();
   Working::reached(0);  // what comes is no part of it
   if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
   result.png = png_of(picture.image, result.colophon);
@@ -104,7 +107,7 @@ void make_rendered(const Request& request, const Output& output, const FindFile&
   }
   if (!request.has("report")) return;
   const Stream stream = output.path == dash ? Stream::err : Stream::out;
-  write_stream(stream, ledger_text(scene_name(picture), picture.ledger));
+  write_stream(stream, ledger_text(scene_name(picture), picture.ledger, picture.drawn_by));
 }
 
 int render(const Request& request) {

@@ -28,7 +28,8 @@ struct RenderBrief {
 /// A picture of a model, as the bytes of a PNG.
 struct Rendered : RenderBrief {
   std::string png;
-  pipeline::Ledger ledger;  ///< what was done for it
+  pipeline::Ledger ledger;      ///< what was done for it
+  std::string_view drawn_by{};  ///< and by whom
 };
 
 /// The frames of a camera's path, which of them is rendered, and which show what the one before them shows.

@@ -74,6 +74,7 @@ void read_surfaces(const Flags& flags, const SayFlag& say, DrawnSurfaces& surfac
   read_choice(flags, "hidden-surfaces", pipeline::hidden_surface_names, say, surfaces.hidden);
   read_choice(flags, "culling", pipeline::culling_names, say, surfaces.culling);
   read_choice(flags, "shading", pipeline::shading_names, say, surfaces.shading);
+  read_choice(flags, "engine", drawn_by_names, say, surfaces.by);
 }
 
 void check_projection(const Flags& flags, pipeline::Projection3d projection) {

@@ -80,7 +80,7 @@ bool is_made(const std::string& path, const Colophon& colophon) {
 /// Draws frames from any thread, and sums up what was done.
 class Drawing {
  public:
-  explicit Drawing(const Run& run) : run_(run) {}
+  explicit Drawing(const Run& run) : run_(run), artist_(run.shot, 1) {}
 
   /// frames: how many have this picture in this run.
   Image picture(std::size_t i, std::size_t frames) {
@@ -88,7 +88,7 @@ class Drawing {
     scene.camera = camera_of(run_.shot, run_.views[i]);
     if (run_.shot.lights_go_along) scene.lights = pipeline::default_lights(scene.camera);
     pipeline::Ledger ledger;
-    Picture picture = picture_of(scene, run_.shot.wish, ledger);
+    Picture picture = artist_.paint(scene, ledger);
     const std::lock_guard lock(mutex_);
     pipeline::add(ledger, sum_);
     for (std::size_t again = 1; again < frames; ++again) pipeline::add_unchanged(ledger, sum_);
@@ -107,11 +107,12 @@ class Drawing {
     const std::string name = fmt::format(
         "{}, {}{}", scene_name(run_.shot.brief), counted(static_cast<std::int64_t>(drawn), "frame"),
         unchanged_ > 0 ? fmt::format(" of which {} unchanged", unchanged_) : "");
-    write_stream(Stream::out, ledger_text(name, sum_));
+    write_stream(Stream::out, ledger_text(name, sum_, artist_.drawn_by()));
   }
 
  private:
   const Run& run_;
+  ShotArtist artist_;
   std::mutex mutex_{};
   pipeline::Ledger sum_{};
   std::size_t unchanged_ = 0, empty_ = 0;

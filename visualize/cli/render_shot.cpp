@@ -10,6 +10,7 @@
 #include "cli/names.hpp"
 #include "cli/render_input.hpp"
 #include "core/colour.hpp"
+#include "engine/engine.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
 #include "scene/framing.hpp"
@@ -198,12 +199,33 @@ Shot read_shot(const Request& request, const FindFile& find) {
   return shot;
 }
 
-Picture picture_of(const pipeline::Scene& scene, const Wish& wish, pipeline::Ledger& ledger,
-                   const std::function<void(double)>& reached) {
+ShotArtist::ShotArtist(const Shot& shot, std::size_t threads)
+    : shot_(shot), threads_(static_cast<int>(threads)) {
+  if (shot.wish.surfaces.by == DrawnBy::fast && pipeline::engine::draws(shot.scene))
+    buffers_ = pipeline::engine::buffers_of(shot.scene);
+}
+
+std::string_view ShotArtist::drawn_by() const {
+  if (!buffers_) return "the textbook chain";
+  const bool single = !shot_.wish.transparent && pipeline::engine::draws_in_single_precision(shot_.scene);
+  return single ? "the engine, in single precision" : "the engine, in double precision";
+}
+
+Picture ShotArtist::paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
+                          const std::function<void(double)>& reached) const {
+  const Wish& wish = shot_.wish;
   pipeline::Plan plan = pipeline::timed(seconds_now, ledger.planning, [&] {
     return pipeline::plan_of(scene, wish.size, wish.plan.rules, wish.plan.part);
   });
-  const pipeline::LightPicture light = antialiased_by_plan(scene, plan, ledger, seconds_now, reached);
+  const pipeline::engine::EngineWatch watch{&ledger, seconds_now, reached};
+  if (buffers_ && !wish.transparent) {
+    pipeline::engine::Workspace workspace;
+    auto [image, covered] = pipeline::engine::picture_of(scene, *buffers_, plan, workspace, threads_, watch);
+    return {std::move(image), covered};
+  }
+  const pipeline::LightPicture light =
+      buffers_ ? pipeline::engine::light_of(scene, *buffers_, plan, threads_, watch)
+               : antialiased_by_plan(scene, plan, ledger, seconds_now, reached);
   const auto shows_model = [](const pipeline::PixelLight& pixel) { return pixel.share > 0; };
   Image image = pipeline::timed(seconds_now, ledger.writing, [&] {
     return wish.transparent ? with_alpha(light) : pipeline::output(over_background(light, scene.background));

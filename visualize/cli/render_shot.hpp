@@ -4,11 +4,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/inputs.hpp"
 #include "cli/render.hpp"
 #include "cli/render_wish.hpp"
+#include "engine/buffers.hpp"
 #include "plan/ledger.hpp"
 #include "scene/scene.hpp"
 #include "scene/view.hpp"
@@ -46,8 +48,23 @@ struct Picture {
   std::int64_t covered = 0;
 };
 
-/// ledger: gets what was done, and what the plan left out. reached: told of the share that is done.
-Picture picture_of(const pipeline::Scene& scene, const Wish& wish, pipeline::Ledger& ledger,
-                   const std::function<void(double)>& reached = {});
+/// Draws the pictures of a shot, by the engine where the shot and the scene let it.
+class ShotArtist {
+ public:
+  /// shot: must outlive it. threads: of the engine, for one picture.
+  ShotArtist(const Shot& shot, std::size_t threads);
+
+  /// scene: that of the shot, its camera anywhere. ledger: gets what was done, and what was left out.
+  /// reached: told of the share that is done. From any thread.
+  Picture paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
+                const std::function<void(double)>& reached = {}) const;
+  /// What draws, as the report calls it.
+  std::string_view drawn_by() const;
+
+ private:
+  const Shot& shot_;
+  int threads_;
+  std::optional<pipeline::engine::Buffers> buffers_{};  ///< where the engine draws
+};
 
 }  // namespace gradus::cli

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "core/colour.hpp"
-#include "pipeline.hpp"
+#include "engine/engine.hpp"
+#include "plan/plan.hpp"
 
 namespace gradus::cli {
 namespace {
@@ -60,6 +61,7 @@ Image halved(const Image& image) {
 RoadFilm::RoadFilm(pipeline::RoadDemo demo, Image texture, std::size_t which, const std::string& name)
     : demo_(std::move(demo)),
       scene_(scene_of(demo_, std::move(texture))),
+      buffers_(pipeline::engine::buffers_of(scene_)),
       bounds_(bounds_of(scene_)),
       gazes_(which == 0   ? std::vector{Gaze::forward}
              : which == 1 ? std::vector{Gaze::target}
@@ -80,7 +82,9 @@ Image RoadFilm::seen(Gaze gaze, int frame) const {
   pipeline::Scene scene = scene_;
   scene.camera = camera_at(demo_, gaze, frame, bounds_);
   const ivec2 size = frame_size(demo_);
-  return render_antialiased(scene, {size.x, size.y});
+  const pipeline::Plan plan = pipeline::plan_of(scene, {size.x, size.y});
+  pipeline::engine::Workspace workspace;
+  return pipeline::engine::picture_of(scene, buffers_, plan, workspace, 1).image;
 }
 
 Image RoadFilm::frame(std::size_t i) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "engine/buffers.hpp"
 #include "figure/colophon.hpp"
 #include "scene/road_demo.hpp"
 
@@ -41,6 +42,7 @@ class RoadFilm {
 
   pipeline::RoadDemo demo_;
   pipeline::Scene scene_;
+  pipeline::engine::Buffers buffers_;
   Bounds bounds_;
   std::vector<pipeline::Gaze> gazes_;
 };

@@ -10,8 +10,6 @@
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
-namespace {
-
 std::size_t usable_cores() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -21,8 +19,6 @@ std::size_t usable_cores() {
   const auto count = granted ? whole_number(granted) : std::nullopt;
   return count && *count > 0 ? std::min(allowed, static_cast<std::size_t>(*count)) : allowed;
 }
-
-}  // namespace
 
 std::size_t read_jobs(const Request& request) {
   const auto text = request.flags.find("jobs");

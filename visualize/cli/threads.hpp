@@ -12,8 +12,10 @@
 
 namespace gradus::cli {
 
-/// How many threads a request asks for with --jobs; else the cores this process may use: what the scheduler
-/// grants, within what the machine allows. Throws UsageError.
+/// The cores this process may use: what the scheduler grants, within what the machine allows.
+std::size_t usable_cores();
+
+/// How many threads a request asks for with --jobs; else usable_cores. Throws UsageError.
 std::size_t read_jobs(const Request& request);
 
 /// Calls do_one(i) for every i < count, on several threads. The first exception ends the work and is thrown

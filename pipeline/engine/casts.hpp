@@ -1,0 +1,116 @@
+#pragma once
+// Triangles over a tile, as batches ask for them: edge functions by whole numbers, and how near the viewer.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+#include "engine/geometry.hpp"
+#include "engine/visibility_batch.hpp"
+#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+
+namespace gradus::pipeline::engine {
+
+/// Depths in single precision differ surely by more than this share and this much.
+inline constexpr float unsure_share = 0x1p-19f, unsure_at_least = 0x1p-27f;
+
+/// What a batch may find a depth to be at least, or at most.
+inline float unsure_at(float nearness) { return nearness * unsure_share + unsure_at_least; }
+
+/// The depth of a triangle at a place by the textbook's arithmetic, and what decides between equal ones.
+struct ExactDepth {
+  double depth;
+  PieceId piece;
+  std::int32_t id;
+
+  friend bool operator<(const ExactDepth& a, const ExactDepth& b) {
+    return std::tie(a.depth, a.piece, a.id) < std::tie(b.depth, b.piece, b.id);
+  }
+};
+
+inline PieceId piece_of(const Frame& frame, const FrameTriangle& t, std::int32_t id) {
+  if (t.cut) return frame.cut_triangle(id).id;
+  const FrameObject& object = frame.object_of(t);
+  const MeshPiece& piece = object.pieces->of_faces[static_cast<std::size_t>(t.piece)];
+  return {object.number, piece.face, piece.piece};
+}
+
+/// place: in 1/256 pixel.
+inline ExactDepth exact_depth(const Frame& frame, std::int32_t id, ivec2 place) {
+  const FrameTriangle& t = frame.triangle(id);
+  const auto weights = weights_at_place(triangle_coverage::edges_of(t.grid), place);
+  return {triangle_coverage::Linear(t.grid, t.depth).at(weights), piece_of(frame, t, id), id};
+}
+
+/// One side of a triangle over the pixels of a tile: at + a x + b y >= 0 for those inside, x and y counted
+/// from the tile's upper left.
+struct Side {
+  std::int64_t at, a, b;
+};
+
+/// The edge function over 256, rounded down, which keeps its sign; less by one where the edge does not own
+/// what lies on it. there: that in the centre that x and y are counted from, before the division.
+[[gnu::always_inline]] inline Side side_of(const triangle_coverage::Edge& edge, std::int64_t there) {
+  return {there >> 8, std::int64_t{edge.from.y} - edge.to.y, std::int64_t{edge.to.x} - edge.from.x};
+}
+
+/// The least and the largest value over a box.
+[[gnu::always_inline]] inline std::int64_t least(const Side& s, const Window& box) {
+  return s.at + std::min(s.a * box.lower.x, s.a * box.upper.x) +
+         std::min(s.b * box.lower.y, s.b * box.upper.y);
+}
+[[gnu::always_inline]] inline std::int64_t largest(const Side& s, const Window& box) {
+  return s.at + std::max(s.a * box.lower.x, s.a * box.upper.x) +
+         std::max(s.b * box.lower.y, s.b * box.upper.y);
+}
+
+/// The pixels of the blocks that a box meets.
+inline Window in_blocks(const Window& box) {
+  return {box.lower / block_side * block_side,
+          box.upper / block_side * block_side + ivec2{block_side - 1, block_side - 1}};
+}
+
+/// 1 - depth over the pixels of a tile.
+struct NearnessPlane {
+  double at, right, down;
+};
+
+/// A triangle over a tile.
+struct Cast {
+  Window box;  ///< pixels that it may cover, counted from the tile's upper left
+  std::array<Side, 3> sides;
+  std::array<std::int64_t, 3> origin;  ///< the edge functions in the first centre, less 1 where not owned
+  NearnessPlane plane;
+};
+
+/// How a triangle lies over a tile. box: not empty.
+[[gnu::always_inline]] inline Cast cast_of(const FrameTriangle& t, const Window& box, ivec2 origin) {
+  const auto edges = triangle_coverage::edges_of(t.grid);
+  const ivec2 there = triangle_coverage::centre_of(origin);
+  const std::int64_t second = edges[1].at(there), third = edges[2].at(there);
+  Cast cast;
+  cast.box = {box.lower - origin, box.upper - origin};
+  cast.origin = {edges[0].at(there) - !edges[0].owns, second - !edges[1].owns, third - !edges[2].owns};
+  for (std::size_t k = 0; k < 3; ++k) cast.sides[k] = side_of(edges[k], cast.origin[k]);
+  const double over_area = 1 / static_cast<double>(std::abs(triangle_coverage::doubled_area(t.grid)));
+  const double to_second = (t.depth.x - t.depth.y) * over_area,
+               to_third = (t.depth.x - t.depth.z) * over_area;
+  const auto mixed = [&](std::int64_t a, std::int64_t b) {
+    return static_cast<double>(a) * to_second + static_cast<double>(b) * to_third;
+  };
+  constexpr int step = triangle_coverage::subpixels;
+  cast.plane = {(1 - t.depth.x) + mixed(second, third), step * mixed(cast.sides[1].a, cast.sides[2].a),
+                step * mixed(cast.sides[1].b, cast.sides[2].b)};
+  return cast;
+}
+
+/// Whether single precision stays within the shares above.
+[[gnu::always_inline]] inline bool is_flat_enough(const NearnessPlane& plane, const dvec3& depth) {
+  const double slope = std::abs(plane.right) + std::abs(plane.down);
+  const double least_nearness = 1 - std::max(std::max(depth.x, depth.y), depth.z);
+  return slope <= std::max(least_nearness / 2, 0x1p-9);
+}
+
+}  // namespace gradus::pipeline::engine

@@ -1,0 +1,359 @@
+#include "engine/shading_batch.hpp"
+
+#include <array>
+#include <bit>
+#include <limits>
+
+// Highway compiles what follows once for every kind of machine, and picks at run time
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/shading_batch.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+// After it
+#include <hwy/highway.h>
+
+#include "core/colour.hpp"
+#include "engine/shading_lanes-inl.hpp"
+#include "engine/visibility_batch.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradus::pipeline::engine::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Cosines that are less from where something ends are in doubt
+constexpr float unsure_choice = 0x1p-18f;
+// Squares of the length of a mean of normals from here on down
+constexpr float unsure_normal = 0x1p-8f;
+// Cones between whose cosines there is less have an edge that single precision cannot draw
+constexpr float sharp_cone = 0x1p-6f;
+
+// --- Light ---------------------------------------------------------------------------------------
+
+// What leaves a surface: scattered light and the highlight. Doubtful where single precision might choose
+// otherwise than double does, or loses too much
+struct Light3 {
+  Vec3 scattered, highlight;
+  M doubtful;
+};
+
+// The way to a lamp and what of its light arrives
+struct Arriving {
+  Vec3 way;
+  F share;
+  M doubtful;
+};
+
+HWY_INLINE M never() { return hn::FirstN(D(), 0); }
+HWY_INLINE M near_zero(F x, float limit) { return hn::Lt(hn::Abs(x), set(limit)); }
+
+HWY_INLINE F window_of(const Lamp& lamp, F distance) {
+  const F part = hn::Div(distance, set(lamp.range)), square = hn::Mul(part, part);
+  const F left = hn::Sub(set(1), hn::Mul(square, square));
+  return hn::IfThenElseZero(hn::Lt(distance, set(lamp.range)), hn::Mul(left, left));
+}
+
+// c: the cosine to the spot's axis
+HWY_INLINE F cone_of(const Lamp& lamp, F c) {
+  // The nearer to the inner cone the more; division by 0 where both cones are one is not asked for
+  const F t = hn::IfThenElse(hn::Lt(c, set(lamp.inner)),
+                             hn::Div(hn::Sub(c, set(lamp.outer)), set(lamp.inner - lamp.outer)), set(1));
+  F edge = hn::Mul(hn::Mul(t, t), hn::Sub(set(3), hn::Mul(set(2), t)));
+  if (lamp.concentration > 0) edge = hn::Mul(edge, power(positive(c), lamp.concentration, -1));
+  return hn::IfThenElseZero(hn::Gt(c, set(lamp.outer)), edge);
+}
+
+HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
+  if (lamp.kind == Light::Kind::directional)
+    return {set(lamp.place), set(lamp.constant > 1 ? 1 / lamp.constant : 1.0f), never()};
+  const Vec3 to = minus(set(lamp.place), place);
+  const F square = dot(to, to), over = over_length(square);
+  // Beside the lamp the way to it is a difference of numbers that are nearly equal
+  Arriving a{scaled(to, over), set(1), hn::Lt(square, set(lamp.beside))};
+  if (lamp.weakens() || lamp.range < std::numeric_limits<float>::infinity()) {
+    const F distance = hn::Mul(square, over);
+    const F by = hn::Mul(distance, hn::Add(set(lamp.linear), hn::Mul(distance, set(lamp.quadratic))));
+    a.share = hn::Div(set(1), hn::Max(hn::Add(set(lamp.constant), by), set(1)));
+    if (lamp.range < std::numeric_limits<float>::infinity())
+      a.share = hn::Mul(a.share, window_of(lamp, distance));
+  }
+  if (lamp.kind == Light::Kind::spot) {
+    const F c = hn::Neg(dot(a.way, set(lamp.front)));
+    a.share = hn::Mul(a.share, cone_of(lamp, c));
+    if (lamp.inner - lamp.outer < sharp_cone) {
+      const F middle = set((lamp.inner + lamp.outer) / 2), half = set((lamp.inner - lamp.outer) / 2);
+      const M on_edge = hn::Lt(hn::Abs(hn::Sub(c, middle)), hn::Add(half, set(unsure_choice)));
+      a.doubtful = hn::Or(a.doubtful, on_edge);
+    }
+  }
+  if (lamp.kind == Light::Kind::area)
+    a.share = hn::Mul(a.share, positive(hn::Neg(dot(a.way, set(lamp.front)))));
+  return a;
+}
+
+// Phong's model, as illumination::phong has it
+HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& normal, const Vec3& viewer) {
+  Light3 sum{{zero(), zero(), zero()}, {zero(), zero(), zero()}, never()};
+  const F nv = dot(normal, viewer);
+  for (const Lamp& lamp : group.lamps) {
+    const auto [way, share, beside] = arriving(lamp, place);
+    const F nl = dot(normal, way);
+    sum.doubtful = hn::Or(sum.doubtful, beside);
+    sum.scattered = add_scaled(sum.scattered, set(lamp.intensity), hn::Mul(share, positive(nl)));
+    if (!group.shines()) continue;
+    // R.V, with R = 2 (N.L) N - L
+    const F rv = hn::Sub(hn::Mul(hn::Add(nl, nl), nv), dot(way, viewer));
+    const M seen = hn::And(hn::Gt(nl, zero()), hn::Gt(rv, zero()));
+    // The highlight ends at the horizon all at once, and steeply where R.V is small and so is its power
+    sum.doubtful = hn::Or(sum.doubtful, near_zero(nl, unsure_choice));
+    if (group.shininess < 1) sum.doubtful = hn::Or(sum.doubtful, near_zero(rv, 0x1p-10f));
+    if (hn::AllFalse(D(), seen)) continue;
+    const F mirrored = hn::IfThenElseZero(seen, power(rv, group.shininess, group.whole_power));
+    sum.highlight = add_scaled(sum.highlight, set(lamp.intensity), hn::Mul(share, mirrored));
+  }
+  const auto times = [](const Vec3& v, const glm::vec3& by) {
+    return Vec3{hn::Mul(v.x, set(by.x)), hn::Mul(v.y, set(by.y)), hn::Mul(v.z, set(by.z))};
+  };
+  const Vec3 scattered = times(sum.scattered, group.diffuse), even = set(group.even);
+  return {{hn::Add(even.x, scattered.x), hn::Add(even.y, scattered.y), hn::Add(even.z, scattered.z)},
+          times(sum.highlight, group.specular),
+          sum.doubtful};
+}
+
+// --- Pixels --------------------------------------------------------------------------------------
+
+// The records of some pixels: of each its own, or one of all
+struct OwnRecords {
+  const float* all;
+  I begins;
+  HWY_INLINE F operator()(int place) const { return hn::GatherIndex(D(), all + place, begins); }
+};
+struct OneRecord {
+  const float* one;
+  HWY_INLINE F operator()(int place) const { return set(one[place]); }
+};
+
+// Those of up to three triangles, of each pixel one
+struct BlendedRecords {
+  const float *first, *second, *third;
+  M of_second, of_third;
+  HWY_INLINE F operator()(int place) const {
+    const F other = hn::IfThenElse(of_second, set(second[place]), set(first[place]));
+    return hn::IfThenElse(of_third, set(third[place]), other);
+  }
+};
+
+template <class Records>
+HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F column, F row, M& doubtful) {
+  const F x = hn::Sub(column, records(record::column)), y = hn::Sub(row, records(record::row));
+  const auto plane = [&](int place) {
+    return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
+  };
+  const auto three = [&](int place) { return Vec3{plane(place), plane(place + 3), plane(place + 6)}; };
+  const ShadingGroup& group = *lit_cells.group;
+  const F w = hn::Div(set(1), plane(record::over_w));
+  const Vec3 first = scaled(three(record::values), w), second = three(record::values + 9);
+  Light3 light{};
+  light.doubtful = never();
+  if (lit_cells.per_pixel) {
+    const bool parallel = lit_cells.towards != glm::vec3(0);
+    const Vec3 viewer = parallel ? set(lit_cells.towards) : unit(minus(set(glm::vec3(0)), first));
+    const F square = dot(second, second);
+    light = lit(group, first, scaled(second, over_length(square)), viewer);
+    // Normals that nearly cancel out lose digits
+    const M short_normal = hn::Lt(hn::Mul(hn::Mul(w, w), square), set(unsure_normal));
+    light.doubtful = hn::Or(light.doubtful, short_normal);
+  } else {
+    light = {first, scaled(second, w), never()};
+  }
+  if (group.texture.levels > 0) {
+    const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w),
+                records(record::base), records(record::base + 1)};
+    Vec3 texel;
+    if (group.texture.levels == 1) {
+      texel = bilinear(group.texture, hn::Zero(DI()), at);
+    } else {
+      // How far (u, v) goes from a pixel to the next, in texels
+      const auto square = [&](int step) {
+        const F growth = records(record::over_w + step);
+        const auto along = [&](int place, F coordinate, std::int32_t count) {
+          const F way = hn::Mul(hn::Sub(records(place + step), hn::Mul(growth, coordinate)), w);
+          return hn::Mul(way, set(static_cast<float>(count)));
+        };
+        const F u = along(record::texture, at.u, group.texture.columns[0]),
+                v = along(record::texture + 3, at.v, group.texture.rows[0]);
+        return hn::Add(hn::Mul(u, u), hn::Mul(v, v));
+      };
+      texel = mip_mapped(group.texture, hn::Max(square(1), square(2)), at);
+    }
+    light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
+                       hn::Mul(light.scattered.z, texel.z)};
+  }
+  doubtful = light.doubtful;
+  return {hn::Add(light.scattered.x, light.highlight.x), hn::Add(light.scattered.y, light.highlight.y),
+          hn::Add(light.scattered.z, light.highlight.z)};
+}
+
+template <class Records>
+HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F column, F row, MI& any_doubtful) {
+  M in_doubt;
+  const I packed = packed_of(light_of(lit_cells, records, column, row, in_doubt));
+  const auto doubtful = hn::RebindMask(DI(), in_doubt);
+  any_doubtful = hn::Or(any_doubtful, doubtful);
+  return hn::IfThenZeroElse(doubtful, packed);
+}
+
+bool light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, const std::int32_t* slots,
+                      std::size_t count, std::uint32_t* colours) {
+  const DI di;
+  const D d;
+  const float* const all = lit_cells.records->data();
+  alignas(64) std::int32_t done[hn::MaxLanes(D())];
+  MI doubtful = hn::FirstN(di, 0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const I cell = hn::LoadU(di, cells + i);
+    // Where the cell stands: see TileBuffer::cell
+    const I block = hn::ShiftRight<4>(cell);
+    const I x = hn::Add(hn::ShiftLeft<2>(hn::And(block, whole(blocks_across - 1))), hn::And(cell, whole(3)));
+    const I y =
+        hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<4>(block)), hn::And(hn::ShiftRight<2>(cell), whole(3)));
+    const OwnRecords records{all, hn::Mul(hn::LoadU(di, slots + i), whole(record::size))};
+    hn::Store(colour_of(lit_cells, records, hn::ConvertTo(d, x), hn::ConvertTo(d, y), doubtful), di, done);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      colours[cells[i + k]] = static_cast<std::uint32_t>(done[k]);
+  }
+  return !hn::AllFalse(di, doubtful);
+}
+
+alignas(64) constexpr float cell_columns[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float cell_rows[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+// Colours the cells of a block that are `own` of those from k on
+template <class Records>
+HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, std::int32_t block,
+                            std::size_t k, MI own, std::uint32_t* colours, MI& doubtful) {
+  const D d;
+  const hn::RebindToUnsigned<DI> du;
+  const auto column = static_cast<float>(block % blocks_across * block_side),
+             row = static_cast<float>(block / blocks_across * block_side);
+  const F x = hn::Add(set(column), hn::Load(d, cell_columns + k)),
+          y = hn::Add(set(row), hn::Load(d, cell_rows + k));
+  MI in_doubt = hn::FirstN(DI(), 0);
+  const I colour = colour_of(lit_cells, records, x, y, in_doubt);
+  std::uint32_t* const to = colours + static_cast<std::size_t>(block * block_cells) + k;
+  hn::BlendedStore(hn::BitCast(du, colour), hn::RebindMask(du, own), du, to);
+  doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
+}
+
+bool light_some_blocks(const LitCells& lit_cells, const LitBlock* blocks, std::size_t count,
+                       const std::int32_t* slots_of_cells, std::uint32_t* colours) {
+  const DI di;
+  MI doubtful = hn::FirstN(di, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [block, slots] = blocks[i];
+    const auto record = [&](std::size_t which) { return lit_cells.records[slots[which]].data(); };
+    for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
+      const I cell_slots = hn::Load(di, slots_of_cells + static_cast<std::size_t>(block * block_cells) + k);
+      const auto of = [&](std::size_t which) { return hn::Eq(cell_slots, whole(slots[which])); };
+      const MI first = of(0);
+      if (slots[1] == slots[0]) {
+        if (hn::AllFalse(di, first)) continue;
+        light_block(lit_cells, OneRecord{record(0)}, block, k, first, colours, doubtful);
+        continue;
+      }
+      const MI second = of(1), third = of(2), own = hn::Or(first, hn::Or(second, third));
+      if (hn::AllFalse(di, own)) continue;
+      const D d;
+      const BlendedRecords records{record(0), record(1), record(2), hn::RebindMask(d, second),
+                                   hn::RebindMask(d, third)};
+      light_block(lit_cells, records, block, k, own, colours, doubtful);
+    }
+  }
+  return !hn::AllFalse(di, doubtful);
+}
+
+void light_some_places(const LitCells& lit_cells, const LitPlaces& places) {
+  const D d;
+  const DI di;
+  const std::size_t count = places.slots.size();
+  const float* const all = lit_cells.records->data();
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const OwnRecords records{all, hn::Mul(hn::LoadU(di, places.slots.data() + i), whole(record::size))};
+    M doubtful;
+    const F column = hn::LoadU(d, places.columns.data() + i), row = hn::LoadU(d, places.rows.data() + i);
+    const Vec3 light = light_of(lit_cells, records, column, row, doubtful);
+    hn::StoreU(hn::IfThenElse(doubtful, set(-1), light.x), d, places.light.data() + i);
+    hn::StoreU(light.y, d, places.light.data() + count + i);
+    hn::StoreU(light.z, d, places.light.data() + 2 * count + i);
+  }
+}
+
+void pack_some(const float* light, std::size_t count, std::uint32_t* colours) {
+  const D d;
+  const hn::RebindToUnsigned<DI> du;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto load = [&](std::size_t k) { return hn::LoadU(d, light + k * count + i); };
+    hn::StoreU(hn::BitCast(du, packed_of({load(0), load(1), load(2)})), du, colours + i);
+  }
+}
+
+void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, const float* places,
+                        const float* normals, std::size_t count, float* light) {
+  const D d;
+  const bool parallel = towards != glm::vec3(0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto load = [&](const float* from) {
+      return Vec3{hn::LoadU(d, from + i), hn::LoadU(d, from + count + i), hn::LoadU(d, from + 2 * count + i)};
+    };
+    const Vec3 place = load(places), viewer = parallel ? set(towards) : unit(minus(set(glm::vec3(0)), place));
+    const auto [scattered, highlight, doubtful] = lit(group, place, load(normals), viewer);
+    const auto store = [&](const Vec3& v, float* to) {
+      hn::StoreU(v.x, d, to + i);
+      hn::StoreU(v.y, d, to + count + i);
+      hn::StoreU(v.z, d, to + 2 * count + i);
+    };
+    store(scattered, light);
+    store(highlight, light + 3 * count);
+    hn::StoreU(hn::IfThenElseZero(doubtful, set(1)), d, light + 6 * count + i);
+  }
+}
+
+}  // namespace gradus::pipeline::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gradus::pipeline::engine {
+HWY_EXPORT(light_some_cells);
+HWY_EXPORT(light_some_blocks);
+HWY_EXPORT(light_some_corners);
+HWY_EXPORT(light_some_places);
+HWY_EXPORT(pack_some);
+
+bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
+                 std::span<const std::int32_t> slots, std::uint32_t* colours) {
+  return HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
+}
+
+bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const std::int32_t* slots_of_cells,
+                  std::uint32_t* colours) {
+  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), slots_of_cells, colours);
+}
+
+void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {
+  HWY_DYNAMIC_DISPATCH(light_some_corners)
+  (group, towards, corners.places.data(), corners.normals.data(), corners.places.size() / 3,
+   corners.light.data());
+}
+
+void light_places(const LitCells& lit, const LitPlaces& places) {
+  HWY_DYNAMIC_DISPATCH(light_some_places)(lit, places);
+}
+
+void pack(std::span<const float> light, std::span<std::uint32_t> colours) {
+  HWY_DYNAMIC_DISPATCH(pack_some)(light.data(), colours.size(), colours.data());
+}
+
+std::uint32_t packed(const LinearRgb& colour) {
+  return std::bit_cast<std::uint32_t>(srgb8_from_linear(colour));
+}
+
+}  // namespace gradus::pipeline::engine
+#endif

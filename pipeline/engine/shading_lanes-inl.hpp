@@ -1,0 +1,186 @@
+// Numbers, textures and colours in single precision, sixteen pixels at once: what shading_batch.cpp computes
+// with. Compiled once for every kind of machine, as certified_lanes-inl.hpp in core is.
+#if defined(GRADUS_ENGINE_SHADING_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRADUS_ENGINE_SHADING_LANES_INL_HPP
+#undef GRADUS_ENGINE_SHADING_LANES_INL_HPP
+#else
+#define GRADUS_ENGINE_SHADING_LANES_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/shading.hpp"
+#include "engine/visibility_batch.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradus::pipeline::engine::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, block_cells>;
+using DI = hn::RebindToSigned<D>;
+using F = hn::Vec<D>;
+using I = hn::Vec<DI>;
+using M = hn::Mask<D>;
+using MI = hn::Mask<DI>;
+
+HWY_INLINE F set(float x) { return hn::Set(D(), x); }
+HWY_INLINE I whole(std::int32_t x) { return hn::Set(DI(), x); }
+HWY_INLINE F zero() { return hn::Zero(D()); }
+HWY_INLINE F positive(F x) { return hn::Max(x, zero()); }
+
+struct Vec3 {
+  F x, y, z;
+};
+HWY_INLINE Vec3 set(const glm::vec3& v) { return {set(v.x), set(v.y), set(v.z)}; }
+HWY_INLINE F dot(const Vec3& a, const Vec3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Vec3 scaled(const Vec3& v, F by) { return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)}; }
+HWY_INLINE Vec3 minus(const Vec3& a, const Vec3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec3 add_scaled(const Vec3& a, const Vec3& b, F by) {
+  return {hn::Add(a.x, hn::Mul(b.x, by)), hn::Add(a.y, hn::Mul(b.y, by)), hn::Add(a.z, hn::Mul(b.z, by))};
+}
+// 1 / length, 0 for the zero vector
+HWY_INLINE F over_length(F square) {
+  return hn::IfThenElseZero(hn::Gt(square, zero()), hn::Div(set(1), hn::Sqrt(square)));
+}
+HWY_INLINE Vec3 unit(const Vec3& v) { return scaled(v, over_length(dot(v, v))); }
+
+// --- Powers --------------------------------------------------------------------------------------
+
+// c0 + c1 x + c2 x^2 + ...
+template <std::size_t n>
+HWY_INLINE F polynomial(F x, const float (&c)[n]) {
+  F sum = set(c[n - 1]);
+  for (std::size_t i = n - 1; i-- > 0;) sum = hn::Add(hn::Mul(sum, x), set(c[i]));
+  return sum;
+}
+
+// Within 2^-22, for normal x > 0. With x = 2^n m, 2 artanh((m - 1) / (m + 1)) / ln 2 + n
+HWY_INLINE F log2_of(F x) {
+  const DI di;
+  // m from sqrt(1/2) to sqrt(2)
+  const I bits = hn::BitCast(di, x), shifted = hn::Sub(bits, whole(0x3f3504f3));
+  const I n = hn::ShiftRight<23>(shifted);
+  const F m = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(n)));
+  const F z = hn::Div(hn::Sub(m, set(1)), hn::Add(m, set(1)));
+  constexpr float series[] = {2.88539008f, 0.961796694f, 0.577078016f, 0.412198583f, 0.320598898f};
+  return hn::Add(hn::ConvertTo(D(), n), hn::Mul(z, polynomial(hn::Mul(z, z), series)));
+}
+
+// Within 2^-22 of 2^x, for x from -126 to 126; less gives less than 2^-125
+HWY_INLINE F exp2_of(F x) {
+  const F within = hn::Max(hn::Min(x, set(126)), set(-126)), n = hn::Round(within), part = hn::Sub(within, n);
+  constexpr float series[] = {
+      1, 0.693147181f, 0.240226507f, 0.0555041087f, 0.00961812911f, 0.00133335581f, 0.000154035304f};
+  const I shift = hn::ShiftLeft<23>(hn::ConvertTo(DI(), n));
+  return hn::BitCast(D(), hn::Add(hn::BitCast(DI(), polynomial(part, series)), shift));
+}
+
+// x > 0 to a power
+HWY_INLINE F power(F x, float by, int whole_power) {
+  if (whole_power < 0) return exp2_of(hn::Mul(log2_of(hn::Max(x, set(0x1p-100f))), set(by)));
+  F result = set(1);
+  for (auto bit = static_cast<int>(std::bit_width(static_cast<unsigned>(whole_power))); bit-- > 0;) {
+    result = hn::Mul(result, result);
+    if (whole_power >> bit & 1) result = hn::Mul(result, x);
+  }
+  return result;
+}
+
+// --- Textures ------------------------------------------------------------------------------------
+
+// Texture coordinates: those of a place nearby, with few digits, and how far it is from there
+struct Uv {
+  F u, v;
+  F base_u, base_v;
+};
+
+// The mean of the four texels of a level that lie about (u, v)
+HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
+  const DI di;
+  const D d;
+  const I columns = hn::GatherIndex(di, texture.columns.data(), level),
+          rows = hn::GatherIndex(di, texture.rows.data(), level),
+          begin = hn::GatherIndex(di, texture.begin.data(), level);
+  // Cells from 0 to count - 1, beyond which the texture comes again
+  struct Axis {
+    I first, second;
+    F part;
+  };
+  const auto axis = [&](F base, F way, I count) {
+    const F size = hn::ConvertTo(d, count), there = hn::Sub(hn::Mul(base, size), set(0.5f)),
+            cell_there = hn::Floor(there);
+    // From here on digits count: texels on from that cell
+    const F on = hn::Add(hn::Sub(there, cell_there), hn::Mul(way, size)), cells_on = hn::Floor(on),
+            cell = hn::Add(cell_there, cells_on);
+    const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
+    // The quotient may have been rounded to the next whole number
+    const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
+    const I first = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count)),
+            next = hn::Add(first, whole(1));
+    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(on, cells_on)};
+  };
+  const Axis x = axis(at.base_u, at.u, columns), y = axis(at.base_v, at.v, rows);
+  const auto line = [&](I up) {
+    const I row = hn::Sub(hn::Sub(rows, whole(1)), up);
+    return hn::Add(begin, hn::Mul(row, columns));
+  };
+  const auto texel = [&](I row, I column) {
+    const I index = hn::Mul(hn::Add(row, column), whole(3));
+    return Vec3{hn::GatherIndex(d, texture.texels, index),
+                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(1))),
+                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(2)))};
+  };
+  const auto mixed = [](const Vec3& a, const Vec3& b, F part) { return add_scaled(a, minus(b, a), part); };
+  const I below = line(y.first), above = line(y.second);
+  return mixed(mixed(texel(below, x.first), texel(below, x.second), x.part),
+               mixed(texel(above, x.first), texel(above, x.second), x.part), y.part);
+}
+
+// side: the square of the footprint's longer side, in texels
+HWY_INLINE Vec3 mip_mapped(const TextureLevels& texture, F square, const Uv& at) {
+  const DI di;
+  const I last = whole(texture.levels - 1);
+  // Far too long ones, and what is no number, have the last level
+  const F most = set(static_cast<float>(texture.levels - 1));
+  const M short_enough = hn::Lt(square, set(0x1p40f));
+  const F height = hn::IfThenElse(short_enough, hn::Mul(set(0.5f), log2_of(hn::Max(square, set(1)))), most);
+  const F level = hn::Min(height, most), lower = hn::Floor(level);
+  const I k = hn::ConvertTo(di, lower);
+  const Vec3 finer = bilinear(texture, k, at);
+  const F part = hn::Sub(level, lower);
+  if (hn::AllTrue(D(), hn::Eq(part, zero()))) return finer;
+  const Vec3 coarser = bilinear(texture, hn::Min(hn::Add(k, whole(1)), last), at);
+  return add_scaled(finer, minus(coarser, finer), part);
+}
+
+// --- Colours -------------------------------------------------------------------------------------
+
+// The nearest of 0 to 255 by sRGB's curve, or its neighbour
+HWY_INLINE I byte_of(F light) {
+  const F x = hn::Min(positive(light), set(1));
+  const F root = hn::Sqrt(hn::Sqrt(x));
+  // 255 (1.055 x^(1/2.4) - 0.055) within 1/400
+  constexpr float curve[] = {-15.7155746f, 42.0683701f, 317.274569f, -142.176691f, 69.5518221f, -16.0035428f};
+  const F value =
+      hn::IfThenElse(hn::Lt(x, set(0.0031308f)), hn::Mul(x, set(12.92f * 255)), polynomial(root, curve));
+  return hn::ConvertTo(DI(), hn::Add(value, set(0.5f)));
+}
+
+HWY_INLINE I packed_of(const Vec3& light) {
+  const I red = byte_of(light.x), green = hn::ShiftLeft<8>(byte_of(light.y)),
+          blue = hn::ShiftLeft<16>(byte_of(light.z));
+  return hn::Or(hn::Or(red, green), hn::Or(blue, whole(static_cast<std::int32_t>(0xff000000U))));
+}
+
+}  // namespace gradus::pipeline::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per target

@@ -1,0 +1,121 @@
+#pragma once
+// The colours of a tile: its pixels sorted by what lights them alike, and lit sixteen at once.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/image.hpp"
+#include "engine/samples_batch.hpp"
+#include "engine/shading_batch.hpp"
+#include "engine/surfaces.hpp"
+#include "engine/visibility_batch.hpp"
+
+namespace gradus::pipeline::engine {
+
+/// Colours one tile after the other. One a thread: it keeps its memory.
+class TileShader {
+ public:
+  explicit TileShader(const FrameShading& shading);
+
+  /// Writes the pixels of a tile. buffer: from find_nearest. image: that of the plan's window.
+  /// Returns how many show a triangle.
+  /// Accuracy: as light_cells. Cost: a record a triangle that is seen in the tile, 0.2 microseconds, and
+  ///   light_cells or light_blocks; a triangle whose texture repeats very often has the textbook's
+  ///   arithmetic.
+  std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
+  /// The same of what the samples of each pixel show. buffer: from find_samples, with these places,
+  /// of which the first is nearest to the centre. Each
+  /// triangle has one colour in a pixel, where the textbook's `adaptive` asks for it, and counts for as many
+  /// samples as show it.
+  std::int64_t mix(const Window& pixels, const SampleBuffer& buffer, std::span<const ivec2> places,
+                   Image& image);
+  /// Writes the background to a tile that has no triangle.
+  void clear(const Window& pixels, Image& image) const;
+  /// What it has done so far.
+  ShadingCount count() const;
+
+ private:
+  /// A triangle that is seen in the tile.
+  struct Seen {
+    std::int32_t id, group;
+    std::int32_t pixels;  ///< that show it
+    bool careful;         ///< single precision would not do
+  };
+  /// Pixels of a group, as light_cells and light_blocks take them.
+  struct Share {
+    std::vector<std::int32_t> cells, cell_slots, slots;
+    std::vector<LitBlock> blocks;
+    std::int64_t pixels = 0;
+
+    void clear();
+  };
+
+  /// A triangle in a pixel that shows several, or not one alone.
+  struct Fragment {
+    std::int32_t slot, samples;
+    std::size_t cell;
+    ivec2 place;  ///< in the pixel, in 1/256
+  };
+
+  std::int64_t find_fragments(const Window& pixels, const SampleBuffer& buffer,
+                              std::span<const ivec2> places);
+  void light_fragments(ivec2 origin);
+  void light_group(std::int32_t number, ivec2 origin);
+  void mix_fragments(std::size_t samples);
+  void begin();
+  void describe_all(const Window& box, bool squares);
+  void light_whole_pixels(ivec2 origin);
+  void grow_table();
+  std::int32_t slot_of(std::int32_t id);
+  std::int64_t find_seen(const TileBuffer& buffer);
+  Share& share_of(std::int32_t group) {
+    return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
+  }
+  bool describe(const Seen& seen, ivec2 origin, const Window& square, bool squares, TriangleRecord& record);
+  bool describe_texture(const TextureLevels& texture, const SeenCorners& corners, const PlaneMaker& planes,
+                        TriangleRecord& record) const;
+  void light_all_corners();
+  void light_corners_of(Share& share, const ShadingGroup& group);
+  void put_light_of_faces();
+  void sort();
+  void add_cell(std::int32_t cell, std::int32_t slot);
+  void add_mixed_block(std::int32_t block, std::span<const std::int32_t> slots);
+  void add_block(std::int32_t block, std::int32_t slot);
+  void take_doubtful();
+  void colour_carefully(ivec2 origin);
+  void count_light(const Share& share, const ShadingGroup& group);
+  void write(const Window& pixels, Image& image) const;
+
+  const FrameShading& shading_;
+  Surfaces surfaces_;
+  std::uint32_t background_;
+  ShadingCount count_{};
+  std::vector<std::int32_t> table_;  ///< slots by a hash of ids
+  std::vector<Seen> seen_;
+  std::vector<TriangleRecord> records_;
+  std::vector<SeenCorners> corners_;
+  std::vector<PlaneMaker> makers_;
+  std::vector<std::int32_t> share_of_group_;
+  std::vector<Share> shares_;
+  std::vector<std::int32_t> groups_here_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> blocks_of_one_;  ///< and their slots
+  std::vector<std::int32_t> mixed_blocks_;
+  std::vector<std::int32_t> careful_cells_, careful_slots_;
+  std::vector<float> places_, normals_, light_;
+  std::vector<ShownTriangle> shown_;
+  std::vector<std::pair<std::int32_t, Fragment>> found_;  ///< with their triangles
+  std::vector<Fragment> fragments_;                       ///< those of a pixel beside one another
+  std::vector<LinearRgb> fragment_light_;
+  std::vector<std::vector<std::int32_t>> fragments_of_;  ///< by share
+  std::vector<float> columns_, rows_;
+  std::vector<std::int32_t> fragment_slots_;
+  std::vector<std::size_t> mixed_cells_;
+  std::vector<std::uint32_t> packed_;
+  TileBuffer whole_;  ///< of the pixels that show one triangle alone
+  alignas(64) std::array<std::int32_t, TileBuffer::cells> slots_;
+  alignas(64) std::array<std::uint32_t, TileBuffer::cells> colours_;
+};
+
+}  // namespace gradus::pipeline::engine

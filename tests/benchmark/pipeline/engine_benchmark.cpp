@@ -1,0 +1,296 @@
+// The engine beside Mesa's llvmpipe: the same meshes, camera, light and shader, each from static buffers into
+// a picture of its own.
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/pipeline/llvmpipe.hpp"
+#include "benchmark/subject.hpp"
+#include "core/arithmetic/elementary.hpp"
+#include "core/random.hpp"
+#include "engine/engine.hpp"
+#include "projection/viewing/viewing.hpp"
+#include "scene/files.hpp"
+#include "scene/framing.hpp"
+#include "scene/view.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
+
+namespace gradus::bench {
+namespace {
+
+using namespace pipeline;
+
+// --- Scenes --------------------------------------------------------------------------------------
+
+void add_triangle(Mesh& mesh, int a, int b, int c) {
+  const Corner corners[]{{a, -1, a}, {b, -1, b}, {c, -1, c}};
+  add_face(mesh, corners);
+}
+
+/// A sphere of 2 n (n - 1) triangles along circles of longitude and latitude.
+Mesh sphere(int n) {
+  constexpr double pi = 0x1.921fb54442d18p1;
+  Mesh mesh;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const SinCos a = sin_cos(pi * i / n), b = sin_cos(2 * pi * j / n);
+      mesh.positions.push_back({a.sin * b.cos, a.cos, -a.sin * b.sin});
+      mesh.normals.push_back(unit_vector(mesh.positions.back()));
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int p = i * n + j, q = i * n + (j + 1) % n;
+      if (i + 1 < n) add_triangle(mesh, p, p + n, q + n);
+      if (i > 0) add_triangle(mesh, p, q + n, q);
+    }
+  }
+  return mesh;
+}
+
+Mesh cube() {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.positions.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});
+  for (const auto& f :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    const Corner corners[]{{f[0]}, {f[1]}, {f[2]}, {f[3]}};
+    add_face(mesh, corners);
+  }
+  return mesh;
+}
+
+/// One lamp beside the camera.
+void light(Scene& scene) {
+  const Frame<double>& frame = scene.camera.frame;
+  Light lamp;
+  lamp.position = frame.eye + 2.0 * frame.right + 2.0 * frame.up;
+  lamp.intensity = LinearRgb{0.6f};
+  scene.lights = {lamp};
+}
+
+Scene spheres(int n) {
+  Scene scene;
+  Mesh mesh = sphere(n);
+  mesh.materials[0].specular = LinearRgb{0.4f};
+  scene.objects.push_back(object_of(std::move(mesh)));
+  scene.camera.frame = viewing::look_at(dvec3{0.4, 0.6, 2.6}, dvec3{0}, dvec3{0, 1, 0});
+  scene.camera.lens = {0.8, 0.1, 20};
+  return scene;
+}
+
+/// Ten thousand, half of them behind the eye, most of the others behind one another.
+Scene cubes() {
+  Scene scene;
+  Random random(1);
+  Mesh mesh = cube();
+  mesh.materials[0].specular = LinearRgb{0.3f};
+  const Object object = object_of(std::move(mesh));
+  for (int i = 0; i < 10000; ++i) {
+    const double x = random.uniform(-10, 10), y = random.uniform(-5, 5), z = random.uniform(-10, 10);
+    const double radians = random.uniform(0, 6);
+    scene.objects.push_back(object);
+    scene.objects.back().placement = affine_3d::translation(dvec3{x, y, z}) *
+                                     affine_3d::rotation(dvec3{1, 2, 3}, radians) *
+                                     affine_3d::scaling(dvec3{0.25});
+  }
+  scene.camera.frame = viewing::look_at(dvec3{0, 0, 0.01}, dvec3{0, 0, -5}, dvec3{0, 1, 0});
+  scene.camera.lens = {1.2, 0.1, 40};
+  return scene;
+}
+
+Image decode(const std::string& bytes, const std::string& name, std::int64_t most) {
+  return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name, most);
+}
+
+Scene shipped(const std::string& name, double aspect) {
+  SceneFile file = load_scene(fmt::format("{}/examples/scenes/{}.json", GRADUS_SOURCE_DIR, name), decode);
+  const Aim aim = aim_of(file.scene.objects, file.view, aspect);
+  file.scene.camera = camera_of(aim, file.view, file.scene.objects, aspect);
+  return std::move(file.scene);
+}
+
+struct SceneMaker {
+  std::string name;
+  Scene (*scene)(double aspect);
+};
+const std::vector<SceneMaker>& workloads() {
+  static const std::vector<SceneMaker> all{
+      {"sphere of 1,000 triangles", [](double) { return spheres(23); }},
+      {"sphere of 100,000 triangles", [](double) { return spheres(224); }},
+      {"sphere of 1,000,000 triangles", [](double) { return spheres(708); }},
+      {"10,000 cubes", [](double) { return cubes(); }},
+      {"spot, textured", [](double aspect) { return shipped("spot", aspect); }},
+      {"inside a closed room", [](double aspect) { return shipped("closed_room", aspect); }},
+  };
+  return all;
+}
+constexpr Size sizes[]{{512, 512}, {1920, 1080}};
+constexpr Shading shadings[]{Shading::gouraud, Shading::phong};
+constexpr int thread_counts[]{1, 2};
+
+// --- Measuring -----------------------------------------------------------------------------------
+
+/// Milliseconds a call: the median of the repetitions.
+template <class Run>
+double milliseconds(const Effort& effort, const Run& run) {
+  using Clock = std::chrono::steady_clock;
+  run();
+  std::vector<double> times;
+  for (int i = 0; i < effort.repetitions; ++i) {
+    int calls = 0;
+    const auto start = Clock::now();
+    double seconds = 0;
+    do {
+      run();
+      ++calls;
+      seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    } while (seconds < effort.seconds);
+    times.push_back(1000 * seconds / calls);
+  }
+  std::ranges::sort(times);
+  return times[times.size() / 2];
+}
+
+struct Drawn {
+  double ms = 0;
+  Image image{};
+  std::string by{};
+};
+
+Drawn by_engine(const Scene& scene, Size size, int threads, const Effort& effort) {
+  const engine::Buffers buffers = engine::buffers_of(scene);
+  const Plan plan = plan_of(scene, size);
+  engine::Workspace workspace;
+  Drawn drawn;
+  drawn.ms = milliseconds(
+      effort, [&] { drawn.image = engine::picture_of(scene, buffers, plan, workspace, threads).image; });
+  return drawn;
+}
+
+#ifdef GRADUS_HAS_OSMESA
+void write_all(int to, const void* from, std::size_t bytes) {
+  for (const auto* at = static_cast<const char*>(from); bytes > 0;) {
+    const ssize_t written = write(to, at, bytes);
+    if (written <= 0) _exit(1);
+    at += written;
+    bytes -= static_cast<std::size_t>(written);
+  }
+}
+bool read_all(int from, void* to, std::size_t bytes) {
+  for (auto* at = static_cast<char*>(to); bytes > 0;) {
+    const ssize_t got = read(from, at, bytes);
+    if (got <= 0) return false;
+    at += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// In a process of its own: llvmpipe counts its threads once in each. threads: LP_NUM_THREADS.
+std::optional<Drawn> by_llvmpipe(const Scene& scene, Size size, int threads, const Effort& effort) {
+  int ends[2];
+  if (pipe(ends) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    try {
+      peers::Llvmpipe peer(scene, size, threads);
+      const double ms = milliseconds(effort, [&] { peer.draw(); });
+      std::array<char, 128> by{};
+      peers::Llvmpipe::renderer().copy(by.data(), by.size() - 1);
+      const Image image = peer.picture();
+      write_all(ends[1], &ms, sizeof ms);
+      write_all(ends[1], by.data(), by.size());
+      write_all(ends[1], image.cells().data(), image.cells().size_bytes());
+    } catch (...) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  Drawn drawn{0, Image(size.width, size.height)};
+  std::array<char, 128> by{};
+  const bool whole = read_all(ends[0], &drawn.ms, sizeof drawn.ms) &&
+                     read_all(ends[0], by.data(), by.size()) &&
+                     read_all(ends[0], drawn.image.cells().data(), drawn.image.cells().size_bytes());
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  drawn.by = by.data();
+  return whole && status == 0 ? std::optional(std::move(drawn)) : std::nullopt;
+}
+
+/// At its best: one thread that does it all; or as many that fill pixels beside the one that asks, or one
+/// less.
+std::optional<Drawn> by_peer(const Scene& scene, Size size, int threads, const Effort& effort) {
+  if (threads == 1) return by_llvmpipe(scene, size, 0, effort);
+  auto drawn = by_llvmpipe(scene, size, threads, effort);
+  auto with_less = by_llvmpipe(scene, size, threads - 1, effort);
+  return drawn && with_less && with_less->ms < drawn->ms ? std::move(with_less) : std::move(drawn);
+}
+#else
+std::optional<Drawn> by_peer(const Scene&, Size, int, const Effort&) { return std::nullopt; }
+#endif
+
+void compare(const Image& a, const Image& b, Duel& duel) {
+  for (std::size_t i = 0; i < a.cells().size(); ++i) {
+    const Rgba8 p = a.cells()[i], q = b.cells()[i];
+    const int off = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+    duel.max_pixel_difference = std::max(duel.max_pixel_difference, off);
+    duel.pixels_off += off > 1;
+  }
+}
+
+std::vector<Duel> duels(const Effort& effort, const std::function<void()>& told, std::string& peer) {
+  std::vector<Duel> all;
+  for (const SceneMaker& workload : workloads()) {
+    for (const Size size : sizes) {
+      Scene scene = workload.scene(static_cast<double>(size.width) / size.height);
+      scene.antialiasing = Antialiasing::none;
+      light(scene);
+      for (const Shading shading : shadings) {
+        scene.shading = shading;
+        for (const int threads : thread_counts) {
+          const Drawn own = by_engine(scene, size, threads, effort);
+          Duel duel{fmt::format("{}, {}, {} x {}, {} thread{}", workload.name,
+                                shading_names[static_cast<std::size_t>(shading)], size.width, size.height,
+                                threads, threads == 1 ? "" : "s"),
+                    own.ms};
+          if (const auto drawn = by_peer(scene, size, threads, effort)) {
+            duel.peer_ms = drawn->ms;
+            peer = drawn->by;
+            compare(own.image, drawn->image, duel);
+          }
+          all.push_back(std::move(duel));
+          told();
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Subject engine() {
+  return {
+      .topic = "engine",
+      .title = "A picture",
+      .item = "picture",
+      .duels = duels,
+      .duel_count = std::size(sizes) * std::size(shadings) * std::size(thread_counts) * workloads().size(),
+#ifdef GRADUS_HAS_OSMESA
+      .peer_is_built = true
+#endif
+  };
+}
+
+}  // namespace gradus::bench

@@ -1,0 +1,224 @@
+// The engine's batches beside what they stand for, on every kind of machine that this one can be: vertices
+// one after the other, pieces by their exact coverage, a z-buffer, and one picture for all.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "engine/geometry.hpp"
+#include "engine/pieces_batch.hpp"
+#include "engine/shading_batch.hpp"
+#include "engine/tiles.hpp"
+#include "engine/vertices_batch.hpp"
+#include "engine/visibility_batch.hpp"
+#include "projection/viewing/viewing.hpp"
+#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "stages/4_back_faces.hpp"
+#include "stages/5_clipping.hpp"
+#include "stages/6_rasterization.hpp"
+#include "support/every_target.hpp"
+#include "support/random_scenes.hpp"
+#include "support/seed.hpp"
+
+namespace gradus::pipeline::engine {
+namespace {
+
+constexpr Size size{200, 150};
+
+// --- Vertices ------------------------------------------------------------------------------------
+
+/// Where a vertex comes to lie, stage by stage.
+struct Placed {
+  ivec2 grid;
+  double depth;
+};
+Placed placed(const VertexPath& path, const glm::dmat4& placement, dvec3 position) {
+  const dvec3 world = affine_3d::transform(placement, position);
+  const glm::dvec4 clip = transform(path.lens, viewing::to_view(path.camera.frame, world));
+  int outside = 0, bit = 0;
+  for (const auto& plane : guard_volume(path.size)) {
+    const double along = plane.axis == 0 ? clip.x : plane.axis == 1 ? clip.y : clip.z;
+    outside |= !(plane.bound * clip.w + plane.sign * along >= 0) << bit++;
+  }
+  if (outside != 0) return {{beyond, outside}, clip.z / clip.w};
+  const double x = (1 + clip.x / clip.w) * (path.size.width / 2.0),
+               y = (1 - clip.y / clip.w) * (path.size.height / 2.0);
+  return {triangle_coverage::snap({x, y}), clip.z / clip.w};
+}
+
+TEST(EngineBatches, PlaceVerticesAsTheStagesDo) {
+  Random random(test::seed());
+  for (int round = 0; round < 40; ++round) {
+    Scene scene = test::random_scene(random, 1);
+    if (round % 3 == 0) {
+      const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+      scene.camera.rays = ParallelRays{4, {a, b}, 3, -1, 9};
+    }
+    const VertexPath path{scene.camera, lens_of(scene.camera, static_cast<double>(size.width) / size.height),
+                          size};
+    const glm::dmat4& placement = scene.objects[0].placement;
+    // Also fewer than fill a register
+    std::vector<dvec3> positions(static_cast<std::size_t>(random.uniform_int(0, 70)));
+    for (dvec3& position : positions) position = test::random_point(random, round % 2 == 0 ? 3 : 40);
+    const int targets = test::on_every_target([&] {
+      std::vector<ivec2> grid(positions.size());
+      std::vector<double> depths(positions.size());
+      place_vertices(path, placement, positions, grid, depths);
+      for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Placed expected = placed(path, placement, positions[i]);
+        ASSERT_EQ(grid[i], expected.grid) << "vertex " << i << " of round " << round;
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(depths[i]), std::bit_cast<std::uint64_t>(expected.depth));
+      }
+    });
+    EXPECT_GE(targets, 1);
+  }
+}
+
+// --- Pieces --------------------------------------------------------------------------------------
+
+TEST(EngineBatches, LeaveOutNoPieceThatCoversSomething) {
+  Random random(test::seed());
+  const Window window{{0, 0}, {63, 63}};
+  for (int round = 0; round < 200; ++round) {
+    // Of sizes from a part of a pixel to more than a picture, some beyond planes
+    const int reach = 1 << random.uniform_int(3, 16);
+    std::vector<ivec2> grid;
+    std::vector<PieceVertices> pieces(static_cast<std::size_t>(random.uniform_int(1, 50)));
+    for (PieceVertices& piece : pieces) {
+      const auto place = [&] { return static_cast<int>(random.uniform_int(-4096, 64 * 256 + 4096)); };
+      const int x = place(), y = place();
+      for (std::int32_t& vertex : piece) {
+        vertex = static_cast<std::int32_t>(grid.size());
+        const auto off = [&] { return static_cast<int>(random.uniform_int(-reach, reach)); };
+        const int dx = off(), dy = off();
+        grid.push_back(random.unit() < 0.03 ? ivec2{beyond, 1 << random.uniform_int(0, 5)}
+                                            : ivec2{x + dx, y + dy});
+      }
+    }
+    const PieceChoice choice{window, static_cast<int>(random.uniform_int(0, 1)), random.unit() < 0.5,
+                             random.unit() < 0.5};
+    std::optional<std::vector<std::uint32_t>> first;
+    test::on_every_target([&] {
+      std::vector<Left> left(pieces.size());
+      const PieceCount count = choose_pieces(choice, pieces, grid.data(), 100, left);
+      left.resize(static_cast<std::size_t>(count.left));
+      ASSERT_EQ(
+          count.left + count.beyond_plane + count.turned_away + count.without_area + count.without_pixel,
+          std::ssize(pieces));
+      std::vector<std::uint32_t> all;
+      for (const Left& l : left) all.push_back(l.number_and_seen);
+      if (!first) first = all;
+      ASSERT_EQ(all, *first) << "the same on every machine";
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const auto number = static_cast<std::int32_t>(100 + i);
+        const auto found = std::ranges::find(left, number, &Left::number);
+        const auto& [p, q, r] = pieces[i];
+        const auto at = [&](std::int32_t vertex) { return grid[static_cast<std::size_t>(vertex)]; };
+        const triangle_coverage::Triangle t{at(p), choice.mirrored ? at(r) : at(q),
+                                            choice.mirrored ? at(q) : at(r)};
+        const auto outside = std::ranges::count_if(t, [](ivec2 v) { return v.x == beyond; });
+        if (outside > 0) {
+          const bool all_out = outside == 3 && (t[0].y & t[1].y & t[2].y) != 0;
+          ASSERT_EQ(found == left.end(), all_out);
+          if (!all_out) ASSERT_EQ(found->seen(), Seen::unsure);
+          continue;
+        }
+        const std::int64_t area = triangle_coverage::doubled_area(t);
+        const bool asked = choice.margin == 0 ? !triangle_coverage::centres(t, window).empty()
+                                              : !touched(t, window, Touch::neighbours).empty();
+        std::int64_t covered = 0;
+        triangle_coverage::cover(t, window, [&](ivec2, const auto&) { ++covered; });
+        if (found == left.end()) {
+          ASSERT_TRUE(area == 0 || !asked || (choice.margin == 0 && covered == 0) ||
+                      (area > 0 && !choice.two_sided))
+              << "round " << round << ", piece " << i;
+        } else {
+          ASSERT_TRUE(asked);
+          if (found->seen() != Seen::unsure) ASSERT_EQ(found->seen() == Seen::behind, area > 0);
+        }
+      }
+    });
+  }
+}
+
+// --- What is nearest -----------------------------------------------------------------------------
+
+/// The nearest triangle at every pixel of a tile, one triangle and one pixel after the other.
+void expect_nearest(const Frame& frame, int tile, const Window& pixels, const TileBuffer& buffer) {
+  struct Nearest {
+    double depth;
+    PieceId piece;
+    std::int32_t id;
+  };
+  std::vector<std::optional<Nearest>> nearest(TileBuffer::cells);
+  visit_tile(frame, tile, [&](std::int32_t id) {
+    const FrameTriangle& t = frame.triangle(id);
+    const FrameObject& object = frame.object_of(t);
+    const auto& of_faces = object.pieces->of_faces;
+    const PieceId piece = t.cut ? frame.cut_triangle(id).id
+                                : PieceId{object.number, of_faces[static_cast<std::size_t>(t.piece)].face,
+                                          of_faces[static_cast<std::size_t>(t.piece)].piece};
+    const triangle_coverage::Linear depth(t.grid, t.depth);
+    triangle_coverage::cover(t.grid, pixels, [&](ivec2 pixel, const triangle_coverage::Weights& w) {
+      auto& best = nearest[TileBuffer::cell(pixel - pixels.lower)];
+      const Nearest mine{depth.at(w), piece, id};
+      const auto before = [](const Nearest& a, const Nearest& b) {
+        return std::tie(a.depth, a.piece, a.id) < std::tie(b.depth, b.piece, b.id);
+      };
+      if (!best || before(mine, *best)) best = mine;
+    });
+  });
+  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell)
+    ASSERT_EQ(buffer.ids[cell], nearest[cell] ? nearest[cell]->id : no_triangle) << "cell " << cell;
+}
+
+TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
+  const std::uint64_t seed = test::seed();
+  for (int round = 0; round < 25; ++round) {
+    Random random(seed, static_cast<std::uint64_t>(round));
+    Scene scene = round % 2 == 0 ? test::random_scene(random, 8) : test::random_screened_scene(random, 8);
+    // The same a second time: equally deep
+    scene.objects.push_back(scene.objects.front());
+    const Buffers buffers = buffers_of(scene);
+    const Plan plan = plan_of(scene, size);
+    test::on_every_target([&] {
+      Frame frame;
+      make_frame(scene, buffers, plan, Touch::centres, frame);
+      const TileGrid grid(plan.window);
+      bin(frame, grid, Touch::centres);
+      const auto buffer = std::make_unique<TileBuffer>();
+      for (int tile = 0; tile < grid.count(); ++tile) {
+        find_nearest(frame, tile, grid.tile(tile), *buffer);
+        expect_nearest(frame, tile, grid.tile(tile), *buffer);
+      }
+    });
+  }
+}
+
+// --- Light ---------------------------------------------------------------------------------------
+
+TEST(EngineBatches, MakeTheSamePictureOnEveryMachine) {
+  const std::uint64_t seed = test::seed();
+  for (int round = 0; round < 20; ++round) {
+    Random random(seed, static_cast<std::uint64_t>(round));
+    Scene scene = test::random_scene(random, 8);
+    scene.shading = static_cast<Shading>(round % 3);
+    scene.antialiasing = round % 2 == 0 ? Antialiasing::none : Antialiasing::adaptive;
+    const Buffers buffers = buffers_of(scene);
+    const Plan plan = plan_of(scene, size);
+    Workspace workspace;
+    std::optional<Image> first;
+    test::on_every_target([&] {
+      const Image image = picture_of(scene, buffers, plan, workspace, 1).image;
+      if (!first) first = image;
+      ASSERT_TRUE(image == *first) << "seed " << seed << ", round " << round;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace gradus::pipeline::engine
