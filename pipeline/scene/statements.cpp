@@ -15,11 +15,9 @@
 namespace gradus::pipeline {
 namespace {
 
-constexpr bool blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  while (!text.empty() && Statement::is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && Statement::is_blank(text.back())) text.remove_suffix(1);
   return text;
 }
 
@@ -37,22 +35,6 @@ bool vanishes(std::string_view number) {
 }
 
 }  // namespace
-
-void Statement::skip_blanks() {
-  while (at_ != end_ && blank(*at_)) ++at_;
-}
-
-bool Statement::more() {
-  skip_blanks();
-  return at_ != end_ && *at_ != '#';
-}
-
-std::string_view Statement::word() {
-  if (!more()) return {};
-  const char* begin = at_;
-  while (at_ != end_ && !blank(*at_)) ++at_;
-  return {begin, static_cast<std::size_t>(at_ - begin)};
-}
 
 std::string_view Statement::rest() {
   const std::string_view text = trimmed({at_, static_cast<std::size_t>(end_ - at_)});

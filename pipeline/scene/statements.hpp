@@ -33,9 +33,17 @@ class Statement {
       : at_(text.data()), end_(text.data() + text.size()), file_(file), line_(line) {}
 
   /// The next word; empty at the end.
-  std::string_view word();
+  std::string_view word() {
+    if (!more()) return {};
+    const char* const begin = at_;
+    while (at_ != end_ && !is_blank(*at_)) ++at_;
+    return {begin, static_cast<std::size_t>(at_ - begin)};
+  }
   /// Whether another word follows.
-  bool more();
+  bool more() {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    return at_ != end_ && *at_ != '#';
+  }
   /// All that is left, without the blanks round it: a name, which may hold blanks and #.
   std::string_view rest();
 
@@ -58,10 +66,9 @@ class Statement {
   std::string place(std::string_view text) const;
 
   static constexpr double largest = 1e30;
+  static constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
  private:
-  void skip_blanks();
-
   const char* at_;
   const char* end_;
   const TextFile& file_;

@@ -174,6 +174,32 @@ void PixelStories::find_pieces(const std::vector<int>& objects) {
   }
 }
 
+/// The surfaces that are seen at a pixel's centre: peeled off with the z-buffer of one pixel, as long as they
+/// let light through.
+std::vector<Layer> PixelStories::layers_of(ivec2 pixel) {
+  std::vector<Layer> layers;
+  std::vector<Fragment> left = fragments_[pixel - window_.lower];
+  double through = 1;
+  while (through > 0 && !left.empty()) {
+    Visible kept(1, 1);
+    for (Fragment f : left) {
+      f.pixel = {0, 0};
+      keep_nearest(f, kept);
+    }
+    Fragment seen = kept[{0, 0}].key.fragment;
+    seen.pixel = pixel;
+    std::erase_if(left, [&](const Fragment& f) { return f.triangle == seen.triangle; });
+    const Triangle& t = triangle_of(seen, triangles_);
+    Layer layer{shaded(light_, seen, t), {}};
+    layer.lamps = lamps_of(scene_, light_, seen, t, {layer.shaded.place.at, layer.shaded.normal});
+    if (draws_opacity(scene_)) layer.opacity = double{light_.material(seen).opacity};
+    layer.share = through * layer.opacity;
+    through *= 1 - layer.opacity;
+    layers.push_back(std::move(layer));
+  }
+  return layers;
+}
+
 PixelStory PixelStories::of(ivec2 pixel) {
   expects(window_.contains(pixel), "a pixel from ({}, {}) to ({}, {}), not ({}, {})", window_.lower.x,
           window_.lower.y, window_.upper.x, window_.upper.y, pixel.x, pixel.y);
@@ -190,14 +216,16 @@ PixelStory PixelStories::of(ivec2 pixel) {
     if (fragment.tested.before) fragment.tested.before->pixel = pixel;
     story.fragments.push_back(std::move(fragment));
   }
-  LinearRgb colour = scene_.background;
-  if (auto seen = held(kept[{0, 0}])) {
-    seen->pixel = pixel;
-    const Triangle& t = triangle_of(*seen, triangles_);
-    story.shaded = shaded(light_, *seen, t);
-    story.lamps = lamps_of(scene_, light_, *seen, t, {story.shaded->place.at, story.shaded->normal});
-    colour = story.shaded->colour;
+  story.layers = layers_of(pixel);
+  dvec3 light{0};
+  for (const Layer& layer : story.layers) {
+    light += layer.share * dvec3(layer.shaded.colour);
+    story.background *= 1 - layer.opacity;
+    for (FragmentStory& fragment : story.fragments)
+      if (fragment.tested.fragment.triangle == layer.shaded.fragment.triangle) fragment.share = layer.share;
   }
+  if (story.background > 0) light += story.background * dvec3(scene_.background);
+  const LinearRgb colour(light);
   story.written = {pixel, colour, srgb8_from_linear(colour), too_bright(colour)};
   story.picture = picture_[pixel - window_.lower];
   return story;

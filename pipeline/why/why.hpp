@@ -40,6 +40,7 @@ struct FragmentStory {
   Clipped clipped;
   Snapped snapped;
   DepthTested tested;
+  double share = 0;  ///< of its colour in that of the centre; 0: nothing of it is seen
 };
 
 /// What one lamp adds at one place where light is computed.
@@ -48,14 +49,22 @@ struct LampStory {
   illumination::LightAdded<double> added;
 };
 
+/// A surface that is seen, and its light.
+struct Layer {
+  Shaded shaded;
+  std::vector<LampStory> lamps;  ///< at its place; flat: in the face's middle; Gouraud: at each corner
+  double opacity = 1;            ///< where opacities are drawn: see draws_opacity
+  double share = 1;              ///< its opacity times what those before it let through
+};
+
 /// All that happened at a pixel.
 struct PixelStory {
   ivec2 pixel{0};
   std::vector<FragmentStory> fragments;  ///< in the order in which they came
-  std::optional<Shaded> shaded;          ///< the one that is seen; nothing where the background is
-  std::vector<LampStory> lamps;  ///< at its place; flat: in the face's middle; Gouraud: at each corner
-  Written written;               ///< of the centre alone
-  Rgba8 picture;                 ///< of the picture, with the scene's antialiasing
+  std::vector<Layer> layers;             ///< from the eye on, up to the first that lets nothing through
+  double background = 1;                 ///< the share of what they all let through
+  Written written;                       ///< of the centre alone
+  Rgba8 picture;                         ///< of the picture, with the scene's antialiasing
 };
 
 /// The stories of the pixels of a part of a picture, all from one run of the chain.
@@ -73,7 +82,7 @@ class PixelStories {
   /// What happens at the pixel's centre in `render`. Keeps light that other pixels may ask for again.
   ///
   /// Accuracy: the values of the chain, bit for bit.
-  /// Cost: its fragments, and the light of the one seen.
+  /// Cost: its fragments, for each layer again, and the light of those seen.
   /// Errors: ContractViolation for a pixel beside the window.
   PixelStory of(ivec2 pixel);
 
@@ -82,6 +91,7 @@ class PixelStories {
 
  private:
   void find_fragments();
+  std::vector<Layer> layers_of(ivec2 pixel);
   void find_pieces(const std::vector<int>& objects);
 
   const Scene& scene_;

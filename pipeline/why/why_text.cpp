@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/colour.hpp"
@@ -34,8 +35,13 @@ std::string clipping_text(const Clipped& clipped) {
   return fmt::format("cut: {} corners become {}", clipped.before.size(), clipped.after.size());
 }
 
-std::string depth_text(const DepthTested& tested) {
+std::string depth_text(const FragmentStory& story, bool keeps_all) {
+  const DepthTested& tested = story.tested;
   const std::string depth = text_of(tested.fragment.depth);
+  if (keeps_all) {
+    if (story.share == 0) return depth + ": hidden by what lets nothing through";
+    return depth + ": seen" + (story.share < 1 ? ", with a share of " + text_of(story.share) : "");
+  }
   if (!tested.before) return fmt::format("{}, the first: kept", depth);
   return fmt::format("{}, before it {}: {}", depth, text_of(tested.before->depth),
                      tested.nearer ? "nearer, takes its place" : "not nearer, thrown away");
@@ -68,7 +74,7 @@ std::string triangle_text(const Scene& scene, const FragmentStory& story) {
 /// Stages 6 and 7 at the pixel.
 std::string fragment_text(const Scene& scene, const FragmentStory& story) {
   return line_of("", fmt::format("shares of the corners {}", text_of(story.tested.fragment.weights))) +
-         line_of(fmt::format("7 {}", depth_name(scene)), depth_text(story.tested));
+         line_of(fmt::format("7 {}", depth_name(scene)), depth_text(story, draws_opacity(scene)));
 }
 
 // --- The light -------------------------------------------------------------------------------------
@@ -95,29 +101,58 @@ std::string lamp_text(const Scene& scene, const LampStory& lamp) {
   return text + fmt::format(": diffuse {}, highlight {}", text_of(diffuse), text_of(specular));
 }
 
-std::string light_of(const Scene& scene, const PixelStory& story) {
-  if (!story.shaded) return "";
-  const Shaded& lit = *story.shaded;
-  std::string text = fmt::format("light, {}\n", lit_where(scene.shading));
+/// The light of one of the surfaces seen. whose: says which, where they are several.
+std::string light_of(const Scene& scene, const Layer& layer, const std::string& whose) {
+  const Shaded& lit = layer.shaded;
+  std::string text = fmt::format("light{}, {}\n", whose, lit_where(scene.shading));
   const auto line = [&text](const std::string& what) { text += fmt::format("  {}\n", what); };
   line(fmt::format("place {}, normal {}", text_of(lit.place.at), text_of(lit.normal)));
   const Mesh& mesh = *object_at(scene, lit.fragment.id.object).mesh;
   const Material& m = mesh.materials[static_cast<std::size_t>(lit.material)];
-  line(fmt::format("material {}: k_a {}, k_d {}, k_s {}, n {}", visible(m.name), text_of(dvec3(m.ambient)),
-                   text_of(dvec3(m.diffuse)), text_of(dvec3(m.specular)), text_of(m.shininess)));
+  const std::string opacity = draws_opacity(scene) ? ", opacity " + text_of(layer.opacity) : "";
+  line(fmt::format("material {}: k_a {}, k_d {}, k_s {}, n {}{}", visible(m.name), text_of(dvec3(m.ambient)),
+                   text_of(dvec3(m.diffuse)), text_of(dvec3(m.specular)), text_of(m.shininess), opacity));
   if (lit.texel)
     line(fmt::format("texture at {}: {}, times ambient and diffuse", text_of(lit.texture),
                      text_of(dvec3(*lit.texel))));
-  for (const LampStory& lamp : story.lamps) line(lamp_text(scene, lamp));
+  for (const LampStory& lamp : layer.lamps) line(lamp_text(scene, lamp));
   line(fmt::format("ambient {} + diffuse {} + highlight {} = {}", text_of(lit.ambient), text_of(lit.diffuse),
                    text_of(lit.specular), text_of(dvec3(lit.colour))));
   return text;
 }
 
-std::string covered_text(std::size_t count) {
+/// What is seen through one another, each with its share.
+std::string mixed_text(const Scene& scene, const PixelStory& story) {
+  std::string text = "seen through one another, from the eye on\n";
+  const auto line = [&text](double share, const std::string& what) {
+    text += fmt::format("  {} of {}\n", text_of(share), what);
+  };
+  for (const Layer& layer : story.layers) line(layer.share, text_of(dvec3(layer.shaded.colour)));
+  if (story.background > 0)
+    line(story.background, fmt::format("the background, {}", text_of(dvec3(scene.background))));
+  return text;
+}
+
+/// Of all that is seen.
+std::string light_of(const Scene& scene, const PixelStory& story) {
+  std::string text;
+  const bool one = story.layers.size() == 1 && story.background == 0;
+  for (const Layer& layer : story.layers) {
+    const auto& fragment = *std::ranges::find_if(story.fragments, [&](const FragmentStory& f) {
+      return f.tested.fragment.triangle == layer.shaded.fragment.triangle;
+    });
+    text += light_of(scene, layer, one ? "" : " of " + triangle_name(scene, fragment));
+  }
+  return one || story.layers.empty() ? text : text + mixed_text(scene, story);
+}
+
+std::string covered_text(const PixelStory& story) {
+  const std::size_t count = story.fragments.size(), seen = story.layers.size();
   if (count == 0) return "No triangle covers its centre: it shows the background.";
   if (count == 1) return "One triangle covers its centre.";
-  return fmt::format("{} triangles cover its centre; the nearest is seen.", count);
+  if (seen == 1) return fmt::format("{} triangles cover its centre; the nearest is seen.", count);
+  return fmt::format("{} triangles cover its centre; {} are seen, for light goes through.", count,
+                     seen == count ? "all" : fmt::format("the {} nearest", seen));
 }
 
 std::string colour_text(const PixelStory& story, Antialiasing method) {
@@ -163,9 +198,8 @@ std::string light_name(const Scene& scene, std::size_t number) {
 std::vector<StoryPart> why_parts(const std::string& name, const Scene& scene, Size size,
                                  const PixelStory& story, TriangleTexts& known) {
   std::vector<StoryPart> parts;
-  parts.push_back(
-      {fmt::format("Pixel {},{} of {}, {} x {}. {}\n\n", story.pixel.x, story.pixel.y, visible(name),
-                   size.width, size.height, covered_text(story.fragments.size()))});
+  parts.push_back({fmt::format("Pixel {},{} of {}, {} x {}. {}\n\n", story.pixel.x, story.pixel.y,
+                               visible(name), size.width, size.height, covered_text(story))});
   for (const FragmentStory& fragment : story.fragments) {
     const auto [text, is_new] = known.try_emplace(fragment.tested.fragment.triangle);
     if (is_new) text->second = triangle_text(scene, fragment);

@@ -4,7 +4,7 @@
     axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html or FOLDER ...]
 
 Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, folded in every other of these ways and unfolded in the
-rest, with every dialog open in turn; a topic's page, which is one among many of its kind, in two of these ways. Players are
+rest, with every dialog open in turn; a topic's page, which is one among many of its kind, in one of these ways. Players are
 all one page: of each topic one is read, in one way, at three of its steps, and their dialogs are read in the first ways
 alone. The first of the pages of FOLDER, which make_pages wrote, is read in every theme. GRADUS_STRESS reads everything in
 all ways.
@@ -76,7 +76,9 @@ class Reader:
         is_player = 'id="gradus-page"' in path.read_text(encoding='utf-8')
         dialogs = EVERYTHING or not is_player or self.players < len(WAYS)
         ways = self.ways_of(path, is_player)
-        for (size, scheme), folded in zip(ways, FOLDED if self.topics // 2 % 2 == 0 else FOLDED[2:] + FOLDED[:2]):
+        # Of one kind a way comes again after four pages, then folded the other way
+        read = self.players if is_player else self.topics
+        for (size, scheme), folded in zip(ways, FOLDED if len(ways) > 1 else [(read - 1) // len(WAYS) % 2 == 0]):
             self.open(path, size, '', scheme)
             self.read_all(is_player, dialogs, folded=folded or EVERYTHING, unfolded=not folded or EVERYTHING)
 
@@ -89,7 +91,7 @@ class Reader:
             return [WAYS[(self.players - 1) % len(WAYS)]]
         if 'topics' in path.parts or path.name == 'errata.html':
             self.topics += 1
-            return WAYS[:2] if self.topics % 2 else WAYS[2:]
+            return [WAYS[(self.topics - 1) % len(WAYS)]]
         return WAYS
 
     def read_themes(self, path, fragment, themes):

@@ -239,6 +239,24 @@ def test_the_page_shows_the_flight():
     check(differing(Picture(strip), Picture(read(page))) <= SHARE, "docs/rendering/town_flight.png shows what its command makes")
 
 
+def test_a_turntable_goes_once_round():
+    turn = ["render", "spot.obj", "--size", "60x60", "--target", "0,0.5,0"]
+    equal(gradus(*turn, "--eye", "3,1,0", "--turntable", "4", "-o", "t-{frame}.png").err, "t-{frame}.png: 4 frames\n", "a turn")
+    # A quarter further each, with the lights of who stands there; from the last frame the next quarter is the first
+    for number, eye in enumerate(("3,1,0", "0,1,-3", "-3,1,0", "0,1,3")):
+        gradus(*turn, "--eye=" + eye, "-f", "-o", "stands.png")
+        one, other = (Picture(pathlib.Path(name).read_bytes()).pixels for name in (f"t-{number:03}.png", "stands.png"))
+        off = max(abs(a - b) for left, right in zip(one, other) for p, q in zip(left, right) for a, b in zip(p, q))
+        check(off <= 1, f"frame {number} is seen from {eye}: {off} of 255 off")
+        check(len({p for row in one for p in row}) > 50, f"frame {number} shows something")
+    gradus(*turn, "--eye", "3,1,0", "--turntable", "4", "--frames", "2", "-o", "one.png")
+    equal(gradus("again", "one.png", "-o", "again.png").code, 0, "one of them again")
+    equal(pathlib.Path("again.png").read_bytes(), pathlib.Path("one.png").read_bytes(), "the same bytes")
+    for text in ("0", "10001", "x", "1.5", "-4"):
+        result = gradus("render", "spot.obj", f"--turntable={text}", "-o", "x-{frame}.png")
+        equal((result.code, result.err), (2, f"gradus: --turntable: expected 1 to 10000 frames, found '{text}'\n"), text)
+
+
 def test_names_have_as_many_digits_as_the_last_frame():
     write("long.json", json.dumps({"camera": {"target": [0, 0, 0], "path": [{"frame": 7, "eye": [0, 0, 5]}, {"frame": 12345, "eye": [1, 0, 5]}]},
                                    "objects": [{"model": str(MODELS / "letter_f.obj")}]}))

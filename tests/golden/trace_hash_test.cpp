@@ -7,9 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <set>
-#include <sstream>
+#include <string>
 
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus {
 namespace {
@@ -185,22 +186,33 @@ std::vector<std::uint64_t> hashes_in(const Wording& wording) {
   return hashes;
 }
 
+/// The committed hashes; under a sanitizer, where traces are recorded in English alone, without the German
+/// ones.
+std::string golden_hashes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string hashes;
+  for (std::string line; std::getline(file, line);)
+    hashes += (test::sanitized ? line.erase(16, 17) : line) + "\n";
+  return hashes;
+}
+
 // A line a run: its hash in English, in German, and what it is.
 TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   const std::string path = std::string(GRADUS_SOURCE_DIR) + "/tests/golden/trace_hashes.txt";
-  const std::vector<std::uint64_t> german = hashes_in(Wording(*find_language("de")));
+  const std::vector<std::uint64_t> german =
+      test::sanitized ? std::vector<std::uint64_t>{} : hashes_in(Wording(*find_language("de")));
   std::string hashes;
   std::size_t count = 0;
   for (const Trace& trace : test::telling_traces({}, {}, false)) {
-    hashes += fmt::format("{:016x} {:016x} {} {}, {}\n", fnv1a(whole_text(trace)), german.at(count),
-                          trace.topic, trace.method, trace.subtitle);
+    hashes += fmt::format("{:016x} ", fnv1a(whole_text(trace)));
+    if (!test::sanitized) hashes += fmt::format("{:016x} ", german.at(count));
+    hashes += fmt::format("{} {}, {}\n", trace.topic, trace.method, trace.subtitle);
     ++count;
   }
   EXPECT_GT(count, 20u);
-  if (std::getenv("GRADUS_UPDATE_GOLDEN")) std::ofstream(path, std::ios::binary) << hashes;
-  std::ostringstream golden;
-  golden << std::ifstream(path, std::ios::binary).rdbuf();
-  EXPECT_EQ(hashes, golden.str());
+  if (!test::sanitized && std::getenv("GRADUS_UPDATE_GOLDEN"))
+    std::ofstream(path, std::ios::binary) << hashes;
+  EXPECT_EQ(hashes, golden_hashes(path));
 }
 
 TEST(TraceHash, SeesEveryPart) {

@@ -17,9 +17,8 @@ using Texts = std::vector<std::string>;
 
 /// Flags that say where to and in which format: a lecture has keys of its own for that, or none.
 bool is_about_output(const Flag& flag) {
-  constexpr std::array<std::string_view, 12> names{"output", "format", "force",   "snippet",
-                                                   "report", "part",   "without", "why",
-                                                   "frames", "array",  "jobs",    "engine"};
+  constexpr std::array names{"output",  "format", "force",  "snippet",   "report", "part",  "why",
+                             "without", "array",  "frames", "turntable", "jobs",   "engine"};
   return std::ranges::find(names, flag.name) != names.end();
 }
 

@@ -19,6 +19,7 @@
 #include "cli/progress.hpp"
 #include "cli/render_shot.hpp"
 #include "plan/unchanged.hpp"
+#include "scene/framing.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -85,6 +86,7 @@ class Drawing {
   Image picture(std::size_t i, std::size_t frames) {
     pipeline::Scene scene = run_.shot.scene;
     scene.camera = camera_of(run_.shot, run_.views[i]);
+    if (run_.shot.lights_go_along) scene.lights = pipeline::default_lights(scene.camera);
     pipeline::Ledger ledger;
     Picture picture = artist_.paint(scene, ledger);
     const std::lock_guard lock(mutex_);

@@ -14,6 +14,7 @@
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
 #include "scene/framing.hpp"
+#include "scene/turntable.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -55,6 +56,22 @@ void check_aim(const pipeline::Aim& aim, int frame) {
                 fmt::format("{} in frame {}, which looks from {} to {}", text_of(aim.up), frame,
                             text_of(aim.eye), text_of(aim.target)));
   }
+}
+
+/// The path round what turns; by parallel rays all its frames show as much.
+void set_turning(const std::vector<pipeline::Object>& objects, Wish& wish) {
+  const double aspect = aspect_of(wish);
+  const pipeline::Aim aim = aim_of(objects, wish.view, aspect);
+  check_aim(aim, wish.view);
+  wish.path = turntable(objects, wish.view, aspect, *wish.turntable);
+  if (has_eye(wish.view.projection) || wish.view.height) return;
+  double height = 0;
+  constexpr int most = 64;  // between so many frames the outline changes by less than the margin
+  for (int frame = 0; frame <= wish.path->last; frame += 1 + wish.path->last / most) {
+    const pipeline::View view = view_at(*wish.path, wish.view, frame);
+    height = std::max(height, camera_of(aim_of(objects, view, aspect), view, objects, aspect).rays->height);
+  }
+  wish.view.height = height;
 }
 
 /// A view whose target is told, so that no frame has to look for the middle of all.
@@ -158,6 +175,7 @@ Shot read_shot(const Request& request, const FindFile& find) {
   Wish& wish = shot.wish;
   wish.plan = plan_wish(request.flags, wish.size);
   check_projection(request.flags, wish.view.projection);
+  if (wish.turntable) set_turning(input.scene.scene.objects, wish);
   if (wish.frames) check_frames(*wish.frames, wish.path, input.name);
   shot.operand = input.name;
   shot.name = input.name == dash ? input.is_scene ? "a scene" : "a model" : input.name;
@@ -171,8 +189,11 @@ Shot read_shot(const Request& request, const FindFile& find) {
   if (!wish.path) check_aim(aim_of(shot.scene.objects, wish.view, aspect_of(wish)), wish.view);
   const auto seen_at = [&](int frame) { return wish.path ? view_of_frame(shot, frame) : wish.view; };
   const int first = wish.path ? wish.path->first : 0, shown = wish.frames ? wish.frames->first : first;
-  if (!input.scene.lights_told && !wish.light)
-    shot.scene.lights = pipeline::default_lights(camera_of(shot, seen_at(first)));
+  if (!input.scene.lights_told && !wish.light) {
+    shot.lights_go_along = wish.turntable.has_value();
+    const int lit = shot.lights_go_along ? shown : first;
+    shot.scene.lights = pipeline::default_lights(camera_of(shot, seen_at(lit)));
+  }
   shot.scene.camera = camera_of(shot, seen_at(shown));
   shot.brief.colophon = colophon_of(shot, wish.frames, shot.scene.camera.frame.eye);
   return shot;

@@ -22,9 +22,10 @@ struct Shot {
   Wish wish;
   pipeline::Scene scene;  ///< with the camera of the frame that is asked for first, or of the path's first
   RenderBrief brief;
-  std::string operand;   ///< the scene's or model's name without folders, or dash
-  std::string name;      ///< what it is called in titles
-  std::string contents;  ///< "5856 faces, 11712 triangles"
+  bool lights_go_along = false;  ///< none are told, and the camera goes round what turns under them
+  std::string operand;           ///< the scene's or model's name without folders, or dash
+  std::string name;              ///< what it is called in titles
+  std::string contents;          ///< "5856 faces, 11712 triangles"
 };
 
 /// Reads flags, scene and model, and aims the camera. find: where they lie. Throws UsageError and InputError.

@@ -11,6 +11,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/names.hpp"
+#include "scene/turntable.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
 
@@ -61,6 +62,7 @@ class WishReader {
     read_filter();
     read_antialiasing();
     read_samples();
+    read_turntable();
     wish_.frames = read_frames(flags_);
     if (wish_.path) hold_still(*wish_.path);
     return std::move(wish_);
@@ -186,6 +188,16 @@ class WishReader {
       refuse_flag("samples", "a square like 4, 9 or 16, for they stand in cells", shown(*text));
     wish_.samples = static_cast<int>(*count);
     say("samples", fmt::format("{}", wish_.samples), wish_.samples == pipeline::default_samples);
+  }
+
+  void read_turntable() {
+    const std::string* text = given("turntable");
+    if (!text) return;
+    const auto frames = whole_number(folded(trimmed(*text)));
+    if (!frames || *frames < 1 || *frames > pipeline::most_turntable_frames)
+      refuse_flag("turntable", fmt::format("1 to {} frames", pipeline::most_turntable_frames), shown(*text));
+    wish_.turntable = static_cast<int>(*frames);
+    say("turntable", fmt::format("{}", *frames));
   }
 
   const Flags& flags_;

@@ -22,6 +22,7 @@ struct Wish {
   pipeline::Size size;
   pipeline::View view;
   std::optional<pipeline::CameraPath> path;  ///< of the camera; what a flag tells stands still
+  std::optional<int> turntable;              ///< so many frames once round take the path's place
   std::optional<FrameRange> frames;          ///< that are asked for
   std::optional<dvec3> light;
   std::optional<dvec2> depths;  ///< of the near and the far plane

@@ -38,12 +38,11 @@ std::string face_name(const Scene& scene, const FragmentStory& story) {
   return fmt::format("{}, face {}", visible(object_at(scene, id.object).name), id.face + 1);
 }
 
-/// The fragment that is seen; nullptr where the background is.
-const FragmentStory* seen_of(const PixelStory& story) {
-  const FragmentStory* seen = nullptr;
-  for (const FragmentStory& fragment : story.fragments)
-    if (fragment.tested.nearer) seen = &fragment;
-  return seen;
+/// The fragment of a surface that is seen.
+const FragmentStory& fragment_of(const PixelStory& story, const pipeline::Layer& layer) {
+  return *std::ranges::find_if(story.fragments, [&](const FragmentStory& fragment) {
+    return fragment.tested.fragment.triangle == layer.shaded.fragment.triangle;
+  });
 }
 
 std::vector<plot::Cover> covers_of(const Scene& scene, const PixelStory& story) {
@@ -55,7 +54,7 @@ std::vector<plot::Cover> covers_of(const Scene& scene, const PixelStory& story) 
                       {corner(0), corner(1), corner(2)},
                       depth,
                       pipeline::told_number(depth),
-                      &fragment == seen_of(story)});
+                      fragment.share > 0});
   }
   return covers;
 }
@@ -81,17 +80,18 @@ class Spread {
 
 /// What a light adds: the lamps of an area together, and of Gouraud's corners as much as the pixel has of
 /// each.
-plot::LightSource source_of(const Scene& scene, const PixelStory& story, std::size_t light) {
-  const dvec3 texel = story.shaded->texel ? dvec3(*story.shaded->texel) : dvec3(1);
+plot::LightSource source_of(const Scene& scene, const pipeline::Layer& layer, std::size_t light) {
+  const pipeline::Shaded& lit = layer.shaded;
+  const dvec3 texel = lit.texel ? dvec3(*lit.texel) : dvec3(1);
   const bool corners = scene.shading == pipeline::Shading::gouraud;
-  const std::size_t a_place = story.lamps.size() / (corners ? 3 : 1);
+  const std::size_t a_place = layer.lamps.size() / (corners ? 3 : 1);
   Spread n_dot_l("N·L"), r_dot_v("R·V"), arrives("arrives");
   dvec3 diffuse{0}, specular{0};
-  for (std::size_t place = 0; a_place > 0 && place < story.lamps.size() / a_place; ++place) {
-    const double share = corners ? story.shaded->fragment.weights[static_cast<int>(place)] : 1;
+  for (std::size_t place = 0; a_place > 0 && place < layer.lamps.size() / a_place; ++place) {
+    const double share = corners ? lit.fragment.weights[static_cast<int>(place)] : 1;
     double arriving = 0;
     for (std::size_t i = place * a_place; i < (place + 1) * a_place; ++i) {
-      const auto& added = story.lamps[i].added;
+      const auto& added = layer.lamps[i].added;
       if (added.light != light) continue;
       n_dot_l.add(added.n_dot_l), r_dot_v.add(added.cosine);
       arriving += added.arrival.share();
@@ -105,21 +105,42 @@ plot::LightSource source_of(const Scene& scene, const PixelStory& story, std::si
           arrives.factor()};
 }
 
+/// Several surfaces that are seen through one another, each with its share.
+std::vector<plot::LightSource> mixed_sources(const Scene& scene, const PixelStory& story) {
+  std::vector<plot::LightSource> sources;
+  const auto add = [&](const std::string& name, double share, const LinearRgb& light) {
+    sources.push_back(
+        {name, {{"light", LinearRgb(share * dvec3(light)), plot::Factor{"share", share, share}}}});
+  };
+  for (const pipeline::Layer& layer : story.layers)
+    add(face_name(scene, fragment_of(story, layer)), layer.share, layer.shaded.colour);
+  if (story.background > 0) add("background", story.background, scene.background);
+  return sources;
+}
+
+/// Whether one surface alone is seen, or none.
+bool unmixed(const PixelStory& story) {
+  return story.layers.empty() || (story.layers.size() == 1 && story.background == 0);
+}
+
 std::vector<plot::LightSource> sources_of(const Scene& scene, const PixelStory& story) {
-  if (!story.shaded) return {{"", {{"background", story.written.light}}}};
+  if (!unmixed(story)) return mixed_sources(scene, story);
+  if (story.layers.empty()) return {{"", {{"background", story.written.light}}}};
   if (scene.shading == pipeline::Shading::wireframe) return {{"", {{"ink", story.written.light}}}};
-  std::vector<plot::LightSource> sources{{"", {{"ambient", LinearRgb(story.shaded->ambient)}}}};
+  const pipeline::Layer& layer = story.layers.front();
+  std::vector<plot::LightSource> sources{{"", {{"ambient", LinearRgb(layer.shaded.ambient)}}}};
   for (std::size_t light = 0; light < scene.lights.size(); ++light)
-    sources.push_back(source_of(scene, story, light));
+    sources.push_back(source_of(scene, layer, light));
   return sources;
 }
 
 std::string light_title(const Scene& scene, const PixelStory& story) {
-  if (!story.shaded) return "light";
+  if (story.layers.empty()) return "light";
+  if (!unmixed(story)) return "light of what is seen through one another, from the eye on";
   std::string text = fmt::format("light, {}", pipeline::lit_where(scene.shading));
-  if (story.shaded->texel)
+  if (const auto& texel = story.layers.front().shaded.texel)
     text += fmt::format("; the texture there, {}, times ambient and diffuse",
-                        told_colour(srgb8_from_linear(*story.shaded->texel)));
+                        told_colour(srgb8_from_linear(*texel)));
   return text;
 }
 
@@ -131,13 +152,24 @@ std::string short_text(dvec3 v) {
   return fmt::format("({}, {}, {})", short_text(v.x), short_text(v.y), short_text(v.z));
 }
 
+/// "0.4 of the nearest surface + 0.24 of what is behind it + 0.36 of the background = …"
+std::string mixed_sentence(const PixelStory& story) {
+  const double nearest = story.layers.front().share, behind = 1 - nearest - story.background;
+  std::string text = fmt::format("{} of the nearest surface", short_text(nearest));
+  if (story.layers.size() > 1) text += fmt::format(" + {} of what is behind it", short_text(behind));
+  if (story.background > 0) text += fmt::format(" + {} of the background", short_text(story.background));
+  return text + fmt::format(" = {}, which is {} in sRGB.", short_text(dvec3(story.written.light)),
+                            told_colour(story.written.colour));
+}
+
 std::string sentence_of(const Scene& scene, const PixelStory& story) {
   const std::string colour = told_colour(story.written.colour);
-  if (!story.shaded)
+  if (story.layers.empty())
     return fmt::format("No triangle covers its centre, so it shows the background, {}.", colour);
   if (scene.shading == pipeline::Shading::wireframe)
     return fmt::format("An edge covers its centre, and edges have the colour of ink, {}.", colour);
-  const pipeline::Shaded& lit = *story.shaded;
+  if (!unmixed(story)) return mixed_sentence(story);
+  const pipeline::Shaded& lit = story.layers.front().shaded;
   return fmt::format("Ambient {} + diffuse {} + highlight {} = {}, which is {} in sRGB.",
                      short_text(lit.ambient), short_text(lit.diffuse), short_text(lit.specular),
                      short_text(dvec3(lit.colour)), colour);
@@ -152,12 +184,14 @@ std::vector<std::string> colour_notes(const PixelStory& story) {
 }
 
 std::string covered_text(const Scene& scene, const PixelStory& story) {
-  const FragmentStory* seen = seen_of(story);
-  if (!seen) return "no triangle covers its centre";
-  const std::size_t count = story.fragments.size();
-  const std::string name = pipeline::triangle_name(scene, *seen);
-  return count == 1 ? name + " alone covers its centre"
-                    : fmt::format("seen of {} triangles over its centre: {}", count, name);
+  const std::size_t count = story.fragments.size(), seen = story.layers.size();
+  if (count == 0) return "no triangle covers its centre";
+  const std::string name = pipeline::triangle_name(scene, fragment_of(story, story.layers.front()));
+  if (count == 1) return name + " alone covers its centre";
+  if (seen > 1)
+    return fmt::format("{} of {} triangles over its centre are seen: {} lets light through", seen, count,
+                       name);
+  return fmt::format("seen of {} triangles over its centre: {}", count, name);
 }
 
 }  // namespace
@@ -172,7 +206,8 @@ plot::PixelFigure pixel_figure(const std::string& name, const Scene& scene, cons
   figure.picture = std::move(picture);
   figure.pixel = story.pixel;
   figure.covers = covers_of(scene, story);
-  figure.depth_name = fmt::format("{}: the least is seen", pipeline::depth_name(scene));
+  figure.depth_name =
+      fmt::format("{}: the least is {}", pipeline::depth_name(scene), unmixed(story) ? "seen" : "nearest");
   figure.empty = "no triangle: the background";
   figure.light_name = light_title(scene, story);
   figure.sources = sources_of(scene, story);

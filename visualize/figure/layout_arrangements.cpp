@@ -9,7 +9,8 @@ namespace {
 
 constexpr double least_drawing = 200;
 constexpr double rounding = 1e-6;  ///< units: so much more than needed, that a sum may be rounded down
-constexpr std::size_t fewest_characters = 30;  ///< of a listing beside a table
+/// Of a listing beside a table, and beside one that gave columns up.
+constexpr std::size_t fewest_characters = 30, fewest_beside_few_columns = 24;
 
 double height_of_lines(int lines) { return lines * line_height + 2 * panel_padding; }
 double height_of_rows(int rows) { return heading_height + rows * row_height; }
@@ -65,8 +66,8 @@ double listing_beside_table(const Box& box, const Wants& wants) {
   const double spare = box.width - wants.gutter - asked - table_width(*wants.trace);
   if (spare >= 0) return asked + spare / 2;
   const double left = box.width - wants.gutter - least_table_width(*wants.trace, wants.columns_to_spare);
-  const double least =
-      listing_width(*wants.trace, *wants.look, std::min(fewest_characters, longest_line(*wants.trace)));
+  const std::size_t fewest = wants.columns_to_spare > 0 ? fewest_beside_few_columns : fewest_characters;
+  const double least = listing_width(*wants.trace, *wants.look, std::min(fewest, longest_line(*wants.trace)));
   return left >= least ? std::min(left, asked) : -1;
 }
 

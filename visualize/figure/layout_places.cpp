@@ -20,7 +20,8 @@ constexpr double upright_width = 0.9, upright_height = 0.62;
 constexpr double wide_sheet = 1.6;  ///< width to height: from here on the code may stand beside the drawing
 constexpr double many_cells = 14;   ///< along a side of a view that follows the step: no reader misses more
 constexpr int most_rows = 40;
-constexpr double crowded = -10;  ///< of what is worthless, since lines of text lie on each other
+constexpr double crowded = -10;      ///< of what is worthless, since lines of text lie on each other
+constexpr double poor_paper = 0.25;  ///< what a paper is worth that no column of the table should cost
 /// Characters in a line of a listing beside the drawing, the first choice first.
 constexpr std::array<std::size_t, 5> line_lengths{36, 33, 30, 27, 24};
 
@@ -205,6 +206,11 @@ ivec2 largest_in(const Page& page, Wants wants, const Look& look, const Stage& s
   return largest;
 }
 
+/// Whether the drawing, or what lies on a paper, is so small that the table had better give columns up.
+bool poor(const std::optional<Choice>& choice, const Stage& stage) {
+  return !choice || (stage.content && choice->worth < poor_paper);
+}
+
 Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage) {
   if (!look.slots.contains(Slot::drawing)) return without_drawing(page.middle, wants);
   auto choice = best_of(wants, look, stage, page);
@@ -213,17 +219,18 @@ Body body_of(const Page& page, Wants wants, const Look& look, const Stage& stage
     *slot = false;
     choice = best_of(wants, look, stage, page);
   }
-  const bool poor = !choice || (stage.content && choice->worth < 0);
-  if (poor && !stage.fixed) {  // a table of few columns stands beside the listing, and both below the drawing
-    wants.columns_to_spare = spare_columns(*wants.trace);
+  // A table of few columns stands beside the listing, and both below the drawing
+  const std::size_t most = stage.fixed ? 0 : spare_columns(*wants.trace);
+  for (std::size_t spare = 1; spare <= most && poor(choice, stage); ++spare) {
+    wants.columns_to_spare = spare;
     const auto other = best_of(wants, look, stage, page);
     if (!choice || (other && other->worth > choice->worth)) choice = other;
   }
   if (choice) return choice->body;
   if (!stage.fixed) return without_drawing(page.middle, wants);
-  const ivec2 most = largest_in(page, wants, look, stage);
-  contract_violated(fmt::format("expected at most {} x {} cells for this size, found {} x {}", most.x, most.y,
-                                stage.cells.width(), stage.cells.height()));
+  const ivec2 largest = largest_in(page, wants, look, stage);
+  contract_violated(fmt::format("expected at most {} x {} cells for this size, found {} x {}", largest.x,
+                                largest.y, stage.cells.width(), stage.cells.height()));
 }
 
 /// Whether lines of text on the paper would lie on each other.

@@ -73,6 +73,11 @@ std::optional<std::pair<dvec3, dvec3>> piercing(const std::vector<dvec3>& a, con
   return std::pair(p + from * way, p + to * way);
 }
 
+/// Whether two boxes have some place in common.
+bool meet(const Bounds& a, const Bounds& b) {
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
 // --- Lines and their gaps
 
 /// Where a line passes another on the paper: fractions of both, and which is nearer to the viewer.
@@ -81,19 +86,29 @@ struct Passing {
   bool first_nearer;
 };
 
+/// A line, and the normal of the plane through it and the viewer.
+struct SightPlane {
+  dvec3 a, b, normal;
+
+  SightPlane(const SpaceEdge& edge, const Viewer& viewer)
+      : a(edge.a), b(edge.b), normal(glm::cross(edge.b - edge.a, towards(viewer, edge.a))) {}
+};
+
 /// The plane through the viewer and one line cuts the other at its fraction.
-std::optional<double> cut_by_sight(const SpaceEdge& cut, const SpaceEdge& through, const Viewer& viewer) {
-  const dvec3 normal = glm::cross(through.b - through.a, towards(viewer, through.a));
-  const double at_a = glm::dot(normal, cut.a - through.a), at_b = glm::dot(normal, cut.b - through.a);
+std::optional<double> cut_by_sight(const SightPlane& cut, const SightPlane& through) {
+  const double at_a = glm::dot(through.normal, cut.a - through.a),
+               at_b = glm::dot(through.normal, cut.b - through.a);
   if (at_a * at_b >= 0) return std::nullopt;
   const double part = at_a / (at_a - at_b);
   return 0.004 < part && part < 0.996 ? std::optional(part) : std::nullopt;
 }
 
-std::optional<Passing> passing(const SpaceEdge& first, const SpaceEdge& second, const Viewer& viewer,
+std::optional<Passing> passing(const SightPlane& first, const SightPlane& second, const Viewer& viewer,
                                double size) {
-  const auto of_first = cut_by_sight(first, second, viewer), of_second = cut_by_sight(second, first, viewer);
-  if (!of_first || !of_second) return std::nullopt;
+  const auto of_first = cut_by_sight(first, second);
+  if (!of_first) return std::nullopt;
+  const auto of_second = cut_by_sight(second, first);
+  if (!of_second) return std::nullopt;
   const dvec3 p = first.a + *of_first * (first.b - first.a);
   const dvec3 q = second.a + *of_second * (second.b - second.a);
   if (glm::length(p - q) <= 1e-6 * size) return std::nullopt;  // they meet
@@ -225,11 +240,17 @@ void SpaceDrawing::add_areas(View& view, const std::string& id) const {
 std::vector<SpaceEdge> SpaceDrawing::piercings() const {
   std::vector<SpaceEdge> lines;
   const double all = size();
+  std::vector<std::vector<std::vector<dvec3>>> parts;
+  std::vector<Bounds> boxes(faces_.size());
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    parts.push_back(faces_[i].glass ? std::vector<std::vector<dvec3>>{} : convex_parts(faces_[i].ring));
+    for (const dvec3 p : faces_[i].ring) boxes[i].add(p);
+  }
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     for (std::size_t k = i + 1; k < faces_.size(); ++k) {
-      if (faces_[i].glass || faces_[k].glass) continue;
-      for (const auto& a : convex_parts(faces_[i].ring)) {
-        for (const auto& b : convex_parts(faces_[k].ring)) {
+      if (!meet(boxes[i], boxes[k])) continue;
+      for (const auto& a : parts[i]) {
+        for (const auto& b : parts[k]) {
           const auto line = piercing(a, b, all);
           if (!line) continue;
           lines.push_back({.id = fmt::format("{} meets {} {}", faces_[i].id, faces_[k].id, lines.size()),
@@ -300,10 +321,12 @@ void SpaceDrawing::add_lines(View& view) const {
   }
   // Gaps where a line passes behind one that is seen there
   std::vector<Spans> drawn = seen;
+  std::vector<SightPlane> planes;
+  for (const SpaceEdge& edge : edges) planes.emplace_back(edge, look_.viewer);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      if (i == k || edges[k].thin) continue;
-      const auto pass = passing(edges[i], edges[k], look_.viewer, all);
+    for (std::size_t k = 0; k < edges.size() && !drawn[i].empty(); ++k) {
+      if (i == k || edges[k].thin || seen[k].empty()) continue;
+      const auto pass = passing(planes[i], planes[k], look_.viewer, all);
       if (!pass || pass->first_nearer || !holds(seen[k], pass->of_second)) continue;
       if (const auto reach = gap(edges[i], pass->of_first, edges[k], pass->of_second))
         drawn[i] = without(drawn[i], pass->of_first, *reach);

@@ -1,4 +1,4 @@
-// Decimal numbers by strtod: std::from_chars is the oracle.
+// Decimal numbers, read as they are and by strtod: std::from_chars is the oracle.
 
 #include "scene/decimal.hpp"
 
@@ -15,13 +15,16 @@
 namespace gradus::pipeline {
 namespace {
 
-/// Whether both read the same of this text; a text too small for a double may be a zero to one of them.
-::testing::AssertionResult read_alike(const std::string& text) {
+using Reader = decltype(read_decimal);
+
+/// Whether it reads what the oracle reads of this text; a text too small for a double may be a zero to it.
+::testing::AssertionResult reads(Reader& reader, const std::string& text, bool may_vanish) {
   const char *first = text.data(), *last = first + text.size();
   double expected = 0, found = 0;
   const auto oracle = std::from_chars(first, last, expected);
-  const auto result = read_decimal_by_strtod(first, last, found);
-  const bool vanished = oracle.ec == std::errc::result_out_of_range && result.ec == std::errc{} && found == 0;
+  const auto result = reader(first, last, found);
+  const bool vanished =
+      may_vanish && oracle.ec == std::errc::result_out_of_range && result.ec == std::errc{} && found == 0;
   if (vanished && result.ptr == oracle.ptr) return ::testing::AssertionSuccess();
   const bool same_number = std::bit_cast<std::uint64_t>(expected) == std::bit_cast<std::uint64_t>(found) ||
                            (std::isnan(expected) && std::isnan(found));
@@ -29,6 +32,12 @@ namespace {
   return ::testing::AssertionFailure()
          << "'" << text << "': " << expected << " and " << found << ", " << oracle.ptr - first << " and "
          << result.ptr - first << " characters";
+}
+
+/// Whether all readers read the same of this text.
+::testing::AssertionResult read_alike(const std::string& text) {
+  const auto by_strtod = reads(read_decimal_by_strtod, text, true);
+  return by_strtod ? reads(read_decimal, text, false) : by_strtod;
 }
 
 TEST(Decimal, WhatStrtodTakesBesidesIsRefused) {
@@ -84,6 +93,22 @@ TEST(Decimal, Forms) {
                            "0.1",
                            "123456789012345678901234567890"}) {
     EXPECT_TRUE(read_alike(text));
+  }
+}
+
+/// As models have them: few digits, a point anywhere among them.
+TEST(Decimal, ShortNumbers) {
+  Random random(test::seed());
+  for (int i = 0; i < 200'000; ++i) {
+    std::string text;
+    for (auto left = random.uniform_int(1, 17); left > 0; --left)
+      text += static_cast<char>('0' + random.uniform_int(0, 9));
+    const auto size = std::ssize(text);
+    if (random.uniform_int(0, 3) > 0)
+      text.insert(static_cast<std::size_t>(random.uniform_int(0, size)), 1, '.');
+    if (random.uniform_int(0, 1) == 0) text.insert(0, 1, '-');
+    if (random.uniform_int(0, 9) == 0) text += "e-7";
+    ASSERT_TRUE(read_alike(text)) << "case " << i << ", seed " << test::seed();
   }
 }
 

@@ -2,17 +2,25 @@
 
 #include "why/why.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/contract.hpp"
 #include "core/record.hpp"
 #include "pipeline.hpp"
+#include "projection/viewing/viewing.hpp"
 #include "support/random_scenes.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
+#include "transformation/affine_3d/affine_3d.hpp"
 #include "why/why_text.hpp"
 
 namespace gradus::pipeline {
@@ -99,18 +107,20 @@ TEST(Why, TellsWhatTheChainDoes) {
       expect_whole(scene, fragment, pixel);
       cut += fragment.clipped.changed;
     }
-    EXPECT_EQ(story.shaded.has_value(), !chain.shaded.empty());
+    EXPECT_EQ(story.layers.size(), chain.shaded.size());
     EXPECT_EQ(story.written.colour, chain.written.at(0).colour);
     EXPECT_EQ(story.picture, (render_antialiased(scene, size)[pixel]));
-    covered += story.shaded.has_value();
+    covered += !story.layers.empty();
     layers += story.fragments.size() > 1;
-    if (!story.shaded || scene.shading == Shading::gouraud) continue;
+    if (story.layers.empty() || scene.shading == Shading::gouraud) continue;
     // What the lamps add is the pixel's diffuse part and highlight
-    EXPECT_EQ(story.shaded->colour, chain.shaded.at(0).colour);
+    const auto& [lit, lamps, opacity, share] = story.layers.at(0);
+    EXPECT_EQ(std::pair(opacity, share), std::pair(1.0, 1.0));
+    EXPECT_EQ(lit.colour, chain.shaded.at(0).colour);
     dvec3 diffuse{0}, specular{0};
-    for (const LampStory& lamp : story.lamps) diffuse += lamp.added.diffuse, specular += lamp.added.specular;
-    EXPECT_EQ(diffuse, story.shaded->diffuse);
-    EXPECT_EQ(specular, story.shaded->specular);
+    for (const LampStory& lamp : lamps) diffuse += lamp.added.diffuse, specular += lamp.added.specular;
+    EXPECT_EQ(diffuse, lit.diffuse);
+    EXPECT_EQ(specular, lit.specular);
   }
   if (test::sanitized) return;
   EXPECT_GT(covered, 100);
@@ -148,6 +158,111 @@ TEST(Why, AllPixelsAtOnceAreToldAsOneByOne) {
   const Scene scene = test::random_scene(random, 1);
   for (const Window& window : {Window{{0, 0}, {40, 29}}, {{-1, 0}, {3, 3}}, {{4, 4}, {3, 3}}})
     EXPECT_THROW(PixelStories(scene, size, window), ContractViolation);
+}
+
+/// A wall across the view, or a ball, with light of its own alone.
+Object glowing(Random& random, bool wall, double depth) {
+  Mesh mesh = wall ? test::wall(1, 0, random) : test::ball(6);
+  Material material;
+  material.ambient = material.diffuse = LinearRgb{0};
+  for (int i = 0; i < 3; ++i) material.emission[i] = static_cast<float>(random.uniform(0, 1));
+  material.opacity = random.uniform_int(0, 4) == 0 ? 1 : static_cast<float>(random.uniform(0, 1));
+  mesh.materials = {material};
+  Object object = object_of(std::move(mesh));
+  const dvec3 place{wall ? 0 : random.uniform(-1, 1), 0, -depth};
+  object.placement = affine_3d::translation(place) * affine_3d::scaling(dvec3{wall ? 2 * depth : 1});
+  return object;
+}
+
+/// Walls of any opacity, and a ball among them or none, seen from the origin.
+Scene glowing_scene(Random& random) {
+  Scene scene;
+  scene.camera.frame = viewing::look_at(dvec3{0}, dvec3{0, 0, -1}, dvec3{0, 1, 0});
+  scene.camera.lens = {0.8, 0.5, 100};
+  scene.background = LinearRgb(dvec3{0.2, 0.5, 0.1});
+  scene.antialiasing = Antialiasing::a_buffer;
+  const auto walls = random.uniform_int(1, 5), ball = random.uniform_int(0, 9);
+  for (int i = 0; i < walls; ++i)
+    scene.objects.push_back(glowing(random, true, 3.0 * (1 + i) + random.uniform(0, 0.5)));
+  if (ball < walls)
+    scene.objects.push_back(glowing(random, false, 3.0 * static_cast<double>(1 + ball) - 1.2));
+  for (std::size_t i = scene.objects.size(); i-- > 1;)
+    std::swap(scene.objects[i],
+              scene.objects[static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(i)))]);
+  return scene;
+}
+
+/// What is seen of a pixel's fragments, mixed from the farthest on.
+dvec3 mixed_from_behind(const Scene& scene, std::vector<FragmentStory> fragments) {
+  const auto depth = [](const FragmentStory& f) { return f.tested.fragment.depth; };
+  std::ranges::sort(fragments, std::greater{}, depth);
+  dvec3 light(scene.background);
+  for (const FragmentStory& f : fragments) {
+    const Material& m = object_at(scene, f.face.object).mesh->materials[0];
+    light = double{m.opacity} * dvec3(m.emission) + (1 - double{m.opacity}) * light;
+  }
+  return light;
+}
+
+TEST(Why, TellsEverySurfaceThatLightGoesThrough) {
+  int layers = 0, hidden = 0, backgrounds = 0, alike = 0;
+  for (std::uint64_t i = 0; i < (test::sanitized ? 20 : 300); ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << test::seed() << ", case " << i);
+    Random random(test::seed(), i);
+    const Scene scene = glowing_scene(random);
+    const ivec2 pixel{static_cast<int>(random.uniform_int(1, size.width - 2)),
+                      static_cast<int>(random.uniform_int(1, size.height - 2))};
+    PixelStories stories(scene, size, {pixel - 1, pixel + 1});
+    const PixelStory story = stories.of(pixel);
+    const dvec3 mixed = mixed_from_behind(scene, story.fragments);
+    EXPECT_LT(glm::length(dvec3(story.written.light) - mixed), 1e-6) << "in single precision";
+    double shares = story.background;
+    for (const Layer& layer : story.layers) shares += layer.share;
+    EXPECT_NEAR(shares, 1, 1e-12);
+    for (const FragmentStory& fragment : story.fragments) hidden += fragment.share == 0;
+    layers += story.layers.size() > 1, backgrounds += story.background > 0;
+    // A pixel that all its surfaces fill has one colour
+    bool filled = true;
+    for (const ivec2 step : {ivec2{-1, -1}, {1, -1}, {-1, 1}, {1, 1}})
+      filled &= stories.of(pixel + step).fragments.size() == story.fragments.size();
+    if (!filled) continue;
+    ++alike;
+    for (const auto part : {&Rgba8::r, &Rgba8::g, &Rgba8::b})
+      EXPECT_LE(std::abs(story.picture.*part - story.written.colour.*part), 1);
+  }
+  if (test::sanitized) return;
+  EXPECT_GT(layers, 150);
+  EXPECT_GT(hidden, 30);
+  EXPECT_GT(backgrounds, 30);
+  EXPECT_GT(alike, 150);
+}
+
+TEST(Why, SaysWhatIsSeenThroughWhat) {
+  Random random(3);
+  Scene scene = glowing_scene(random);
+  scene.objects = {glowing(random, true, 3), glowing(random, true, 6), glowing(random, true, 9)};
+  const std::array<float, 3> opacities{0.25f, 1, 1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Mesh mesh = *scene.objects[i].mesh;
+    mesh.materials[0].opacity = opacities[i];
+    mesh.materials[0].emission = glm::vec<3, float>(i == 1);
+    scene.objects[i].mesh = std::make_shared<const Mesh>(std::move(mesh));
+    scene.objects[i].name = fmt::format("wall {}", i + 1);
+    scene.objects[i].see_through = i == 0;
+  }
+  const std::string text = why_text("scene", scene, size, why(scene, size, {7, 6}));
+  for (const char* said :
+       {"3 triangles cover its centre; the 2 nearest are seen, for light goes through.",
+        "seen, with a share of 0.25\n", "seen, with a share of 0.75\n", "hidden by what lets nothing through",
+        "light of wall 1, face 1, triangle", "light of wall 2, face 1, triangle", "opacity 0.25\n",
+        "seen through one another, from the eye on\n  0.25 of (0, 0, 0)\n  0.75 of (1, 1, 1)\n",
+        "light (0.75, 0.75, 0.75)"})
+    EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
+  EXPECT_EQ(text.find("light of wall 3"), std::string::npos);
+  EXPECT_EQ(text.find("of the background"), std::string::npos);
+  // Other methods draw what is nearest as if it let nothing through
+  scene.antialiasing = Antialiasing::none;
+  EXPECT_EQ(why(scene, size, {7, 6}).layers.size(), 1u);
 }
 
 TEST(Why, RefusesAPixelBesideThePicture) {

@@ -66,13 +66,13 @@ TEST(PipelineWay, FollowsPixelAndTriangleAsWhyTellsThem) {
       EXPECT_EQ(way.tests[i].fragment.depth, why.fragments[i].tested.fragment.depth);
       EXPECT_EQ(way.tests[i].nearer, why.fragments[i].tested.nearer);
     }
-    EXPECT_EQ(way.shaded->colour, why.shaded->colour);
-    ASSERT_EQ(way.lamps.size(), why.lamps.size());
+    EXPECT_EQ(way.shaded->colour, why.layers.at(0).shaded.colour);
+    ASSERT_EQ(way.lamps.size(), why.layers.at(0).lamps.size());
     dvec3 diffuse{0}, specular{0};
     for (std::size_t i = 0; i < way.lamps.size(); ++i) {
-      EXPECT_EQ(way.lamps[i].n_dot_l, why.lamps[i].added.n_dot_l);
-      EXPECT_EQ(way.lamps[i].cosine, why.lamps[i].added.cosine);
-      EXPECT_EQ(way.lamps[i].arrival.share(), why.lamps[i].added.arrival.share());
+      EXPECT_EQ(way.lamps[i].n_dot_l, why.layers.at(0).lamps[i].added.n_dot_l);
+      EXPECT_EQ(way.lamps[i].cosine, why.layers.at(0).lamps[i].added.cosine);
+      EXPECT_EQ(way.lamps[i].arrival.share(), why.layers.at(0).lamps[i].added.arrival.share());
       diffuse += way.lamps[i].diffuse;
       specular += way.lamps[i].specular;
       lamps += way.lamps[i].n_dot_l > 0;
@@ -192,22 +192,22 @@ std::vector<double> numbers_of_the_chain(const Told& all) {
     known.push_back(fragment.tested.fragment.id.face);
   }
   known.push_back(static_cast<double>(why.fragments.size()));
-  for (const auto& lamp : why.lamps) {
+  for (const auto& lamp : why.layers.at(0).lamps) {
     known.insert(known.end(), {lamp.added.n_dot_l, lamp.added.cosine, lamp.added.arrival.share(),
                                static_cast<double>(lamp.added.light + 1)});
     add(lamp.added.diffuse);
     add(lamp.added.specular);
   }
-  add(why.shaded->ambient);
-  add(dvec3(why.shaded->colour));
+  add(why.layers.at(0).shaded.ambient);
+  add(dvec3(why.layers.at(0).shaded.colour));
   const pipeline::Written& written = why.written;
   for (int c = 0; c < 3; ++c) {
     const double light = static_cast<double>(written.light[c]);
     known.push_back(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
   }
   const Mesh& mesh = *run.scene.objects[0].mesh;
-  known.push_back(
-      static_cast<double>(mesh.materials[static_cast<std::size_t>(why.shaded->material)].shininess));
+  known.push_back(static_cast<double>(
+      mesh.materials[static_cast<std::size_t>(why.layers.at(0).shaded.material)].shininess));
   known.insert(known.end(), {double(written.colour.r), double(written.colour.g), double(written.colour.b)});
   known.insert(known.end(), {double(followed.pixel.x), double(followed.pixel.y), double(own.face.line),
                              double(own.face.vertices.size()), double(own.face.pieces.size())});
@@ -261,8 +261,9 @@ TEST(PipelineWay, EachStageShowsItsOwnNumbers) {
                                             own.corners[2].projected.clip.at})},
         {own.clipped.after[0].at.y, own.clipped.divided[0].at.x, own.clipped.divided.back().at.y},
         {way.edges->values.x, way.edges->values.y, way.edges->values.z, own.tested.fragment.depth},
-        {why.lamps[0].added.n_dot_l, why.lamps[1].added.n_dot_l, why.lamps[0].added.diffuse.x,
-         double(why.shaded->colour.r), double(why.shaded->colour.b)},
+        {why.layers.at(0).lamps[0].added.n_dot_l, why.layers.at(0).lamps[1].added.n_dot_l,
+         why.layers.at(0).lamps[0].added.diffuse.x, double(why.layers.at(0).shaded.colour.r),
+         double(why.layers.at(0).shaded.colour.b)},
         {double(why.written.light.g), double(why.written.colour.r), double(why.written.colour.b)}};
     const Trace trace = tour(given);
     Playhead playhead(trace);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -151,7 +152,7 @@ dvec3 sum_of(const PixelFigure& figure) {
 /// The factor of a light's share, over all places where it was computed.
 void expect_factor(const pipeline::PixelStory& story, std::size_t light, const plot::LightSource& source) {
   double least = INFINITY, most = -INFINITY;
-  for (const pipeline::LampStory& lamp : story.lamps) {
+  for (const pipeline::LampStory& lamp : story.layers.at(0).lamps) {
     if (lamp.added.light != light) continue;
     least = std::min(least, lamp.added.n_dot_l), most = std::max(most, lamp.added.n_dot_l);
   }
@@ -159,15 +160,28 @@ void expect_factor(const pipeline::PixelStory& story, std::size_t light, const p
   EXPECT_EQ(source.shares[0].factor->most, most);
 }
 
+/// Its surfaces let light through, and are drawn so.
+void let_light_through(pipeline::Scene& scene, Random& random) {
+  scene.antialiasing = pipeline::Antialiasing::a_buffer;
+  for (pipeline::Object& object : scene.objects) {
+    Mesh mesh = *object.mesh;
+    for (Material& material : mesh.materials) material.opacity = static_cast<float>(random.uniform(0.1, 0.9));
+    object.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    object.see_through = true;
+  }
+}
+
 TEST(PixelFigure, NumbersAreThoseOfTheStory) {
   constexpr pipeline::Size size{40, 30};
-  int shaded = 0, many = 0, empty = 0;
-  for (std::uint64_t i = 0; i < 60; ++i) {
+  int shaded = 0, many = 0, empty = 0, mixed = 0;
+  for (std::uint64_t i = 0; i < 90; ++i) {
     Random random(test::seed(), i);
     pipeline::Scene scene = test::random_screened_scene(random, 8);
     scene.shading = static_cast<pipeline::Shading>(i % 4);
     if (i % 3 == 1) scene.hidden_surfaces = pipeline::HiddenSurfaces::painter;
     scene.samples = 4;
+    const bool through = i >= 60;
+    if (through) let_light_through(scene, random);
     const ivec2 pixel{static_cast<int>(random.uniform_int(0, size.width - 1)),
                       static_cast<int>(random.uniform_int(0, size.height - 1))};
     SCOPED_TRACE(testing::Message() << "case " << i << ", pixel " << pixel.x << "," << pixel.y);
@@ -185,19 +199,21 @@ TEST(PixelFigure, NumbersAreThoseOfTheStory) {
       EXPECT_EQ(figure.covers[k].corners[2], dvec2(story.fragments[k].snapped.corners[2].at) / 256.0);
       if (!figure.covers[k].seen) continue;
       ++seen;
-      EXPECT_EQ(fragment.id, story.shaded->fragment.id);
+      if (!through) EXPECT_EQ(fragment.id, story.layers.at(0).shaded.fragment.id);
     }
-    EXPECT_EQ(seen, story.shaded.has_value());
+    EXPECT_EQ(seen, std::ssize(story.layers));
     const dvec3 light(story.written.light), sum = sum_of(figure);
     EXPECT_LT(glm::length(sum - light), 1e-5 * (1 + glm::length(light))) << "shares add up to the light";
-    if (story.shaded && !story.lamps.empty())
+    mixed += story.layers.size() > 1;
+    if (!through && !story.layers.empty() && !story.layers[0].lamps.empty())
       for (std::size_t k = 0; k < scene.lights.size(); ++k) expect_factor(story, k, figure.sources[k + 1]);
     plot::sheet_of(figure);
-    shaded += story.shaded.has_value(), many += story.fragments.size() > 1, empty += story.fragments.empty();
+    shaded += !story.layers.empty(), many += story.fragments.size() > 1, empty += story.fragments.empty();
   }
   EXPECT_GT(shaded, 15);
   EXPECT_GT(many, 5);
   EXPECT_GT(empty, 5);
+  EXPECT_GT(mixed, 5);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ void Tour::milestone(View view, std::string_view type, Event event) {
 }
 
 std::vector<Said> Tour::row(Said point, std::initializer_list<Said> numbers) const {
-  std::vector<Said> cells{stage_, std::move(point)};
+  std::vector<Said> cells{std::move(point), stage_};
   cells.insert(cells.end(), numbers);
   return cells;
 }

@@ -70,7 +70,7 @@ class Tour {
   std::vector<Said> row(Said point, std::initializer_list<Said> numbers) const;
   template <int N>
   std::vector<Said> row(Said point, const glm::vec<N, double>& p, double noise = small) const {
-    std::vector<Said> cells{stage_, std::move(point)};
+    std::vector<Said> cells{std::move(point), stage_};
     for (int i = 0; i < N; ++i) cells.push_back(real_text(p[i], noise));
     return cells;
   }

@@ -142,7 +142,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     .standing = Standing::faulty,
                     .tell = tell_expanded_edges,
                     .file = "algorithms/scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"}},
-       .columns = {{"stage"}, {"point", false}, {"x"}, {"y"}, {"z"}, {"w"}},
+       .columns = {{"point", false}, {"stage"}, {"x"}, {"y"}, {"z"}, {"w"}},
        .parameters =
            {{"model", ParameterType::model, "", "MODEL.obj", "a small model; the letter F if not given"},
             choice("stage", stage_names(), std::string(whole_chain), "clipping",
