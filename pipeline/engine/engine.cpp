@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "antialiasing/adaptive/sample_places.hpp"
@@ -134,12 +135,16 @@ class Artist {
 
 /// The samples of `adaptive`, those nearest to the pixel's centre first, of equals in their order.
 std::vector<ivec2> places_of(int samples) {
-  std::vector<ivec2> places = adaptive::n_rooks(samples);
-  std::ranges::stable_sort(places, {}, [](ivec2 place) {
-    const ivec2 from_centre = place - triangle_coverage::subpixels / 2;
-    return from_centre.x * from_centre.x + from_centre.y * from_centre.y;
-  });
-  return places;
+  const std::vector<ivec2> places = adaptive::n_rooks(samples);
+  std::vector<std::pair<int, std::size_t>> order;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ivec2 from_centre = places[i] - triangle_coverage::subpixels / 2;
+    order.emplace_back(from_centre.x * from_centre.x + from_centre.y * from_centre.y, i);
+  }
+  std::ranges::sort(order);
+  std::vector<ivec2> sorted;
+  for (const auto& [square, i] : order) sorted.push_back(places[i]);
+  return sorted;
 }
 
 // --- Both ----------------------------------------------------------------------------------------

@@ -90,6 +90,7 @@ benchmark::BenchmarkReporter::Run run_of(const Subject& subject, const Duel& due
   run.aggregate_name = "median";
   run.aggregate_unit = benchmark::StatisticUnit::kTime;
   run.threads = 1;
+  run.repetitions = 1;
   run.iterations = 1;
   run.real_accumulated_time = run.cpu_accumulated_time = 1e-3 * duel.ms;
   run.time_unit = benchmark::kMillisecond;
