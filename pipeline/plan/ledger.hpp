@@ -53,8 +53,9 @@ struct Ledger {
   LedgerRow texels{7, "textures", "places"};
   LedgerRow output{8, "output", "pixels"};
 
-  /// Planning with the search for what is hidden; stages 1 to 5; 6 and 7, which alternate; 8.
-  double planning = 0, geometry = 0, pixels = 0, writing = 0;
+  /// Reading files; mip maps and buffers; planning with the search for what is hidden; stages 1 to 5; 6 and
+  /// 7, which alternate; 8; making the file.
+  double reading = 0, preparing = 0, planning = 0, geometry = 0, pixels = 0, writing = 0, encoding = 0;
 
   std::vector<const LedgerRow*> rows() const { return rows_of<const LedgerRow>(*this); }
   std::vector<LedgerRow*> rows() { return rows_of<LedgerRow>(*this); }

@@ -43,10 +43,9 @@ void add(const Ledger& frame, Ledger& sum) {
     sums[i]->done += rows[i]->done;
     for (const Skipped& part : rows[i]->skipped) sums[i]->skip(part.why, part.count);
   }
-  sum.planning += frame.planning;
-  sum.geometry += frame.geometry;
-  sum.pixels += frame.pixels;
-  sum.writing += frame.writing;
+  for (double Ledger::* part : {&Ledger::reading, &Ledger::preparing, &Ledger::planning, &Ledger::geometry,
+                                &Ledger::pixels, &Ledger::writing, &Ledger::encoding})
+    sum.*part += frame.*part;
 }
 
 void add_unchanged(const Ledger& frame, Ledger& sum) {

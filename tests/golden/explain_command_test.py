@@ -97,7 +97,7 @@ def test_ledger_adds_up():
         check(f"\ndrawn by {drawn_by}\n" in text, text)
         totals.append(rows[0][1:2])
     equal(totals, totals[:1] * 4, "the same faces")
-    check(re.search(r"^planning [\d.]+ ms, stages 1 to 5 [\d.]+ ms, 6 and 7 [\d.]+ ms, 8 [\d.]+ ms$", text, re.M), text)
+    check(re.search(r"^reading [\d.]+ ms, mip maps and buffers [\d.]+ ms, planning [\d.]+ ms, stages 1 to 5 [\d.]+ ms, 6 and 7 [\d.]+ ms, 8 [\d.]+ ms, the file [\d.]+ ms$", text, re.M), text)
     rows, text = ledger("town.json", *SMALL, "--without", "all")
     equal(rows[0][2:4], (rows[0][1], 0), f"without any rule all faces come in\n{text}")
     piped = gradus("render", LETTER, "--size", "16x16", "-o", "-", "--report")

@@ -193,8 +193,12 @@ std::string ledger_text(const std::string& name, const Ledger& ledger, std::stri
   const auto ms = [](double seconds) { return fmt::format("{:.1f} ms", 1000 * seconds); };
   return fmt::format("{}: done and left out\n\n", visible(name)) +
          table_of(rows, {false, false, true, true, true, false}) +
-         fmt::format("\ndrawn by {}\nplanning {}, stages 1 to 5 {}, 6 and 7 {}, 8 {}\n", drawn_by,
-                     ms(ledger.planning), ms(ledger.geometry), ms(ledger.pixels), ms(ledger.writing));
+         fmt::format(
+             "\ndrawn by {}\nreading {}, mip maps and buffers {}, planning {}, stages 1 to 5 {}, 6 and 7 {}, "
+             "8 {}, "
+             "the file {}\n",
+             drawn_by, ms(ledger.reading), ms(ledger.preparing), ms(ledger.planning), ms(ledger.geometry),
+             ms(ledger.pixels), ms(ledger.writing), ms(ledger.encoding));
 }
 
 namespace {

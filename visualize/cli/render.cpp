@@ -81,7 +81,10 @@ Rendered rendered(const Request& request, const FindFile& find,
   result.drawn_by = artist.drawn_by();
   Working::reached(0);  // what comes is no part of it
   if (picture.covered == 0) result.remarks.push_back(empty_remark(shot.scene));
-  result.png = png_of(picture.image, result.colophon);
+  pipeline::Ledger& ledger = result.ledger;
+  ledger.reading = shot.reading, ledger.preparing = artist.preparing();
+  result.png =
+      pipeline::timed(seconds_now, ledger.encoding, [&] { return png_of(picture.image, result.colophon); });
   return result;
 }
 

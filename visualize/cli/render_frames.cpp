@@ -80,7 +80,9 @@ bool is_made(const std::string& path, const Colophon& colophon) {
 /// Draws frames from any thread, and sums up what was done.
 class Drawing {
  public:
-  explicit Drawing(const Run& run) : run_(run), artist_(run.shot, 1) {}
+  explicit Drawing(const Run& run) : run_(run), artist_(run.shot, 1) {
+    sum_.reading = run.shot.reading, sum_.preparing = artist_.preparing();
+  }
 
   /// frames: how many have this picture in this run.
   Image picture(std::size_t i, std::size_t frames) {
@@ -95,6 +97,16 @@ class Drawing {
     unchanged_ += frames - 1;
     if (picture.covered == 0) empty_ += frames;
     return std::move(picture.image);
+  }
+
+  /// The picture as the file of a frame.
+  std::string png(const Image& image, std::size_t i) {
+    double seconds = 0;
+    std::string bytes =
+        pipeline::timed(seconds_now, seconds, [&] { return png_of(image, run_.colophon(i)); });
+    const std::lock_guard lock(mutex_);
+    sum_.encoding += seconds;
+    return bytes;
   }
 
   /// What the user should know of the frames that were drawn.
@@ -172,7 +184,7 @@ int frame_files(const Request& request, const Run& run) {
     in_parallel(groups.size(), threads, [&](std::size_t g) {
       const Image image = drawing.picture(groups[g].front(), groups[g].size());
       for (const std::size_t i : groups[g]) {
-        write_output(paths[i], png_of(image, run.colophon(i)), replace);
+        write_output(paths[i], drawing.png(image, i), replace);
         progress.finished(static_cast<std::size_t>(std::ranges::lower_bound(missing, i) - missing.begin()),
                           "");
       }

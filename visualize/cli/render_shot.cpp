@@ -111,10 +111,6 @@ std::string contents_of(const pipeline::Scene& scene, bool is_scene) {
                      counted(faces, "face"), counted(triangles, "triangle"));
 }
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// The first method of antialiasing that draws opacities.
 std::string_view method_for_opacity() {
   const auto draws = [](std::string_view name) {
@@ -135,6 +131,10 @@ std::optional<std::string> opacity_remark(const pipeline::Scene& scene) {
 }
 
 }  // namespace
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 pipeline::View view_of_frame(const Shot& shot, int frame) {
   pipeline::View view = view_at(*shot.wish.path, shot.wish.view, frame);
@@ -169,7 +169,9 @@ Colophon colophon_of(const Shot& shot, const std::optional<FrameRange>& frames, 
 Shot read_shot(const Request& request, const FindFile& find) {
   Shot shot;
   shot.wish = read_wish(request.flags);
-  RenderInput input = read_render_input(request.operands.at(0), find, shot.wish.filter.has_value());
+  RenderInput input = pipeline::timed(seconds_now, shot.reading, [&] {
+    return read_render_input(request.operands.at(0), find, shot.wish.filter.has_value());
+  });
   // The first reading has found what is wrong with the flags alone
   if (input.is_scene) shot.wish = read_wish(request.flags, input.scene);
   Wish& wish = shot.wish;
@@ -202,7 +204,8 @@ Shot read_shot(const Request& request, const FindFile& find) {
 ShotArtist::ShotArtist(const Shot& shot, std::size_t threads)
     : shot_(shot), threads_(static_cast<int>(threads)) {
   if (shot.wish.surfaces.by == DrawnBy::fast && pipeline::engine::draws(shot.scene))
-    buffers_ = pipeline::engine::buffers_of(shot.scene);
+    buffers_ =
+        pipeline::timed(seconds_now, preparing_, [&] { return pipeline::engine::buffers_of(shot.scene); });
 }
 
 std::string_view ShotArtist::drawn_by() const {

@@ -26,7 +26,11 @@ struct Shot {
   std::string operand;           ///< the scene's or model's name without folders, or dash
   std::string name;              ///< what it is called in titles
   std::string contents;          ///< "5856 faces, 11712 triangles"
+  double reading = 0;            ///< how long that took, in seconds
 };
+
+/// The time in seconds, from any beginning: the clock of ledgers.
+double seconds_now();
 
 /// Reads flags, scene and model, and aims the camera. find: where they lie. Throws UsageError and InputError.
 Shot read_shot(const Request& request, const FindFile& find);
@@ -58,12 +62,15 @@ class ShotArtist {
   /// reached: told of the share that is done. From any thread.
   Picture paint(const pipeline::Scene& scene, pipeline::Ledger& ledger,
                 const std::function<void(double)>& reached = {}) const;
+  /// How long its mip maps and buffers took, in seconds.
+  double preparing() const { return preparing_; }
   /// What draws, as the report calls it.
   std::string_view drawn_by() const;
 
  private:
   const Shot& shot_;
   int threads_;
+  double preparing_ = 0;
   std::optional<pipeline::engine::Buffers> buffers_{};  ///< where the engine draws
 };
 
