@@ -58,7 +58,7 @@ void check_aim(const pipeline::Aim& aim, int frame) {
   }
 }
 
-/// The path round what turns; by parallel rays all its frames show as much.
+/// The path round what turns; where rays do not meet all its frames show as much.
 void set_turning(const std::vector<pipeline::Object>& objects, Wish& wish) {
   const double aspect = aspect_of(wish);
   const pipeline::Aim aim = aim_of(objects, wish.view, aspect);
