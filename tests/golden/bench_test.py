@@ -92,6 +92,13 @@ def test_bad_input_is_one_line():
     equal(os.listdir("."), ["file"], "nothing else is written")
 
 
+def test_no_comparison_without_the_peer():
+    if b"libOSMesa" in BENCH.read_bytes():
+        return  # it is built with Mesa: `gradus bench engine` compares
+    result = gradus("bench", "engine", "--require-peers", "--json")
+    equal((result.code, result.out, result.err), (2, "", "gradus bench: --require-peers: what engine is compared with is not there\n"), "no peer")
+
+
 def main():
     if not BENCH.exists():
         result = gradus("bench", "parallel")
