@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "benchmark/pipeline/engine_scenes.hpp"
 #include "benchmark/pipeline/llvmpipe.hpp"
 #include "benchmark/subject.hpp"
 #include "core/arithmetic/elementary.hpp"
@@ -27,34 +28,10 @@ namespace gradus::bench {
 namespace {
 
 using namespace pipeline;
+using engine_scenes::light;
+using engine_scenes::spheres;
 
 // --- Scenes --------------------------------------------------------------------------------------
-
-void add_triangle(Mesh& mesh, int a, int b, int c) {
-  const Corner corners[]{{a, -1, a}, {b, -1, b}, {c, -1, c}};
-  add_face(mesh, corners);
-}
-
-/// A sphere of 2 n (n - 1) triangles along circles of longitude and latitude.
-Mesh sphere(int n) {
-  constexpr double pi = 0x1.921fb54442d18p1;
-  Mesh mesh;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const SinCos a = sin_cos(pi * i / n), b = sin_cos(2 * pi * j / n);
-      mesh.positions.push_back({a.sin * b.cos, a.cos, -a.sin * b.sin});
-      mesh.normals.push_back(unit_vector(mesh.positions.back()));
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const int p = i * n + j, q = i * n + (j + 1) % n;
-      if (i + 1 < n) add_triangle(mesh, p, p + n, q + n);
-      if (i > 0) add_triangle(mesh, p, q + n, q);
-    }
-  }
-  return mesh;
-}
 
 Mesh cube() {
   Mesh mesh;
@@ -65,25 +42,6 @@ Mesh cube() {
     add_face(mesh, corners);
   }
   return mesh;
-}
-
-/// One lamp beside the camera.
-void light(Scene& scene) {
-  const Frame<double>& frame = scene.camera.frame;
-  Light lamp;
-  lamp.position = frame.eye + 2.0 * frame.right + 2.0 * frame.up;
-  lamp.intensity = LinearRgb{0.6f};
-  scene.lights = {lamp};
-}
-
-Scene spheres(int n) {
-  Scene scene;
-  Mesh mesh = sphere(n);
-  mesh.materials[0].specular = LinearRgb{0.4f};
-  scene.objects.push_back(object_of(std::move(mesh)));
-  scene.camera.frame = viewing::look_at(dvec3{0.4, 0.6, 2.6}, dvec3{0}, dvec3{0, 1, 0});
-  scene.camera.lens = {0.8, 0.1, 20};
-  return scene;
 }
 
 /// Ten thousand, half of them behind the eye, most of the others behind one another.

@@ -1,0 +1,32 @@
+#pragma once
+// A picture by the engine as a case of a benchmark, one thread.
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "benchmark/pipeline/engine_scenes.hpp"
+#include "benchmark/subject.hpp"
+#include "engine/engine.hpp"
+#include "plan/plan.hpp"
+
+namespace gradus::bench::engine_scenes {
+
+/// Plan and buffers are made outside of the time.
+inline Case picture_of_sphere(int n, pipeline::Size size, pipeline::Shading shading, Workload workload) {
+  using namespace pipeline;
+  const auto scene = std::make_shared<Scene>(spheres(n));
+  scene->shading = shading;
+  scene->antialiasing = Antialiasing::none;
+  light(*scene);
+  const auto buffers = std::make_shared<const engine::Buffers>(engine::buffers_of(*scene));
+  const auto plan = std::make_shared<const Plan>(plan_of(*scene, size));
+  const auto workspace = std::make_shared<engine::Workspace>();
+  const auto picture = std::make_shared<engine::Picture>();
+  return {.method = std::string(shading_names[static_cast<std::size_t>(shading)]),
+          .standing = Standing::batch,
+          .workload = std::move(workload),
+          .run = [=] { *picture = engine::picture_of(*scene, *buffers, *plan, *workspace, 1); }};
+}
+
+}  // namespace gradus::bench::engine_scenes
