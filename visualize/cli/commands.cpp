@@ -307,7 +307,7 @@ std::vector<Command> all_commands() {
         {"repetitions", 0, "N", "of which the median counts; default 9"},
         {"require-peers", 0, "", "fails where a program is missing that the engine is compared with"}},
        {"gradus bench", "gradus bench TOPIC", "gradus bench TOPIC -o bench/",
-        "gradus bench TOPIC --json > bench.json", "gradus bench engine --require-peers"},
+        "gradus bench TOPIC --json > bench.json"},
        Operand::topic},
       {"stress",
        "TOPICs",
