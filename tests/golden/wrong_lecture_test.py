@@ -217,7 +217,7 @@ def test_the_schema_says_what_the_program_does():
           "every key has a description")
     flags = {flag.replace("-", "_") for flag in re.findall(r"^ +(?:-\w, )?--([\w-]+) ", gradus("render", "--help")[1], re.MULTILINE)}
     check(len(flags) > 9, sorted(flags))
-    equal(set(render), flags - {"output", "report", "engine", "part", "without", "why", "frames", "array", "jobs", "force", "color", "quiet", "help", "version"} | {"model", "name", "title", "caption"},
+    equal(set(render), flags - {"output", "report", "engine", "part", "without", "why", "frames", "array", "turntable", "jobs", "force", "color", "quiet", "help", "version"} | {"model", "name", "title", "caption"},
           "keys of a render")
 
     gallery = json.loads((ROOT / "examples/gallery.json").read_text(encoding="utf-8"))

@@ -443,8 +443,9 @@ TEST(LectureRenders, KeysAreTheFlagsOfTheCommandAndAFewOfTheirOwn) {
   const auto command = std::ranges::find(commands(), "render", &Command::name);
   std::set<std::string> expected{"model", "name", "title", "caption"}, found;
   for (const Flag& flag : command->flags) expected.insert(folded(flag.name));
-  // Where to, what is told instead of drawn or beside it, and frames: a lecture shows the first
-  for (const char* other : {"output", "force", "report", "part", "without", "why", "frames", "array", "jobs"})
+  // Where to, by whom, what is told instead of drawn or beside it, and frames: a lecture shows the first
+  for (const char* other : {"output", "force", "engine", "report", "part", "without", "why", "frames",
+                            "array", "turntable", "jobs"})
     expected.erase(other);
   for (const LectureKey& key : render_keys()) {
     EXPECT_TRUE(found.insert(key.name).second) << key.name << " twice";
