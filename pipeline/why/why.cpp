@@ -231,6 +231,12 @@ PixelStory PixelStories::of(ivec2 pixel) {
   return story;
 }
 
+const FragmentStory& fragment_of(const PixelStory& story, const Layer& layer) {
+  return *std::ranges::find_if(story.fragments, [&](const FragmentStory& fragment) {
+    return fragment.tested.fragment.triangle == layer.shaded.fragment.triangle;
+  });
+}
+
 PixelStory why(const Scene& scene, Size size, ivec2 pixel) {
   return PixelStories(scene, size, {pixel, pixel}).of(pixel);
 }

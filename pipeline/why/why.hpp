@@ -67,6 +67,14 @@ struct PixelStory {
   Rgba8 picture;                         ///< of the picture, with the scene's antialiasing
 };
 
+/// The fragment of a surface that is seen. layer: one of the story's.
+const FragmentStory& fragment_of(const PixelStory& story, const Layer& layer);
+
+/// Whether more than one surface, or the background through some, makes the colour of the centre.
+inline bool is_mixed(const PixelStory& story) {
+  return story.layers.size() > 1 || (!story.layers.empty() && story.background > 0);
+}
+
 /// The stories of the pixels of a part of a picture, all from one run of the chain.
 class PixelStories {
  public:

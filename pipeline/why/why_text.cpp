@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "core/colour.hpp"
@@ -136,14 +135,11 @@ std::string mixed_text(const Scene& scene, const PixelStory& story) {
 /// Of all that is seen.
 std::string light_of(const Scene& scene, const PixelStory& story) {
   std::string text;
-  const bool one = story.layers.size() == 1 && story.background == 0;
   for (const Layer& layer : story.layers) {
-    const auto& fragment = *std::ranges::find_if(story.fragments, [&](const FragmentStory& f) {
-      return f.tested.fragment.triangle == layer.shaded.fragment.triangle;
-    });
-    text += light_of(scene, layer, one ? "" : " of " + triangle_name(scene, fragment));
+    const std::string whose = is_mixed(story) ? " of " + triangle_name(scene, fragment_of(story, layer)) : "";
+    text += light_of(scene, layer, whose);
   }
-  return one || story.layers.empty() ? text : text + mixed_text(scene, story);
+  return is_mixed(story) ? text + mixed_text(scene, story) : text;
 }
 
 std::string covered_text(const PixelStory& story) {

@@ -38,13 +38,6 @@ std::string face_name(const Scene& scene, const FragmentStory& story) {
   return fmt::format("{}, face {}", visible(object_at(scene, id.object).name), id.face + 1);
 }
 
-/// The fragment of a surface that is seen.
-const FragmentStory& fragment_of(const PixelStory& story, const pipeline::Layer& layer) {
-  return *std::ranges::find_if(story.fragments, [&](const FragmentStory& fragment) {
-    return fragment.tested.fragment.triangle == layer.shaded.fragment.triangle;
-  });
-}
-
 std::vector<plot::Cover> covers_of(const Scene& scene, const PixelStory& story) {
   std::vector<plot::Cover> covers;
   for (const FragmentStory& fragment : story.fragments) {
@@ -118,13 +111,8 @@ std::vector<plot::LightSource> mixed_sources(const Scene& scene, const PixelStor
   return sources;
 }
 
-/// Whether one surface alone is seen, or none.
-bool unmixed(const PixelStory& story) {
-  return story.layers.empty() || (story.layers.size() == 1 && story.background == 0);
-}
-
 std::vector<plot::LightSource> sources_of(const Scene& scene, const PixelStory& story) {
-  if (!unmixed(story)) return mixed_sources(scene, story);
+  if (is_mixed(story)) return mixed_sources(scene, story);
   if (story.layers.empty()) return {{"", {{"background", story.written.light}}}};
   if (scene.shading == pipeline::Shading::wireframe) return {{"", {{"ink", story.written.light}}}};
   const pipeline::Layer& layer = story.layers.front();
@@ -136,7 +124,7 @@ std::vector<plot::LightSource> sources_of(const Scene& scene, const PixelStory& 
 
 std::string light_title(const Scene& scene, const PixelStory& story) {
   if (story.layers.empty()) return "light";
-  if (!unmixed(story)) return "light of what is seen through one another, from the eye on";
+  if (is_mixed(story)) return "light of what is seen through one another, from the eye on";
   std::string text = fmt::format("light, {}", pipeline::lit_where(scene.shading));
   if (const auto& texel = story.layers.front().shaded.texel)
     text += fmt::format("; the texture there, {}, times ambient and diffuse",
@@ -168,7 +156,7 @@ std::string sentence_of(const Scene& scene, const PixelStory& story) {
     return fmt::format("No triangle covers its centre, so it shows the background, {}.", colour);
   if (scene.shading == pipeline::Shading::wireframe)
     return fmt::format("An edge covers its centre, and edges have the colour of ink, {}.", colour);
-  if (!unmixed(story)) return mixed_sentence(story);
+  if (is_mixed(story)) return mixed_sentence(story);
   const pipeline::Shaded& lit = story.layers.front().shaded;
   return fmt::format("Ambient {} + diffuse {} + highlight {} = {}, which is {} in sRGB.",
                      short_text(lit.ambient), short_text(lit.diffuse), short_text(lit.specular),
@@ -207,7 +195,7 @@ plot::PixelFigure pixel_figure(const std::string& name, const Scene& scene, cons
   figure.pixel = story.pixel;
   figure.covers = covers_of(scene, story);
   figure.depth_name =
-      fmt::format("{}: the least is {}", pipeline::depth_name(scene), unmixed(story) ? "seen" : "nearest");
+      fmt::format("{}: the least is {}", pipeline::depth_name(scene), is_mixed(story) ? "nearest" : "seen");
   figure.empty = "no triangle: the background";
   figure.light_name = light_title(scene, story);
   figure.sources = sources_of(scene, story);
