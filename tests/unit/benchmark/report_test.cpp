@@ -153,6 +153,41 @@ TEST(Report, ErrorsAddUp) {
   EXPECT_EQ(Error::Sum().error().rms, 0);
 }
 
+TEST(Report, DuelsTellBothTimesTheirRatioAndHowPicturesDiffer) {
+  const Subject duelling{.topic = "a_drawer", .title = "A picture", .item = "picture"};
+  Findings found{&duelling, {}};
+  found.peer = "somebody 1.0";
+  found.duels = {{"cubes, Phong", 3, 12.0, 7, 42}, {"cubes, Gouraud", 5, std::nullopt}};
+  const std::vector<Findings> all{found};
+  const nlohmann::json runs = nlohmann::json::parse(json_of(all)).at("benchmarks");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].at("run_name"), "a_drawer/cubes, Phong");
+  EXPECT_EQ(runs[0].at("time_unit"), "ms");
+  EXPECT_NEAR(runs[0].at("real_time").get<double>(), 3, 1e-9);
+  EXPECT_EQ(runs[0].at("ms"), 3);
+  EXPECT_EQ(runs[0].at("peer_ms"), 12);
+  EXPECT_EQ(runs[0].at("ratio"), 0.25);
+  EXPECT_EQ(runs[0].at("max_pixel_difference"), 7);
+  EXPECT_EQ(runs[0].at("pixels_off"), 42);
+  const std::string table = table_of(found);
+  EXPECT_NE(table.find("beside somebody 1.0"), std::string::npos) << table;
+  EXPECT_NE(table.find("3.00     12.00   0.25        7       42"), std::string::npos) << table;
+}
+
+TEST(Report, WithoutThePeerThereIsNoRatio) {
+  const Subject duelling{.topic = "a_drawer", .title = "A picture", .item = "picture"};
+  Findings found{&duelling, {}};
+  found.duels = {{"cubes, Gouraud", 5, std::nullopt}};
+  const std::vector<Findings> all{found};
+  const nlohmann::json run = nlohmann::json::parse(json_of(all)).at("benchmarks").at(0);
+  EXPECT_EQ(run.at("ms"), 5);
+  for (const char* of_both : {"peer_ms", "ratio", "max_pixel_difference", "pixels_off"})
+    EXPECT_FALSE(run.contains(of_both)) << of_both;
+  const std::string table = table_of(found);
+  EXPECT_NE(table.find("the peer is not there"), std::string::npos) << table;
+  EXPECT_TRUE(table.ends_with(" 5.00\n")) << table;
+}
+
 TEST(Measure, RunsAreTimedAndPreparationIsNot) {
   using namespace std::chrono_literals;
   std::size_t prepared = 0, ran = 0, told = 0;
