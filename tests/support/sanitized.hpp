@@ -1,6 +1,7 @@
 #pragma once
 // Whether this program runs under a sanitizer, where it takes up to thirty times as long: tests that lay out
-// thousands of sheets then look at fewer of them, since what they are for is measured in the other builds.
+// thousands of sheets then look at fewer of them, and tests that read what all runs say return at once: what
+// they judge is the same in the other builds, and other tests tell and lay out every topic here.
 
 #include <algorithm>
 #include <cstddef>

@@ -191,7 +191,7 @@ TEST(Notation, EveryMethodCanBeToldInEveryOne) {
   const auto& code = test::shared_traces();
   for (const Notation& notation : all) {
     // Each is some of what the own one is
-    if (test::sanitized && &notation != &all.front() && &notation != &all.back()) continue;
+    if (test::sanitized && &notation != &all.back()) continue;
     SCOPED_TRACE(notation.name);
     const auto english = test::telling_traces(Wording(*find_language("en")).with(notation));
     const auto german = test::telling_traces(Wording(*find_language("de")).with(notation));

