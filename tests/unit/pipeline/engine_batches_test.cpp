@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "core/arithmetic/elementary.hpp"
+#include "core/colour.hpp"
 #include "engine/engine.hpp"
 #include "engine/geometry.hpp"
 #include "engine/pieces_batch.hpp"
@@ -200,6 +203,53 @@ TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
 }
 
 // --- Light ---------------------------------------------------------------------------------------
+
+/// 255 times sRGB's curve, in double precision.
+double steps_of(float light) {
+  const double x = std::clamp(static_cast<double>(light), 0.0, 1.0);
+  return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * gradus::pow(x, 1 / 2.4) - 0.055);
+}
+
+/// Light of all sizes, and what lies about the places where the nearest byte is another one.
+std::vector<float> light_about_steps(Random& random) {
+  std::vector<float> light{0, -1, 1, 2, 1e30f, -0.0f, 0.0031308f, std::nextafter(1.0f, 0.0f)};
+  for (int step = 0; step < 255; ++step) {
+    const double curve = (step + 0.5) / 255;
+    const auto at =
+        static_cast<float>(curve <= 0.04045 ? curve / 12.92 : gradus::pow((curve + 0.055) / 1.055, 2.4));
+    for (int off = -40; off <= 40; ++off)
+      light.push_back(std::bit_cast<float>(std::bit_cast<std::int32_t>(at) + 64 * off));
+  }
+  for (int i = 0; i < 20000; ++i)
+    light.push_back(static_cast<float>(gradus::pow(2.0, random.uniform(-20, 0.1))));
+  while (light.size() % block_cells != 0) light.push_back(0);
+  return light;
+}
+
+TEST(EngineBatches, GiveLightTheNearestByte) {
+  Random random(test::seed());
+  const std::vector<float> light = light_about_steps(random);
+  const std::size_t count = light.size();
+  // Each colour has the same numbers in another order
+  std::vector<float> three = light;
+  three.insert(three.end(), light.rbegin(), light.rend());
+  three.insert(three.end(), light.begin(), light.end());
+  std::optional<std::vector<std::uint32_t>> first;
+  test::on_every_target([&] {
+    std::vector<std::uint32_t> colours(count);
+    pack(three, colours);
+    if (!first) first = colours;
+    ASSERT_EQ(colours, *first) << "the same on every machine";
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [r, g, b, a] = std::bit_cast<Rgba8>(colours[i]);
+      const double error = std::abs(r - steps_of(light[i]));
+      ASSERT_LE(error, 0.5 + 1.0 / 400) << light[i] << " gives " << int{r};
+      ASSERT_LE(std::abs(g - steps_of(light[count - 1 - i])), 0.5 + 1.0 / 400);
+      ASSERT_EQ(b, r);
+      ASSERT_EQ(a, 255);
+    }
+  });
+}
 
 TEST(EngineBatches, MakeTheSamePictureOnEveryMachine) {
   const std::uint64_t seed = test::seed();
