@@ -1,6 +1,7 @@
 #include "engine/shading.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "projection/viewing/viewing.hpp"
@@ -55,6 +56,8 @@ TextureLevels levels_of(const LinearTexture& texture, TextureFilter filter) {
   TextureLevels levels;
   levels.texels = &texture.levels.front().x;
   levels.levels = filter == TextureFilter::mip_mapped ? texture_mapping::levels_of(texture.size) : 1;
+  const auto power_of_two = [](int count) { return std::has_single_bit(static_cast<unsigned>(count)); };
+  levels.powers_of_two = power_of_two(texture.size.x) && power_of_two(texture.size.y);
   for (int k = 0; k < levels.levels; ++k) {
     const ivec2 size = texture_mapping::size_of_level(texture.size, k);
     const auto at = static_cast<std::size_t>(k);

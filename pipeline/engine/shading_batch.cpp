@@ -169,7 +169,7 @@ HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F co
                 records(record::base), records(record::base + 1)};
     Vec3 texel;
     if (group.texture.levels == 1) {
-      texel = bilinear(group.texture, hn::Zero(DI()), at);
+      texel = bilinear(group.texture, at);
     } else {
       // How far (u, v) goes from a pixel to the next, in texels
       const auto square = [&](int step) {

@@ -102,63 +102,122 @@ struct Uv {
   F base_u, base_v;
 };
 
-// The mean of the four texels of a level that lie about (u, v)
-HWY_INLINE Vec3 bilinear(const TextureLevels& texture, I level, const Uv& at) {
+// Of each lane where the four texels of a level about (u, v) begin among all numbers of a texture: lower
+// left, lower right, upper left, upper right; and how far (u, v) is on the way to the right and up
+struct alignas(64) FourTexels {
+  std::int32_t begin[4][block_cells];
+  float right[block_cells], up[block_cells];
+};
+
+// Two cells of an axis beside one another, from 0 to count - 1, and how far the place is from one to the next
+struct AxisCells {
+  I first, second;
+  F part;
+};
+
+// Beyond a texture it comes again
+HWY_INLINE I wrapped(F cell, I count, bool power_of_two) {
   const DI di;
+  if (power_of_two) return hn::And(hn::ConvertTo(di, cell), hn::Sub(count, whole(1)));
+  const F size = hn::ConvertTo(D(), count);
+  const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
+  // The quotient may have been rounded to the next whole number
+  const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
+  const I in = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count));
+  // Lanes beyond the triangle may be anywhere
+  return hn::Min(hn::Max(in, hn::Zero(di)), hn::Sub(count, whole(1)));
+}
+
+HWY_INLINE AxisCells cells_about(F base, F way, I count, bool power_of_two) {
+  const F size = hn::ConvertTo(D(), count), there = hn::Sub(hn::Mul(base, size), set(0.5f)),
+          cell_there = hn::Floor(there);
+  // From here on digits count: texels on from that cell
+  const F on = hn::Add(hn::Sub(there, cell_there), hn::Mul(way, size)), cells_on = hn::Floor(on);
+  const I first = wrapped(hn::Add(cell_there, cells_on), count, power_of_two),
+          next = hn::Add(first, whole(1));
+  return {first, hn::IfThenZeroElse(hn::Eq(next, count), next), hn::Sub(on, cells_on)};
+}
+
+// What a level has, of all lanes one or of each its own
+HWY_INLINE I of_level(const std::array<std::int32_t, 16>& numbers, I level) {
+  const std::int32_t first = hn::GetLane(level);
+  if (hn::AllTrue(DI(), hn::Eq(level, whole(first)))) return whole(numbers[static_cast<std::size_t>(first)]);
+  return hn::GatherIndex(DI(), numbers.data(), level);
+}
+
+HWY_INLINE void find_texels(const TextureLevels& texture, I level, const Uv& at, FourTexels& four) {
+  const DI di;
+  const I columns = of_level(texture.columns, level), rows = of_level(texture.rows, level),
+          last = hn::Add(of_level(texture.begin, level), hn::Mul(hn::Sub(rows, whole(1)), columns));
+  const AxisCells x = cells_about(at.base_u, at.u, columns, texture.powers_of_two),
+                  y = cells_about(at.base_v, at.v, rows, texture.powers_of_two);
+  const auto put = [&](int which, I up, I column) {
+    const I texel = hn::Add(hn::Sub(last, hn::Mul(up, columns)), column);
+    hn::Store(hn::Mul(texel, whole(3)), di, four.begin[which]);
+  };
+  put(0, y.first, x.first);
+  put(1, y.first, x.second);
+  put(2, y.second, x.first);
+  put(3, y.second, x.second);
+  hn::Store(x.part, D(), four.right);
+  hn::Store(y.part, D(), four.up);
+}
+
+// A texel and a number more, or with smaller registers a part of it
+using D4 = hn::CappedTag<float, 4>;
+using Texel = hn::Vec<D4>;
+
+HWY_INLINE Texel mixed(Texel a, Texel b, float part) {
+  return hn::Add(a, hn::Mul(hn::Sub(b, a), hn::Set(D4(), part)));
+}
+// The four texels of a lane, from one of their numbers on
+HWY_INLINE Texel mixed_of(const float* texels, const FourTexels& four, std::size_t lane, std::size_t from) {
+  const auto texel = [&](int which) { return hn::LoadU(D4(), texels + four.begin[which][lane] + from); };
+  return mixed(mixed(texel(0), texel(1), four.right[lane]), mixed(texel(2), texel(3), four.right[lane]),
+               four.up[lane]);
+}
+
+// Colours of lanes, found one after the other: a register loads a texel whole
+template <class Find>
+HWY_INLINE Vec3 of_each_lane(const Find& find) {
   const D d;
-  const I columns = hn::GatherIndex(di, texture.columns.data(), level),
-          rows = hn::GatherIndex(di, texture.rows.data(), level),
-          begin = hn::GatherIndex(di, texture.begin.data(), level);
-  // Cells from 0 to count - 1, beyond which the texture comes again
-  struct Axis {
-    I first, second;
-    F part;
-  };
-  const auto axis = [&](F base, F way, I count) {
-    const F size = hn::ConvertTo(d, count), there = hn::Sub(hn::Mul(base, size), set(0.5f)),
-            cell_there = hn::Floor(there);
-    // From here on digits count: texels on from that cell
-    const F on = hn::Add(hn::Sub(there, cell_there), hn::Mul(way, size)), cells_on = hn::Floor(on),
-            cell = hn::Add(cell_there, cells_on);
-    const I rough = hn::ConvertTo(di, hn::Sub(cell, hn::Mul(size, hn::Floor(hn::Div(cell, size)))));
-    // The quotient may have been rounded to the next whole number
-    const I low = hn::IfThenElse(hn::Lt(rough, hn::Zero(di)), hn::Add(rough, count), rough);
-    const I first = hn::IfThenElse(hn::Lt(low, count), low, hn::Sub(low, count)),
-            next = hn::Add(first, whole(1));
-    return Axis{first, hn::IfThenElse(hn::Eq(next, count), hn::Zero(di), next), hn::Sub(on, cells_on)};
-  };
-  const Axis x = axis(at.base_u, at.u, columns), y = axis(at.base_v, at.v, rows);
-  const auto line = [&](I up) {
-    const I row = hn::Sub(hn::Sub(rows, whole(1)), up);
-    return hn::Add(begin, hn::Mul(row, columns));
-  };
-  const auto texel = [&](I row, I column) {
-    const I index = hn::Mul(hn::Add(row, column), whole(3));
-    return Vec3{hn::GatherIndex(d, texture.texels, index),
-                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(1))),
-                hn::GatherIndex(d, texture.texels, hn::Add(index, whole(2)))};
-  };
-  const auto mixed = [](const Vec3& a, const Vec3& b, F part) { return add_scaled(a, minus(b, a), part); };
-  const I below = line(y.first), above = line(y.second);
-  return mixed(mixed(texel(below, x.first), texel(below, x.second), x.part),
-               mixed(texel(above, x.first), texel(above, x.second), x.part), y.part);
+  alignas(64) float texels[4 * block_cells];
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    for (std::size_t from = 0; from < 4; from += hn::Lanes(D4()))
+      hn::Store(find(lane, from), D4(), texels + 4 * lane + from);
+  Vec3 colours;
+  F rest;
+  hn::LoadInterleaved4(d, texels, colours.x, colours.y, colours.z, rest);
+  return colours;
+}
+
+// The mean of the four texels of the first level that lie about (u, v)
+HWY_INLINE Vec3 bilinear(const TextureLevels& texture, const Uv& at) {
+  FourTexels four;
+  find_texels(texture, hn::Zero(DI()), at, four);
+  return of_each_lane(
+      [&](std::size_t lane, std::size_t from) { return mixed_of(texture.texels, four, lane, from); });
 }
 
 // side: the square of the footprint's longer side, in texels
 HWY_INLINE Vec3 mip_mapped(const TextureLevels& texture, F square, const Uv& at) {
   const DI di;
-  const I last = whole(texture.levels - 1);
   // Far too long ones, and what is no number, have the last level
   const F most = set(static_cast<float>(texture.levels - 1));
   const M short_enough = hn::Lt(square, set(0x1p40f));
   const F height = hn::IfThenElse(short_enough, hn::Mul(set(0.5f), log2_of(hn::Max(square, set(1)))), most);
-  const F level = hn::Min(height, most), lower = hn::Floor(level);
-  const I k = hn::ConvertTo(di, lower);
-  const Vec3 finer = bilinear(texture, k, at);
-  const F part = hn::Sub(level, lower);
-  if (hn::AllTrue(D(), hn::Eq(part, zero()))) return finer;
-  const Vec3 coarser = bilinear(texture, hn::Min(hn::Add(k, whole(1)), last), at);
-  return add_scaled(finer, minus(coarser, finer), part);
+  const F level = hn::Min(height, most), lower = hn::Floor(level), part = hn::Sub(level, lower);
+  if (hn::AllTrue(D(), hn::Eq(level, zero()))) return bilinear(texture, at);
+  const I k = hn::ConvertTo(di, lower), next = hn::Min(hn::Add(k, whole(1)), whole(texture.levels - 1));
+  FourTexels finer, coarser;
+  find_texels(texture, k, at, finer);
+  find_texels(texture, next, at, coarser);
+  alignas(64) float parts[block_cells];
+  hn::Store(part, D(), parts);
+  return of_each_lane([&](std::size_t lane, std::size_t from) {
+    return mixed(mixed_of(texture.texels, finer, lane, from), mixed_of(texture.texels, coarser, lane, from),
+                 parts[lane]);
+  });
 }
 
 // --- Colours -------------------------------------------------------------------------------------

@@ -16,14 +16,16 @@ namespace gradus::pipeline {
 /// A texture in linear light, and its levels.
 struct LinearTexture {
   ivec2 size;
-  std::vector<LinearRgb> levels;
+  std::vector<LinearRgb> levels;  ///< and one more texel, so that registers of four numbers can load the last
 
   explicit LinearTexture(const Image& texels)
-      : size(texels.width(), texels.height()), levels(texture_mapping::texels_of_chain(size)) {
+      : size(texels.width(), texels.height()), levels(texture_mapping::texels_of_chain(size) + 1) {
     const auto texel = [&](ivec2 at) { return linear_from_srgb8(texels[at]); };
-    texture_mapping::build_mip_chain(size, texel, std::span(levels));
+    texture_mapping::build_mip_chain(size, texel, std::span(levels).first(levels.size() - 1));
   }
-  texture_mapping::MipChain<LinearRgb> chain() const { return {size, levels}; }
+  texture_mapping::MipChain<LinearRgb> chain() const {
+    return {size, std::span(levels).first(levels.size() - 1)};
+  }
 };
 
 /// Textures that are decoded, by the material that has them.

@@ -91,6 +91,33 @@ inline Material random_material(Random& random) {
   return material;
 }
 
+/// A texture of random texels, half of the time with powers of two of columns and rows.
+inline Image random_texture(Random& random) {
+  const bool powers = random.unit() < 0.5;
+  const auto count = [&] {
+    return static_cast<int>(powers ? 1 << random.uniform_int(0, 6) : random.uniform_int(1, 40));
+  };
+  const auto width = count(), height = count();
+  Image texels(width, height);
+  for (Rgba8& texel : texels.cells()) {
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.uniform_int(0, 255)); };
+    const auto r = byte(), g = byte(), b = byte();
+    texel = {r, g, b, 255};
+  }
+  return texels;
+}
+
+/// Random texture coordinates for each corner, and a texture.
+inline Mesh textured(Mesh mesh, Random& random) {
+  for (Corner& corner : mesh.corners) {
+    corner.texture = static_cast<int>(mesh.textures.size());
+    const double u = random.uniform(-2, 2), v = random.uniform(-2, 2);
+    mesh.textures.push_back({u, v});
+  }
+  mesh.materials[0].diffuse_map.texels = random_texture(random);
+  return mesh;
+}
+
 inline pipeline::Object random_object(Random& random) {
   using namespace affine_3d;
   const auto kind = random.uniform_int(0, 4);

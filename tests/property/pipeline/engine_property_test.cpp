@@ -30,30 +30,6 @@ int differing(const LightPicture& a, const LightPicture& b) {
   return count;
 }
 
-/// A texture of random texels.
-Image random_texture(Random& random) {
-  const auto width = static_cast<int>(random.uniform_int(1, 40)),
-             height = static_cast<int>(random.uniform_int(1, 40));
-  Image texels(width, height);
-  for (Rgba8& texel : texels.cells()) {
-    const auto byte = [&] { return static_cast<std::uint8_t>(random.uniform_int(0, 255)); };
-    const auto r = byte(), g = byte(), b = byte();
-    texel = {r, g, b, 255};
-  }
-  return texels;
-}
-
-/// Random texture coordinates for each corner, and a texture.
-Mesh textured(Mesh mesh, Random& random) {
-  for (Corner& corner : mesh.corners) {
-    corner.texture = static_cast<int>(mesh.textures.size());
-    const double u = random.uniform(-2, 2), v = random.uniform(-2, 2);
-    mesh.textures.push_back({u, v});
-  }
-  mesh.materials[0].diffuse_map.texels = random_texture(random);
-  return mesh;
-}
-
 /// Triangles of sizes from far below a pixel to far beyond the picture, some without area, some twice.
 Mesh loose_triangles(Random& random) {
   Mesh mesh;
@@ -74,8 +50,8 @@ Mesh loose_triangles(Random& random) {
 void add_object(Scene& scene, Random& random) {
   const auto kind = random.uniform_int(0, 3);
   if (kind == 0) scene.objects.push_back(object_of(loose_triangles(random)));
-  if (kind == 1) scene.objects.push_back(object_of(textured(test::cube(), random)));
-  if (kind == 2) scene.objects.push_back(object_of(textured(test::ball(7), random)));
+  if (kind == 1) scene.objects.push_back(object_of(test::textured(test::cube(), random)));
+  if (kind == 2) scene.objects.push_back(object_of(test::textured(test::ball(7), random)));
   if (kind == 3) {
     scene.objects.push_back(scene.objects.front());
     Mesh mesh = *scene.objects.back().mesh;
