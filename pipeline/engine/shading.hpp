@@ -45,16 +45,18 @@ struct ShadingGroup {
   bool spared = false;              ///< by the plan: the highlight
 
   bool shines() const { return specular != glm::vec3(0); }
+  bool has_texture() const { return texture.levels > 0; }
 };
 
 /// Places in a triangle's record.
 namespace record {
 inline constexpr int column = 0, row = 1;  ///< of the pixel that planes count from
 inline constexpr int over_w = 2;           ///< planes have three numbers: there, a column more, a row more
-inline constexpr int values = 5;           ///< six planes: place and normal; or scattered light and highlight
-inline constexpr int texture = 23;         ///< two planes, of what is more than the base
-inline constexpr int base = 29;            ///< texture coordinates of the pixel that planes count from
-inline constexpr int size = 32;            ///< numbers in all
+inline constexpr int values = 5;    ///< six planes: place and normal; or scattered light and highlight,
+                                    ///< without a texture three, of their sum
+inline constexpr int texture = 23;  ///< two planes, of what is more than the base
+inline constexpr int base = 29;     ///< texture coordinates of the pixel that planes count from
+inline constexpr int size = 32;     ///< numbers in all
 }  // namespace record
 
 /// A triangle that is seen, as its pixels ask for it.

@@ -109,12 +109,9 @@ HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& 
     const F mirrored = hn::IfThenElseZero(seen, power(rv, group.shininess, group.whole_power));
     sum.highlight = add_scaled(sum.highlight, set(lamp.intensity), hn::Mul(share, mirrored));
   }
-  const auto times = [](const Vec3& v, const glm::vec3& by) {
-    return Vec3{hn::Mul(v.x, set(by.x)), hn::Mul(v.y, set(by.y)), hn::Mul(v.z, set(by.z))};
-  };
-  const Vec3 scattered = times(sum.scattered, group.diffuse), even = set(group.even);
+  const Vec3 scattered = product(sum.scattered, set(group.diffuse)), even = set(group.even);
   return {{hn::Add(even.x, scattered.x), hn::Add(even.y, scattered.y), hn::Add(even.z, scattered.z)},
-          times(sum.highlight, group.specular),
+          product(sum.highlight, set(group.specular)),
           sum.doubtful};
 }
 
@@ -141,55 +138,76 @@ struct BlendedRecords {
   }
 };
 
+// What is linear on the surfaces that some pixels show
+template <class Records>
+struct Planes {
+  const Records& records;
+  F x, y;  // from the pixel that planes count from
+
+  HWY_INLINE F operator()(int place) const {
+    return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
+  }
+  HWY_INLINE Vec3 three(int place) const {
+    return {operator()(place), operator()(place + 3), operator()(place + 6)};
+  }
+};
+
+// By Phong's model in each pixel
+template <class Records>
+HWY_INLINE Light3 lit_there(const LitCells& lit_cells, const Planes<Records>& plane, F w) {
+  const Vec3 place = scaled(plane.three(record::values), w), normal = plane.three(record::values + 9);
+  const bool parallel = lit_cells.towards != glm::vec3(0);
+  const Vec3 viewer = parallel ? set(lit_cells.towards) : unit(minus(set(glm::vec3(0)), place));
+  const F square = dot(normal, normal);
+  Light3 light = lit(*lit_cells.group, place, scaled(normal, over_length(square)), viewer);
+  // Normals that nearly cancel out lose digits
+  const M short_normal = hn::Lt(hn::Mul(hn::Mul(w, w), square), set(unsure_normal));
+  light.doubtful = hn::Or(light.doubtful, short_normal);
+  return light;
+}
+
+template <class Records>
+HWY_INLINE Vec3 texel_of(const TextureLevels& texture, const Planes<Records>& plane, F w) {
+  const Records& records = plane.records;
+  const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w),
+              records(record::base), records(record::base + 1)};
+  if (texture.levels == 1) return bilinear(texture, at);
+  // How far (u, v) goes from a pixel to the next, in texels
+  const auto square = [&](int step) {
+    const F growth = records(record::over_w + step);
+    const auto along = [&](int place, F coordinate, std::int32_t count) {
+      const F way = hn::Mul(hn::Sub(records(place + step), hn::Mul(growth, coordinate)), w);
+      return hn::Mul(way, set(static_cast<float>(count)));
+    };
+    const F u = along(record::texture, at.u, texture.columns[0]),
+            v = along(record::texture + 3, at.v, texture.rows[0]);
+    return hn::Add(hn::Mul(u, u), hn::Mul(v, v));
+  };
+  return mip_mapped(texture, hn::Max(square(1), square(2)), at);
+}
+
 template <class Records>
 HWY_INLINE Vec3 light_of(const LitCells& lit_cells, const Records& records, F column, F row, M& doubtful) {
-  const F x = hn::Sub(column, records(record::column)), y = hn::Sub(row, records(record::row));
-  const auto plane = [&](int place) {
-    return hn::Add(hn::Add(records(place), hn::Mul(records(place + 1), x)), hn::Mul(records(place + 2), y));
-  };
-  const auto three = [&](int place) { return Vec3{plane(place), plane(place + 3), plane(place + 6)}; };
+  const Planes<Records> plane{records, hn::Sub(column, records(record::column)),
+                              hn::Sub(row, records(record::row))};
   const ShadingGroup& group = *lit_cells.group;
   const F w = hn::Div(set(1), plane(record::over_w));
-  const Vec3 first = scaled(three(record::values), w), second = three(record::values + 9);
-  Light3 light{};
-  light.doubtful = never();
+  doubtful = never();
+  Vec3 scattered, highlight;
   if (lit_cells.per_pixel) {
-    const bool parallel = lit_cells.towards != glm::vec3(0);
-    const Vec3 viewer = parallel ? set(lit_cells.towards) : unit(minus(set(glm::vec3(0)), first));
-    const F square = dot(second, second);
-    light = lit(group, first, scaled(second, over_length(square)), viewer);
-    // Normals that nearly cancel out lose digits
-    const M short_normal = hn::Lt(hn::Mul(hn::Mul(w, w), square), set(unsure_normal));
-    light.doubtful = hn::Or(light.doubtful, short_normal);
+    const Light3 light = lit_there(lit_cells, plane, w);
+    scattered = light.scattered;
+    highlight = light.highlight;
+    doubtful = light.doubtful;
   } else {
-    light = {first, scaled(second, w), never()};
+    scattered = scaled(plane.three(record::values), w);
+    // Without a texture both are one
+    if (!group.has_texture()) return scattered;
+    highlight = scaled(plane.three(record::values + 9), w);
   }
-  if (group.texture.levels > 0) {
-    const Uv at{hn::Mul(plane(record::texture), w), hn::Mul(plane(record::texture + 3), w),
-                records(record::base), records(record::base + 1)};
-    Vec3 texel;
-    if (group.texture.levels == 1) {
-      texel = bilinear(group.texture, at);
-    } else {
-      // How far (u, v) goes from a pixel to the next, in texels
-      const auto square = [&](int step) {
-        const F growth = records(record::over_w + step);
-        const auto along = [&](int place, F coordinate, std::int32_t count) {
-          const F way = hn::Mul(hn::Sub(records(place + step), hn::Mul(growth, coordinate)), w);
-          return hn::Mul(way, set(static_cast<float>(count)));
-        };
-        const F u = along(record::texture, at.u, group.texture.columns[0]),
-                v = along(record::texture + 3, at.v, group.texture.rows[0]);
-        return hn::Add(hn::Mul(u, u), hn::Mul(v, v));
-      };
-      texel = mip_mapped(group.texture, hn::Max(square(1), square(2)), at);
-    }
-    light.scattered = {hn::Mul(light.scattered.x, texel.x), hn::Mul(light.scattered.y, texel.y),
-                       hn::Mul(light.scattered.z, texel.z)};
-  }
-  doubtful = light.doubtful;
-  return {hn::Add(light.scattered.x, light.highlight.x), hn::Add(light.scattered.y, light.highlight.y),
-          hn::Add(light.scattered.z, light.highlight.z)};
+  if (group.has_texture()) scattered = product(scattered, texel_of(group.texture, plane, w));
+  return {hn::Add(scattered.x, highlight.x), hn::Add(scattered.y, highlight.y),
+          hn::Add(scattered.z, highlight.z)};
 }
 
 template <class Records>
@@ -199,28 +217,6 @@ HWY_INLINE I colour_of(const LitCells& lit_cells, const Records& records, F colu
   const auto doubtful = hn::RebindMask(DI(), in_doubt);
   any_doubtful = hn::Or(any_doubtful, doubtful);
   return hn::IfThenZeroElse(doubtful, packed);
-}
-
-bool light_some_cells(const LitCells& lit_cells, const std::int32_t* cells, const std::int32_t* slots,
-                      std::size_t count, std::uint32_t* colours) {
-  const DI di;
-  const D d;
-  const float* const all = lit_cells.records->data();
-  alignas(64) std::int32_t done[hn::MaxLanes(D())];
-  MI doubtful = hn::FirstN(di, 0);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const I cell = hn::LoadU(di, cells + i);
-    // Where the cell stands: see TileBuffer::cell
-    const I block = hn::ShiftRight<4>(cell);
-    const I x = hn::Add(hn::ShiftLeft<2>(hn::And(block, whole(blocks_across - 1))), hn::And(cell, whole(3)));
-    const I y =
-        hn::Add(hn::ShiftLeft<2>(hn::ShiftRight<4>(block)), hn::And(hn::ShiftRight<2>(cell), whole(3)));
-    const OwnRecords records{all, hn::Mul(hn::LoadU(di, slots + i), whole(record::size))};
-    hn::Store(colour_of(lit_cells, records, hn::ConvertTo(d, x), hn::ConvertTo(d, y), doubtful), di, done);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      colours[cells[i + k]] = static_cast<std::uint32_t>(done[k]);
-  }
-  return !hn::AllFalse(di, doubtful);
 }
 
 alignas(64) constexpr float cell_columns[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
@@ -244,17 +240,17 @@ HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, s
 }
 
 bool light_some_blocks(const LitCells& lit_cells, const LitBlock* blocks, std::size_t count,
-                       const std::int32_t* slots_of_cells, std::uint32_t* colours) {
+                       const std::int32_t* ids_of_cells, std::uint32_t* colours) {
   const DI di;
   MI doubtful = hn::FirstN(di, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& [block, slots] = blocks[i];
+    const auto& [block, triangles, slots, ids] = blocks[i];
     const auto record = [&](std::size_t which) { return lit_cells.records[slots[which]].data(); };
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
-      const I cell_slots = hn::Load(di, slots_of_cells + static_cast<std::size_t>(block * block_cells) + k);
-      const auto of = [&](std::size_t which) { return hn::Eq(cell_slots, whole(slots[which])); };
+      const I cell_ids = hn::Load(di, ids_of_cells + static_cast<std::size_t>(block * block_cells) + k);
+      const auto of = [&](std::size_t which) { return hn::Eq(cell_ids, whole(ids[which])); };
       const MI first = of(0);
-      if (slots[1] == slots[0]) {
+      if (triangles == 1) {
         if (hn::AllFalse(di, first)) continue;
         light_block(lit_cells, OneRecord{record(0)}, block, k, first, colours, doubtful);
         continue;
@@ -268,6 +264,32 @@ bool light_some_blocks(const LitCells& lit_cells, const LitBlock* blocks, std::s
     }
   }
   return !hn::AllFalse(di, doubtful);
+}
+
+// The cells of a block that show a triangle, a bit each
+HWY_INLINE std::uint32_t cells_with(const std::int32_t* ids, std::int32_t id) {
+  const DI di;
+  std::uint32_t cells = 0;
+  for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(di, hn::Eq(hn::Load(di, ids + k), whole(id)), bits);
+    cells |= static_cast<std::uint32_t>(bits[0] | bits[1] << 8) << k;
+  }
+  return cells;
+}
+
+std::size_t list_some_shown(const std::int32_t* ids, ShownInBlock* shown) {
+  std::size_t count = 0;
+  for (std::int32_t block = 0; block < blocks_across * blocks_across; ++block, ids += block_cells) {
+    std::uint32_t left = 0xffff ^ cells_with(ids, no_triangle);
+    while (left != 0) {
+      const std::int32_t id = ids[std::countr_zero(left)];
+      const std::uint32_t cells = cells_with(ids, id);
+      shown[count++] = {block, id, std::popcount(cells)};
+      left ^= cells;
+    }
+  }
+  return count;
 }
 
 void light_some_places(const LitCells& lit_cells, const LitPlaces& places) {
@@ -321,20 +343,20 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gradus::pipeline::engine {
-HWY_EXPORT(light_some_cells);
+HWY_EXPORT(list_some_shown);
 HWY_EXPORT(light_some_blocks);
 HWY_EXPORT(light_some_corners);
 HWY_EXPORT(light_some_places);
 HWY_EXPORT(pack_some);
 
-bool light_cells(const LitCells& lit, std::span<const std::int32_t> cells,
-                 std::span<const std::int32_t> slots, std::uint32_t* colours) {
-  return HWY_DYNAMIC_DISPATCH(light_some_cells)(lit, cells.data(), slots.data(), cells.size(), colours);
+std::size_t list_shown(const TileBuffer& buffer, std::span<ShownInBlock, TileBuffer::cells> shown) {
+  return HWY_DYNAMIC_DISPATCH(list_some_shown)(buffer.ids.data(), shown.data());
 }
 
-bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const std::int32_t* slots_of_cells,
+bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const TileBuffer& buffer,
                   std::uint32_t* colours) {
-  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), slots_of_cells, colours);
+  return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), buffer.ids.data(),
+                                                 colours);
 }
 
 void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {

@@ -40,6 +40,9 @@ HWY_INLINE F dot(const Vec3& a, const Vec3& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 HWY_INLINE Vec3 scaled(const Vec3& v, F by) { return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)}; }
+HWY_INLINE Vec3 product(const Vec3& a, const Vec3& b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
 HWY_INLINE Vec3 minus(const Vec3& a, const Vec3& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }

@@ -126,7 +126,7 @@ std::int64_t TileShader::mix(const Window& pixels, const SampleBuffer& buffer, s
   const std::int64_t covered = find_fragments(pixels, buffer, places);
   if (covered > 0) {
     describe_all(pixels, true);
-    light_whole_pixels(pixels.lower);
+    light_whole_pixels(whole_, pixels.lower);
     light_fragments(pixels.lower);
     mix_fragments(places.size());
   }

@@ -8,13 +8,8 @@
 namespace gradus::pipeline::engine {
 namespace {
 
-/// Lists of pixels end with some of their last one, to fill registers.
+/// Lists of corners end with some more, to fill registers.
 constexpr std::size_t full = block_cells;
-
-template <class T>
-void fill_up(std::vector<T>& list) {
-  while (list.size() % full != 0) list.push_back(list.back());
-}
 
 /// A number of few binary digits from 0 to 1, at or below the part of x behind the point.
 double rounded_part(double x, std::int32_t texels) {
@@ -28,13 +23,25 @@ TileShader::TileShader(const FrameShading& shading)
     : shading_(shading),
       surfaces_(shading.scene(), shading.buffers(), shading.plan(), shading.frame()),
       background_(packed(shading.scene().background)),
-      table_(2 * TileBuffer::cells, -1),
+      table_(256, -1),
       share_of_group_(shading.groups().size(), -1) {}
 
 void TileShader::Share::clear() {
-  for (auto* list : {&cells, &cell_slots, &slots}) list->clear();
+  slots.clear();
   blocks.clear();
   pixels = 0;
+}
+
+/// Blocks come one after the other.
+void TileShader::Share::add(std::int32_t block, std::int32_t slot, std::int32_t id) {
+  if (blocks.empty() || blocks.back().block != block || blocks.back().triangles == 3) {
+    blocks.push_back({block, 1, {slot, slot, slot}, {id, id, id}});
+    return;
+  }
+  LitBlock& last = blocks.back();
+  const auto next = static_cast<std::size_t>(last.triangles++);
+  last.slots[next] = slot;
+  last.ids[next] = id;
 }
 
 /// The place of a triangle among those that are seen.
@@ -151,24 +158,42 @@ void TileShader::light_corners_of(Share& share, const ShadingGroup& group) {
     const auto slot = static_cast<std::size_t>(share.slots[i]);
     const float* const doubts = &light_[6 * count + 3 * i];
     seen_[slot].careful |= doubts[0] + doubts[1] + doubts[2] > 0;
+    std::array<dvec3, 6> parts;
     for (std::size_t value = 0; value < 6; ++value) {
-      const float* const at = &light_[value * count + 3 * i];
-      makers_[slot].put(corners_[slot].over_w * dvec3{at[0], at[1], at[2]},
-                        &records_[slot][record::values + 3 * value]);
+      const auto at = [&](std::size_t corner) { return double{light_[value * count + 3 * i + corner]}; };
+      parts[value] = {at(0), at(1), at(2)};
     }
+    put_light(slot, group, parts);
+  }
+}
+
+/// Writes planes of light. parts: three colours of scattered light, then of highlights, at the corners.
+void TileShader::put_light(std::size_t slot, const ShadingGroup& group, const std::array<dvec3, 6>& parts) {
+  const dvec3& q = corners_[slot].over_w;
+  const auto put = [&](std::size_t value, const dvec3& light) {
+    makers_[slot].put(q * light, &records_[slot][record::values + 3 * value]);
+  };
+  for (std::size_t colour = 0; colour < 3; ++colour) {
+    if (!group.has_texture()) {
+      put(colour, parts[colour] + parts[colour + 3]);
+      continue;
+    }
+    put(colour, parts[colour]);
+    put(colour + 3, parts[colour + 3]);
   }
 }
 
 /// Flat: light of whole faces.
 void TileShader::put_light_of_faces() {
   for (std::size_t slot = 0; slot < seen_.size(); ++slot) {
-    const Parts parts = surfaces_.of_face(seen_[slot].id);
-    const dvec3 scattered = parts.ambient + parts.diffuse;
+    const Parts light = surfaces_.of_face(seen_[slot].id);
+    const dvec3 scattered = light.ambient + light.diffuse;
+    std::array<dvec3, 6> parts;
     for (int axis = 0; axis < 3; ++axis) {
-      float* const into = &records_[slot][static_cast<std::size_t>(record::values + 3 * axis)];
-      makers_[slot].put(corners_[slot].over_w * scattered[axis], into);
-      makers_[slot].put(corners_[slot].over_w * parts.specular[axis], into + 9);
+      parts[static_cast<std::size_t>(axis)] = dvec3(scattered[axis]);
+      parts[static_cast<std::size_t>(axis + 3)] = dvec3(double{light.specular[axis]});
     }
+    put_light(slot, shading_.groups()[static_cast<std::size_t>(seen_[slot].group)], parts);
   }
 }
 
@@ -178,93 +203,45 @@ void TileShader::light_all_corners() {
 }
 
 /// Adds to the pixels that are done with care those that batches left in doubt.
-void TileShader::take_doubtful() {
-  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell) {
-    if (slots_[cell] < 0 || colours_[cell] != 0) continue;
-    careful_cells_.push_back(static_cast<std::int32_t>(cell));
-    careful_slots_.push_back(slots_[cell]);
-  }
+void TileShader::take_doubtful(const TileBuffer& buffer) {
+  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell)
+    if (buffer.ids[cell] != no_triangle && colours_[cell] == 0) careful_cells_.push_back(cell);
 }
 
 /// By the textbook's arithmetic.
-void TileShader::colour_carefully(ivec2 origin) {
-  for (std::size_t i = 0; i < careful_cells_.size(); ++i) {
-    const std::int32_t cell = careful_cells_[i], block = cell / block_cells, in_block = cell % block_cells;
-    const ivec2 at{block % blocks_across * block_side + in_block % block_side,
-                   block / blocks_across * block_side + in_block / block_side};
-    const std::int32_t id = seen_[static_cast<std::size_t>(careful_slots_[i])].id;
-    colours_[static_cast<std::size_t>(cell)] = packed(surfaces_.colour(id, origin + at));
-  }
+void TileShader::colour_carefully(const TileBuffer& buffer, ivec2 origin) {
+  for (const std::size_t cell : careful_cells_)
+    colours_[cell] = packed(surfaces_.colour(buffer.ids[cell], origin + TileBuffer::place(cell)));
 }
 
-/// The different slots of a block, and how many they are, if at most so many; else 0.
-template <std::size_t most>
-std::size_t different(std::span<const std::int32_t> slots, std::array<std::int32_t, most>& found) {
-  std::size_t count = 0;
-  for (const std::int32_t slot : slots) {
-    if (slot < 0 || std::ranges::find(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
-                                      slot) != found.begin() + static_cast<std::ptrdiff_t>(count))
-      continue;
-    if (count == most) return 0;
-    found[count++] = slot;
-  }
-  return count;
-}
-
-/// Sorts pixels by their groups; blocks that show few triangles apart.
-void TileShader::sort() {
+/// Sorts what blocks show by groups.
+void TileShader::sort(const TileBuffer& buffer) {
   careful_cells_.clear();
-  careful_slots_.clear();
-  for (const auto& [block, slot] : blocks_of_one_) add_block(block, slot);
-  for (const std::int32_t block : mixed_blocks_) {
-    const auto own = std::span(slots_).subspan(static_cast<std::size_t>(block) * full, full);
-    std::array<std::int32_t, 3> slots;
-    if (const std::size_t few = different(own, slots); few > 0) {
-      add_mixed_block(block, std::span(slots).first(few));
+  for (std::size_t i = 0; i < in_blocks_count_; ++i) {
+    const Seen& seen = seen_[static_cast<std::size_t>(slots_[i])];
+    const ShownInBlock& shown = in_blocks_[i];
+    Share& share = share_of(seen.group);
+    if (!seen.careful) {
+      share.add(shown.block, slots_[i], seen.id);
       continue;
     }
-    for (std::size_t i = 0; i < full; ++i)
-      if (own[i] >= 0) add_cell(block * block_cells + static_cast<std::int32_t>(i), own[i]);
+    leave_to_care(shown, buffer);
+    share.pixels -= shown.cells;  // the textbook's arithmetic counts its own
   }
 }
 
-/// A block that shows up to three triangles.
-void TileShader::add_mixed_block(std::int32_t block, std::span<const std::int32_t> slots) {
-  const auto seen = [&](std::int32_t slot) -> const Seen& { return seen_[static_cast<std::size_t>(slot)]; };
-  const bool alike = std::ranges::all_of(slots, [&](std::int32_t slot) {
-    return !seen(slot).careful && seen(slot).group == seen(slots.front()).group;
-  });
-  if (alike)
-    share_of(seen(slots.front()).group)
-        .blocks.push_back({block, {slots.front(), slots[slots.size() > 1 ? 1 : 0], slots.back()}});
-  else
-    for (const std::int32_t slot : slots) add_block(block, slot);
-}
-
-void TileShader::add_cell(std::int32_t cell, std::int32_t slot) {
-  const Seen& seen = seen_[static_cast<std::size_t>(slot)];
-  Share& share = share_of(seen.group);
-  share.pixels -= seen.careful;  // the textbook's arithmetic counts its own
-  (seen.careful ? careful_cells_ : share.cells).push_back(cell);
-  (seen.careful ? careful_slots_ : share.cell_slots).push_back(slot);
-}
-
-void TileShader::add_block(std::int32_t block, std::int32_t slot) {
-  const Seen& seen = seen_[static_cast<std::size_t>(slot)];
-  if (!seen.careful) {
-    share_of(seen.group).blocks.push_back({block, {slot, slot, slot}});
-    return;
-  }
-  const std::int32_t first = block * block_cells;
-  for (std::int32_t cell = first; cell < first + block_cells; ++cell)
-    if (slots_[static_cast<std::size_t>(cell)] == slot) add_cell(cell, slot);
+/// Single precision would not do for a triangle in a block.
+void TileShader::leave_to_care(const ShownInBlock& shown, const TileBuffer& buffer) {
+  const std::size_t first = static_cast<std::size_t>(shown.block) * full;
+  for (std::size_t cell = first; cell < first + full; ++cell)
+    if (buffer.ids[cell] == shown.id) careful_cells_.push_back(cell);
 }
 
 /// Counts what lights the pixels of a group. Flat light is counted where it is made.
 void TileShader::count_light(const Share& share, const ShadingGroup& group) {
   const std::int64_t pixels = share.pixels;
   count_.places += pixels;
-  count_.places_without_texture += group.texture.levels == 0 ? pixels : 0;
+  count_.places_without_texture += group.has_texture() ? 0 : pixels;
   const Shading how = shading_.scene().shading;
   if (how == Shading::flat) return;
   const std::int64_t lit = how == Shading::phong ? pixels : 3 * std::ssize(share.slots),
@@ -283,13 +260,15 @@ ShadingCount TileShader::count() const {
 /// Copies the pixels of the tile from their cells.
 void TileShader::write(const Window& pixels, Image& image) const {
   const ivec2 corner = pixels.lower - shading_.plan().window.lower;
-  const auto width = static_cast<int>(pixels.width()), whole = width / block_side * block_side;
+  const auto width = static_cast<std::size_t>(pixels.width());
+  constexpr std::size_t side = block_side;
   for (int y = 0; y < pixels.height(); ++y) {
     Rgba8* const row = image.row(corner.y + y).data() + corner.x;
-    for (int x = 0; x < whole; x += block_side)
-      std::memcpy(static_cast<void*>(row + x), &colours_[TileBuffer::cell({x, y})],
-                  block_side * sizeof(Rgba8));
-    for (int x = whole; x < width; ++x) row[x] = std::bit_cast<Rgba8>(colours_[TileBuffer::cell({x, y})]);
+    const std::uint32_t* from = &colours_[TileBuffer::cell({0, y})];
+    std::size_t x = 0;
+    for (; x + side <= width; x += side, from += full)
+      std::memcpy(static_cast<void*>(row + x), from, side * sizeof(Rgba8));
+    std::memcpy(static_cast<void*>(row + x), from, (width - x) * sizeof(Rgba8));
   }
 }
 
@@ -299,36 +278,18 @@ void TileShader::clear(const Window& pixels, Image& image) const {
     std::fill_n(image.row(corner.y + y).data() + corner.x, pixels.width(), std::bit_cast<Rgba8>(background_));
 }
 
-/// Numbers the triangles that are seen, and tells which blocks show one alone. Returns the pixels that show
-/// some.
+/// Numbers the triangles that are seen. Returns the pixels that show some.
 std::int64_t TileShader::find_seen(const TileBuffer& buffer) {
-  blocks_of_one_.clear();
-  mixed_blocks_.clear();
+  in_blocks_count_ = list_shown(buffer, in_blocks_);
   std::int64_t covered = 0;
-  std::int32_t last_id = no_triangle, last_slot = -1;
-  const auto see = [&](std::int32_t id, std::int64_t pixels) {
-    if (id != last_id) last_id = id, last_slot = id == no_triangle ? -1 : slot_of(id);
-    if (last_slot < 0) return;
-    covered += pixels;
-    seen_[static_cast<std::size_t>(last_slot)].pixels += static_cast<std::int32_t>(pixels);
-  };
-  constexpr auto blocks = static_cast<std::int32_t>(TileBuffer::cells / full);
-  for (std::int32_t block = 0; block < blocks; ++block) {
-    const auto first = static_cast<std::size_t>(block) * full;
-    const std::int32_t* const ids = &buffer.ids[first];
-    std::int32_t differ = 0;
-    for (std::size_t i = 1; i < full; ++i) differ |= ids[i] ^ ids[0];
-    if (differ == 0) {
-      see(ids[0], full);
-      std::fill_n(&slots_[first], full, last_slot);
-      if (last_slot >= 0) blocks_of_one_.emplace_back(block, last_slot);
-      continue;
-    }
-    mixed_blocks_.push_back(block);
-    for (std::size_t i = 0; i < full; ++i) {
-      see(ids[i], 1);
-      slots_[first + i] = last_slot;
-    }
+  std::int32_t last_id = no_triangle, slot = -1;
+  for (std::size_t i = 0; i < in_blocks_count_; ++i) {
+    const ShownInBlock& shown = in_blocks_[i];
+    if (shown.id != last_id) slot = slot_of(shown.id);
+    last_id = shown.id;
+    slots_[i] = slot;
+    seen_[static_cast<std::size_t>(slot)].pixels += shown.cells;
+    covered += shown.cells;
   }
   return covered;
 }
@@ -343,22 +304,19 @@ void TileShader::begin() {
 }
 
 /// Colours the pixels that show one triangle alone.
-void TileShader::light_whole_pixels(ivec2 origin) {
-  sort();
+void TileShader::light_whole_pixels(const TileBuffer& buffer, ivec2 origin) {
+  sort(buffer);
   bool some_in_doubt = false;
   for (const std::int32_t number : groups_here_) {
     const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
-    Share& share = share_of(number);
+    const Share& share = share_of(number);
     count_light(share, group);
     const LitCells lit{&group, records_.data(), shading_.scene().shading == Shading::phong,
                        shading_.towards()};
-    some_in_doubt |= light_blocks(lit, share.blocks, slots_.data(), colours_.data());
-    fill_up(share.cells);
-    fill_up(share.cell_slots);
-    some_in_doubt |= light_cells(lit, share.cells, share.cell_slots, colours_.data());
+    some_in_doubt |= light_blocks(lit, share.blocks, buffer, colours_.data());
   }
-  if (some_in_doubt) take_doubtful();
-  colour_carefully(origin);
+  if (some_in_doubt) take_doubtful(buffer);
+  colour_carefully(buffer, origin);
 }
 
 std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, Image& image) {
@@ -366,7 +324,7 @@ std::int64_t TileShader::colour(const Window& pixels, const TileBuffer& buffer, 
   const std::int64_t covered = find_seen(buffer);
   if (covered > 0) {
     describe_all(pixels, false);
-    light_whole_pixels(pixels.lower);
+    light_whole_pixels(buffer, pixels.lower);
   }
   write(pixels, image);
   return covered;

@@ -1,6 +1,7 @@
 #pragma once
 // The colours of a tile: its pixels sorted by what lights them alike, and lit sixteen at once.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -21,8 +22,8 @@ class TileShader {
 
   /// Writes the pixels of a tile. buffer: from find_nearest. image: that of the plan's window.
   /// Returns how many show a triangle.
-  /// Accuracy: as light_cells. Cost: a record a triangle that is seen in the tile, 0.2 microseconds, and
-  ///   light_cells or light_blocks; a triangle whose texture repeats very often has the textbook's
+  /// Accuracy: as light_blocks. Cost: a record a triangle that is seen in the tile, 0.2 microseconds, and
+  ///   light_blocks; a triangle whose texture repeats very often has the textbook's
   ///   arithmetic.
   std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
   /// The same of what the samples of each pixel show. buffer: from find_samples, with these places,
@@ -43,13 +44,14 @@ class TileShader {
     std::int32_t pixels;  ///< that show it
     bool careful;         ///< single precision would not do
   };
-  /// Pixels of a group, as light_cells and light_blocks take them.
+  /// What is seen of a group, as light_blocks takes it.
   struct Share {
-    std::vector<std::int32_t> cells, cell_slots, slots;
+    std::vector<std::int32_t> slots;
     std::vector<LitBlock> blocks;
     std::int64_t pixels = 0;
 
     void clear();
+    void add(std::int32_t block, std::int32_t slot, std::int32_t id);
   };
 
   /// A triangle in a pixel that shows several, or not one alone.
@@ -66,7 +68,7 @@ class TileShader {
   void mix_fragments(std::size_t samples);
   void begin();
   void describe_all(const Window& box, bool squares);
-  void light_whole_pixels(ivec2 origin);
+  void light_whole_pixels(const TileBuffer& buffer, ivec2 origin);
   void grow_table();
   std::int32_t slot_of(std::int32_t id);
   std::int64_t find_seen(const TileBuffer& buffer);
@@ -79,12 +81,11 @@ class TileShader {
   void light_all_corners();
   void light_corners_of(Share& share, const ShadingGroup& group);
   void put_light_of_faces();
-  void sort();
-  void add_cell(std::int32_t cell, std::int32_t slot);
-  void add_mixed_block(std::int32_t block, std::span<const std::int32_t> slots);
-  void add_block(std::int32_t block, std::int32_t slot);
-  void take_doubtful();
-  void colour_carefully(ivec2 origin);
+  void put_light(std::size_t slot, const ShadingGroup& group, const std::array<dvec3, 6>& parts);
+  void sort(const TileBuffer& buffer);
+  void leave_to_care(const ShownInBlock& shown, const TileBuffer& buffer);
+  void take_doubtful(const TileBuffer& buffer);
+  void colour_carefully(const TileBuffer& buffer, ivec2 origin);
   void count_light(const Share& share, const ShadingGroup& group);
   void write(const Window& pixels, Image& image) const;
 
@@ -100,10 +101,11 @@ class TileShader {
   std::vector<std::int32_t> share_of_group_;
   std::vector<Share> shares_;
   std::vector<std::int32_t> groups_here_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> blocks_of_one_;  ///< and their slots
-  std::vector<std::int32_t> mixed_blocks_;
-  std::vector<std::int32_t> careful_cells_, careful_slots_;
+  std::vector<std::size_t> careful_cells_;
   std::vector<float> places_, normals_, light_;
+  std::array<ShownInBlock, TileBuffer::cells> in_blocks_;
+  std::array<std::int32_t, TileBuffer::cells> slots_;  ///< of the same
+  std::size_t in_blocks_count_ = 0;
   std::vector<ShownTriangle> shown_;
   std::vector<std::pair<std::int32_t, Fragment>> found_;  ///< with their triangles
   std::vector<Fragment> fragments_;                       ///< those of a pixel beside one another
@@ -114,7 +116,6 @@ class TileShader {
   std::vector<std::size_t> mixed_cells_;
   std::vector<std::uint32_t> packed_;
   TileBuffer whole_;  ///< of the pixels that show one triangle alone
-  alignas(64) std::array<std::int32_t, TileBuffer::cells> slots_;
   alignas(64) std::array<std::uint32_t, TileBuffer::cells> colours_;
 };
 
