@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/mip_maps.hpp"
 #include "stages/1_input.hpp"
 
 namespace gradus::pipeline::engine {
@@ -46,7 +47,9 @@ Buffers buffers_of(const Scene& scene) {
     auto& pieces = known[object.mesh.get()];
     if (!pieces) {
       pieces = std::make_shared<const MeshPieces>(pieces_of(*object.mesh));
-      for (const Material& material : object.mesh->materials) add_texture(buffers.textures, material);
+      for (const Material& material : object.mesh->materials)
+        if (const Image& texels = material.diffuse_map.texels; !texels.cells().empty())
+          buffers.textures.emplace(&material, linear_texture(texels));
     }
     buffers.pieces.push_back(pieces);
   }

@@ -53,17 +53,18 @@ int whole_power_of(float shininess) {
 }
 
 TextureLevels levels_of(const LinearTexture& texture, TextureFilter filter) {
+  const ivec2 size = texture.size();
   TextureLevels levels;
-  levels.texels = &texture.levels.front().x;
-  levels.levels = filter == TextureFilter::mip_mapped ? texture_mapping::levels_of(texture.size) : 1;
+  levels.texels = &texture.texels().front().x;
+  levels.levels = filter == TextureFilter::mip_mapped ? texture_mapping::levels_of(size) : 1;
   const auto power_of_two = [](int count) { return std::has_single_bit(static_cast<unsigned>(count)); };
-  levels.powers_of_two = power_of_two(texture.size.x) && power_of_two(texture.size.y);
+  levels.powers_of_two = power_of_two(size.x) && power_of_two(size.y);
   for (int k = 0; k < levels.levels; ++k) {
-    const ivec2 size = texture_mapping::size_of_level(texture.size, k);
+    const ivec2 of_level = texture_mapping::size_of_level(size, k);
     const auto at = static_cast<std::size_t>(k);
-    levels.begin[at] = static_cast<std::int32_t>(texture_mapping::begin_of_level(texture.size, k));
-    levels.columns[at] = size.x;
-    levels.rows[at] = size.y;
+    levels.begin[at] = static_cast<std::int32_t>(texture_mapping::begin_of_level(size, k));
+    levels.columns[at] = of_level.x;
+    levels.rows[at] = of_level.y;
   }
   return levels;
 }

@@ -1,9 +1,11 @@
 #pragma once
 // What stage 7 asks the textures of a scene for: the colour that a fragment's surface has there.
 
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "core/colour.hpp"
 #include "scene/scene.hpp"
@@ -14,18 +16,30 @@
 namespace gradus::pipeline {
 
 /// A texture in linear light, and its levels.
-struct LinearTexture {
-  ivec2 size;
-  std::vector<LinearRgb> levels;  ///< and one more texel, so that registers of four numbers can load the last
+class LinearTexture {
+ public:
+  /// Its texels are to be written.
+  explicit LinearTexture(ivec2 size)
+      : size_(size),
+        count_(texture_mapping::texels_of_chain(size)),
+        texels_(std::make_unique_for_overwrite<LinearRgb[]>(count_ + 1)) {
+    texels_[count_] = LinearRgb{0};
+  }
+  explicit LinearTexture(const Image& image) : LinearTexture(ivec2{image.width(), image.height()}) {
+    const auto texel = [&](ivec2 at) { return linear_from_srgb8(image[at]); };
+    texture_mapping::build_mip_chain(size_, texel, texels());
+  }
 
-  explicit LinearTexture(const Image& texels)
-      : size(texels.width(), texels.height()), levels(texture_mapping::texels_of_chain(size) + 1) {
-    const auto texel = [&](ivec2 at) { return linear_from_srgb8(texels[at]); };
-    texture_mapping::build_mip_chain(size, texel, std::span(levels).first(levels.size() - 1));
-  }
-  texture_mapping::MipChain<LinearRgb> chain() const {
-    return {size, std::span(levels).first(levels.size() - 1)};
-  }
+  ivec2 size() const { return size_; }
+  /// Those of all levels. After them is one more, so that registers of four numbers can load the last.
+  std::span<LinearRgb> texels() { return {texels_.get(), count_}; }
+  std::span<const LinearRgb> texels() const { return {texels_.get(), count_}; }
+  texture_mapping::MipChain<LinearRgb> chain() const { return {size_, texels()}; }
+
+ private:
+  ivec2 size_;
+  std::size_t count_;
+  std::unique_ptr<LinearRgb[]> texels_;
 };
 
 /// Textures that are decoded, by the material that has them.
@@ -50,7 +64,7 @@ class Textures {
     const LinearTexture* texture = texture_of(material);
     if (!texture) return std::nullopt;
     const auto chain = texture->chain();
-    const texture_mapping::Extent extent{texture->size};
+    const texture_mapping::Extent extent{texture->size()};
     if (filter_ == TextureFilter::nearest) return nearest(uv, extent, chain.level(0));
     if (filter_ == TextureFilter::bilinear) return bilinear(uv, extent, chain.level(0));
     return mip_mapped(uv, footprint(f, t, uv), chain);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "core/colour.hpp"
 #include "engine/engine.hpp"
 #include "engine/geometry.hpp"
+#include "engine/mip_maps.hpp"
 #include "engine/pieces_batch.hpp"
 #include "engine/shading_batch.hpp"
 #include "engine/tiles.hpp"
@@ -199,6 +201,32 @@ TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
         expect_nearest(frame, tile, grid.tile(tile), *buffer);
       }
     });
+  }
+}
+
+// --- Textures ------------------------------------------------------------------------------------
+
+TEST(EngineBatches, MakeMipMapsAsTheTextbookDoes) {
+  Random random(test::seed());
+  for (int round = 0; round < 60; ++round) {
+    // Also such as several threads share
+    Image texels = test::random_texture(random);
+    if (round % 10 == 0) {
+      const auto columns = static_cast<int>(random.uniform_int(200, 600)), rows = round % 20 == 0 ? 256 : 301;
+      texels = Image(round % 20 == 0 ? 512 : columns, rows);
+      for (Rgba8& texel : texels.cells()) {
+        const auto value = static_cast<std::uint8_t>(random.uniform_int(0, 255));
+        texel = {value, static_cast<std::uint8_t>(255 - value), static_cast<std::uint8_t>(value / 3), 255};
+      }
+    }
+    const LinearTexture texture = linear_texture(texels), expected(texels);
+    ASSERT_EQ(texture.size(), expected.size());
+    ASSERT_TRUE(std::ranges::equal(texture.texels(), expected.texels(),
+                                   [](const auto& a, const auto& b) {
+                                     return std::bit_cast<std::array<std::uint32_t, 3>>(a) ==
+                                            std::bit_cast<std::array<std::uint32_t, 3>>(b);
+                                   }))
+        << texels.width() << " x " << texels.height();
   }
 }
 
