@@ -106,11 +106,34 @@ struct Cast {
   return cast;
 }
 
+/// By how much the nearness changes from pixel to pixel, at most.
+inline double slope_of(const NearnessPlane& plane) { return std::abs(plane.right) + std::abs(plane.down); }
+
+/// How near a triangle is at least in the pixels of its box. depth: of its corners.
+inline double least_nearness(const Cast& cast, const dvec3& depth) {
+  const auto& [at, right, down] = cast.plane;
+  const double in_box = at + std::min(right * cast.box.lower.x, right * cast.box.upper.x) +
+                        std::min(down * cast.box.lower.y, down * cast.box.upper.y);
+  return std::max(in_box, 1 - std::max(std::max(depth.x, depth.y), depth.z));
+}
+
 /// Whether single precision stays within the shares above.
-[[gnu::always_inline]] inline bool is_flat_enough(const NearnessPlane& plane, const dvec3& depth) {
-  const double slope = std::abs(plane.right) + std::abs(plane.down);
-  const double least_nearness = 1 - std::max(std::max(depth.x, depth.y), depth.z);
-  return slope <= std::max(least_nearness / 2, 0x1p-9);
+inline bool is_flat_enough(const Cast& cast, const dvec3& depth) {
+  return slope_of(cast.plane) <= std::max(least_nearness(cast, depth) / 2, 0x1p-9);
+}
+
+/// Whether a side that crosses the box is too long for blocks: for 32 bits in a block, or, where it is longer
+/// than 2^15 pixels and the triangle less than a pixel wide, for planes in double precision.
+inline bool is_too_long(const Cast& cast, const Side& side) {
+  const std::int64_t longest = std::max(std::abs(side.a), std::abs(side.b));
+  const std::int64_t area = cast.origin[0] + cast.origin[1] + cast.origin[2];
+  return longest >= 1 << 27 || (longest >= 1 << 23 && area < longest * triangle_coverage::subpixels);
+}
+
+/// A side in the first pixel of a block, so far that 32 bits hold what its other pixels add: the signs stay.
+inline std::int32_t at_block(const Side& side, ivec2 first) {
+  constexpr std::int64_t far = 1 << 30;
+  return static_cast<std::int32_t>(std::clamp(side.at + side.a * first.x + side.b * first.y, -far, far));
 }
 
 }  // namespace gradus::pipeline::engine

@@ -67,7 +67,7 @@ class Sampling {
       else
         long_sides |= 2 * half >= 1 << 23;
     }
-    if (!is_flat_enough(cast.plane, t.depth) || long_sides)
+    if (!is_flat_enough(cast, t.depth) || long_sides)
       draw_exactly(t, cast, id);
     else
       draw_blocks(cast, id);

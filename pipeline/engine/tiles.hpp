@@ -2,7 +2,9 @@
 // The picture in tiles, and which triangles may touch which of them.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/geometry.hpp"
@@ -69,6 +71,23 @@ void visit_tile(const Frame& frame, int tile, const Visit& visit) {
       visit(base + batch.in_tile[static_cast<std::size_t>(i)]);
     base += static_cast<std::int32_t>(batch_triangles);
   }
+}
+
+/// The same, up to so many at once: visit(ids). While some are visited, memory brings the next.
+template <std::size_t most, class Visit>
+void visit_tile_in_parts(const Frame& frame, int tile, const Visit& visit) {
+  std::array<std::int32_t, 2 * most> ids;
+  const std::span<const std::int32_t> all(ids);
+  std::size_t count = 0;
+  visit_tile(frame, tile, [&](std::int32_t id) {
+    __builtin_prefetch(&frame.triangle(id));
+    ids[count++] = id;
+    if (count < 2 * most) return;
+    visit(all.first(most));
+    std::copy(ids.begin() + most, ids.end(), ids.begin());
+    count = most;
+  });
+  for (std::size_t i = 0; i < count; i += most) visit(all.subspan(i, std::min(most, count - i)));
 }
 
 }  // namespace gradus::pipeline::engine

@@ -10,14 +10,16 @@
 // After it
 #include <hwy/highway.h>
 
+#include "engine/blocks-inl.hpp"
 #include "engine/casts.hpp"
+#include "engine/small_casts-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Whole = hn::CappedTag<std::int32_t, block_cells>;
-using Single = hn::RebindToFloat<Whole>;
+/// Boxes of so many pixels between two looks at what is farthest.
+constexpr int look_after = 256, look_closely_after = 8192;
 
 class Visibility {
  public:
@@ -29,13 +31,134 @@ class Visibility {
     for (int y = 0; y < tile_side; ++y)
       for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
         buffer.nearness[TileBuffer::cell({x, y})] = 2;
+    find_far();
   }
 
-  void draw(std::int32_t id) {
+  /// Draws up to casts_at_once triangles.
+  void draw(std::span<const std::int32_t> ids) {
+    SmallCasts casts;
+    const CastKinds kinds = cast_some(frame_, ids, pixels_, farthest_, casts);
+    for_each_bit(kinds.small, [&](int i) {
+      draw_small(casts, static_cast<std::size_t>(i), ids[static_cast<std::size_t>(i)]);
+    });
+    for_each_bit(kinds.others, [&](int i) { draw_large(ids[static_cast<std::size_t>(i)]); });
+    if (since_ >= look_after) look_back();
+  }
+
+ private:
+  // --- What is farthest --------------------------------------------------------------------------
+
+  /// The farthest of all that is nearest, so far.
+  void look_back() {
+    since_ = 0;
+    if (small_since_ >= look_closely_after) find_far();
+    const Single d;
+    auto least = hn::Set(d, 2.0f);
+    for (std::size_t i = 0; i < far_.size(); i += hn::Lanes(d))
+      least = hn::Min(least, hn::Load(d, far_.data() + i));
+    const float far = hn::GetLane(hn::MinOfLanes(d, least));
+    farthest_ = far < 0 ? -1 : double{far} - double{unsure_at(far)};
+  }
+
+  void find_far() {
+    const Single d;
+    small_since_ = 0;
+    for (std::size_t block = 0; block < far_.size(); ++block) {
+      F least = hn::Set(d, 2.0f);
+      for (std::size_t i = 0; i < block_cells; i += hn::Lanes(d))
+        least = hn::Min(least, hn::Load(d, buffer_.nearness.data() + block * block_cells + i));
+      far_[block] = hn::GetLane(hn::MinOfLanes(d, least));
+    }
+  }
+
+  // --- Cells -------------------------------------------------------------------------------------
+
+  /// Shows a triangle in cells where it is nearest. first: the cell of the first lane. Returns how near the
+  /// cells are then, at least.
+  HWY_INLINE F put(std::size_t first, hn::Mask<Single> inside, F mine, std::int32_t id) {
+    const Whole whole;
+    const Single single;
+    float* const nearness = buffer_.nearness.data() + first;
+    std::int32_t* const ids = buffer_.ids.data() + first;
+    const F old = hn::Load(single, nearness), doubt = unsure(old);
+    const auto nearer = hn::And(inside, hn::Gt(mine, hn::Add(old, doubt)));
+    const auto open = hn::AndNot(nearer, hn::And(inside, hn::Ge(mine, hn::Sub(old, doubt))));
+    // Whole registers: what is stored in parts is slow to load again
+    const F now = hn::IfThenElse(nearer, mine, old);
+    hn::Store(now, single, nearness);
+    hn::Store(hn::IfThenElse(hn::RebindMask(whole, nearer), hn::Set(whole, id), hn::Load(whole, ids)), whole,
+              ids);
+    if (HWY_UNLIKELY(!hn::AllFalse(single, open))) settle(first, open, mine, id);
+    return now;
+  }
+
+  /// Where single precision does not decide.
+  HWY_NOINLINE void settle(std::size_t first, hn::Mask<Single> open, F mine, std::int32_t id) {
+    const Single single;
+    alignas(64) float nearness[block_cells];
+    hn::Store(mine, single, nearness);
+    for_each_bit(bits_of(single, open), [&](int i) {
+      const auto lane = static_cast<std::size_t>(i);
+      settle_pixel(first + lane, nearness[lane], id);
+    });
+  }
+
+  void settle_pixel(std::size_t cell, float nearness, std::int32_t id) {
+    const ivec2 centre = triangle_coverage::centre_of(pixels_.lower + TileBuffer::place(cell));
+    if (exact_depth(frame_, id, centre) < exact_depth(frame_, buffer_.ids[cell], centre)) {
+      buffer_.nearness[cell] = nearness;
+      buffer_.ids[cell] = id;
+    }
+  }
+
+  // --- Small triangles ---------------------------------------------------------------------------
+
+  HWY_INLINE void draw_small(const SmallCasts& casts, std::size_t lane, std::int32_t id) {
+    const Whole whole;
+    const Single single;
+    const std::int32_t left = casts.first_column[lane], right = casts.last_column[lane],
+                       up = casts.first_row[lane], down = casts.last_row[lane];
+    const double along = casts.right[lane], below = casts.down[lane];
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
+      const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
+      const F rise = hn::Add(hn::Mul(hn::Set(single, static_cast<float>(along)), hn::ConvertTo(single, x)),
+                             hn::Mul(hn::Set(single, static_cast<float>(below)), hn::ConvertTo(single, y)));
+      const auto side = [&](std::size_t k) {
+        return hn::Add(hn::Set(whole, casts.at[k][lane]),
+                       hn::Add(hn::Mul(hn::Set(whole, casts.a[k][lane]), x),
+                               hn::Mul(hn::Set(whole, casts.b[k][lane]), y)));
+      };
+      const auto step = [&](const auto& by, std::size_t k) {
+        return hn::Set(whole, block_side * by[k][lane]);
+      };
+      I row[3] = {side(0), side(1), side(2)};
+      double near_row = casts.near[lane];
+      for (std::int32_t v = up; v <= down; ++v, near_row += block_side * below) {
+        I at[3] = {row[0], row[1], row[2]};
+        double near = near_row;
+        for (std::int32_t u = left; u <= right; ++u, near += block_side * along) {
+          const auto outside = hn::Lt(hn::Or(hn::Or(at[0], at[1]), at[2]), hn::Zero(whole));
+          const auto inside = hn::RebindMask(single, hn::Not(outside));
+          if (!hn::AllFalse(single, inside))
+            put(static_cast<std::size_t>(v * blocks_across + u) * block_cells + i, inside,
+                hn::Add(hn::Set(single, static_cast<float>(near)), rise), id);
+          if (u < right)
+            for (std::size_t k = 0; k < 3; ++k) at[k] = hn::Add(at[k], step(casts.a, k));
+        }
+        if (v < down)
+          for (std::size_t k = 0; k < 3; ++k) row[k] = hn::Add(row[k], step(casts.b, k));
+      }
+    }
+    const int count = block_cells * (right - left + 1) * (down - up + 1);
+    since_ += count;
+    small_since_ += count;
+  }
+
+  // --- Others ------------------------------------------------------------------------------------
+
+  void draw_large(std::int32_t id) {
     const FrameTriangle& t = frame_.triangle(id);
     const Window box = triangle_coverage::centres(t.grid, pixels_);
-    if (box.empty()) return;
-    if (1 - std::min(std::min(t.depth.x, t.depth.y), t.depth.z) < farthest_) return;
     Cast cast = cast_of(t, box, pixels_.lower);
     bool long_sides = false;
     const Window blocks = in_blocks(cast.box);
@@ -45,131 +168,102 @@ class Visibility {
       if (least(side, blocks) >= 0)
         side = {0, 0, 0};
       else
-        long_sides |= std::max(std::abs(side.a), std::abs(side.b)) >= 1 << 23;
+        long_sides |= is_too_long(cast, side);
     }
-    if (!is_flat_enough(cast.plane, t.depth) || long_sides)
+    if (!is_flat_enough(cast, t.depth) || long_sides)
       draw_pixels(t, id);
     else
       draw_blocks(cast, id);
     since_ += static_cast<int>(box.width() * box.height());
-    if (since_ >= 1024) look_back();
   }
 
- private:
-  /// The farthest of all that is nearest, so far.
-  void look_back() {
-    since_ = 0;
-    const Single d;
-    auto least = hn::Set(d, 2.0f);
-    for (std::size_t i = 0; i < TileBuffer::cells; i += hn::Lanes(d))
-      least = hn::Min(least, hn::Load(d, buffer_.nearness.data() + i));
-    const auto far = static_cast<double>(hn::GetLane(hn::MinOfLanes(d, least)));
-    farthest_ = far < 0 ? -1 : far - (far * double{unsure_share} + double{unsure_at_least});
+  /// What each cell of a block adds to the sides and to the nearness.
+  struct Steps {
+    alignas(64) std::int32_t side[3][block_cells];
+    alignas(64) float rise[block_cells];
+  };
+  HWY_INLINE static void prepare(const Cast& cast, Steps& steps) {
+    const Whole whole;
+    const Single single;
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
+      const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const I a = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].a)),
+                b = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].b));
+        hn::Store(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), whole, steps.side[k] + i);
+      }
+      const F right = hn::Set(single, static_cast<float>(cast.plane.right)),
+              lower = hn::Set(single, static_cast<float>(cast.plane.down));
+      hn::Store(hn::Add(hn::Mul(right, hn::ConvertTo(single, x)), hn::Mul(lower, hn::ConvertTo(single, y))),
+                single, steps.rise + i);
+    }
   }
 
   HWY_INLINE void draw_blocks(const Cast& cast, std::int32_t id) {
-    const Whole whole;
-    const Single single;
-    // What each cell of a block adds to the sides and to the nearness
-    alignas(64) static constexpr std::int32_t across[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3,
-                                                                     0, 1, 2, 3, 0, 1, 2, 3};
-    alignas(64) static constexpr std::int32_t down[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1,
-                                                                   2, 2, 2, 2, 3, 3, 3, 3};
-    alignas(64) std::int32_t add[3][block_cells];
-    alignas(64) float rise[block_cells];
-    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
-      const auto x = hn::Load(whole, across + i), y = hn::Load(whole, down + i);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto a = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].a)),
-                   b = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].b));
-        hn::Store(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), whole, add[k] + i);
-      }
-      const auto right = hn::Set(single, static_cast<float>(cast.plane.right)),
-                 lower = hn::Set(single, static_cast<float>(cast.plane.down));
-      hn::Store(hn::Add(hn::Mul(right, hn::ConvertTo(single, x)), hn::Mul(lower, hn::ConvertTo(single, y))),
-                single, rise + i);
-    }
-    const ivec2 first = cast.box.lower / block_side, last = cast.box.upper / block_side;
-    const auto begins = [&](std::size_t k, ivec2 block) {
-      const Side& s = cast.sides[k];
-      return static_cast<std::int32_t>(s.at + block_side * (s.a * block.x + s.b * block.y));
-    };
-    for (int y = first.y; y <= last.y; ++y) {
-      std::int32_t at[3] = {begins(0, {first.x, y}), begins(1, {first.x, y}), begins(2, {first.x, y})};
-      for (int x = first.x; x <= last.x; ++x) {
-        const ivec2 block{x, y};
-        const double near = cast.plane.at + block_side * (cast.plane.right * x + cast.plane.down * y);
-        draw_block(block, at, add, static_cast<float>(near), rise, id);
-        for (std::size_t k = 0; k < 3; ++k) at[k] += block_side * static_cast<std::int32_t>(cast.sides[k].a);
-      }
+    const BlockRows rows(cast, {0, 0, 0});
+    const BlockDepths depths(cast.plane);
+    Steps steps;
+    prepare(cast, steps);
+    for (int y = cast.box.lower.y / block_side; y <= cast.box.upper.y / block_side; ++y) {
+      const BlockRow row = rows.row(y);
+      if (row.touched == 0) continue;
+      const std::uint32_t seen = row.touched & depths.not_behind(far_.data() + y * blocks_across, y);
+      for_each_bit(seen & row.full, [&](int x) { draw_whole_block(cast, {x, y}, steps, id); });
+      for_each_bit(seen & ~row.full, [&](int x) { draw_block(cast, {x, y}, steps, id); });
     }
   }
 
-  HWY_INLINE void draw_block(ivec2 block, const std::int32_t (&at)[3],
-                             const std::int32_t (&add)[3][block_cells], float near,
-                             const float (&rise)[block_cells], std::int32_t id) {
+  HWY_INLINE static F near_of(const Cast& cast, ivec2 block) {
+    return hn::Set(Single(), static_cast<float>(cast.plane.at + block_side * (cast.plane.right * block.x +
+                                                                              cast.plane.down * block.y)));
+  }
+
+  /// A block that the triangle covers.
+  HWY_INLINE void draw_whole_block(const Cast& cast, ivec2 block, const Steps& steps, std::int32_t id) {
+    const Single single;
+    const auto number = static_cast<std::size_t>(block.y * blocks_across + block.x);
+    const auto everywhere = hn::Eq(hn::Zero(single), hn::Zero(single));
+    const F near = near_of(cast, block);
+    F far = hn::Set(single, 2.0f);
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(single))
+      far = hn::Min(far, put(number * block_cells + i, everywhere,
+                             hn::Add(near, hn::Load(single, steps.rise + i)), id));
+    far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
+  }
+
+  HWY_INLINE void draw_block(const Cast& cast, ivec2 block, const Steps& steps, std::int32_t id) {
     const Whole whole;
     const Single single;
-    const auto base = static_cast<std::size_t>((block.y * blocks_across + block.x) * block_cells);
+    const auto number = static_cast<std::size_t>(block.y * blocks_across + block.x);
+    const auto first = block_side * block;
+    const std::array at{at_block(cast.sides[0], first), at_block(cast.sides[1], first),
+                        at_block(cast.sides[2], first)};
+    const F near = near_of(cast, block);
+    F far = hn::Set(single, 2.0f);
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
       const auto side = [&](std::size_t k) {
-        return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, add[k] + i));
+        return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, steps.side[k] + i));
       };
       // The sign of one is that of all
-      const auto signs = hn::Or(hn::Or(side(0), side(1)), side(2));
-      const auto inside = hn::RebindMask(single, hn::Not(hn::Lt(signs, hn::Zero(whole))));
-      if (hn::AllFalse(single, inside)) continue;
-      float* const nearness = buffer_.nearness.data() + base + i;
-      const auto mine = hn::Add(hn::Set(single, near), hn::Load(single, rise + i));
-      const auto old = hn::Load(single, nearness);
-      const auto unsure =
-          hn::Add(hn::Mul(old, hn::Set(single, unsure_share)), hn::Set(single, unsure_at_least));
-      const auto nearer = hn::And(inside, hn::Gt(mine, hn::Add(old, unsure)));
-      const auto open = hn::AndNot(nearer, hn::And(inside, hn::Ge(mine, hn::Sub(old, unsure))));
-      hn::BlendedStore(mine, nearer, single, nearness);
-      hn::BlendedStore(hn::Set(whole, id), hn::RebindMask(whole, nearer), whole,
-                       buffer_.ids.data() + base + i);
-      if (!hn::AllFalse(single, open)) settle(block, i, open, mine, id);
+      const auto outside = hn::Lt(hn::Or(hn::Or(side(0), side(1)), side(2)), hn::Zero(whole));
+      const auto inside = hn::RebindMask(single, hn::Not(outside));
+      far = hn::Min(
+          far, put(number * block_cells + i, inside, hn::Add(near, hn::Load(single, steps.rise + i)), id));
     }
-  }
-
-  /// Where single precision does not decide.
-  HWY_NOINLINE void settle(ivec2 block, std::size_t first, hn::Mask<Single> open, hn::Vec<Single> mine,
-                           std::int32_t id) {
-    const Single single;
-    alignas(64) float nearness[block_cells];
-    alignas(64) float wanted[block_cells];
-    hn::Store(mine, single, nearness);
-    hn::Store(hn::IfThenElseZero(open, hn::Set(single, 1.0f)), single, wanted);
-    for (std::size_t i = 0; i < hn::Lanes(single); ++i) {
-      if (wanted[i] == 0) continue;
-      const auto cell = static_cast<int>(first + i);
-      settle_pixel(block * block_side + ivec2{cell % block_side, cell / block_side}, nearness[i], id);
-    }
-  }
-
-  void settle_pixel(ivec2 at, float nearness, std::int32_t id) {
-    const std::size_t cell = TileBuffer::cell(at);
-    const ivec2 centre = triangle_coverage::centre_of(pixels_.lower + at);
-    if (exact_depth(frame_, id, centre) < exact_depth(frame_, buffer_.ids[cell], centre)) {
-      buffer_.nearness[cell] = nearness;
-      buffer_.ids[cell] = id;
-    }
+    far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
   }
 
   /// Pixel by pixel, for triangles too steep or too long for blocks.
-  void draw_pixels(const FrameTriangle& t, std::int32_t id) {
+  HWY_NOINLINE void draw_pixels(const FrameTriangle& t, std::int32_t id) {
     const triangle_coverage::Linear depth(t.grid, t.depth);
     triangle_coverage::cover(t.grid, pixels_, [&](ivec2 pixel, const triangle_coverage::Weights& w) {
-      const ivec2 at = pixel - pixels_.lower;
-      const std::size_t cell = TileBuffer::cell(at);
+      const std::size_t cell = TileBuffer::cell(pixel - pixels_.lower);
       const auto mine = static_cast<float>(1 - depth.at(w)), old = buffer_.nearness[cell];
-      const float unsure = old * unsure_share + unsure_at_least;
-      if (mine > old + unsure) {
+      if (mine > old + unsure_at(old)) {
         buffer_.nearness[cell] = mine;
         buffer_.ids[cell] = id;
-      } else if (mine >= old - unsure) {
-        settle_pixel(at, mine, id);
+      } else if (mine >= old - unsure_at(old)) {
+        settle_pixel(cell, mine, id);
       }
     });
   }
@@ -177,13 +271,17 @@ class Visibility {
   const Frame& frame_;
   Window pixels_;
   TileBuffer& buffer_;
+  /// The farthest of each block, or what was that before: farther ones are not seen there.
+  alignas(64) std::array<float, TileBuffer::cells / block_cells> far_;
   double farthest_ = -1;  ///< what is farther is seen nowhere
   int since_ = 0;         ///< pixels that boxes had since that was found
+  int small_since_ = 0;   ///< of small triangles, since far_ was found for all blocks
 };
 
 void find_in_tile(const Frame& frame, int tile, const Window& pixels, TileBuffer& buffer) {
   Visibility visibility(frame, pixels, buffer);
-  visit_tile(frame, tile, [&](std::int32_t id) { visibility.draw(id); });
+  visit_tile_in_parts<casts_at_once>(frame, tile,
+                                     [&](std::span<const std::int32_t> ids) { visibility.draw(ids); });
 }
 
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
