@@ -79,12 +79,21 @@ void draw_centres(const TileWork& work, int tile, const Window& pixels, LightPic
 
 // --- Antialiased ---------------------------------------------------------------------------------
 
+/// The triangles that may touch a tile, in the order of stage 5.
+std::vector<std::int32_t> in_order_of_scene(const Frame& frame, int tile) {
+  std::vector<std::int32_t> ids;
+  visit_tile(frame, tile, [&](std::int32_t id) { ids.push_back(id); });
+  std::ranges::stable_sort(ids, {},
+                           [&](std::int32_t id) { return frame.object_of(frame.triangle(id)).number; });
+  return ids;
+}
+
 /// The triangles of a tile as a picture of their own, by the textbook's method.
 void draw_antialiased(const TileWork& work, int tile, const Window& pixels, LightPicture& picture,
                       Done& done) {
   Triangles triangles;
-  visit_tile(work.frame, tile,
-             [&](std::int32_t id) { triangles.push_back(whole_triangle(work.scene, work.frame, id)); });
+  for (const std::int32_t id : in_order_of_scene(work.frame, tile))
+    triangles.push_back(whole_triangle(work.scene, work.frame, id));
   const auto& [scene, buffers, plan, frame, pattern] = work;
   Shot shot{screen_triangles(triangles, plan.size),
             picture_window(plan.size),

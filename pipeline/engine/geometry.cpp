@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "projection/viewing/viewing.hpp"
 #include "stages/1_input.hpp"
@@ -213,12 +215,29 @@ void make_batch(const Scene& scene, const Frame& frame, const Window& window, To
   }
 }
 
+/// The objects that a plan draws, those nearer to the eye first, by one vertex of each: what comes later is
+/// then often hidden.
+std::vector<int> front_to_back(const Scene& scene, const Buffers& buffers, const Plan& plan) {
+  std::vector<std::pair<double, int>> order;
+  const auto& eye = scene.camera.frame;
+  for (int number = 0; number < size_of(scene.objects); ++number) {
+    if (!plan.draws(number) || buffers.pieces[static_cast<std::size_t>(number)]->count() == 0) continue;
+    const Object& object = object_at(scene, number);
+    const dvec3 place = affine_3d::transform(object.placement, object.mesh->positions.front());
+    const double distance = glm::dot(eye.forward, place - eye.eye);
+    order.emplace_back(std::isfinite(distance) ? distance : 0, number);
+  }
+  std::ranges::sort(order);
+  std::vector<int> numbers(order.size());
+  std::ranges::transform(order, numbers.begin(), [](const auto& placed) { return placed.second; });
+  return numbers;
+}
+
 std::vector<FrameObject> objects_of(const Scene& scene, const Buffers& buffers, const Plan& plan) {
   std::vector<FrameObject> objects;
   std::int64_t vertices = 0, pieces = 0;
-  for (int number = 0; number < size_of(scene.objects); ++number) {
+  for (const int number : front_to_back(scene, buffers, plan)) {
     const MeshPieces& own = *buffers.pieces[static_cast<std::size_t>(number)];
-    if (!plan.draws(number) || own.count() == 0) continue;
     const Object& object = object_at(scene, number);
     objects.push_back({number, vertices, pieces, &own, affine_3d::normal_matrix(object.placement),
                        affine_3d::mirrors(object.placement),

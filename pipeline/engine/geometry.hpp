@@ -37,7 +37,7 @@ struct FrameTriangle {
   bool seen_from_behind = false;
 };
 
-/// What came of some of the pieces, in their order.
+/// What came of some of the pieces, in the order of the frame's objects and of theirs.
 struct Batch {
   PieceCount count;               ///< of all pieces, but for those that were clipped away
   std::int64_t clipped = 0;       ///< pieces with corners on both sides of a plane
@@ -92,8 +92,9 @@ struct Frame {
   }
 };
 
-/// Stages 2 to 5 for the objects that a plan draws. Triangles are numbered by batch and place, which is the
-/// order of stage 5. Runs on the threads of the arena that it is called in.
+/// Stages 2 to 5 for the objects that a plan draws. Triangles are numbered by batch and place: those of an
+/// object in the order of stage 5, objects from front to back. Runs on the threads of the arena that it is
+/// called in.
 ///
 /// touch: triangles that touch no pixel of the plan's window so are left out. frame: is made anew.
 ///
