@@ -35,7 +35,10 @@ alignas(64) inline constexpr std::int32_t cell_rows[block_cells] = {0, 0, 0, 0, 
 alignas(64) inline constexpr std::int32_t block_columns[blocks_across] = {0,  4,  8,  12, 16, 20, 24, 28,
                                                                           32, 36, 40, 44, 48, 52, 56, 60};
 
-/// What a batch may find a depth to be at least, or at most.
+/// Boxes of so many pixels between two looks at what is farthest.
+constexpr int look_after = 256;
+
+/// By how much depths may differ without being surely different.
 HWY_INLINE F unsure(F nearness) {
   const Single d;
   return hn::Add(hn::Mul(nearness, hn::Set(d, unsure_share)), hn::Set(d, unsure_at_least));
@@ -109,11 +112,12 @@ class BlockRows {
 /// How near a triangle is in the blocks of a tile.
 class BlockDepths {
  public:
-  HWY_INLINE explicit BlockDepths(const NearnessPlane& plane)
+  /// more: what a pixel may have beyond its centre.
+  HWY_INLINE BlockDepths(const NearnessPlane& plane, double more)
       : plane_(plane),
         // More than what single precision may lose over a tile
         rise_(static_cast<float>((block_side - 1) * (std::max(plane.right, 0.0) + std::max(plane.down, 0.0)) +
-                                 slope_of(plane) * 0x1p-14)) {}
+                                 more + slope_of(plane) * 0x1p-14)) {}
 
   /// The bits of the blocks of a row where it may be nearer than the farthest that they show. far: those.
   HWY_INLINE std::uint32_t not_behind(const float* far, int y) const {

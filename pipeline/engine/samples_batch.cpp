@@ -10,6 +10,7 @@
 // After it
 #include <hwy/highway.h>
 
+#include "engine/blocks-inl.hpp"
 #include "engine/casts.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,36 +18,35 @@ namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 static_assert(most_samples == block_cells);
-/// In place of a triangle's number.
-constexpr std::int32_t counted = -2;
-using Whole = hn::CappedTag<std::int32_t, block_cells>;
-using Single = hn::RebindToFloat<Whole>;
-using I = hn::Vec<Whole>;
-using F = hn::Vec<Single>;
 
-HWY_INLINE F unsure(F nearness) {
-  const Single d;
-  return hn::Add(hn::Mul(nearness, hn::Set(d, unsure_share)), hn::Set(d, unsure_at_least));
-}
+/// From the centre of a pixel to its samples, in 1/256 pixel; the last one fills up.
+struct SampleOffsets {
+  explicit SampleOffsets(std::span<const ivec2> places) {
+    for (std::size_t s = 0; s < most_samples; ++s) {
+      const ivec2 from_centre = places[std::min(s, places.size() - 1)] - pixel_middle;
+      right[s] = from_centre.x;
+      down[s] = from_centre.y;
+    }
+  }
+  alignas(64) std::int32_t right[most_samples];
+  alignas(64) std::int32_t down[most_samples];
+};
 
 class Sampling {
  public:
   Sampling(const Frame& frame, const Window& pixels, std::span<const ivec2> places, SampleBuffer& buffer)
-      : frame_(frame), pixels_(pixels), places_(places), buffer_(buffer) {
+      : frame_(frame), pixels_(pixels), places_(places), offsets_(places), buffer_(buffer) {
     buffer.least.fill(-1);
     buffer.most.fill(-1);
     buffer.whole.fill(no_triangle);
     buffer.sampled.fill(-1);
     buffer.samples.clear();
+    buffer.sampled_cells.clear();
     // Nothing is nearer than what lies beyond the window
     for (int y = 0; y < tile_side; ++y)
       for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
         buffer.least[TileBuffer::cell({x, y})] = buffer.most[TileBuffer::cell({x, y})] = 2;
-    for (std::size_t s = 0; s < most_samples; ++s) {
-      const ivec2 from_centre = places[std::min(s, places.size() - 1)] - triangle_coverage::subpixels / 2;
-      right_[s] = from_centre.x;
-      down_[s] = from_centre.y;
-    }
+    for (std::size_t block = 0; block < far_.size(); ++block) far_[block] = farthest_in(block);
   }
 
   void draw(std::int32_t id) {
@@ -57,22 +57,25 @@ class Sampling {
     Cast cast = cast_of(t, box, pixels_.lower);
     bool long_sides = false;
     const Window blocks = in_blocks(cast.box);
+    std::array<std::int64_t, 3> half;
     for (std::size_t k = 0; k < 3; ++k) {
       Side& side = cast.sides[k];
-      const std::int64_t half = half_pixel(side);
-      if (largest(side, cast.box) < -half) return;
-      // It leaves out nothing, and may be too far for 32 bits
-      if (least(side, blocks) >= half)
+      half[k] = half_pixel(side);
+      if (largest(side, cast.box) < -half[k]) return;
+      if (least(side, blocks) >= half[k]) {
+        // It leaves out nothing, and may be too far for 32 bits
         side = {1 << 20, 0, 0};
-      else
-        long_sides |= 2 * half >= 1 << 23;
+        half[k] = 1;
+      } else {
+        long_sides |= is_too_long(cast, side);
+      }
     }
     if (!is_flat_enough(cast, t.depth) || long_sides)
       draw_exactly(t, cast, id);
     else
-      draw_blocks(cast, id);
+      draw_blocks(cast, half, id);
     since_ += static_cast<int>(box.width() * box.height());
-    if (since_ >= 1024) look_back();
+    if (since_ >= look_after) look_back();
   }
 
  private:
@@ -85,11 +88,20 @@ class Sampling {
   void look_back() {
     since_ = 0;
     const Single d;
-    auto least = hn::Set(d, 2.0f);
-    for (std::size_t i = 0; i < SampleBuffer::cells; i += hn::Lanes(d))
-      least = hn::Min(least, hn::Load(d, buffer_.least.data() + i));
+    F least = hn::Set(d, 2.0f);
+    for (std::size_t i = 0; i < far_.size(); i += hn::Lanes(d))
+      least = hn::Min(least, hn::Load(d, far_.data() + i));
     const float far = hn::GetLane(hn::MinOfLanes(d, least));
     farthest_ = far < 0 ? -1 : double{far} - double{unsure_at(far)};
+  }
+
+  /// The farthest of what covers the pixels of a block whole.
+  HWY_INLINE float farthest_in(std::size_t block) const {
+    const Single d;
+    F least = hn::Set(d, 2.0f);
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(d))
+      least = hn::Min(least, hn::Load(d, buffer_.least.data() + block * block_cells + i));
+    return hn::GetLane(hn::MinOfLanes(d, least));
   }
 
   /// What a triangle adds from sample to sample, and from cell to cell of a block.
@@ -98,28 +110,26 @@ class Sampling {
     alignas(64) float rise_at_sample[most_samples];
     alignas(64) std::int32_t side_in_block[3][block_cells];
     alignas(64) float rise_in_block[block_cells];
+    std::array<std::int32_t, 3> half;  ///< half_pixel of the sides
+    float slope;                       ///< by how much the nearness changes from a centre to a corner
   };
 
   HWY_INLINE void prepare(const Cast& cast, Steps& steps) const {
     const Whole whole;
     const Single single;
-    alignas(64) static constexpr std::int32_t across[block_cells] = {0, 1, 2, 3, 0, 1, 2, 3,
-                                                                     0, 1, 2, 3, 0, 1, 2, 3};
-    alignas(64) static constexpr std::int32_t below[block_cells] = {0, 0, 0, 0, 1, 1, 1, 1,
-                                                                    2, 2, 2, 2, 3, 3, 3, 3};
-    const auto right = hn::Set(single, static_cast<float>(cast.plane.right)),
-               lower = hn::Set(single, static_cast<float>(cast.plane.down)),
-               part = hn::Set(single, 1.0f / triangle_coverage::subpixels);
+    const F right = hn::Set(single, static_cast<float>(cast.plane.right)),
+            lower = hn::Set(single, static_cast<float>(cast.plane.down)),
+            part = hn::Set(single, 1.0f / triangle_coverage::subpixels);
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
-      const auto x = hn::Load(whole, across + i), y = hn::Load(whole, below + i);
-      const auto dx = hn::Load(whole, right_ + i), dy = hn::Load(whole, down_ + i);
+      const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
+      const I dx = hn::Load(whole, offsets_.right + i), dy = hn::Load(whole, offsets_.down + i);
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto a = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].a)),
-                   b = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].b));
+        const I a = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].a)),
+                b = hn::Set(whole, static_cast<std::int32_t>(cast.sides[k].b));
         hn::Store(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), whole, steps.side_in_block[k] + i);
         // The edge function there, over 256 and rounded down, less that of the centre
-        const auto rest = hn::Set(whole, static_cast<std::int32_t>(cast.origin[k] & 255));
-        const auto there = hn::Add(hn::Add(hn::Mul(a, dx), hn::Mul(b, dy)), rest);
+        const I rest = hn::Set(whole, static_cast<std::int32_t>(cast.origin[k] & 255));
+        const I there = hn::Add(hn::Add(hn::Mul(a, dx), hn::Mul(b, dy)), rest);
         hn::Store(hn::ShiftRight<8>(there), whole, steps.side_at_sample[k] + i);
       }
       const auto rise = [&](I along, I up) {
@@ -129,81 +139,104 @@ class Sampling {
       hn::Store(rise(x, y), single, steps.rise_in_block + i);
       hn::Store(hn::Mul(rise(dx, dy), part), single, steps.rise_at_sample + i);
     }
+    for (std::size_t k = 0; k < 3; ++k)
+      if (steps.half[k] >= 1 << 23) prepare_long_side(cast, k, steps);
   }
 
-  HWY_INLINE void draw_blocks(const Cast& cast, std::int32_t id) {
+  /// What a side adds from sample to sample, where 32 bits do not hold products.
+  HWY_NOINLINE void prepare_long_side(const Cast& cast, std::size_t k, Steps& steps) const {
+    const Side& side = cast.sides[k];
+    for (std::size_t s = 0; s < most_samples; ++s)
+      steps.side_at_sample[k][s] = static_cast<std::int32_t>(
+          (side.a * offsets_.right[s] + side.b * offsets_.down[s] + (cast.origin[k] & 255)) >> 8);
+  }
+
+  HWY_INLINE void draw_blocks(const Cast& cast, const std::array<std::int64_t, 3>& half, std::int32_t id) {
+    const double slope = slope_of(cast.plane) / 2;
+    const BlockRows rows(cast, half);
+    const BlockDepths depths(cast.plane, slope);
     Steps steps;
+    for (std::size_t k = 0; k < 3; ++k) steps.half[k] = static_cast<std::int32_t>(half[k]);
+    steps.slope = static_cast<float>(slope);
     prepare(cast, steps);
-    const Window& box = cast.box;
-    std::int32_t half[3];
-    for (std::size_t k = 0; k < 3; ++k) half[k] = static_cast<std::int32_t>(half_pixel(cast.sides[k]));
-    const double slope = (std::abs(cast.plane.right) + std::abs(cast.plane.down)) / 2;
-    for (int y = box.lower.y / block_side; y <= box.upper.y / block_side; ++y) {
-      for (int x = box.lower.x / block_side; x <= box.upper.x / block_side; ++x) {
-        const ivec2 first = block_side * ivec2{x, y};
-        std::int32_t at[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Side& s = cast.sides[k];
-          at[k] = static_cast<std::int32_t>(s.at + s.a * first.x + s.b * first.y);
-        }
-        const double near = cast.plane.at + cast.plane.right * first.x + cast.plane.down * first.y;
-        draw_block(first, at, half, static_cast<float>(near), static_cast<float>(slope), steps, id);
-      }
+    for (int y = cast.box.lower.y / block_side; y <= cast.box.upper.y / block_side; ++y) {
+      const BlockRow row = rows.row(y);
+      if (row.touched == 0) continue;
+      const std::uint32_t seen = row.touched & depths.not_behind(far_.data() + y * blocks_across, y);
+      for_each_bit(seen, [&](int x) { draw_block(cast, {x, y}, (row.full >> x & 1) != 0, steps, id); });
     }
   }
 
-  HWY_INLINE void draw_block(ivec2 first, const std::int32_t (&at)[3], const std::int32_t (&half)[3],
-                             float near, float slope, const Steps& steps, std::int32_t id) {
+  /// whole: the triangle covers all of the block.
+  HWY_INLINE void draw_block(const Cast& cast, ivec2 block, bool whole, const Steps& steps, std::int32_t id) {
+    const ivec2 first = block_side * block;
+    const auto number = static_cast<std::size_t>(block.y * blocks_across + block.x);
+    const std::array at{at_block(cast.sides[0], first), at_block(cast.sides[1], first),
+                        at_block(cast.sides[2], first)};
+    const auto near =
+        static_cast<float>(cast.plane.at + cast.plane.right * first.x + cast.plane.down * first.y);
+    bool nearer = false;
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(Single()))
+      nearer |= draw_cells(number * block_cells, i, at, near, whole, steps, id);
+    if (nearer) far_[number] = farthest_in(number);
+  }
+
+  /// Cells of a block that begins at a cell, from the i-th on. Returns whether it covers some whole and is
+  /// nearest there.
+  HWY_INLINE bool draw_cells(std::size_t base, std::size_t i, const std::array<std::int32_t, 3>& at,
+                             float near, bool whole_block, const Steps& steps, std::int32_t id) {
     const Whole whole;
     const Single single;
-    const std::size_t base = TileBuffer::cell(first);
-    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
+    const auto everywhere = hn::Eq(hn::Zero(single), hn::Zero(single));
+    auto touched = everywhere, full = everywhere;
+    const auto side = [&](std::size_t k) {
+      return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, steps.side_in_block[k] + i));
+    };
+    if (!whole_block) {
       // Of the three sides how far the centre is inside, at least, beside what a pixel reaches
-      const auto side = [&](std::size_t k) {
-        return hn::Add(hn::Set(whole, at[k]), hn::Load(whole, steps.side_in_block[k] + i));
-      };
-      const auto e0 = side(0), e1 = side(1), e2 = side(2);
-      const auto reach = [&](I e, std::size_t k, int sign) {
-        return hn::Add(e, hn::Set(whole, sign * half[k]));
-      };
-      const auto out = hn::Or(hn::Or(reach(e0, 0, 1), reach(e1, 1, 1)), reach(e2, 2, 1));
-      const auto in = hn::Or(hn::Or(reach(e0, 0, -1), reach(e1, 1, -1)), reach(e2, 2, -1));
-      const auto zero = hn::Zero(whole);
-      const auto touched = hn::RebindMask(single, hn::Not(hn::Lt(out, zero)));
-      if (hn::AllFalse(single, touched)) continue;
-      const auto full = hn::RebindMask(single, hn::Not(hn::Lt(in, zero)));
-      const auto middle = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_in_block + i));
-      const auto less = hn::Sub(middle, hn::Set(single, slope)),
-                 more = hn::Add(middle, hn::Set(single, slope));
-      float* const least = buffer_.least.data() + base + i;
-      float* const most = buffer_.most.data() + base + i;
-      const auto old_least = hn::Load(single, least), old_most = hn::Load(single, most);
-      const auto seen = hn::And(touched, hn::Not(hn::Lt(more, hn::Sub(old_least, unsure(old_least)))));
-      if (hn::AllFalse(single, seen)) continue;
-      const auto takes = hn::And(hn::And(seen, full), hn::Gt(less, hn::Add(old_most, unsure(old_most))));
-      hn::BlendedStore(less, takes, single, least);
-      hn::BlendedStore(more, takes, single, most);
-      hn::BlendedStore(hn::Set(whole, id), hn::RebindMask(whole, takes), whole,
-                       buffer_.whole.data() + base + i);
-      const auto rest = hn::AndNot(takes, seen);
-      if (hn::AllFalse(single, rest)) continue;
-      alignas(64) std::int32_t wanted[block_cells], sides[3][block_cells];
-      alignas(64) float nearness[block_cells];
-      hn::Store(hn::VecFromMask(whole, hn::RebindMask(whole, rest)), whole, wanted);
-      hn::Store(e0, whole, sides[0]);
-      hn::Store(e1, whole, sides[1]);
-      hn::Store(e2, whole, sides[2]);
-      hn::Store(middle, single, nearness);
-      for (std::size_t k = 0; k < hn::Lanes(whole); ++k)
-        if (wanted[k] != 0)
-          sample(base + i + k, {sides[0][k], sides[1][k], sides[2][k]}, nearness[k], steps, id);
+      I out = hn::Zero(whole), in = hn::Zero(whole);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const I half = hn::Set(whole, steps.half[k]), e = side(k);
+        out = hn::Or(out, hn::Add(e, half));
+        in = hn::Or(in, hn::Sub(e, half));
+      }
+      touched = hn::RebindMask(single, hn::Not(hn::Lt(out, hn::Zero(whole))));
+      if (hn::AllFalse(single, touched)) return false;
+      full = hn::RebindMask(single, hn::Not(hn::Lt(in, hn::Zero(whole))));
     }
+    const F middle = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_in_block + i));
+    const F slope = hn::Set(single, steps.slope), less = hn::Sub(middle, slope),
+            more = hn::Add(middle, slope);
+    float* const least = buffer_.least.data() + base + i;
+    float* const most = buffer_.most.data() + base + i;
+    std::int32_t* const ids = buffer_.whole.data() + base + i;
+    const F old_least = hn::Load(single, least), old_most = hn::Load(single, most);
+    const auto seen = hn::And(touched, hn::Not(hn::Lt(more, hn::Sub(old_least, unsure(old_least)))));
+    const auto takes = hn::And(hn::And(seen, full), hn::Gt(less, hn::Add(old_most, unsure(old_most))));
+    // Whole registers: what is stored in parts is slow to load again
+    hn::Store(hn::IfThenElse(takes, less, old_least), single, least);
+    hn::Store(hn::IfThenElse(takes, more, old_most), single, most);
+    hn::Store(hn::IfThenElse(hn::RebindMask(whole, takes), hn::Set(whole, id), hn::Load(whole, ids)), whole,
+              ids);
+    const bool nearer = !hn::AllFalse(single, takes);
+    const auto rest = hn::AndNot(takes, seen);
+    if (hn::AllFalse(single, rest)) return nearer;
+    alignas(64) std::int32_t sides[3][block_cells];
+    alignas(64) float nearness[block_cells];
+    for (std::size_t k = 0; k < 3; ++k) hn::Store(side(k), whole, sides[k]);
+    hn::Store(middle, single, nearness);
+    for_each_bit(bits_of(single, rest), [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      sample(base + i + k, {sides[0][k], sides[1][k], sides[2][k]}, nearness[k], steps, id);
+    });
+    return nearer;
   }
 
   HWY_INLINE PixelSamples& samples_of(std::size_t cell) {
     std::int32_t& place = buffer_.sampled[cell];
     if (place < 0) {
       place = static_cast<std::int32_t>(buffer_.samples.size());
+      buffer_.sampled_cells.push_back(static_cast<std::int32_t>(cell));
       PixelSamples& fresh = buffer_.samples.emplace_back();
       fresh.nearness.fill(-1);
       fresh.ids.fill(no_triangle);
@@ -225,18 +258,15 @@ class Sampling {
       if (hn::AllFalse(single, inside)) continue;
       if (!of) of = &samples_of(cell);
       const auto mine = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_at_sample + i));
-      const auto old = hn::Load(single, of->nearness.data() + i);
+      float* const nearness = of->nearness.data() + i;
+      std::int32_t* const ids = of->ids.data() + i;
+      const F old = hn::Load(single, nearness);
       const auto nearer = hn::And(inside, hn::Gt(mine, hn::Add(old, unsure(old))));
       const auto open = hn::AndNot(nearer, hn::And(inside, hn::Ge(mine, hn::Sub(old, unsure(old)))));
-      hn::BlendedStore(mine, nearer, single, of->nearness.data() + i);
-      hn::BlendedStore(hn::Set(whole, id), hn::RebindMask(whole, nearer), whole, of->ids.data() + i);
-      if (hn::AllFalse(single, open)) continue;
-      alignas(64) std::int32_t wanted[most_samples];
-      alignas(64) float nearness[most_samples];
-      hn::Store(hn::VecFromMask(whole, hn::RebindMask(whole, open)), whole, wanted);
-      hn::Store(mine, single, nearness);
-      for (std::size_t k = 0; k < hn::Lanes(whole); ++k)
-        if (wanted[k] != 0) settle(*of, i + k, place_of(cell, i + k), nearness[k], id);
+      hn::Store(hn::IfThenElse(nearer, mine, old), single, nearness);
+      hn::Store(hn::IfThenElse(hn::RebindMask(whole, nearer), hn::Set(whole, id), hn::Load(whole, ids)),
+                whole, ids);
+      if (HWY_UNLIKELY(!hn::AllFalse(single, open))) settle(*of, cell, i, open, mine, id);
     }
   }
 
@@ -246,8 +276,19 @@ class Sampling {
            places_[std::min(s, places_.size() - 1)];
   }
 
-  /// Where single precision does not decide.
-  HWY_NOINLINE void settle(PixelSamples& of, std::size_t s, ivec2 place, float nearness, std::int32_t id) {
+  /// Where single precision does not decide. first: the sample of the first lane.
+  HWY_NOINLINE void settle(PixelSamples& of, std::size_t cell, std::size_t first, hn::Mask<Single> open,
+                           F mine, std::int32_t id) {
+    const Single single;
+    alignas(64) float nearness[most_samples];
+    hn::Store(mine, single, nearness);
+    for_each_bit(bits_of(single, open), [&](int i) {
+      const auto lane = static_cast<std::size_t>(i);
+      settle_sample(of, first + lane, place_of(cell, first + lane), nearness[lane], id);
+    });
+  }
+
+  void settle_sample(PixelSamples& of, std::size_t s, ivec2 place, float nearness, std::int32_t id) {
     if (!(exact_depth(frame_, id, place) < exact_depth(frame_, of.ids[s], place))) return;
     of.nearness[s] = nearness;
     of.ids[s] = id;
@@ -296,7 +337,7 @@ class Sampling {
         of.nearness[s] = mine;
         of.ids[s] = id;
       } else if (mine >= old - unsure_at(old)) {
-        settle(of, s, place, mine, id);
+        settle_sample(of, s, place, mine, id);
       }
     }
   }
@@ -304,9 +345,10 @@ class Sampling {
   const Frame& frame_;
   Window pixels_;
   std::span<const ivec2> places_;
+  SampleOffsets offsets_;
   SampleBuffer& buffer_;
-  alignas(64) std::int32_t right_[most_samples];  ///< from the centre to the samples, in 1/256 pixel
-  alignas(64) std::int32_t down_[most_samples];
+  /// The farthest of what covers pixels of each block whole, or what was that before.
+  alignas(64) std::array<float, SampleBuffer::cells / block_cells> far_;
   double farthest_ = -1;  ///< what is farther is seen nowhere
   int since_ = 0;         ///< pixels that boxes had since that was found
 };
@@ -314,7 +356,18 @@ class Sampling {
 void sample_tile(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                  SampleBuffer& buffer) {
   Sampling sampling(frame, pixels, places, buffer);
-  visit_tile(frame, tile, [&](std::int32_t id) { sampling.draw(id); });
+  visit_tile_in_parts<16>(frame, tile, [&](std::span<const std::int32_t> ids) {
+    for (const std::int32_t id : ids) sampling.draw(id);
+  });
+}
+
+/// The same place, for triangles whose edge functions take more than 32 bits.
+HWY_NOINLINE ivec2 colour_place_of_long(const triangle_coverage::Edges& edges, ivec2 pixel,
+                                        std::span<const ivec2> places) {
+  const auto found = std::ranges::find_if(places, [&](ivec2 place) {
+    return holds(edges, weights_at_place(edges, pixel * triangle_coverage::subpixels + place));
+  });
+  return found == places.end() ? pixel_middle : *found;
 }
 
 /// The triangles that the samples of a pixel show: those that stand in `samples`, or the one that covers all.
@@ -342,29 +395,59 @@ HWY_INLINE void winners_of(const Frame& frame, const SampleBuffer& buffer, std::
   }
 }
 
+/// Where a triangle's colour in a pixel is asked for: adaptive::colour_place. offsets: from the centre to the
+/// samples, nearest first.
+HWY_INLINE ivec2 colour_place(const triangle_coverage::Triangle& grid, ivec2 pixel,
+                              const SampleOffsets& offsets, std::span<const ivec2> places) {
+  const Whole d;
+  const auto edges = triangle_coverage::edges_of(grid);
+  const auto in_centre = weights_at_place(edges, triangle_coverage::centre_of(pixel));
+  if (holds(edges, in_centre)) return pixel_middle;
+  std::uint32_t outside = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ivec2 way = edges[k].to - edges[k].from;
+    if (std::abs(way.x) + std::abs(way.y) >= 1 << 23) return colour_place_of_long(edges, pixel, places);
+    // So far that 32 bits hold what samples add: the signs stay
+    constexpr std::int64_t far = 1 << 30;
+    const I at = hn::Set(d, static_cast<std::int32_t>(std::clamp(in_centre[k] - !edges[k].owns, -far, far))),
+            a = hn::Set(d, -way.y), b = hn::Set(d, way.x);
+    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d)) {
+      const I dx = hn::Load(d, offsets.right + i), dy = hn::Load(d, offsets.down + i);
+      const I there = hn::Add(at, hn::Add(hn::Mul(a, dx), hn::Mul(b, dy)));
+      outside |= bits_of(d, hn::Lt(there, hn::Zero(d))) << i;
+    }
+  }
+  const auto first = static_cast<std::size_t>(std::countr_one(outside));
+  return first < places.size() ? places[first] : pixel_middle;
+}
+
+/// Adds the triangles that the samples of a pixel show. winners: of them.
+HWY_INLINE void show_pixel(const Frame& frame, std::size_t cell, ivec2 pixel, const std::int32_t* winners,
+                           const SampleOffsets& offsets, std::span<const ivec2> places,
+                           std::vector<ShownTriangle>& shown) {
+  const Whole d;
+  for (std::uint32_t left = (1U << places.size()) - 1; left != 0;) {
+    const std::int32_t id = winners[std::countr_zero(left)];
+    std::uint32_t same = 0;
+    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d))
+      same |= bits_of(d, hn::Eq(hn::Load(d, winners + i), hn::Set(d, id))) << i;
+    same &= left;
+    left &= ~same;
+    if (id == no_triangle) continue;
+    shown.push_back(
+        {cell, id, std::popcount(same), colour_place(frame.triangle(id).grid, pixel, offsets, places)});
+  }
+}
+
 void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
                const SampleBuffer& buffer, std::vector<ShownTriangle>& shown) {
-  const Whole whole;
+  const SampleOffsets offsets(places);
   alignas(64) std::int32_t winners[most_samples];
-  for (std::size_t cell = 0; cell < SampleBuffer::cells; ++cell) {
-    if (buffer.sampled[cell] < 0) continue;
-    winners_of(frame, buffer, cell, pixels.lower + TileBuffer::place(cell), places, winners);
-    // Those that are left to count
-    auto left = static_cast<std::int32_t>(places.size());
-    for (std::size_t s = 0; left > 0 && s < places.size(); ++s) {
-      const std::int32_t id = winners[s];
-      if (id == counted) continue;
-      std::size_t times = 0;
-      for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
-        const auto there = hn::FirstN(whole, places.size() - std::min(i, places.size()));
-        const auto all = hn::Load(whole, winners + i), one = hn::Set(whole, id);
-        const auto same = hn::And(there, hn::Eq(all, one));
-        times += hn::CountTrue(whole, same);
-        hn::BlendedStore(hn::Set(whole, counted), same, whole, winners + i);
-      }
-      left -= static_cast<std::int32_t>(times);
-      if (id != no_triangle) shown.push_back({cell, id, static_cast<std::int32_t>(times)});
-    }
+  for (const std::int32_t number : buffer.sampled_cells) {
+    const auto cell = static_cast<std::size_t>(number);
+    const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
+    winners_of(frame, buffer, cell, pixel, places, winners);
+    show_pixel(frame, cell, pixel, winners, offsets, places, shown);
   }
 }
 

@@ -28,6 +28,7 @@ struct alignas(64) SampleBuffer {
   std::array<std::int32_t, cells> whole;  ///< the nearest of those that cover the square
   std::array<std::int32_t, cells> sampled;  ///< place in `samples` where others are to be looked at, else -1
   std::vector<PixelSamples> samples;
+  std::vector<std::int32_t> sampled_cells;  ///< of each of them
 };
 
 /// Finds what may be seen of the triangles of a tile.
@@ -43,15 +44,20 @@ struct alignas(64) SampleBuffer {
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer);
 
+/// The middle of a pixel, in 1/256 pixel.
+inline constexpr ivec2 pixel_middle{triangle_coverage::subpixels / 2, triangle_coverage::subpixels / 2};
+
 /// A triangle that samples of a pixel show.
 struct ShownTriangle {
   std::size_t cell;
   std::int32_t id, samples;
+  ivec2 place;  ///< in the pixel, where the textbook's `adaptive` asks for its colour
 };
 
 /// Adds, for each pixel whose samples were looked at, the triangles that they show: at each sample, of those
 /// that cover it, the least by depth in the textbook's arithmetic, of equals the first.
-/// pixels, places, buffer: those of find_samples. Cost: 20 nanoseconds a pixel.
+/// pixels, places, buffer: those of find_samples; places from the one nearest to the pixel's centre on. Cost:
+/// 20 nanoseconds a pixel.
 void find_shown(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
                 const SampleBuffer& buffer, std::vector<ShownTriangle>& shown);
 

@@ -6,51 +6,31 @@
 #include "engine/tile_shader.hpp"
 
 namespace gradus::pipeline::engine {
-namespace {
-
-constexpr ivec2 middle{triangle_coverage::subpixels / 2, triangle_coverage::subpixels / 2};
-
-/// Where a triangle's colour in a pixel is asked for: adaptive::colour_place. places: nearest to the centre
-/// first.
-ivec2 colour_place(const triangle_coverage::Edges& edges, ivec2 pixel, std::span<const ivec2> places) {
-  const auto covered = [&](ivec2 place) {
-    return holds(edges, weights_at_place(edges, pixel * triangle_coverage::subpixels + place));
-  };
-  if (covered(middle)) return middle;
-  const auto found = std::ranges::find_if(places, covered);
-  return found == places.end() ? middle : *found;
-}
-
-}  // namespace
-
 /// Tells pixels that show one triangle alone, in whole_, from those that are mixed. Returns how many show
 /// something.
 std::int64_t TileShader::find_fragments(const Window& pixels, const SampleBuffer& buffer,
                                         std::span<const ivec2> places) {
-  const Frame& frame = shading_.frame();
   whole_.ids = buffer.whole;
+  for (const std::int32_t cell : buffer.sampled_cells)
+    whole_.ids[static_cast<std::size_t>(cell)] = no_triangle;
   fragments_.clear();
   shown_.clear();
-  found_.clear();
-  find_shown(frame, pixels, places, buffer, shown_);
-  for (std::size_t cell = 0; cell < TileBuffer::cells; ++cell)
-    if (buffer.sampled[cell] >= 0) whole_.ids[cell] = no_triangle;
-  for (const auto& [cell, id, samples] : shown_) {
-    const auto edges = triangle_coverage::edges_of(frame.triangle(id).grid);
-    const ivec2 place = colour_place(edges, pixels.lower + TileBuffer::place(cell), places);
-    if (samples == std::ssize(places) && place == middle)
-      whole_.ids[cell] = id;
-    else
-      found_.push_back({id, {0, samples, cell, place}});
-  }
-  std::int64_t covered = find_seen(whole_);
-  for (auto& [id, fragment] : found_) {
-    fragment.slot = slot_of(id);
-    covered += fragments_.empty() || fragments_.back().cell != fragment.cell;
+  find_shown(shading_.frame(), pixels, places, buffer, shown_);
+  std::int64_t covered = 0;
+  for (const ShownTriangle& shown : shown_) {
+    if (shown.samples == std::ssize(places) && shown.place == pixel_middle) {
+      whole_.ids[shown.cell] = shown.id;
+      continue;
+    }
+    covered += fragments_.empty() || fragments_.back().cell != shown.cell;
+    Fragment& fragment = fragments_.emplace_back();
+    fragment.slot = slot_of(shown.id);
+    fragment.samples = shown.samples;
+    fragment.cell = shown.cell;
+    fragment.place = shown.place;
     ++seen_[static_cast<std::size_t>(fragment.slot)].pixels;
-    fragments_.push_back(fragment);
   }
-  return covered;
+  return covered + find_seen(whole_);
 }
 
 /// The light of fragments of one group.
@@ -64,7 +44,7 @@ void TileShader::light_group(std::int32_t number, ivec2 origin) {
   light_.resize(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const Fragment& fragment = fragments_[static_cast<std::size_t>(of[std::min(i, of.size() - 1)])];
-    const ivec2 at = TileBuffer::place(fragment.cell), from_middle = fragment.place - middle;
+    const ivec2 at = TileBuffer::place(fragment.cell), from_middle = fragment.place - pixel_middle;
     columns_[i] = static_cast<float>(at.x) + static_cast<float>(from_middle.x) / triangle_coverage::subpixels;
     rows_[i] = static_cast<float>(at.y) + static_cast<float>(from_middle.y) / triangle_coverage::subpixels;
     fragment_slots_[i] = fragment.slot;

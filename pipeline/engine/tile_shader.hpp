@@ -107,8 +107,7 @@ class TileShader {
   std::array<std::int32_t, TileBuffer::cells> slots_;  ///< of the same
   std::size_t in_blocks_count_ = 0;
   std::vector<ShownTriangle> shown_;
-  std::vector<std::pair<std::int32_t, Fragment>> found_;  ///< with their triangles
-  std::vector<Fragment> fragments_;                       ///< those of a pixel beside one another
+  std::vector<Fragment> fragments_;  ///< those of a pixel beside one another
   std::vector<LinearRgb> fragment_light_;
   std::vector<std::vector<std::int32_t>> fragments_of_;  ///< by share
   std::vector<float> columns_, rows_;

@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Boxes of so many pixels between two looks at what is farthest.
-constexpr int look_after = 256, look_closely_after = 8192;
+/// Boxes of small triangles of so many pixels between two looks at each block.
+constexpr int look_closely_after = 8192;
 
 class Visibility {
  public:
@@ -201,7 +201,7 @@ class Visibility {
 
   HWY_INLINE void draw_blocks(const Cast& cast, std::int32_t id) {
     const BlockRows rows(cast, {0, 0, 0});
-    const BlockDepths depths(cast.plane);
+    const BlockDepths depths(cast.plane, 0);
     Steps steps;
     prepare(cast, steps);
     for (int y = cast.box.lower.y / block_side; y <= cast.box.upper.y / block_side; ++y) {

@@ -7,15 +7,21 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "antialiasing/adaptive/pixel_survey.hpp"
+#include "antialiasing/adaptive/sample_places.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "core/colour.hpp"
+#include "engine/casts.hpp"
 #include "engine/engine.hpp"
 #include "engine/geometry.hpp"
 #include "engine/mip_maps.hpp"
 #include "engine/pieces_batch.hpp"
+#include "engine/samples_batch.hpp"
 #include "engine/shading_batch.hpp"
 #include "engine/tiles.hpp"
 #include "engine/vertices_batch.hpp"
@@ -201,6 +207,145 @@ TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
         expect_nearest(frame, tile, grid.tile(tile), *buffer);
       }
     });
+  }
+}
+
+/// A scene round the eye: triangles from a part of a pixel to what reaches from behind it far away, so that
+/// the near plane makes sides of more than 2^15 pixels.
+Scene scene_of_all_sizes(Random& random) {
+  Scene scene = test::random_scene(random, 3);
+  Mesh mesh;
+  mesh.materials = {test::random_material(random)};
+  for (int i = 0; i < 300; ++i) {
+    const double reach = std::pow(10.0, random.uniform(-3, 3));
+    const dvec3 middle = scene.camera.frame.eye + test::random_point(random, 6);
+    const int first = static_cast<int>(mesh.positions.size());
+    for (int k = 0; k < 3; ++k) mesh.positions.push_back(middle + test::random_point(random, reach));
+    test::add_face(mesh, {first, first + 1, first + 2});
+  }
+  scene.objects.push_back(object_of(std::move(mesh)));
+  scene.objects.push_back(scene.objects.back());
+  scene.culling = Culling::none;
+  scene.camera.lens.near = 1e-4;
+  return scene;
+}
+
+/// The longer side of a triangle's box, in 1/256 pixel.
+std::int64_t side_of_box(const triangle_coverage::Triangle& t) {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return std::max(std::int64_t{right} - left, std::int64_t{bottom} - top);
+}
+
+TEST(EngineBatches, FindWhatIsNearestAmongTrianglesOfAllSizes) {
+  const std::uint64_t seed = test::seed();
+  std::int64_t small = 0, long_ones = 0;
+  for (int round = 0; round < 6; ++round) {
+    Random random(seed, static_cast<std::uint64_t>(round));
+    const Scene scene = scene_of_all_sizes(random);
+    const Buffers buffers = buffers_of(scene);
+    const Plan plan = plan_of(scene, size);
+    test::on_every_target([&] {
+      Frame frame;
+      make_frame(scene, buffers, plan, Touch::centres, frame);
+      for (const Batch& batch : frame.batches) {
+        for (const FrameTriangle& t : batch.triangles) {
+          small += side_of_box(t.grid) < 16 * 256;
+          long_ones += side_of_box(t.grid) > 1 << 23;
+        }
+      }
+      const TileGrid grid(plan.window);
+      bin(frame, grid, Touch::centres);
+      const auto buffer = std::make_unique<TileBuffer>();
+      for (int tile = 0; tile < grid.count(); ++tile) {
+        find_nearest(frame, tile, grid.tile(tile), *buffer);
+        expect_nearest(frame, tile, grid.tile(tile), *buffer);
+      }
+    });
+  }
+  EXPECT_GT(small, 0);
+  EXPECT_GT(long_ones, 0);
+}
+
+// --- What samples show ---------------------------------------------------------------------------
+
+/// The nearest triangle at a place of the picture, one after the other.
+std::int32_t nearest_at(const Frame& frame, const std::vector<std::int32_t>& ids, ivec2 place) {
+  std::optional<ExactDepth> best;
+  for (const std::int32_t id : ids) {
+    const auto edges = triangle_coverage::edges_of(frame.triangle(id).grid);
+    if (!holds(edges, weights_at_place(edges, place))) continue;
+    const ExactDepth mine = exact_depth(frame, id, place);
+    if (!best || mine < *best) best = mine;
+  }
+  return best ? best->id : no_triangle;
+}
+
+/// How many samples of a pixel show each triangle.
+using SampleCounts = std::map<std::int32_t, std::int32_t>;
+
+/// Those of the pixels of a tile, by cell, one sample after the other.
+std::vector<SampleCounts> samples_one_by_one(const Frame& frame, int tile, const Window& pixels,
+                                             std::span<const ivec2> places) {
+  std::vector<std::int32_t> ids;
+  visit_tile(frame, tile, [&](std::int32_t id) { ids.push_back(id); });
+  std::vector<SampleCounts> counts(SampleBuffer::cells);
+  for (int y = pixels.lower.y; y <= pixels.upper.y; ++y) {
+    for (int x = pixels.lower.x; x <= pixels.upper.x; ++x) {
+      for (const ivec2 place : places) {
+        const std::int32_t id = nearest_at(frame, ids, ivec2{x, y} * triangle_coverage::subpixels + place);
+        if (id != no_triangle) ++counts[TileBuffer::cell(ivec2{x, y} - pixels.lower)][id];
+      }
+    }
+  }
+  return counts;
+}
+
+/// The same as the batch has them.
+std::vector<SampleCounts> samples_of_batch(const Frame& frame, int tile, const Window& pixels,
+                                           std::span<const ivec2> places) {
+  const auto buffer = std::make_unique<SampleBuffer>();
+  find_samples(frame, tile, pixels, places, *buffer);
+  std::vector<ShownTriangle> shown;
+  find_shown(frame, pixels, places, *buffer, shown);
+  std::vector<SampleCounts> counts(SampleBuffer::cells);
+  for (const ShownTriangle& s : shown) {
+    EXPECT_TRUE(counts[s.cell].emplace(s.id, s.samples).second) << "once a pixel";
+    const auto edges = triangle_coverage::edges_of(frame.triangle(s.id).grid);
+    EXPECT_EQ(s.place, adaptive::colour_place(edges, pixels.lower + TileBuffer::place(s.cell), places));
+  }
+  for (std::size_t cell = 0; cell < SampleBuffer::cells; ++cell)
+    if (buffer->sampled[cell] < 0 && buffer->whole[cell] != no_triangle)
+      counts[cell].emplace(buffer->whole[cell], static_cast<std::int32_t>(places.size()));
+  return counts;
+}
+
+TEST(EngineBatches, FindWhatSamplesShowAsAZBufferDoes) {
+  const std::uint64_t seed = test::seed();
+  constexpr Size small_size{90, 70};
+  for (int round = 0; round < 10; ++round) {
+    Random random(seed, static_cast<std::uint64_t>(round));
+    Scene scene = round % 2 == 0 ? scene_of_all_sizes(random) : test::random_scene(random, 8);
+    scene.objects.push_back(scene.objects.front());
+    const Buffers buffers = buffers_of(scene);
+    const Plan plan = plan_of(scene, small_size);
+    std::vector<ivec2> places = adaptive::n_rooks(static_cast<int>(random.uniform_int(1, 16)));
+    std::ranges::stable_sort(places, {}, [](ivec2 place) {
+      const ivec2 way = place - pixel_middle;
+      return way.x * way.x + way.y * way.y;
+    });
+    Frame frame;
+    make_frame(scene, buffers, plan, Touch::neighbours, frame);
+    const TileGrid grid(plan.window);
+    bin(frame, grid, Touch::neighbours);
+    for (int tile = 0; tile < grid.count(); ++tile) {
+      const auto expected = samples_one_by_one(frame, tile, grid.tile(tile), places);
+      test::on_every_target([&] {
+        const auto found = samples_of_batch(frame, tile, grid.tile(tile), places);
+        for (std::size_t cell = 0; cell < SampleBuffer::cells; ++cell)
+          ASSERT_EQ(found[cell], expected[cell]) << "round " << round << ", cell " << cell;
+      });
+    }
   }
 }
 
