@@ -173,6 +173,12 @@ void on_threads(int threads, const Work& work) {
   tbb::task_arena(workers).execute(work);
 }
 
+/// An image of a window's size, whose pixels may be any.
+void make_room(Image& image, const Window& window) {
+  const auto width = static_cast<int>(window.width()), height = static_cast<int>(window.height());
+  if (image.width() != width || image.height() != height) image = Image(width, height);
+}
+
 /// Everything but the pixels.
 TileGrid make_tiles(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame) {
   make_frame(scene, buffers, plan, touch, frame);
@@ -236,15 +242,16 @@ Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
-Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
-                   int threads, const EngineWatch& watch) {
+void draw_into(Picture& picture, const Scene& scene, const Buffers& buffers, const Plan& plan,
+               Workspace& workspace, int threads, const EngineWatch& watch) {
   if (!draws_in_single_precision(scene)) {
     const LightPicture light = light_of(scene, buffers, plan, threads, watch);
     const auto shows = [](const PixelLight& pixel) { return pixel.share > 0; };
-    return {output(over_background(light, scene.background)), std::ranges::count_if(light.cells(), shows)};
+    picture = {output(over_background(light, scene.background)), std::ranges::count_if(light.cells(), shows)};
+    return;
   }
   check(scene, threads);
-  Picture picture{Image(static_cast<int>(plan.window.width()), static_cast<int>(plan.window.height()))};
+  make_room(picture.image, plan.window);
   std::atomic<std::int64_t> covered = 0;
   Frame& frame = workspace.frame();
   const bool samples = scene.antialiasing == Antialiasing::adaptive;
@@ -262,6 +269,12 @@ Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan,
     });
   });
   picture.covered = covered;
+}
+
+Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
+                   int threads, const EngineWatch& watch) {
+  Picture picture;
+  draw_into(picture, scene, buffers, plan, workspace, threads, watch);
   return picture;
 }
 

@@ -127,10 +127,10 @@ Drawn by_engine(const Scene& scene, Size size, int threads, const Effort& effort
   const engine::Buffers buffers = engine::buffers_of(scene);
   const Plan plan = plan_of(scene, size);
   engine::Workspace workspace;
-  Drawn drawn;
-  drawn.ms = milliseconds(
-      effort, [&] { drawn.image = engine::picture_of(scene, buffers, plan, workspace, threads).image; });
-  return drawn;
+  engine::Picture picture;
+  const double ms =
+      milliseconds(effort, [&] { engine::draw_into(picture, scene, buffers, plan, workspace, threads); });
+  return {ms, std::move(picture.image)};
 }
 
 #ifdef GRADUS_HAS_OSMESA

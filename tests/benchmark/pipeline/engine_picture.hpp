@@ -26,7 +26,7 @@ inline Case picture_of_sphere(int n, pipeline::Size size, pipeline::Shading shad
   return {.method = std::string(shading_names[static_cast<std::size_t>(shading)]),
           .standing = Standing::batch,
           .workload = std::move(workload),
-          .run = [=] { *picture = engine::picture_of(*scene, *buffers, *plan, *workspace, 1); }};
+          .run = [=] { engine::draw_into(*picture, *scene, *buffers, *plan, *workspace, 1); }};
 }
 
 }  // namespace gradus::bench::engine_scenes

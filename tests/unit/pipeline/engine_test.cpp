@@ -18,6 +18,7 @@
 #include "scene/scene_file.hpp"
 #include "stages/8_output.hpp"
 #include "support/random_scenes.hpp"
+#include "support/seed.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -73,6 +74,28 @@ std::int64_t pixels_off(const Image& image, const Image& expected, const std::st
     }
   }
   return off;
+}
+
+TEST(Engine, DrawsIntoAPictureThatIsThere) {
+  const std::uint64_t seed = test::seed();
+  engine::Picture picture;
+  engine::Workspace workspace;
+  int stayed = 0;
+  for (std::uint64_t round = 0; round < 12; ++round) {
+    Random random(seed, round);
+    Scene scene = test::random_scene(random, 1);
+    scene.shading = Shading::gouraud;
+    scene.antialiasing = round % 3 == 2 ? Antialiasing::adaptive : Antialiasing::none;
+    const Plan plan = plan_of(scene, round < 8 ? size : Size{70, 90});
+    const engine::Buffers buffers = engine::buffers_of(scene);
+    const auto* const before = picture.image.cells().data();
+    engine::draw_into(picture, scene, buffers, plan, workspace, 1);
+    stayed += picture.image.cells().data() == before;
+    const engine::Picture fresh = engine::picture_of(scene, buffers, plan, workspace, 1);
+    EXPECT_TRUE(picture.image == fresh.image) << "round " << round;
+    EXPECT_EQ(picture.covered, fresh.covered);
+  }
+  EXPECT_EQ(stayed, 7 + 3);  // all but the first of each size
 }
 
 TEST(Engine, DrawsWhatIsShippedAsTheTextbookChainDoes) {
