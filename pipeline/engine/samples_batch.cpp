@@ -371,7 +371,8 @@ HWY_NOINLINE ivec2 colour_place_of_long(const triangle_coverage::Edges& edges, i
 }
 
 /// The triangles that the samples of a pixel show: those that stand in `samples`, or the one that covers all.
-HWY_INLINE void winners_of(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
+/// Returns whether there may be another one than that.
+HWY_INLINE bool winners_of(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
                            std::span<const ivec2> places, std::int32_t* winners) {
   const Whole whole;
   const Single single;
@@ -379,12 +380,14 @@ HWY_INLINE void winners_of(const Frame& frame, const SampleBuffer& buffer, std::
   const std::int32_t other = buffer.whole[cell];
   const float from = buffer.least[cell] - unsure_at(buffer.least[cell]),
               to = buffer.most[cell] + unsure_at(buffer.most[cell]);
+  bool others = false;
   for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
     const auto ids = hn::Load(whole, own.ids.data() + i);
     const auto nearness = hn::Load(single, own.nearness.data() + i);
     const auto mine = hn::Gt(nearness, hn::Set(single, to));
     hn::Store(hn::IfThenElse(hn::RebindMask(whole, mine), ids, hn::Set(whole, other)), whole, winners + i);
     const auto open = hn::AndNot(mine, hn::Ge(nearness, hn::Set(single, from)));
+    others |= !hn::AllFalse(single, hn::Or(mine, open));
     if (other == no_triangle || hn::AllFalse(single, open)) continue;
     for (std::size_t s = i; s < std::min(i + hn::Lanes(whole), places.size()); ++s) {
       if (own.ids[s] == no_triangle || own.nearness[s] > to || own.nearness[s] < from) continue;
@@ -393,6 +396,7 @@ HWY_INLINE void winners_of(const Frame& frame, const SampleBuffer& buffer, std::
           exact_depth(frame, own.ids[s], there) < exact_depth(frame, other, there) ? own.ids[s] : other;
     }
   }
+  return others;
 }
 
 /// Where a triangle's colour in a pixel is asked for: adaptive::colour_place. offsets: from the centre to the
@@ -446,8 +450,10 @@ void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> 
   for (const std::int32_t number : buffer.sampled_cells) {
     const auto cell = static_cast<std::size_t>(number);
     const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
-    winners_of(frame, buffer, cell, pixel, places, winners);
-    show_pixel(frame, cell, pixel, winners, offsets, places, shown);
+    if (winners_of(frame, buffer, cell, pixel, places, winners))
+      show_pixel(frame, cell, pixel, winners, offsets, places, shown);
+    else
+      shown.push_back({cell, buffer.whole[cell], static_cast<std::int32_t>(places.size()), pixel_middle});
   }
 }
 

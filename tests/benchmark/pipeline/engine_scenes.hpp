@@ -13,22 +13,27 @@ inline void add_triangle(Mesh& mesh, int a, int b, int c) {
   add_face(mesh, corners);
 }
 
-/// A sphere of 2 n (n - 1) triangles along circles of longitude and latitude.
+/// A closed sphere of 2 n (n - 1) triangles along circles of longitude and latitude.
 inline Mesh sphere(int n) {
   constexpr double pi = 0x1.921fb54442d18p1;
   Mesh mesh;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const SinCos a = sin_cos(pi * i / n), b = sin_cos(2 * pi * j / n);
-      mesh.positions.push_back({a.sin * b.cos, a.cos, -a.sin * b.sin});
-      mesh.normals.push_back(unit_vector(mesh.positions.back()));
-    }
-  }
+  const auto add_place = [&](int i, int j) {
+    const SinCos a = sin_cos(pi * i / n), b = sin_cos(2 * pi * j / n);
+    mesh.positions.push_back({a.sin * b.cos, a.cos, -a.sin * b.sin});
+    mesh.normals.push_back(unit_vector(mesh.positions.back()));
+  };
+  add_place(0, 0);
+  for (int i = 1; i < n; ++i)
+    for (int j = 0; j < n; ++j) add_place(i, j);
+  add_place(n, 0);
+  // A circle of latitude has its first vertex again behind its last; a pole is one vertex
+  const auto vertex = [n](int i, int j) {
+    return i == 0 ? 0 : i == n ? 1 + (n - 1) * n : 1 + (i - 1) * n + j % n;
+  };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const int p = i * n + j, q = i * n + (j + 1) % n;
-      if (i + 1 < n) add_triangle(mesh, p, p + n, q + n);
-      if (i > 0) add_triangle(mesh, p, q + n, q);
+      if (i + 1 < n) add_triangle(mesh, vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      if (i > 0) add_triangle(mesh, vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
     }
   }
   return mesh;
