@@ -62,7 +62,9 @@ class Browser:
             except OSError:
                 time.sleep(0.1)
         options = {'binary': binary, 'args': [*FLAGS, f'--user-data-dir={self.profile}', *flags]}
+        # The default of 30 s is short for reading a large page on a busy machine
         wanted = {'browserName': 'chrome', 'goog:chromeOptions': options, 'unhandledPromptBehavior': 'ignore',
+                  'timeouts': {'script': 110_000},
                   'goog:loggingPrefs': {'browser': 'ALL', 'performance': 'ALL'}}
         self.base = f'{server}/session'
         answer = self.call('POST', '', {'capabilities': {'alwaysMatch': wanted}})
