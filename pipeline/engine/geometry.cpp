@@ -115,24 +115,28 @@ class PieceWork {
       if (piece.seen() == Seen::unsure)
         look_closely(piece.number());
       else
-        batch_.triangles.push_back(uncut(piece.number(), piece.seen() == Seen::behind));
+        put_uncut(piece.number(), piece.seen() == Seen::behind, batch_.triangles.emplace_back());
     }
   }
 
  private:
   FrameTriangle uncut(std::int32_t number, bool behind) const {
+    FrameTriangle t;
+    put_uncut(number, behind, t);
+    return t;
+  }
+  /// Writes a triangle where it stays: one that is written elsewhere and copied waits for its own parts.
+  void put_uncut(std::int32_t number, bool behind, FrameTriangle& t) const {
     const PieceVertices& piece = object_.pieces->vertices[static_cast<std::size_t>(number)];
     const auto order = order_of(object_);
-    const auto at = [&](std::size_t k) {
-      return static_cast<std::size_t>(object_.first_vertex + piece[order[k]]);
-    };
-    const std::size_t a = at(0), b = at(1), c = at(2);
-    return {{frame_.grid[a], frame_.grid[b], frame_.grid[c]},
-            {frame_.depths[a], frame_.depths[b], frame_.depths[c]},
-            place_,
-            number,
-            false,
-            behind};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto vertex = static_cast<std::size_t>(object_.first_vertex + piece[order[k]]);
+      t.grid[k] = frame_.grid[vertex];
+      t.depth[static_cast<int>(k)] = frame_.depths[vertex];
+    }
+    t.object = place_;
+    t.piece = number;
+    t.seen_from_behind = behind;
   }
 
   void look_closely(std::int32_t number) {

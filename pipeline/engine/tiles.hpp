@@ -21,6 +21,11 @@ inline Window square_with(ivec2 pixel) {
   return {lower, lower + (tile_side - 1)};
 }
 
+/// Whether a tile is not cut off by the rim of a picture's part.
+inline bool is_whole_tile(const Window& tile) {
+  return tile.width() == tile_side && tile.height() == tile_side;
+}
+
 /// The tiles of a part of a picture, row by row; those at its rim are cut off.
 class TileGrid {
  public:

@@ -31,7 +31,8 @@ class Visibility {
     for (int y = 0; y < tile_side; ++y)
       for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
         buffer.nearness[TileBuffer::cell({x, y})] = 2;
-    find_far();
+    far_.fill(-1);
+    if (!is_whole_tile(pixels)) find_far();
   }
 
   /// Draws up to casts_at_once triangles.
