@@ -119,10 +119,13 @@ std::string table_of(const Findings& findings) {
   if (!findings.duels.empty()) return duels_table(findings);
   const Subject& subject = *findings.subject;
   const std::vector<bool> best = pareto_optimal(findings.results);
+  std::size_t wide = 34;
+  for (const Result& r : findings.results)
+    wide = std::max({wide, r.of.workload.name.size(), r.of.method.size()});
   std::string text = fmt::format("{}: {}, times a {}\n", subject.topic, subject.title, subject.item);
   for (const std::string& workload : workloads_of(findings)) {
-    text += fmt::format("\n  {:<34} {:<7} {:>9} {:>9} {:>8} {:>10} {:>10} {:>7}\n", workload, "", "ns", "M/s",
-                        "spread", "max " + subject.unit, "rms " + subject.unit, "wrong");
+    text += fmt::format("\n  {:<{}} {:<7} {:>9} {:>9} {:>8} {:>10} {:>10} {:>7}\n", workload, wide, "", "ns",
+                        "M/s", "spread", "max " + subject.unit, "rms " + subject.unit, "wrong");
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < findings.results.size(); ++i) {
       if (findings.results[i].of.workload.name == workload) order.push_back(i);
@@ -131,8 +134,8 @@ std::string table_of(const Findings& findings) {
     for (const std::size_t i : order) {
       const Result& r = findings.results[i];
       const auto& error = r.of.error;
-      text += fmt::format("{} {:<34} {:<7} {:>9} {:>9} {:>7.0f}% {:>10} {:>10} {:>7}\n", best[i] ? '*' : ' ',
-                          r.of.method, name_of(r.of.standing), number(r.nanoseconds),
+      text += fmt::format("{} {:<{}} {:<7} {:>9} {:>9} {:>7.0f}% {:>10} {:>10} {:>7}\n", best[i] ? '*' : ' ',
+                          r.of.method, wide, name_of(r.of.standing), number(r.nanoseconds),
                           number(1000 / r.nanoseconds), 100 * r.spread, error ? number(error->max) : "",
                           error ? number(error->rms) : "", error ? fmt::format("{}", error->wrong) : "");
     }

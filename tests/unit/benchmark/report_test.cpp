@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "core/random.hpp"
@@ -79,6 +80,20 @@ TEST(Report, TableMarksTheBestAndSortsByTime) {
   EXPECT_LT(at("* slow and right"), at("10 things"));
   at("25%");
   at("max ulp");
+}
+
+TEST(Report, ColumnsStandBelowOneAnotherWhateverTheNamesAre) {
+  Findings long_names = findings();
+  for (Result& result : long_names.results) result.of.workload.name += std::string(30, 'x');
+  const std::string table = table_of(long_names);
+  std::set<std::size_t> heads, units;
+  for (std::size_t begin = 0; begin < table.size(); begin = table.find('\n', begin) + 1) {
+    const std::string line = table.substr(begin, table.find('\n', begin) - begin);
+    if (line.ends_with("wrong")) heads.insert(line.find(" ns ") + 3);
+    if (line.find('%') != std::string::npos) units.insert(line.find('%') + 1);
+  }
+  EXPECT_EQ(heads.size(), 1u) << table;
+  EXPECT_EQ(units.size(), 1u) << table;
 }
 
 TEST(Report, JsonHasTheLayoutOfGoogleBenchmark) {
