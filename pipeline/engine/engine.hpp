@@ -80,8 +80,8 @@ class Workspace {
 /// Cost: some nanoseconds a vertex, a triangle and a pixel: docs/engine.md.
 Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
                    int threads = 0, const EngineWatch& watch = {});
-/// The same into a picture that is there: where its size is the one asked for, in its own memory, as one
-/// frame after the other is drawn. The system takes about as long to give 8 MB as the engine to draw them.
+/// The same into a picture that is there: where its size is the one asked for, in its own memory, so that the
+/// system has not to give megabytes for every frame.
 void draw_into(Picture& picture, const Scene& scene, const Buffers& buffers, const Plan& plan,
                Workspace& workspace, int threads = 0, const EngineWatch& watch = {});
 

@@ -42,10 +42,8 @@ class Sampling {
     buffer.sampled.fill(-1);
     buffer.samples.clear();
     buffer.sampled_cells.clear();
-    // Nothing is nearer than what lies beyond the window
-    for (int y = 0; y < tile_side; ++y)
-      for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
-        buffer.least[TileBuffer::cell({x, y})] = buffer.most[TileBuffer::cell({x, y})] = 2;
+    close_beyond(pixels, buffer.least);
+    close_beyond(pixels, buffer.most);
     far_.fill(-1);
     if (is_whole_tile(pixels)) return;
     for (std::size_t block = 0; block < far_.size(); ++block) far_[block] = farthest_in(block);

@@ -27,10 +27,7 @@ class Visibility {
       : frame_(frame), pixels_(pixels), buffer_(buffer) {
     buffer.nearness.fill(-1);
     buffer.ids.fill(no_triangle);
-    // Nothing is nearer than what lies beyond the window
-    for (int y = 0; y < tile_side; ++y)
-      for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
-        buffer.nearness[TileBuffer::cell({x, y})] = 2;
+    close_beyond(pixels, buffer.nearness);
     far_.fill(-1);
     if (!is_whole_tile(pixels)) find_far();
   }

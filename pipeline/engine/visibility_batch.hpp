@@ -39,6 +39,13 @@ struct alignas(64) TileBuffer {
   }
 };
 
+/// Nothing is nearer than what lies beyond the window: sets the cells of a tile that are no pixels of it.
+inline void close_beyond(const Window& pixels, std::array<float, TileBuffer::cells>& nearness) {
+  for (int y = 0; y < tile_side; ++y)
+    for (int x = y < pixels.height() ? static_cast<int>(pixels.width()) : 0; x < tile_side; ++x)
+      nearness[TileBuffer::cell({x, y})] = 2;
+}
+
 /// Finds what is nearest at the pixels of a tile, of equals what comes first by object, face and piece.
 ///
 /// frame: with its triangles sorted into tiles. pixels: of the tile. buffer: is overwritten; cells beyond the

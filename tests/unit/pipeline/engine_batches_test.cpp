@@ -187,6 +187,16 @@ void expect_nearest(const Frame& frame, int tile, const Window& pixels, const Ti
     ASSERT_EQ(buffer.ids[cell], nearest[cell] ? nearest[cell]->id : no_triangle) << "cell " << cell;
 }
 
+void expect_nearest_everywhere(Frame& frame, const Window& window) {
+  const TileGrid grid(window);
+  bin(frame, grid, Touch::centres);
+  const auto buffer = std::make_unique<TileBuffer>();
+  for (int tile = 0; tile < grid.count(); ++tile) {
+    find_nearest(frame, tile, grid.tile(tile), *buffer);
+    expect_nearest(frame, tile, grid.tile(tile), *buffer);
+  }
+}
+
 TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
   const std::uint64_t seed = test::seed();
   for (int round = 0; round < 25; ++round) {
@@ -199,13 +209,7 @@ TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
     test::on_every_target([&] {
       Frame frame;
       make_frame(scene, buffers, plan, Touch::centres, frame);
-      const TileGrid grid(plan.window);
-      bin(frame, grid, Touch::centres);
-      const auto buffer = std::make_unique<TileBuffer>();
-      for (int tile = 0; tile < grid.count(); ++tile) {
-        find_nearest(frame, tile, grid.tile(tile), *buffer);
-        expect_nearest(frame, tile, grid.tile(tile), *buffer);
-      }
+      expect_nearest_everywhere(frame, plan.window);
     });
   }
 }
@@ -254,13 +258,7 @@ TEST(EngineBatches, FindWhatIsNearestAmongTrianglesOfAllSizes) {
           long_ones += side_of_box(t.grid) > 1 << 23;
         }
       }
-      const TileGrid grid(plan.window);
-      bin(frame, grid, Touch::centres);
-      const auto buffer = std::make_unique<TileBuffer>();
-      for (int tile = 0; tile < grid.count(); ++tile) {
-        find_nearest(frame, tile, grid.tile(tile), *buffer);
-        expect_nearest(frame, tile, grid.tile(tile), *buffer);
-      }
+      expect_nearest_everywhere(frame, plan.window);
     });
   }
   EXPECT_GT(small, 0);
