@@ -239,12 +239,12 @@ HWY_INLINE void light_block(const LitCells& lit_cells, const Records& records, s
   doubtful = hn::Or(doubtful, hn::And(own, in_doubt));
 }
 
-bool light_some_blocks(const LitCells& lit_cells, const LitBlock* blocks, std::size_t count,
+bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std::size_t count,
                        const std::int32_t* ids_of_cells, std::uint32_t* colours) {
   const DI di;
   MI doubtful = hn::FirstN(di, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& [block, triangles, slots, ids] = blocks[i];
+    const auto& [block, triangles, ids, cells, slots] = blocks[i];
     const auto record = [&](std::size_t which) { return lit_cells.records[slots[which]].data(); };
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
       const I cell_ids = hn::Load(di, ids_of_cells + static_cast<std::size_t>(block * block_cells) + k);
@@ -278,15 +278,38 @@ HWY_INLINE std::uint32_t cells_with(const std::int32_t* ids, std::int32_t id) {
   return cells;
 }
 
-std::size_t list_some_shown(const std::int32_t* ids, ShownInBlock* shown) {
+// Whether all cells of a block show the same
+HWY_INLINE bool is_uniform(const std::int32_t* ids) {
+  const DI di;
+  const I first = whole(ids[0]);
+  MI same = hn::Eq(hn::Load(di, ids), first);
+  for (std::size_t k = hn::Lanes(di); k < block_cells; k += hn::Lanes(di))
+    same = hn::And(same, hn::Eq(hn::Load(di, ids + k), first));
+  return hn::AllTrue(di, same);
+}
+
+std::size_t list_some_shown(const std::int32_t* ids, ShownBlock* shown) {
   std::size_t count = 0;
   for (std::int32_t block = 0; block < blocks_across * blocks_across; ++block, ids += block_cells) {
+    const std::int32_t alone = ids[0];
+    if (is_uniform(ids)) {
+      if (alone != no_triangle) shown[count++] = {block, 1, {alone, alone, alone}, {block_cells, 0, 0}};
+      continue;
+    }
     std::uint32_t left = 0xffff ^ cells_with(ids, no_triangle);
     while (left != 0) {
-      const std::int32_t id = ids[std::countr_zero(left)];
-      const std::uint32_t cells = cells_with(ids, id);
-      shown[count++] = {block, id, std::popcount(cells)};
-      left ^= cells;
+      ShownBlock& some = shown[count++];
+      some = {block, 0, {}, {}};
+      while (left != 0 && some.triangles < 3) {
+        const std::int32_t id = ids[std::countr_zero(left)];
+        const std::uint32_t cells = cells_with(ids, id);
+        const auto next = static_cast<std::size_t>(some.triangles++);
+        some.ids[next] = id;
+        some.cells[next] = std::popcount(cells);
+        left ^= cells;
+      }
+      for (auto rest = static_cast<std::size_t>(some.triangles); rest < 3; ++rest)
+        some.ids[rest] = some.ids[0];
     }
   }
   return count;
@@ -349,11 +372,11 @@ HWY_EXPORT(light_some_corners);
 HWY_EXPORT(light_some_places);
 HWY_EXPORT(pack_some);
 
-std::size_t list_shown(const TileBuffer& buffer, std::span<ShownInBlock, TileBuffer::cells> shown) {
+std::size_t list_shown(const TileBuffer& buffer, std::span<ShownBlock, most_shown_blocks> shown) {
   return HWY_DYNAMIC_DISPATCH(list_some_shown)(buffer.ids.data(), shown.data());
 }
 
-bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const TileBuffer& buffer,
+bool light_blocks(const LitCells& lit, std::span<const ShownBlock> blocks, const TileBuffer& buffer,
                   std::uint32_t* colours) {
   return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), buffer.ids.data(),
                                                  colours);

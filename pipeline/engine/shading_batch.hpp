@@ -10,15 +10,20 @@
 
 namespace gradus::pipeline::engine {
 
-/// A triangle that a block of a tile shows.
-struct ShownInBlock {
-  std::int32_t block, id;
-  std::int32_t cells;  ///< how many show it
+/// Up to three of the triangles that a block of 4 x 4 cells shows; what is left of the places repeats the
+/// first of them.
+struct ShownBlock {
+  std::int32_t block = 0, triangles = 0;
+  std::array<std::int32_t, 3> ids{}, cells{};  ///< which they are, and how many cells show each
+  std::array<std::int32_t, 3> slots{};         ///< their records
 };
+inline constexpr std::size_t most_shown_blocks =
+    std::size_t{blocks_across} * blocks_across * ((block_cells + 2) / 3);
 
 /// Lists what the blocks of a tile show, block by block, each triangle of a block once, in the order of its
-/// cells. shown: is written from the first on. Returns how many there are. Cost: 3 nanoseconds each.
-std::size_t list_shown(const TileBuffer& buffer, std::span<ShownInBlock, TileBuffer::cells> shown);
+/// cells, but for their slots. shown: is written from the first on. Returns how many there are. Cost: 3
+/// nanoseconds each.
+std::size_t list_shown(const TileBuffer& buffer, std::span<ShownBlock, most_shown_blocks> shown);
 
 /// Pixels of one group that are lit alike, and the records of their triangles.
 struct LitCells {
@@ -28,13 +33,7 @@ struct LitCells {
   glm::vec3 towards{0};   ///< the viewer, where rays are parallel
 };
 
-/// Up to three triangles of one group in a block of 4 x 4 cells; the other places repeat one of them.
-struct LitBlock {
-  std::int32_t block, triangles;
-  std::array<std::int32_t, 3> slots, ids;  ///< their records, and which cells they have
-};
-
-/// Colours of blocks, of each the cells that show one of its triangles.
+/// Colours of blocks, of each the cells that show one of its triangles: all of one group.
 ///
 /// colours: of all cells of the tile, aligned to 64 bytes; gets 8-bit sRGB, red in the lowest byte, or 0 for
 ///   those in doubt, which the textbook's arithmetic must light: where a highlight or a spot ends at once,
@@ -43,7 +42,7 @@ struct LitBlock {
 /// Returns whether some are in doubt.
 /// Accuracy: the nearest byte or one beside it where single precision suits; the same on every machine.
 /// Cost: 4 nanoseconds a pixel and lamp with 16 lanes, of which a block has 16.
-bool light_blocks(const LitCells& lit, std::span<const LitBlock> blocks, const TileBuffer& buffer,
+bool light_blocks(const LitCells& lit, std::span<const ShownBlock> blocks, const TileBuffer& buffer,
                   std::uint32_t* colours);
 
 /// Places of one group, anywhere in a tile's pixels, and their light.

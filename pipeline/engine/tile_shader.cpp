@@ -32,13 +32,14 @@ void TileShader::Share::clear() {
   pixels = 0;
 }
 
-/// Blocks come one after the other.
-void TileShader::Share::add(std::int32_t block, std::int32_t slot, std::int32_t id) {
-  if (blocks.empty() || blocks.back().block != block || blocks.back().triangles == 3) {
-    blocks.push_back({block, 1, {slot, slot, slot}, {id, id, id}});
+/// Adds one of the triangles of a block. Blocks come one after the other.
+void TileShader::Share::add(const ShownBlock& shown, std::size_t which) {
+  const std::int32_t id = shown.ids[which], slot = shown.slots[which];
+  if (blocks.empty() || blocks.back().block != shown.block || blocks.back().triangles == 3) {
+    blocks.push_back({shown.block, 1, {id, id, id}, {}, {slot, slot, slot}});
     return;
   }
-  LitBlock& last = blocks.back();
+  ShownBlock& last = blocks.back();
   const auto next = static_cast<std::size_t>(last.triangles++);
   last.slots[next] = slot;
   last.ids[next] = id;
@@ -214,27 +215,49 @@ void TileShader::colour_carefully(const TileBuffer& buffer, ivec2 origin) {
     colours_[cell] = packed(surfaces_.colour(buffer.ids[cell], origin + TileBuffer::place(cell)));
 }
 
+/// Whether batches light all that is seen alike.
+bool TileShader::is_of_one_kind() const {
+  return groups_here_.size() == 1 && std::ranges::none_of(seen_, &Seen::careful);
+}
+
+/// The group of all that a block shows, or -1: there are several, or batches do not light all.
+std::int32_t TileShader::group_of(const ShownBlock& shown) const {
+  const auto seen = [&](std::size_t k) -> const Seen& {
+    return seen_[static_cast<std::size_t>(shown.slots[k])];
+  };
+  const std::int32_t group = seen(0).group;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(shown.triangles); ++k)
+    if (seen(k).group != group || seen(k).careful) return -1;
+  return group;
+}
+
 /// Sorts what blocks show by groups.
 void TileShader::sort(const TileBuffer& buffer) {
-  careful_cells_.clear();
-  for (std::size_t i = 0; i < in_blocks_count_; ++i) {
-    const Seen& seen = seen_[static_cast<std::size_t>(slots_[i])];
-    const ShownInBlock& shown = in_blocks_[i];
-    Share& share = share_of(seen.group);
-    if (!seen.careful) {
-      share.add(shown.block, slots_[i], seen.id);
-      continue;
-    }
-    leave_to_care(shown, buffer);
-    share.pixels -= shown.cells;  // the textbook's arithmetic counts its own
+  for (const ShownBlock& shown : in_blocks()) {
+    if (const std::int32_t group = group_of(shown); group >= 0)
+      share_of(group).blocks.push_back(shown);
+    else
+      for (std::size_t k = 0; k < static_cast<std::size_t>(shown.triangles); ++k) sort(shown, k, buffer);
   }
 }
 
+/// One of the triangles of a block.
+void TileShader::sort(const ShownBlock& shown, std::size_t which, const TileBuffer& buffer) {
+  const Seen& seen = seen_[static_cast<std::size_t>(shown.slots[which])];
+  Share& share = share_of(seen.group);
+  if (!seen.careful) {
+    share.add(shown, which);
+    return;
+  }
+  leave_to_care(shown, which, buffer);
+  share.pixels -= shown.cells[which];  // the textbook's arithmetic counts its own
+}
+
 /// Single precision would not do for a triangle in a block.
-void TileShader::leave_to_care(const ShownInBlock& shown, const TileBuffer& buffer) {
+void TileShader::leave_to_care(const ShownBlock& shown, std::size_t which, const TileBuffer& buffer) {
   const std::size_t first = static_cast<std::size_t>(shown.block) * full;
   for (std::size_t cell = first; cell < first + full; ++cell)
-    if (buffer.ids[cell] == shown.id) careful_cells_.push_back(cell);
+    if (buffer.ids[cell] == shown.ids[which]) careful_cells_.push_back(cell);
 }
 
 /// Counts what lights the pixels of a group. Flat light is counted where it is made.
@@ -283,13 +306,16 @@ std::int64_t TileShader::find_seen(const TileBuffer& buffer) {
   in_blocks_count_ = list_shown(buffer, in_blocks_);
   std::int64_t covered = 0;
   std::int32_t last_id = no_triangle, slot = -1;
-  for (std::size_t i = 0; i < in_blocks_count_; ++i) {
-    const ShownInBlock& shown = in_blocks_[i];
-    if (shown.id != last_id) slot = slot_of(shown.id);
-    last_id = shown.id;
-    slots_[i] = slot;
-    seen_[static_cast<std::size_t>(slot)].pixels += shown.cells;
-    covered += shown.cells;
+  for (ShownBlock& shown : std::span(in_blocks_).first(in_blocks_count_)) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(shown.triangles); ++k) {
+      if (shown.ids[k] != last_id) slot = slot_of(shown.ids[k]);
+      last_id = shown.ids[k];
+      shown.slots[k] = slot;
+      seen_[static_cast<std::size_t>(slot)].pixels += shown.cells[k];
+      covered += shown.cells[k];
+    }
+    for (auto rest = static_cast<std::size_t>(shown.triangles); rest < 3; ++rest)
+      shown.slots[rest] = shown.slots[0];
   }
   return covered;
 }
@@ -305,7 +331,9 @@ void TileShader::begin() {
 
 /// Colours the pixels that show one triangle alone.
 void TileShader::light_whole_pixels(const TileBuffer& buffer, ivec2 origin) {
-  sort(buffer);
+  careful_cells_.clear();
+  const bool sorted = !is_of_one_kind();
+  if (sorted) sort(buffer);
   bool some_in_doubt = false;
   for (const std::int32_t number : groups_here_) {
     const ShadingGroup& group = shading_.groups()[static_cast<std::size_t>(number)];
@@ -313,7 +341,7 @@ void TileShader::light_whole_pixels(const TileBuffer& buffer, ivec2 origin) {
     count_light(share, group);
     const LitCells lit{&group, records_.data(), shading_.scene().shading == Shading::phong,
                        shading_.towards()};
-    some_in_doubt |= light_blocks(lit, share.blocks, buffer, colours_.data());
+    some_in_doubt |= light_blocks(lit, sorted ? share.blocks : in_blocks(), buffer, colours_.data());
   }
   if (some_in_doubt) take_doubtful(buffer);
   colour_carefully(buffer, origin);

@@ -47,11 +47,11 @@ class TileShader {
   /// What is seen of a group, as light_blocks takes it.
   struct Share {
     std::vector<std::int32_t> slots;
-    std::vector<LitBlock> blocks;
+    std::vector<ShownBlock> blocks;  ///< where the tile shows several groups
     std::int64_t pixels = 0;
 
     void clear();
-    void add(std::int32_t block, std::int32_t slot, std::int32_t id);
+    void add(const ShownBlock& shown, std::size_t which);
   };
 
   /// A triangle in a pixel that shows several, or not one alone.
@@ -82,8 +82,12 @@ class TileShader {
   void light_corners_of(Share& share, const ShadingGroup& group);
   void put_light_of_faces();
   void put_light(std::size_t slot, const ShadingGroup& group, const std::array<dvec3, 6>& parts);
+  bool is_of_one_kind() const;
+  std::int32_t group_of(const ShownBlock& shown) const;
   void sort(const TileBuffer& buffer);
-  void leave_to_care(const ShownInBlock& shown, const TileBuffer& buffer);
+  void sort(const ShownBlock& shown, std::size_t which, const TileBuffer& buffer);
+  void leave_to_care(const ShownBlock& shown, std::size_t which, const TileBuffer& buffer);
+  std::span<const ShownBlock> in_blocks() const { return std::span(in_blocks_).first(in_blocks_count_); }
   void take_doubtful(const TileBuffer& buffer);
   void colour_carefully(const TileBuffer& buffer, ivec2 origin);
   void count_light(const Share& share, const ShadingGroup& group);
@@ -103,8 +107,7 @@ class TileShader {
   std::vector<std::int32_t> groups_here_;
   std::vector<std::size_t> careful_cells_;
   std::vector<float> places_, normals_, light_;
-  std::array<ShownInBlock, TileBuffer::cells> in_blocks_;
-  std::array<std::int32_t, TileBuffer::cells> slots_;  ///< of the same
+  std::array<ShownBlock, most_shown_blocks> in_blocks_;
   std::size_t in_blocks_count_ = 0;
   std::vector<ShownTriangle> shown_;
   std::vector<Fragment> fragments_;  ///< those of a pixel beside one another
