@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include "engine/casts.hpp"
+#include "engine/mask_bits-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
@@ -42,14 +43,6 @@ constexpr int look_after = 256;
 HWY_INLINE F unsure(F nearness) {
   const Single d;
   return hn::Add(hn::Mul(nearness, hn::Set(d, unsure_share)), hn::Set(d, unsure_at_least));
-}
-
-/// One bit a lane, that of the first the lowest.
-template <class D>
-HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, mask, bytes.data());
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
 /// Blocks of a row, one bit each.
@@ -137,12 +130,6 @@ class BlockDepths {
   NearnessPlane plane_;
   float rise_;
 };
-
-/// Calls visit(x) for each bit x, from the lowest.
-template <class Visit>
-HWY_INLINE void for_each_bit(std::uint32_t bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
-}
 
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

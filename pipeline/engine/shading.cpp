@@ -5,10 +5,7 @@
 #include <cmath>
 
 #include "projection/viewing/viewing.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 #include "shading/illumination/illumination.hpp"
-#include "stages/1_input.hpp"
-#include "transformation/affine_3d/affine_3d.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
@@ -69,53 +66,13 @@ TextureLevels levels_of(const LinearTexture& texture, TextureFilter filter) {
   return levels;
 }
 
-// --- Corners -------------------------------------------------------------------------------------
-
-/// Of length 1; without the care of unit_vector where none is called for.
-dvec3 quick_unit(dvec3 v) {
-  const double square = glm::dot(v, v);
-  return 1e-200 < square && square < 1e200 ? v / std::sqrt(square) : unit_vector(v);
-}
-
-SeenCorners corners_of_cut(const Triangle& t, dvec3 eye) {
-  SeenCorners corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const TriangleCorner& c = t.corners[k];
-    corners.places[k] = c.world.at - eye;
-    corners.normals[k] = c.normal;
-    corners.texture[k] = c.texture;
-    corners.over_w[static_cast<int>(k)] = c.over_w;
-  }
-  return corners;
+void put_in(std::size_t lane, const dvec3& v, std::array<SeenTriangles::Lanes<double>, 3>& into) {
+  into[0][lane] = v.x;
+  into[1][lane] = v.y;
+  into[2][lane] = v.z;
 }
 
 }  // namespace
-
-PlaneMaker::PlaneMaker(const triangle_coverage::Triangle& grid, const Window& box, const dvec3& over_w) {
-  const auto edges = triangle_coverage::edges_of(grid);
-  const auto area = static_cast<double>(std::abs(triangle_coverage::doubled_area(grid)));
-  constexpr double most_change = 16;
-  const ivec2 reach = box.upper - box.lower;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const triangle_coverage::Edge& edge = edges[k + 1];
-    across_[k] = static_cast<double>(edge.step()) / area;
-    down_[k] = static_cast<double>(edge.to.x - edge.from.x) * triangle_coverage::subpixels / area;
-    thin_ |= std::abs(across_[k]) * reach.x + std::abs(down_[k]) * reach.y > most_change;
-  }
-  const double to_second = over_w.y - over_w.x, to_third = over_w.z - over_w.x;
-  const bool right = to_second * across_[0] + to_third * across_[1] > 0,
-             below = to_second * down_[0] + to_third * down_[1] > 0;
-  pixel_ = {right ? box.upper.x : box.lower.x, below ? box.upper.y : box.lower.y};
-  const ivec2 centre = triangle_coverage::centre_of(pixel_);
-  for (std::size_t k = 0; k < 2; ++k) there_[k] = static_cast<double>(edges[k + 1].at(centre)) / area;
-}
-
-void PlaneMaker::put(const dvec3& at, float* into) const {
-  const double second = at.y - at.x, third = at.z - at.x;
-  into[0] = static_cast<float>(there(at));
-  into[1] = static_cast<float>(second * across_[0] + third * across_[1]);
-  into[2] = static_cast<float>(second * down_[0] + third * down_[1]);
-}
 
 FrameShading::FrameShading(const Scene& scene, const Buffers& buffers, const Plan& plan, const Frame& frame)
     : scene_(scene), buffers_(buffers), plan_(plan), frame_(frame) {
@@ -151,42 +108,49 @@ std::int32_t FrameShading::group_for(const Material& material, const std::vector
   return known->second;
 }
 
-std::int32_t FrameShading::group_of(std::int32_t id) const {
+std::int32_t FrameShading::put_cut(std::int32_t id, std::size_t lane, SeenTriangles& seen) const {
   const FrameTriangle& t = frame_.triangle(id);
-  const FrameObject& object = frame_.object_of(t);
-  const auto of_cut = [&] {
-    const Mesh& mesh = *object_at(scene_, object.number).mesh;
-    return mesh.faces[static_cast<std::size_t>(frame_.cut_triangle(id).id.face)].material;
-  };
-  const int material = t.cut ? of_cut() : object.pieces->of_faces[static_cast<std::size_t>(t.piece)].material;
-  return group_[static_cast<std::size_t>(first_[static_cast<std::size_t>(t.object)] + material)];
+  const Triangle& cut = frame_.cut_triangle(id);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TriangleCorner& corner = cut.corners[k];
+    put_in(lane, corner.world.at - scene_.camera.frame.eye, seen.places[k]);
+    put_in(lane, corner.normal, seen.normals[k]);
+    seen.texture[k][0][lane] = corner.texture.x;
+    seen.texture[k][1][lane] = corner.texture.y;
+  }
+  seen.object[lane] = SeenTriangles::cut;
+  seen.side[lane] = 1;  // normals are on the viewer's side already
+  const Mesh& mesh = *object_at(scene_, frame_.object_of(t).number).mesh;
+  return group_of(t, mesh.faces[static_cast<std::size_t>(cut.id.face)].material);
 }
 
-SeenCorners FrameShading::corners_of(std::int32_t id) const {
+std::int32_t FrameShading::put(std::int32_t id, std::size_t lane, SeenTriangles& seen) const {
   const FrameTriangle& t = frame_.triangle(id);
-  const dvec3 eye = scene_.camera.frame.eye;
-  if (t.cut) return corners_of_cut(frame_.cut_triangle(id), eye);
+  for (std::size_t k = 0; k < 3; ++k) {
+    seen.grid[k][0][lane] = t.grid[k].x;
+    seen.grid[k][1][lane] = t.grid[k].y;
+  }
+  if (t.cut) return seen.group[lane] = put_cut(id, lane, seen);
   const FrameObject& object = frame_.object_of(t);
-  const Object& placed = object_at(scene_, object.number);
-  const Mesh& mesh = *placed.mesh;
+  const Mesh& mesh = *object_at(scene_, object.number).mesh;
   const auto piece = static_cast<std::size_t>(t.piece);
   const MeshPiece& of_face = object.pieces->of_faces[piece];
-  SeenCorners corners;
-  for (int k = 0; k < 3; ++k) {
-    const auto at = static_cast<std::size_t>(k), from = object.mirrored && k > 0 ? 3 - at : at;
-    const auto vertex = static_cast<std::size_t>(object.pieces->vertices[piece][from]);
+  const PieceVertices& vertices = object.pieces->vertices[piece];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t from = object.mirrored && k > 0 ? 3 - k : k;
     const std::int32_t own = of_face.normals[from], texture = of_face.textures[from];
-    const dvec3 world = affine_3d::transform(placed.placement, mesh.positions[vertex]);
-    const dvec3 normal = quick_unit(object.normal_matrix *
-                                    (own < 0 ? object.pieces->flat_normals[static_cast<std::size_t>(-1 - own)]
-                                             : mesh.normals[static_cast<std::size_t>(own)]));
-    corners.places[at] = world - eye;
-    corners.normals[at] = t.seen_from_behind ? -normal : normal;
-    if (texture >= 0) corners.texture[at] = mesh.textures[static_cast<std::size_t>(texture)];
-    if (!scene_.camera.rays)
-      corners.over_w[k] = 1 / glm::dot(scene_.camera.frame.forward, corners.places[at]);
+    put_in(lane, mesh.positions[static_cast<std::size_t>(vertices[from])], seen.places[k]);
+    put_in(lane,
+           own < 0 ? object.pieces->flat_normals[static_cast<std::size_t>(-1 - own)]
+                   : mesh.normals[static_cast<std::size_t>(own)],
+           seen.normals[k]);
+    const dvec2 at = texture < 0 ? dvec2(0) : mesh.textures[static_cast<std::size_t>(texture)];
+    seen.texture[k][0][lane] = at.x;
+    seen.texture[k][1][lane] = at.y;
   }
-  return corners;
+  seen.object[lane] = t.object;
+  seen.side[lane] = t.seen_from_behind ? -1 : 1;
+  return seen.group[lane] = group_of(t, of_face.material);
 }
 
 bool suits_single_precision(const Scene& scene) {

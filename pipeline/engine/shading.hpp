@@ -3,12 +3,14 @@
 // the picture of what is linear on its surface.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "engine/geometry.hpp"
+#include "engine/visibility_batch.hpp"
 #include "stages/textures.hpp"
 
 namespace gradus::pipeline::engine {
@@ -59,36 +61,34 @@ inline constexpr int base = 29;     ///< texture coordinates of the pixel that p
 inline constexpr int size = 32;     ///< numbers in all
 }  // namespace record
 
-/// A triangle that is seen, as its pixels ask for it.
-using TriangleRecord = std::array<float, record::size>;
+/// Sixteen triangles that are seen, side by side, as their pixels ask for them: their numbers by place.
+struct alignas(64) RecordBlock {
+  std::array<std::array<float, block_cells>, record::size> numbers;
 
-/// The corners of a triangle that is seen.
-struct SeenCorners {
-  std::array<dvec3, 3> places, normals;  ///< counted from the eye; of length 1 or 0, on the viewer's side
-  std::array<dvec2, 3> texture{};
-  dvec3 over_w{1};  ///< 1 / w, up to a factor
+  std::array<float, block_cells>& operator[](std::size_t place) { return numbers[place]; }
+  /// The first number of a triangle; others follow block_cells apart.
+  const float* of(std::size_t lane) const { return numbers.front().data() + lane; }
 };
 
-/// Planes over a triangle.
-class PlaneMaker {
- public:
-  /// box: pixels that are asked for; not empty. over_w: of the corners. Planes count from the pixel in a
-  /// corner of the box that is nearest to the viewer: from there on what is linear on the surface changes
-  /// ever faster, so that single precision has the digits it needs everywhere.
-  PlaneMaker(const triangle_coverage::Triangle& grid, const Window& box, const dvec3& over_w);
+/// Up to sixteen triangles that are seen, side by side.
+struct alignas(64) SeenTriangles {
+  template <class T>
+  using Lanes = std::array<T, block_cells>;
+  /// By corner, then by coordinate.
+  template <class T, std::size_t coordinates>
+  using Corners = std::array<std::array<Lanes<T>, coordinates>, 3>;
 
-  ivec2 pixel() const { return pixel_; }
-  /// Writes the plane of a value that is linear in the picture. at: of the corners.
-  void put(const dvec3& at, float* into) const;
-  /// Its value at pixel().
-  double there(const dvec3& at) const { return at.x + (at.y - at.x) * there_[0] + (at.z - at.x) * there_[1]; }
-  /// Whether the triangle is so thin that planes lose digits.
-  bool is_thin() const { return thin_; }
+  Corners<std::int32_t, 2> grid{};  ///< in 1/256 pixel
+  Corners<double, 3> places{},
+      normals{};  ///< in the object's space, or, where cut, from the eye in the world
+  Corners<double, 2> texture{};
+  Lanes<double> side{};                   ///< 1, or -1 where seen from behind
+  Lanes<std::int32_t> object{}, group{};  ///< object: place among the frame's, or `cut`
+  std::array<Lanes<float>, 6>
+      face_light{};  ///< flat shading: three colours of scattered light, then the highlight
+  std::size_t count = 0;
 
- private:
-  ivec2 pixel_;
-  bool thin_ = false;
-  double there_[2], across_[2], down_[2];  ///< shares of the second and the third corner
+  static constexpr std::int32_t cut = -1;
 };
 
 /// What shading needs of a scene and a camera.
@@ -98,9 +98,8 @@ class FrameShading {
   FrameShading(const Scene& scene, const Buffers& buffers, const Plan& plan, const Frame& frame);
 
   const std::vector<ShadingGroup>& groups() const { return groups_; }
-  /// The group of a triangle.
-  std::int32_t group_of(std::int32_t id) const;
-  SeenCorners corners_of(std::int32_t id) const;
+  /// Puts a triangle beside others, but for its light. Returns its group.
+  std::int32_t put(std::int32_t id, std::size_t lane, SeenTriangles& seen) const;
   /// The way to the viewer where rays are parallel, of length 1; else zero.
   const glm::vec3& towards() const { return towards_; }
   const Scene& scene() const { return scene_; }
@@ -110,6 +109,10 @@ class FrameShading {
 
  private:
   using Key = std::pair<const Material*, std::vector<int>>;
+  std::int32_t put_cut(std::int32_t id, std::size_t lane, SeenTriangles& seen) const;
+  std::int32_t group_of(const FrameTriangle& t, int material) const {
+    return group_[static_cast<std::size_t>(first_[static_cast<std::size_t>(t.object)] + material)];
+  }
   std::int32_t group_for(const Material& material, const std::vector<int>& lights);
 
   const Scene& scene_;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <limits>
 
 // Highway compiles what follows once for every kind of machine, and picks at run time
 #undef HWY_TARGET_INCLUDE
@@ -12,6 +11,8 @@
 #include <hwy/highway.h>
 
 #include "core/colour.hpp"
+#include "engine/mask_bits-inl.hpp"
+#include "engine/phong_lanes-inl.hpp"
 #include "engine/shading_lanes-inl.hpp"
 #include "engine/visibility_batch.hpp"
 
@@ -19,122 +20,28 @@ HWY_BEFORE_NAMESPACE();
 namespace gradus::pipeline::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Cosines that are less from where something ends are in doubt
-constexpr float unsure_choice = 0x1p-18f;
 // Squares of the length of a mean of normals from here on down
 constexpr float unsure_normal = 0x1p-8f;
-// Cones between whose cosines there is less have an edge that single precision cannot draw
-constexpr float sharp_cone = 0x1p-6f;
-
-// --- Light ---------------------------------------------------------------------------------------
-
-// What leaves a surface: scattered light and the highlight. Doubtful where single precision might choose
-// otherwise than double does, or loses too much
-struct Light3 {
-  Vec3 scattered, highlight;
-  M doubtful;
-};
-
-// The way to a lamp and what of its light arrives
-struct Arriving {
-  Vec3 way;
-  F share;
-  M doubtful;
-};
-
-HWY_INLINE M never() { return hn::FirstN(D(), 0); }
-HWY_INLINE M near_zero(F x, float limit) { return hn::Lt(hn::Abs(x), set(limit)); }
-
-HWY_INLINE F window_of(const Lamp& lamp, F distance) {
-  const F part = hn::Div(distance, set(lamp.range)), square = hn::Mul(part, part);
-  const F left = hn::Sub(set(1), hn::Mul(square, square));
-  return hn::IfThenElseZero(hn::Lt(distance, set(lamp.range)), hn::Mul(left, left));
-}
-
-// c: the cosine to the spot's axis
-HWY_INLINE F cone_of(const Lamp& lamp, F c) {
-  // The nearer to the inner cone the more; division by 0 where both cones are one is not asked for
-  const F t = hn::IfThenElse(hn::Lt(c, set(lamp.inner)),
-                             hn::Div(hn::Sub(c, set(lamp.outer)), set(lamp.inner - lamp.outer)), set(1));
-  F edge = hn::Mul(hn::Mul(t, t), hn::Sub(set(3), hn::Mul(set(2), t)));
-  if (lamp.concentration > 0) edge = hn::Mul(edge, power(positive(c), lamp.concentration, -1));
-  return hn::IfThenElseZero(hn::Gt(c, set(lamp.outer)), edge);
-}
-
-HWY_INLINE Arriving arriving(const Lamp& lamp, const Vec3& place) {
-  if (lamp.kind == Light::Kind::directional)
-    return {set(lamp.place), set(lamp.constant > 1 ? 1 / lamp.constant : 1.0f), never()};
-  const Vec3 to = minus(set(lamp.place), place);
-  const F square = dot(to, to), over = over_length(square);
-  // Beside the lamp the way to it is a difference of numbers that are nearly equal
-  Arriving a{scaled(to, over), set(1), hn::Lt(square, set(lamp.beside))};
-  if (lamp.weakens() || lamp.range < std::numeric_limits<float>::infinity()) {
-    const F distance = hn::Mul(square, over);
-    const F by = hn::Mul(distance, hn::Add(set(lamp.linear), hn::Mul(distance, set(lamp.quadratic))));
-    a.share = hn::Div(set(1), hn::Max(hn::Add(set(lamp.constant), by), set(1)));
-    if (lamp.range < std::numeric_limits<float>::infinity())
-      a.share = hn::Mul(a.share, window_of(lamp, distance));
-  }
-  if (lamp.kind == Light::Kind::spot) {
-    const F c = hn::Neg(dot(a.way, set(lamp.front)));
-    a.share = hn::Mul(a.share, cone_of(lamp, c));
-    if (lamp.inner - lamp.outer < sharp_cone) {
-      const F middle = set((lamp.inner + lamp.outer) / 2), half = set((lamp.inner - lamp.outer) / 2);
-      const M on_edge = hn::Lt(hn::Abs(hn::Sub(c, middle)), hn::Add(half, set(unsure_choice)));
-      a.doubtful = hn::Or(a.doubtful, on_edge);
-    }
-  }
-  if (lamp.kind == Light::Kind::area)
-    a.share = hn::Mul(a.share, positive(hn::Neg(dot(a.way, set(lamp.front)))));
-  return a;
-}
-
-// Phong's model, as illumination::phong has it
-HWY_INLINE Light3 lit(const ShadingGroup& group, const Vec3& place, const Vec3& normal, const Vec3& viewer) {
-  Light3 sum{{zero(), zero(), zero()}, {zero(), zero(), zero()}, never()};
-  const F nv = dot(normal, viewer);
-  for (const Lamp& lamp : group.lamps) {
-    const auto [way, share, beside] = arriving(lamp, place);
-    const F nl = dot(normal, way);
-    sum.doubtful = hn::Or(sum.doubtful, beside);
-    sum.scattered = add_scaled(sum.scattered, set(lamp.intensity), hn::Mul(share, positive(nl)));
-    if (!group.shines()) continue;
-    // R.V, with R = 2 (N.L) N - L
-    const F rv = hn::Sub(hn::Mul(hn::Add(nl, nl), nv), dot(way, viewer));
-    const M seen = hn::And(hn::Gt(nl, zero()), hn::Gt(rv, zero()));
-    // The highlight ends at the horizon all at once, and steeply where R.V is small and so is its power
-    sum.doubtful = hn::Or(sum.doubtful, near_zero(nl, unsure_choice));
-    if (group.shininess < 1) sum.doubtful = hn::Or(sum.doubtful, near_zero(rv, 0x1p-10f));
-    if (hn::AllFalse(D(), seen)) continue;
-    const F mirrored = hn::IfThenElseZero(seen, power(rv, group.shininess, group.whole_power));
-    sum.highlight = add_scaled(sum.highlight, set(lamp.intensity), hn::Mul(share, mirrored));
-  }
-  const Vec3 scattered = product(sum.scattered, set(group.diffuse)), even = set(group.even);
-  return {{hn::Add(even.x, scattered.x), hn::Add(even.y, scattered.y), hn::Add(even.z, scattered.z)},
-          product(sum.highlight, set(group.specular)),
-          sum.doubtful};
-}
 
 // --- Pixels --------------------------------------------------------------------------------------
 
-// The records of some pixels: of each its own, or one of all
+// The records of some pixels: of each its own, or one of all. Numbers of a record stand block_cells apart
 struct OwnRecords {
   const float* all;
   I begins;
-  HWY_INLINE F operator()(int place) const { return hn::GatherIndex(D(), all + place, begins); }
+  HWY_INLINE F operator()(int place) const { return hn::GatherIndex(D(), all + place * block_cells, begins); }
 };
 struct OneRecord {
   const float* one;
-  HWY_INLINE F operator()(int place) const { return set(one[place]); }
+  HWY_INLINE F operator()(int place) const { return set(one[place * block_cells]); }
 };
 
 // Those of up to three triangles, of each pixel one
 struct BlendedRecords {
-  const float *first, *second, *third;
+  OneRecord first, second, third;
   M of_second, of_third;
   HWY_INLINE F operator()(int place) const {
-    const F other = hn::IfThenElse(of_second, set(second[place]), set(first[place]));
-    return hn::IfThenElse(of_third, set(third[place]), other);
+    return hn::IfThenElse(of_third, third(place), hn::IfThenElse(of_second, second(place), first(place)));
   }
 };
 
@@ -245,14 +152,17 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
   MI doubtful = hn::FirstN(di, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [block, triangles, ids, cells, slots] = blocks[i];
-    const auto record = [&](std::size_t which) { return lit_cells.records[slots[which]].data(); };
+    const auto record = [&](std::size_t which) {
+      const auto slot = static_cast<std::size_t>(slots[which]);
+      return OneRecord{lit_cells.records[slot / block_cells].of(slot % block_cells)};
+    };
     for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
       const I cell_ids = hn::Load(di, ids_of_cells + static_cast<std::size_t>(block * block_cells) + k);
       const auto of = [&](std::size_t which) { return hn::Eq(cell_ids, whole(ids[which])); };
       const MI first = of(0);
       if (triangles == 1) {
         if (hn::AllFalse(di, first)) continue;
-        light_block(lit_cells, OneRecord{record(0)}, block, k, first, colours, doubtful);
+        light_block(lit_cells, record(0), block, k, first, colours, doubtful);
         continue;
       }
       const MI second = of(1), third = of(2), own = hn::Or(first, hn::Or(second, third));
@@ -270,11 +180,8 @@ bool light_some_blocks(const LitCells& lit_cells, const ShownBlock* blocks, std:
 HWY_INLINE std::uint32_t cells_with(const std::int32_t* ids, std::int32_t id) {
   const DI di;
   std::uint32_t cells = 0;
-  for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di)) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(di, hn::Eq(hn::Load(di, ids + k), whole(id)), bits);
-    cells |= static_cast<std::uint32_t>(bits[0] | bits[1] << 8) << k;
-  }
+  for (std::size_t k = 0; k < block_cells; k += hn::Lanes(di))
+    cells |= bits_of(di, hn::Eq(hn::Load(di, ids + k), whole(id))) << k;
   return cells;
 }
 
@@ -319,9 +226,11 @@ void light_some_places(const LitCells& lit_cells, const LitPlaces& places) {
   const D d;
   const DI di;
   const std::size_t count = places.slots.size();
-  const float* const all = lit_cells.records->data();
+  const float* const all = lit_cells.records->of(0);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const OwnRecords records{all, hn::Mul(hn::LoadU(di, places.slots.data() + i), whole(record::size))};
+    const I slots = hn::LoadU(di, places.slots.data() + i), last = whole(block_cells - 1);
+    const OwnRecords records{
+        all, hn::Add(hn::Mul(hn::AndNot(last, slots), whole(record::size)), hn::And(slots, last))};
     M doubtful;
     const F column = hn::LoadU(d, places.columns.data() + i), row = hn::LoadU(d, places.rows.data() + i);
     const Vec3 light = light_of(lit_cells, records, column, row, doubtful);
@@ -340,27 +249,6 @@ void pack_some(const float* light, std::size_t count, std::uint32_t* colours) {
   }
 }
 
-void light_some_corners(const ShadingGroup& group, const glm::vec3& towards, const float* places,
-                        const float* normals, std::size_t count, float* light) {
-  const D d;
-  const bool parallel = towards != glm::vec3(0);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto load = [&](const float* from) {
-      return Vec3{hn::LoadU(d, from + i), hn::LoadU(d, from + count + i), hn::LoadU(d, from + 2 * count + i)};
-    };
-    const Vec3 place = load(places), viewer = parallel ? set(towards) : unit(minus(set(glm::vec3(0)), place));
-    const auto [scattered, highlight, doubtful] = lit(group, place, load(normals), viewer);
-    const auto store = [&](const Vec3& v, float* to) {
-      hn::StoreU(v.x, d, to + i);
-      hn::StoreU(v.y, d, to + count + i);
-      hn::StoreU(v.z, d, to + 2 * count + i);
-    };
-    store(scattered, light);
-    store(highlight, light + 3 * count);
-    hn::StoreU(hn::IfThenElseZero(doubtful, set(1)), d, light + 6 * count + i);
-  }
-}
-
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -368,7 +256,6 @@ HWY_AFTER_NAMESPACE();
 namespace gradus::pipeline::engine {
 HWY_EXPORT(list_some_shown);
 HWY_EXPORT(light_some_blocks);
-HWY_EXPORT(light_some_corners);
 HWY_EXPORT(light_some_places);
 HWY_EXPORT(pack_some);
 
@@ -380,12 +267,6 @@ bool light_blocks(const LitCells& lit, std::span<const ShownBlock> blocks, const
                   std::uint32_t* colours) {
   return HWY_DYNAMIC_DISPATCH(light_some_blocks)(lit, blocks.data(), blocks.size(), buffer.ids.data(),
                                                  colours);
-}
-
-void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners) {
-  HWY_DYNAMIC_DISPATCH(light_some_corners)
-  (group, towards, corners.places.data(), corners.normals.data(), corners.places.size() / 3,
-   corners.light.data());
 }
 
 void light_places(const LitCells& lit, const LitPlaces& places) {

@@ -28,7 +28,7 @@ std::size_t list_shown(const TileBuffer& buffer, std::span<ShownBlock, most_show
 /// Pixels of one group that are lit alike, and the records of their triangles.
 struct LitCells {
   const ShadingGroup* group = nullptr;
-  const TriangleRecord* records = nullptr;
+  const RecordBlock* records = nullptr;
   bool per_pixel = true;  ///< records have places and normals; else scattered light and highlight
   glm::vec3 towards{0};   ///< the viewer, where rays are parallel
 };
@@ -57,15 +57,6 @@ void light_places(const LitCells& lit, const LitPlaces& places);
 /// 8-bit sRGB of linear light, as light_blocks writes it. light: three numbers each, as LitPlaces has them.
 /// Domain: a multiple of 16. Accuracy: the nearest byte or one beside it.
 void pack(std::span<const float> light, std::span<std::uint32_t> colours);
-
-/// A corner that is lit, and its light: scattered light of three colours, then the highlight's.
-struct LitCorners {
-  std::span<const float> places, normals;  ///< three numbers each, x of all, then y of all, then z of all
-  std::span<float> light;  ///< six numbers each, in the same way, then 1 where they are in doubt, else 0
-};
-
-/// Lights corners. Domain: a multiple of 16 of them. Accuracy, cost: as light_blocks.
-void light_corners(const ShadingGroup& group, const glm::vec3& towards, const LitCorners& corners);
 
 /// 8-bit sRGB of a background, as light_blocks writes it.
 std::uint32_t packed(const LinearRgb& colour);

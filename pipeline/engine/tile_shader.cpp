@@ -8,14 +8,7 @@
 namespace gradus::pipeline::engine {
 namespace {
 
-/// Lists of corners end with some more, to fill registers.
 constexpr std::size_t full = block_cells;
-
-/// A number of few binary digits from 0 to 1, at or below the part of x behind the point.
-double rounded_part(double x, std::int32_t texels) {
-  const double part = x - std::floor(x), digits = 0x1p23 / std::bit_ceil(static_cast<unsigned>(texels));
-  return std::floor(part * digits) / digits;
-}
 
 }  // namespace
 
@@ -27,8 +20,8 @@ TileShader::TileShader(const FrameShading& shading)
       share_of_group_(shading.groups().size(), -1) {}
 
 void TileShader::Share::clear() {
-  slots.clear();
   blocks.clear();
+  triangles = 0;
   pixels = 0;
 }
 
@@ -68,139 +61,54 @@ void TileShader::grow_table() {
   seen_ = seen;
 }
 
-/// Writes what is linear on the texture. Returns whether single precision will do.
-bool TileShader::describe_texture(const TextureLevels& texture, const SeenCorners& corners,
-                                  const PlaneMaker& planes, TriangleRecord& record) const {
-  const dvec3& q = corners.over_w;
-  const ivec2 texels{texture.columns[0], texture.rows[0]};
-  double farthest = 0;
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto& [a, b, c] = corners.texture;
-    dvec3 at{a[axis], b[axis], c[axis]};
-    const double here = planes.there(q * at) / planes.there(q), base = rounded_part(here, texels[axis]);
-    at -= std::floor(here) + base;
-    record[static_cast<std::size_t>(record::base + axis)] = static_cast<float>(base);
-    planes.put(q * at, &record[static_cast<std::size_t>(record::texture + 3 * axis)]);
-    farthest = std::max({farthest, std::abs(at.x) * texels[axis], std::abs(at.y) * texels[axis],
-                         std::abs(at.z) * texels[axis]});
-  }
-  // Where there are levels, texels are as large as pixels, and so there are few of them in a tile
-  return texture.levels > 1 || farthest <= 1024;
-}
-
-/// Returns whether single precision will do.
-bool TileShader::describe(const Seen& seen, ivec2 origin, const Window& square, bool squares,
-                          TriangleRecord& record) {
-  const auto& grid = shading_.frame().triangle(seen.id).grid;
-  SeenCorners& corners = corners_.emplace_back(shading_.corners_of(seen.id));
-  corners.over_w /= std::max({corners.over_w.x, corners.over_w.y, corners.over_w.z});
-  const dvec3& q = corners.over_w;
-  const Window box = squares ? squares_of(grid, square) : triangle_coverage::centres(grid, square);
-  const PlaneMaker& planes = makers_.emplace_back(grid, box, q);
-  record[record::column] = static_cast<float>(planes.pixel().x - origin.x);
-  record[record::row] = static_cast<float>(planes.pixel().y - origin.y);
-  planes.put(q, &record[record::over_w]);
-  const auto& [a, b, c] = corners.places;
-  if (shading_.scene().shading == Shading::phong) {
-    const auto& [n, m, o] = corners.normals;
-    for (int axis = 0; axis < 3; ++axis) {
-      float* const into = &record[static_cast<std::size_t>(record::values + 3 * axis)];
-      planes.put(q * dvec3{a[axis], b[axis], c[axis]}, into);
-      planes.put(q * dvec3{n[axis], m[axis], o[axis]}, into + 9);
-    }
-  }
-  const TextureLevels& texture = shading_.groups()[static_cast<std::size_t>(seen.group)].texture;
-  const bool texture_will_do = texture.levels == 0 || describe_texture(texture, corners, planes, record);
-  return texture_will_do && !planes.is_thin();
-}
-
 /// Records of all triangles that are seen. squares: they were asked for by the squares of pixels.
 void TileShader::describe_all(const Window& pixels, bool squares) {
-  records_.resize(seen_.size());
-  corners_.clear();
-  makers_.clear();
   // A part of a picture has the bits of the whole
-  const Window square = intersection(square_with(pixels.lower), picture_window(shading_.plan().size));
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    Seen& seen = seen_[i];
-    seen.group = shading_.group_of(seen.id);
-    seen.careful = !describe(seen, pixels.lower, square, squares, records_[i]);
-    std::int32_t& share = share_of_group_[static_cast<std::size_t>(seen.group)];
-    if (share < 0) {
-      share = static_cast<std::int32_t>(groups_here_.size());
-      groups_here_.push_back(seen.group);
-      if (shares_.size() < groups_here_.size()) shares_.emplace_back();
-      shares_[static_cast<std::size_t>(share)].clear();
-    }
-    shares_[static_cast<std::size_t>(share)].slots.push_back(static_cast<std::int32_t>(i));
-    shares_[static_cast<std::size_t>(share)].pixels += seen.pixels;
-  }
-  const Shading how = shading_.scene().shading;
-  if (how == Shading::flat) put_light_of_faces();
-  if (how == Shading::gouraud) light_all_corners();
+  const AskedPixels asked{
+      pixels.lower, intersection(square_with(pixels.lower), picture_window(shading_.plan().size)), squares};
+  records_.resize((seen_.size() + full - 1) / full);
+  for (std::size_t i = 0; i < seen_.size(); i += full)
+    describe(asked, std::span(seen_).subspan(i, std::min(full, seen_.size() - i)), records_[i / full]);
 }
 
-/// Gouraud: light at the corners of the triangles of a group.
-void TileShader::light_corners_of(Share& share, const ShadingGroup& group) {
-  const std::size_t corners = 3 * share.slots.size(), count = (corners + full - 1) / full * full;
-  places_.assign(3 * count, 1);
-  normals_.assign(3 * count, 0);
-  light_.resize(7 * count);
-  for (std::size_t i = 0; i < corners; ++i) {
-    const SeenCorners& of = corners_[static_cast<std::size_t>(share.slots[i / 3])];
+/// Up to sixteen of them.
+void TileShader::describe(const AskedPixels& asked, std::span<Seen> some, RecordBlock& records) {
+  triangles_.count = some.size();
+  for (std::size_t k = 0; k < some.size(); ++k) some[k].group = shading_.put(some[k].id, k, triangles_);
+  if (shading_.scene().shading == Shading::flat) put_light_of_faces(some);
+  const std::uint32_t careful = engine::describe(shading_, asked, triangles_, records);
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    some[k].careful = (careful >> k & 1) != 0;
+    add_to_share(some[k]);
+  }
+}
+
+void TileShader::add_to_share(const Seen& seen) {
+  std::int32_t& number = share_of_group_[static_cast<std::size_t>(seen.group)];
+  if (number < 0) {
+    number = static_cast<std::int32_t>(groups_here_.size());
+    groups_here_.push_back(seen.group);
+    if (shares_.size() < groups_here_.size()) shares_.emplace_back();
+    shares_[static_cast<std::size_t>(number)].clear();
+  }
+  Share& share = shares_[static_cast<std::size_t>(number)];
+  ++share.triangles;
+  share.pixels += seen.pixels;
+}
+
+/// Flat: light of whole faces. Without a texture both kinds are one.
+void TileShader::put_light_of_faces(std::span<const Seen> some) {
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const Parts light = surfaces_.of_face(some[k].id);
+    const bool apart = shading_.groups()[static_cast<std::size_t>(some[k].group)].has_texture();
+    const dvec3 scattered = light.ambient + light.diffuse,
+                first = apart ? scattered : scattered + light.specular;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::size_t at = static_cast<std::size_t>(axis) * count + i;
-      places_[at] = static_cast<float>(of.places[i % 3][axis]);
-      normals_[at] = static_cast<float>(of.normals[i % 3][axis]);
+      const auto value = static_cast<std::size_t>(axis);
+      triangles_.face_light[value][k] = static_cast<float>(first[axis]);
+      triangles_.face_light[value + 3][k] = static_cast<float>(light.specular[axis]);
     }
   }
-  light_corners(group, shading_.towards(), {places_, normals_, light_});
-  for (std::size_t i = 0; i < share.slots.size(); ++i) {
-    const auto slot = static_cast<std::size_t>(share.slots[i]);
-    const float* const doubts = &light_[6 * count + 3 * i];
-    seen_[slot].careful |= doubts[0] + doubts[1] + doubts[2] > 0;
-    std::array<dvec3, 6> parts;
-    for (std::size_t value = 0; value < 6; ++value) {
-      const auto at = [&](std::size_t corner) { return double{light_[value * count + 3 * i + corner]}; };
-      parts[value] = {at(0), at(1), at(2)};
-    }
-    put_light(slot, group, parts);
-  }
-}
-
-/// Writes planes of light. parts: three colours of scattered light, then of highlights, at the corners.
-void TileShader::put_light(std::size_t slot, const ShadingGroup& group, const std::array<dvec3, 6>& parts) {
-  const dvec3& q = corners_[slot].over_w;
-  const auto put = [&](std::size_t value, const dvec3& light) {
-    makers_[slot].put(q * light, &records_[slot][record::values + 3 * value]);
-  };
-  for (std::size_t colour = 0; colour < 3; ++colour) {
-    if (!group.has_texture()) {
-      put(colour, parts[colour] + parts[colour + 3]);
-      continue;
-    }
-    put(colour, parts[colour]);
-    put(colour + 3, parts[colour + 3]);
-  }
-}
-
-/// Flat: light of whole faces.
-void TileShader::put_light_of_faces() {
-  for (std::size_t slot = 0; slot < seen_.size(); ++slot) {
-    const Parts light = surfaces_.of_face(seen_[slot].id);
-    const dvec3 scattered = light.ambient + light.diffuse;
-    std::array<dvec3, 6> parts;
-    for (int axis = 0; axis < 3; ++axis) {
-      parts[static_cast<std::size_t>(axis)] = dvec3(scattered[axis]);
-      parts[static_cast<std::size_t>(axis + 3)] = dvec3(double{light.specular[axis]});
-    }
-    put_light(slot, shading_.groups()[static_cast<std::size_t>(seen_[slot].group)], parts);
-  }
-}
-
-void TileShader::light_all_corners() {
-  for (const std::int32_t number : groups_here_)
-    light_corners_of(share_of(number), shading_.groups()[static_cast<std::size_t>(number)]);
 }
 
 /// Adds to the pixels that are done with care those that batches left in doubt.
@@ -267,7 +175,7 @@ void TileShader::count_light(const Share& share, const ShadingGroup& group) {
   count_.places_without_texture += group.has_texture() ? 0 : pixels;
   const Shading how = shading_.scene().shading;
   if (how == Shading::flat) return;
-  const std::int64_t lit = how == Shading::phong ? pixels : 3 * std::ssize(share.slots),
+  const std::int64_t lit = how == Shading::phong ? pixels : 3 * share.triangles,
                      lamps = std::ssize(group.lamps);
   count_.lamps += lit * lamps;
   count_.lamps_out_of_range += lit * group.lamps_left_out;

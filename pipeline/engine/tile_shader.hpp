@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "engine/describe_batch.hpp"
 #include "engine/samples_batch.hpp"
 #include "engine/shading_batch.hpp"
 #include "engine/surfaces.hpp"
@@ -46,7 +47,7 @@ class TileShader {
   };
   /// What is seen of a group, as light_blocks takes it.
   struct Share {
-    std::vector<std::int32_t> slots;
+    std::int64_t triangles = 0;
     std::vector<ShownBlock> blocks;  ///< where the tile shows several groups
     std::int64_t pixels = 0;
 
@@ -75,13 +76,9 @@ class TileShader {
   Share& share_of(std::int32_t group) {
     return shares_[static_cast<std::size_t>(share_of_group_[static_cast<std::size_t>(group)])];
   }
-  bool describe(const Seen& seen, ivec2 origin, const Window& square, bool squares, TriangleRecord& record);
-  bool describe_texture(const TextureLevels& texture, const SeenCorners& corners, const PlaneMaker& planes,
-                        TriangleRecord& record) const;
-  void light_all_corners();
-  void light_corners_of(Share& share, const ShadingGroup& group);
-  void put_light_of_faces();
-  void put_light(std::size_t slot, const ShadingGroup& group, const std::array<dvec3, 6>& parts);
+  void describe(const AskedPixels& asked, std::span<Seen> some, RecordBlock& records);
+  void add_to_share(const Seen& seen);
+  void put_light_of_faces(std::span<const Seen> some);
   bool is_of_one_kind() const;
   std::int32_t group_of(const ShownBlock& shown) const;
   void sort(const TileBuffer& buffer);
@@ -99,14 +96,13 @@ class TileShader {
   ShadingCount count_{};
   std::vector<std::int32_t> table_;  ///< slots by a hash of ids
   std::vector<Seen> seen_;
-  std::vector<TriangleRecord> records_;
-  std::vector<SeenCorners> corners_;
-  std::vector<PlaneMaker> makers_;
+  SeenTriangles triangles_;  ///< sixteen at a time
+  std::vector<RecordBlock> records_;
   std::vector<std::int32_t> share_of_group_;
   std::vector<Share> shares_;
   std::vector<std::int32_t> groups_here_;
   std::vector<std::size_t> careful_cells_;
-  std::vector<float> places_, normals_, light_;
+  std::vector<float> light_;
   std::array<ShownBlock, most_shown_blocks> in_blocks_;
   std::size_t in_blocks_count_ = 0;
   std::vector<ShownTriangle> shown_;

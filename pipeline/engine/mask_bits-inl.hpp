@@ -1,0 +1,36 @@
+// Masks as bits. Compiled once for every kind of machine, as shading_lanes-inl.hpp is.
+#if defined(GRADUS_ENGINE_MASK_BITS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRADUS_ENGINE_MASK_BITS_INL_HPP
+#undef GRADUS_ENGINE_MASK_BITS_INL_HPP
+#else
+#define GRADUS_ENGINE_MASK_BITS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace gradus::pipeline::engine::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One bit a lane, that of the first the lowest. Domain: up to 16 lanes.
+template <class Tag>
+HWY_INLINE std::uint32_t bits_of(Tag tag, hn::Mask<Tag> mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(tag, mask, bytes.data());
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// Calls visit(x) for each bit x, from the lowest.
+template <class Visit>
+HWY_INLINE void for_each_bit(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+}
+
+}  // namespace gradus::pipeline::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per target
