@@ -147,7 +147,9 @@ PieceCount choose_all(const PieceChoice& choice, const PieceVertices* pieces, st
     const V number = hn::Add(hn::Iota(d, 0), set(first + static_cast<std::int32_t>(i)));
     const V word = hn::Or(hn::ShiftLeft<2>(number), seen);
     if (i + lanes <= count) {
-      kept += hn::CompressBlendedStore(hn::BitCast(du, word), hn::RebindMask(du, keep), du, out + kept);
+      // There is room for all lanes; a store of some takes several times as long
+      hn::StoreU(hn::Compress(hn::BitCast(du, word), hn::RebindMask(du, keep)), du, out + kept);
+      kept += hn::CountTrue(d, keep);
     } else {
       std::array<std::uint32_t, hn::MaxLanes(D())> last{};
       const std::size_t more =

@@ -108,6 +108,26 @@ std::int32_t FrameShading::group_for(const Material& material, const std::vector
   return known->second;
 }
 
+void FrameShading::prefetch_piece(std::int32_t id) const {
+  const FrameTriangle& t = frame_.triangle(id);
+  if (t.cut) return;
+  const FrameObject& object = frame_.object_of(t);
+  __builtin_prefetch(&object.pieces->of_faces[static_cast<std::size_t>(t.piece)]);
+  __builtin_prefetch(&object.pieces->vertices[static_cast<std::size_t>(t.piece)]);
+}
+void FrameShading::prefetch_corners(std::int32_t id) const {
+  const FrameTriangle& t = frame_.triangle(id);
+  if (t.cut) return;
+  const FrameObject& object = frame_.object_of(t);
+  const Mesh& mesh = *object_at(scene_, object.number).mesh;
+  const auto& of = object.pieces->of_faces[static_cast<std::size_t>(t.piece)];
+  const auto& v = object.pieces->vertices[static_cast<std::size_t>(t.piece)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    __builtin_prefetch(&mesh.positions[static_cast<std::size_t>(v[k])]);
+    if (of.normals[k] >= 0) __builtin_prefetch(&mesh.normals[static_cast<std::size_t>(of.normals[k])]);
+  }
+}
+
 std::int32_t FrameShading::put_cut(std::int32_t id, std::size_t lane, SeenTriangles& seen) const {
   const FrameTriangle& t = frame_.triangle(id);
   const Triangle& cut = frame_.cut_triangle(id);
@@ -136,21 +156,25 @@ std::int32_t FrameShading::put(std::int32_t id, std::size_t lane, SeenTriangles&
   const auto piece = static_cast<std::size_t>(t.piece);
   const MeshPiece& of_face = object.pieces->of_faces[piece];
   const PieceVertices& vertices = object.pieces->vertices[piece];
+  const std::int32_t group = group_of(t, of_face.material);
+  const bool textured = groups_[static_cast<std::size_t>(group)].has_texture();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t from = object.mirrored && k > 0 ? 3 - k : k;
-    const std::int32_t own = of_face.normals[from], texture = of_face.textures[from];
+    const std::int32_t own = of_face.normals[from];
     put_in(lane, mesh.positions[static_cast<std::size_t>(vertices[from])], seen.places[k]);
     put_in(lane,
            own < 0 ? object.pieces->flat_normals[static_cast<std::size_t>(-1 - own)]
                    : mesh.normals[static_cast<std::size_t>(own)],
            seen.normals[k]);
+    if (!textured) continue;
+    const std::int32_t texture = of_face.textures[from];
     const dvec2 at = texture < 0 ? dvec2(0) : mesh.textures[static_cast<std::size_t>(texture)];
     seen.texture[k][0][lane] = at.x;
     seen.texture[k][1][lane] = at.y;
   }
   seen.object[lane] = t.object;
   seen.side[lane] = t.seen_from_behind ? -1 : 1;
-  return seen.group[lane] = group_of(t, of_face.material);
+  return seen.group[lane] = group;
 }
 
 bool suits_single_precision(const Scene& scene) {

@@ -74,7 +74,14 @@ void TileShader::describe_all(const Window& pixels, bool squares) {
 /// Up to sixteen of them.
 void TileShader::describe(const AskedPixels& asked, std::span<Seen> some, RecordBlock& records) {
   triangles_.count = some.size();
-  for (std::size_t k = 0; k < some.size(); ++k) some[k].group = shading_.put(some[k].id, k, triangles_);
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const auto next = [&](std::size_t on) { return some.data() + k + on; };
+    const Seen* const end = seen_.data() + seen_.size();
+    if (next(12) < end) __builtin_prefetch(&shading_.frame().triangle(next(12)->id));
+    if (next(8) < end) shading_.prefetch_piece(next(8)->id);
+    if (next(4) < end) shading_.prefetch_corners(next(4)->id);
+    some[k].group = shading_.put(some[k].id, k, triangles_);
+  }
   if (shading_.scene().shading == Shading::flat) put_light_of_faces(some);
   const std::uint32_t careful = engine::describe(shading_, asked, triangles_, records);
   for (std::size_t k = 0; k < some.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Highway compiles what follows once for every kind of machine, and picks at run time
 #undef HWY_TARGET_INCLUDE
@@ -71,9 +72,13 @@ class Visibility {
 
   // --- Cells -------------------------------------------------------------------------------------
 
-  /// Shows a triangle in cells where it is nearest. first: the cell of the first lane. Returns how near the
-  /// cells are then, at least.
-  HWY_INLINE F put(std::size_t first, hn::Mask<Single> inside, F mine, std::int32_t id) {
+  /// How near cells are, and whether one triangle has just taken all of them.
+  struct Put {
+    F nearness;
+    bool all;
+  };
+  /// Shows a triangle in cells where it is nearest. first: the cell of the first lane.
+  HWY_INLINE Put put(std::size_t first, hn::Mask<Single> inside, F mine, std::int32_t id) {
     const Whole whole;
     const Single single;
     float* const nearness = buffer_.nearness.data() + first;
@@ -87,7 +92,7 @@ class Visibility {
     hn::Store(hn::IfThenElse(hn::RebindMask(whole, nearer), hn::Set(whole, id), hn::Load(whole, ids)), whole,
               ids);
     if (HWY_UNLIKELY(!hn::AllFalse(single, open))) settle(first, open, mine, id);
-    return now;
+    return {now, hn::AllTrue(single, nearer)};
   }
 
   /// Where single precision does not decide.
@@ -179,10 +184,12 @@ class Visibility {
   struct Steps {
     alignas(64) std::int32_t side[3][block_cells];
     alignas(64) float rise[block_cells];
+    float least_rise;
   };
   HWY_INLINE static void prepare(const Cast& cast, Steps& steps) {
     const Whole whole;
     const Single single;
+    F least = hn::Set(single, std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
       const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -192,9 +199,12 @@ class Visibility {
       }
       const F right = hn::Set(single, static_cast<float>(cast.plane.right)),
               lower = hn::Set(single, static_cast<float>(cast.plane.down));
-      hn::Store(hn::Add(hn::Mul(right, hn::ConvertTo(single, x)), hn::Mul(lower, hn::ConvertTo(single, y))),
-                single, steps.rise + i);
+      const F rise =
+          hn::Add(hn::Mul(right, hn::ConvertTo(single, x)), hn::Mul(lower, hn::ConvertTo(single, y)));
+      hn::Store(rise, single, steps.rise + i);
+      least = hn::Min(least, rise);
     }
+    steps.least_rise = hn::GetLane(hn::MinOfLanes(single, least));
   }
 
   HWY_INLINE void draw_blocks(const Cast& cast, std::int32_t id) {
@@ -211,9 +221,9 @@ class Visibility {
     }
   }
 
-  HWY_INLINE static F near_of(const Cast& cast, ivec2 block) {
-    return hn::Set(Single(), static_cast<float>(cast.plane.at + block_side * (cast.plane.right * block.x +
-                                                                              cast.plane.down * block.y)));
+  HWY_INLINE static float near_of(const Cast& cast, ivec2 block) {
+    return static_cast<float>(cast.plane.at +
+                              block_side * (cast.plane.right * block.x + cast.plane.down * block.y));
   }
 
   /// A block that the triangle covers.
@@ -221,12 +231,17 @@ class Visibility {
     const Single single;
     const auto number = static_cast<std::size_t>(block.y * blocks_across + block.x);
     const auto everywhere = hn::Eq(hn::Zero(single), hn::Zero(single));
-    const F near = near_of(cast, block);
+    const float near = near_of(cast, block);
     F far = hn::Set(single, 2.0f);
-    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(single))
-      far = hn::Min(far, put(number * block_cells + i, everywhere,
-                             hn::Add(near, hn::Load(single, steps.rise + i)), id));
-    far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
+    bool all = true;
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(single)) {
+      const F mine = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise + i));
+      const Put shown = put(number * block_cells + i, everywhere, mine, id);
+      far = hn::Min(far, shown.nearness);
+      all = all && shown.all;
+    }
+    // The least sum has the least part: no look at the lanes
+    far_[number] = all ? near + steps.least_rise : hn::GetLane(hn::MinOfLanes(single, far));
   }
 
   HWY_INLINE void draw_block(const Cast& cast, ivec2 block, const Steps& steps, std::int32_t id) {
@@ -236,7 +251,7 @@ class Visibility {
     const auto first = block_side * block;
     const std::array at{at_block(cast.sides[0], first), at_block(cast.sides[1], first),
                         at_block(cast.sides[2], first)};
-    const F near = near_of(cast, block);
+    const F near = hn::Set(single, near_of(cast, block));
     F far = hn::Set(single, 2.0f);
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
       const auto side = [&](std::size_t k) {
@@ -245,10 +260,12 @@ class Visibility {
       // The sign of one is that of all
       const auto outside = hn::Lt(hn::Or(hn::Or(side(0), side(1)), side(2)), hn::Zero(whole));
       const auto inside = hn::RebindMask(single, hn::Not(outside));
-      far = hn::Min(
-          far, put(number * block_cells + i, inside, hn::Add(near, hn::Load(single, steps.rise + i)), id));
+      const F mine = hn::Add(near, hn::Load(single, steps.rise + i));
+      far = hn::Min(far, put(number * block_cells + i, inside, mine, id).nearness);
     }
-    far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
+    // Where a cell shows nothing yet, that is the farthest already
+    if (hn::AllTrue(single, hn::Ge(far, hn::Zero(single))))
+      far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
   }
 
   /// Pixel by pixel, for triangles too steep or too long for blocks.
