@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Highway compiles what follows once for every kind of machine, and picks at run time
 #undef HWY_TARGET_INCLUDE
@@ -112,6 +113,7 @@ class Sampling {
     alignas(64) float rise_in_block[block_cells];
     std::array<std::int32_t, 3> half;  ///< half_pixel of the sides
     float slope;                       ///< by how much the nearness changes from a centre to a corner
+    float least_rise;                  ///< in a block
   };
 
   HWY_INLINE void prepare(const Cast& cast, Steps& steps) const {
@@ -120,6 +122,7 @@ class Sampling {
     const F right = hn::Set(single, static_cast<float>(cast.plane.right)),
             lower = hn::Set(single, static_cast<float>(cast.plane.down)),
             part = hn::Set(single, 1.0f / triangle_coverage::subpixels);
+    F least = hn::Set(single, std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(whole)) {
       const I x = hn::Load(whole, cell_columns + i), y = hn::Load(whole, cell_rows + i);
       const I dx = hn::Load(whole, offsets_.right + i), dy = hn::Load(whole, offsets_.down + i);
@@ -136,9 +139,12 @@ class Sampling {
         return hn::Add(hn::Mul(right, hn::ConvertTo(single, along)),
                        hn::Mul(lower, hn::ConvertTo(single, up)));
       };
-      hn::Store(rise(x, y), single, steps.rise_in_block + i);
+      const F in_block = rise(x, y);
+      least = hn::Min(least, in_block);
+      hn::Store(in_block, single, steps.rise_in_block + i);
       hn::Store(hn::Mul(rise(dx, dy), part), single, steps.rise_at_sample + i);
     }
+    steps.least_rise = hn::GetLane(hn::MinOfLanes(single, least));
     for (std::size_t k = 0; k < 3; ++k)
       if (steps.half[k] >= 1 << 23) prepare_long_side(cast, k, steps);
   }
@@ -167,6 +173,10 @@ class Sampling {
     }
   }
 
+  /// Of which cells a triangle is the nearest that covers them whole.
+  struct Taken {
+    bool some, all;
+  };
   /// whole: the triangle covers all of the block.
   HWY_INLINE void draw_block(const Cast& cast, ivec2 block, bool whole, const Steps& steps, std::int32_t id) {
     const ivec2 first = block_side * block;
@@ -175,16 +185,21 @@ class Sampling {
                         at_block(cast.sides[2], first)};
     const auto near =
         static_cast<float>(cast.plane.at + cast.plane.right * first.x + cast.plane.down * first.y);
-    bool nearer = false;
-    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(Single()))
-      nearer |= draw_cells(number * block_cells, i, at, near, whole, steps, id);
-    if (nearer) far_[number] = farthest_in(number);
+    Taken taken{false, true};
+    for (std::size_t i = 0; i < block_cells; i += hn::Lanes(Single())) {
+      const Taken some = draw_cells(number * block_cells, i, at, near, whole, steps, id);
+      taken = {taken.some || some.some, taken.all && some.all};
+    }
+    // The least sum has the least part: no look at the lanes
+    if (taken.all)
+      far_[number] = near + steps.least_rise - steps.slope;
+    else if (taken.some)
+      far_[number] = farthest_in(number);
   }
 
-  /// Cells of a block that begins at a cell, from the i-th on. Returns whether it covers some whole and is
-  /// nearest there.
-  HWY_INLINE bool draw_cells(std::size_t base, std::size_t i, const std::array<std::int32_t, 3>& at,
-                             float near, bool whole_block, const Steps& steps, std::int32_t id) {
+  /// Cells of a block that begins at a cell, from the i-th on.
+  HWY_INLINE Taken draw_cells(std::size_t base, std::size_t i, const std::array<std::int32_t, 3>& at,
+                              float near, bool whole_block, const Steps& steps, std::int32_t id) {
     const Whole whole;
     const Single single;
     const auto everywhere = hn::Eq(hn::Zero(single), hn::Zero(single));
@@ -201,7 +216,7 @@ class Sampling {
         in = hn::Or(in, hn::Sub(e, half));
       }
       touched = hn::RebindMask(single, hn::Not(hn::Lt(out, hn::Zero(whole))));
-      if (hn::AllFalse(single, touched)) return false;
+      if (hn::AllFalse(single, touched)) return {false, false};
       full = hn::RebindMask(single, hn::Not(hn::Lt(in, hn::Zero(whole))));
     }
     const F middle = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_in_block + i));
@@ -218,9 +233,9 @@ class Sampling {
     hn::Store(hn::IfThenElse(takes, more, old_most), single, most);
     hn::Store(hn::IfThenElse(hn::RebindMask(whole, takes), hn::Set(whole, id), hn::Load(whole, ids)), whole,
               ids);
-    const bool nearer = !hn::AllFalse(single, takes);
+    const Taken taken{!hn::AllFalse(single, takes), hn::AllTrue(single, takes)};
     const auto rest = hn::AndNot(takes, seen);
-    if (hn::AllFalse(single, rest)) return nearer;
+    if (hn::AllFalse(single, rest)) return taken;
     alignas(64) std::int32_t sides[3][block_cells];
     alignas(64) float nearness[block_cells];
     for (std::size_t k = 0; k < 3; ++k) hn::Store(side(k), whole, sides[k]);
@@ -229,7 +244,7 @@ class Sampling {
       const auto k = static_cast<std::size_t>(lane);
       sample(base + i + k, {sides[0][k], sides[1][k], sides[2][k]}, nearness[k], steps, id);
     });
-    return nearer;
+    return taken;
   }
 
   HWY_INLINE PixelSamples& samples_of(std::size_t cell) {

@@ -83,9 +83,10 @@ constexpr bool top_or_left(ivec2 from, ivec2 to) {
 using Edges = std::array<Edge, 3>;
 
 constexpr Edges edges_of(const Triangle& t) {
-  const auto edge = [&t](std::size_t from, std::size_t to) {
-    return doubled_area(t) > 0 ? Edge{t[from], t[to], top_or_left(t[from], t[to])}
-                               : Edge{t[to], t[from], top_or_left(t[to], t[from])};
+  const bool clockwise = doubled_area(t) > 0;
+  const auto edge = [&](std::size_t from, std::size_t to) {
+    return clockwise ? Edge{t[from], t[to], top_or_left(t[from], t[to])}
+                     : Edge{t[to], t[from], top_or_left(t[to], t[from])};
   };
   return {edge(1, 2), edge(2, 0), edge(0, 1)};
 }
