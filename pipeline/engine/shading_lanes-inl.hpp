@@ -245,7 +245,7 @@ HWY_INLINE F looked_up(const float* table, I place) {
 HWY_INLINE I byte_of(F light) {
   const F x = hn::Min(positive(light), set(0x1.fffffep-1f));
   const I bits = hn::BitCast(DI(), x);
-  const F m = hn::BitCast(D(), hn::Or(hn::And(bits, whole(0x7fffff)), whole(0x3f800000)));
+  const F m = hn::BitCast(D(), hn::OrAnd(whole(0x3f800000), bits, whole(0x7fffff)));
   constexpr float power[] = {0.411229337f, 0.828860187f, -0.31828726f, 0.0890376911f, -0.0108295471f};
   const F octave = looked_up(octaves, hn::ShiftRight<23>(bits));
   const F curve = hn::Sub(hn::Mul(polynomial(m, power), octave), set(0.055f * 255));
