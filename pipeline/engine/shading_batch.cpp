@@ -222,6 +222,49 @@ std::size_t list_some_shown(const std::int32_t* ids, ShownBlock* shown) {
   return count;
 }
 
+// --- Pictures ------------------------------------------------------------------------------------
+
+using DU = hn::RebindToUnsigned<DI>;
+using U = hn::Vec<DU>;
+
+// Pixels of a row of a tile, from so many blocks beside one another as registers hold. Stores of whole
+// registers: the fewer of them wait for memory, the more do so at once
+template <std::size_t lanes>
+HWY_INLINE auto row_of_blocks(const std::uint32_t* first) {
+  const hn::CappedTag<std::uint32_t, lanes> d;
+  if constexpr (lanes <= block_side)
+    return hn::Load(d, first);
+  else
+    // Found by its arguments: targets of one lane have none
+    return Combine(d, row_of_blocks<lanes / 2>(first + lanes / 2 / block_side * block_cells),
+                   row_of_blocks<lanes / 2>(first));
+}
+
+void copy_some(const std::uint32_t* colours, const TileRows& rows) {
+  constexpr std::size_t lanes = hn::MaxLanes(DU());
+  const auto width = static_cast<std::size_t>(rows.width);
+  for (int y = 0; y < rows.height; ++y) {
+    std::uint32_t* const to = rows.first + static_cast<std::size_t>(y) * rows.stride;
+    const auto from = [&](std::size_t x) { return colours + TileBuffer::cell({static_cast<int>(x), y}); };
+    std::size_t x = 0;
+    for (; x + lanes <= width; x += lanes) hn::StoreU(row_of_blocks<lanes>(from(x)), DU(), to + x);
+    for (; x < width; ++x) to[x] = *from(x);
+  }
+}
+
+void fill_some(std::uint32_t colour, const TileRows& rows) {
+  const auto width = static_cast<std::size_t>(rows.width);
+  for (int y = 0; y < rows.height; ++y) {
+    std::uint32_t* const to = rows.first + static_cast<std::size_t>(y) * rows.stride;
+    std::size_t x = 0;
+    for (; x + hn::Lanes(DU()) <= width; x += hn::Lanes(DU()))
+      hn::StoreU(hn::Set(DU(), colour), DU(), to + x);
+    for (; x < width; ++x) to[x] = colour;
+  }
+}
+
+// --- Places --------------------------------------------------------------------------------------
+
 void light_some_places(const LitCells& lit_cells, const LitPlaces& places) {
   const D d;
   const DI di;
@@ -258,6 +301,8 @@ HWY_EXPORT(list_some_shown);
 HWY_EXPORT(light_some_blocks);
 HWY_EXPORT(light_some_places);
 HWY_EXPORT(pack_some);
+HWY_EXPORT(copy_some);
+HWY_EXPORT(fill_some);
 
 std::size_t list_shown(const TileBuffer& buffer, std::span<ShownBlock, most_shown_blocks> shown) {
   return HWY_DYNAMIC_DISPATCH(list_some_shown)(buffer.ids.data(), shown.data());
@@ -276,6 +321,12 @@ void light_places(const LitCells& lit, const LitPlaces& places) {
 void pack(std::span<const float> light, std::span<std::uint32_t> colours) {
   HWY_DYNAMIC_DISPATCH(pack_some)(light.data(), colours.size(), colours.data());
 }
+
+void copy_tile(const std::uint32_t* colours, const TileRows& rows) {
+  HWY_DYNAMIC_DISPATCH(copy_some)(colours, rows);
+}
+
+void fill_tile(std::uint32_t colour, const TileRows& rows) { HWY_DYNAMIC_DISPATCH(fill_some)(colour, rows); }
 
 std::uint32_t packed(const LinearRgb& colour) {
   return std::bit_cast<std::uint32_t>(srgb8_from_linear(colour));

@@ -58,6 +58,17 @@ void light_places(const LitCells& lit, const LitPlaces& places);
 /// Domain: a multiple of 16. Accuracy: the nearest byte or one beside it.
 void pack(std::span<const float> light, std::span<std::uint32_t> colours);
 
+/// Where a tile's pixels stand in a picture.
+struct TileRows {
+  std::uint32_t* first;  ///< the upper left one
+  std::size_t stride;    ///< pixels from a row to the next
+  int width, height;
+};
+/// Copies the pixels of a tile from their cells.
+void copy_tile(const std::uint32_t* colours, const TileRows& rows);
+/// Gives all pixels of a tile one colour.
+void fill_tile(std::uint32_t colour, const TileRows& rows);
+
 /// 8-bit sRGB of a background, as light_blocks writes it.
 std::uint32_t packed(const LinearRgb& colour);
 

@@ -195,25 +195,21 @@ ShadingCount TileShader::count() const {
   return sum;
 }
 
-/// Copies the pixels of the tile from their cells.
-void TileShader::write(const Window& pixels, Image& image) const {
+/// Where the tile's pixels stand in a picture.
+TileRows TileShader::rows_of(const Window& pixels, Image& image) const {
+  static_assert(sizeof(Rgba8) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<Rgba8>);
   const ivec2 corner = pixels.lower - shading_.plan().window.lower;
-  const auto width = static_cast<std::size_t>(pixels.width());
-  constexpr std::size_t side = block_side;
-  for (int y = 0; y < pixels.height(); ++y) {
-    Rgba8* const row = image.row(corner.y + y).data() + corner.x;
-    const std::uint32_t* from = &colours_[TileBuffer::cell({0, y})];
-    std::size_t x = 0;
-    for (; x + side <= width; x += side, from += full)
-      std::memcpy(static_cast<void*>(row + x), from, side * sizeof(Rgba8));
-    std::memcpy(static_cast<void*>(row + x), from, (width - x) * sizeof(Rgba8));
-  }
+  return {reinterpret_cast<std::uint32_t*>(image.row(corner.y).data() + corner.x),
+          static_cast<std::size_t>(image.width()), static_cast<int>(pixels.width()),
+          static_cast<int>(pixels.height())};
+}
+
+void TileShader::write(const Window& pixels, Image& image) const {
+  copy_tile(colours_.data(), rows_of(pixels, image));
 }
 
 void TileShader::clear(const Window& pixels, Image& image) const {
-  const ivec2 corner = pixels.lower - shading_.plan().window.lower;
-  for (int y = 0; y < pixels.height(); ++y)
-    std::fill_n(image.row(corner.y + y).data() + corner.x, pixels.width(), std::bit_cast<Rgba8>(background_));
+  fill_tile(background_, rows_of(pixels, image));
 }
 
 /// Numbers the triangles that are seen. Returns the pixels that show some.

@@ -88,6 +88,7 @@ class TileShader {
   void take_doubtful(const TileBuffer& buffer);
   void colour_carefully(const TileBuffer& buffer, ivec2 origin);
   void count_light(const Share& share, const ShadingGroup& group);
+  TileRows rows_of(const Window& pixels, Image& image) const;
   void write(const Window& pixels, Image& image) const;
 
   const FrameShading& shading_;
