@@ -124,6 +124,27 @@ TEST(Engine, DrawsWhatIsShippedAsTheTextbookChainDoes) {
   EXPECT_LE(off * 100'000, pixels) << "at most ten in a million";
 }
 
+/// Squares of such lengths are beyond the range of numbers; a normal of length 0 has no direction.
+TEST(Engine, LightsNormalsOfAnyLengthAsTheTextbookChainDoes) {
+  for (const double length : {1e-300, 1e-90, 1e170, 0.0}) {
+    Scene scene = scene_in(GRADUS_SOURCE_DIR "/examples/scenes/spot.json");
+    Mesh mesh = *scene.objects.front().mesh;
+    ASSERT_GT(mesh.normals.size(), 100U);
+    for (std::size_t i = 0; i < mesh.normals.size(); i += 3) mesh.normals[i] *= length;
+    const Object placed = scene.objects.front();
+    scene.objects.front() = object_of(std::move(mesh));
+    scene.objects.front().placement = placed.placement;
+    scene.antialiasing = Antialiasing::none;
+    for (const Shading shading : {Shading::gouraud, Shading::phong}) {
+      scene.shading = shading;
+      const LightPicture expected = antialiased(scene, size);
+      EXPECT_EQ(pixels_off(engine::render(scene, size), output(over_background(expected, scene.background)),
+                           "normals of length " + std::to_string(length)),
+                0);
+    }
+  }
+}
+
 TEST(Engine, LeavesToTheTextbookChainWhatIsDrawnInAnOrder) {
   Scene scene;
   EXPECT_TRUE(engine::draws(scene));
