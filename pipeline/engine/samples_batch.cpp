@@ -20,19 +20,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 static_assert(most_samples == block_cells);
 
-/// From the centre of a pixel to its samples, in 1/256 pixel; the last one fills up.
-struct SampleOffsets {
-  explicit SampleOffsets(std::span<const ivec2> places) {
-    for (std::size_t s = 0; s < most_samples; ++s) {
-      const ivec2 from_centre = places[std::min(s, places.size() - 1)] - pixel_middle;
-      right[s] = from_centre.x;
-      down[s] = from_centre.y;
-    }
-  }
-  alignas(64) std::int32_t right[most_samples];
-  alignas(64) std::int32_t down[most_samples];
-};
-
 class Sampling {
  public:
   Sampling(const Frame& frame, const Window& pixels, std::span<const ivec2> places, SampleBuffer& buffer)
@@ -376,120 +363,18 @@ void sample_tile(const Frame& frame, int tile, const Window& pixels, std::span<c
   });
 }
 
-/// The same place, for triangles whose edge functions take more than 32 bits.
-HWY_NOINLINE ivec2 colour_place_of_long(const triangle_coverage::Edges& edges, ivec2 pixel,
-                                        std::span<const ivec2> places) {
-  const auto found = std::ranges::find_if(places, [&](ivec2 place) {
-    return holds(edges, weights_at_place(edges, pixel * triangle_coverage::subpixels + place));
-  });
-  return found == places.end() ? pixel_middle : *found;
-}
-
-/// The triangles that the samples of a pixel show: those that stand in `samples`, or the one that covers all.
-/// Returns whether there may be another one than that.
-HWY_INLINE bool winners_of(const Frame& frame, const SampleBuffer& buffer, std::size_t cell, ivec2 pixel,
-                           std::span<const ivec2> places, std::int32_t* winners) {
-  const Whole whole;
-  const Single single;
-  const PixelSamples& own = buffer.samples[static_cast<std::size_t>(buffer.sampled[cell])];
-  const std::int32_t other = buffer.whole[cell];
-  const float from = buffer.least[cell] - unsure_at(buffer.least[cell]),
-              to = buffer.most[cell] + unsure_at(buffer.most[cell]);
-  bool others = false;
-  for (std::size_t i = 0; i < most_samples; i += hn::Lanes(whole)) {
-    const auto ids = hn::Load(whole, own.ids.data() + i);
-    const auto nearness = hn::Load(single, own.nearness.data() + i);
-    const auto mine = hn::Gt(nearness, hn::Set(single, to));
-    hn::Store(hn::IfThenElse(hn::RebindMask(whole, mine), ids, hn::Set(whole, other)), whole, winners + i);
-    const auto open = hn::AndNot(mine, hn::Ge(nearness, hn::Set(single, from)));
-    others |= !hn::AllFalse(single, hn::Or(mine, open));
-    if (other == no_triangle || hn::AllFalse(single, open)) continue;
-    for (std::size_t s = i; s < std::min(i + hn::Lanes(whole), places.size()); ++s) {
-      if (own.ids[s] == no_triangle || own.nearness[s] > to || own.nearness[s] < from) continue;
-      const ivec2 there = pixel * triangle_coverage::subpixels + places[s];
-      winners[s] =
-          exact_depth(frame, own.ids[s], there) < exact_depth(frame, other, there) ? own.ids[s] : other;
-    }
-  }
-  return others;
-}
-
-/// Where a triangle's colour in a pixel is asked for: adaptive::colour_place. offsets: from the centre to the
-/// samples, nearest first.
-HWY_INLINE ivec2 colour_place(const triangle_coverage::Triangle& grid, ivec2 pixel,
-                              const SampleOffsets& offsets, std::span<const ivec2> places) {
-  const Whole d;
-  const auto edges = triangle_coverage::edges_of(grid);
-  const auto in_centre = weights_at_place(edges, triangle_coverage::centre_of(pixel));
-  if (holds(edges, in_centre)) return pixel_middle;
-  std::uint32_t outside = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const ivec2 way = edges[k].to - edges[k].from;
-    if (std::abs(way.x) + std::abs(way.y) >= 1 << 23) return colour_place_of_long(edges, pixel, places);
-    // So far that 32 bits hold what samples add: the signs stay
-    constexpr std::int64_t far = 1 << 30;
-    const I at = hn::Set(d, static_cast<std::int32_t>(std::clamp(in_centre[k] - !edges[k].owns, -far, far))),
-            a = hn::Set(d, -way.y), b = hn::Set(d, way.x);
-    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d)) {
-      const I dx = hn::Load(d, offsets.right + i), dy = hn::Load(d, offsets.down + i);
-      const I there = hn::Add(at, hn::Add(hn::Mul(a, dx), hn::Mul(b, dy)));
-      outside |= bits_of(d, hn::Lt(there, hn::Zero(d))) << i;
-    }
-  }
-  const auto first = static_cast<std::size_t>(std::countr_one(outside));
-  return first < places.size() ? places[first] : pixel_middle;
-}
-
-/// Adds the triangles that the samples of a pixel show. winners: of them.
-HWY_INLINE void show_pixel(const Frame& frame, std::size_t cell, ivec2 pixel, const std::int32_t* winners,
-                           const SampleOffsets& offsets, std::span<const ivec2> places,
-                           std::vector<ShownTriangle>& shown) {
-  const Whole d;
-  for (std::uint32_t left = (1U << places.size()) - 1; left != 0;) {
-    const std::int32_t id = winners[std::countr_zero(left)];
-    std::uint32_t same = 0;
-    for (std::size_t i = 0; i < most_samples; i += hn::Lanes(d))
-      same |= bits_of(d, hn::Eq(hn::Load(d, winners + i), hn::Set(d, id))) << i;
-    same &= left;
-    left &= ~same;
-    if (id == no_triangle) continue;
-    shown.push_back(
-        {cell, id, std::popcount(same), colour_place(frame.triangle(id).grid, pixel, offsets, places)});
-  }
-}
-
-void show_tile(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
-               const SampleBuffer& buffer, std::vector<ShownTriangle>& shown) {
-  const SampleOffsets offsets(places);
-  alignas(64) std::int32_t winners[most_samples];
-  for (const std::int32_t number : buffer.sampled_cells) {
-    const auto cell = static_cast<std::size_t>(number);
-    const ivec2 pixel = pixels.lower + TileBuffer::place(cell);
-    if (winners_of(frame, buffer, cell, pixel, places, winners))
-      show_pixel(frame, cell, pixel, winners, offsets, places, shown);
-    else
-      shown.push_back({cell, buffer.whole[cell], static_cast<std::int32_t>(places.size()), pixel_middle});
-  }
-}
-
 }  // namespace gradus::pipeline::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gradus::pipeline::engine {
 HWY_EXPORT(sample_tile);
-HWY_EXPORT(show_tile);
 
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer) {
   expects(!places.empty() && places.size() <= most_samples, "a pixel takes 1 to {} samples at once, not {}",
           most_samples, places.size());
   HWY_DYNAMIC_DISPATCH(sample_tile)(frame, tile, pixels, places, buffer);
-}
-
-void find_shown(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
-                const SampleBuffer& buffer, std::vector<ShownTriangle>& shown) {
-  HWY_DYNAMIC_DISPATCH(show_tile)(frame, pixels, places, buffer, shown);
 }
 
 }  // namespace gradus::pipeline::engine

@@ -2,7 +2,9 @@
 // What samples of the pixels of a tile show. Where one triangle covers a pixel whole and is surely nearest,
 // no sample is looked at; elsewhere all are, at once.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,6 +15,22 @@ namespace gradus::pipeline::engine {
 
 /// Samples a pixel, at most.
 inline constexpr std::size_t most_samples = 16;
+
+/// The middle of a pixel, in 1/256 pixel.
+inline constexpr ivec2 pixel_middle{triangle_coverage::subpixels / 2, triangle_coverage::subpixels / 2};
+
+/// From the middle of a pixel to its samples, in 1/256 pixel; the last one fills up.
+struct SampleOffsets {
+  explicit SampleOffsets(std::span<const ivec2> places) {
+    for (std::size_t s = 0; s < most_samples; ++s) {
+      const ivec2 from_middle = places[std::min(s, places.size() - 1)] - pixel_middle;
+      right[s] = from_middle.x;
+      down[s] = from_middle.y;
+    }
+  }
+  alignas(64) std::int32_t right[most_samples];
+  alignas(64) std::int32_t down[most_samples];
+};
 
 /// The samples of a pixel, of triangles that do not cover it whole or not surely.
 struct alignas(64) PixelSamples {
@@ -43,22 +61,5 @@ struct alignas(64) SampleBuffer {
 /// Errors: none.
 void find_samples(const Frame& frame, int tile, const Window& pixels, std::span<const ivec2> places,
                   SampleBuffer& buffer);
-
-/// The middle of a pixel, in 1/256 pixel.
-inline constexpr ivec2 pixel_middle{triangle_coverage::subpixels / 2, triangle_coverage::subpixels / 2};
-
-/// A triangle that samples of a pixel show.
-struct ShownTriangle {
-  std::size_t cell;
-  std::int32_t id, samples;
-  ivec2 place;  ///< in the pixel, where the textbook's `adaptive` asks for its colour
-};
-
-/// Adds, for each pixel whose samples were looked at, the triangles that they show: at each sample, of those
-/// that cover it, the least by depth in the textbook's arithmetic, of equals the first.
-/// pixels, places, buffer: those of find_samples; places from the one nearest to the pixel's centre on. Cost:
-/// 20 nanoseconds a pixel.
-void find_shown(const Frame& frame, const Window& pixels, std::span<const ivec2> places,
-                const SampleBuffer& buffer, std::vector<ShownTriangle>& shown);
 
 }  // namespace gradus::pipeline::engine

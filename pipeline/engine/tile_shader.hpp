@@ -11,6 +11,7 @@
 #include "engine/describe_batch.hpp"
 #include "engine/samples_batch.hpp"
 #include "engine/shading_batch.hpp"
+#include "engine/shown_batch.hpp"
 #include "engine/surfaces.hpp"
 #include "engine/visibility_batch.hpp"
 

@@ -23,6 +23,7 @@
 #include "engine/pieces_batch.hpp"
 #include "engine/samples_batch.hpp"
 #include "engine/shading_batch.hpp"
+#include "engine/shown_batch.hpp"
 #include "engine/tiles.hpp"
 #include "engine/vertices_batch.hpp"
 #include "engine/visibility_batch.hpp"
