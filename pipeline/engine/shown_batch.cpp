@@ -139,8 +139,12 @@ class Shown {
       same &= left;
       left &= ~same;
       if (id == no_triangle) continue;
-      const ivec2 place = sides_of(id).colour_place(TileBuffer::place(cell), origin_, places_);
-      shown_.push_back({cell, id, std::popcount(same), place});
+      // Written where it stays: what is written elsewhere and copied waits for its own parts
+      ShownTriangle& triangle = shown_.emplace_back();
+      triangle.cell = cell;
+      triangle.id = id;
+      triangle.samples = std::popcount(same);
+      triangle.place = sides_of(id).colour_place(TileBuffer::place(cell), origin_, places_);
     }
   }
 
