@@ -108,24 +108,24 @@ std::int32_t FrameShading::group_for(const Material& material, const std::vector
   return known->second;
 }
 
-void FrameShading::prefetch_piece(std::int32_t id) const {
+void FrameShading::fetch_face(std::int32_t id) const {
   const FrameTriangle& t = frame_.triangle(id);
   if (t.cut) return;
-  const FrameObject& object = frame_.object_of(t);
-  __builtin_prefetch(&object.pieces->of_faces[static_cast<std::size_t>(t.piece)]);
-  __builtin_prefetch(&object.pieces->vertices[static_cast<std::size_t>(t.piece)]);
+  const MeshPieces& pieces = *frame_.object_of(t).pieces;
+  __builtin_prefetch(&pieces.of_faces[static_cast<std::size_t>(t.piece)]);
+  __builtin_prefetch(&pieces.vertices[static_cast<std::size_t>(t.piece)]);
 }
-void FrameShading::prefetch_corners(std::int32_t id) const {
+
+void FrameShading::fetch_corners(std::int32_t id) const {
   const FrameTriangle& t = frame_.triangle(id);
   if (t.cut) return;
   const FrameObject& object = frame_.object_of(t);
   const Mesh& mesh = *object_at(scene_, object.number).mesh;
-  const auto& of = object.pieces->of_faces[static_cast<std::size_t>(t.piece)];
-  const auto& v = object.pieces->vertices[static_cast<std::size_t>(t.piece)];
-  for (std::size_t k = 0; k < 3; ++k) {
-    __builtin_prefetch(&mesh.positions[static_cast<std::size_t>(v[k])]);
-    if (of.normals[k] >= 0) __builtin_prefetch(&mesh.normals[static_cast<std::size_t>(of.normals[k])]);
-  }
+  const auto piece = static_cast<std::size_t>(t.piece);
+  for (const std::int32_t vertex : object.pieces->vertices[piece])
+    __builtin_prefetch(&mesh.positions[static_cast<std::size_t>(vertex)]);
+  for (const std::int32_t normal : object.pieces->of_faces[piece].normals)
+    if (normal >= 0) __builtin_prefetch(&mesh.normals[static_cast<std::size_t>(normal)]);
 }
 
 std::int32_t FrameShading::put_cut(std::int32_t id, std::size_t lane, SeenTriangles& seen) const {

@@ -99,9 +99,10 @@ class FrameShading {
 
   const std::vector<ShadingGroup>& groups() const { return groups_; }
   /// Puts a triangle beside others, but for its light. Returns its group.
-  void prefetch_piece(std::int32_t id) const;
-  void prefetch_corners(std::int32_t id) const;
   std::int32_t put(std::int32_t id, std::size_t lane, SeenTriangles& seen) const;
+  /// Asks memory for what `put` reads of a triangle's face, and then for what that names.
+  void fetch_face(std::int32_t id) const;
+  void fetch_corners(std::int32_t id) const;
   /// The way to the viewer where rays are parallel, of length 1; else zero.
   const glm::vec3& towards() const { return towards_; }
   const Scene& scene() const { return scene_; }

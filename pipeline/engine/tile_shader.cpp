@@ -67,19 +67,25 @@ void TileShader::describe_all(const Window& pixels, bool squares) {
   const AskedPixels asked{
       pixels.lower, intersection(square_with(pixels.lower), picture_window(shading_.plan().size)), squares};
   records_.resize((seen_.size() + full - 1) / full);
-  for (std::size_t i = 0; i < seen_.size(); i += full)
-    describe(asked, std::span(seen_).subspan(i, std::min(full, seen_.size() - i)), records_[i / full]);
+  for (std::size_t i = 0; i < seen_.size(); i += full) describe(asked, i, records_[i / full]);
 }
 
-/// Up to sixteen of them.
-void TileShader::describe(const AskedPixels& asked, std::span<Seen> some, RecordBlock& records) {
+/// What the triangle of a slot is, ever more of it the nearer its turn.
+void TileShader::fetch_ahead(std::size_t slot) const {
+  const auto ahead = [&](std::size_t by, const auto& fetch) {
+    if (slot + by < seen_.size()) fetch(seen_[slot + by].id);
+  };
+  ahead(12, [&](std::int32_t id) { __builtin_prefetch(&shading_.frame().triangle(id)); });
+  ahead(8, [&](std::int32_t id) { shading_.fetch_face(id); });
+  ahead(4, [&](std::int32_t id) { shading_.fetch_corners(id); });
+}
+
+/// Up to sixteen of them, from a slot on.
+void TileShader::describe(const AskedPixels& asked, std::size_t slot, RecordBlock& records) {
+  const std::span some = std::span(seen_).subspan(slot, std::min(full, seen_.size() - slot));
   triangles_.count = some.size();
   for (std::size_t k = 0; k < some.size(); ++k) {
-    const auto next = [&](std::size_t on) { return some.data() + k + on; };
-    const Seen* const end = seen_.data() + seen_.size();
-    if (next(12) < end) __builtin_prefetch(&shading_.frame().triangle(next(12)->id));
-    if (next(8) < end) shading_.prefetch_piece(next(8)->id);
-    if (next(4) < end) shading_.prefetch_corners(next(4)->id);
+    fetch_ahead(slot + k);
     some[k].group = shading_.put(some[k].id, k, triangles_);
   }
   if (shading_.scene().shading == Shading::flat) put_light_of_faces(some);
