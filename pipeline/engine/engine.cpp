@@ -120,9 +120,10 @@ class Artist {
         shader_(std::make_unique<TileShader>(shading)) {}
 
   /// places: of the samples of a pixel; none: their centres.
-  std::int64_t draw(int tile, const Window& pixels, std::span<const ivec2> places, Image& image) {
+  std::int64_t draw(const TileGrid& grid, int tile, std::span<const ivec2> places, Image& image) {
+    const Window pixels = grid.tile(tile);
     if (is_empty(frame_, tile)) {
-      shader_->clear(pixels, image);
+      clear(grid, tile, image);
       return 0;
     }
     if (places.empty()) {
@@ -136,6 +137,15 @@ class Artist {
   ShadingCount count() const { return shader_->count(); }
 
  private:
+  /// Empty tiles side by side are cleared at once, with the first of them: long rows come sooner from memory.
+  void clear(const TileGrid& grid, int tile, Image& image) const {
+    const int column = tile % grid.columns(), row_end = tile - column + grid.columns();
+    if (column > 0 && is_empty(frame_, tile - 1)) return;
+    int last = tile;
+    while (last + 1 < row_end && is_empty(frame_, last + 1)) ++last;
+    shader_->clear({grid.tile(tile).lower, grid.tile(last).upper}, image);
+  }
+
   const Frame& frame_;
   std::unique_ptr<TileBuffer> buffer_;
   std::unique_ptr<SampleBuffer> samples_;
@@ -262,7 +272,7 @@ void draw_into(Picture& picture, const Scene& scene, const Buffers& buffers, con
       const FrameShading shading(scene, buffers, plan, frame);
       tbb::enumerable_thread_specific<Artist> artists([&] { return Artist(shading); });
       tbb::parallel_for(0, grid.count(), [&](int tile) {
-        covered += artists.local().draw(tile, grid.tile(tile), places, picture.image);
+        covered += artists.local().draw(grid, tile, places, picture.image);
         done.tile();
       });
       for (const Artist& artist : artists) done.add(artist.count());

@@ -33,7 +33,7 @@ class TileShader {
   /// samples as show it.
   std::int64_t mix(const Window& pixels, const SampleBuffer& buffer, std::span<const ivec2> places,
                    Image& image);
-  /// Writes the background to a tile that has no triangle.
+  /// Writes the background to tiles that have no triangle.
   void clear(const Window& pixels, Image& image) const;
   /// What it has done so far.
   ShadingCount count() const;
