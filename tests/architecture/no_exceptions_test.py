@@ -50,7 +50,7 @@ def of_the_program():
     """What a page of some topics needs, in units: files that are compiled together."""
     stories = [f"visualize/stories/{topic}_story.cpp" for topic in TOPICS]
     return [matching("algorithms/core/**/*.cpp"), matching("visualize/figure/*.cpp"), matching("visualize/stories/*.cpp"),
-            ["visualize/web/html.cpp", "visualize/web/json.cpp", "visualize/web/script_safe.cpp", *stories]]
+            [*matching("visualize/json/*.cpp"), *stories]]
 
 
 def of_all_else():
@@ -145,7 +145,7 @@ class NoExceptions(unittest.TestCase):
         files = sum(of_the_program() + of_all_else(), [])
         self.assertEqual(len(files), len(set(files)))
         for path in ("algorithms/core/arithmetic/exact_scalar.cpp", "visualize/figure/layout.cpp", "visualize/theme/theme.cpp",
-                     "visualize/stories/telling.cpp", "visualize/web/json.cpp", "pipeline/scene/obj.cpp", "pipeline/pipeline.hpp"):
+                     "visualize/stories/telling.cpp", "visualize/json/json.cpp", "pipeline/scene/obj.cpp", "pipeline/pipeline.hpp"):
             self.assertIn(path, files)
         for topic in project.topics():
             self.assertIn(f"algorithms/{topic.path}/{topic.name}.hpp", files)

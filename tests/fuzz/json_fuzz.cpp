@@ -8,8 +8,8 @@
 
 #include "cli/written_json.hpp"
 #include "core/image.hpp"
+#include "json/json.hpp"
 #include "support/fuzz_input.hpp"
-#include "web/json.hpp"
 
 using namespace gradus;
 using gradus::cli::JsonNode;

@@ -19,6 +19,7 @@ COLUMNS = {  # from left to right, and what a room is for
     "pipeline": (0, "eight stages, chained"),
     "algorithms/core": (1, "numbers, rasters, observers"),
     "visualize/stories": (1, "what a step shows and says"),
+    "visualize/json": (1, "runs for other programs"),
     "visualize/web": (1, "player and pages"),
     "visualize/cli": (1, "the command"),
     "visualize/figure": (2, "traces, wording, layout"),

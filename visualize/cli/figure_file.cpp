@@ -18,10 +18,10 @@
 #include "figure/metrics.hpp"
 #include "figure/transition.hpp"
 #include "figure/which_steps.hpp"
+#include "json/json.hpp"
 #include "office/presentation.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
-#include "web/json.hpp"
 #include "web/player.hpp"
 
 namespace gradus::cli {

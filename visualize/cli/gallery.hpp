@@ -9,8 +9,8 @@
 
 #include "cli/files.hpp"
 #include "cli/lecture.hpp"
+#include "json/json.hpp"
 #include "web/gallery_page.hpp"
-#include "web/json.hpp"
 
 namespace gradus::cli {
 

@@ -8,9 +8,9 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/names.hpp"
+#include "json/json.hpp"
 #include "stories/point_text.hpp"
 #include "text/wrap.hpp"
-#include "web/json.hpp"
 
 namespace gradus::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/takes.hpp"
+#include "json/json.hpp"
 #include "text/text_output.hpp"
 #include "text/wrap.hpp"
-#include "web/json.hpp"
 
 namespace gradus::cli {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "web/json.hpp"
+#include "json/json.hpp"
 
 namespace gradus::cli {
 namespace {

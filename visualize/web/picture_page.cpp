@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "figure/markup.hpp"
+#include "json/json.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
-#include "web/json.hpp"
 #include "web/page_fonts.hpp"
 #include "web/text_pack.hpp"
 

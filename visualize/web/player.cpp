@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "figure/markup.hpp"
+#include "json/json.hpp"
 #include "theme/theme.hpp"
 #include "web/assets.hpp"
 #include "web/html.hpp"
-#include "web/json.hpp"
 #include "web/page_fonts.hpp"
 
 namespace gradus {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/refusal.hpp"
+#include "json/json.hpp"
 #include "stories/topic.hpp"
-#include "web/json.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "figure/layout.hpp"
+#include "json/json.hpp"
 #include "stories/paper.hpp"
 #include "support/sheets.hpp"
-#include "web/json.hpp"
 
 namespace gradus {
 namespace {

@@ -1,7 +1,7 @@
 // What the JSON says, read back by the library: run_json is for other people's programs, trace_json for the
 // player.
 
-#include "web/json.hpp"
+#include "json/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "web/json.hpp"
+#include "json/json.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "figure/metrics.hpp"
 #include "figure/seen_cells.hpp"
 #include "figure/typesetting.hpp"
-#include "web/script_safe.hpp"
+#include "json/script_safe.hpp"
 
 namespace gradus {
 namespace {

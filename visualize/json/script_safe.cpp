@@ -1,4 +1,4 @@
-#include "web/script_safe.hpp"
+#include "json/script_safe.hpp"
 
 #include <fmt/format.h>
 
