@@ -28,6 +28,8 @@ void refuse(const Refusal& refusal) {
       throw InputError(refusal.text);
     case Refusal::Kind::argument:
       throw ArgumentError(refusal.parameter, refusal.text);
+    case Refusal::Kind::usage:
+      throw UsageError(refusal.text);
   }
 #else
   host(refusal);

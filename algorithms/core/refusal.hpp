@@ -30,12 +30,20 @@ class ArgumentError : public std::runtime_error {
   std::string parameter;
 };
 
+/// What was asked for can't be done: an unknown name, a flag's value that is none, two that exclude one
+/// another. The text names the flag.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What is refused, and why.
 struct Refusal {
   enum class Kind {
     contract,  ///< a caller's mistake: ContractViolation
     input,     ///< a file's: InputError
     argument,  ///< one of the arguments of a run: ArgumentError
+    usage,     ///< all else that was asked for: UsageError
   };
   Kind kind;
   std::string text;         ///< one sentence
@@ -48,6 +56,7 @@ struct Refusal {
 [[noreturn]] void refuse(const Refusal& refusal);
 
 [[noreturn]] inline void refuse_input(std::string text) { refuse({Refusal::Kind::input, std::move(text)}); }
+[[noreturn]] inline void refuse_usage(std::string text) { refuse({Refusal::Kind::usage, std::move(text)}); }
 
 /// What a build without exceptions calls before it stops. Default: writes the text to stderr.
 using RefusalHandler = void (*)(const Refusal& refusal);

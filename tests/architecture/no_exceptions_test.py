@@ -57,7 +57,7 @@ def of_all_else():
     """What else a page may need, in units. The last one's algorithm takes over another topic's entry()."""
     headers = matching("visualize/theme/*.cpp", *(f"algorithms/{topic.path}/*.hpp" for topic in project.topics()))
     stories = [path for path in matching("visualize/stories/*/*.cpp") if path not in of_the_program()[-1]]
-    return [[path for path in headers if not path.endswith("_batch.hpp")],
+    return [[path for path in headers if not path.endswith("_batch.hpp")], matching("visualize/request/*.cpp"),
             matching("pipeline/*/*.cpp", "pipeline/*.hpp", "pipeline/stages/*.hpp"),
             [path for path in stories if path != ALONE], [ALONE]]
 

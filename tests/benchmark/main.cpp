@@ -11,27 +11,27 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/guarded.hpp"
-#include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "request/inputs.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::UsageError;
 
 /// The subjects whose topics were named; all when none was.
 std::vector<const Subject*> chosen(const cli::Request& request) {
   std::vector<const Subject*> wanted;
   for (const std::string& word : request.operands) {
     // Subjects that are no topics ("figures") by their whole name
-    auto found = std::ranges::find(subjects(), cli::folded(word), &Subject::topic);
+    auto found = std::ranges::find(subjects(), folded(word), &Subject::topic);
     if (found != subjects().end()) {
       wanted.push_back(&*found);
       continue;
     }
-    const std::string& topic = cli::find_topic(word).name;
+    const std::string& topic = find_topic(word).name;
     found = std::ranges::find(subjects(), topic, &Subject::topic);
     if (found == subjects().end()) throw UsageError(fmt::format("TOPIC: {} has no benchmark", topic));
     wanted.push_back(&*found);
@@ -88,8 +88,7 @@ void prepare(const std::string& folder, const std::vector<const Subject*>& wante
 Findings duels_of(const Subject& subject, const Effort& effort, const cli::Request& request) {
   const auto need = [&](bool there) {
     if (request.has("require-peers") && !there)
-      throw cli::UsageError(
-          fmt::format("--require-peers: what {} is compared with is not there", subject.topic));
+      throw UsageError(fmt::format("--require-peers: what {} is compared with is not there", subject.topic));
   };
   need(subject.peer_is_built);
   Findings found{&subject, {}};

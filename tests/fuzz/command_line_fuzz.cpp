@@ -11,8 +11,8 @@
 #include "cli/figure_file.hpp"
 #include "cli/figure_spec.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
 #include "core/image.hpp"
+#include "request/names.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;
@@ -21,7 +21,7 @@ using gradus::test::require;
 namespace {
 
 std::string no_file(const std::string&, const std::string& flag) {
-  throw cli::UsageError(flag + ": expected a file, found none");
+  throw UsageError(flag + ": expected a file, found none");
 }
 
 /// Everything short of running the topic; and the command that the figure would carry says the same again.
@@ -29,19 +29,19 @@ void read_figure(const cli::Request& request) {
   for (const auto& [name, value] : request.arguments) {
     if (value.find('-') == 0 && value.size() == 1) return;  // standard input is nobody's here
   }
-  const cli::Inputs inputs = cli::read_inputs(*request.topic, request.arguments, no_file);
+  const Inputs inputs = cli::read_inputs(*request.topic, request.arguments, no_file);
   const cli::FigureSpec spec = cli::read_spec(request, inputs.arguments);
   const std::string command = cli::command_of(spec);
-  const auto words = cli::shell_words(command);
+  const auto words = shell_words(command);
   require(words && words->size() >= 3, "a command can be taken apart");
   cli::Request again;
   try {
     again = cli::read_request({words->begin() + 1, words->end()});
-  } catch (const cli::UsageError&) {
+  } catch (const UsageError&) {
     require(false, "the command that a figure carries can be read");
   }
   require(again.topic == request.topic, "the command names the same topic");
-  const cli::Inputs same = cli::read_inputs(*again.topic, again.arguments, no_file);
+  const Inputs same = cli::read_inputs(*again.topic, again.arguments, no_file);
   require(cli::command_of(cli::read_spec(again, same.arguments)) == command, "the command is its own");
 }
 
@@ -59,15 +59,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   std::string line = "gradus";
-  for (const std::string& word : words) line += " " + cli::shell_quoted(word);
-  const auto apart = cli::shell_words(line);
+  for (const std::string& word : words) line += " " + shell_quoted(word);
+  const auto apart = shell_words(line);
   require(apart && apart->size() == words.size() + 1 &&
               std::equal(words.begin(), words.end(), apart->begin() + 1),
           "words survive a shell");
   try {
     const cli::Request request = cli::read_request(words);
     if (request.topic && request.command && request.command->name == "figure") read_figure(request);
-  } catch (const cli::UsageError& error) {
+  } catch (const UsageError& error) {
     require(test::harmless(error.what()), "an error is safe to show");
   } catch (const ArgumentError& error) {
     require(test::harmless(error.what()), "an error is safe to show");

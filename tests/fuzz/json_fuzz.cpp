@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "cli/written_json.hpp"
 #include "core/image.hpp"
 #include "json/json.hpp"
+#include "request/written_json.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;
-using gradus::cli::JsonNode;
+using gradus::JsonNode;
 using gradus::test::require;
 
 namespace {
@@ -47,7 +47,7 @@ bool is_theirs(const JsonNode& node, const nlohmann::json& theirs) {
       return true;
     case JsonNode::Kind::object:
       if (!theirs.is_object() || theirs.size() != node.members.size()) return false;
-      for (const cli::JsonMember& member : node.members) {
+      for (const JsonMember& member : node.members) {
         if (!theirs.contains(member.key) || !is_theirs(member.value, theirs[member.key])) return false;
       }
       return true;
@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const nlohmann::json theirs = nlohmann::json::parse(text, nullptr, false);
   try {
-    const JsonNode ours = cli::read_json(text, "j.json");
+    const JsonNode ours = read_json(text, "j.json");
     // Numbers beyond the range of double are none to them, and only text to us
     if (theirs.is_discarded()) {
       bool beyond = false;
@@ -82,8 +82,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } else {
       require(is_theirs(ours, theirs), "values are those that others read");
     }
-    require(same(cli::read_json(cli::write_json(ours), "again.json"), ours), "what is written is read back");
-    require(test::harmless(cli::described(ours)), "a value in a message is safe to show");
+    require(same(read_json(write_json(ours), "again.json"), ours), "what is written is read back");
+    require(test::harmless(described(ours)), "a value in a message is safe to show");
   } catch (const InputError& error) {
     const std::string what = error.what();
     require(what.starts_with("j.json:"), "an error names its file");

@@ -19,7 +19,7 @@ std::string find(const std::string& name, const std::string& flag) {
   for (const char* known : {"examples/models/letter_f.obj", "examples/images/camera.png"}) {
     if (std::string_view(known).ends_with("/" + name)) return std::string(GRADUS_SOURCE_DIR) + "/" + known;
   }
-  throw cli::UsageError(flag + ": expected a file, found none");
+  throw UsageError(flag + ": expected a file, found none");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/figure_file.hpp"
-#include "cli/names.hpp"
 #include "core/image.hpp"
+#include "request/names.hpp"
 #include "support/fuzz_input.hpp"
 
 using namespace gradus;
@@ -20,10 +20,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!cli::format_by_content(bytes)) return 0;
     const auto colophon = colophon_in(bytes);
     if (!colophon) return 0;
-    const auto words = cli::shell_words(colophon->command);
+    const auto words = shell_words(colophon->command);
     if (!words || words->empty()) return 0;
     static_cast<void>(cli::read_request({words->begin() + 1, words->end()}));
-  } catch (const cli::UsageError& error) {
+  } catch (const UsageError& error) {
     require(test::harmless(error.what()), "an error is safe to show");
   } catch (const InputError& error) {
     require(test::harmless(error.what()), "an error is safe to show");

@@ -13,7 +13,7 @@
 #include "cli/files.hpp"
 #include "cli/guarded.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "stress/attack.hpp"
 
@@ -21,17 +21,15 @@ namespace gradus::stress {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::UsageError;
 
 std::vector<const Domain*> chosen(const cli::Request& request) {
   std::vector<const Domain*> wanted;
   for (const std::string& word : request.operands) {
     // Some parts of the pipeline make promises, too, and are no topics yet
     auto found = std::ranges::find(domains(), word, &Domain::topic);
-    if (found == domains().end())
-      found = std::ranges::find(domains(), cli::find_topic(word).name, &Domain::topic);
+    if (found == domains().end()) found = std::ranges::find(domains(), find_topic(word).name, &Domain::topic);
     if (found == domains().end()) {
-      throw UsageError(fmt::format("TOPIC: {} has no stress test", cli::find_topic(word).name));
+      throw UsageError(fmt::format("TOPIC: {} has no stress test", find_topic(word).name));
     }
     wanted.push_back(&*found);
   }
@@ -59,9 +57,9 @@ void draw(const std::vector<std::string>& words, const fs::path& path, cli::NewF
           cli::Replace replace) {
   try {
     const cli::Request request = cli::read_request(words);
-    const cli::Inputs inputs = cli::read_inputs(*request.topic, request.arguments, cli::as_named);
+    const Inputs inputs = cli::read_inputs(*request.topic, request.arguments, cli::as_named);
     const cli::FigureSpec spec = cli::read_spec(request, inputs.arguments);
-    cli::Takes takes(*spec.topic, spec.arguments);
+    Takes takes(*spec.topic, spec.arguments);
     files.add(path.string(), cli::picture_bytes(spec, takes, cli::shown_step(spec, takes), cli::Format::svg),
               replace);
   } catch (const std::exception& error) {

@@ -11,7 +11,7 @@ namespace gradus::test {
 inline std::string complaint(const std::function<void()>& call) {
   try {
     call();
-  } catch (const cli::UsageError& error) {
+  } catch (const UsageError& error) {
     return error.what();
   } catch (const cli::WorkError& error) {
     return std::string("work: ") + error.what();

@@ -11,9 +11,10 @@
 #include "cli/figure.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
 #include "cli/render.hpp"
 #include "cli/shipped.hpp"
+#include "request/fingerprint.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -7,8 +7,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "cli/spelling.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

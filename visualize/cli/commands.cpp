@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "plan/rules.hpp"
+#include "request/names.hpp"
 #include "scene/antialiasing.hpp"
 #include "scene/choices.hpp"
 #include "stories/point_text.hpp"
@@ -406,31 +406,6 @@ Color Request::color() const {
 std::size_t Request::width() const {
   const auto wanted = flags.find("width");
   return output_width(wanted == flags.end() ? "" : wanted->second);
-}
-
-const TopicEntry& find_topic(std::string_view word) {
-  // All names and aliases in one list; each points back to its topic
-  std::vector<std::string> names;
-  std::vector<const TopicEntry*> owners;
-  for (const TopicEntry* topic : catalogue()) {
-    names.push_back(topic->name);
-    owners.push_back(topic);
-    for (const std::string& alias : topic->aliases) {
-      names.push_back(alias);
-      owners.push_back(topic);
-    }
-  }
-  const std::vector<std::size_t> matches = matching_names(word, names);
-  std::vector<std::string> meant;
-  for (const std::size_t i : matches) {
-    if (meant.empty() || meant.back() != owners[i]->name) meant.push_back(owners[i]->name);
-  }
-  if (meant.size() == 1) return *owners[matches.front()];
-  if (meant.empty()) {
-    throw UsageError(fmt::format("TOPIC: expected the name of a topic (`gradus list` shows all), found {}{}",
-                                 shown(word), suggestion(word, names)));
-  }
-  return *owners[matches[choose_name("TOPIC", word, meant)]];
 }
 
 }  // namespace gradus::cli

@@ -84,7 +84,4 @@ int version();
 /// The version of the one library that only command_line.cpp may include.
 std::string cli11_version();
 
-/// The topic of that name or alias: a unique beginning is enough. Throws UsageError.
-const TopicEntry& find_topic(std::string_view word);
-
 }  // namespace gradus::cli

@@ -2,18 +2,11 @@
 // What --compare sets beside a figure: another method of the same topic, another topic that takes the same
 // inputs, or the same with some inputs changed.
 
-#include <string>
 #include <string_view>
 
-#include "stories/topic.hpp"
+#include "request/takes.hpp"
 
 namespace gradus::cli {
-
-struct OtherSide {
-  const TopicEntry* topic = nullptr;
-  Arguments arguments;
-  std::string text;  ///< as the canonical command says it: "first_octant", "--receding 45,1"
-};
 
 /// Reads a method ("first_octant"), another topic with or without flags, or flags ("--receding 45,1") beside
 /// a run of this topic on these arguments, which the other side takes over; files come from there alone.

@@ -13,11 +13,12 @@
 #include "cli/film.hpp"
 #include "cli/frames_ahead.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "cli/road_film.hpp"
 #include "cli/shipped.hpp"
 #include "core/shown.hpp"
+#include "request/fingerprint.hpp"
+#include "request/names.hpp"
 #include "scene/textures.hpp"
 #include "stories/point_text.hpp"
 

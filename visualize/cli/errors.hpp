@@ -1,20 +1,16 @@
 #pragma once
 // How a command ends when it can't do what was asked. Each becomes one line on stderr.
 
+#include <exception>
 #include <stdexcept>
-#include <string>
-#include <string_view>
+
+#include "core/refusal.hpp"
+#include "request/complaint.hpp"
 
 namespace gradus::cli {
 
 /// The user's input is wrong: names the argument, says what was expected and what was found. Exit code 2.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// "--size: expected a ratio like 4:3, found 4". `found` is shown as it is.
-[[noreturn]] void refuse_flag(std::string_view flag, const std::string& expected, std::string_view found);
+using gradus::UsageError;
 
 /// The input is right and the work failed: a full disk, a folder without permission. Exit code 1.
 class WorkError : public std::runtime_error {

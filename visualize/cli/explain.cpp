@@ -14,9 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
-#include "cli/names.hpp"
 #include "cli/render.hpp"
-#include "cli/written_json.hpp"
 #include "core/mesh.hpp"
 #include "core/shown.hpp"
 #include "pipeline.hpp"
@@ -24,6 +22,8 @@
 #include "plan/planned.hpp"
 #include "plan/spared.hpp"
 #include "plot/heat_map.hpp"
+#include "request/names.hpp"
+#include "request/written_json.hpp"
 #include "text/table.hpp"
 #include "theme/theme.hpp"
 

@@ -10,8 +10,8 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

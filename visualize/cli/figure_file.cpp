@@ -11,7 +11,6 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
 #include "cli/own_files.hpp"
 #include "cli/panel_sheets.hpp"
 #include "cli/zip.hpp"
@@ -20,6 +19,7 @@
 #include "figure/which_steps.hpp"
 #include "json/json.hpp"
 #include "office/presentation.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
 #include "web/player.hpp"
@@ -67,13 +67,6 @@ Figure told_beneath(const FigureSpec& spec, Takes& takes, StepNumber step) {
   return figure;
 }
 
-/// The step that --step names, which must exist.
-StepNumber named_step(StepNumber step, const Takes& takes) {
-  if (step == last_step) return {takes.last(), 0};
-  takes.check(step, "--step", text_of(step));
-  return step;
-}
-
 }  // namespace
 
 FilmFormat film_format(Format format) {
@@ -99,7 +92,7 @@ StepNumber telling_step(const Takes& takes) {
 }
 
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes) {
-  if (spec.step) return named_step(*spec.step, takes);
+  if (spec.step) return takes.named(*spec.step);
   if (spec.panels) return telling_step(takes);
   if (!spec.chooses_steps()) return parting_step(takes).value_or(telling_step(takes));
   if (spec.milestones || count_in(spec.steps) != 1) {
@@ -309,18 +302,8 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
-  std::vector<StepRange> ranges = spec.steps;
-  if (spec.step) {
-    const StepNumber step = named_step(*spec.step, takes);
-    ranges = {{step, step}};
-  }
-  if (spec.milestones) {
-    for (const StepNumber step : milestones_of(takes.opening())) ranges.push_back({step, step});
-  }
+  const std::vector<StepRange> ranges = chosen_ranges(spec, takes);
   if (ranges.empty()) return takes.opening();
-  for (const StepRange& range : ranges) {
-    for (const StepNumber end : {range.first, range.last}) takes.check(end, "--steps", text_of(spec.steps));
-  }
   const bool played = ranges.size() == 1 && ranges.front().stride == 1 && ranges.front().first.fine == 0;
   if (format == Format::html && !played) {
     throw UsageError(fmt::format("--steps: expected one range like 3-9 for a player, found {}",

@@ -9,7 +9,7 @@
 
 #include "cli/figure_spec.hpp"
 #include "cli/formats.hpp"
-#include "cli/takes.hpp"
+#include "request/takes.hpp"
 
 namespace gradus::cli {
 

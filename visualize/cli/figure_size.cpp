@@ -10,7 +10,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

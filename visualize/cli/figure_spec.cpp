@@ -10,9 +10,10 @@
 #include "cli/errors.hpp"
 #include "cli/figure_size.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
-#include "cli/notation_reader.hpp"
+#include "cli/notation_file.hpp"
 #include "figure/metrics.hpp"
+#include "request/names.hpp"
+#include "request/words.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -22,18 +23,7 @@ using Texts = std::vector<std::string>;
 
 /// The one of these names that is meant.
 std::size_t chosen(std::string_view flag, std::string_view text, const Texts& names) {
-  return choose_name(fmt::format("--{}", flag), trimmed(text), names);
-}
-
-/// A text that figures will show: not empty, no line ends, and letters that the fonts have.
-std::string drawable(std::string_view flag, std::string_view text, Face face) {
-  const std::string_view word = trimmed(text);
-  if (word.empty()) refuse_flag(flag, "a text", shown(text));
-  if (word.find('\n') != std::string_view::npos) refuse_flag(flag, "a text on one line", shown(text));
-  if (const auto missing = missing_glyph(word, face)) {
-    refuse_flag(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), shown(text));
-  }
-  return std::string(word);
+  return choose_value(flag, text, names);
 }
 
 // --- Which steps -------------------------------------------------------------------------------------------
@@ -45,21 +35,17 @@ void leave_panels(FigureSpec& spec) {
 }
 
 std::string read_step_flag(FigureSpec& spec, const std::string& text) {
-  spec.step = read_step(text);
-  spec.steps.clear();
-  spec.milestones = false;
+  std::string canonical = choose_step(spec, text);
   spec.said.erase("steps");
   leave_panels(spec);
-  return *spec.step == last_step ? "last" : text_of(*spec.step);
+  return canonical;
 }
 
 std::string read_steps_flag(FigureSpec& spec, const std::string& text) {
-  spec.milestones = folded(trimmed(text)) == "auto";
-  spec.steps = spec.milestones ? std::vector<StepRange>{} : read_steps(text);
-  spec.step.reset();
+  std::string canonical = choose_steps(spec, text);
   spec.said.erase("step");
   leave_panels(spec);
-  return spec.milestones ? "auto" : text_of(spec.steps);
+  return canonical;
 }
 
 std::string read_panels(FigureSpec& spec, const std::string& text) {
@@ -77,9 +63,7 @@ std::string read_panels(FigureSpec& spec, const std::string& text) {
     }
     choice.steps = numbers_in(ranges);
   }
-  spec.step.reset();
-  spec.steps.clear();
-  spec.milestones = false;
+  static_cast<StepChoice&>(spec) = {};
   spec.compare.reset();
   for (const char* flag : {"step", "steps", "compare"}) spec.said.erase(flag);
   spec.panels = choice;
@@ -284,53 +268,17 @@ std::string read_caption(FigureSpec& spec, const std::string& text) {
   return spec.caption;
 }
 
-std::string read_language(FigureSpec& spec, const std::string& text) {
-  Texts codes;
-  for (const Language& language : languages()) codes.push_back(language.code());
-  const Language& language = languages()[chosen("language", text, codes)];
-  spec.wording = spec.wording.with(language);
-  return &language == &languages().front() ? "" : language.code();
+std::string read_language_flag(FigureSpec& spec, const std::string& text) {
+  return read_language(spec.wording, text);
 }
 
-std::string read_numbers(FigureSpec& spec, const std::string& text) {
-  const auto numbers = static_cast<Numbers>(chosen("numbers", text, {"decimals", "fractions"}));
-  spec.wording = spec.wording.with(numbers);
-  return numbers == Numbers::decimals ? "" : text;
+std::string read_numbers_flag(FigureSpec& spec, const std::string& text) {
+  return read_numbers(spec.wording, text);
 }
 
 std::string read_notation_flag(FigureSpec& spec, const std::string& text) {
   spec.wording = spec.wording.with(read_notation(text));
   return spec.wording.notation().name;
-}
-
-/// "p=d": the topic's symbol and what the reader calls it.
-SymbolLabel label_in(const std::string& text, const Texts& symbols) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) refuse_flag("label", "a symbol and a name for it like p=d", shown(text));
-  const std::string symbol(trimmed(std::string_view(text).substr(0, equals)));
-  if (!symbols.empty() && std::ranges::find(symbols, symbol) == symbols.end()) {
-    throw UsageError(fmt::format("--label: expected one of the symbols {}, found {}{}",
-                                 fmt::join(symbols, ", "), shown(symbol), suggestion(symbol, symbols)));
-  }
-  return {symbol, drawable("label", std::string_view(text).substr(equals + 1), Face::bold)};
-}
-
-void apply_labels(FigureSpec& spec, const Texts& given) {
-  std::vector<SymbolLabel> labels = spec.wording.labels();
-  if (given.empty()) return;
-  const Texts symbols = spec.topic ? topic_symbols(spec.topic->name) : Texts{};
-  const auto known_to_notation = [&spec](const std::string& symbol) {
-    return spec.topic &&
-           spec.wording.with(std::vector<SymbolLabel>{}).about(spec.topic->name).renames(symbol);
-  };
-  for (const std::string& text : given) {
-    const SymbolLabel label = label_in(text, symbols);
-    std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
-    // A symbol of the code under its own name says something where the notation has another
-    if (label.symbol != label.text || known_to_notation(label.symbol)) labels.push_back(label);
-  }
-  std::ranges::sort(labels, {}, &SymbolLabel::symbol);
-  spec.wording = spec.wording.with(std::move(labels));
 }
 
 // --- All of it -------------------------------------------------------------------------------------------
@@ -359,8 +307,8 @@ constexpr FlagReader readers[] = {
     {"background", read_background},
     {"scale", read_scale},
     {"svg-text", read_svg_text},
-    {"language", read_language},
-    {"numbers", read_numbers},
+    {"language", read_language_flag},
+    {"numbers", read_numbers_flag},
     {"notation", read_notation_flag},
     {"title", read_title},
     {"caption", read_caption},
@@ -393,7 +341,7 @@ void apply_flags(FigureSpec& spec, const Request& request) {
   }
   check_ground(spec);
   check_pixels(spec);
-  apply_labels(spec, request.labels);
+  apply_labels(spec.wording, spec.topic ? spec.topic->name : "", request.labels);
 }
 
 FigureSpec read_spec(const Request& request, const Arguments& arguments) {

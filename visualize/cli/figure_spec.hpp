@@ -9,10 +9,10 @@
 #include "cli/commands.hpp"
 #include "cli/compare.hpp"
 #include "cli/film.hpp"
-#include "cli/takes.hpp"
 #include "figure/figure.hpp"
 #include "figure/handout.hpp"
 #include "figure/wording.hpp"
+#include "request/takes.hpp"
 #include "theme/finish.hpp"
 
 namespace gradus::cli {
@@ -24,12 +24,9 @@ struct PanelChoice {
   std::vector<StepNumber> steps;  ///< else one for each of these
 };
 
-struct FigureSpec {
+struct FigureSpec : StepChoice {
   const TopicEntry* topic = nullptr;
   Arguments arguments;
-  std::optional<StepNumber> step;
-  std::vector<StepRange> steps;
-  bool milestones = false;            ///< --steps auto: see milestones_of
   std::optional<PanelChoice> panels;  ///< several drawings of the run on one sheet
   std::optional<OtherSide> compare;   ///< another run beside this one
   Look look;
@@ -48,7 +45,7 @@ struct FigureSpec {
   std::map<std::string, std::string> said;
 
   /// Whether the reader named the steps to show.
-  bool chooses_steps() const { return step || !steps.empty() || milestones || panels; }
+  bool chooses_steps() const { return names_steps() || panels; }
 };
 
 /// Takes all that the request says of how a figure looks; what it does not name stays. Throws UsageError.

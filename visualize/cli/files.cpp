@@ -161,12 +161,6 @@ std::string read_input(const std::string& path, std::string_view what) {
   return std::move(file.bytes);
 }
 
-std::string fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("fnv1a:{:016x}", hash);
-}
-
 void write_stream(Stream stream, std::string_view bytes) {
   int reason = 0;
   const auto write = [&] { reason = write_all(static_cast<int>(stream), bytes) ? 0 : errno; };

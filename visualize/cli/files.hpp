@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "cli/terminal.hpp"
+#include "request/names.hpp"
 
 namespace gradus::cli {
-
-/// Standard output or standard input, where a file's name is expected.
-inline constexpr std::string_view dash = "-";
 
 /// A whole regular file, or standard input, whatever it is, for "-". `what` names the argument in errors
 /// ("--maze"). Throws UsageError when it can't be read, is a folder, pipe or device, or holds more than 256
 /// MiB.
 std::string read_input(const std::string& path, std::string_view what);
-
-/// A short fingerprint of contents: FNV-1a, 64 bits, "fnv1a:0123456789abcdef". Finds what has changed; it
-/// does not defend against forgery.
-std::string fingerprint(std::string_view bytes);
 
 /// Everything to one of the standard streams. Throws WorkError, or OutputClosed for a pipe nobody reads.
 void write_stream(Stream stream, std::string_view bytes);

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "cli/names.hpp"
+#include "request/names.hpp"
 
 namespace gradus::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "core/shown.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -8,7 +8,7 @@
 
 #include "cli/figure.hpp"
 #include "cli/gallery_steps.hpp"
-#include "cli/names.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "text/snippet.hpp"
 #include "web/topic_page.hpp"

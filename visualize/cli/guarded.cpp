@@ -2,24 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <new>
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
-#include "cli/inputs.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract.hpp"
 #include "core/image.hpp"
-#include "core/shown.hpp"
+#include "request/complaint.hpp"
 
 namespace gradus::cli {
 
 int guarded(const std::string& program, const std::function<int()>& work) {
-  // One line, whatever the text holds
-  const auto complain = [&](std::string text, int code) {
-    std::ranges::replace(text, '\n', ' ');
-    note(alarming(program + ":", use_color(Color::automatic, Stream::err)) + " " + visible(text));
+  const auto complain = [&](const std::string& text, int code) {
+    note(alarming(program + ":", use_color(Color::automatic, Stream::err)) + " " + on_one_line(text));
     return code;
   };
   try {

@@ -11,8 +11,9 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/names.hpp"
 #include "figure/colophon.hpp"
+#include "request/inputs.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "text/wrap.hpp"
 

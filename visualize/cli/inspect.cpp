@@ -8,7 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/written_json.hpp"
+#include "request/written_json.hpp"
 #include "scene/road_demo.hpp"
 #include "text/table.hpp"
 #include "text/wrap.hpp"

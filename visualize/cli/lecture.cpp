@@ -1,4 +1,5 @@
 #include "cli/lecture.hpp"
+#include "request/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +7,8 @@
 
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
-#include "cli/names.hpp"
 #include "cli/shipped.hpp"
+#include "request/names.hpp"
 #include "scene/files.hpp"
 
 namespace gradus {

@@ -7,8 +7,8 @@
 
 #include "cli/choices.hpp"
 #include "cli/lecture.hpp"
-#include "cli/names.hpp"
-#include "cli/written_json.hpp"
+#include "request/names.hpp"
+#include "request/written_json.hpp"
 
 namespace gradus::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -10,9 +10,9 @@
 #include "cli/files.hpp"
 #include "cli/lecture_problem.hpp"
 #include "cli/lecture_values.hpp"
-#include "cli/names.hpp"
-#include "cli/notation_reader.hpp"
+#include "cli/notation_file.hpp"
 #include "figure/wording.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

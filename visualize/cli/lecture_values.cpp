@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "cli/faces_file.hpp"
 #include "cli/files.hpp"
 #include "cli/lecture_problem.hpp"
-#include "cli/names.hpp"
+#include "request/faces_file.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/lecture.hpp"
-#include "cli/written_json.hpp"
+#include "request/written_json.hpp"
 
 namespace gradus::cli {
 

@@ -1,4 +1,5 @@
 #include "cli/leftovers.hpp"
+#include "request/fingerprint.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -7,8 +7,8 @@
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
-#include "cli/names.hpp"
 #include "json/json.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 #include "text/wrap.hpp"
 

@@ -11,9 +11,10 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/help.hpp"
-#include "cli/names.hpp"
 #include "cli/own_files.hpp"
 #include "figure/colophon.hpp"
+#include "request/inputs.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

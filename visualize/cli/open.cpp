@@ -13,8 +13,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "cli/terminal.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -6,9 +6,9 @@
 #include <array>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "figure/panels.hpp"
 #include "figure/which_steps.hpp"
+#include "request/names.hpp"
 
 namespace gradus::cli {
 namespace {

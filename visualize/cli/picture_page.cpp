@@ -12,9 +12,9 @@
 
 #include "cairo/image_file.hpp"
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "pipeline.hpp"
+#include "request/names.hpp"
 #include "web/picture_page.hpp"
 #include "web/text_pack.hpp"
 #include "why/why.hpp"

@@ -11,7 +11,6 @@
 #include "cli/errors.hpp"
 #include "cli/explain.hpp"
 #include "cli/files.hpp"
-#include "cli/names.hpp"
 #include "cli/picture_page.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_frames.hpp"
@@ -19,6 +18,7 @@
 #include "cli/threads.hpp"
 #include "cli/why.hpp"
 #include "plan/unchanged.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

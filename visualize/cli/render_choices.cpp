@@ -11,9 +11,9 @@
 #include <variant>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "core/shown.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {

@@ -15,10 +15,10 @@
 #include "cli/film.hpp"
 #include "cli/frames_ahead.hpp"
 #include "cli/leftovers.hpp"
-#include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_shot.hpp"
 #include "plan/unchanged.hpp"
+#include "request/names.hpp"
 #include "scene/framing.hpp"
 #include "stories/point_text.hpp"
 

@@ -1,4 +1,5 @@
 #include "cli/render_input.hpp"
+#include "request/fingerprint.hpp"
 
 #include <filesystem>
 #include <utility>

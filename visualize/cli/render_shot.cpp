@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "cli/render_input.hpp"
 #include "core/colour.hpp"
 #include "engine/engine.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
+#include "request/names.hpp"
 #include "scene/framing.hpp"
 #include "scene/turntable.hpp"
 #include "stories/point_text.hpp"

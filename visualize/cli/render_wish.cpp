@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
+#include "request/names.hpp"
 #include "scene/turntable.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"

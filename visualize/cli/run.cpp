@@ -8,8 +8,8 @@
 #include "cli/figure_file.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/takes.hpp"
 #include "json/json.hpp"
+#include "request/takes.hpp"
 #include "text/text_output.hpp"
 #include "text/wrap.hpp"
 
@@ -21,7 +21,7 @@ int run(const Request& request) {
   const Takes takes(*request.topic, spec.arguments, spec.wording, spec.listing);
   if (!request.quiet()) std::ranges::for_each(inputs.remarks, note);
   const bool json = request.has("json");
-  const Trace trace = shown_part(spec, takes, json ? Format::json : Format::txt);
+  const Trace trace = chosen_part(spec, takes);
   const bool color = !json && use_color(request.color(), Stream::out);
   write_stream(Stream::out, json ? run_json(trace) : wrapped(text_of(trace, color), request.width()));
   if (const std::string remark = cut_remark(trace);

@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
+#include "request/inputs.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -29,10 +30,6 @@ struct Known {
   bool takes_value;
   std::string expected;  ///< what its value should be like
 };
-
-std::string expected_value(const Parameter& parameter) {
-  return parameter.example.empty() ? "a value" : fmt::format("a value like {}", parameter.example);
-}
 
 void add_flags(std::vector<Known>& known, std::span<const Flag> flags) {
   for (const Flag& flag : flags) known.push_back({flag.name, flag.name, !flag.value.empty(), flag.value});

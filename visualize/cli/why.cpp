@@ -12,13 +12,13 @@
 
 #include "cairo/cairo_output.hpp"
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
 #include "cli/plan_flags.hpp"
 #include "cli/progress.hpp"
 #include "core/colour.hpp"
 #include "core/shown.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
+#include "request/names.hpp"
 #include "theme/theme.hpp"
 #include "why/why_text.hpp"
 

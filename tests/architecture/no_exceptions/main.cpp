@@ -15,7 +15,7 @@ namespace {
 using namespace gradus;
 
 void told(const Refusal& refusal) {
-  constexpr const char* kinds[] = {"contract", "input", "argument"};
+  constexpr const char* kinds[] = {"contract", "input", "argument", "usage"};
   std::printf("%s %s: %s\n", kinds[static_cast<std::size_t>(refusal.kind)], refusal.parameter.c_str(),
               refusal.text.c_str());
   std::exit(3);

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "cli/figure_file.hpp"
-#include "cli/names.hpp"
-#include "cli/takes.hpp"
 #include "cli/terminal.hpp"
+#include "request/names.hpp"
+#include "request/takes.hpp"
 #include "support/complaint.hpp"
 
 namespace gradus::cli {

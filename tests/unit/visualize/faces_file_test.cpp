@@ -1,6 +1,6 @@
 // Faces from files: every mistake is told with its line.
 
-#include "cli/faces_file.hpp"
+#include "request/faces_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "cli/errors.hpp"
 #include "cli/figure_spec.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
-#include "cli/takes.hpp"
+#include "request/names.hpp"
+#include "request/takes.hpp"
 #include "support/complaint.hpp"
 #include "support/sanitized.hpp"
 

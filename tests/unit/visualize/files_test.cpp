@@ -12,7 +12,8 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
-#include "cli/names.hpp"
+#include "request/fingerprint.hpp"
+#include "request/names.hpp"
 #include "support/complaint.hpp"
 
 namespace gradus::cli {

@@ -12,9 +12,9 @@
 #include <set>
 
 #include "cli/errors.hpp"
-#include "cli/names.hpp"
-#include "cli/written_json.hpp"
 #include "core/image.hpp"
+#include "request/names.hpp"
+#include "request/written_json.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::cli {

@@ -119,32 +119,31 @@ TEST(Alignment, NeverGoesBackAndHasEveryWholeStep) {
 std::string complaint_of(const std::function<void()>& work) {
   try {
     work();
-  } catch (const cli::UsageError& error) {
+  } catch (const UsageError& error) {
     return error.what();
   } catch (const ArgumentError& error) {
-    return cli::complaint_of(error);
+    return complaint_of(error);
   }
   return "";
 }
 
-cli::OtherSide beside(const char* topic, const std::string& text,
-                      std::map<std::string, std::string> given = {}) {
+OtherSide beside(const char* topic, const std::string& text, std::map<std::string, std::string> given = {}) {
   return cli::other_side(test::topic(topic), cli::read_inputs(test::topic(topic), given).arguments, text);
 }
 
 TEST(Compare, TakesAMethodATopicOrInputs) {
-  const cli::OtherSide method = beside("bresenham_line", "first-octant", {{"to", "2,4"}});
+  const OtherSide method = beside("bresenham_line", "first-octant", {{"to", "2,4"}});
   EXPECT_EQ(method.arguments.text("method"), "first_octant");
   EXPECT_EQ(method.arguments.text("to"), "2,4");
   EXPECT_EQ(method.text, "first_octant");
-  const cli::OtherSide other = beside("cohen_sutherland_2d", "liang_barsky", {{"line", "-3,-8,13,16"}});
+  const OtherSide other = beside("cohen_sutherland_2d", "liang_barsky", {{"line", "-3,-8,13,16"}});
   EXPECT_EQ(other.topic->name, "liang_barsky");
   EXPECT_EQ(other.arguments.text("line"), "-3,-8,13,16");
   EXPECT_EQ(other.text, "liang_barsky");
-  const cli::OtherSide inputs = beside("parallel", "--receding 45,1");
+  const OtherSide inputs = beside("parallel", "--receding 45,1");
   EXPECT_EQ(inputs.arguments.text("receding"), "45,1");
   EXPECT_EQ(beside("parallel", inputs.text).text, inputs.text) << "its own text makes it again";
-  const cli::OtherSide both = beside("cohen_sutherland_2d", "liang_barsky --method correctly_rounded");
+  const OtherSide both = beside("cohen_sutherland_2d", "liang_barsky --method correctly_rounded");
   EXPECT_EQ(both.arguments.text("method"), "correctly_rounded");
 }
 
@@ -184,7 +183,7 @@ TEST(Panels, AreTwoToSixStepsOrThePhases) {
   EXPECT_THAT(complaint_of([] { spec_of("bresenham_line", {{"panels", "1,4"}, {"compare", "dda"}}); }),
               HasSubstr("--panels: expected either this or --compare, found both"));
   const cli::FigureSpec spec = spec_of("bresenham_line", {{"panels", "1,99"}});
-  const cli::Takes takes(*spec.topic, spec.arguments);
+  const Takes takes(*spec.topic, spec.arguments);
   EXPECT_THAT(complaint_of([&] { cli::panel_steps(spec, takes); }), HasSubstr("has steps 0..7"));
 }
 
@@ -211,7 +210,7 @@ TEST(Panels, EveryTopicHasSomeForItsPhases) {
 // --- The sheets --------------------------------------------------------------------------------------------
 
 Sheet sheet_for(const cli::FigureSpec& spec) {
-  cli::Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
+  Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
   return cli::sheet_of(spec, takes, cli::shown_step(spec, takes));
 }
 
@@ -268,7 +267,7 @@ TEST(Panels, LieApartOnTheSheetWithTheirTextsApart) {
 
 TEST(Compare, ShowsTheFirstDifferenceInBothDrawings) {
   const cli::FigureSpec spec = spec_of("bresenham_circle", {{"compare", "late_update"}}, {{"radius", "7"}});
-  cli::Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
+  Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, cli::beside_of(spec));
   const auto parting = cli::parting_step(takes);
   ASSERT_TRUE(parting);
   EXPECT_EQ(cli::shown_step(spec, takes), *parting);

@@ -50,7 +50,7 @@ TEST(TellingStep, OfEveryFigureOfTheGalleryDecidesAndIsNotTheLast) {
   std::size_t figures = 0, next = 0;
   for (const cli::LectureFigure& figure : cli::read_lecture(cli::gallery_lecture()).figures) {
     if (figure.spec.chooses_steps() || (test::sanitized && next++ % 3 != 0)) continue;
-    cli::Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording);
+    Takes takes(*figure.spec.topic, figure.spec.arguments, figure.spec.wording);
     const Trace& trace = takes.opening();
     const StepNumber shown = cli::shown_step(figure.spec, takes);
     SCOPED_TRACE(figure.name + ", step " + text_of(shown));

@@ -9,7 +9,10 @@
 #include <string_view>
 #include <vector>
 
-namespace gradus::cli {
+namespace gradus {
+
+/// Standard output or standard input, where a file's name is expected.
+inline constexpr std::string_view dash = "-";
 
 /// Lower case with underscores: the form in which names are compared.
 std::string folded(std::string_view name);
@@ -30,6 +33,9 @@ std::vector<std::size_t> matching_names(std::string_view word, std::span<const s
 /// mean …?)".
 std::size_t choose_name(std::string_view what, std::string_view word, std::span<const std::string> names);
 
+/// The same for the value of a flag, "theme".
+std::size_t choose_value(std::string_view flag, std::string_view word, std::span<const std::string> names);
+
 /// For callers that word their own error: ", did you mean 'x'?", or nothing.
 std::string suggestion(std::string_view word, std::span<const std::string> names);
 
@@ -46,4 +52,4 @@ std::string flag_with(std::string_view flag, std::string_view value);
 /// The words of a command line as shell_quoted wrote them. Nothing when a quote is left open.
 std::optional<std::vector<std::string>> shell_words(std::string_view line);
 
-}  // namespace gradus::cli
+}  // namespace gradus

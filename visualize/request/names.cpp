@@ -1,4 +1,4 @@
-#include "cli/names.hpp"
+#include "request/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "cli/errors.hpp"
+#include "core/refusal.hpp"
 #include "stories/point_text.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 
 std::string folded(std::string_view name) {
   std::string result(name);
@@ -89,8 +89,12 @@ std::size_t choose_name(std::string_view what, std::string_view word, std::span<
   std::vector<std::string> offered;
   for (const std::size_t i : matches) offered.push_back(names[i]);
   if (offered.empty()) offered.assign(names.begin(), names.end());
-  throw UsageError(fmt::format("{}: expected one of {}, found {}{}", what, fmt::join(offered, ", "),
-                               shown(word), matches.empty() ? suggestion(word, names) : ""));
+  refuse_usage(fmt::format("{}: expected one of {}, found {}{}", what, fmt::join(offered, ", "), shown(word),
+                           matches.empty() ? suggestion(word, names) : ""));
+}
+
+std::size_t choose_value(std::string_view flag, std::string_view word, std::span<const std::string> names) {
+  return choose_name(fmt::format("--{}", flag), trimmed(word), names);
 }
 
 bool matches_glob(std::string_view pattern, std::string_view name) {
@@ -148,4 +152,4 @@ std::optional<std::vector<std::string>> shell_words(std::string_view line) {
   return words;
 }
 
-}  // namespace gradus::cli
+}  // namespace gradus

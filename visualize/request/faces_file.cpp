@@ -1,4 +1,4 @@
-#include "cli/faces_file.hpp"
+#include "request/faces_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include "core/refusal.hpp"
 #include "stories/face_text.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 namespace {
 
 using Kind = JsonNode::Kind;
@@ -100,8 +100,8 @@ std::string faces_of_obj(std::string_view text, const pipeline::TextFile& file,
                          const pipeline::FileReader& open, std::int64_t most) {
   const Mesh mesh = pipeline::parse_obj(text, file, open).mesh;
   if (std::ssize(mesh.corners) > most) {
-    throw InputError(fmt::format("{}: expected at most {} corners of faces in all, found {}", file.name, most,
-                                 mesh.corners.size()));
+    refuse_input(fmt::format("{}: expected at most {} corners of faces in all, found {}", file.name, most,
+                             mesh.corners.size()));
   }
   std::vector<std::string> faces;
   for (const MeshFace& face : mesh.faces) {
@@ -127,9 +127,9 @@ std::string faces_of_file(std::string_view text, const pipeline::TextFile& file,
                           const pipeline::FileReader& open, std::int64_t most) {
   if (!pipeline::begins_as_json(text)) return faces_of_obj(text, file, open, most);
   const ComplainOfLine refuse = [&](int line, const std::string& what) {
-    throw InputError(fmt::format("{}:{}: {}", file.name, line, what));
+    refuse_input(fmt::format("{}:{}: {}", file.name, line, what));
   };
   return *faces_text(read_json(text, file.name), refuse);
 }
 
-}  // namespace gradus::cli
+}  // namespace gradus

@@ -1,4 +1,4 @@
-#include "cli/notation_reader.hpp"
+#include "request/notation_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,24 +7,23 @@
 #include <cmath>
 #include <functional>
 
-#include "cli/errors.hpp"
-#include "cli/files.hpp"
-#include "cli/names.hpp"
-#include "core/refusal.hpp"
 #include "figure/metrics.hpp"
 #include "figure/wording.hpp"
+#include "request/complaint.hpp"
+#include "request/names.hpp"
 #include "stories/notations.hpp"
 #include "stories/point_text.hpp"
+#include "stories/topic.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 namespace {
 
 using Kind = JsonNode::Kind;
-using Texts = std::vector<std::string>;
+using NotationTexts = std::vector<std::string>;
 
-class Reader {
+class NotationReader {
  public:
-  explicit Reader(std::vector<NotationMistake>& mistakes) : mistakes_(mistakes) {}
+  explicit NotationReader(std::vector<NotationMistake>& mistakes) : mistakes_(mistakes) {}
 
   Notation read(const JsonNode& node) {
     if (node.kind != Kind::object) {
@@ -38,7 +37,7 @@ class Reader {
         (this->*known->read)(member.value, member.key);
         continue;
       }
-      Texts names;
+      NotationTexts names;
       for (const Key& key : keys) names.emplace_back(key.name);
       complain(member.value, member.key, fmt::format("one of {}", fmt::join(names, ", ")),
                shown(member.key) + suggestion(member.key, names));
@@ -49,7 +48,7 @@ class Reader {
  private:
   struct Key {
     std::string_view name;
-    void (Reader::*read)(const JsonNode& node, const std::string& way);
+    void (NotationReader::*read)(const JsonNode& node, const std::string& way);
   };
   static const Key keys[7];
 
@@ -73,13 +72,13 @@ class Reader {
   }
 
   void read_topic(const JsonMember& member, const std::string& way) {
-    Texts topics;
+    NotationTexts topics;
     for (const TopicEntry* topic : catalogue()) topics.push_back(topic->name);
     if (std::ranges::find(topics, member.key) == topics.end()) {
       return complain(member.value, way, "the name of a topic",
                       shown(member.key) + suggestion(member.key, topics));
     }
-    const Texts symbols = topic_symbols(member.key);
+    const NotationTexts symbols = topic_symbols(member.key);
     for (const JsonMember& label : member.value.members) {
       const std::string here = way + "." + label.key;
       if (std::ranges::find(symbols, label.key) == symbols.end()) {
@@ -95,7 +94,7 @@ class Reader {
     if (!is_drawable(member.value, way)) return;
     bool used = false;
     for (const TopicEntry* topic : catalogue()) {
-      const Texts symbols = topic_symbols(topic->name);
+      const NotationTexts symbols = topic_symbols(topic->name);
       if (std::ranges::find(symbols, member.key) == symbols.end()) continue;
       add(topic->name, {member.key, member.value.text});
       used = true;
@@ -189,57 +188,48 @@ class Reader {
   Notation notation_{};
 };
 
-const Reader::Key Reader::keys[7] = {{"symbols", &Reader::read_symbols},
-                                     {"bits", &Reader::read_bits},
-                                     {"bits_in_space", &Reader::read_bits_in_space},
-                                     {"vectors", &Reader::read_vectors},
-                                     {"handedness", &Reader::read_handedness},
-                                     {"axes", &Reader::read_axes},
-                                     {"depth", &Reader::read_depth}};
-
-Notation own(std::string_view text, const std::string& called) {
-  std::vector<NotationMistake> mistakes;
-  const Notation notation = notation_in(read_json(text, called), mistakes);
-  if (mistakes.empty()) return notation;
-  const NotationMistake& first = mistakes.front();
-  throw UsageError(fmt::format("--notation: {}:{}: {}{}{}", called, first.line, shown_name(first.way),
-                               first.way.empty() ? "" : ": ", first.what));
-}
+const NotationReader::Key NotationReader::keys[7] = {{"symbols", &NotationReader::read_symbols},
+                                                     {"bits", &NotationReader::read_bits},
+                                                     {"bits_in_space", &NotationReader::read_bits_in_space},
+                                                     {"vectors", &NotationReader::read_vectors},
+                                                     {"handedness", &NotationReader::read_handedness},
+                                                     {"axes", &NotationReader::read_axes},
+                                                     {"depth", &NotationReader::read_depth}};
 
 }  // namespace
 
 std::vector<std::string> notation_names() {
-  Texts names;
+  NotationTexts names;
   for (const Notation& notation : notations()) names.push_back(notation.name);
   return names;
 }
 
 Notation notation_in(const JsonNode& node, std::vector<NotationMistake>& mistakes) {
-  return Reader(mistakes).read(node);
+  return NotationReader(mistakes).read(node);
 }
 
-Notation read_notation(const std::string& text, const FindFile& find) {
-  const std::string word(trimmed(text));
-  const bool on_the_spot = word.starts_with('{');
-  if (!on_the_spot && !lowered(word).ends_with(".json")) {
-    const Texts names = notation_names();
-    const auto found = matching_names(word, names);
-    if (found.size() == 1 && !word.empty()) return notations()[found.front()];
-    refuse_flag("notation", fmt::format("one of {}, or {}", fmt::join(names, ", "), own_notation),
-                shown(word) + suggestion(word, names));
-  }
-  try {
-    if (on_the_spot) return own(word, "notation");
-    const FoundFile file = find(word, "--notation");
-    const std::string bytes = read_input(file.path, "--notation");
-    if (file.quotable) return own(bytes, shown_name(word));
-    std::vector<NotationMistake> mistakes;
-    const Notation notation = notation_in(read_json(bytes, shown_name(word)), mistakes);
-    if (mistakes.empty()) return notation;
-  } catch (const InputError& error) {
-    throw UsageError(fmt::format("--notation: {}", error.what()));
-  }
-  refuse_flag("notation", "a notation", "another file");
+Notation notation_in_text(std::string_view text, const std::string& called) {
+  std::vector<NotationMistake> mistakes;
+  Notation notation = notation_in(read_json(text, "--notation: " + called), mistakes);
+  if (mistakes.empty()) return notation;
+  const NotationMistake& first = mistakes.front();
+  refuse_usage(fmt::format("--notation: {}:{}: {}{}{}", called, first.line, shown_name(first.way),
+                           first.way.empty() ? "" : ": ", first.what));
 }
 
-}  // namespace gradus::cli
+bool is_notation_file(std::string_view text) {
+  const std::string_view word = trimmed(text);
+  return !word.starts_with('{') && lowered(word).ends_with(".json");
+}
+
+Notation read_notation(std::string_view text) {
+  const std::string_view word = trimmed(text);
+  if (word.starts_with('{')) return notation_in_text(word, "notation");
+  const NotationTexts names = notation_names();
+  const auto found = matching_names(word, names);
+  if (found.size() == 1 && !word.empty()) return notations()[found.front()];
+  refuse_flag("notation", fmt::format("one of {}, or {}", fmt::join(names, ", "), own_notation),
+              shown(word) + suggestion(word, names));
+}
+
+}  // namespace gradus

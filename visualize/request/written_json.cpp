@@ -1,10 +1,10 @@
-#include "cli/written_json.hpp"
+#include "request/written_json.hpp"
 
 #include <utility>
 
 #include "json/json.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 namespace {
 
 using Kind = JsonNode::Kind;
@@ -86,4 +86,4 @@ JsonNode json_object(std::vector<JsonMember> members) {
 
 std::string write_json(const JsonNode& node) { return indented(node, 0, 0) + "\n"; }
 
-}  // namespace gradus::cli
+}  // namespace gradus

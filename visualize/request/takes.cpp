@@ -1,14 +1,14 @@
-#include "cli/takes.hpp"
+#include "request/takes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/errors.hpp"
-#include "cli/names.hpp"
+#include "figure/which_steps.hpp"
+#include "request/names.hpp"
 #include "stories/point_text.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 namespace {
 
 /// Far steps are recorded in blocks that begin at multiples of this, with some steps before for the table.
@@ -58,7 +58,7 @@ StepNumber read_step(std::string_view text, std::string_view flag) {
   if (folded(trimmed(text)) == "last") return last_step;
   const auto step = step_in(trimmed(text));
   if (!step) {
-    throw UsageError(fmt::format("{}: expected a step like 4 or 4.1, or last, found {}", flag, shown(text)));
+    refuse_usage(fmt::format("{}: expected a step like 4 or 4.1, or last, found {}", flag, shown(text)));
   }
   return *step;
 }
@@ -74,7 +74,7 @@ std::vector<StepRange> read_steps(std::string_view text, std::string_view flag) 
     const std::size_t end = std::min(text.find(',', at), text.size());
     const auto range = range_in(trimmed(text.substr(at, end - at)));
     if (!range)
-      throw UsageError(fmt::format("{}: expected steps like 3-9 or 1,4,9-12, found {}", flag, shown(text)));
+      refuse_usage(fmt::format("{}: expected steps like 3-9 or 1,4,9-12, found {}", flag, shown(text)));
     ranges.push_back(*range);
     at = end + 1;
   }
@@ -107,6 +107,17 @@ std::int64_t count_in(const std::vector<StepRange>& ranges) {
   return count;
 }
 
+std::string choose_step(StepChoice& choice, std::string_view text) {
+  choice = {.step = read_step(text)};
+  return *choice.step == last_step ? "last" : text_of(*choice.step);
+}
+
+std::string choose_steps(StepChoice& choice, std::string_view text) {
+  const bool milestones = folded(trimmed(text)) == "auto";
+  choice = {.steps = milestones ? std::vector<StepRange>{} : read_steps(text), .milestones = milestones};
+  return milestones ? "auto" : text_of(choice.steps);
+}
+
 Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording, ListingForm listing,
              const OtherSide* beside)
     : topic_(topic),
@@ -128,8 +139,7 @@ Trace Takes::record(std::int64_t first) const {
 
 void Takes::check(StepNumber number, std::string_view flag, std::string_view text) const {
   if (number.step < 0 || number.step > last()) {
-    throw UsageError(
-        fmt::format("{} {}: {} has steps 0..{} for this input", flag, text, topic_.name, last()));
+    refuse_usage(fmt::format("{} {}: {} has steps 0..{} for this input", flag, text, topic_.name, last()));
   }
   if (number.fine == 0 || has_step(*opening_, number)) return;
   const Trace around = record(number.step);
@@ -139,8 +149,14 @@ void Takes::check(StepNumber number, std::string_view flag, std::string_view tex
   });
   const std::string there =
       events == 0 ? "no finer events" : fmt::format("{0}.1..{0}.{1}", number.step, events);
-  throw UsageError(fmt::format("{} {}: {} has {} after step {} for this input", flag, text, topic_.name,
-                               there, number.step));
+  refuse_usage(fmt::format("{} {}: {} has {} after step {} for this input", flag, text, topic_.name, there,
+                           number.step));
+}
+
+StepNumber Takes::named(StepNumber step) const {
+  if (step == last_step) return {last(), 0};
+  check(step, "--step", text_of(step));
+  return step;
 }
 
 void Takes::take(std::int64_t first) {
@@ -193,6 +209,26 @@ Trace Takes::part(const std::vector<StepRange>& ranges) const {
   return trace;
 }
 
+std::vector<StepRange> chosen_ranges(const StepChoice& choice, const Takes& takes) {
+  std::vector<StepRange> ranges = choice.steps;
+  if (choice.step) {
+    const StepNumber step = takes.named(*choice.step);
+    ranges = {{step, step}};
+  }
+  if (choice.milestones) {
+    for (const StepNumber step : milestones_of(takes.opening())) ranges.push_back({step, step});
+  }
+  for (const StepRange& range : ranges) {
+    for (const StepNumber end : {range.first, range.last}) takes.check(end, "--steps", text_of(choice.steps));
+  }
+  return ranges;
+}
+
+Trace chosen_part(const StepChoice& choice, const Takes& takes) {
+  const std::vector<StepRange> ranges = chosen_ranges(choice, takes);
+  return ranges.empty() ? takes.opening() : takes.part(ranges);
+}
+
 std::string cut_remark(const Trace& trace) {
   if (trace.whole()) return "";
   const auto recorded =
@@ -200,4 +236,4 @@ std::string cut_remark(const Trace& trace) {
   return fmt::format("recorded {} of {} steps; --steps A-B takes a range", recorded, trace.last + 1);
 }
 
-}  // namespace gradus::cli
+}  // namespace gradus

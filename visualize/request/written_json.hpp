@@ -7,7 +7,7 @@
 
 #include "scene/located_json.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 
 using pipeline::described;
 using pipeline::JsonMember;
@@ -26,4 +26,4 @@ std::string write_json(const JsonNode& node);
 /// The same without line ends.
 std::string json_on_one_line(const JsonNode& node);
 
-}  // namespace gradus::cli
+}  // namespace gradus

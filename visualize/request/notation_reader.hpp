@@ -8,11 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/inputs.hpp"
-#include "cli/written_json.hpp"
 #include "figure/notation.hpp"
+#include "request/written_json.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 
 /// The names of ours.
 std::vector<std::string> notation_names();
@@ -30,7 +29,13 @@ struct NotationMistake {
 /// one line.
 Notation notation_in(const JsonNode& node, std::vector<NotationMistake>& mistakes);
 
-/// By name, as JSON on the spot, or from a file, where `find` looks for it. Throws UsageError.
-Notation read_notation(const std::string& text, const FindFile& find = as_named);
+/// The same of a text; `called` is how errors call it. Throws UsageError, and InputError for what is no JSON.
+Notation notation_in_text(std::string_view text, const std::string& called);
 
-}  // namespace gradus::cli
+/// Whether a text names a file, rather than one of ours or a notation on the spot.
+bool is_notation_file(std::string_view text);
+
+/// By name, or as JSON on the spot. Throws UsageError or InputError.
+Notation read_notation(std::string_view text);
+
+}  // namespace gradus

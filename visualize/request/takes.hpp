@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/compare.hpp"
 #include "figure/alignment.hpp"
 #include "figure/figure.hpp"
 #include "figure/pseudocode.hpp"
 #include "figure/trace.hpp"
 #include "stories/topic.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 
 /// What "--step last" asks for, whatever number the run's last step has.
 inline constexpr StepNumber last_step{-1, 0};
@@ -34,6 +33,26 @@ std::string text_of(const std::vector<StepRange>& ranges);
 std::vector<StepNumber> numbers_in(const std::vector<StepRange>& ranges);
 /// How many numbers_in would give.
 std::int64_t count_in(const std::vector<StepRange>& ranges);
+
+/// Which steps of a run are wanted; none named: all, or the one that tells most.
+struct StepChoice {
+  std::optional<StepNumber> step{};
+  std::vector<StepRange> steps{};
+  bool milestones = false;  ///< --steps auto: see milestones_of
+
+  bool names_steps() const { return step || !steps.empty() || milestones; }
+};
+/// What --step and --steps say; each takes the place of the other. They return the canonical text. Throw
+/// UsageError.
+std::string choose_step(StepChoice& choice, std::string_view text);
+std::string choose_steps(StepChoice& choice, std::string_view text);
+
+/// The other run where two are compared.
+struct OtherSide {
+  const TopicEntry* topic = nullptr;
+  Arguments arguments;
+  std::string text;  ///< as the canonical command says it: "first_octant", "--receding 45,1"
+};
 
 /// The run of a topic, recorded in parts as they are asked for.
 ///
@@ -60,6 +79,8 @@ class Takes {
 
   /// Throws UsageError: "<topic> has steps 0..7 for this input". `flag` was given as `text`.
   void check(StepNumber number, std::string_view flag, std::string_view text) const;
+  /// The step that --step names, which must exist: last_step's number, or the same one. Throws UsageError.
+  StepNumber named(StepNumber step) const;
   /// The step as a figure. It stays valid until the next call. The step must be one that check() accepts.
   Figure figure(StepNumber number);
 
@@ -83,7 +104,12 @@ class Takes {
   Alignment alignment_;
 };
 
+/// The parts of the run that are chosen; empty: the opening. Throws UsageError for steps that there are not.
+std::vector<StepRange> chosen_ranges(const StepChoice& choice, const Takes& takes);
+/// What they hold, as `gradus run` tells it.
+Trace chosen_part(const StepChoice& choice, const Takes& takes);
+
 /// "recorded 100000 of 16777217 steps; --steps A-B takes a range", or nothing for a whole run.
 std::string cut_remark(const Trace& trace);
 
-}  // namespace gradus::cli
+}  // namespace gradus

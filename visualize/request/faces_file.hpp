@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "cli/written_json.hpp"
+#include "request/written_json.hpp"
 #include "scene/obj.hpp"
 
-namespace gradus::cli {
+namespace gradus {
 
 /// Takes what is wrong with a line.
 using ComplainOfLine = std::function<void(int line, const std::string& what)>;
@@ -25,4 +25,4 @@ std::optional<std::string> faces_text(const JsonNode& faces, const ComplainOfLin
 std::string faces_of_file(std::string_view text, const pipeline::TextFile& file,
                           const pipeline::FileReader& open, std::int64_t most);
 
-}  // namespace gradus::cli
+}  // namespace gradus

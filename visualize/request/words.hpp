@@ -1,0 +1,28 @@
+#pragma once
+// In whose words a run is told, as flags say it.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "figure/metrics.hpp"
+#include "figure/wording.hpp"
+
+namespace gradus {
+
+/// A text that figures will show: not empty, on one line, of letters that the fonts have. Throws UsageError
+/// naming the flag.
+std::string drawable(std::string_view flag, std::string_view text, Face face);
+
+// --- Each takes what a flag says, and gives its canonical text: nothing for the default. They throw
+// UsageError.
+
+std::string read_language(Wording& wording, std::string_view text);
+std::string read_numbers(Wording& wording, const std::string& text);
+
+/// Each "p=d": a symbol, and what the reader calls it. topic: whose symbols they are; "": of any. Throws
+/// UsageError.
+void apply_labels(Wording& wording, std::string_view topic, std::span<const std::string> given);
+
+}  // namespace gradus
