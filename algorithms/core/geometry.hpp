@@ -104,6 +104,11 @@ T length_of(glm::vec<3, T> v) {
   return std::scalbn(std::sqrt(glm::dot(scaled.vector, scaled.vector)), scaled.exponent);
 }
 
+template <std::floating_point T>
+T length_of(glm::vec<2, T> v) {
+  return length_of(glm::vec<3, T>(v, T(0)));
+}
+
 /// The vector of length 1 that points the way of v; the zero vector for the zero vector.
 /// Domain: as length_of. Accuracy: 4 ulp a component.
 template <std::floating_point T>

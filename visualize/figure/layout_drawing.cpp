@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/geometry.hpp"
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
 
@@ -336,7 +337,7 @@ class DrawingLayout {
     const auto inner = clipped(centre, frame_.point({focus.x, focus.y}), grown(b, -4 * s_));
     if (!inner) return;
     const dvec2 tip = inner->b, way = tip - centre;
-    const dvec2 tail = tip - way * (30 * s_ / std::hypot(way.x, way.y));
+    const dvec2 tail = tip - way * (30 * s_ / length_of(way));
     free_.taken.push_back({std::min(tip.x, tail.x), std::min(tip.y, tail.y), std::abs(tip.x - tail.x),
                            std::abs(tip.y - tail.y)});
     lines_.emplace_back("outside", line_through({tail, tip}, Role::current, {.arrow = true}, s_));

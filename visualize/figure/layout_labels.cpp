@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry.hpp"
 #include "figure/layout.hpp"
 
 namespace gradus::layout {
@@ -108,7 +109,7 @@ class LabelPlacer {
   bool crosses_something(const Segment<2, double>& leader) const {
     // What the anchor itself lies on is crossed there, and may be
     const dvec2 way = leader.a - leader.b;
-    const double length = std::hypot(way.x, way.y), off = std::min(9 * s_, 0.9 * length);
+    const double length = length_of(way), off = std::min(9 * s_, 0.9 * length);
     const Segment<2, double> outer{leader.a, leader.b + way * (off / std::max(length, 1e-9))};
     const auto hits = [&outer](const Box& box) { return clipped(outer.a, outer.b, box).has_value(); };
     const auto strikes = [&leader](const Box& text) { return clipped(leader.a, leader.b, text).has_value(); };

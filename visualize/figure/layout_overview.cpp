@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/geometry.hpp"
 #include "figure/layout.hpp"
 #include "figure/number_text.hpp"
 
@@ -65,7 +66,7 @@ class OverviewLayout {
     StrokesShape shape{{}, Paint::mark(mark.role), 2 * s_, false};
     dvec2 from = points.front();
     for (std::size_t i = 1; i < points.size(); ++i) {
-      if (i + 1 < points.size() && std::hypot(points[i].x - from.x, points[i].y - from.y) < s_) continue;
+      if (i + 1 < points.size() && length_of(points[i] - from) < s_) continue;
       if (const auto part = clipped(from, points[i], whole)) shape.segments.push_back(*part);
       from = points[i];
     }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry.hpp"
 #include "figure/drawing.hpp"
 #include "stories/topic.hpp"
 
@@ -79,8 +80,8 @@ struct Extent {
 };
 
 /// Lengths of any size: no square overflows or underflows.
-inline double length_between(dvec2 a, dvec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
-inline double length_between(dvec3 a, dvec3 b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
+inline double length_between(dvec2 a, dvec2 b) { return length_of(b - a); }
+inline double length_between(dvec3 a, dvec3 b) { return length_of(b - a); }
 
 /// The rectangle with a margin all round, in parts of its larger side.
 Extent widened(Extent extent, double part);

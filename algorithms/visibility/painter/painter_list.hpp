@@ -13,6 +13,7 @@
 
 #include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
+#include "core/merge_sort.hpp"
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
 namespace gradus::painter {
@@ -193,9 +194,7 @@ List<T> pieces_of(const std::vector<Polygon<T>>& polygons, const View<T>& view) 
 /// is drawn first the first time. Tells how many comparisons it took.
 template <class T>
 std::size_t sort(List<T>& list, const View<T>& view) {
-  std::size_t comparisons = 0;
-  std::ranges::stable_sort(list, [&](const Piece<T>& p, const Piece<T>& q) {
-    ++comparisons;
+  const std::size_t comparisons = merge_sort(list, [&](const Piece<T>& p, const Piece<T>& q) {
     const int order = compare_depths(view.forward, p.depths.last, q.depths.last);
     return order != 0 ? order < 0 : p.number > q.number;
   });

@@ -2,6 +2,9 @@
 // Exhibits: orders of lecture notes, which take one number of a whole polygon for its depth, kept so that
 // figures can show what comes of it. Never draw with them; painter.hpp has the right one.
 
+#include <functional>
+
+#include "core/merge_sort.hpp"
 #include "visibility/painter/painter.hpp"
 
 namespace gradus::painter {
@@ -25,14 +28,9 @@ T far_from(const Eye<T>& eye, const glm::vec<3, T>& point) {
 /// Polygons in descending order of a key, and how many comparisons it took.
 template <class T, class Key>
 Sorted<T> sort_by(std::vector<Polygon<T>> polygons, const Key& key) {
-  std::size_t comparisons = 0;
-  std::ranges::stable_sort(
-      polygons,
-      [&](const T& a, const T& b) {
-        ++comparisons;
-        return a > b;
-      },
-      key);
+  const std::size_t comparisons = merge_sort(polygons, [&](const Polygon<T>& a, const Polygon<T>& b) {
+    return std::invoke(key, a) > std::invoke(key, b);
+  });
   return {std::move(polygons), comparisons};
 }
 

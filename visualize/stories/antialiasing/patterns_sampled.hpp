@@ -3,6 +3,7 @@
 // row.
 
 #include "antialiasing/sampling_theorem/test_patterns.hpp"
+#include "core/geometry.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sampling_theorem {
@@ -79,7 +80,7 @@ class PatternStory {
     put(board);
   }
   Event say(const PictureTaken& p) const {
-    const bool zone = name_ == "zone", holds = zone && p.limit > std::hypot(0.5 * size_.x, 0.5 * size_.x) + 1;
+    const bool zone = name_ == "zone", holds = zone && p.limit > length_of(dvec2(0.5 * size_.x)) + 1;
     Event event{.text = holds  ? "zone.holds"
                         : zone ? (p.n == 1 ? "zone.one" : "zone.more")
                                : (p.n == 1 ? "board.one" : "board.more"),
@@ -303,7 +304,7 @@ inline void tell_artefacts(Narrator& narrator) {
   watch(ArtefactShown{2, pieces, grey_of_pattern(line, size, 16), 1,
                       static_cast<double>(runs_of(pieces, size, size.y))},
         0);
-  const auto period = [](dvec2 f) { return std::round(100 / std::hypot(f.x, f.y)) / 100; };
+  const auto period = [](dvec2 f) { return std::round(100 / length_of(f)) / 100; };
   watch(ArtefactShown{3, grey_of_pattern(wave, size, 1), grey_of_pattern(wave, size, 16),
                       period(wave.frequency), period(wave.alias().frequency)},
         0);

@@ -5,6 +5,7 @@
 
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman.hpp"
+#include "core/geometry.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sutherland_hodgman {
@@ -181,7 +182,7 @@ class PlaneDrawing {
   void add_border(const Stroke& seen) {
     const dvec2 from = panel_.at(seen.a), to = panel_.at(seen.b);
     view_.add({"b window border", Role::measure, Stroke{from, to}});
-    const dvec2 way = to - from, along = way / std::hypot(way.x, way.y), outward{along.y, -along.x};
+    const dvec2 way = to - from, along = way / length_of(way), outward{along.y, -along.x};
     const bool upward = std::abs(along.y) > std::abs(along.x);
     const dvec2 upper = (upward ? along.y > 0 : along.x > 0) ? to - 1.1 * along : from + 1.1 * along;
     const auto put_side = [&](const char* id, Role role, dvec2 aside, std::string_view key) {

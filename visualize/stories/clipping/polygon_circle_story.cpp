@@ -1,6 +1,7 @@
 // The story of a polygon in a circle: where its edges pass, in which order, and the arcs between.
 
 #include "clipping/polygon_circle/polygon_circle.hpp"
+#include "core/geometry.hpp"
 
 #include "clipping/polygon_circle/polygon_circle_notes.hpp"
 #include "stories/clipping/covered_area.hpp"
@@ -346,7 +347,7 @@ class Story {
     line.add_to(scale, "t", words_.symbol("t"));
     for (const auto& [id, mark] : scale.marks) view_.add({"e t " + id, mark.role, mark.shape});
     const dvec2 way = t.run.edge.b - t.run.edge.a;
-    const double length = std::hypot(way.x, way.y);
+    const double length = length_of(way);
     const auto value = [&](dvec2 at) { return length_between(at, t.run.edge.a) / length; };
     const double first = t.enters ? value(*t.enters) : 0, last = t.leaves ? value(*t.leaves) : 1;
     const dvec2 up{0, 1.5};

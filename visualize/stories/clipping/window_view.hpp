@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
+#include "core/geometry.hpp"
 #include "stories/clipping/axis_arguments.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
@@ -78,7 +79,7 @@ class Scene {
         const dvec2 off{static_cast<double>(i) / places, static_cast<double>(k) / places};
         const dvec2 at = lower + off * (upper - lower);
         const double clear = drawn ? distance_to(panel_.at(drawn->a), panel_.at(drawn->b), at) : 9;
-        const double worth = std::min(clear, 0.75 * size.x) - 0.4 * std::hypot(off.x - 0.5, off.y - 0.5);
+        const double worth = std::min(clear, 0.75 * size.x) - 0.4 * length_of(off - 0.5);
         if (best && worth <= most) continue;
         best = at;
         most = worth;
@@ -132,7 +133,7 @@ class Scene {
     const auto seen = cohen_sutherland_2d::correctly_rounded(Line{at, along}, shown_);
     if (!seen || name.empty()) return;
     const dvec2 edge = panel_.at(seen->a), way = panel_.at(seen->b) - edge;
-    const double length = std::hypot(way.x, way.y);
+    const double length = length_of(way);
     if (length > 2) add_break(view, id + " break", role, edge + way * (0.9 / length), way / length);
     view.add({id + " name", role, Label{edge, fmt::format("{} {}", name, figure_place(at))}, quantity});
   }

@@ -1,6 +1,7 @@
 #pragma once
 // How large and how sharp a highlight is: (R.V)^n round R for several n, as lobes and as curves.
 
+#include "core/arithmetic/elementary.hpp"
 #include "stories/shading/illumination_task.hpp"
 
 namespace gradus::illumination {
@@ -53,10 +54,10 @@ class LobeStory {
 
   static dvec2 tip(double at, double part) {
     const double a = at / degrees_per_radian;
-    return origin + part * length * dvec2{-std::sin(a), std::cos(a)};
+    return origin + part * length * dvec2{-gradus::sin(a), gradus::cos(a)};
   }
   static double lobe(double off, double n) {
-    const double c = std::cos(off / degrees_per_radian);
+    const double c = gradus::cos(off / degrees_per_radian);
     return c > 0 ? pow(c, n) : 0;
   }
   View drawing() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/arithmetic/elementary.hpp"
 #include "stories/shading/illumination_task.hpp"
 
 namespace gradus::illumination {
@@ -97,23 +98,23 @@ class PlaceDrawing {
       const double r = -theta, apart = degrees_of(s.cosine);
       const double flat = flat_angle(v, s.arrival.to_light, theta), turn = wrapped(flat - r);
       const double seen = r + (turn < 0 ? -apart : apart);
-      lobe(view, role, [&](double way) { return std::pow(cosine(way - r), power); }, s.cosine > 0);
+      lobe(view, role, [&](double way) { return gradus::pow(cosine(way - r), power); }, s.cosine > 0);
       arrow(view, "r mirror", role, r, 1, "R");
       add_viewer(view, seen);
       arc(view, "g alpha", role, r, seen, 0.42);
       foot(view, "f specular", role, r, s.cosine, tip(seen, 1),
            fmt::format("R·V = {}", short_real(s.cosine)));
-      reached(view, role, seen, s.cosine > 0 ? std::pow(s.cosine, power) : 0);
+      reached(view, role, seen, s.cosine > 0 ? gradus::pow(s.cosine, power) : 0);
     } else {
       const double from_n = degrees_of(s.cosine);
       const double flat = flat_angle(s.mirror, s.arrival.to_light, theta);
       const double h = flat < 0 ? -from_n : from_n, seen = 2 * h - theta;
-      lobe(view, role, [&](double way) { return std::pow(cosine(0.5 * (way + theta)), power); }, true);
+      lobe(view, role, [&](double way) { return gradus::pow(cosine(0.5 * (way + theta)), power); }, true);
       arrow(view, "r mirror", role, h, 1, "H");
       add_viewer(view, seen);
       arc(view, "g alpha", role, 0, h, 0.42);
       foot(view, "f specular", role, 0, s.cosine, tip(h, 1), fmt::format("N·H = {}", short_real(s.cosine)));
-      reached(view, role, seen, s.cosine > 0 ? std::pow(s.cosine, power) : 0);
+      reached(view, role, seen, s.cosine > 0 ? gradus::pow(s.cosine, power) : 0);
     }
   }
 
@@ -164,11 +165,11 @@ class PlaceDrawing {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
  private:
-  static double cosine(double degrees) { return std::max(0.0, std::cos(degrees / degrees_per_radian)); }
+  static double cosine(double degrees) { return std::max(0.0, gradus::cos(degrees / degrees_per_radian)); }
   static double wrapped(double degrees) { return degrees - 360 * std::round(degrees / 360); }
   dvec2 tip(double degrees, double part) const {
     const double a = degrees / degrees_per_radian;
-    return origin_ + part * length_ * dvec2{-std::sin(a), std::cos(a)};
+    return origin_ + part * length_ * dvec2{-gradus::sin(a), gradus::cos(a)};
   }
   /// A lamp with its name on the far side.
   void add_lamp(View& view, const std::string& id, Role role, double at, std::size_t i, bool ring) const {
@@ -184,7 +185,7 @@ class PlaceDrawing {
     const dvec3 aside = unit_vector(l - glm::dot(l, task_.normal) * task_.normal);
     const double side = theta < 0 ? -1 : 1;
     const double across = glm::length(aside) > 0.5 ? side * glm::dot(way, aside) : glm::dot(way, left_);
-    return std::atan2(across, glm::dot(way, task_.normal)) * degrees_per_radian;
+    return gradus::atan2(across, glm::dot(way, task_.normal)) * degrees_per_radian;
   }
   void arrow(View& view, const std::string& id, Role role, double at, double part,
              const std::string& name) const {
@@ -227,7 +228,7 @@ class PlaceDrawing {
                  outer = degrees_of(light.outer_cosine);
     const auto way = [&](double turned) {
       const double a = (l + 180 + turned) / degrees_per_radian;
-      return lamp + length_ * dvec2{-std::sin(a), std::cos(a)};
+      return lamp + length_ * dvec2{-gradus::sin(a), gradus::cos(a)};
     };
     const Role role = t.arrival.cone > 0 ? Role::boundary : Role::rejected;
     std::vector<dvec2> ring{lamp};

@@ -1,6 +1,7 @@
 // The story of illumination: what each lamp adds to the colour of one place, what lecture notes make of it,
 // and what lamps of all kinds make of a room.
 
+#include "core/arithmetic/elementary.hpp"
 #include "shading/illumination/illumination.hpp"
 
 #include "shading/illumination/illumination_notes.hpp"
@@ -106,7 +107,7 @@ class PlaceStory {
                   {"n", task_.surface.shininess},
                   {"f", short_real(s.arrival.share())},
                   {"taken", short_colour(-s.diffuse)},
-                  {"power", short_real(std::pow(s.cosine, task_.surface.shininess))},
+                  {"power", short_real(gradus::pow(s.cosine, task_.surface.shininess))},
                   {"diffuse", short_colour(s.diffuse)},
                   {"specular", short_colour(s.specular)},
                   {"right_NL", short_real(right_one().n_dot_l)},

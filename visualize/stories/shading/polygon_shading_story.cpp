@@ -1,6 +1,7 @@
 // The story of flat, Gouraud and Phong shading: where light is computed, what is mixed on the way, and how
 // far the picture is from light at every pixel.
 
+#include "core/geometry.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 
 #include "shading/polygon_shading/polygon_shading_notes.hpp"
@@ -207,7 +208,7 @@ class ShadeStory {
     for (const dvec3 p : subject_.places)
       middle += subject_.on_screen(p) / static_cast<double>(subject_.places.size());
     const dvec2 at = subject_.on_screen(subject_.places[vertex]), way = at - middle;
-    const double length = std::hypot(way.x, way.y);
+    const double length = length_of(way);
     const std::string name = Subject::vertex_name(vertex);
     board.keep("v " + name, Role::input, Dot{drawn(at)});
     if (length > 1e-9)

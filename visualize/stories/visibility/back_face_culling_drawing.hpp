@@ -2,6 +2,8 @@
 // What stories of culling draw: the faces in space with the normal and the view vector, what the eye sees of
 // them, and one face's plane edge-on, where the angle is true.
 
+#include "core/arithmetic/elementary.hpp"
+#include "core/geometry.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "stories/visibility/faces_task.hpp"
 #include "visibility/back_face_culling/back_face_culling.hpp"
@@ -335,12 +337,12 @@ inline void add_edge_on(View& view, const Extent& place, dvec3 normal, std::opti
     view.add({"e z name", Role::rejected, Label{tip, "−z"}});
   }
   std::vector<dvec2> arc;
-  const double turn = std::acos(cosine);
+  const double turn = gradus::acos(cosine);
   for (int i = 0; i <= 16; ++i)
-    arc.push_back(at(0.36 * std::sin(turn * i / 16), 0.36 * std::cos(turn * i / 16)));
+    arc.push_back(at(0.36 * gradus::sin(turn * i / 16), 0.36 * gradus::cos(turn * i / 16)));
   view.add({"e angle", Role::measure, Path{arc, false}});
-  view.add(
-      {"e angle text", Role::measure, Text{at(0.62 * std::sin(turn / 2), 0.62 * std::cos(turn / 2)), angle}});
+  view.add({"e angle text", Role::measure,
+            Text{at(0.62 * gradus::sin(turn / 2), 0.62 * gradus::cos(turn / 2)), angle}});
 }
 
 }  // namespace gradus::back_face_culling

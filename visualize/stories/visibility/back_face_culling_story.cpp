@@ -1,6 +1,7 @@
 // The story of back-face culling: one test a face, by its normal and the view vector, by its area in the
 // picture, or before the division.
 
+#include "core/arithmetic/elementary.hpp"
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
 #include "stories/visibility/back_face_culling_drawing.hpp"
@@ -247,7 +248,7 @@ class CullingStory {
     std::string angle;
     if (to_eye && drawn_normal_ != dvec3{0} && *to_eye != dvec3{0}) {
       const double cosine = std::clamp(glm::dot(unit_vector(drawn_normal_), unit_vector(*to_eye)), -1.0, 1.0);
-      angle = fmt::format("{:.0f}°", std::acos(cosine) * 57.29577951308232);
+      angle = fmt::format("{:.0f}°", gradus::acos(cosine) * 57.29577951308232);
     }
     std::optional<dvec3> along_z;
     if (by_ == By::depth) along_z = -task_.frame.forward;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "core/arithmetic/elementary.hpp"
 #include "stories/visibility/faces_picture.hpp"
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
@@ -76,7 +77,7 @@ class TreeDrawing {
     std::vector<dvec2> circle;
     for (int i = 0; i < corners; ++i) {
       const double turn = 2 * 3.14159265358979 * i / corners;
-      circle.push_back(at_[node] + radius * dvec2{std::cos(turn), std::sin(turn)});
+      circle.push_back(at_[node] + radius * dvec2{gradus::cos(turn), gradus::sin(turn)});
     }
     const std::string id = fmt::format("t node {:02}", node);
     view.add({id + " inside", role, Area{{circle}, 1}});
