@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <string_view>
+#include <type_traits>
 
 #include "core/language.hpp"
 #include "core/refusal.hpp"  // IWYU pragma: export
@@ -24,8 +25,8 @@ constexpr void expects(bool condition, fmt::format_string<Values...> format, Val
   }
 }
 
-/// Whether `work` comes to its end without a ContractViolation. Built without exceptions, a violation is
-/// refused here as anywhere.
+/// Whether `work` comes to its end without a ContractViolation. Built without exceptions, the host finds out
+/// (set_attempt_handler); what the work had in hand is lost then.
 template <class Work>
 bool keeps_contracts(Work&& work) {
 #if defined(__cpp_exceptions)
@@ -34,10 +35,10 @@ bool keeps_contracts(Work&& work) {
   } catch (const ContractViolation&) {
     return false;
   }
-#else
-  work();
-#endif
   return true;
+#else
+  return attempted([](void* data) { (*static_cast<std::remove_reference_t<Work>*>(data))(); }, &work);
+#endif
 }
 
 }  // namespace gradus

@@ -13,11 +13,24 @@ void write_to_stderr(const Refusal& refusal) {
 
 RefusalHandler host = write_to_stderr;
 
+bool call(void (*work)(void*), void* data) {
+  work(data);
+  return true;
+}
+
+AttemptHandler attempt = call;
+
 }  // namespace
 
 RefusalHandler set_refusal_handler(RefusalHandler handler) noexcept {
   return std::exchange(host, handler ? handler : write_to_stderr);
 }
+
+AttemptHandler set_attempt_handler(AttemptHandler handler) noexcept {
+  return std::exchange(attempt, handler ? handler : call);
+}
+
+bool attempted(void (*work)(void*), void* data) { return attempt(work, data); }
 
 void refuse(const Refusal& refusal) {
 #if defined(__cpp_exceptions)

@@ -62,4 +62,11 @@ struct Refusal {
 using RefusalHandler = void (*)(const Refusal& refusal);
 RefusalHandler set_refusal_handler(RefusalHandler handler) noexcept;
 
+/// What calls work(data) in a build without exceptions where one may end with a contract that isn't kept
+/// (keeps_contracts): whether it came to its end. It can tell where the host can leave the work in the midst,
+/// as a page's can. Default: calls it, and a refusal ends the program as anywhere.
+using AttemptHandler = bool (*)(void (*work)(void*), void* data);
+AttemptHandler set_attempt_handler(AttemptHandler handler) noexcept;
+bool attempted(void (*work)(void*), void* data);
+
 }  // namespace gradus

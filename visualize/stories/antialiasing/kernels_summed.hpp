@@ -63,7 +63,7 @@ class KernelStory {
   /// The sum of the first kernels at a place.
   double partial(double x, std::int64_t kernels) const {
     std::vector<double> first = samples_;
-    std::fill(first.begin() + kernels, first.end(), 0.0);
+    std::fill(first.begin() + static_cast<std::ptrdiff_t>(kernels), first.end(), 0.0);
     return reconstruct(std::span<const double>(first), x, Dirichlet{task_.count});
   }
   View drawing() const {

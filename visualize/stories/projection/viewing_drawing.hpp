@@ -1,6 +1,7 @@
 #pragma once
 // What a view is about, and how it is drawn: the world with the viewer's axes, and beside it what they see.
 
+#include "core/geometry.hpp"
 #include "projection/viewing/viewing.hpp"
 #include "projection/viewing/viewing_notes.hpp"
 #include "scene/obj.hpp"
@@ -363,7 +364,7 @@ class Drawing {
   }
   static void turn_inside_out(Mesh& mesh) {
     for (const MeshFace& face : mesh.faces) {
-      const auto first = mesh.corners.begin() + face.first;
+      const auto first = mesh.corners.begin() + static_cast<std::ptrdiff_t>(face.first);
       std::reverse(first, first + face.count);
     }
   }

@@ -1,0 +1,131 @@
+#include "live/protocol.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+#include "json/json.hpp"
+#include "request/complaint.hpp"
+#include "request/names.hpp"
+#include "request/notation_reader.hpp"
+#include "request/takes.hpp"
+#include "request/words.hpp"
+#include "request/written_json.hpp"
+
+namespace gradus::live {
+namespace {
+
+using Kind = JsonNode::Kind;
+
+constexpr std::array<std::string_view, 9> member_names{"want",   "topic",    "arguments", "step",    "steps",
+                                                       "labels", "language", "numbers",   "notation"};
+
+[[noreturn]] void refuse_member(const JsonMember& member, std::string_view expected) {
+  refuse_usage(fmt::format("request: {}: expected {}, found {}", shown_name(member.key), expected,
+                           described(member.value)));
+}
+
+const std::string& text_in(const JsonMember& member) {
+  if (member.value.kind != Kind::text) refuse_member(member, "a text");
+  return member.value.text;
+}
+
+/// The text of a member; nothing where there is none.
+const std::string* text_of(const JsonNode& request, std::string_view name) {
+  const JsonMember* const member = request.member(name);
+  return member ? &text_in(*member) : nullptr;
+}
+
+void require_known_members(const JsonNode& request) {
+  if (request.kind != Kind::object)
+    refuse_usage(fmt::format("request: expected an object, found {}", described(request)));
+  for (const JsonMember& member : request.members) {
+    if (std::ranges::find(member_names, member.key) != member_names.end()) continue;
+    refuse_usage(fmt::format("request: expected one of {}, found {}", fmt::join(member_names, ", "),
+                             shown(member.key)));
+  }
+}
+
+/// The flag of a parameter must have a value, as on a command line; flags that take none are said by "yes".
+void require_value(const TopicEntry& topic, const JsonMember& argument) {
+  const std::string& text = text_in(argument);
+  const auto parameter = std::ranges::find(topic.parameters, argument.key, &Parameter::name);
+  const bool is_method = argument.key == "method";
+  if (!is_method && parameter == topic.parameters.end())
+    refuse(argument.key, "{} has no such parameter", topic.name);
+  if (!text.empty() || (!is_method && parameter->type == ParameterType::flag)) return;
+  refuse_flag(hyphened(argument.key), is_method ? "a method's name" : expected_value(*parameter), "none");
+}
+
+std::map<std::string, std::string> arguments_in(const JsonNode& request, const TopicEntry& topic) {
+  std::map<std::string, std::string> given;
+  const JsonMember* const arguments = request.member("arguments");
+  if (!arguments) return given;
+  if (arguments->value.kind != Kind::object) refuse_member(*arguments, "an object");
+  for (const JsonMember& argument : arguments->value.members) {
+    require_value(topic, argument);
+    given[argument.key] = argument.value.text;
+  }
+  return given;
+}
+
+std::vector<std::string> labels_in(const JsonNode& request) {
+  std::vector<std::string> labels;
+  const JsonMember* const list = request.member("labels");
+  if (!list) return labels;
+  if (list->value.kind != Kind::list) refuse_member(*list, "a list");
+  for (const JsonNode& label : list->value.elements) {
+    if (label.kind != Kind::text) refuse_member(*list, "a list of texts");
+    labels.push_back(label.text);
+  }
+  return labels;
+}
+
+StepChoice steps_in(const JsonNode& request) {
+  StepChoice choice;
+  const std::string *const step = text_of(request, "step"), *const steps = text_of(request, "steps");
+  if (step && steps) refuse_usage("--step: expected either this or --steps, found both");
+  if (step) choose_step(choice, *step);
+  if (steps) choose_steps(choice, *steps);
+  return choice;
+}
+
+Wording wording_in(const JsonNode& request, const TopicEntry& topic) {
+  Wording wording;
+  if (const std::string* const text = text_of(request, "language")) read_language(wording, *text);
+  if (const std::string* const text = text_of(request, "numbers")) read_numbers(wording, *text);
+  if (const std::string* const text = text_of(request, "notation"))
+    wording = wording.with(read_notation(*text));
+  apply_labels(wording, topic.name, labels_in(request));
+  return wording;
+}
+
+/// The part of a run that is asked for.
+Trace trace_in(const JsonNode& request, Files& files) {
+  const std::string* const name = text_of(request, "topic");
+  if (!name) refuse_usage("request: expected a topic, found none");
+  const TopicEntry& topic = find_topic(*name);
+  const Inputs inputs = read_inputs(topic, arguments_in(request, topic), files);
+  // What is wrong with the steps is said before what is wrong with the words, as by the command
+  const StepChoice choice = steps_in(request);
+  return chosen_part(choice, Takes(topic, inputs.arguments, wording_in(request, topic)));
+}
+
+}  // namespace
+
+std::string answer(std::string_view request, Files& files) {
+  const JsonNode read = read_json(request, "request");
+  require_known_members(read);
+  const std::string* const want = text_of(read, "want");
+  const std::string wanted = want ? *want : "";
+  if (wanted == "list") return list_json(catalogue());
+  if (wanted == "run") return run_json(trace_in(read, files));
+  if (wanted == "trace") return trace_json(trace_in(read, files));
+  refuse_usage(fmt::format("request: want: expected run, trace or list, found {}", shown(wanted)));
+}
+
+}  // namespace gradus::live
