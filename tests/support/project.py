@@ -1,4 +1,5 @@
 """What the test scripts share: where things are, and what CMakeLists.txt and the headers say of the topics."""
+import fcntl
 import os
 import pathlib
 import re
@@ -142,3 +143,14 @@ def run(*command, **options):
     if done.returncode != 0:
         raise AssertionError(f"{' '.join(map(str, command))}\nexit {done.returncode}\n{done.stdout}")
     return done.stdout
+
+
+def live_build():
+    """The folder in which the module of live pages was built (preset live), brought up to date; None where none was."""
+    folder = ROOT / "build/live"
+    if not (folder / "gradus.wasm").is_file():
+        return None
+    with open(folder / "tests.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # two tests ask for it
+        run("cmake", "--build", folder)
+    return folder
