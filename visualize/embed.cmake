@@ -3,6 +3,7 @@
 # The file defines std::string_view gradus::FUNCTION(std::string_view path): the content by its path from ROOT, or
 # an empty text for a path that is not among FILES.
 # With "-DJOIN=en;de" the text "en.txt" is all files of that name, or that end so (a.en.txt), one after the other.
+# With -DLISTED=ON lines that begin with a comment or a directive are empty: no listing of a function shows them.
 # Contents become string literals: as arrays of bytes the pages alone took compiler and CMake ten seconds.
 
 cmake_minimum_required(VERSION 3.25)
@@ -16,6 +17,9 @@ foreach(path IN LISTS FILES)
   file(SIZE ${ROOT}/${path} size)
   if(NOT length EQUAL size)
     message(FATAL_ERROR "embed.cmake: ${path} is not a text with Unix line ends (${length} of its ${size} bytes are)")
+  endif()
+  if(LISTED)
+    string(REGEX REPLACE "\n(//|#)[^\n]*" "\n" text "${text}")
   endif()
   string(REPLACE "\\" "\\\\" text "${text}")
   string(REPLACE "\"" "\\\"" text "${text}")

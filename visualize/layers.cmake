@@ -2,13 +2,13 @@
 
 # A C++ file with the contents of these files (paths from `root`), looked up by `std::string_view function(path)`.
 function(gradus_embed output function root)
-  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "JOIN")
+  cmake_parse_arguments(PARSE_ARGV 3 arg "LISTED" "" "JOIN")
   set(files ${arg_UNPARSED_ARGUMENTS})
   list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE inputs)
   add_custom_command(
     OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D FUNCTION=${function} -D ROOT=${root} "-DFILES=${files}"
-            "-DJOIN=${arg_JOIN}" -P ${PROJECT_SOURCE_DIR}/visualize/embed.cmake
+            "-DJOIN=${arg_JOIN}" -DLISTED=${arg_LISTED} -P ${PROJECT_SOURCE_DIR}/visualize/embed.cmake
     DEPENDS ${inputs} visualize/embed.cmake
     COMMENT "Embedding for ${function}()" VERBATIM)
   set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # each numbers its texts

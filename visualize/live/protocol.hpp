@@ -11,7 +11,8 @@
 
 namespace gradus::live {
 
-/// Answers a request, one object of JSON with these members, of which all but the first may be left out:
+/// Answers a request, one object of JSON with these members; a run and a trace need a topic, all else may be
+/// left out:
 ///
 ///   want       "run": what `gradus run TOPIC --json` writes; "trace": the same run as the player's page
 ///              holds it (trace_json); "list": what `gradus list --json` writes, for which no other member
