@@ -195,6 +195,13 @@ class Test:
             same = (kind, b'gradus: ' + text + b'\n') == ('refused', done.stderr)
         self.check(same, f'{request}\n  gradus: {done.stdout[:200] or done.stderr}\n  program: {kind} {text[:200]}')
 
+    def is_the_players(self, topic, folder):
+        """A trace is what the page of the player loads."""
+        kind, text = self.native.ask(json.dumps({'want': 'trace', 'topic': topic}))
+        page = folder / f'{topic}.html'
+        project.run(project.COMMAND, 'figure', topic, '-o', page, '-q')
+        self.check(kind == 'answer' and text in page.read_bytes(), f'the player of {topic} loads another trace')
+
     def lists(self):
         [(kind, told)] = self.module.ask([json.dumps({'want': 'list', 'topic': ''})], whole=True)
         self.check((kind, told) == ('answer', project.run(project.COMMAND, 'list', '--json')), 'the list of topics')
@@ -238,6 +245,8 @@ def main():
         test.told_in_the_docs()
         for request in [{'topic': topic} for topic in topics] + REFUSED:
             test.is_the_commands({'want': 'run', **request})
+        for topic in topics[::7]:
+            test.is_the_players(topic, pathlib.Path(folder))
         others = [json.dumps({'want': want, **request}) for request in OF_FILES + REFUSED for want in ('run', 'trace')]
         print(f'{len(others)} requests of files and mistakes, {test.same(others)} refused')
         for topic in topics:
