@@ -34,10 +34,14 @@
 #include "stages/6_rasterization.hpp"
 #include "support/every_target.hpp"
 #include "support/random_scenes.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 
 namespace gradus::pipeline::engine {
 namespace {
+
+/// So many scenes; a third of them under a sanitizer.
+int rounds(std::size_t count) { return static_cast<int>(test::thinned(count, 3)); }
 
 constexpr Size size{200, 150};
 
@@ -200,7 +204,7 @@ void expect_nearest_everywhere(Frame& frame, const Window& window) {
 
 TEST(EngineBatches, FindWhatIsNearestAsAZBufferDoes) {
   const std::uint64_t seed = test::seed();
-  for (int round = 0; round < 25; ++round) {
+  for (int round = 0; round < rounds(25); ++round) {
     Random random(seed, static_cast<std::uint64_t>(round));
     Scene scene = round % 2 == 0 ? test::random_scene(random, 8) : test::random_screened_scene(random, 8);
     // The same a second time: equally deep
@@ -322,7 +326,7 @@ std::vector<SampleCounts> samples_of_batch(const Frame& frame, int tile, const W
 TEST(EngineBatches, FindWhatSamplesShowAsAZBufferDoes) {
   const std::uint64_t seed = test::seed();
   constexpr Size small_size{90, 70};
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < rounds(10); ++round) {
     Random random(seed, static_cast<std::uint64_t>(round));
     Scene scene = round % 2 == 0 ? scene_of_all_sizes(random) : test::random_scene(random, 8);
     scene.objects.push_back(scene.objects.front());
@@ -425,7 +429,7 @@ TEST(EngineBatches, GiveLightTheNearestByte) {
 
 TEST(EngineBatches, MakeTheSamePictureOnEveryMachine) {
   const std::uint64_t seed = test::seed();
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < rounds(30); ++round) {
     Random random(seed, static_cast<std::uint64_t>(round));
     Scene scene = test::random_scene(random, 8);
     for (std::size_t i = 0; i < scene.objects.size(); i += 2) {
