@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/language.hpp"
+
 namespace gradus {
 
 /// Sorts a list stably by merging ever longer sorted runs. Source: Knuth, The Art of Computer Programming,
