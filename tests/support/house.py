@@ -12,7 +12,7 @@ import sys
 import project
 
 FAMILIES = "algorithms"  # each topic includes core alone, or a topic of its own family: one room for all families
-WIDTH, ROW, BOX = 1000, 88, 46
+WIDTH, ROW, BOX = 1200, 88, 46
 COLUMNS = {  # from left to right, and what a room is for
     "algorithms": (0, "the topics, each alone"),
     "pipeline/scene": (0, "models, cameras"),
@@ -27,9 +27,9 @@ COLUMNS = {  # from left to right, and what a room is for
     "visualize/figure": (2, "traces, wording, layout"),
     "visualize/theme": (2, "colours and fonts"),
     "visualize/cairo": (2, "SVG, PNG, PDF"),
-    "visualize/text": (3, "tables"),
-    "visualize/plot": (4, "diagrams of benchmarks"),
-    "visualize/office": (4, "slides to edit"),
+    "visualize/office": (3, "slides to edit"),
+    "visualize/text": (4, "tables"),
+    "visualize/plot": (5, "diagrams of benchmarks"),
 }
 
 
@@ -96,10 +96,16 @@ def hung(graph, floor_of):
     return found
 
 
+STEP = WIDTH / (1 + max(column for column, _ in COLUMNS.values()))
+
+
 def places(floor_of):
-    """{room: (middle, top)}"""
-    highest, step = max(floor_of.values()), WIDTH / (1 + max(column for column, _ in COLUMNS.values()))
-    return {room: (step * (COLUMNS[room][0] + 0.5), 16 + (highest - floor) * ROW) for room, floor in floor_of.items()}
+    """{room: (middle, top)}; ValueError for two rooms in one place."""
+    highest = max(floor_of.values())
+    place = {room: (STEP * (COLUMNS[room][0] + 0.5), 16 + (highest - floor) * ROW) for room, floor in floor_of.items()}
+    if len(set(place.values())) < len(place):
+        raise ValueError("two rooms stand in one place: one needs another column")
+    return place
 
 
 def picture(root=project.ROOT):
@@ -118,7 +124,7 @@ def picture(root=project.ROOT):
             to, under = place[other]
             start, end = x + (to - x) / 10, to - (to - x) / 10
             out.append(f'<path d="M{start:g},{top + BOX} L{end:g},{under - 2}" marker-end="url(#end)"/>')
-    width = WIDTH / 5 - 24
+    width = STEP - 24
     for room, (x, top) in sorted(place.items()):
         out.append(f'<rect x="{x - width / 2:g}" y="{top}" width="{width:g}" height="{BOX}" rx="4"/>')
         out.append(f'<text x="{x:g}" y="{top + 20}" font-size="15" font-weight="bold">{room}</text>')
