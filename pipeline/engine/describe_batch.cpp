@@ -1,7 +1,6 @@
 #include "engine/describe_batch.hpp"
 
 #include <bit>
-#include <cmath>
 
 // Highway compiles what follows once for every kind of machine, and picks at run time
 #undef HWY_TARGET_INCLUDE

@@ -1,9 +1,7 @@
 #include "engine/tile_shader.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
+#include <type_traits>
 
 namespace gradus::pipeline::engine {
 namespace {

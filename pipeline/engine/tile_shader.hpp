@@ -24,8 +24,8 @@ class TileShader {
 
   /// Writes the pixels of a tile. buffer: from find_nearest. image: that of the plan's window.
   /// Returns how many show a triangle.
-  /// Accuracy: as light_blocks. Cost: a record a triangle that is seen in the tile, 30 nanoseconds, and
-  ///   light_blocks; a triangle whose texture repeats very often has the textbook's arithmetic.
+  /// Accuracy: as light_blocks. Cost: describe for what is seen in the tile, and light_blocks; a triangle
+  /// whose texture repeats very often has the textbook's arithmetic.
   std::int64_t colour(const Window& pixels, const TileBuffer& buffer, Image& image);
   /// The same of what the samples of each pixel show. buffer: from find_samples, with these places,
   /// of which the first is nearest to the centre. Each

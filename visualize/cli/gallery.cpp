@@ -1,5 +1,4 @@
 #include "cli/gallery.hpp"
-#include "request/fingerprint.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -12,6 +11,7 @@
 #include "cli/gallery_cards.hpp"
 #include "cli/gallery_steps.hpp"
 #include "cli/zip.hpp"
+#include "request/fingerprint.hpp"
 #include "stories/point_text.hpp"
 #include "web/topic_page.hpp"
 

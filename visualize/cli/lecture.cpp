@@ -1,5 +1,4 @@
 #include "cli/lecture.hpp"
-#include "request/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/shipped.hpp"
+#include "request/fingerprint.hpp"
 #include "request/names.hpp"
 #include "scene/files.hpp"
 

@@ -1,5 +1,4 @@
 #include "cli/leftovers.hpp"
-#include "request/fingerprint.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -18,6 +17,7 @@
 #include <sstream>
 
 #include "cli/files.hpp"
+#include "request/fingerprint.hpp"
 
 namespace gradus::cli {
 namespace {

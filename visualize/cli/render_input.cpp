@@ -1,5 +1,4 @@
 #include "cli/render_input.hpp"
-#include "request/fingerprint.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -7,6 +6,7 @@
 #include "cairo/image_file.hpp"
 #include "cli/files.hpp"
 #include "cli/imported_model.hpp"
+#include "request/fingerprint.hpp"
 #include "scene/files.hpp"
 #include "scene/located_json.hpp"
 #include "scene/model_formats.hpp"
