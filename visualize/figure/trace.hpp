@@ -90,6 +90,14 @@ struct Argument {
   std::string name, value;
 };
 
+/// A place of the drawing of step 0 that numbers of an argument move: where the page lets its reader drag them.
+struct Handle {
+  std::string parameter;
+  std::vector<int> numbers;  ///< which of the argument's, counted from 0 as they stand in its text
+  dvec2 at;                  ///< in the drawing's coordinates
+  std::vector<dvec2> along;  ///< of each number: how far the place goes when it grows by 1
+};
+
 /// The kind of mark that stands for a role in the legend.
 enum class Sample : std::uint8_t { line, outline, arrow, cross, dot, ring, area, cell };
 
@@ -122,6 +130,8 @@ struct Trace {
   std::vector<std::string> quantities;
   Grid grid;
   std::vector<Mark> backdrop;  ///< stands unchanged through all steps
+
+  std::vector<Handle> handles;  ///< what of the input can be dragged in the drawing
 
   Canvas before;                    ///< the drawing just before steps.front()
   std::vector<TraceStep> steps;     ///< the recorded part, in order

@@ -252,6 +252,13 @@ Json grid_json(const Grid& grid) {
 
 // -- Steps ----------------------------------------------------------------------------------------
 
+/// What a step asks, all answers and which one it gives, and its kind of branch where it has one.
+Json decision_json(const Decision& decision) {
+  Json out{{"question", decision.question}, {"answers", decision.answers}, {"answer", decision.answer}};
+  if (!decision.branch.empty()) out["branch"] = decision.branch;
+  return out;
+}
+
 /// Parts that a step doesn't have are left out, and those that no slot shows. The fields repeat the table's
 /// values: they go with it.
 Json step_json(const TraceStep& step, const std::set<Slot>& slots) {
@@ -269,6 +276,7 @@ Json step_json(const TraceStep& step, const std::set<Slot>& slots) {
   if (slots.contains(Slot::listing) && step.line != 0) out["line"] = step.line;
   put(Slot::table, "fields", fields_json(step.fields));
   put_text(Slot::sentence, "sentence", step.sentence);
+  if (step.decision) put(Slot::sentence, "decision", decision_json(*step.decision));
   put(Slot::table, "read", step.read);
   put(Slot::table, "row", step.row);
   if (!slots.contains(Slot::drawing)) return out;
@@ -358,6 +366,13 @@ Json names_json(const Trace& trace) {
   return {{"variables", variables_of(trace)}, {"quantities", quantities}};
 }
 
+/// [parameter, [its numbers], [x, y], [[dx, dy] for each number]]
+Json handle_json(const Handle& handle) {
+  Json along = Json::array();
+  for (const dvec2 way : handle.along) along.push_back({way.x, way.y});
+  return Json::array({handle.parameter, handle.numbers, Json::array({handle.at.x, handle.at.y}), along});
+}
+
 void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   Json roles = Json::array(), legend = Json::array();
   for (const Role role : all_roles) roles.push_back(name_of(role));
@@ -370,6 +385,11 @@ void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   if (with_legend) out.member("legend", legend);
   out.member("grid", grid_json(trace.grid));
   out.member("backdrop", marks_json(trace.backdrop));
+  if (!trace.handles.empty()) {
+    Json handles = Json::array();
+    for (const Handle& handle : trace.handles) handles.push_back(handle_json(handle));
+    out.member("handles", handles);
+  }
   const bool from_the_start = trace.steps.empty() || trace.steps.front().number == StepNumber{};
   if (!from_the_start) out.member("before", before_json(trace));
 }
@@ -404,6 +424,13 @@ std::string trace_json(const Trace& trace, const std::set<Slot>& slots) {
   return std::move(out).finish();
 }
 
+std::string alignment_json(const Alignment& alignment) {
+  Json pairs = Json::array();
+  for (const StepPair& pair : alignment.pairs) pairs.push_back({text_of(pair.a), text_of(pair.b)});
+  const Json parting = alignment.parting ? Json(text_of(alignment.pairs[*alignment.parting].a)) : Json();
+  return text_of(Json{{"pairs", pairs}, {"parting", parting}});
+}
+
 std::string run_json(const Trace& trace) {
   Lines out(true);
   out.member("topic", trace.topic);
@@ -420,14 +447,29 @@ std::string run_json(const Trace& trace) {
   return std::move(out).finish();
 }
 
+namespace {
+
+/// `ignores`: parameters that it has none of, or takes no notice of.
+Json method_json(const Method& method) {
+  Json out{{"name", method.name},
+           {"title", method.title},
+           {"standing", name_of(method.standing)},
+           {"note", method.note}};
+  std::vector<std::string> ignores = method.without;
+  ignores.insert(ignores.end(), method.unread.begin(), method.unread.end());
+  if (!ignores.empty()) out["ignores"] = ignores;
+  return out;
+}
+
+}  // namespace
+
 std::string list_json(std::span<const TopicEntry* const> topics) {
   Lines out(true);
   out.member("schema", trace_schema);
   out.list("topics", topics, [](const TopicEntry* topic) {
     Json methods = Json::array(), parameters = Json::array();
     for (const Method& m : topic->methods) {
-      methods.push_back(
-          {{"name", m.name}, {"title", m.title}, {"standing", name_of(m.standing)}, {"note", m.note}});
+      methods.push_back(method_json(m));
     }
     for (const Parameter& p : topic->parameters) {
       Json parameter{{"name", p.name},

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "figure/alignment.hpp"
 #include "figure/sheet.hpp"
 #include "figure/trace.hpp"
 #include "stories/topic.hpp"
@@ -18,6 +19,10 @@ namespace gradus {
 /// left out and the member "slots" names those that stay.
 std::string trace_json(const Trace& trace,
                        const std::set<Slot>& slots = {all_slots.begin(), all_slots.end()});
+
+/// How the steps of two runs stand side by side: {"pairs": [["0","0"],["1","2"]], "parting": "1"}, the last
+/// being the first run's step with which they part, or null.
+std::string alignment_json(const Alignment& alignment);
 
 /// What `gradus run --json` prints: topic, method, faulty where so, input, steps (number, type, line,
 /// fields), result.

@@ -21,8 +21,8 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-constexpr std::array<std::string_view, 9> member_names{"want",   "topic",    "arguments", "step",    "steps",
-                                                       "labels", "language", "numbers",   "notation"};
+constexpr std::array<std::string_view, 10> member_names{
+    "want", "topic", "arguments", "beside", "step", "steps", "labels", "language", "numbers", "notation"};
 
 [[noreturn]] void refuse_member(const JsonMember& member, std::string_view expected) {
   refuse_usage(fmt::format("request: {}: expected {}, found {}", shown_name(member.key), expected,
@@ -104,15 +104,50 @@ Wording wording_in(const JsonNode& request, const TopicEntry& topic) {
   return wording;
 }
 
-/// The part of a run that is asked for.
-Trace trace_in(const JsonNode& request, Files& files) {
+const TopicEntry& topic_in(const JsonNode& request) {
   const std::string* const name = text_of(request, "topic");
   if (!name) refuse_usage("request: expected a topic, found none");
-  const TopicEntry& topic = find_topic(*name);
-  const Inputs inputs = read_inputs(topic, arguments_in(request, topic), files);
+  return find_topic(*name);
+}
+
+Inputs inputs_in(const JsonNode& request, const TopicEntry& topic, Files& files) {
+  return read_inputs(topic, arguments_in(request, topic), files);
+}
+
+/// The part of a run that is asked for.
+Trace trace_in(const JsonNode& request, Files& files) {
+  const TopicEntry& topic = topic_in(request);
+  const Inputs inputs = inputs_in(request, topic, files);
   // What is wrong with the steps is said before what is wrong with the words, as by the command
   const StepChoice choice = steps_in(request);
   return chosen_part(choice, Takes(topic, inputs.arguments, wording_in(request, topic)));
+}
+
+/// The same input by another method, without what that has none of.
+OtherSide other_in(const JsonNode& request, const TopicEntry& topic, Files& files) {
+  std::map<std::string, std::string> given = arguments_in(request, topic);
+  given["method"] = *text_of(request, "beside");
+  const Method& method = find_method(topic, given["method"], "--beside");
+  for (const std::string& name : method.without) given.erase(name);
+  return {&topic, read_inputs(topic, given, files).arguments, method.name};
+}
+
+/// Two runs, as a page that plays them together holds them.
+std::string both_in(const JsonNode& request, Files& files) {
+  const TopicEntry& topic = topic_in(request);
+  const Inputs inputs = inputs_in(request, topic, files);
+  const OtherSide other = other_in(request, topic, files);
+  const Takes takes(topic, inputs.arguments, wording_in(request, topic), ListingForm::source, &other);
+  return fmt::format("{{\"trace\":{},\"beside\":{},\"alignment\":{}}}", trace_json(takes.opening()),
+                     trace_json(takes.beside()->opening()), alignment_json(takes.alignment()));
+}
+
+/// What is said of files that were read: a list of lines.
+std::string remarks_in(const JsonNode& request, Files& files) {
+  std::vector<std::string> quoted;
+  for (const std::string& remark : inputs_in(request, topic_in(request), files).remarks)
+    quoted.push_back(json_quoted(remark));
+  return fmt::format("[{}]", fmt::join(quoted, ","));
 }
 
 }  // namespace
@@ -124,8 +159,10 @@ std::string answer(std::string_view request, Files& files) {
   const std::string wanted = want ? *want : "";
   if (wanted == "list") return list_json(catalogue());
   if (wanted == "run") return run_json(trace_in(read, files));
-  if (wanted == "trace") return trace_json(trace_in(read, files));
-  refuse_usage(fmt::format("request: want: expected run, trace or list, found {}", shown(wanted)));
+  if (wanted == "trace")
+    return read.member("beside") ? both_in(read, files) : trace_json(trace_in(read, files));
+  if (wanted == "remarks") return remarks_in(read, files);
+  refuse_usage(fmt::format("request: want: expected run, trace, remarks or list, found {}", shown(wanted)));
 }
 
 }  // namespace gradus::live

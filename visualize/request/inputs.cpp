@@ -43,9 +43,7 @@ class InputReader {
   std::string method() const {
     const auto wanted = given_.find("method");
     if (wanted == given_.end()) return topic_.default_method;
-    std::vector<std::string> names;
-    for (const Method& known : topic_.methods) names.push_back(known.name);
-    return names[choose_name("--method", wanted->second, names)];
+    return find_method(topic_, wanted->second).name;
   }
 
   /// What the user gave, else the default, unless another parameter stands in its place.
@@ -210,6 +208,12 @@ const TopicEntry& find_topic(std::string_view word) {
                              shown(word), suggestion(word, names)));
   }
   return *owners[matches[choose_name("TOPIC", word, meant)]];
+}
+
+const Method& find_method(const TopicEntry& topic, std::string_view word, std::string_view flag) {
+  std::vector<std::string> names;
+  for (const Method& known : topic.methods) names.push_back(known.name);
+  return topic.methods[choose_name(flag, word, names)];
 }
 
 std::string expected_value(const Parameter& parameter) {

@@ -54,6 +54,9 @@ struct Inputs {
 /// The topic of that name or alias: a unique beginning is enough. Throws UsageError.
 const TopicEntry& find_topic(std::string_view word);
 
+/// The topic's method of that name; a unique beginning is enough. Throws UsageError naming `flag`.
+const Method& find_method(const TopicEntry& topic, std::string_view word, std::string_view flag = "--method");
+
 /// What a flag without its value is told to have one like: "a value like 3,4".
 std::string expected_value(const Parameter& parameter);
 

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "figure/which_steps.hpp"
+#include "stories/handles.hpp"
 
 namespace gradus {
 namespace {
@@ -212,6 +213,17 @@ void Narrator::add_to_legend(Role role, std::string_view key) {
 
 void Narrator::backdrop(std::string id, Role role, decltype(Mark::shape) shape) {
   trace().backdrop.push_back({std::move(id), role, std::move(shape)});
+}
+
+void Narrator::add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at) {
+  const auto declared = std::ranges::find(topic_.parameters, parameter, &Parameter::name);
+  for (Handle& handle :
+       handles_of(arguments_.entry(parameter), dimensions, declared->type == ParameterType::bounds, at))
+    trace().handles.push_back(std::move(handle));
+}
+
+void Narrator::handle(std::string_view parameter, int number, dvec2 at, dvec2 along) {
+  trace().handles.push_back({std::string(parameter), {number}, at, {along}});
 }
 
 void Narrator::list(std::string_view function, std::string_view file) {

@@ -202,6 +202,12 @@ struct LegendKey {
   std::string_view key;
 };
 
+/// Where a drawing shows a point of its input, if it does. Points of the plane have the third coordinate 0.
+using PlaceOnPaper = std::function<std::optional<dvec2>(const dvec3&)>;
+
+/// A drawing whose coordinates are those of its input.
+inline constexpr auto as_it_is = [](dvec2 p) { return p; };
+
 /// One run of one method, told.
 class Narrator {
  public:
@@ -249,6 +255,23 @@ class Narrator {
   void add_to_legend(Role role, std::string_view key);
   /// Stands unchanged behind all steps.
   void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
+  /// The points of an argument can be dragged: of the plane, or of space, where `at` draws them in step 0, if
+  /// it draws them. Numbers that belong to no point are left out; see also `handle`.
+  template <class At>
+  void handles(std::string_view parameter, const At& at) {
+    constexpr bool plane = std::invocable<At, dvec2>;
+    using Place = std::conditional_t<plane, dvec2, dvec3>;
+    add_handles(parameter, plane ? 2 : 3, [&at](const dvec3& p) -> std::optional<dvec2> {
+      if constexpr (plane) {
+        return at(Place(p));
+      } else {
+        return at(p);
+      }
+    });
+  }
+  /// One number can be dragged, counted from 0 as the argument's text has it: at this place of step 0's
+  /// drawing, which goes `along` when the number grows by 1.
+  void handle(std::string_view parameter, int number, dvec2 at, dvec2 along);
   /// The lines shown are another function's: of this file, in the topic's folder or by its path from the
   /// project's root, or of the method's own.
   void list(std::string_view function, std::string_view file = {});
@@ -310,6 +333,7 @@ class Narrator {
     return name.substr(name.rfind(':') + 1);
   }
   void describe(TraceStep& step, std::string_view type, Event event);
+  void add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at);
 
   const Arguments& arguments_;
   const Recording recording_;

@@ -65,6 +65,7 @@ inline Subject subject_of(const Arguments& arguments) {
 inline void set_scene(Narrator& narrator, const Subject& subject, bool wide) {
   narrator.grid(subject.cells);
   narrator.subtitle("subtitle", {{"from", subject.from}, {"to", subject.to}});
+  for (const std::string_view end : {"from", "to"}) narrator.handles(end, as_it_is);
   if (subject.point()) return;
   const Stroke axis{dvec2(subject.from), dvec2(subject.to), false, wide, true};
   narrator.backdrop("axis", Role::boundary, axis);

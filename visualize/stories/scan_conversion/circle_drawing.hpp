@@ -119,6 +119,8 @@ inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_wa
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
   if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
   draw_key(narrator, key);
+  narrator.handles("center", as_it_is);
+  narrator.handle("radius", 0, dvec2(circle.center) + dvec2{circle.radius, 0}, {1, 0});
 }
 
 }  // namespace gradus::bresenham_circle

@@ -77,6 +77,7 @@ inline void draw_line(Narrator& narrator, const Line& line) {
   if (!point) narrator.backdrop("ideal line", Role::boundary, Stroke{dvec2(line.from), dvec2(line.to)});
   narrator.backdrop("from", Role::input, Dot{dvec2(line.from)});
   narrator.backdrop("to", Role::input, Dot{dvec2(line.to)});
+  for (const std::string_view end : {"from", "to"}) narrator.handles(end, as_it_is);
   if (!point) {
     narrator.backdrop("ideal line name", Role::boundary,
                       Label{ideal_at(line, line.size.dx * 5 / 6), ideal_name(narrator.words(), line)});

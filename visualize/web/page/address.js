@@ -11,8 +11,15 @@ function addressParts(hash = location.hash) {
       return text;
     }
   };
-  const parts = hash.slice(1).split('&').filter(Boolean).map((part) => decoded(part).split('='));
-  return new Map(parts.map(([name, value = '']) => [name, value]));
+  return new Map(hash.slice(1).split('&').filter(Boolean).map((part) => {
+    const [name, ...value] = part.split('=');
+    return [decoded(name), decoded(value.join('='))];
+  }));
+}
+/** The map as an address; what needs no escape stays legible. */
+function addressText(parts) {
+  const escaped = (text) => encodeURIComponent(text).replace(/%(2C|2F|3A|3B)/g, (code) => decodeURIComponent(code));
+  return '#' + [...parts].map(([name, value]) => (value ? `${escaped(name)}=${escaped(value)}` : escaped(name))).join('&');
 }
 
 /** The player's own address; parts that are no player's, as embed, stay. */
@@ -30,7 +37,8 @@ function addressOf(player) {
   put('speed', player.speed !== PLAIN_SPEED && String(SPEEDS[player.speed]));
   put('marks', player.bookmarks.map(number).join(','));
   if (player.themeChosen) put('theme', player.theme.name);
-  return '#' + [...parts].map(([name, value]) => (value ? `${name}=${value}` : name)).join('&');
+  player.putAddress?.(put, parts);
+  return addressText(parts);
 }
 
 function noteAddress(player) {

@@ -7,7 +7,8 @@
 async function copyForms(forms, host) {
   try {
     if (forms['text/html'] && window.ClipboardItem) {
-      const blobs = Object.entries(forms).map(([type, text]) => [type, new Blob([text], {type})]);
+      const {'text/csv': csv, ...taken} = forms;  // browsers take no more kinds
+      const blobs = Object.entries(taken).map(([type, text]) => [type, new Blob([text], {type})]);
       await navigator.clipboard.write([new ClipboardItem(Object.fromEntries(blobs))]);
     } else {
       await navigator.clipboard.writeText(forms['text/plain']);
@@ -50,7 +51,9 @@ function tableForms(columns, rows) {
       'table', {},
       html('thead', {}, html('tr', {}, ...columns.map(({name}) => html('th', {scope: 'col'}, name)))),
       html('tbody', {}, ...rows.map((row) => html('tr', {}, ...columns.map((_, c) => cell(c, row[c] ?? ''))))));
+  const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   return {
+    'text/csv': lines.map((line) => line.map(quoted).join(',') + '\r\n').join(''),
     'text/plain': lines.map((line) => line.map(flat).join('\t') + '\n').join(''),
     'text/html': table.outerHTML,
   };

@@ -40,9 +40,22 @@ class Drawing {
     this.run = run;
     if (!run.shows('drawing')) return;
     const {picture, lower} = run.trace.grid;
-    this.stage = new Stage(run.trace);
+    const stage = new Stage(run.trace);
+    if (this.held && this.held.axes === stage.axes) Object.assign(stage, this.heldPart());
+    this.stage = stage;
     this.texels = picture ? {...picture, lower, rgba: decodePicture(picture)} : null;
     this.stillKey = null;
+  }
+  /** From now on all runs are shown on this part of the plane: what is dragged must not move the paper below it. */
+  hold() { this.held = this.stage; }
+  heldPart() {
+    const {cells, lower, upper, texts} = this.held;
+    return {cells, lower, upper, texts};
+  }
+  /** Shows all of a run again. */
+  letGo() {
+    this.held = null;
+    this.load(this.run, this.letters);
   }
   texel(x, y) {
     const t = this.texels, column = x - t.lower[0], row = y - t.lower[1];

@@ -35,17 +35,27 @@ addEventListener('keydown', (event) => {
 
 window.GradusPlayer = GradusPlayer;
 
+/** What a page's players need before there is one. */
+function setUp({words: said, themes, theme}) {
+  for (const [key, text] of Object.entries(said)) words.set(key, text);
+  GradusPlayer.themes = themes;
+  GradusPlayer.firstTheme = theme;
+}
+
 const page = document.getElementById('gradus-page');
 if (page) {
   const started = performance.now();
   const data = JSON.parse(page.textContent);
-  for (const [key, text] of Object.entries(data.words)) words.set(key, text);
-  GradusPlayer.themes = data.themes;
-  GradusPlayer.firstTheme = data.theme;
+  setUp(data);
   window.player = new GradusPlayer(document.getElementById('player'));
   window.player.load(data.trace, {command: data.command});
   followAddress(window.player);
-  if (data.beside) playTogether(window.player, data.beside);
+  if (data.beside) {
+    const together = new Together(window.player);
+    together.load(data.beside);
+    together.markParting();
+    window.player.onChange();
+  }
   addEventListener('hashchange', (event) => followAddress(window.player, new URL(event.newURL).hash));
   performance.measure('gradus: open', {start: started, end: performance.now()});
 }

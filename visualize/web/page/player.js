@@ -47,6 +47,51 @@ class GradusPlayer extends PlayerView {
     this.resize();
   }
 
+  /**
+   * Shows another run of the same algorithm, at the same step where there is one, else at the nearest: its input is
+   * being changed. `light`: what takes long, the room that texts will need, stays as it is.
+   */
+  update(trace, {command = this.command, light = false} = {}) {
+    const {run: before, index} = this, {number} = before.steps[index], atEnd = this.atEnd && index > 0;
+    const same = this.sameSlots(trace, before.trace), old = {loop: this.loop, bookmarks: this.bookmarks};
+    this.run = new Run(trace);
+    this.command = command;
+    this.index = atEnd ? this.run.steps.length - 1 : this.nearest(number);
+    this.letters = new Typesetter(trace.names);
+    this.drawing.load(this.run, this.letters);
+    this.showTrace(light && same);
+    this.keepPlaces(before, old);
+    if (light && same)
+      this.redraw();
+    else
+      this.resize();
+    if (!light) this.announce();
+  }
+  /** Whether listing and columns are the same, so that all keep their room. */
+  sameSlots(a, b) {
+    const names = ({columns = []}) => columns.map(({id, widest}) => `${id} ${widest.length}`).join();
+    return a.listing?.length === b.listing?.length && a.source_file === b.source_file && a.method === b.method &&
+        a.listing?.[0]?.[0] === b.listing?.[0]?.[0] && names(a) === names(b);
+  }
+  /** The last step up to this number. */
+  nearest(number) {
+    const {byNumber, steps} = this.run, found = byNumber.get(number);
+    if (found !== undefined) return found;
+    const [whole, fine = 0] = number.split('.').map(Number);
+    const order = ({number: other}) => other.split('.').map(Number);
+    return Math.max(upperBound(steps, 0, (step) => {
+      const [a, b = 0] = order(step);
+      return a - whole || b - fine;
+    }) - 1, 0);
+  }
+  /** Loop and bookmarks, where their steps are still there. */
+  keepPlaces(before, {loop, bookmarks}) {
+    const index = (i) => this.run.byNumber.get(before.steps[i]?.number);
+    const first = index(loop.first), last = index(loop.last);
+    this.setLoop(loop.on && first < last ? {first, last, on: true} : {on: false});
+    this.setBookmarks(bookmarks.map(index).filter((i) => i !== undefined));
+  }
+
   /** Whether there is a step of this number ("7", "7.2"); if so, goes there. */
   goTo(number) {
     const index = this.run.byNumber.get(String(number).trim());
@@ -54,12 +99,16 @@ class GradusPlayer extends PlayerView {
     this.show(index);
     return true;
   }
-  next() { this.show(this.run.nextMilestone(this.index)); }
+  next() { this.advance(this.run.nextMilestone(this.index)); }
   previous() { this.show(this.run.previousMilestone(this.index)); }
-  nextEvent() { this.show(this.index + 1); }
+  nextEvent() { this.advance(Math.min(this.index + 1, this.run.steps.length - 1)); }
   previousEvent() { this.show(this.index - 1); }
   first() { this.show(0); }
   last() { this.show(this.run.steps.length - 1); }
+  /** Forwards to a step, unless `this.asks(from, to)` has a question on the way, which stops it. */
+  advance(index) {
+    if (!this.asks?.(this.index, index)) this.show(index);
+  }
   get atEnd() { return this.index === this.run.steps.length - 1; }
 
   // -- Playing
@@ -84,7 +133,9 @@ class GradusPlayer extends PlayerView {
   }
   tick() {
     const {first, last} = this.stretch, [begin, end] = this.pace > 0 ? [first, last] : [last, first];
-    this.show(this.index === end ? begin : clamp(this.following(first, last), first, last));
+    const next = this.index === end ? begin : clamp(this.following(first, last), first, last);
+    if (next > this.index && this.asks?.(this.index, next)) return this.pause();
+    this.show(next);
     if (this.index === end && !this.loop.on)
       this.pause();
     else
@@ -197,7 +248,7 @@ class GradusPlayer extends PlayerView {
   }
   /** The address follows the page's own player, and so may others. */
   changed() {
-    if (window.player === this) noteAddress(this);
+    if (window.player === this && !this.silent) noteAddress(this);
     this.onChange?.();
   }
 
@@ -354,8 +405,15 @@ class GradusPlayer extends PlayerView {
       keys: () => this.openKeys(),
       copying: () => this.openCopying(),
       copy_link: () => this.copy({'text/plain': this.link()}, 'copied_link'),
-      copy_command: () => this.copy({'text/plain': this.command}, 'copied_command'),
+      copy_command: () => this.copy({'text/plain': this.commandNow()}, 'copied_command'),
       copy_table: () => this.copy(this.tableSoFar(), 'copied_table'),
+      copy_svg: () => this.copy({'text/plain': drawingSvg(this)}, 'copied_drawing'),
+      copy_png: () => this.copyPicture(),
+      copy_json: async () => this.copy({'text/plain': await this.stepJson()}, 'copied_step'),
+      save_svg: () => save(drawingSvg(this), 'image/svg+xml', this.fileName('svg')),
+      save_png: async () => save(await drawingPng(this), 'image/png', this.fileName('png')),
+      save_csv: () => save(this.tableSoFar()['text/csv'], 'text/csv', this.fileName('csv')),
+      save_json: async () => save(await this.stepJson(), 'application/json', this.fileName('json')),
       full: () => this.toggleFull(),
     };
     others[what]?.();
@@ -378,13 +436,31 @@ class GradusPlayer extends PlayerView {
     this.notice('');
     parts['by-hand'].hidden = true;
     parts['link-text'].textContent = this.link();
+    parts['command-text'].textContent = this.commandNow();
     parts.copying.showModal();
   }
+  /** What makes what is seen: where `commandFor` knows how, this very step. */
+  commandNow() { return this.commandFor?.(this.run.steps[this.index].number) ?? this.command; }
   /** The address of this step, with all that the page keeps in it. */
   link() { return location.href.split('#')[0] + addressOf(this); }
   tableSoFar() {
     const {run, index} = this, rows = [...Array(run.table.count(index)).keys()];
     return tableForms(run.trace.columns, rows.map((row) => run.table.cells(row, index)));
+  }
+  /** "bresenham_line_step_4.svg" */
+  fileName(ending) { return `${this.run.trace.topic}_step_${this.run.steps[this.index].number}.${ending}`; }
+  /** This step as data: a promise of a text. */
+  async stepJson() {
+    const {topic, method, arguments: given} = this.run.trace, step = this.run.steps[this.index];
+    return `${JSON.stringify({topic, method, input: Object.fromEntries(given), step}, null, 2)}\n`;
+  }
+  async copyPicture() {
+    try {
+      await navigator.clipboard.write([new ClipboardItem({'image/png': drawingPng(this)})]);
+      this.notice(say('copied_drawing'));
+    } catch {
+      this.notice(say('no_picture_copy'));
+    }
   }
   async copy(forms, done) {
     const {copying, 'by-hand': byHand} = this.parts;

@@ -28,6 +28,7 @@ class PlayerView {
     this.root.style.colorScheme = this.theme.name === 'dark' ? 'dark' : 'light';
     this.root.dataset.theme = this.theme.name;
     this.parts.theme.textContent = say(`theme_${this.theme.name}`);
+    this.onTheme?.();
     if (!this.run) return;
     this.showPhases();
     this.redraw();
@@ -36,8 +37,8 @@ class PlayerView {
 
   said(step) { return (this.statesGoal(step) ? `${this.run.trace.goal} ` : '') + (step.sentence ?? ''); }
 
-  /** All that stays through the steps of a trace. */
-  showTrace() {
+  /** All that stays through the steps of a trace. `light`: listing and columns are those that are there. */
+  showTrace(light = false) {
     const {parts, run} = this, {trace} = run;
     parts.title.textContent = trace.title || document.title;
     parts.subtitle.textContent = parts.subtitle.title = trace.subtitle;
@@ -46,8 +47,13 @@ class PlayerView {
     parts.faulty.hidden = !trace.faulty;
     this.root.setAttribute('aria-label', this.name);
     this.showSlots();
-    this.showListing();
-    this.showColumns();
+    if (light) {
+      this.excerpts &&= Object.assign(this.excerpts, {run});
+    } else {
+      this.showListing();
+      this.showColumns();
+      this.longest = this.columns = undefined;
+    }
     parts.slider.max = run.steps.length - 1;
     parts.total.textContent = `/ ${trace.last}`;
     parts.total.title = this.recorded();
@@ -56,12 +62,14 @@ class PlayerView {
     parts.command.hidden = !this.command;
     parts['command-text'].textContent = this.command;
     parts['table-copy'].hidden = parts.table.hidden;
+    parts['drawing-copy'].hidden = parts.drawing.hidden;
+    parts['step-copy'].hidden = !run.shows('table');
     const phases = [...new Set(run.phases().map((phase) => phase.name))].slice(0, 100);
     const number = run.steps[run.lastMilestone].number;
     const longest = Math.max(...phases.map((phase) => textWidth(this.positionOf({number, phase}), 1)));
     this.root.style.setProperty('--position-width', `${Math.min(longest, 30)}em`);
-    this.longest = this.columns = undefined;
     this.scrub.load(run);
+    if (light) this.showPhases();
   }
   get name() { return `${this.run.trace.title} ${this.run.trace.subtitle}`.trim(); }
   /** What is said of a recording that is not the whole run. */
@@ -149,6 +157,7 @@ class PlayerView {
     this.drawing.draw(this.index, this.theme, this.unit / TEXT, moving);
     svg.setAttribute('aria-label', say('drawing', {title: this.name}));
     if (!parts.said.hidden) svg.setAttribute('aria-describedby', parts.said.id);
+    this.onDrawn?.();
   }
   /** Step 0 says what it is all about, unless its own sentence does. */
   statesGoal(step) {
@@ -265,7 +274,7 @@ class PlayerView {
   resize() {
     const {root} = this, width = root.clientWidth;
     // Of two side by side each has a drawing alone
-    const together = document.body.classList.contains('together');
+    const together = root.parentElement.classList.contains('together');
     const narrow = width < (together || root.classList.contains('embedded') ? 560 : 700);
     root.dataset.layout = narrow ? 'narrow' : 'wide';
     this.unit = narrow ? 15 : clamp(Math.min(root.clientHeight / 36, width / (together ? 40 : 64)), 12, 80);

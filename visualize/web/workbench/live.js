@@ -1,0 +1,47 @@
+'use strict';
+// The live page begins: its language, the player, what the module is, and the first run.
+
+/** A language that the page has: the address's, the browser's, English. */
+function pageLanguage(there) {
+  const wanted = [addressParts().get('language'), ...navigator.languages.map((code) => code.slice(0, 2))];
+  return wanted.find((code) => there.includes(code)) ?? 'en';
+}
+
+/** {language: {topic: trace}}: the runs of the usual inputs, packed in the page. */
+async function recordedRuns(packed) {
+  try {
+    return JSON.parse(new TextDecoder().decode(await unpacked(packed)));
+  } catch {
+    return {};  // a browser without DecompressionStream waits for the module
+  }
+}
+
+async function openLive() {
+  const started = performance.now();
+  const content = (id) => document.getElementById(id).textContent;
+  const data = JSON.parse(content('gradus-live')), language = pageLanguage(Object.keys(data.words));
+  document.documentElement.lang = language;
+  setUp({words: data.words[language], themes: data.themes, theme: ''});
+  document.getElementById(`gradus-player-${language}`).id = 'gradus-player';
+  const root = document.getElementById('workbench');
+  root.replaceChildren(document.getElementById(`gradus-workbench-${language}`).content.cloneNode(true));
+  document.body.classList.toggle('framed', addressParts().has('embed'));
+  const player = window.player = new GradusPlayer(document.getElementById('player'));
+  const module = compiledModule(content('gradus-module').trim());
+  module.catch(() => {});  // whoever asks is told
+  const asker = new Asker(content('gradus-worker'), module);
+  const bench = window.workbench = new Workbench(root, player, asker, {topics: data.list.topics, notations: data.notations, recorded: await recordedRuns(content('gradus-recorded').trim())});
+  bench.state = stateOf(addressParts(), bench.topics, language);
+  const usual = Object.keys(bench.state.given).length === 0 && !bench.state.beside && bench.method?.name === bench.topic.default_method;
+  if (usual) bench.showRecorded();
+  performance.measure('gradus: open', {start: started, end: performance.now()});
+  await bench.open(bench.state);
+  performance.measure('gradus: alive', {start: started, end: performance.now()});
+  addEventListener('hashchange', async () => {
+    const parts = addressParts();
+    if (parts.get('language') && parts.get('language') !== language) return location.reload();
+    await bench.open(stateOf(parts, bench.topics, language));
+    followAddress(player);
+  });
+}
+window.opened = openLive();
