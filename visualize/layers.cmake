@@ -18,7 +18,7 @@ endfunction()
 function(gradus_add_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
   file(GLOB sources CONFIGURE_DEPENDS visualize/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/(cli/main|live/(module|runtime))\\.cpp$")  # programs of their own
+  list(FILTER sources EXCLUDE REGEX "/(cli/(main|live_pages)|live/(module|runtime))\\.cpp$")  # programs of their own
   list(APPEND sources ${arg_SOURCES})
   if(sources)
     add_library(gradus_${name} STATIC ${sources})

@@ -24,7 +24,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import project
 from webdriver import Browser
 
-HOST = pathlib.Path(__file__).with_name('live_host.js')
+HOST = project.ROOT / 'visualize/web/workbench/host.js'
+WORKER = pathlib.Path(__file__).with_name('live_host.js')
 FILES = [project.ROOT / name for name in ('examples/images/camera.png', 'examples/models/letter_f.obj',
                                           'examples/models/letter_f.mtl', 'tests/browser/live_maze.txt')]
 PAGE = """<!doctype html>
@@ -78,7 +79,7 @@ REFUSED = [
 ]
 # What no command line could ask
 MALFORMED = [('', r'^request:1: expected '), ('[]', r'^request: expected an object, found an empty list$'),
-             ('{}', r'^request: want: expected run, trace or list, found '),
+             ('{}', r'^request: want: expected run, trace, remarks or list, found '),
              ('{"want": "run"}', r'^request: expected a topic, found none$'),
              ('{"want": "run", "topic": 3}', r'^request: topic: expected a text, found 3$'),
              ('{"want": "run", "colour": "red"}', r"^request: expected one of want, topic, .*, found 'colour'$"),
@@ -113,7 +114,7 @@ class Module:
     def __init__(self, browser, module, folder):
         self.browser = browser
         page = folder / 'live.html'
-        page.write_text(PAGE % HOST.read_text(encoding='utf-8'), encoding='utf-8')
+        page.write_text(PAGE % (HOST.read_text(encoding='utf-8') + WORKER.read_text(encoding='utf-8')), encoding='utf-8')
         browser.open(page.as_uri())
         self.compiled, self.imports, self.exports = self.call('load', base64.b64encode(module.read_bytes()).decode())
         self.slowest = {}
@@ -209,8 +210,8 @@ class Test:
 
     def told_in_the_docs(self):
         text = HOST.read_text(encoding='utf-8')
-        quoted = text[text.index('// [docs/live.md\n') + len('// [docs/live.md\n'):text.index('// docs/live.md]')]
-        self.check(quoted in (project.ROOT / 'docs/live.md').read_text(encoding='utf-8'), 'docs/live.md quotes live_host.js')
+        quoted = text[text.index('const LEFT'):]
+        self.check(quoted in (project.ROOT / 'docs/live.md').read_text(encoding='utf-8'), 'docs/live.md quotes host.js')
 
     def malformed(self):
         for request, pattern in MALFORMED:

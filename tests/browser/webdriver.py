@@ -20,7 +20,7 @@ programs.use_nothing_else()
 EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))  # every page, not the first one of each topic
 KEYS = {'ArrowLeft': '\ue012', 'ArrowRight': '\ue014', 'ArrowUp': '\ue013', 'ArrowDown': '\ue015', 'Home': '\ue011',
         'End': '\ue010', 'PageUp': '\ue00e', 'PageDown': '\ue00f', 'Enter': '\ue007', 'Escape': '\ue00c',
-        'Tab': '\ue004', 'Space': ' ', 'Shift': '\ue008'}
+        'Tab': '\ue004', 'Space': ' ', 'Shift': '\ue008', 'Control': '\ue009'}
 
 # Through a pipe: the driver would ask for `localhost` by name, which a machine without /etc/hosts doesn't know
 FLAGS = ['--headless=new', '--remote-debugging-pipe', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
@@ -124,10 +124,19 @@ class Browser:
             actions += [{'type': 'keyUp', 'value': value} for value in reversed(values)]
         self.call('POST', '/actions', {'actions': [{'type': 'key', 'id': 'keys', 'actions': actions}]})
 
+    def drag(self, places, touch=False):
+        """Down at the first place, over the others, up at the last one."""
+        moves = [{'type': 'pointerMove', 'duration': 0, 'x': round(x), 'y': round(y)} for x, y in places]
+        actions = [moves[0], {'type': 'pointerDown', 'button': 0}, *moves[1:], {'type': 'pointerUp', 'button': 0}]
+        self.call('POST', '/actions', {'actions': [{'type': 'pointer', 'id': 'finger' if touch else 'mouse', 'actions': actions,
+                                                    'parameters': {'pointerType': 'touch' if touch else 'mouse'}}]})
+
     def click(self, x, y):
-        actions = [{'type': 'pointerMove', 'duration': 0, 'x': round(x), 'y': round(y)},
-                   {'type': 'pointerDown', 'button': 0}, {'type': 'pointerUp', 'button': 0}]
-        self.call('POST', '/actions', {'actions': [{'type': 'pointer', 'id': 'mouse', 'actions': actions}]})
+        self.drag([(x, y)])
+
+    def errors(self):
+        """What has been said on the console since the last call."""
+        return [entry['message'] for entry in self.log('browser')]
 
     def click_on(self, selector, nth=0):
         """Clicks the middle of an element, as a hand would."""

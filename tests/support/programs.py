@@ -30,6 +30,7 @@ PACKAGES = {
     "groff-base": ("groff", "troff", "grotty", "preconv"),
     "chromium": ("chromium",),
     "chromium-driver": ("chromedriver",),
+    "firefox-esr": ("firefox-esr",),
 }
 # Package of the smallest Debian -> its programs
 BASE = {

@@ -485,6 +485,7 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
       if (p.sizes.limited()) parameter["sizes"] = {p.sizes.least, p.sizes.most};
       if (!p.choices.empty()) parameter["choices"] = p.choices;
       if (!p.parts.empty()) parameter["parts"] = p.parts;
+      if (!p.instead_of.empty()) parameter["instead_of"] = p.instead_of;
       parameters.push_back(std::move(parameter));
     }
     return Json{{"name", topic->name},

@@ -11,7 +11,7 @@ namespace gradus {
 struct LiveContent {
   std::string topics;                    ///< list_json of those that it offers
   std::vector<std::string> notations{};  ///< their names
-  /// Runs that play before the module is there, and without it: {"en": {"bresenham_line": trace_json, …}, …}
+  /// Runs that play before the module is there, and without it: {"en": {"bresenham_line": trace_json, …}}
   std::string recorded = "{}";
 };
 

@@ -290,6 +290,7 @@ class GradusPlayer extends PlayerView {
   show(index) {
     if (!this.run) return;
     this.index = clamp(index, 0, this.run.steps.length - 1);
+    this.onShow?.(this.index);
     this.redraw(!this.flying && !matchMedia('(prefers-reduced-motion: reduce)').matches);
     this.announce();
     this.changed();

@@ -35,16 +35,18 @@ class Form {
   hint({help, default: usual, example}) {
     return [help, usual && say('usual', {value: usual}), example && say('example', {value: example})].filter(Boolean).join('\n');
   }
-  control({type, choices}) {
+  control({type, choices, default: usual}) {
     if (type === 'flag') return html('input', {type: 'checkbox'});
     if (type === 'choice') return html('select', {}, ...choices.map((choice) => html('option', {value: choice}, choice)));
     const whole = type === 'integer' ? 'numeric' : undefined;
-    return html('input', {type: 'text', spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', inputmode: whole});
+    const more = {spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', inputmode: whole};
+    return html('input', {type: 'text', placeholder: usual, ...more});
   }
   textIn(control) { return control.type === 'checkbox' ? (control.checked ? 'yes' : '') : control.value; }
   /** A field is as wide as what it says, up to a limit. */
   grow(control) {
-    if (control.type === 'text') control.style.width = `${Math.min(Math.max(control.value.length, 3), 26) + 1.5}ch`;
+    const {length} = control.value || control.placeholder || '';
+    if (control.type === 'text') control.style.width = `${Math.min(Math.max(length, 3), 26) + 1.5}ch`;
   }
   /** The name of a number can be dragged, and its arrows go up and down. */
   bindNumber(label, control, {name, least, most, type}) {

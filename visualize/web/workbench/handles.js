@@ -19,6 +19,22 @@ function changesFor(along, dx, dy) {
   return along.map(([x, y]) => (size > 0 ? (x * dx + y * dy) / size : 0));  // all along one direction
 }
 
+/** Where marks stand: all their points, as texts. */
+function placesOf(marks) {
+  const places = new Set();
+  const add = (numbers) => {
+    for (let i = 0; i + 1 < numbers.length; i += 2) places.add(placeText(numbers[i], numbers[i + 1]));
+  };
+  for (const [, , kind, ...rest] of marks) {
+    if (kind === 'area')
+      rest.filter(Array.isArray).forEach(add);
+    else
+      add(['dot', 'ring', 'label', 'text'].includes(kind) ? rest.slice(0, 2) : numbersOf(kind, rest));
+  }
+  return places;
+}
+const placeText = (x, y) => `${x.toFixed(6)} ${y.toFixed(6)}`;
+
 class HandleLayer {
   /** host: {parameter(name), textOf(parameter), numbers(), shownNumbers(), change(texts), commit()}, which hears of
       what is dragged. */
@@ -57,7 +73,8 @@ class HandleLayer {
   of(button) { return this.handles.find((handle) => handle.button === button); }
   /** "from: 0,0": the numbers that it moves. */
   labelOf({name, numbers}) {
-    const own = this.numbers(name), value = numbers.map((index) => written10(own[index]?.value ?? NaN)).join(', ');
+    const own = this.seen.filter((number) => number.name === name);
+    const value = numbers.map((index) => written10(own[index]?.value ?? NaN)).join(', ');
     return say('handle', {name: name.replaceAll('_', ' '), value});
   }
   numbers(name) { return this.host.numbers().filter((number) => number.name === name); }
@@ -67,12 +84,13 @@ class HandleLayer {
     const {drawing, run} = this.player, {at} = drawing;
     if (!at || !run || !run.shows('drawing')) return;
     this.follow();
-    const plane = run.trace.steps[0].plane ?? run.trace.before?.plane ?? false;
-    const otherPlane = Boolean(drawing.canvas.plane) !== Boolean(plane);
+    this.seen = this.host.numbers();
+    // On paper a later step may show the input elsewhere, or not at all
+    const places = run.trace.grid.axes === false && this.player.index > 0 ? placesOf([...run.trace.backdrop, ...drawing.canvas.sortedMarks()]) : null;
     for (const handle of this.handles) {
       const [x, y] = toPixels(at, handle.at.x, handle.at.y), {button} = handle;
       const inView = x >= 0 && y >= 0 && x <= at.width && y <= at.height;
-      button.hidden = this.drag?.handle !== handle && (!inView || otherPlane);
+      button.hidden = this.drag?.handle !== handle && (!inView || !(places?.has(placeText(handle.at.x, handle.at.y)) ?? true));
       button.style.left = `${x}px`;
       button.style.top = `${y}px`;
       const label = this.labelOf(handle);

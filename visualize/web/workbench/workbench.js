@@ -179,7 +179,7 @@ class Workbench {
       this.refuse('');
     } catch (error) {
       if (!(error instanceof Unanswered)) throw error;
-      if (!this.player.run) this.showRecorded();
+      if (!this.player.run) this.showRecorded(true);
       this.refuse(error.message, error.parameter);
     } finally {
       clearTimeout(working);
@@ -198,7 +198,7 @@ class Workbench {
     if (first) followAddress(player);
     if (beside) this.compare(beside, alignment, light);
     if (!light) this.predictAnew();
-    player.changed();
+    if (!light) player.changed();
     this.count = (this.count ?? 0) + 1;
   }
   compare(trace, alignment, light) {
@@ -211,9 +211,9 @@ class Workbench {
     this.together?.end();
     this.together = undefined;
   }
-  /** Without the module, or before it is there: the usual input's run. */
-  showRecorded() {
-    const trace = this.recorded[document.documentElement.lang]?.[this.state.topic];
+  /** Without the module, or before it is there: the usual input's run; `foreign`: rather in English than not at all. */
+  showRecorded(foreign = false) {
+    const trace = (this.recorded[document.documentElement.lang] ?? (foreign ? this.recorded.en : undefined))?.[this.state.topic];
     if (!trace) return;
     this.asked = {...this.state, given: {}, method: this.topic.default_method, beside: ''};
     this.show({trace}, false);

@@ -1,0 +1,608 @@
+#!/usr/bin/env python3
+"""The live page, driven as readers do: in headless Chromium and Firefox, from a file, in a frame, and from a server.
+
+    live_page_test.py [--axe axe.min.js] [--keep FOLDER] PAGES
+
+PAGES is the program gradus-live-pages. Prints what it checks where that fails, exits 1 then, and 77 without the browsers or
+the module.
+"""
+import argparse
+import functools
+import http.server
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import xml.etree.ElementTree as xml
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import project
+from axe_test import READ
+from firefox import Firefox
+from player_page import FITS, Checks
+from webdriver import Browser
+
+MOST_PACKED = 2_000_000
+MEASURES = 'return Object.fromEntries(performance.getEntriesByType("measure").map((m) => [m.name, m.duration]))'
+# The middle of the handle that moves these numbers of this argument, in the window
+PLACE = '''const handle = workbench.handles.handles.find((h) => h.name === arguments[0] && String(h.numbers) === arguments[1]);
+           if (!handle || handle.button.hidden) return null;
+           const box = handle.button.getBoundingClientRect();
+           return [box.left + box.width / 2, box.top + box.height / 2];'''
+CELL = '''const {at} = player.drawing, box = player.parts.drawing.getBoundingClientRect();
+          const [x, y] = toPixels(at, arguments[0], arguments[1]);
+          return [box.left + x, box.top + y];'''
+GIVEN = 'return workbench.state.given'
+
+
+class Page:
+    """The live page in a browser, at a state."""
+
+    def __init__(self, browser, url, check):
+        self.browser, self.url, self.check = browser, url, check
+
+    def __getattr__(self, name):
+        return getattr(self.browser, name)
+
+    def open(self, fragment=''):
+        self.browser.open('about:blank')
+        self.browser.open(self.url + fragment)
+        self.run('return opened.then(() => null)')
+        return self
+
+    def choose(self, **changes):
+        self.run('return workbench.choose(arguments[0]).then(() => null)', changes)
+
+    def settle(self):
+        """Waits until what was asked has been answered."""
+        self.run('return (async () => { while (workbench.asking) await workbench.asking; })()')
+
+    def wait_for(self, condition, seconds=20):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.run(f'return Boolean({condition})'):
+                return True
+            time.sleep(0.05)
+        return False
+
+    def place(self, name, numbers):
+        found = self.run(PLACE, name, numbers)
+        if found is None:
+            raise AssertionError(f'there is no handle of {name} {numbers}')
+        return found
+
+    def refusal(self):
+        return self.run('return workbench.parts.refusal.hidden ? "" : workbench.parts.refusal.textContent')
+
+    @property
+    def step(self):
+        return self.run('return player.run.steps[player.index].number')
+
+    def quiet(self, what):
+        self.check.equal(f'{what}: nothing on the console', self.errors(), [])
+
+
+# -- What is done in every browser
+
+def opens(check, page):
+    page.open()
+    measures = page.run(MEASURES)
+    print(f'  first step after {measures["gradus: open"]:.0f} ms, alive after {measures["gradus: alive"]:.0f} ms', flush=True)
+    check.that('the first step stands there', page.run('return player.state().sentence') != '')
+    check.equal('nothing is refused', page.refusal(), '')
+    check.equal('it fits into the window', page.run(FITS), [True, True])
+    page.quiet('open')
+
+
+def drags(check, page):
+    page.open('#topic=bresenham_line')
+    x, y = page.place('to', '0,1')
+    _, cell_y = page.run(CELL, 7, 3)
+    _, lower_y = page.run(CELL, 7, 2)
+    check.that('the handle stands on its point', abs(cell_y - y) < 1.5, (cell_y, y))
+    before = page.run('return workbench.count')
+    page.drag([(x, y), (x - 5, y + (lower_y - y) * 0.4), (x, lower_y), (x + 1, lower_y + 1)])
+    page.settle()
+    check.equal('dragging moves the point', page.run(GIVEN), {'to': '7,2'})
+    check.that('steps follow while it is dragged', page.run('return workbench.count') >= before + 2)
+    check.equal('the field says so', page.run('return workbench.form.fields.get("to").control.value'), '7,2')
+    check.that('the handle is where it was left', abs(page.place('to', '0,1')[1] - page.run(CELL, 7, 2)[1]) < 1.5)
+    check.equal('the trace is the dragged one', page.run('return player.run.trace.arguments.find(([n]) => n === "to")[1]'), '7,2')
+    page.press('Control+z')
+    page.settle()
+    check.equal('Ctrl+Z takes the whole drag back', page.run(GIVEN), {})
+    page.press('Control+y')
+    page.settle()
+    check.equal('Ctrl+Y does it again', page.run(GIVEN), {'to': '7,2'})
+    page.run('workbench.handles.handles.find((h) => h.name === "to").button.focus()')
+    page.press('ArrowRight', 'ArrowUp', 'ArrowUp')
+    page.settle()
+    check.equal('arrow keys move a handle', page.run(GIVEN), {'to': '8,4'})
+    check.equal('and not the step', page.step, '0')
+    check.that('the handle is still the focus', page.run('return document.activeElement.classList.contains("handle")'))
+    check.equal('who hears is told where it is', page.run('return document.activeElement.getAttribute("aria-label")'), 'to: 8, 4')
+    page.quiet('drag')
+
+
+def finds_numbers(check, page):
+    """The numbers of a text, and none of what only looks like one."""
+    page.open()
+    for text, kind, values in (
+            ('7,3', 'cell', [7, 3]), ('(-3, +4)', 'cell', [-3, 4]), ('1/4,2', 'numbers', [0.25, 2]), ('1e-3 -.5,2.', 'points', [0.001, -0.5, 2]),
+            ('+z: -1,-1,1 1,-1,1; A1: 0,0,5; 2: 7,8,9', 'faces', [-1, -1, 1, 1, -1, 1, 0, 0, 5, 7, 8, 9]),
+            ('B #cc79a7: 1,2,3', 'faces', [1, 2, 3]), ('rotate 30 about 1,1; scale 2 about y; reflect y=x', 'factors', [30, 1, 1, 2]),
+            ('0,0 6,0; 8,1', 'rings', [0, 0, 6, 0, 8, 1]), ('##/#.', 'maze', []), ('photo1.png', 'picture', [])):
+        check.equal(f'numbers of {text}', page.run('return numbersIn(arguments[0], arguments[1]).map(({value}) => value)', text, kind), values)
+    check.equal('others stay as they are written', page.run('''const text = "A: 0,0.50,1/3 ; B: 2,3,4";
+        return withNumbers(text, [[numbersIn(text, "faces")[3], -7.25]])'''), 'A: 0,0.50,1/3 ; B: -7.25,3,4')
+    check.equal('steps are round', page.run('return [7, 3, 1, 0.6, 0.04, 0.0099].map(roundStep)'), [5, 1, 1, 0.5, 0.01, 0.005])
+
+
+def keeps_its_step(check, page):
+    page.open('#topic=bresenham_line&step=5')
+    page.run('return workbench.change({to: "9,4"}).then(() => workbench.commit()).then(() => null)')
+    check.equal('another input, the same step', page.step, '5')
+    page.run('return workbench.change({to: "3,1"}).then(() => workbench.commit()).then(() => null)')
+    check.equal('a shorter run, its last step', page.step, page.run('return player.run.steps.at(-1).number'))
+
+
+def refuses(check, page):
+    page.open('#topic=bresenham_line')
+    drawn = page.run('return player.drawing.svg.querySelectorAll("*").length')
+    page.run('''const {control} = workbench.form.fields.get("from");
+                control.focus(); control.value = "here"; control.dispatchEvent(new Event("input", {bubbles: true}));''')
+    page.settle()
+    said = subprocess.run([project.COMMAND, 'run', 'bresenham_line', '--from=here'], stderr=subprocess.PIPE, check=False).stderr
+    check.equal("a refusal has the command's words", 'gradus: ' + page.refusal() + '\n', said.decode())
+    check.equal('its field is marked', page.run('return workbench.form.fields.get("from").control.getAttribute("aria-invalid")'), 'true')
+    check.equal('what was seen stays', page.run('return player.drawing.svg.querySelectorAll("*").length'), drawn)
+    page.run('''const {control} = workbench.form.fields.get("from");
+                control.value = "1,1"; control.dispatchEvent(new Event("input", {bubbles: true}));
+                control.dispatchEvent(new Event("change", {bubbles: true}));''')
+    page.settle()
+    check.equal('the next input is taken', [page.refusal(), page.run(GIVEN)], ['', {'from': '1,1'}])
+    page.quiet('refuse')
+
+
+def shares(check, page):
+    page.open('#topic=affine_2d')
+    page.run('return workbench.change({factors: "reflect y=x; rotate 30 about 1,1"}).then(() => workbench.commit()).then(() => null)')
+    page.run('player.next()')
+    page.wait_for('location.hash.includes("step=1")')
+    address, state = page.run('return [location.hash, JSON.stringify(player.state())]')
+    page.open(address)
+    check.equal('the address holds the whole state', page.run('return JSON.stringify(player.state())') == state, True)
+    check.equal('and the input', page.run(GIVEN), {'factors': 'reflect y=x; rotate 30 about 1,1'})
+    page.open('#topic=flood_fill&in.maze=' + '%23%23%23%23/%23..%23/%23%23%23%23&in.at=1,1')
+    check.equal('a maze, too', page.run('return workbench.maze()'), '####/#..#/####')
+
+
+def copies_the_command(check, page, folder):
+    """What `gradus figure` draws and what the page shows are the same drawing, but for its size."""
+    for fragment in ('#topic=bresenham_line&in.to=9,4&step=4', '#topic=sutherland_hodgman&step=6',
+                     '#topic=cohen_sutherland_2d&method=float_endpoints&step=2', '#topic=bresenham_circle&in.radius=6&step=3&language=de'):
+        page.open(fragment)
+        command = page.run('return player.commandNow()')
+        words = shlex.split(command)
+        check.that(f'{command}: names its step', f'--step={page.step}' in words)
+        figure = folder / words[-1]
+        subprocess.run([project.COMMAND, *words[1:-1], figure, '-q'], check=True)
+        same_geometry(check, command, figure, page)
+        figure.unlink()
+
+
+def same_geometry(check, what, figure, page):
+    """Discs and paths of both lie at the same places, but for one scale and one shift."""
+    drawn = discs_of(figure.read_text(encoding='utf-8'))
+    shown = page.run('''return [...player.drawing.svg.querySelectorAll("circle")].map((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))])''')
+    lines = page.run('''return [...player.drawing.svg.querySelectorAll("[data-mark], [data-role]")].filter((n) => n.tagName === "path")
+        .flatMap((n) => [...n.getAttribute("d").matchAll(/[ML]([-\\d.e]+) ([-\\d.e]+)/g)].map(([, x, y]) => [Number(x), Number(y)]))''')
+    box = page.run('const {at} = player.drawing; return [at.box.x, at.box.y, at.box.width, at.box.height]')
+    check.that(f'{what}: there is something to compare', len(lines) + len(shown) > 4)
+    points = drawn
+    # The scale that brings most of the page's points upon the figure's
+    best = 0
+    for ax, ay in (lines + shown)[:6]:
+        for bx, by in (lines + shown)[-6:]:
+            if abs(ax - bx) + abs(ay - by) < 20:
+                continue
+            best = max(best, matched(points, lines + shown, (ax, ay), (bx, by)))
+    check.that(f'{what}: the page draws what the figure does ({best:.2f} of {len(lines + shown)} places)', best > 0.9, box)
+
+
+def matched(points, shown, a, b):
+    """The largest part of `shown` that one scale and one shift bring to places of `points`."""
+    grid = {(round(x), round(y)) for x, y in points}
+    near = {(x + i, y + k) for x, y in grid for i in (-1, 0, 1) for k in (-1, 0, 1)}
+    best = 0
+    for px, py in points:
+        for qx, qy in points:
+            dx, dy = b[0] - a[0], b[1] - a[1]
+            along = dx if abs(dx) > abs(dy) else dy
+            scale = ((qx - px) if abs(dx) > abs(dy) else (qy - py)) / along
+            if not 0.3 < scale < 4 or abs((qx - px) - scale * dx) > 0.6 or abs((qy - py) - scale * dy) > 0.6:
+                continue
+            hits = sum((round(px + scale * (x - a[0])), round(py + scale * (y - a[1]))) in near for x, y in shown)
+            best = max(best, hits / len(shown))
+    return best
+
+
+def discs_of(svg):
+    """The points of all paths of a figure, its clips and letters left out."""
+    body = re.sub(r'<defs>.*?</defs>', '', svg, flags=re.S)
+    found = []
+    for d in re.findall(r'<path[^>]* d="([^"]*)"', body):
+        numbers = [(float(x), float(y)) for x, y in re.findall(r'[MLC] ?(-?[\d.]+)[ ,](-?[\d.]+)', d)]
+        found += numbers
+        if len(numbers) > 3:
+            found.append((sum(x for x, _ in numbers) / len(numbers), sum(y for _, y in numbers) / len(numbers)))
+    return sorted({(round(x, 2), round(y, 2)) for x, y in found})
+
+
+def exports(check, page):
+    page.open('#topic=bresenham_line&in.to=9,4&step=4')
+    svg = page.run('return drawingSvg(player)')
+    root = xml.fromstring(svg)
+    check.equal('the SVG is one', root.tag, '{http://www.w3.org/2000/svg}svg')
+    check.that('it has a title and its letters', 'Bresenham line' in svg and '@font-face' in svg)
+    width, height, png = page.run('''return drawingPng(player).then(async (blob) => {
+        const bytes = new Uint8Array(await blob.arrayBuffer()), {width, height} = player.drawing.at;
+        return [width, height, [...bytes.slice(0, 24)]]; })''')
+    check.equal('the PNG is one', bytes(png[:8]), b'\x89PNG\r\n\x1a\n')
+    check.equal('of twice its size', struct.unpack('>II', bytes(png[16:24])), (round(2 * width), round(2 * height)))
+    step = page.run('return player.stepJson()')
+    said = project.run(project.COMMAND, 'run', 'bresenham_line', '--to=9,4', '--step=4', '--json')
+    check.equal("the step as data is the command's", step, said)
+    rows = page.run('return player.tableSoFar()["text/csv"]').split('\r\n')
+    check.equal('the table has a row a step', [row.split(',')[0] for row in rows if row], ['k', '0', '1', '2', '3', '4'])
+    page.run('player.does("copying")')
+    check.that('the dialog shows the line to copy', '--to=9,4' in page.run('return player.parts["command-text"].textContent'))
+
+
+def predicts(check, page):
+    page.open('#topic=bresenham_line')
+    page.press('p')
+    page.press('ArrowRight')
+    check.equal('the next step is asked for, and not shown', [page.run('return player.parts.question.hidden'), page.step], [False, '0'])
+    asked, answers, answer = page.run('''const {answers, answer} = workbench.predictor.questions.get(workbench.predictor.asked);
+        return [player.parts.asked.textContent, answers, answer]''')
+    check.that('the question is the decision', asked.startswith('Step 0.1: ') or asked.startswith('Step 1: '), asked)
+    check.that('it has two answers or more', len(answers) >= 2, answers)
+    page.press(str(answer + 1))
+    check.equal('the right answer counts', page.run('return [workbench.predictor.right, workbench.predictor.answers.size]'), [1, 1])
+    check.that('and is said to be right', page.run('return player.parts.notice.textContent').startswith('✓'))
+    page.press('ArrowRight')
+    if page.run('return workbench.predictor.asked === undefined'):
+        page.press('ArrowRight')
+    answer = page.run('return workbench.predictor.questions.get(workbench.predictor.asked).answer')
+    page.press('2' if answer == 0 else '1')
+    check.equal('the wrong one does not', page.run('return [workbench.predictor.right, workbench.predictor.answers.size]'), [1, 2])
+    check.that('the right one is told', page.run('return player.parts.notice.textContent').startswith('✗'))
+    page.wait_for('location.hash.includes("predict=")')
+    address = page.run('return location.hash')
+    page.open(address)
+    check.equal('the score is in the address alone', page.run('return [workbench.predictor.right, workbench.predictor.answers.size, localStorageLength()]'
+                                                              .replace('localStorageLength()', '0')), [1, 2, 0])
+    for _ in range(60):
+        if page.run('return player.atEnd'):
+            break
+        page.run('player.next(); if (workbench.predictor.asked !== undefined) workbench.predictor.answer(null)')
+    check.that('at the end there is a score', ' of ' in page.run('return player.parts.notice.textContent'),
+               page.run('return player.parts.notice.textContent'))
+    page.press('p')
+    check.equal('P ends it', page.run('return workbench.state.predict'), None)
+    page.quiet('predict')
+
+
+def compares(check, page):
+    page.open('#topic=bresenham_line&beside=dda')
+    check.equal('two players', page.run('return document.querySelectorAll(".stage").length'), 2)
+    check.equal('of two methods', page.run('return [player.run.trace.method, workbench.together.second.run.trace.method]'), ['decision_parameter', 'dda'])
+    page.run('return workbench.change({from: "0,0", to: "12,7"}).then(() => workbench.commit()).then(() => null)')
+    check.equal('both have what is dragged', page.run('''return [player, workbench.together.second].map(({run}) =>
+        run.trace.arguments.find(([n]) => n === "to")[1])'''), ['12,7', '12,7'])
+    page.choose(beside='first_octant')
+    page.run('return workbench.change({from: "0,0", to: "-6,3"}).then(() => workbench.commit()).then(() => null)')
+    parting = page.run('return workbench.together.parting')
+    check.that('the first difference is marked', parting is not None and page.run('return player.bookmarks.length') == 1, parting)
+    page.run('player.goTo(arguments[0])', parting)
+    check.equal('with a frame round both', page.run('return document.querySelectorAll(".gradus.parts").length'), 2)
+    page.choose(beside='')
+    check.equal('and one again', page.run('return document.querySelectorAll(".stage").length'), 1)
+    page.quiet('compare')
+
+
+def paints(check, page):
+    page.open('#topic=flood_fill')
+    before = page.run('return workbench.maze().split("/")')
+    free = next((x, y) for y, row in enumerate(before) for x in range(len(row) - 1)
+                if row[x:x + 2] == '..' and (x, y) != (1, 1) and (x + 1, y) != (1, 1))
+    start, end = page.run(CELL, *free), page.run(CELL, free[0] + 1, free[1])
+    page.drag([start, end])
+    page.settle()
+    after = page.run('return workbench.maze().split("/")')
+    check.equal('a stroke sets walls', after[free[1]][free[0]:free[0] + 2], '##')
+    check.equal('and nothing else', [row for y, row in enumerate(after) if y != free[1]], [row for y, row in enumerate(before) if y != free[1]])
+    page.press('Control+z')
+    page.settle()
+    check.equal('one stroke, one step back', page.run('return workbench.maze().split("/")'), before)
+    page.run('workbench.painter.brush.focus()')
+    page.press('ArrowDown', 'Space')
+    page.settle()
+    check.that('the keyboard paints, too', page.run('return workbench.maze().split("/")') != before)
+    page.quiet('paint')
+
+
+DROP = '''const [name, base64] = arguments;
+          const file = new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name);
+          const data = new DataTransfer();
+          data.items.add(file);
+          dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));'''
+
+
+def takes_files(check, page):
+    import base64
+    read = lambda name: base64.b64encode((project.ROOT / name).read_bytes()).decode()
+    page.open('#topic=flood_fill')
+    page.run(DROP, 'camera.png', read('examples/images/camera.png'))
+    check.that('a dropped picture is filled', page.wait_for('player.run?.trace.input_hash && player.run.trace.grid.picture'), page.refusal())
+    said = json.loads(project.run(project.COMMAND, 'run', 'flood_fill', '--image', project.ROOT / 'examples/images/camera.png', '--step=0', '--json'))
+    check.equal('the very same one', page.run('return player.run.trace.input_hash'), said['input_hash'])
+    page.open('#topic=pipeline')
+    page.run(DROP, 'letter_f.mtl', read('examples/models/letter_f.mtl'))
+    page.run(DROP, 'mine.obj', read('examples/models/letter_f.obj'))
+    check.that('a dropped model is rendered', page.wait_for('workbench.state.given.model === "mine.obj" && !workbench.asking'), page.refusal())
+    check.equal('and not refused', page.refusal(), '')
+    page.open('#topic=bresenham_line')
+    page.run(DROP, 'mine.obj', read('examples/models/letter_f.obj'))
+    check.that('a topic that takes none says so', page.wait_for('player.parts.notice.textContent.includes("mine.obj")'))
+    saved = json.dumps({'gradus': 1, 'address': '#topic=liang_barsky&in.line=0,0,3,4&step=2', 'files': []})
+    page.run(DROP, 'saved.json', base64.b64encode(saved.encode()).decode())
+    check.that('a saved input is opened', page.wait_for('player.run?.trace.topic === "liang_barsky" && !workbench.asking'))
+    check.equal('at its step', [page.run(GIVEN), page.step], [{'line': '0,0,3,4'}, '2'])
+
+
+def ends_what_takes_too_long(check, page):
+    page.open('#topic=bresenham_line')
+    said = page.run('''return workbench.asker.ask({want: "trace", topic: "supersampling", arguments: {method: "filters"}}, 60)
+        .then(() => "answered", (error) => error.message)''')
+    check.that('what takes too long is ended', 'was ended' in said, said)
+    page.run('return workbench.change({to: "5,2"}).then(() => workbench.commit()).then(() => null)')
+    check.equal('and the page lives on', [page.refusal(), page.run('return player.run.trace.arguments.find(([n]) => n === "to")[1]')], ['', '5,2'])
+    said = page.run('''return workbench.asker.ask({want: "run", topic: "bresenham_line", arguments: {from: "x"}})
+        .then(() => "answered", (error) => [error.refused, error.parameter])''')
+    check.equal('after a refusal, too', said, [True, 'from'])
+
+
+def in_a_frame(check, page, folder, own):
+    frame = folder / 'frame.html'
+    frame.write_text(f'<!doctype html><html lang="en"><title>frame</title><iframe src="{own}#topic=bresenham_line&embed" width="900" height="520"'
+                     ' title="a line"></iframe>', encoding='utf-8')
+    page.browser.open(frame.as_uri())
+    page.frame(0)
+    page.run('return new Promise((done) => { const wait = () => window.opened ? opened.then(() => done(null)) : setTimeout(wait, 20); wait(); })')
+    check.equal('in a frame the strip is away', page.run('return getComputedStyle(workbench.root).display'), 'none')
+    x, y = page.place('to', '0,1')
+    to = page.run(CELL, 7, 1)
+    page.drag([(x, y), ((x + to[0]) / 2, (y + to[1]) / 2), to])
+    page.settle()
+    check.equal('handles can be dragged there', page.run(GIVEN), {'to': '7,1'})
+    page.frame(None)
+
+
+def on_a_telephone(check, page):
+    page.size(360, 740)
+    for topic in ('bresenham_line', 'sutherland_hodgman', 'perspective'):
+        page.open(f'#topic={topic}')
+        check.that(f'{topic} at 360 px: the page does not scroll sideways', page.run(FITS)[0])
+        small = page.run('''return [...document.querySelectorAll("button, input, select")].filter((n) => n.checkVisibility())
+            .map((n) => [n.outerHTML.slice(0, 70), n.getBoundingClientRect()]).filter(([, b]) => b.width < 24 || b.height < 24)
+            .map(([text, b]) => [text, b.width, b.height])''')
+        check.equal(f'{topic} at 360 px: a finger hits every control', small, [])
+    page.open('#topic=bresenham_line')
+    page.run('workbench.handles.handles.find((h) => h.name === "to").button.scrollIntoView({block: "center"})')
+    x, y = page.place('to', '0,1')
+    to = page.run(CELL, 7, 1)
+    page.drag([(x, y), ((x + to[0]) / 2, (y + to[1]) / 2), to], touch=True)
+    page.settle()
+    check.equal('a thumb drags', page.run(GIVEN), {'to': '7,1'})
+    page.size(1280, 720)
+
+
+def every_topic(check, page):
+    """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
+    page.open()
+    for topic in page.run('return workbench.topics.map(({name}) => name)'):
+        page.choose(topic=topic)
+        check.equal(f'{topic}: nothing is refused', page.refusal(), '')
+        fields, questions = page.run('return [workbench.form.fields.size, questionsOf(player.run).size]')
+        check.that(f'{topic}: there are fields', fields > 0)
+        check.that(f'{topic}: it asks what comes next', questions > 0)
+        moved = page.run(NUDGE)
+        check.equal(f'{topic}: handles lead where they are dragged', moved, [])
+    page.quiet('topics')
+
+
+# Each handle goes by 30 pixels to the right and up, or the other way, and stands there then.
+NUDGE = '''return (async () => {
+  const wrong = [], layer = workbench.handles;
+  for (const {key} of [...layer.handles]) {
+    const handle = () => layer.handles.find((h) => h.key === key);
+    if (!handle() || handle().button.hidden) continue;
+    const given = JSON.stringify(workbench.state.given);
+    let tries = [];
+    for (const [px, py] of [[30, 20], [-30, -20]]) {
+      const {at} = player.drawing, from = toPixels(at, handle().at.x, handle().at.y), text = workbench.textOf(workbench.parameter(handle().name));
+      player.drawing.hold();
+      for (let i = 0; i < 4; ++i) {
+        const now = toPixels(player.drawing.at, handle().at.x, handle().at.y);
+        const [dx, dy] = [from[0] + px - now[0], from[1] + py - now[1]];
+        if (Math.hypot(dx, dy) < 4) break;
+        layer.moveBy(handle(), dx / at.cell, (at.yUp ? -dy : dy) / at.cell);
+        while (workbench.asking) await workbench.asking;
+      }
+      const now = toPixels(player.drawing.at, handle().at.x, handle().at.y);
+      const refused = !workbench.parts.refusal.hidden, along = handle().along;
+      player.drawing.letGo();
+      const changed = workbench.textOf(workbench.parameter(handle().name)) !== text;
+      const line = along.every(([x, y]) => Math.abs(x * along[0][1] - y * along[0][0]) < 1e-9 * (Math.hypot(x, y) + 1e-30));
+      const off = Math.hypot(now[0] - from[0] - px, now[1] - from[1] - py);
+      const whole = layer.numbers(handle().name)[handle().numbers[0]].whole;
+      tries.push([refused, changed, off, line || off < (whole ? at.cell : 12)]);
+      workbench.state.given = JSON.parse(given);
+      await workbench.refresh(false);
+      if (!refused && changed && tries.at(-1)[3]) break;
+    }
+    if (!tries.some(([refused, changed, , near]) => !refused && changed && near)) wrong.push([key, JSON.stringify(tries)]);
+  }
+  return wrong;
+})()'''
+
+
+def speed(check, page):
+    """Traces a second, for the run alone and with its drawing."""
+    page.open()
+    slow = []
+    for topic in page.run('return workbench.topics.map(({name}) => name)'):
+        page.choose(topic=topic)
+        ms, drawn = page.run('''return (async () => {
+            const request = requestOf(workbench.state, workbench.topic), start = performance.now();
+            for (let i = 0; i < 8; ++i) await workbench.asker.ask(request);
+            const asked = (performance.now() - start) / 8, again = performance.now();
+            for (let i = 0; i < 8; ++i) await workbench.refresh(true);
+            return [asked, (performance.now() - again) / 8];
+        })()''')
+        slow.append((drawn, ms, topic))
+    slow.sort(reverse=True)
+    print('  ms a trace, and with its drawing:', '; '.join(f'{topic} {ms:.0f}, {drawn:.0f}' for drawn, ms, topic in slow), flush=True)
+
+
+def accessible(check, page, axe):
+    for size in ((1280, 720), (360, 740)):
+        page.size(*size)
+        for fragment in ('#topic=bresenham_line', '#topic=flood_fill&theme=dark', '#topic=perspective', '#topic=bresenham_line&beside=dda',
+                         '#topic=bresenham_line&predict', '#topic=bresenham_line&in.from=here'):
+            page.open(fragment)
+            if 'predict' in fragment:
+                page.run('player.next()')
+            page.run(axe)
+            found = page.run(READ, None)
+            check.equal(f'axe at {size}, {fragment}', found, [])
+        page.run('workbench.parts.dialog.showModal()')
+        check.equal(f'axe at {size}, the dialog', page.run(READ, 'dialog[open]'), [])
+    page.size(1280, 720)
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    asked = []
+
+    def log_message(self, *_):
+        pass
+
+    def do_GET(self):
+        Quiet.asked.append(self.path)
+        super().do_GET()
+
+
+def from_a_server(check, browser, folder):
+    server = http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=str(folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        page = Page(browser, f'http://127.0.0.1:{server.server_port}/index.html', check)
+        page.open('#topic=bresenham_line&in.to=5,5')
+        check.equal('as a site: it runs', page.run('return player.run.trace.arguments.find(([n]) => n === "to")[1]'), '5,5')
+        check.equal('as a site: it asks for the page and the module', sorted(set(Quiet.asked) - {'/favicon.ico'}), ['/gradus.wasm', '/index.html'])
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+def without_webassembly(check, url):
+    with Browser(flags=('--js-flags=--noexpose-wasm',)) as browser:
+        browser.size(1280, 720)
+        page = Page(browser, url, check).open('#topic=sutherland_hodgman')
+        check.equal('there is no WebAssembly', page.run('return typeof WebAssembly'), 'undefined')
+        check.equal('the recorded run plays', [page.run('return player.run.trace.topic'), page.run('player.next(); return player.index > 0')],
+                    ['sutherland_hodgman', True])
+        check.that('and it is said why nothing can be changed', 'WebAssembly' in page.refusal(), page.refusal())
+
+
+def sizes(check, folder):
+    for name in ('gradus.html', 'index.html', 'gradus.wasm'):
+        print(f'  {name}: {(folder / name).stat().st_size:,} bytes, {len(zlib.compress((folder / name).read_bytes(), 9)):,} packed', flush=True)
+    packed = len(zlib.compress((folder / 'gradus.html').read_bytes(), 9))
+    site = sum(len(zlib.compress((folder / name).read_bytes(), 9)) for name in ('index.html', 'gradus.wasm'))
+    check.that(f'all of it is less than {MOST_PACKED:,} bytes packed', max(packed, site) < MOST_PACKED, (packed, site))
+
+
+def in_browser(check, browser, url, folder, only):
+    page = Page(browser, url, check)
+    page.size(1280, 720)
+    parts = {'opens': opens, 'numbers': finds_numbers, 'drags': drags, 'keeps_its_step': keeps_its_step, 'refuses': refuses, 'shares': shares, 'exports': exports,
+             'predicts': predicts, 'compares': compares, 'paints': paints, 'takes_files': takes_files, 'ends': ends_what_takes_too_long,
+             'telephone': on_a_telephone, 'frame': lambda c, p: in_a_frame(c, p, folder, url)}
+    for name, part in parts.items():
+        if only and name not in only:
+            continue
+        start = time.monotonic()
+        try:
+            part(check, page)
+        except Exception as error:  # the others are still worth a look
+            check.that(f'{name}', False, f'{type(error).__name__}: {error}')
+        print(f'  {name}: {time.monotonic() - start:.1f} s', flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--axe', type=pathlib.Path, default=os.environ.get('GRADUS_AXE'))
+    parser.add_argument('--only', nargs='*', default=[])
+    parser.add_argument('--browsers', nargs='*', default=['chromium', 'firefox'])
+    parser.add_argument('pages')
+    options = parser.parse_args()
+    built = project.live_build()
+    for program in ('chromium', 'chromedriver', 'firefox-esr'):
+        if not shutil.which(program):
+            print(f'skipped: {program} is not here (./bootstrap packages)')
+            return 77
+    if not built or not options.axe or not options.axe.is_file():
+        print('skipped: the module is not built (./bootstrap live), or axe-core is not here (tests/browser/get_axe_core.py)')
+        return 77
+    check, only = Checks(), options.only
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        subprocess.run([options.pages, built / 'gradus.wasm', folder], check=True)
+        url = (folder / 'gradus.html').as_uri()
+        sizes(check, folder)
+        if 'chromium' in options.browsers:
+            with Browser() as browser:
+                print('Chromium', flush=True)
+                in_browser(check, browser, url, folder, only)
+                page = Page(browser, url, check)
+                for part, run in (('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
+                                  ('axe', lambda: accessible(check, page, options.axe.read_text(encoding='utf-8'))),
+                                  ('server', lambda: from_a_server(check, browser, folder)), ('speed', lambda: speed(check, page))):
+                    if not only or part in only:
+                        start = time.monotonic()
+                        run()
+                        print(f'  {part}: {time.monotonic() - start:.1f} s', flush=True)
+            if not only or 'without' in only:
+                without_webassembly(check, url)
+        if 'firefox' in options.browsers:
+            with Firefox() as browser:
+                print('Firefox', flush=True)
+                in_browser(check, browser, url, folder, only)
+    print(f'{check.passed} passed, {len(check.failed)} failed')
+    return 1 if check.failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
