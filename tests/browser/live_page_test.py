@@ -189,7 +189,7 @@ def shares(check, page):
 def copies_the_command(check, page, folder):
     """What `gradus figure` draws and what the page shows are the same drawing, but for its size."""
     for fragment in ('#topic=bresenham_line&in.to=9,4&step=4', '#topic=sutherland_hodgman&step=6',
-                     '#topic=cohen_sutherland_2d&method=float_endpoints&step=2', '#topic=bresenham_circle&in.radius=6&step=3&language=de'):
+                     '#topic=cohen_sutherland_2d&step=2', '#topic=perspective&step=3', '#topic=z_buffer&step=20', '#topic=bresenham_circle&in.radius=6&step=3&language=de'):
         page.open(fragment)
         command = page.run('return player.commandNow()')
         words = shlex.split(command)
@@ -200,52 +200,45 @@ def copies_the_command(check, page, folder):
         figure.unlink()
 
 
+SHOWN = '''const out = [], {at} = player.drawing;
+    for (const node of player.drawing.svg.querySelectorAll("[data-id]")) {
+      const {id} = node.dataset;
+      if (out.some(([other]) => other === id)) continue;  // an arrow's head is as large in every drawing
+      if (node.tagName === "circle") out.push([id, [[Number(node.getAttribute("cx")), Number(node.getAttribute("cy"))]]]);
+      if (node.tagName === "path") out.push([id, [...node.getAttribute("d").matchAll(/[ML]([-\\d.e]+) ([-\\d.e]+)/g)].map(([, x, y]) => [Number(x), Number(y)])]);
+    }
+    for (const [x, y, , , color] of player.drawing.visibleCells()) {
+      if (color) continue;
+      const [px, py] = toPixels(at, x, y);
+      out.push([`cell ${x},${y}`, [[px - at.cell / 2, py - at.cell / 2]]]);
+    }
+    return out;'''
+
+
 def same_geometry(check, what, figure, page):
-    """Discs and paths of both lie at the same places, but for one scale and one shift."""
-    drawn = discs_of(figure.read_text(encoding='utf-8'))
-    shown = page.run('''return [...player.drawing.svg.querySelectorAll("circle")].map((c) => [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))])''')
-    lines = page.run('''return [...player.drawing.svg.querySelectorAll("[data-mark], [data-role]")].filter((n) => n.tagName === "path")
-        .flatMap((n) => [...n.getAttribute("d").matchAll(/[ML]([-\\d.e]+) ([-\\d.e]+)/g)].map(([, x, y]) => [Number(x), Number(y)]))''')
-    box = page.run('const {at} = player.drawing; return [at.box.x, at.box.y, at.box.width, at.box.height]')
-    check.that(f'{what}: there is something to compare', len(lines) + len(shown) > 4)
-    points = drawn
-    # The scale that brings most of the page's points upon the figure's
-    best = 0
-    for ax, ay in (lines + shown)[:6]:
-        for bx, by in (lines + shown)[-6:]:
-            if abs(ax - bx) + abs(ay - by) < 20:
-                continue
-            best = max(best, matched(points, lines + shown, (ax, ay), (bx, by)))
-    check.that(f'{what}: the page draws what the figure does ({best:.2f} of {len(lines + shown)} places)', best > 0.9, box)
+    """Marks and cells of both lie at the same places, but for one scale and one shift."""
+    drawn = drawn_in(figure)
+    pairs = [(p, q) for name, places in page.run(SHOWN) for p, q in zip(places, drawn.get(name, ())) if len(places) == len(drawn[name])]
+    check.that(f'{what}: there is something to compare', len(pairs) > 8, len(pairs))
+    # Two places that are far apart tell scale and shift
+    (first, there), (last, at_last) = (end(pairs, key=lambda pair: sum(pair[0])) for end in (min, max))
+    scale = (sum(at_last) - sum(there)) / (sum(last) - sum(first))
+    off = [max(abs(there[i] + scale * (p[i] - first[i]) - q[i]) for i in (0, 1)) for p, q in pairs]
+    check.that(f'{what}: the page draws what the figure does ({len(pairs)} places)', max(off) < 0.05, max(off))
 
 
-def matched(points, shown, a, b):
-    """The largest part of `shown` that one scale and one shift bring to places of `points`."""
-    grid = {(round(x), round(y)) for x, y in points}
-    near = {(x + i, y + k) for x, y in grid for i in (-1, 0, 1) for k in (-1, 0, 1)}
-    best = 0
-    for px, py in points:
-        for qx, qy in points:
-            dx, dy = b[0] - a[0], b[1] - a[1]
-            along = dx if abs(dx) > abs(dy) else dy
-            scale = ((qx - px) if abs(dx) > abs(dy) else (qy - py)) / along
-            if not 0.3 < scale < 4 or abs((qx - px) - scale * dx) > 0.6 or abs((qy - py) - scale * dy) > 0.6:
-                continue
-            hits = sum((round(px + scale * (x - a[0])), round(py + scale * (y - a[1]))) in near for x, y in shown)
-            best = max(best, hits / len(shown))
-    return best
-
-
-def discs_of(svg):
-    """The points of all paths of a figure, its clips and letters left out."""
-    body = re.sub(r'<defs>.*?</defs>', '', svg, flags=re.S)
-    found = []
-    for d in re.findall(r'<path[^>]* d="([^"]*)"', body):
-        numbers = [(float(x), float(y)) for x, y in re.findall(r'[MLC] ?(-?[\d.]+)[ ,](-?[\d.]+)', d)]
-        found += numbers
-        if len(numbers) > 3:
-            found.append((sum(x for x, _ in numbers) / len(numbers), sum(y for _, y in numbers) / len(numbers)))
-    return sorted({(round(x, 2), round(y, 2)) for x, y in found})
+def drawn_in(figure):
+    """The places of a figure's discs, lines and cells, by their names."""
+    found = {}
+    for node in xml.parse(figure).iter():
+        name, kind = node.get('data-id'), node.tag.rsplit('}', 1)[-1]
+        if kind == 'circle':
+            found[name] = [(float(node.get('cx')), float(node.get('cy')))]
+        elif kind == 'path' and name:
+            found.setdefault(name, [(float(x), float(y)) for x, y in re.findall(r'[ML](-?[\d.]+) (-?[\d.]+)', node.get('d'))])
+        elif kind == 'rect' and name and name.startswith('cell '):
+            found[name] = [(float(node.get('x')), float(node.get('y')))]
+    return found
 
 
 def exports(check, page):
@@ -527,8 +520,9 @@ def from_a_server(check, browser, folder):
 
 
 def without_webassembly(check, url):
-    with Browser(flags=('--js-flags=--noexpose-wasm',)) as browser:
+    with Browser() as browser:
         browser.size(1280, 720)
+        browser.cdp('Page.addScriptToEvaluateOnNewDocument', source='delete window.WebAssembly')
         page = Page(browser, url, check).open('#topic=sutherland_hodgman')
         check.equal('there is no WebAssembly', page.run('return typeof WebAssembly'), 'undefined')
         check.equal('the recorded run plays', [page.run('return player.run.trace.topic'), page.run('player.next(); return player.index > 0')],

@@ -341,6 +341,7 @@ class Drawing {
     const look = this.lookOf(role, quantityOf(rest));
     const attributes = {
       'data-role': this.run.trace.roles[role],
+      'data-id': id,
       ...(standing === 'free' ? {'data-mark': id} : {'pointer-events': 'none'})
     };
     if (kind === 'area')

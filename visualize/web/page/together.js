@@ -29,11 +29,14 @@ class Together {
     this.following = false;
     if (light) return first.onChange();
     // Two of each region: the players' names tell them apart
-    for (const player of [first, second])
+    for (const player of [first, second]) {
+      const {trace} = player.run, name = `${player.name}, ${trace.method_title || trace.method}`;
+      player.root.setAttribute('aria-label', name);
       for (const region of player.root.querySelectorAll('section[aria-label]')) {
         region.dataset.label ??= region.getAttribute('aria-label');
-        region.setAttribute('aria-label', `${region.dataset.label}: ${player.name}`);
+        region.setAttribute('aria-label', `${region.dataset.label}: ${name}`);
       }
+    }
     first.onChange();
   }
   /** A bookmark where the runs part. */

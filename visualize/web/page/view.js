@@ -274,7 +274,7 @@ class PlayerView {
   resize() {
     const {root} = this, width = root.clientWidth;
     // Of two side by side each has a drawing alone
-    const together = root.parentElement.classList.contains('together');
+    const together = root.parentElement?.classList.contains('together');
     const narrow = width < (together || root.classList.contains('embedded') ? 560 : 700);
     root.dataset.layout = narrow ? 'narrow' : 'wide';
     this.unit = narrow ? 15 : clamp(Math.min(root.clientHeight / 36, width / (together ? 40 : 64)), 12, 80);

@@ -90,7 +90,7 @@ class Predictor {
     this.asked = index;
     parts.asked.replaceChildren(...letters.html(text));
     const choices = answers.map((answer, i) => html(
-        'button', {type: 'button', class: 'word', 'data-answer': i, 'aria-label': say('answer', {number: i + 1, text: answer})},
+        'button', {type: 'button', class: 'word', 'data-answer': i},
         html('kbd', {'aria-hidden': 'true'}, String(i + 1)), html('span', {}, ...letters.html(answer))));
     parts.answers.replaceChildren(...(choices.length > 0 ? choices : [this.field(text)]), html('button', {type: 'button', class: 'word quiet'}, say('skip')));
     parts.question.hidden = false;

@@ -179,12 +179,19 @@ class Workbench {
       this.refuse('');
     } catch (error) {
       if (!(error instanceof Unanswered)) throw error;
-      if (!this.player.run) this.showRecorded(true);
+      if (!this.player.run) await this.showUsual(error.refused);
       this.refuse(error.message, error.parameter);
     } finally {
       clearTimeout(working);
       this.root.classList.remove('working');
     }
+  }
+  /** What can be seen when the first input there is can't: the usual one's run, recorded where nothing answers. */
+  async showUsual(answers) {
+    const usual = {...this.state, given: {}, method: this.topic.default_method, beside: ''};
+    if (!answers) return this.showRecorded(true);
+    this.asked = usual;
+    this.show({trace: JSON.parse(await this.asker.ask(requestOf(usual, this.topic)))}, false);
   }
   show({trace, beside, alignment}, light) {
     const {player} = this, first = !player.run, same = player.run?.trace.topic === trace.topic;
