@@ -86,7 +86,7 @@ class WebSocket:
 class Firefox:
     """One Firefox with a profile of its own, with what webdriver.Browser has. Use as a context manager."""
 
-    def __init__(self, binary='firefox-esr', seconds=120):
+    def __init__(self, binary='firefox-esr', seconds=110):
         self.profile = tempfile.mkdtemp(prefix='gradus-firefox-')
         self.count, self.messages, self.frame_context = 0, [], None
         preferences = ''.join(f'user_pref({json.dumps(name)}, {json.dumps(value)});\n' for name, value in PREFERENCES.items())
@@ -137,7 +137,10 @@ class Firefox:
         self.count += 1
         self.socket.send(json.dumps({'id': self.count, 'method': method, 'params': parameters}))
         while True:
-            message = json.loads(self.socket.receive())
+            try:
+                message = json.loads(self.socket.receive())
+            except TimeoutError:
+                raise WebDriverError(f'{method}: no answer; asked with {str(parameters)[:300]}') from None
             if message.get('method') == 'log.entryAdded':
                 self.messages.append(message['params'])
             if message.get('id') != self.count:
@@ -148,7 +151,17 @@ class Firefox:
 
     def open(self, url):
         self.frame_context = None
-        self.call('browsingContext.navigate', context=self.context, url=url, wait='complete')
+        # Waiting for the event by the protocol hangs now and then: the page itself is asked
+        self.call('browsingContext.navigate', context=self.context, url=url, wait='none')
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            try:
+                if self.run('return [location.href, document.readyState]') == [url, 'complete']:
+                    return
+            except WebDriverError:
+                pass  # between two pages there is none
+            time.sleep(0.02)
+        raise WebDriverError(f'{url} does not open')
 
     def frame(self, number):
         """Goes into the page's frame of this number; None: back to the page itself."""

@@ -280,7 +280,7 @@ def predicts(check, page):
     page.press('2' if answer == 0 else '1')
     check.equal('the wrong one does not', page.run('return [workbench.predictor.right, workbench.predictor.answers.size]'), [1, 2])
     check.that('the right one is told', page.run('return player.parts.notice.textContent').startswith('✗'))
-    page.wait_for('location.hash.includes("predict=")')
+    page.wait_for('location.hash.includes(workbench.state.predict)')
     address = page.run('return location.hash')
     page.open(address)
     check.equal('the score is in the address alone', page.run('return [workbench.predictor.right, workbench.predictor.answers.size, localStorageLength()]'
@@ -425,7 +425,7 @@ def every_topic(check, page):
     page.quiet('topics')
 
 
-# Each handle goes by 30 pixels to the right and up, or the other way, and stands there then.
+# Each handle goes by 30 pixels or a cell to the right and up, or the other way, and stands there then.
 NUDGE = '''return (async () => {
   const wrong = [], layer = workbench.handles;
   for (const {key} of [...layer.handles]) {
@@ -433,7 +433,8 @@ NUDGE = '''return (async () => {
     if (!handle() || handle().button.hidden) continue;
     const given = JSON.stringify(workbench.state.given);
     let tries = [];
-    for (const [px, py] of [[30, 20], [-30, -20]]) {
+    const wholly = layer.numbers(handle().name)[handle().numbers[0]].whole, {cell} = player.drawing.at;
+    for (const [px, py] of wholly ? [[cell, cell], [-cell, -cell]] : [[30, 20], [-30, -20]]) {
       const {at} = player.drawing, from = toPixels(at, handle().at.x, handle().at.y), text = workbench.textOf(workbench.parameter(handle().name));
       player.drawing.hold();
       for (let i = 0; i < 4; ++i) {
@@ -449,8 +450,7 @@ NUDGE = '''return (async () => {
       const changed = workbench.textOf(workbench.parameter(handle().name)) !== text;
       const line = along.every(([x, y]) => Math.abs(x * along[0][1] - y * along[0][0]) < 1e-9 * (Math.hypot(x, y) + 1e-30));
       const off = Math.hypot(now[0] - from[0] - px, now[1] - from[1] - py);
-      const whole = layer.numbers(handle().name)[handle().numbers[0]].whole;
-      tries.push([refused, changed, off, line || off < (whole ? at.cell : 12)]);
+      tries.push([refused, changed, off, line || off < (wholly ? 0.6 * at.cell : 12)]);
       workbench.state.given = JSON.parse(given);
       await workbench.refresh(false);
       if (!refused && changed && tries.at(-1)[3]) break;
