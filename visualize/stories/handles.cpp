@@ -67,32 +67,46 @@ class Points {
   std::vector<Movable> found_;
 };
 
-dvec3 in_space(const std::vector<double>& place) {
-  return {place[0], place[1], place.size() > 2 ? place[2] : 0};
+glm::dvec4 with_zeros(const std::vector<double>& place) {
+  glm::dvec4 all(0);
+  for (std::size_t i = 0; i < place.size(); ++i) all[static_cast<int>(i)] = place[i];
+  return all;
+}
+
+/// A thousandth of a point's size, a power of two; of 1 for the origin.
+double a_little(const std::vector<double>& place) {
+  double size = 0;
+  for (const double x : place) size = std::max(size, std::abs(x));
+  return std::ldexp(1.0, (size == 0 ? 0 : std::ilogb(size)) - 10);
+}
+
+/// How far a place goes when this number of its point grows by 1: measured to both sides, or to the one that
+/// is drawn.
+dvec2 along(const glm::dvec4& place, int number, double by, dvec2 drawn,
+            const std::function<std::optional<dvec2>(const glm::dvec4&)>& at) {
+  glm::dvec4 step(0);
+  step[number] = by;
+  const std::optional<dvec2> ahead = at(place + step), back = at(place - step);
+  if (!ahead && !back) return dvec2(0);
+  return (ahead.value_or(drawn) - back.value_or(drawn)) / (ahead && back ? 2 * by : by);
 }
 
 }  // namespace
 
 std::vector<Handle> handles_of(const Arguments::Entry& argument, int dimensions, bool bounds,
-                               const std::function<std::optional<dvec2>(const dvec3&)>& at) {
+                               const std::function<std::optional<dvec2>(const glm::dvec4&)>& at,
+                               std::optional<double> step) {
   Points points(dimensions, bounds);
   std::visit(points, argument.value);
   std::vector<Handle> handles;
   if (points.found().size() > most_handles) return handles;
   for (const Movable& point : points.found()) {
-    const dvec3 place = in_space(point.place);
+    const glm::dvec4 place = with_zeros(point.place);
     const std::optional<dvec2> drawn = at(place);
     if (!drawn) continue;
     Handle handle{argument.name, point.numbers, *drawn, {}};
-    double size = 0;
-    for (const double x : point.place) size = std::max(size, std::abs(x));
-    const double step = size == 0 ? 1 : std::ldexp(1.0, std::ilogb(size) - 10);
-    for (std::size_t i = 0; i < point.place.size(); ++i) {
-      dvec3 moved = place;
-      moved[static_cast<int>(i)] += step;
-      const std::optional<dvec2> there = at(moved);
-      handle.along.push_back(there ? (*there - *drawn) / step : dvec2(0));
-    }
+    const double by = step.value_or(a_little(point.place));
+    for (int i = 0; i < dimensions; ++i) handle.along.push_back(along(place, i, by, *drawn, at));
     handles.push_back(std::move(handle));
   }
   return handles;

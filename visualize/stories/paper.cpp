@@ -64,6 +64,17 @@ std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b) {
   return Stroke{a + enters * (b - a), a + leaves * (b - a)};
 }
 
+std::optional<dvec2> grip(const Extent& frame, const std::vector<dvec2>& ring, dvec2 corner) {
+  if (frame.holds(corner)) return corner;
+  const auto nearest = std::ranges::min_element(ring, {}, [&](dvec2 p) { return length_between(p, corner); });
+  const auto number = static_cast<std::size_t>(nearest - ring.begin()), count = ring.size();
+  for (const std::size_t side : {count - 1, std::size_t{1}}) {
+    const std::optional<Stroke> part = shown_part(frame, corner, ring[(number + side) % count]);
+    if (part && part->a != part->b) return part->a;
+  }
+  return std::nullopt;
+}
+
 Panel::Panel(Extent place, Extent world, Fit fit, bool paper_y_up)
     : place_(place), world_(world), middle_(place.centre()), paper_y_up_(paper_y_up) {
   const dvec2 room = place.size(), size = world.size();

@@ -93,6 +93,11 @@ std::pair<double, double> span_in(const Extent& frame, dvec2 a, dvec2 way, doubl
 /// The part of a segment that a rectangle shows, or nothing.
 std::optional<Stroke> shown_part(const Extent& frame, dvec2 a, dvec2 b);
 
+/// Where a corner of a ring can be taken hold of in a rectangle: at its place, or where the first of its two
+/// sides that are seen there comes in; or nothing. The corner may have been moved a little: it is the ring's
+/// nearest one.
+std::optional<dvec2> grip(const Extent& frame, const std::vector<dvec2>& ring, dvec2 corner);
+
 /// A part of the paper that shows a rectangle of some plane, y up there.
 class Panel {
  public:
@@ -105,6 +110,10 @@ class Panel {
 
   dvec2 at(dvec2 world) const {
     return middle_ + (world - world_.centre()) * dvec2{scale_.x, paper_y_up_ ? scale_.y : -scale_.y};
+  }
+  /// The same of a point that is shown.
+  std::optional<dvec2> shown_at(dvec2 world) const {
+    return shown().holds(world) ? std::optional(at(world)) : std::nullopt;
   }
   /// Paper units a unit of the plane.
   dvec2 scale() const { return scale_; }

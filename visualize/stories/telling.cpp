@@ -215,10 +215,11 @@ void Narrator::backdrop(std::string id, Role role, decltype(Mark::shape) shape) 
   trace().backdrop.push_back({std::move(id), role, std::move(shape)});
 }
 
-void Narrator::add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at) {
+void Narrator::add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at,
+                           std::optional<double> step) {
   const auto declared = std::ranges::find(topic_.parameters, parameter, &Parameter::name);
-  for (Handle& handle :
-       handles_of(arguments_.entry(parameter), dimensions, declared->type == ParameterType::bounds, at))
+  const bool bounds = declared->type == ParameterType::bounds;
+  for (Handle& handle : handles_of(arguments_.entry(parameter), dimensions, bounds, at, step))
     trace().handles.push_back(std::move(handle));
 }
 

@@ -202,11 +202,23 @@ struct LegendKey {
   std::string_view key;
 };
 
-/// Where a drawing shows a point of its input, if it does. Points of the plane have the third coordinate 0.
-using PlaceOnPaper = std::function<std::optional<dvec2>(const dvec3&)>;
+/// Where a drawing shows a point of its input, if it does. Coordinates that it has none of are 0.
+using PlaceOnPaper = std::function<std::optional<dvec2>(const glm::dvec4&)>;
 
 /// A drawing whose coordinates are those of its input.
 inline constexpr auto as_it_is = [](dvec2 p) { return p; };
+/// The same, as far as these cells go.
+inline auto as_it_is_in(const Window& cells) {
+  return [cells](dvec2 p) {
+    const bool shown = p == glm::clamp(p, dvec2(cells.lower) - 0.5, dvec2(cells.upper) + 0.5);
+    return shown ? std::optional(p) : std::nullopt;
+  };
+}
+
+/// A panel of the paper, as far as it shows the plane; it must outlive this.
+inline auto shown_in(const Panel& panel) {
+  return [&panel](dvec2 p) { return panel.shown_at(p); };
+}
 
 /// One run of one method, told.
 class Narrator {
@@ -255,19 +267,16 @@ class Narrator {
   void add_to_legend(Role role, std::string_view key);
   /// Stands unchanged behind all steps.
   void backdrop(std::string id, Role role, decltype(Mark::shape) shape);
-  /// The points of an argument can be dragged: of the plane, or of space, where `at` draws them in step 0, if
-  /// it draws them. Numbers that belong to no point are left out; see also `handle`.
+  /// The points of an argument can be dragged: of the plane, of space, or with a fourth number, where `at`
+  /// draws them in step 0, if it draws them. Numbers that belong to no point are left out; see also `handle`.
+  /// step: by how much a point is moved to measure what that does; 1 where the drawing has it on a grid.
   template <class At>
-  void handles(std::string_view parameter, const At& at) {
-    constexpr bool plane = std::invocable<At, dvec2>;
-    using Place = std::conditional_t<plane, dvec2, dvec3>;
-    add_handles(parameter, plane ? 2 : 3, [&at](const dvec3& p) -> std::optional<dvec2> {
-      if constexpr (plane) {
-        return at(Place(p));
-      } else {
-        return at(p);
-      }
-    });
+  void handles(std::string_view parameter, const At& at, std::optional<double> step = {}) {
+    constexpr int dimensions = std::invocable<At, dvec2> ? 2 : std::invocable<At, dvec3> ? 3 : 4;
+    add_handles(
+        parameter, dimensions,
+        [&at](const glm::dvec4& p) -> std::optional<dvec2> { return at(glm::vec<dimensions, double>(p)); },
+        step);
   }
   /// One number can be dragged, counted from 0 as the argument's text has it: at this place of step 0's
   /// drawing, which goes `along` when the number grows by 1.
@@ -333,7 +342,8 @@ class Narrator {
     return name.substr(name.rfind(':') + 1);
   }
   void describe(TraceStep& step, std::string_view type, Event event);
-  void add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at);
+  void add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at,
+                   std::optional<double> step);
 
   const Arguments& arguments_;
   const Recording recording_;
