@@ -119,8 +119,10 @@ inline void draw_circle(Narrator& narrator, const Circle& circle, int longest_wa
   if (!circle.window || circle.window->contains(circle.center)) draw_octant(narrator, circle);
   if (circle.radius > 0) draw_ideal(narrator, circle, longest_watched);
   draw_key(narrator, key);
-  narrator.handles("center", as_it_is);
-  narrator.handle("radius", 0, dvec2(circle.center) + dvec2{circle.radius, 0}, {1, 0});
+  const auto shown = as_it_is_in(narrator.trace().grid.own());
+  narrator.handles("center", shown);
+  if (const auto right = shown(dvec2(circle.center) + dvec2{circle.radius, 0}))
+    narrator.handle("radius", 0, *right, {1, 0});
 }
 
 }  // namespace gradus::bresenham_circle

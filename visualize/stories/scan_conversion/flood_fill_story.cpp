@@ -36,6 +36,8 @@ void set_scene(Narrator& narrator, const Subject& subject, const Way& way, Rgba8
                            .y_name = words.say("column.row"),
                            .shelf = shelf_rows(subject),
                            .picture = subject.is_maze ? nullptr : subject.picture};
+  for (const std::string_view cells : {"at", "window"})
+    narrator.handles(cells, as_it_is_in(narrator.trace().grid.own()));
   if (!way.column.empty()) {
     std::vector<Column> columns{{"n"}, {"column"}, {"row"}, {"from", false}};
     if (way.queue() && subject.is_maze) columns.push_back({"distance"});

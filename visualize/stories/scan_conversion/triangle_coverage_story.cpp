@@ -356,6 +356,10 @@ void set_scene(Narrator& narrator, const Subject& subject) {
   grid.x_name = words.symbol("x");
   grid.y_name = words.symbol("y");
   grid.whole = true;
+  narrator.handles("triangles", [&](dvec2 p) { return subject.shown_at(p); }, 1);
+  // The first triangle alone is drawn from the start
+  std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] >= 6; });
+  narrator.handles("window", as_it_is_in(subject.window));
 }
 
 /// One triangle after the other: run(triangle, observer).

@@ -26,6 +26,11 @@ struct Subject {
   /// The same in the drawing, where pixels have their numbers at their centres.
   dvec2 at(ivec2 corner) const { return dvec2(corner) / double{subpixels} - 0.5; }
   Extent frame() const { return {dvec2(window.lower) - 0.5, dvec2(window.upper) + 0.5}; }
+  /// The same of a corner before it was put on that grid, as far as the drawing goes.
+  std::optional<dvec2> shown_at(dvec2 given) const {
+    const dvec2 place = at(snap(given + shift()));
+    return frame().holds(place) ? std::optional(place) : std::nullopt;
+  }
   int columns() const { return window.upper.x - window.lower.x + 1; }
   int rows() const { return window.upper.y - window.lower.y + 1; }
   int size() const { return std::max(columns(), rows()); }
