@@ -26,6 +26,8 @@ class Story {
         layout_(words.wording(), task, way == Way::undo, world(), largest_shape()) {}
 
   const Panel& panel() const { return layout_.panel(); }
+  /// Where the first drawing shows a point of the polygon.
+  dvec2 shown_first(dvec2 p) const { return frames(false).before.at(first(p)); }
 
   void show(Board& board, const Started<double>& s) {
     matrix_ = s.product;
@@ -185,9 +187,13 @@ class Story {
 
   /// The shape before the first step.
   Shape first_stage() const {
-    Shape first = way_ == Way::undo ? task_.after(count()) : task_.shape;
-    for (dvec2& p : first) p -= origin();
-    return first;
+    Shape shape = task_.shape;
+    for (dvec2& p : shape) p = first(p);
+    return shape;
+  }
+  dvec2 first(dvec2 p) const {
+    if (way_ == Way::undo) factor_by_factor(task_.chain(), std::span(&p, 1));
+    return p - origin();
   }
   /// What the panel has to show.
   Extent world() const {
@@ -350,8 +356,9 @@ class Story {
 // --- The methods
 
 /// What stands around the steps.
-void introduce(Narrator& narrator, const Task& task, const Panel& panel) {
-  require_scale(panel, narrator.arguments(), {"polygon", "factors"});
+void introduce(Narrator& narrator, const Task& task, const Story& story) {
+  require_scale(story.panel(), narrator.arguments(), {"polygon", "factors"});
+  narrator.handles("polygon", [&](dvec2 p) { return story.shown_first(p); });
   narrator.shows_matrices();
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   narrator.paper(36, 24);
@@ -377,7 +384,7 @@ template <Way way, auto act>
 void tell_chain(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   Story story(narrator.words(), task, way);
-  introduce(narrator, task, story.panel());
+  introduce(narrator, task, story);
   Shape points = task.shape;
   act(task.chain(), std::span(points), narrator.watcher(story));
   conclude(narrator, story, task, points);
@@ -404,7 +411,7 @@ void tell_undo(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   require_inverses(task);
   Story story(narrator.words(), task, Way::undo);
-  introduce(narrator, task, story.panel());
+  introduce(narrator, task, story);
   const auto watch = narrator.watcher(story);
   Shape points = task.after(task.factors.size());
   watch(Started<double>{Matrix<double>(1.0), points}, 0);

@@ -213,6 +213,7 @@ void tell_product(Narrator& narrator, const Task& task, bool rows) {
   narrator.trace().subtitle = factors_words(narrator.words().wording(), task.texts);
   ProductStory story(narrator.words(), task, rows);
   require_scale(story.panel(), narrator.arguments(), {"box", "factors"});
+  narrator.handles("box", [&](dvec3 corner) { return story.panel().at(oblique(corner)); });
   const auto watch = narrator.watcher(story);
   Shape box = box_of(task.size);
   rows ? row_vectors(Chain(task.factors), std::span(box), watch)
@@ -236,6 +237,9 @@ void tell_decomposition(Narrator& narrator) {
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   require_scale(story.panel(), narrator.arguments(), {"box", "through"});
+  narrator.handles("axis", [&](dvec3 axis) { return story.axis_at(task.through, axis).b; });
+  narrator.handles("through", [&](dvec3 through) { return story.axis_at(through, task.axis).a; });
+  narrator.handles("box", [&](dvec3 corner) { return story.panel().at(oblique(corner)); });
   const Mat m = decomposition(task.through, alignment(task.axis), turn_degrees(task.angle), watch);
   watch(steps::Finished{}, 0);
   narrator.result(fields_of(transform(m, box_of(task.size)[corner_a])));
@@ -248,6 +252,9 @@ void tell_vectors(Narrator& narrator, const Task& task, bool constant) {
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   require_scale(story.panel(), narrator.arguments(), {"point", "through"});
+  narrator.handles("axis", [&](dvec3 axis) { return story.tip_at(axis); });
+  for (const std::string_view point : {"through", "point"})
+    narrator.handles(point, [&](dvec3 p) { return story.at(p); });
   const dvec3 n = direction_of(task.axis);
   const Turn<double> turn = turn_degrees(task.angle);
   narrator.result(fields_of(constant ? constant_offset(n, task.through, turn, task.point, watch)

@@ -31,6 +31,11 @@ class PartsStory {
     panel_.emplace(single_place, widened(world, 0.03));
   }
   const Panel& panel() const { return *panel_; }
+  /// Where the first drawing has the ends of an axis of this direction through this point.
+  Stroke axis_at(dvec3 through, dvec3 direction) const {
+    const auto [from, to] = axis_along(through, direction_of(direction));
+    return {on_paper(from), on_paper(to)};
+  }
 
   void show(Board& board, const Input&) { milestone(board, Role::input); }
   Event say(const Input&) const {
@@ -100,9 +105,14 @@ class PartsStory {
   }
   /// The ends of the axis as it is drawn.
   Shape axis(const Mat& m) const {
-    const double reach = reach_of(task_.size);
-    return moved(m, {task_.through - 0.5 * reach * n_, task_.through + reach * n_});
+    const auto [from, to] = axis_along(task_.through, n_);
+    return moved(m, {from, to});
   }
+  std::pair<dvec3, dvec3> axis_along(dvec3 through, dvec3 n) const {
+    const double reach = reach_of(task_.size);
+    return {through - 0.5 * reach * n, through + reach * n};
+  }
+  dvec2 on_paper(dvec3 p) const { return panel_->at(oblique(p)); }
   /// Of the axes of space: z comes out of whatever lies before it.
   dvec3 reach() const {
     const double all = reach_of(task_.size), beyond = all / 5;
@@ -130,7 +140,7 @@ class PartsStory {
     const Shape ends = axis(product_);
     space.add(SpaceEdge{.id = "b axis", .role = Role::boundary, .a = ends[0], .b = ends[1], .arrow = true});
     space.add_to(view, "a box");
-    view.add({"k axis", Role::boundary, Label{on_paper(*panel_, ends)[1], words_.say("axis")}});
+    view.add({"k axis", Role::boundary, Label{on_paper(ends[1]), words_.say("axis")}});
     add_dot(view, *panel_, "corner", done_ ? role : Role::input, corner(), "A");
     view.add({"l formula", Role::guide, Text{{27, 9}, formula()}});
     add_product(view, {35.2, 14}, product_, words_);
@@ -161,11 +171,7 @@ class VectorStory {
         turn_(turn_degrees(task.angle)) {
     for (int i = 0; i <= 72; ++i) circle_.push_back(turned_by(5.0 * i));
     for (int i = 0; i <= 24; ++i) arc_.push_back(turned_by(task.angle * i / 24.0));
-    const dvec3 p = task.point - task.through;
-    const double along = std::max(glm::dot(p, n_), 0.0), back = std::min(glm::dot(p, n_), 0.0);
-    const double radius = std::sqrt(std::max(0.0, glm::dot(p, p) - along * along - back * back));
-    axis_ = {task.through + (back - 0.35 * (radius + 1)) * n_,
-             task.through + (along + 0.6 * (radius + 1)) * n_};
+    axis_ = axis_along(n_);
     Extent world;
     world.add({0, 0});
     add_to(world, circle_);
@@ -173,6 +179,9 @@ class VectorStory {
     panel_.emplace(whole_place, widened(world, 0.05));
   }
   const Panel& panel() const { return *panel_; }
+  /// Where the first drawing has a point, and the tip of an axis of this direction.
+  dvec2 at(dvec3 p) const { return panel_->at(oblique(p)); }
+  dvec2 tip_at(dvec3 direction) const { return at(axis_along(direction_of(direction))[1]); }
 
   void show(Board& board, const Input&) { milestone(board); }
   Event say(const Input&) const {
@@ -209,6 +218,14 @@ class VectorStory {
   }
 
  private:
+  /// The ends of the axis as it is drawn: beyond the point that turns and beyond Q.
+  Shape axis_along(dvec3 n) const {
+    const dvec3 p = task_.point - task_.through;
+    const double along = std::max(glm::dot(p, n), 0.0), back = std::min(glm::dot(p, n), 0.0);
+    const double radius = std::sqrt(std::max(0.0, glm::dot(p, p) - along * along - back * back));
+    return {task_.through + (back - 0.35 * (radius + 1)) * n,
+            task_.through + (along + 0.6 * (radius + 1)) * n};
+  }
   dvec3 turned_by(double degrees) const {
     return turn_vector(n_, task_.through, turn_degrees(degrees), task_.point);
   }
