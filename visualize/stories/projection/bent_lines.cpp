@@ -83,6 +83,7 @@ class BentStory {
   }
 
   const Panel& image_panel() const { return image_; }
+  const Panel& space_panel() const { return space_; }
   void turn_to(std::size_t sample) { now_ = samples_[sample]; }
   const std::vector<Sample>& samples() const { return samples_; }
   double worst() const { return worst_; }
@@ -292,11 +293,22 @@ class BentStory {
   std::optional<std::size_t> worst_at_;
 };
 
+/// The ends of the line, the plane at its left end and the wall at its right one.
+void let_drag(Narrator& narrator, const BentTask& task, const Panel& space) {
+  for (const std::string_view end : {"from", "to"})
+    narrator.handles(end, [&](dvec3 p) { return space.at({p.x, p.z}); });
+  const auto [lower, upper] = space.shown();
+  const dvec2 along{0, space.scale().y};
+  narrator.handle("distance", 0, space.at({lower.x, task.near}), along);
+  narrator.handle("wall", 0, space.at({upper.x, task.wall}), along);
+}
+
 /// take(point, observer): what the method does with a point.
 template <class Take>
 void tell_line(Narrator& narrator, const BentTask& task, const Take& take) {
   BentStory story(narrator.words(), task);
   require_scale(story.image_panel(), narrator.arguments(), {"from", "to", "wall", "distance", "far"});
+  let_drag(narrator, task, story.space_panel());
   narrator.subtitle("subtitle.line", {{"from", place_text(task.from)}, {"to", place_text(task.to)}});
   narrator.paper(solids::paper_width, paper_height);
   narrator.columns({{"point", false}, {"x_image"}, {"z_image"}, {"interpolated"}, {"error"}});

@@ -54,6 +54,9 @@ class DivisionStory {
   }
 
   void turn_to(std::size_t point) { current_ = point; }
+  const Panel& space() const { return space_; }
+  /// Of the plane as it is drawn, from above.
+  dvec2 end_of_plane(double side) const { return {task_.centre.x + side * half_, task_.plane()}; }
 
   void show(Board& board, const steps::Started&) { board.milestone(view()); }
   Event say(const steps::Started&) const {
@@ -250,8 +253,7 @@ class DivisionStory {
     view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.shared("projection", "picture")}});
     add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
     add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
-    const double middle = task_.centre.x, plane = task_.plane();
-    add_stroke(view, space_, "a plane", Role::boundary, {middle - half_, plane}, {middle + half_, plane});
+    add_stroke(view, space_, "a plane", Role::boundary, end_of_plane(-1), end_of_plane(1));
     view.add_named("e eye", "f eye name", Role::input, space_.at(task_.eye()),
                    words_.shared("projection", "eye"));
     for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
@@ -293,6 +295,16 @@ class DivisionStory {
   std::vector<std::optional<dvec2>> images_;
 };
 
+/// The points, the eye with its plane for the middle of the picture, an end of the plane for its distance.
+void let_drag(Narrator& narrator, const DivisionTask& task, const DivisionStory& story) {
+  const Panel& space = story.space();
+  narrator.handles("points", [&](dvec3 p) { return space.at({p.x, p.z}); });
+  narrator.handles("centre", [&](dvec2 middle) { return space.at({middle.x, task.eye().y}); });
+  const dvec2 up{0, space.scale().y}, from_plane = task.zooms() ? up : -up;
+  narrator.handle("zoom", 0, space.at(story.end_of_plane(-1)), from_plane);
+  narrator.handle("scales", 0, space.at(story.end_of_plane(1)), -from_plane);
+}
+
 /// take(point, observer): what the method does with a point.
 template <class Take>
 void tell_points(Narrator& narrator, const DivisionTask& task, std::optional<int> multiplied_line,
@@ -310,6 +322,7 @@ void tell_points(Narrator& narrator, const DivisionTask& task, std::optional<int
   narrator.legend({{Role::input, "points"}, {Role::current, "point"}, Role::result});
   if (task.way != Way::tested) narrator.add_to_legend(Role::rejected, "wrong");
   DivisionStory story(narrator.words(), task, multiplied_line);
+  let_drag(narrator, task, story);
   narrator.tell_each(story, task.points.size(),
                      [&](std::size_t i, const auto& watch) { take(task.points[i], watch); });
   narrator.result(story.result());

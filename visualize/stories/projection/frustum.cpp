@@ -17,6 +17,9 @@ struct FrustumTask {
   }
 };
 
+/// The tangent of half an angle of view.
+double half_tangent(double degrees) { return gradus::tan(radians_from_degrees(degrees / 2)); }
+
 FrustumTask task_of(const Arguments& arguments) {
   const std::vector<double> fields = arguments.numbers("fields");
   FrustumTask task{
@@ -24,7 +27,7 @@ FrustumTask task_of(const Arguments& arguments) {
   for (const int axis : {0, 1}) {
     if (!(1 <= task.degrees[axis] && task.degrees[axis] <= 160))
       refuse("fields", "expected angles of view from 1 to 160 degrees, found {}", task.degrees[axis]);
-    task.tangents[axis] = gradus::tan(radians_from_degrees(task.degrees[axis] / 2));
+    task.tangents[axis] = half_tangent(task.degrees[axis]);
   }
   if (!(task.near < task.far))
     refuse(arguments, {"far", "distance"}, "expected a far plane behind the near one");
@@ -47,6 +50,8 @@ class FrustumStory {
     space_ = Panel({{1.2, 0.8}, {23.5, 21}}, extent_of(frustum_, true));
     beside_ = Panel({{26.5, 0.8}, {34.5, 21}}, extent_of(box_, false));
   }
+
+  dvec2 in_space(dvec3 p) const { return space_.at(solids::from_right(p)); }
 
   void show(Board& board, const steps::Started&) { board.milestone(view({})); }
   Event say(const steps::Started&) const {
@@ -92,7 +97,6 @@ class FrustumStory {
     if (with_eye) extent.add(solids::from_right(dvec3{0}));
     return extent;
   }
-  dvec2 in_space(dvec3 p) const { return space_.at(solids::from_right(p)); }
   dvec2 in_box(std::size_t i) const { return beside_.at(solids::from_right(box_.corners[i])); }
 
   View view(std::optional<std::size_t> current) const {
@@ -167,6 +171,20 @@ class FrustumStory {
   std::size_t found_ = 0;
 };
 
+/// A corner of each plane for its depth, and one for both angles.
+void let_drag(Narrator& narrator, const FrustumTask& task, const FrustumStory& story) {
+  const auto drag_depth = [&](std::string_view name, double depth, dvec3 corner) {
+    narrator.handle(name, 0, story.in_space(corner),
+                    story.in_space(corner / depth) - story.in_space(dvec3{0}));
+  };
+  const auto [across, up] = std::pair{task.tangents.x, task.tangents.y};
+  drag_depth("distance", task.near, task.near * dvec3{across, up, 1});
+  drag_depth("far", task.far, task.far * dvec3{across, -up, 1});
+  narrator.handles("fields", [&](dvec2 degrees) {
+    return story.in_space(task.far * dvec3{half_tangent(degrees.x), half_tangent(degrees.y), 1});
+  });
+}
+
 }  // namespace
 
 void tell_frustum(Narrator& narrator) {
@@ -183,6 +201,7 @@ void tell_frustum(Narrator& narrator) {
                    {Role::result, "corners"},
                    {Role::measure, "halves"}});
   FrustumStory story(narrator.words(), task);
+  let_drag(narrator, task, story);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   frustum_corners(task.tangents.x, task.tangents.y, task.near, task.far, watch);

@@ -52,6 +52,7 @@ class Story {
                    task.right}) {}
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
+  const solids::Scenery& scenery() const { return progress_.scenery(); }
 
   void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
   Event say(const steps::Started&) const {
@@ -209,6 +210,12 @@ solids::Sheet sheet_for(dvec3 origin, dvec3 forward) {
   return {origin, right, unit_vector(glm::cross(forward, right))};
 }
 
+/// The sheet of a plane, seen by who looks along `direction`.
+solids::Sheet sheet_of(dvec3 normal, double offset, dvec3 direction) {
+  const double sense = glm::dot(normal, direction) < 0 ? -1 : 1;
+  return sheet_for(offset / glm::dot(normal, normal) * normal, sense * normal);
+}
+
 /// Onto any plane.
 Task onto_plane(const Arguments& arguments) {
   Task task = task_of(arguments);
@@ -223,12 +230,27 @@ Task onto_plane(const Arguments& arguments) {
   }
   // The viewer looks forward, or else down
   task.direction = task.shown = v.z < 0 || (v.z == 0 && v.y > 0) ? -v : v;
-  const double sense = glm::dot(normal, task.direction) < 0 ? -1 : 1;
-  task.sheet = sheet_for(task.plane.offset / glm::dot(normal, normal) * normal, sense * normal);
+  task.sheet = sheet_of(normal, task.plane.offset, task.direction);
   return task;
 }
 
 // --- The methods
+
+/// What of the scene can be dragged: the solid; and the plane, whose corners go where the images go.
+void let_drag(Narrator& narrator, const Task& task, const solids::Scenery& scenery) {
+  const dvec3 at = vector_of(narrator.arguments(), "at");
+  narrator.handles("at", [&](dvec3 p) { return scenery.moved_in_space(at, p); });
+  const dvec3 corner = scenery.lower_corner(task.sheet), normal = task.plane.normal;
+  const bool any = normal != dvec3{0};
+  const double speed = any ? glm::dot(normal, task.shown) : task.shown[static_cast<int>(task.axis)];
+  const dvec2 along = scenery.in_space(corner + task.shown / speed) - scenery.in_space(corner);
+  narrator.handle(any ? "plane" : "d", any ? 3 : 0, scenery.in_space(corner), along);
+  if (!any) return;
+  narrator.handles("plane", [&](dvec3 n) {
+    const solids::Sheet sheet = sheet_of(n, task.plane.offset, task.direction);
+    return scenery.in_space(scenery.upper_corner(sheet));
+  });
+}
 
 /// project(point, observer...): where the method takes a point.
 template <class Project>
@@ -240,6 +262,7 @@ void tell_corners(Narrator& narrator, const Task& task, const Project& project) 
   Images images;
   for (const dvec3 p : task.solid.corners) images.push_back(project(p));
   Story story(narrator.words(), task, images);
+  let_drag(narrator, task, story.scenery());
   narrator.tell_each(story, images.size(),
                      [&](std::size_t i, const auto& watch) { project(task.solid.corners[i], watch); });
   std::vector<Field> result{{"corners", std::ssize(images)}};

@@ -31,6 +31,7 @@ class ProjectionStory {
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
   std::int64_t unseen() const { return unseen_; }
+  const solids::Scenery& scenery() const { return progress_.scenery(); }
 
   void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
   Event say(const steps::Started&) const {
@@ -122,6 +123,13 @@ void tell_projection(Narrator& narrator) {
   narrator.columns({{"corner"}, {"point", false}, {"factor"}, {"image", false}});
   narrator.legend({{Role::input, "solid"}, {Role::boundary, "plane"}, Role::result});
   ProjectionStory story(narrator.words(), d, solid);
+  const solids::Scenery& scenery = story.scenery();
+  const dvec3 at = vector_of(arguments, "at");
+  narrator.handles("at", [&](dvec3 p) { return scenery.moved_in_space(at, p); });
+  // All images, and the plane with them, grow from the eye
+  const dvec3 corner = scenery.lower_corner(scenery.sheet());
+  narrator.handle("distance", 0, scenery.in_space(corner),
+                  scenery.in_space(corner / d) - scenery.in_space(dvec3{0}));
   narrator.tell_each(story, solid.corners.size(),
                      [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });
   narrator.result({{"images", std::ssize(solid.corners) - story.unseen()}});

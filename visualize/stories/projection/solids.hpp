@@ -132,6 +132,11 @@ inline Facing facing_origin(const Solid& solid) {
 inline dvec2 from_right(dvec3 p) { return oblique(dvec3{p.z, p.y, p.x}); }
 /// Where that looks, in view space.
 inline constexpr dvec3 looking_from_right{-1, -0.3, -0.42};
+/// The corner that is nearest to whoever looks so: what a solid is taken hold of at.
+inline dvec3 nearest_corner(const Solid& solid) {
+  return *std::ranges::min_element(solid.corners, {},
+                                   [](dvec3 p) { return glm::dot(p, looking_from_right); });
+}
 /// A direction of view space as the viewer has it: right, up, towards him.
 inline dvec3 seen_by_viewer(dvec3 p) { return {p.x, p.y, -p.z}; }
 
@@ -227,6 +232,12 @@ class Scenery {
   const Sheet& sheet() const { return sheet_; }
   dvec2 in_space(dvec3 p) const { return space_.at(from_right(p)); }
   dvec2 in_picture(dvec3 p) const { return picture_.at(sheet_.picture(p)); }
+  /// Where the solid is drawn, if it moves from `from` to `to`.
+  dvec2 moved_in_space(dvec3 from, dvec3 to) const { return in_space(nearest_corner(solid_) + (to - from)); }
+  /// The lower left corner of the plane as far as it is drawn, or of such a part of another plane; the upper
+  /// right one.
+  dvec3 lower_corner(const Sheet& sheet) const { return sheet.place(patch_.lower); }
+  dvec3 upper_corner(const Sheet& sheet) const { return sheet.place(patch_.upper); }
 
   /// Space as the reader sees it, from the viewer's right.
   SpaceDrawing space() const {

@@ -107,6 +107,7 @@ class VanishingStory {
   std::size_t count() const { return lines_.size(); }
   void turn_to(std::size_t at) { at_ = at; }
   const Lines& lines() const { return lines_[at_]; }
+  const Panel& panel() const { return panel_; }
   const glm::dmat4& matrix() const { return matrix_; }
   std::int64_t vanishing_axes() const {
     return std::ranges::count_if(lines_.begin(), lines_.begin() + 3,
@@ -284,6 +285,12 @@ void tell_directions(Narrator& narrator, std::optional<int> by_plane, const Find
   narrator.columns({{"axis", false}, {"direction", false}, {"w"}, {"vanishing_point", false}});
   narrator.legend({{Role::input, "box"}, {Role::current, "direction"}, Role::result});
   VanishingStory story(narrator.words(), box, by_plane);
+  const dvec3 at = vector_of(narrator.arguments(), "at");
+  const dvec3 nearest = *std::ranges::min_element(box.solid.corners, {}, &dvec3::z);
+  narrator.handles("at", [&](dvec3 p) -> std::optional<dvec2> {
+    const std::optional<dvec3> image = project(box.d, nearest + (p - at));
+    return image ? std::optional(story.panel().at(dvec2(*image))) : std::nullopt;
+  });
   narrator.tell_each(story, story.count(), [&](std::size_t, const auto& watch) {
     find(story.matrix(), story.lines().direction, watch);
   });

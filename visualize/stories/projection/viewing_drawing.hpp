@@ -139,6 +139,11 @@ class Drawing {
                             : world_place,
                world_extent()) {}
 
+  /// Where the first drawing has a point of the world, the end of the hint for up, and that of a given axis.
+  dvec2 at(dvec3 p) const { return world_.at(flat(p)); }
+  dvec2 hint_at(dvec3 up) const { return at(scene_.eye + axis_size() * unit_vector(up)); }
+  dvec2 axis_at(dvec3 axis) const { return at(scene_.eye + arrow_unit(*scene_.axes) * axis); }
+
   /// How many axes of the frame are drawn, which of them is new (-1: none), and how much of the matrix.
   struct Known {
     std::array<bool, 3> axes{};

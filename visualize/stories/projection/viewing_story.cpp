@@ -51,6 +51,8 @@ class Story {
         right_(world_to_view(frame_)),
         wrong_(way == Way::minus_position ? minus_position(frame_) : transposed(frame_)) {}
 
+  const Drawing& drawing() const { return drawing_; }
+
   void show(Board& board, const Input&) { milestone(board); }
   Event say(const Input&) const {
     if (way_ == Way::any_frame) {
@@ -356,6 +358,10 @@ void tell_view(Narrator& narrator) {
       along == Along::replaced && sine_between(scene.target - scene.eye, scene.up) < least_sine<double>;
   narrator.telling({replaced ? 7 : 6, 0});
   Story story(narrator.words(), scene, way);
+  const Drawing& drawing = story.drawing();
+  for (const std::string_view point : {"eye", "target"})
+    narrator.handles(point, [&](dvec3 p) { return drawing.at(p); });
+  narrator.handles("up", [&](dvec3 up) { return drawing.hint_at(up); });
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   // The exhibits' listing has one of the two: the other is told without its lines
@@ -387,6 +393,7 @@ void tell_any_frame(Narrator& narrator) {
   say_axes_of_code(narrator);
   narrator.telling({3, 0});
   Story story(narrator.words(), scene, Way::any_frame);
+  narrator.handles("axes", [&](dvec3 axis) { return story.drawing().axis_at(axis); });
   const auto watch = narrator.watcher(story);
   watch(Input{}, 0);
   const glm::dmat4 inverse = inverse_of_any_frame(scene.frame(), watch);

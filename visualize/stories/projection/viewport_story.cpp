@@ -223,6 +223,8 @@ void tell_points(Narrator& narrator, const Input& input, bool clamps, const Take
   const Words& words = narrator.words();
   Story story(words, input, clamps);
   require_scale(story.drawing().plane(), narrator.arguments(), {"window"});
+  for (const std::string_view drawn : {"points", "window"})
+    narrator.handles(drawn, shown_in(story.drawing().plane()));
   const auto count = std::ssize(input.points);
   narrator.trace().subtitle =
       words.count("subtitle", count, {{"width", input.map.picture.x}, {"height", input.map.picture.y}});
