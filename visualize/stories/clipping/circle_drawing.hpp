@@ -12,7 +12,7 @@
 #include "clipping/liang_barsky_circle/circle_and_line.hpp"
 #include "core/arithmetic/elementary.hpp"
 #include "stories/paper.hpp"
-#include "stories/topic.hpp"
+#include "stories/telling.hpp"
 
 namespace gradus::circle_drawing {
 
@@ -76,6 +76,16 @@ inline void add_stroke(View& view, const Panel& panel, std::string id, Role role
 inline void add_point(View& view, const Panel& panel, const std::string& id, Role role, dvec2 at,
                       const std::string& name, bool ring = false) {
   if (panel.shown().holds(at)) view.add_named(id, role, panel.at(at), name, ring);
+}
+
+/// What can be dragged: the corners or ends, the circle by its point farthest to the left, or by its centre
+/// where that is drawn, and its radius by the point farthest to the right.
+inline void let_drag(Narrator& narrator, std::string_view points, const Circle<double>& circle,
+                     const Panel& panel, bool by_centre) {
+  narrator.handles(points, shown_in(panel));
+  const dvec2 right{circle.radius, 0}, grip = by_centre ? dvec2{0} : -right;
+  narrator.handles("circle", [&](dvec2 centre) { return panel.at(centre + grip); });
+  narrator.handle("circle", 2, panel.at(circle.centre + right), {panel.scale().x, 0});
 }
 
 /// Coordinates that a figure can show: differences and their sums are finite.

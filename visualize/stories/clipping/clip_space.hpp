@@ -40,6 +40,9 @@ class ClipSpaceStory {
     rest_ = given_;
   }
 
+  /// Where a corner stands on the side of the current plane, at first the most telling one.
+  dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
+
   void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     Event event{.text = "space_started", .level = Level::idea};
@@ -240,7 +243,6 @@ class ClipSpaceStory {
     board.milestone(std::move(view));
   }
 
-  dvec2 in_side(const dvec4& p) const { return side_.at({p.w, p[axis_]}); }
   std::vector<dvec2> in_side(std::span<const NamedPoint> polygon) const {
     std::vector<dvec2> points;
     for (const NamedPoint& p : polygon) points.push_back(in_side(p.at));

@@ -49,6 +49,7 @@ class Story {
         way_(way),
         whole_(way == Way::whole_or_nothing),
         now_(task.line) {}
+  const window_view::Scene& scene() const { return scene_; }
 
   void show(Board& board, const Classified<double>& c) {
     codes_ = read_ = {c.code_a, c.code_b};
@@ -329,6 +330,7 @@ void tell(Narrator& narrator) {
     narrator.add_to_legend(Role::candidate, "candidate");
   }
   Story story(words, task, way);
+  window_view::let_drag(narrator, story.scene());
   const auto watcher = narrator.watcher(story);
   if constexpr (way == Way::cut_of_a_cut) cut_of_a_cut(line, window, order, watcher);
   if constexpr (way == Way::correctly_rounded) correctly_rounded(line, window, order, watcher);

@@ -143,12 +143,17 @@ void add_segment(SpaceDrawing& drawing, const SpaceView& space, const State<N>& 
   });
 }
 
+inline std::vector<dvec3> shown_of(const Task<3>& task) {
+  std::vector<dvec3> shown = corners_of(task.region);
+  shown.insert(shown.begin(), {task.line.a, task.line.b});
+  return shown;
+}
+inline SpaceView space_of(const Task<3>& task) { return {{{3, 2.2}, {33, 23.4}}, shown_of(task)}; }
+
 inline View view_of(const Words& words, const Task<3>& task, const State<3>& state) {
   View view;
-  const std::vector<dvec3> corners = corners_of(task.region);
-  std::vector<dvec3> shown{task.line.a, task.line.b};
-  shown.insert(shown.end(), corners.begin(), corners.end());
-  const SpaceView space({{3, 2.2}, {33, 23.4}}, shown);
+  const std::vector<dvec3> corners = corners_of(task.region), shown = shown_of(task);
+  const SpaceView space = space_of(task);
   const auto at = [&](dvec3 p) { return space.at(p); };
   SpaceDrawing drawing = space.drawing();
   add_glass(drawing, space, corners, faces_of_box());
@@ -216,18 +221,27 @@ inline void add_pyramid(View& view, SpaceDrawing& drawing, const SpaceView& spac
   add_face(view, space, {dvec3(0), base[i], base[j]});
 }
 
-inline View view_of(const Words& words, const Task<4>& task, const State<4>& state) {
-  View view;
-  // Seen from the side: w to the right, y up, x towards the reader
-  const auto in_space = [](const dvec4& p) { return dvec3(p.w, p.y, -p.x); };
+/// Seen from the side: w to the right, y up, x towards the reader.
+inline dvec3 in_space(const dvec4& p) { return {p.w, p.y, -p.x}; }
+/// Of the pyramid.
+inline std::vector<dvec3> base_of(const Task<4>& task) {
   const double far = std::max({task.line.a.w, task.line.b.w, 0.0});
   std::vector<dvec3> base;
   for (const dvec2 side : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) {
     base.push_back(dvec3(1, side.y, -side.x) * far);
   }
-  std::vector<dvec3> shown = base;
+  return base;
+}
+inline SpaceView space_of(const Task<4>& task) {
+  std::vector<dvec3> shown = base_of(task);
   shown.insert(shown.end(), {dvec3(0), in_space(task.line.a), in_space(task.line.b)});
-  const SpaceView space({{2, 3.4}, {16.4, 23}}, shown);
+  return {{{2, 3.4}, {16.4, 23}}, shown};
+}
+
+inline View view_of(const Words& words, const Task<4>& task, const State<4>& state) {
+  View view;
+  const std::vector<dvec3> base = base_of(task);
+  const SpaceView space = space_of(task);
   const auto at = [&](const dvec4& p) { return space.at(in_space(p)); };
   SpaceDrawing drawing = space.drawing();
   add_pyramid(view, drawing, space, base, state.cut());

@@ -191,6 +191,17 @@ Task<N> task_of(const Arguments& arguments, const Notation& notation) {
   }
 }
 
+/// The segment's ends and two opposite corners of the box, or ends with their w as they lie in space.
+void let_drag(Narrator& narrator, const Task<3>& task) {
+  const SpaceView space = space_of(task);
+  for (const std::string_view drawn : {"line", "box"})
+    narrator.handles(drawn, [&](dvec3 p) { return space.at(p); });
+}
+void let_drag(Narrator& narrator, const Task<4>& task) {
+  const SpaceView space = space_of(task);
+  narrator.handles("homogeneous", [&](const dvec4& p) { return space.at(in_space(p)); });
+}
+
 template <int N, class Clip>
 void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
   narrator.paper(paper_width, paper_height);
@@ -204,6 +215,7 @@ void tell(Narrator& narrator, const Task<N>& task, Clip clip) {
                    Role::current,
                    Role::rejected,
                    Role::result});
+  let_drag(narrator, task);
   Story<N> story(narrator.words(), task);
   narrator.result({{"inside", clip(narrator.watcher(story)).has_value()}});
 }

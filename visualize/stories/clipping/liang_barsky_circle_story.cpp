@@ -257,6 +257,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
   narrator.legend({Role::boundary, Role::input, Role::candidate, Role::past, Role::measure, Role::accepted,
                    Role::result});
   narrator.key_by_type();
+  circle_drawing::let_drag(narrator, "line", scene.circle, scene.panel, true);
 }
 
 enum class Numbers { rounded, none };  ///< of t: whether the method computes them

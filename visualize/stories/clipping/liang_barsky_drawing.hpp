@@ -173,6 +173,7 @@ class Ground<2> {
     scene_.add_point(view, c.id(), role, at, at, name, c.leaves(), quantity);
   }
   void add_border(View& view, Border border) const { scene_.add_cutting_border(view, border); }
+  void let_drag(Narrator& narrator) const { window_view::let_drag(narrator, scene_); }
 
  private:
   const Task<2>& task_;
@@ -200,6 +201,10 @@ class Ground<3> {
     view.add_named(c.id(), role, at(c.t), name, c.leaves(), quantity);
   }
   void add_border(View& view, Border face) const { add_face(view, space_, box_face(task_.box, face)); }
+  void let_drag(Narrator& narrator) const {
+    for (const std::string_view drawn : {"space_line", "box"})
+      narrator.handles(drawn, [&](dvec3 p) { return space_.at(p); });
+  }
 
  private:
   static std::vector<dvec3> corners_and_ends(const Task<3>& task) {

@@ -68,6 +68,7 @@ class Story {
   Event say(const Rejected<double>&) const { return rejected(anything_left(false)); }
 
   const std::vector<Field>& result() const { return result_; }
+  const Ground<N>& ground() const { return ground_; }
 
  protected:
   std::string name(Border border) const { return words_.say(fmt::format("border.{}", name_of(border))); }
@@ -263,6 +264,7 @@ void tell(Narrator& narrator, const Task<N>& task, const Story<N>& story, Clip c
   narrator.quantities({"enter", "t", "leave", "p"});
   narrator.legend({Role::boundary, Role::input, Role::current, Role::measure, Role::candidate, Role::past,
                    Role::rejected, Role::result});
+  story.ground().let_drag(narrator);
   clip();
   narrator.result(story.result());
 }

@@ -447,6 +447,7 @@ void set_up(Narrator& narrator, const Scene& scene) {
   narrator.legend({Role::boundary, Role::input, Role::current, Role::candidate, Role::past, Role::accepted,
                    Role::result});
   narrator.key_by_type();
+  circle_drawing::let_drag(narrator, "polygon", scene.circle, scene.panel, false);
 }
 
 void tell_arcs(Narrator& narrator) {

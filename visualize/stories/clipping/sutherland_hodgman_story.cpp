@@ -144,7 +144,10 @@ struct Numbers {
 };
 
 void set_up(Narrator& narrator, const Given& given) {
-  require_scale(panel_of(given), narrator.arguments(), {"polygon", "window", "window_polygon"});
+  const Panel panel = panel_of(given);
+  require_scale(panel, narrator.arguments(), {"polygon", "window", "window_polygon"});
+  for (const std::string_view drawn : {"polygon", "hole", given.oblique ? "window_polygon" : "window"})
+    narrator.handles(drawn, shown_in(panel));
   narrator.paper(plane_width, plane_height);
   narrator.subtitle("subtitle", {{"corners", given.outline().size()}, {"borders", given.order.size()}});
   narrator.legend({Role::boundary, Role::past, Role::accepted, Role::measure, Role::current, Role::rejected,
@@ -257,6 +260,7 @@ void tell_homogeneous(Narrator& narrator) {
   narrator.columns({{"plane", false}, {"corner", false}, {"value"}, {"kept", false}});
   narrator.key_by_type();
   ClipSpaceStory story(narrator.words(), corners);
+  narrator.handles("homogeneous", [&](const dvec4& p) { return story.in_side(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const auto polygon = clip(corners, std::span<const Plane<double>>(planes), watch);

@@ -150,6 +150,11 @@ class Scene {
   Rectangle window_, shown_;
 };
 
+/// What of the plane can be dragged: the segment's ends and the window's corners.
+inline void let_drag(Narrator& narrator, const Scene& scene) {
+  for (const std::string_view drawn : {"line", "window"}) narrator.handles(drawn, shown_in(scene.panel()));
+}
+
 /// How many doubles one is from the other: they have the order of their bits, those below 0 the reverse.
 inline std::int64_t doubles_between(double x, double y) {
   const auto number_of = [](double v) {
