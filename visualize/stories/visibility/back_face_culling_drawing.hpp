@@ -219,8 +219,9 @@ class SpacePicture {
     view.add({"p view name", Role::measure, Label{at(p + 0.6 * arrow), "V"}});
   }
 
- private:
   dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
+
+ private:
   /// The plane w = 0 through the eye.
   bool shows_eye_plane() const { return of_clip_space_ && task_.eye_is_near(); }
   dvec3 corner_at_eye(std::size_t i) const {

@@ -33,6 +33,8 @@ class CullingStory {
   /// What the exact method says, where this one may be wrong.
   void compare_with(std::vector<int> right) { right_ = std::move(right); }
 
+  const SpacePicture& space() const { return space_; }
+
   void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     constexpr std::array<std::string_view, 4> texts{"started.product", "started.area", "started.determinant",
@@ -341,6 +343,8 @@ void tell_method(Narrator& narrator, By by, bool faulty, const Run& run) {
   if (by == By::area) require_before_the_eye(narrator, task);
   CullingStory story(narrator.words(), task, by, faulty && by == By::product);
   if (faulty) story.compare_with(exact_signs(task));
+  narrator.handles("faces", [&](dvec3 p) { return story.space().at(p); });
+  if (task.eye_is_near()) narrator.handles("eye", [&](dvec3 p) { return story.space().at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::size_t drawn = 0;

@@ -28,6 +28,8 @@ class BuildStory {
     for (const DPolygon& polygon : task.polygons) pieces_.push_back({polygon, none, false});
   }
 
+  const FacesPicture& space() const { return space_; }
+
   void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     return {.text = "started", .count = std::ssize(pieces_), .begins = true, .level = Level::idea};
@@ -289,6 +291,10 @@ void set_up(Narrator& narrator, const Task& task) {
   narrator.subtitle("subtitle", {{"count", task.polygons.size()}, {"towards", task.reader.towards}});
 }
 
+void let_drag(Narrator& narrator, const FacesPicture& picture) {
+  narrator.handles("faces", [&](dvec3 p) { return picture.at(p); });
+}
+
 void tell_build(Narrator& narrator) {
   const Task task = task_of(narrator.arguments());
   set_up(narrator, task);
@@ -301,6 +307,7 @@ void tell_build(Narrator& narrator) {
                    {Role::result, "done"}});
   const DTree tree = build(task.polygons);
   BuildStory story(narrator.words(), task, tree, true);
+  let_drag(narrator, story.space());
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   build(task.polygons, ExactSide{}, watch);
@@ -325,6 +332,7 @@ void tell_walk(Narrator& narrator, const Task& task, const DTree& tree, PartName
   narrator.legend(
       {{Role::current, "now"}, {Role::input, "drawn"}, {Role::past, "waiting"}, {Role::result, "whole"}});
   WalkStory story(narrator.words(), task, tree, std::move(names));
+  let_drag(narrator, story.picture());
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   const auto drop = [](const DPolygon&) {};
@@ -349,6 +357,7 @@ void tell_uncut(Narrator& narrator) {
                    {Role::result, "done"}});
   const DTree tree = build_uncut(task.polygons);
   BuildStory story(narrator.words(), task, tree, false);
+  let_drag(narrator, story.space());
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   build_uncut(task.polygons, ExactSide{}, watch);

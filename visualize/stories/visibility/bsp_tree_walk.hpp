@@ -35,6 +35,8 @@ class WalkStory {
         drawing_(tree, walked_place),
         numbers_(tree.size()) {}
 
+  const FacesPicture& picture() const { return picture_; }
+
   void show(Board& board, const steps::Started&) { put(board, Role::input); }
   Event say(const steps::Started&) const {
     return {.text = "walk",

@@ -71,6 +71,8 @@ class OrderStory {
     panel_ = Panel(place, extent);
   }
 
+  dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(p)); }
+
   void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     return {.text = subject_.eye.w == 1 ? "started" : "started.far",
@@ -138,7 +140,6 @@ class OrderStory {
     }
     return corners;
   }
-  dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(p)); }
 
   /// The faces of a cube, counter-clockwise from outside.
   static std::vector<std::vector<dvec3>> faces_of(const Cube& cell, double part) {
@@ -248,6 +249,8 @@ void tell_order(Narrator& narrator, bool from_front, const Walk& walk) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject);
   OrderStory story(narrator.words(), subject, from_front);
+  narrator.handles("points", [&](dvec3 p) { return story.at(p); });
+  if (subject.eye.w == 1) narrator.handles("eye", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::int64_t leaves = 0;

@@ -128,6 +128,9 @@ class Picture {
       : task_(task), flat_(faces_task::Reader(dvec3{0, 0, 1}), picture_place, corners_on(task)) {}
 
   dvec2 at(dvec3 p) const { return flat_.at(dvec3(task_.seen(p), 0)); }
+  std::optional<dvec2> shown_at(dvec3 p) const {
+    return task_.distant() || task_.depth(p) > 0 ? std::optional(at(p)) : std::nullopt;
+  }
   Ring2 at(const DPolygon& polygon) const {
     Ring2 ring;
     for (const dvec3 p : polygon.corners) ring.push_back(at(p));

@@ -61,6 +61,7 @@ class OrderStory {
         plan_(task, beside_place_),
         order_(keys_of_all()) {}
 
+  const Picture& picture() const { return picture_; }
   /// The first step at which one may cover the other, or does.
   std::optional<StepNumber> telling() const { return telling_; }
 
@@ -398,6 +399,7 @@ void tell_order(Narrator& narrator, const KeyKind& key, const Method& method) {
   method(task.polygons, task.view,
          [&]<class Step>(const Step&) { pieces += std::same_as<Step, Cut<double>>; });
   OrderStory story(narrator.words(), task, key, pieces);
+  narrator.handles("faces", [&](dvec3 p) { return story.picture().shown_at(p); });
   method(task.polygons, task.view, narrator.watcher(story));
   if (const auto telling = story.telling()) narrator.telling(*telling);
 }

@@ -342,6 +342,7 @@ void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {
   narrator.trace().subtitle =
       words.count(subject.sight.eye ? "subtitle_eye" : "subtitle", std::ssize(subject.faces),
                   {{"columns", subject.size.x}, {"rows", subject.size.y}});
+  narrator.handles("faces", [&](dvec3 p) { return subject.shown_at(p); });
   Grid& grid = narrator.trace().grid;
   grid.cells = subject.picture();
   grid.y_up = false;

@@ -53,6 +53,11 @@ struct Subject {
   Rgba8 color(Id id) const { return colors[static_cast<std::size_t>(id.face)]; }
   const std::vector<dvec3>& corners(Id id) const { return named[static_cast<std::size_t>(id.face)].points; }
   Window picture() const { return {{0, 0}, size - 1}; }
+  /// Where the picture, with pixels' numbers at their centres, shows a place of space.
+  std::optional<dvec2> shown_at(dvec3 p) const {
+    if (sight.eye && p.z <= sight.eye->z) return std::nullopt;
+    return as_it_is_in(picture())(dvec2(sight.image(p)) - 0.5);
+  }
 };
 
 /// "#rrggbb" as a colour.
