@@ -46,6 +46,9 @@ class LobeStory {
                       {"narrow", degrees(most->half)}}};
   }
 
+  /// Where the direction of a lamp at this angle begins.
+  static dvec2 start_of(double at) { return tip(at, 0.72); }
+
   static std::string degrees(double value) { return figure_real(std::round(value * 10) / 10) + "°"; }
 
  private:
@@ -68,8 +71,8 @@ class LobeStory {
                      origin - dvec2{8.4, 0.9}}},
                    1}});
     const auto arrow = [&](const std::string& id, Role role, double at, const std::string& name) {
-      view.add(
-          {id, role, Stroke{tip(at, at == theta_ ? 0.72 : 0), tip(at, at == theta_ ? 0.06 : 1.08), true}});
+      view.add({id, role,
+                Stroke{at == theta_ ? start_of(at) : origin, tip(at, at == theta_ ? 0.06 : 1.08), true}});
       view.add({id + " name", role, Text{tip(at, at == theta_ ? 0.78 : 1.14), name}});
     };
     arrow("n normal", Role::input, 0, "N");
@@ -109,8 +112,10 @@ class LobeStory {
 inline void tell_lobes(Narrator& narrator) {
   const Arguments& arguments = narrator.arguments();
   const Task task = task_of(arguments);
-  const dvec3 l = towards(task.lights[0], 0, task.place).first;
-  const double cosine = glm::dot(l, task.normal);
+  const auto cosine_of = [&](const Light& light) {
+    return glm::dot(towards(light, 0, task.place).first, task.normal);
+  };
+  const double cosine = cosine_of(task.lights[0]);
   if (!(cosine > 0)) refuse(arguments, {"lights", "normal"}, "expected a first lamp in front of the surface");
   narrator.paper(38, 18);
   narrator.trace().subtitle = narrator.words().say("lobes.subtitle");
@@ -121,6 +126,11 @@ inline void tell_lobes(Narrator& narrator) {
                    {Role::past, "before"},
                    {Role::result, "lobes"}});
   LobeStory story(narrator.words(), degrees_of(cosine));
+  narrator.handles("lights", [&](dvec3 position) {
+    return LobeStory::start_of(degrees_of(cosine_of(moved_to(position, task.lights[0], arguments))));
+  });
+  // Of several lamps the first alone is drawn
+  std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] > 0; });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   for (const Tuple& tuple : arguments.tuples("exponents")) {

@@ -44,6 +44,17 @@ class PlaceDrawing {
     if (glm::length(left_) < 0.5) left_ = -unit_vector(v - glm::dot(v, task.normal) * task.normal);
   }
 
+  /// Where the first drawing has a lamp, and the tip of the view vector to an eye; nothing for what lies in
+  /// the place itself.
+  std::optional<dvec2> lamp_at(const Light& light) const {
+    const dvec3 l = towards(light, 0, task_.place).first;
+    return l == dvec3{0} ? std::nullopt : std::optional(lamp_tip(angle(l)));
+  }
+  std::optional<dvec2> eye_at(dvec3 eye) const {
+    const dvec3 v = unit_vector(eye - task_.place);
+    return v == dvec3{0} ? std::nullopt : std::optional(tip(angle(v), 1));
+  }
+
   /// The angle of a direction, on its side.
   double angle(const dvec3& way) const {
     const double from_n = degrees_of(glm::dot(way, task_.normal));
@@ -171,9 +182,10 @@ class PlaceDrawing {
     const double a = degrees / degrees_per_radian;
     return origin_ + part * length_ * dvec2{-gradus::sin(a), gradus::cos(a)};
   }
+  dvec2 lamp_tip(double at) const { return tip(at, 1.06); }
   /// A lamp with its name on the far side.
   void add_lamp(View& view, const std::string& id, Role role, double at, std::size_t i, bool ring) const {
-    const dvec2 lamp = tip(at, 1.06);
+    const dvec2 lamp = lamp_tip(at);
     const bool left = lamp.x < origin_.x - 0.5;
     view.add({id, role, Dot{lamp, ring}});
     view.add({id + " name", role,
@@ -222,7 +234,7 @@ class PlaceDrawing {
   }
   void add_cone(View& view, const LampTaken<double>& t, const Light& light) const {
     const double l = angle(t.arrival.to_light);
-    const dvec2 lamp = tip(l, 1.06);
+    const dvec2 lamp = lamp_tip(l);
     const dvec3 axis = unit_vector(light.direction);
     const double off = degrees_of(-glm::dot(axis, t.arrival.to_light)),
                  outer = degrees_of(light.outer_cosine);

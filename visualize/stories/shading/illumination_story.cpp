@@ -39,6 +39,7 @@ class PlaceStory {
         fault_(fault),
         right_(std::move(right)) {}
 
+  const PlaceDrawing& drawing() const { return drawing_; }
   /// The first step whose figure shows the method's fault, or the first that adds something.
   StepNumber telling() const { return telling_.value_or(StepNumber{2, 0}); }
 
@@ -298,6 +299,10 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
   PlaceStory story(narrator.words(), task,
                    PlaceDrawing(narrator.words(), task, mirror, below, brightest_of(own, right)), mirror,
                    fault, right);
+  narrator.handles("lights", [&](dvec3 position) {
+    return story.drawing().lamp_at(moved_to(position, task.lights[0], narrator.arguments()));
+  });
+  narrator.handles("eye", [&](dvec3 eye) { return story.drawing().eye_at(eye); });
   run(task, method, narrator.watcher(story));
   narrator.telling(story.telling());
   narrator.result(facts_of(own.sum));

@@ -77,6 +77,14 @@ inline Light lamp_of(const Arguments& arguments) {
   return light;
 }
 
+/// A lamp at another position; it points where all do.
+inline Light moved_to(dvec3 position, Light light, const Arguments& arguments) {
+  light.position = position;
+  light.direction = arguments.place("aim").value_or(*arguments.place("place")) - position;
+  if (light.kind == Light::Kind::area) spread(light, share(arguments, "side"));
+  return light;
+}
+
 inline Task task_of(const Arguments& arguments) {
   Task task{.place = *arguments.place("place"),
             .normal = unit_vector(*arguments.place("normal")),
@@ -84,15 +92,11 @@ inline Task task_of(const Arguments& arguments) {
             .surface = surface_of(arguments)};
   if (task.normal == dvec3{0}) refuse(arguments, {"normal"}, "expected a normal with a direction");
   const Light pattern = lamp_of(arguments);
-  const dvec3 aim = arguments.place("aim").value_or(task.place);
   for (const dvec3 position : arguments.places("lights")) {
-    Light light = pattern;
-    light.position = position;
-    light.direction = aim - position;
+    task.lights.push_back(moved_to(position, pattern, arguments));
+    const Light& light = task.lights.back();
     if (light.kind != Light::Kind::point && light.direction == dvec3{0})
       refuse(arguments, {"aim", "lights"}, "expected lamps that point somewhere");
-    if (light.kind == Light::Kind::area) spread(light, share(arguments, "side"));
-    task.lights.push_back(light);
   }
   return task;
 }

@@ -265,6 +265,7 @@ void set_scene(Narrator& narrator, const Subject& subject) {
   narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(subject.rings),
                                                      {{"columns", subject.size.x}, {"rows", subject.size.y}});
   narrator.grid(subject.picture());
+  narrator.handles("faces", [&](dvec3 p) { return subject.on_screen(p) - 0.5; });
   narrator.trace().grid.whole = true;
   narrator.columns({{"x"}, {"y"}, {"gamma"}, {"I"}});
 }

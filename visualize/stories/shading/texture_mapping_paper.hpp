@@ -24,6 +24,11 @@ class Paper {
     narrator.trace().grid.whole = true;
     narrator.trace().grid.axes = false;
     narrator.trace().grid.y_up = false;
+    const gradus::Extent picture{{0, 0}, dvec2(subject_.size)};
+    narrator.handles("corners", [&](dvec3 corner) -> std::optional<dvec2> {
+      if (!picture.holds(dvec2(corner))) return std::nullopt;
+      return on_paper(dvec2(corner));
+    });
   }
 
   // What stays

@@ -20,6 +20,8 @@ class ThreeStory {
       : words_(words), subject_(subject), right_(right) {}
 
   /// Of the drawing, whose units are pixels.
+  static constexpr dvec2 first_corner{1, 1};  ///< of the pictures' lower left ones
+
   static Window paper(const Subject& subject) {
     return {{0, 0}, {3 * subject.size.x + 2 * gap + 1, subject.size.y + heading}};
   }
@@ -64,7 +66,7 @@ class ThreeStory {
   void put(Board& board) const {
     View view;
     for (std::size_t m = 0; m < 3; ++m) {
-      const dvec2 corner(1 + static_cast<double>(m) * (subject_.size.x + gap), 1);
+      const dvec2 corner = first_corner + dvec2(static_cast<double>(m) * (subject_.size.x + gap), 0);
       view.add({fmt::format("t {}", m), Role::guide,
                 Text{corner + dvec2(0.5 * subject_.size.x - 0.5, subject_.size.y + 0.6), name(m)}});
       if (m < done_.size()) put_picture(view, done_[m].picture, ivec2(corner));
@@ -105,6 +107,7 @@ inline void tell_three(Narrator& narrator) {
   narrator.columns({{"method", false}, {"lights"}, {"worst"}});
   narrator.legend({{Role::past, "faces"}});
   ThreeStory story(narrator.words(), subject, right);
+  narrator.handles("faces", [&](dvec3 p) { return ThreeStory::first_corner + subject.on_screen(p) - 0.5; });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::int64_t faces = 0;

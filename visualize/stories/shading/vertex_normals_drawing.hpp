@@ -34,6 +34,8 @@ class NormalsStory {
   /// The vertex where most faces that the reader sees meet: what its step shows tells most.
   StepNumber telling() const { return telling_; }
 
+  dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
+
   void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     return {.text = "normals.started",
@@ -129,7 +131,7 @@ class NormalsStory {
     for (std::size_t v = 0; v < mesh_.places.size(); ++v) {
       const dvec3 p = mesh_.places[v] + 1e-3 * length_ * mesh_.normals[v];
       const bool hidden = lines.pieces(p, p + 1e-3 * length_ * reader_.towards).front().hidden;
-      const dvec2 at = panel_.at(reader_.flat(mesh_.places[v]));
+      const dvec2 at = this->at(mesh_.places[v]);
       const std::string name = Subject::vertex_name(v);
       if (vertex_ == v) view.add({"v vertex", Role::current, Dot{at}});
       if (!hidden || vertex_ == v) view.add({"w " + name, Role::input, Label{at, name}});
@@ -181,6 +183,7 @@ inline void tell_vertex_normals(Narrator& narrator) {
                    {Role::accepted, "mean"},
                    {Role::result, "means"}});
   NormalsStory story(narrator.words(), mesh, reader, narrator.arguments().text("weighting"));
+  narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::vector<dvec3> normals(mesh.places.size());
