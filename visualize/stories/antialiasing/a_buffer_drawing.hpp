@@ -60,6 +60,16 @@ struct LargePixel {
     if (filled) view.add({id + " inside", role, Area{{ring}, 1}});
     view.add({id, role, Path{ring, true}});
   }
+  /// The first polygon's corners, or the ends of its sides, as far as they are in the pixel.
+  static void let_drag(Narrator& narrator, const Piece& first) {
+    narrator.handles("polygons", [&](dvec2 corner) -> std::optional<dvec2> {
+      const std::optional<dvec2> place = grip({{0, 0}, {1, 1}}, first.ring, corner);
+      return place ? std::optional(at(*place)) : std::nullopt;
+    });
+    const int numbers = 2 * static_cast<int>(first.ring.size());
+    std::erase_if(narrator.trace().handles,
+                  [&](const Handle& handle) { return handle.numbers[0] >= numbers; });
+  }
   static void add_samples(View& view, Mask of_these, Role role, bool ring) {
     for (int i = 0; i < samples; ++i) {
       if ((of_these & bit_of(i)) != 0)

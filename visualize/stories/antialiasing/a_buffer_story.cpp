@@ -383,6 +383,7 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
                    {Role::rejected, "hidden"},
                    {Role::past, "covered"}});
   ListStory story(narrator.words(), pieces);
+  LargePixel::let_drag(narrator, pieces[0]);
   const auto watch = narrator.watcher(story);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     list.push_back(pieces[i].fragment);
@@ -414,6 +415,7 @@ void tell_mask(Narrator& narrator) {
   narrator.columns({{"edge"}, {"inside", false}, {"mask", false}, {"bits"}});
   narrator.legend({{Role::current, "edge"}, {Role::candidate, "beyond"}, {Role::accepted, "in"}});
   MaskStory story(narrator.words(), piece);
+  LargePixel::let_drag(narrator, piece);
   const auto watch = narrator.watcher(story);
   const auto& p = piece.snapped;
   const triangle_coverage::Triangle triangle{p[0], p[1], p[2]};

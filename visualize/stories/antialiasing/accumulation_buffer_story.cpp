@@ -70,6 +70,12 @@ class Story {
             .ends = true};
   }
 
+  /// Where the picture of a pass has a place, if it reaches as far; a pixel by its upper left corner.
+  static std::optional<dvec2> shown_at(dvec2 place) {
+    const bool shown = Extent{{0, 0}, dvec2(Subject::size)}.holds(place);
+    return shown ? std::optional(pass.on_paper(place)) : std::nullopt;
+  }
+
  private:
   static constexpr int side = 16;  ///< of the pixel that is shown large
   static constexpr Frame large{{1, 2}, {side, side}}, pass{{19, 2}, Subject::size},
@@ -172,6 +178,7 @@ void tell_accumulate(Narrator& narrator) {
   narrator.trace().legend.front().sample = Sample::line;
   Picture sums{Subject::size};
   Story story(narrator.words(), subject, sums);
+  for (const std::string_view drawn : {"triangle", "pixel"}) narrator.handles(drawn, Story::shown_at);
   const auto render = [&](dvec2 place, const Sums<double>& plot) {
     draw(Subject::size, place, subject.colour(), plot);
   };

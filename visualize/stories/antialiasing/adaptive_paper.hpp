@@ -33,6 +33,19 @@ class Paper {
               Text{dvec2(map_) - 0.5 + dvec2{0.5 * size.x, -0.7 * zoom_}, words.say("picture")}});
     put_triangles(view, "b", {0, 0}, dvec2(subject_.size), [&](dvec2 p) { return on_map(p); });
   }
+  /// The corners that the picture shows, on the grid of 1/256 pixel.
+  void let_drag(Narrator& narrator) const {
+    const Extent picture{{0, 0}, dvec2(subject_.size)};
+    const auto at = [&](dvec3 p) -> std::optional<dvec2> {
+      const dvec2 corner = dvec2(triangle_coverage::snap(dvec2(p))) / double{subpixels};
+      return picture.holds(corner) ? std::optional(on_map(corner)) : std::nullopt;
+    };
+    narrator.handles("faces", at, 1);
+  }
+  /// Which pixel stands on the right, by its upper left corner.
+  void let_drag_pixel(Narrator& narrator) const {
+    narrator.handles("pixel", [&](dvec2 pixel) { return on_map(pixel); });
+  }
   /// Which pixel stands on the right, and the triangles through it.
   void put_large(View& view, const Words& words, ivec2 pixel) const {
     view.add({"c pixel", Role::boundary, square_on_map(pixel)});

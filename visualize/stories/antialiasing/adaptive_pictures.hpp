@@ -43,6 +43,12 @@ class PicturesStory {
   /// The outlines that all pictures are of.
   void outline(std::vector<std::vector<dvec2>> rings) { rings_ = std::move(rings); }
 
+  /// Where the first picture has a place, if it reaches as far.
+  std::optional<dvec2> shown_at(dvec2 place) const {
+    const bool shown = Extent{{0, 0}, dvec2(size_)}.holds(place);
+    return shown ? std::optional(dvec2(corner(0)) - 0.5 + place) : std::nullopt;
+  }
+
   void show(Board& board, const steps::Started&) {
     view_.plane = true;
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -133,12 +139,12 @@ inline double error_of(const Sheet& sheet, const Sheet& right) {
 }
 
 /// The scene three times as fine, so that a picture has edges of some length.
+inline constexpr int enlargement = 3;
 inline Subject enlarged(Subject subject) {
-  constexpr int factor = 3;
   for (ScreenTriangle& t : subject.triangles)
-    for (ivec2& corner : t.corners) corner *= factor;
-  subject.size *= factor;
-  subject.square *= factor;
+    for (ivec2& corner : t.corners) corner *= enlargement;
+  subject.size *= enlargement;
+  subject.square *= enlargement;
   return subject;
 }
 
@@ -162,6 +168,10 @@ inline void tell_pictures(Narrator& narrator) {
   std::vector<std::vector<dvec2>> rings;
   for (int i = 0; i < static_cast<int>(subject.triangles.size()); ++i) rings.push_back(subject.ring(i));
   story.outline(rings);
+  const auto at = [&](dvec3 p) {
+    return story.shown_at(dvec2(enlargement * triangle_coverage::snap(dvec2(p))) / double{subpixels});
+  };
+  narrator.handles("faces", at, 1);
   paper_of(narrator, story);
   narrator.legend({{Role::input, "input"}});
   const auto colour = subject.colours();

@@ -335,6 +335,8 @@ void tell_mixing(Narrator& narrator, bool everywhere, const Run& run) {
   const Paper paper(subject);
   paper.set(narrator);
   subtitle(narrator, subject, everywhere);
+  paper.let_drag(narrator);
+  if (everywhere) paper.let_drag_pixel(narrator);
   Story story(narrator.words(), subject, paper, everywhere);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
@@ -377,6 +379,7 @@ void tell_adaptive_contrast(Narrator& narrator) {
   const Paper paper(subject);
   paper.set(narrator);
   subtitle(narrator, subject);
+  paper.let_drag(narrator);
   narrator.columns({{"x"}, {"y"}, {"contrast"}, {"refined", false}});
   narrator.legend({{Role::current, "current"}, {Role::rejected, "alike"}});
   ContrastStory story(narrator.words(), subject, paper);

@@ -149,6 +149,9 @@ class PixelStory {
         .ends = true};
   }
 
+  /// A place of the pixel in the drawing.
+  static dvec2 at(dvec2 p) { return {corner + side * p.x, corner + side * (1 - p.y)}; }
+
  private:
   struct Shown {
     int key;
@@ -162,7 +165,6 @@ class PixelStory {
   };
   static constexpr double side = 22, corner = 2;
 
-  static dvec2 at(dvec2 p) { return {corner + side * p.x, corner + side * (1 - p.y)}; }
   static std::vector<dvec2> at(const std::vector<dvec2>& ring) {
     std::vector<dvec2> on_paper;
     for (const dvec2 p : ring) on_paper.push_back(at(p));
@@ -374,6 +376,27 @@ class PixelStory {
   std::optional<StepNumber> telling_{};
 };
 
+/// The triangles' corners, or the ends of their sides, as far as they are in the pixel.
+inline void let_drag(Narrator& narrator, const InPixel& subject) {
+  const std::vector<NamedFace> given = narrator.arguments().faces("triangles");
+  narrator.handles("triangles", [&](dvec3 p) -> std::optional<dvec2> {
+    // The corner that has been moved, from where it was put on the grid
+    double least = std::numeric_limits<double>::max();
+    std::optional<dvec2> place;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      std::vector<dvec2> ring;
+      for (const ivec2 corner : subject.triangles[k].corners) ring.push_back(in_pixels(dvec2(corner)));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const dvec3 way = p - given[k].points[i];
+        if (length_of(way) >= least) continue;
+        least = length_of(way);
+        place = grip({{0, 0}, {1, 1}}, ring, ring[i] + dvec2(way));
+      }
+    }
+    return place ? std::optional(PixelStory::at(*place)) : std::nullopt;
+  });
+}
+
 /// What is seen in the pixel 0,0, by one of the methods: run(fragments, see, observer).
 template <class Run>
 void tell_in_pixel(Narrator& narrator, bool faulty, const Run& run) {
@@ -396,6 +419,7 @@ void tell_in_pixel(Narrator& narrator, bool faulty, const Run& run) {
                    {Role::accepted, faulty ? "added" : "seen"},
                    {Role::measure, "equal"}});
   PixelStory story(narrator.words(), subject, fragments, faulty);
+  let_drag(narrator, subject);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   run(std::span(fragments), [](const auto&, const auto&, Exact) {}, watch);

@@ -158,6 +158,8 @@ void tell_pixel_areas(Narrator& narrator) {
   const std::vector<ivec2> corners = corners_of(narrator.arguments());
   const Window window = window_of(narrator.arguments());
   narrator.subtitle("subtitle", {{"n", corners.size()}});
+  narrator.handles("polygon", [&](dvec2 corner) { return shown_at(window, corner); }, 1);
+  narrator.handles("window", as_it_is_in(window));
   Grid& grid = narrator.trace().grid;
   grid.cells = window;
   grid.y_up = false;

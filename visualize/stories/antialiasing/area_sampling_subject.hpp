@@ -62,6 +62,11 @@ inline std::vector<ivec2> corners_of(const Arguments& arguments) {
   return corners;
 }
 
+/// Where a window of pixels, their numbers at their centres, shows a corner of that polygon, if it does.
+inline std::optional<dvec2> shown_at(const Window& window, dvec2 corner) {
+  return as_it_is_in(window)(in_pixels(dvec2(snap(corner))) - 0.5);
+}
+
 /// The window that is asked for; of a larger one the first 16 columns and rows.
 inline Window window_of(const Arguments& arguments) {
   Window window = *arguments.window("window");

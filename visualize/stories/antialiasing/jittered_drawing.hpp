@@ -68,6 +68,15 @@ struct Square {
     return {at(lower), at({upper.x, lower.y}), at(upper), at({lower.x, upper.y})};
   }
 
+  /// The ends of the edge's line in the pixel move with the two places it goes through.
+  void let_drag(Narrator& narrator, const Edge& edge) const {
+    narrator.handles("edge", [&](dvec2 place) -> std::optional<dvec2> {
+      const bool first = length_between(place, edge.a) <= length_between(place, edge.b);
+      const auto line = shown_line({{0, 0}, {1, 1}}, first ? Edge{place, edge.b} : Edge{edge.a, place});
+      return line ? std::optional(first ? line->a : line->b) : std::nullopt;
+    });
+  }
+
   void put_scene(View& view, const std::string& id, const Edge& edge) const {
     view.add({id + "1 pixel", Role::boundary, Path{box({0, 0}, {1, 1}), true}});
     std::vector<dvec2> ring;

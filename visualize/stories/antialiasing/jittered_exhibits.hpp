@@ -13,6 +13,8 @@ namespace gradus::jittered {
 /// A sample is put where it should be, and something else is made of it.
 class FaultyStory {
  public:
+  static constexpr Square pixel{{1, 23}, 22};
+
   FaultyStory(const Words& words, const Edge& edge, int asked, bool whole)
       : words_(words), edge_(edge), area_(edge.area()), asked_(asked), whole_(whole) {}
 
@@ -84,7 +86,6 @@ class FaultyStory {
   void put(Board& board) {
     ++milestones_;
     View view;
-    const Square pixel{{1, 23}, 22};
     pixel.put_scene(view, "a", edge_);
     // The finished picture has one colour here
     if (whole_) view.marks.erase("a0 scene");

@@ -73,6 +73,10 @@ inline double error_on_edges(Pattern pattern, int count, std::uint64_t seed) {
 class PatternsStory {
  public:
   static constexpr int width = 38, height = 29;
+  /// Three above three.
+  static Square pixel_of(std::size_t i) {
+    return {{1.25 + 12.5 * static_cast<double>(i % 3), i < 3 ? 26.6 : 12.4}, 10.5};
+  }
 
   PatternsStory(const Words& words, const Edge& edge, int count)
       : words_(words), edge_(edge), count_(count) {}
@@ -108,8 +112,8 @@ class PatternsStory {
   void put(Board& board) const {
     View view;
     for (std::size_t i = 0; i < all_of_them.size(); ++i) {
-      const dvec2 corner(1.25 + 12.5 * static_cast<double>(i % 3), i < 3 ? 26.6 : 12.4);
-      const Square pixel{corner, 10.5};
+      const Square pixel = pixel_of(i);
+      const dvec2 corner = pixel.corner;
       const std::string id = fmt::format("{} ", i), name(name_of(all_of_them[i]));
       view.add({id + "name", Role::guide, Text{corner + dvec2{5.25, 1.15}, words_.say("short." + name)}});
       pixel.put_scene(view, id + "a", edge_);
@@ -131,6 +135,7 @@ inline void tell_all_patterns(Narrator& narrator) {
   const Arguments& given = narrator.arguments();
   const int count = count_of(given, Pattern::sobol);
   PatternsStory story(narrator.words(), edge_of(given), count);
+  PatternsStory::pixel_of(0).let_drag(narrator, edge_of(given));
   narrator.paper(PatternsStory::width, PatternsStory::height);
   narrator.trace().subtitle = narrator.words().count(
       "subtitle", count, {{"seed", given.integer("seed")}, {"pixel", given.cell("pixel")}});

@@ -20,6 +20,8 @@ class PixelStory {
  public:
   static constexpr int width = 34, height = 24;
 
+  static Square square() { return {{1, 23}, 22}; }
+
   PixelStory(const Words& words, Pattern pattern, const Edge& edge, int asked)
       : words_(words), pattern_(pattern), edge_(edge), area_(edge.area()), asked_(asked) {}
 
@@ -161,8 +163,6 @@ class PixelStory {
   }
 
  private:
-  static Square square() { return {{1, 23}, 22}; }
-
   ivec2 rook(int column) const { return {column, rooks_[static_cast<std::size_t>(column)]}; }
   /// Fine grids have cells too small for arrows: rows and columns are lit instead.
   bool fine() const { return pattern_ >= Pattern::n_rooks; }
@@ -318,6 +318,7 @@ void tell_pattern(Narrator& narrator, const Put& put_samples) {
                    {Role::result, "inside"},
                    {Role::past, "outside"}});
   PixelStory story(narrator.words(), pattern, edge, count);
+  PixelStory::square().let_drag(narrator, edge);
   const auto watch = narrator.watcher(story);
   std::vector<dvec2> samples(static_cast<std::size_t>(count));
   put_samples(std::span(samples), numbers_of(given), watch);
@@ -373,6 +374,7 @@ void tell_faulty(Narrator& narrator, bool whole, const Run& run) {
       {{Role::input, "scene"}, {Role::current, "now"}, {Role::result, "inside"}, {Role::past, "outside"}});
   if (whole) narrator.add_to_legend(Role::rejected, "whole");
   FaultyStory story(narrator.words(), edge, asked, whole);
+  FaultyStory::pixel.let_drag(narrator, edge);
   run(edge, asked, narrator.watcher(story));
   narrator.telling(story.telling());
   narrator.result({{"mean", story.mean()}, {"area", story.area()}});

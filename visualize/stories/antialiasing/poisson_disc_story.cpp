@@ -339,6 +339,7 @@ void tell_discs(Narrator& narrator, bool beside, Run run) {
                      {Role::rejected, "refused"},
                      {Role::result, "disc"}});
   DiscStory story(narrator.words(), area, radius, beside);
+  narrator.handles("area", [&](dvec2 size) { return story.panel().at(size); });
   require_scale(story.panel(), given, {"area"});
   run(area, radius, narrator.watcher(story));
   narrator.telling(story.telling());

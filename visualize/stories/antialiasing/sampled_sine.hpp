@@ -54,6 +54,14 @@ class SineStory {
 
   static constexpr int width = 42, height = 26;
 
+  /// The frequency, and the end of the band for the rate.
+  void let_drag(Narrator& narrator) const {
+    const NumberLine line = frequencies();
+    const dvec2 along = line.at(1) - line.at(0);
+    narrator.handle("frequency", 0, line.at(task_.f), along);
+    narrator.handle("rate", 0, line.at(0.5 * task_.fs), 0.5 * along);
+  }
+
   void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
   Event say(const steps::Started&) const {
     return {.text = "sine.started", .words = {{"f", task_.f}, {"fs", task_.fs}, {"count", task_.count}}};
@@ -144,11 +152,14 @@ class SineStory {
     add_frequencies(view);
     return view;
   }
+  NumberLine frequencies() const {
+    const double half = 0.5 * task_.fs, far = std::max(1.15 * std::abs(task_.f), 0.65 * task_.fs);
+    return {{2.6, 3.6}, {39.4, 3.6}, task_.f < 0 ? -far : -1.3 * half, task_.f < 0 ? 1.3 * half : far};
+  }
   /// The frequencies in a row: the band between minus and plus half the rate, and the way into it.
   void add_frequencies(View& view) const {
-    const double half = 0.5 * task_.fs, far = std::max(1.15 * std::abs(task_.f), 0.65 * task_.fs);
-    const NumberLine line({2.6, 3.6}, {39.4, 3.6}, task_.f < 0 ? -far : -1.3 * half,
-                          task_.f < 0 ? 1.3 * half : far);
+    const double half = 0.5 * task_.fs;
+    const NumberLine line = frequencies();
     line.add_to(view, "g", words_.symbol("f"), 8);
     view.add({"h band", Role::candidate, Stroke{line.at(-half), line.at(half)}});
     view.add({"i frequency", Role::input, Dot{line.at(task_.f)}});
@@ -191,6 +202,7 @@ inline void tell_sine(Narrator& narrator) {
                    {Role::measure, "away"},
                    {Role::result, "alias"}});
   SineStory story(narrator.words(), task);
+  story.let_drag(narrator);
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::vector<double> samples(static_cast<std::size_t>(task.count));

@@ -18,6 +18,11 @@ class PixelStory {
   static void set_paper(Narrator& narrator) { set_cells(narrator, {37, 28}); }
   StepNumber telling() const { return {telling_, 0}; }
   double value() const { return value_; }
+  /// Where what is shown of the triangle has a corner, or the end of a side towards it.
+  std::optional<dvec2> grip_at(dvec2 corner) const {
+    const std::optional<dvec2> at = grip(shown(), subject_.corners, corner);
+    return at ? std::optional(panel_.at(*at)) : std::nullopt;
+  }
 
   void show(Board& board, const Started& s) {
     heaviest_ = 0;
@@ -215,6 +220,7 @@ inline void tell_supersample(Narrator& narrator) {
                    {Role::result, "mean"}});
   if (subject.filter == Filter::box) narrator.add_to_legend(Role::measure, "exact");
   PixelStory story(narrator.words(), subject);
+  narrator.handles("corners", [&](dvec2 corner) { return story.grip_at(corner); });
   const auto share = [&](dvec2 place) { return subject.share_at(place); };
   supersample(
       {subject.pixel, subject.pixel}, subject.n, subject.filter, share, [](ivec2, double) {},
