@@ -68,6 +68,8 @@ void tell_tour(Narrator& narrator, const Exchanged& exchanged) {
       {{"model", model.empty() ? "letter_f.obj" : model}, {"width", size.width}, {"height", size.height}});
   Grid& grid = narrator.trace().grid;
   const ChainPaper paper(size);
+  // A pixel by its upper left corner in the picture that comes out
+  if (asked == 0) narrator.handles("pixel", [&](dvec2 p) { return paper.in_picture(Side::after, p - 0.5); });
   grid.cells = paper.cells();
   grid.lines = paper.least_cell();
   grid.y_up = false;
