@@ -14,6 +14,7 @@
 #include "request/written_json.hpp"
 #include "stories/topic.hpp"
 #include "stress/domain.hpp"
+#include "support/example_arguments.hpp"
 #include "support/odd_arguments.hpp"
 
 namespace gradus::test {
@@ -28,7 +29,7 @@ class LiveRequests {
   std::vector<std::string> drawn(std::size_t seeded) {
     add({});
     for (const Method& method : topic_.methods) add({{"method", method.name}});
-    for (const std::string& example : topic_.examples) add(arguments_in(example));
+    for (const std::string& example : topic_.examples) add(arguments_in(topic_, example));
     const std::vector<const stress::Property*> properties = drawable_properties();
     for (const stress::Property* property : properties) {
       for (const stress::Trap& trap : property->traps) add(arguments_of(*property, trap.input));
@@ -49,28 +50,6 @@ class LiveRequests {
   static std::uint64_t own_seed(const TopicEntry& topic, std::uint64_t seed) {
     for (const char c : topic.name) seed = 31 * seed + static_cast<unsigned char>(c);
     return seed;
-  }
-
-  const Parameter* parameter_of(std::string_view name) const {
-    const auto found = std::ranges::find(topic_.parameters, name, &Parameter::name);
-    return found == topic_.parameters.end() ? nullptr : &*found;
-  }
-
-  /// "--from 0,0 --to=7,3 --exact", as examples are written.
-  std::vector<Argument> arguments_in(std::string_view line) const {
-    std::vector<Argument> given;
-    const std::vector<std::string> words = shell_words(line).value();
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const std::size_t equals = std::min(words[i].find('='), words[i].size());
-      const std::string name = folded(words[i].substr(2, equals - 2));
-      const Parameter* const parameter = parameter_of(name);
-      if (parameter && parameter->type == ParameterType::flag) {
-        given.push_back({name, "yes"});
-      } else {
-        given.push_back({name, equals < words[i].size() ? words[i].substr(equals + 1) : words.at(++i)});
-      }
-    }
-    return given;
   }
 
   /// The topic's promises whose inputs are arguments of it.

@@ -1,0 +1,408 @@
+// What of an input can be dragged: in every topic, by every method and example, each handle stands on
+// something of the first drawing, names numbers that are there, and moves with them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "stories/handles.hpp"
+#include "stories/topic.hpp"
+#include "support/example_arguments.hpp"
+#include "support/sanitized.hpp"
+
+namespace gradus {
+namespace {
+
+// --- The numbers of a text, counted as the page does (visualize/web/workbench/numbers.js)
+
+struct Written {
+  std::size_t at, length;
+  double value;
+};
+
+std::vector<Written> numbers_in(const std::string& text) {
+  static const std::regex number(R"([-+]?(?:\d+/\d+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?![\w.]|[^;]*:))",
+                                 std::regex::icase);
+  std::vector<Written> numbers;
+  for (std::size_t from = 0; from < text.size();) {
+    const char before = from == 0 ? ' ' : text[from - 1];
+    std::smatch found;
+    const auto begin = text.cbegin() + static_cast<std::ptrdiff_t>(from);
+    const bool free = std::isalnum(static_cast<unsigned char>(before)) == 0 && before != '_' &&
+                      before != '#' && before != '.';
+    if (!free ||
+        !std::regex_search(begin, text.cend(), found, number, std::regex_constants::match_continuous)) {
+      ++from;
+      continue;
+    }
+    const std::string written = found.str();
+    const std::size_t slash = written.find('/');
+    double value = std::stod(written);
+    if (slash != std::string::npos) value /= std::stod(written.substr(slash + 1));
+    numbers.push_back({from, written.size(), value});
+    from += written.size();
+  }
+  return numbers;
+}
+
+std::string with_number(const std::string& text, int number, double by) {
+  const Written old = numbers_in(text).at(static_cast<std::size_t>(number));
+  return text.substr(0, old.at) + fmt::format("{}", old.value + by) + text.substr(old.at + old.length);
+}
+
+TEST(NumbersOfAText, AreCountedAsThePageCountsThem) {
+  const auto values = [](const std::string& text) {
+    std::vector<double> list;
+    for (const Written& w : numbers_in(text)) list.push_back(w.value);
+    return list;
+  };
+  EXPECT_EQ(values("0,-1.5 1e3,1/4"), (std::vector<double>{0, -1.5, 1000, 0.25}));
+  EXPECT_EQ(values("2: 0,0,1 1,0,1 1,1,1"), (std::vector<double>{0, 0, 1, 1, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(values("2 left #009e73: 7,8,9; A1: 3,4,5"), (std::vector<double>{7, 8, 9, 3, 4, 5}));
+}
+
+// --- What stands where
+
+class Drawing {
+ public:
+  explicit Drawing(const Trace& trace) : grid_(trace.grid), canvas_(Playhead(trace).at(0)) {
+    for (const Mark& mark : trace.backdrop) add(mark);
+    for (const auto& [id, mark] : canvas_.marks()) add(mark);
+  }
+
+  /// A dot, a corner of a path or an area, the end of a stroke; or a cell that shows something.
+  bool has_something_at(dvec2 place) const {
+    const double near = 1e-6 * std::max(size().x, size().y);
+    return std::ranges::any_of(points_, [&](dvec2 p) { return glm::distance(p, place) <= near; }) ||
+           is_in_a_cell(place);
+  }
+  /// A cell of the grid, whatever it shows.
+  bool has_cell_at(dvec2 place) const {
+    return !canvas_.plane() && glm::round(place) == place && grid_.own().contains(ivec2(place));
+  }
+  dvec2 size() const { return dvec2(grid_.cells.upper) - dvec2(grid_.cells.lower) + 1.0; }
+
+ private:
+  void add(const Mark& mark) {
+    if (const auto* dot = std::get_if<Dot>(&mark.shape)) points_.push_back(dot->at);
+    if (const auto* stroke = std::get_if<Stroke>(&mark.shape))
+      points_.insert(points_.end(), {stroke->a, stroke->b});
+    if (const auto* path = std::get_if<Path>(&mark.shape))
+      points_.insert(points_.end(), path->points.begin(), path->points.end());
+    if (const auto* area = std::get_if<Area>(&mark.shape)) {
+      for (const auto& ring : area->rings) points_.insert(points_.end(), ring.begin(), ring.end());
+    }
+  }
+  /// The cells' borders belong to them.
+  bool is_in_a_cell(dvec2 place) const {
+    for (const dvec2 aside : {dvec2{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {0.25, 0.25}}) {
+      const ivec2 cell(glm::round(place + aside));
+      const dvec2 off = glm::abs(place - dvec2(cell));
+      if (std::max(off.x, off.y) <= 0.5 + 1e-9 && !canvas_.plane() && canvas_.at(cell)) return true;
+    }
+    return false;
+  }
+
+  Grid grid_;
+  Canvas canvas_;
+  std::vector<dvec2> points_;
+};
+
+// --- The runs
+
+struct Case {
+  const TopicEntry* topic;
+  std::vector<Argument> given;
+
+  std::string name() const {
+    std::string name = topic->name;
+    for (const Argument& a : given) name += fmt::format(" --{} '{}'", a.name, a.value);
+    return name;
+  }
+  ParameterType type_of(std::string_view parameter) const {
+    return std::ranges::find(topic->parameters, parameter, &Parameter::name)->type;
+  }
+  bool is_default_of_a_method() const { return given.size() == 1 && given[0].name == "method"; }
+  /// Its first step alone.
+  Trace trace() const { return topic->run(arguments_of(*topic, given), {0, 1, {}}); }
+  Case with(const std::string& parameter, const std::string& text) const {
+    Case other = *this;
+    std::erase_if(other.given, [&](const Argument& a) { return a.name == parameter; });
+    other.given.push_back({parameter, text});
+    return other;
+  }
+};
+
+bool reads_a_file(const Case& run) {
+  return std::ranges::any_of(run.given,
+                             [](const Argument& a) { return a.name == "image" || a.name == "model"; });
+}
+
+/// Whole pictures and curves: they take long, and draw nothing of an argument's points.
+bool is_long(const Case& run) {
+  static const std::set<std::string> pictures{"accumulation_buffer passes_side_by_side",
+                                              "illumination lights_side_by_side",
+                                              "jittered pictures",
+                                              "perspective depth_precision",
+                                              "sampling_theorem artefacts",
+                                              "sampling_theorem chequerboard",
+                                              "sampling_theorem reconstruction",
+                                              "sampling_theorem zone_plate",
+                                              "supersampling blurred_channels",
+                                              "supersampling filters",
+                                              "supersampling large_picture",
+                                              "supersampling more_samples",
+                                              "supersampling rays",
+                                              "supersampling upsampled_image"};
+  return std::ranges::any_of(run.given, [&](const Argument& a) {
+    return a.name == "method" && pictures.contains(run.topic->name + " " + a.value);
+  });
+}
+
+/// Each once: every method as it is, and the examples.
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  std::set<std::string> known;
+  const auto add = [&](Case run) {
+    if (!reads_a_file(run) && !is_long(run) && known.insert(run.name()).second)
+      cases.push_back(std::move(run));
+  };
+  for (const TopicEntry* topic : catalogue()) {
+    for (const Method& method : topic->methods) add({topic, {{"method", method.name}}});
+    for (const std::string& example : topic->examples) add({topic, test::arguments_in(*topic, example)});
+  }
+  return cases;
+}
+
+void expect_well_formed(const Trace& trace, const Case& run) {
+  const Arguments arguments = arguments_of(*run.topic, run.given);
+  std::set<std::pair<std::string, std::vector<int>>> known;
+  for (const Handle& handle : trace.handles) {
+    const std::size_t count = numbers_in(arguments.text(handle.parameter)).size();
+    EXPECT_TRUE(known.insert({handle.parameter, handle.numbers}).second) << handle.parameter << " twice";
+    EXPECT_EQ(std::set<int>(handle.numbers.begin(), handle.numbers.end()).size(), handle.numbers.size());
+    for (const int number : handle.numbers) {
+      EXPECT_TRUE(0 <= number && static_cast<std::size_t>(number) < count) << handle.parameter << number;
+    }
+    ASSERT_EQ(handle.along.size(), handle.numbers.size()) << handle.parameter;
+    double most = 0;
+    for (const dvec2 way : handle.along) {
+      EXPECT_TRUE(std::isfinite(way.x) && std::isfinite(way.y)) << handle.parameter;
+      most = std::max({most, std::abs(way.x), std::abs(way.y)});
+    }
+    EXPECT_GT(most, 0) << handle.parameter << " " << handle.numbers[0] << " stays where it is";
+  }
+}
+
+void expect_to_stand_on_something(const Trace& trace, const Case& run) {
+  const Drawing drawing(trace);
+  for (const Handle& handle : trace.handles) {
+    const bool window = run.type_of(handle.parameter) == ParameterType::window;
+    EXPECT_TRUE(drawing.has_something_at(handle.at) || (window && drawing.has_cell_at(handle.at)))
+        << "nothing at (" << handle.at.x << ", " << handle.at.y << "), the handle of " << handle.parameter
+        << " " << handle.numbers[0];
+  }
+}
+
+/// What must be there to drag in the default input of these methods; of all methods where none is named.
+struct Wanted {
+  const char *topic, *methods, *parameters;
+};
+
+std::vector<Wanted> all_wanted() {
+  return {
+      {"a_buffer", "resolve mask_of sum_of_areas divided_by_covered", "polygons"},
+      {"accumulation_buffer", "accumulate", "triangle pixel"},
+      {"adaptive", "adaptive adaptive_contrast pictures", "faces"},
+      {"adaptive", "each_sample", "faces pixel"},
+      {"affine_2d", "", "polygon"},
+      {"affine_3d", "one_matrix row_vectors", "box"},
+      {"affine_3d", "decomposition", "axis through box"},
+      {"affine_3d", "turn_vector constant_offset", "axis through point"},
+      {"antialiased_line", "wu gupta_sproull exact_area distance_along_column", "from to"},
+      {"area_sampling", "pixel_areas", "polygon window"},
+      {"area_sampling", "visible_areas areas_without_visibility", "triangles"},
+      {"back_face_culling", "", "faces eye"},
+      {"bresenham_circle", "", "center radius"},
+      {"bresenham_line", "", "from to"},
+      {"bsp_tree", "", "faces"},
+      {"cohen_sutherland_2d", "", "line window"},
+      {"cohen_sutherland_3d", "cut_of_a_cut correctly_rounded", "line box"},
+      {"cohen_sutherland_3d", "view_volume", "homogeneous"},
+      {"flood_fill", "", "at"},
+      {"illumination", "phong blinn_phong unclamped light_behind tinted_highlight light_minus_normal",
+       "lights eye"},
+      {"illumination", "highlight_lobes", "lights"},
+      {"jittered",
+       "jittered regular uniform n_rooks correlated_multi_jittered sobol all_patterns whole_coordinates "
+       "divided_by_asked",
+       "edge"},
+      {"liang_barsky", "parametric correctly_rounded", "line window"},
+      {"liang_barsky", "box_parametric", "space_line box"},
+      {"liang_barsky_circle", "", "line circle"},
+      {"octree_order", "", "points eye"},
+      {"painter", "", "faces"},
+      {"parallel", "oblique orthographic keep_x_and_y", "at d"},
+      {"parallel", "along", "at plane"},
+      {"perspective", "projection", "at distance"},
+      {"perspective", "vanishing_points parallel_by_plane", "at"},
+      {"perspective", "frustum", "distance far fields"},
+      {"perspective", "transformation keep_z", "from to distance wall"},
+      {"perspective", "divide_tested divide_untested zoom_minus_z", "points centre zoom scales"},
+      {"poisson_disc", "bridson dart_throwing", "area"},
+      {"polygon_circle", "", "polygon circle"},
+      {"polygon_shading", "", "faces"},
+      {"sampling_theorem", "sine", "frequency rate"},
+      {"supersampling", "supersample", "corners"},
+      {"sutherland_hodgman",
+       "border_by_border separate_pieces cut_of_a_cut entering_not_cut previous_left_behind marked_by_window "
+       "containing_left_whole",
+       "polygon window"},
+      {"sutherland_hodgman", "homogeneous", "homogeneous"},
+      {"texture_mapping", "perspective_correct nearest bilinear mip_mapped affine", "corners"},
+      {"triangle_coverage", "", "triangles window"},
+      {"viewing", "world_to_view view_to_world spare_up minus_position transposed cross_products",
+       "eye target up"},
+      {"viewing", "inverse_of_any_frame", "axes"},
+      {"viewport", "", "points window"},
+      {"z_buffer", "", "faces"},
+  };
+}
+
+std::set<std::string> words_in(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// By topic and method.
+std::map<std::string, std::set<std::string>> wanted_by_method() {
+  std::map<std::string, std::set<std::string>> wanted;
+  for (const auto& [topic, methods, parameters] : all_wanted()) {
+    std::set<std::string> names = words_in(methods);
+    if (names.empty()) {
+      for (const Method& method : find_entry(topic)->methods) names.insert(method.name);
+    }
+    for (const std::string& name : names) wanted[std::string(topic) + " " + name] = words_in(parameters);
+  }
+  return wanted;
+}
+
+/// Of a run with a method's default input.
+void expect_all_wanted(const Trace& trace) {
+  static const auto wanted = wanted_by_method();
+  std::set<std::string> found;
+  for (const Handle& handle : trace.handles) found.insert(handle.parameter);
+  const auto own = wanted.find(trace.topic + " " + trace.method);
+  EXPECT_EQ(found, own == wanted.end() ? std::set<std::string>{} : own->second);
+}
+
+// --- Dragging
+
+bool is_whole(ParameterType type) {
+  return type == ParameterType::cell || type == ParameterType::window || type == ParameterType::integer;
+}
+
+struct Nudged {
+  double by;
+  Case run;
+  Trace trace;
+};
+
+/// The run with one number changed a little, up or, where it refuses that, down; nothing where it refuses
+/// both.
+std::optional<Nudged> nudged(const Case& run, const Handle& handle, std::size_t which) {
+  const double by = is_whole(run.type_of(handle.parameter)) ? 1 : 0.015625;
+  const std::string text = arguments_of(*run.topic, run.given).text(handle.parameter);
+  for (const double step : {by, -by}) {
+    try {
+      Case other = run.with(handle.parameter, with_number(text, handle.numbers[which], step));
+      Trace trace = other.trace();
+      return Nudged{step, std::move(other), std::move(trace)};
+    } catch (const ArgumentError&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+const Handle* find(const Trace& trace, const Handle& like) {
+  const auto found = std::ranges::find_if(trace.handles, [&](const Handle& h) {
+    return h.parameter == like.parameter && h.numbers == like.numbers;
+  });
+  return found == trace.handles.end() ? nullptr : &*found;
+}
+
+/// Whether all handles but those of this argument stay: then the drawing has not been fitted anew.
+bool is_still(const Trace& before, const Trace& after, const Handle& moved) {
+  int still = 0;
+  for (const Handle& handle : before.handles) {
+    if (std::ranges::any_of(handle.numbers, [&](int n) {
+          return handle.parameter == moved.parameter &&
+                 std::ranges::find(moved.numbers, n) != moved.numbers.end();
+        }))
+      continue;
+    const Handle* const there = find(after, handle);
+    if (!there || glm::distance(there->at, handle.at) > 1e-9) return false;
+    ++still;
+  }
+  return still >= 2;
+}
+
+/// Changes a number of each argument that this method has not had changed yet. Returns how many handles went
+/// as their `along` says.
+int expect_to_move(const Trace& before, const Case& run, std::set<std::string>& done) {
+  int foretold = 0;
+  for (const Handle& handle : before.handles) {
+    if (!done.insert(fmt::format("{} {} {}", before.topic, before.method, handle.parameter)).second) continue;
+    const std::size_t which = done.size() % handle.numbers.size();
+    const auto other = nudged(run, handle, which);
+    if (!other) continue;
+    SCOPED_TRACE(other->run.name());
+    const Trace& after = other->trace;
+    expect_to_stand_on_something(after, other->run);
+    const Handle* const there = find(after, handle);
+    if (!there || !is_still(before, after, handle)) continue;
+    const dvec2 way = other->by * handle.along[which], gone = there->at - handle.at;
+    EXPECT_LE(glm::distance(way, gone), 0.05 * glm::length(way) + 1e-5 * Drawing(after).size().x)
+        << handle.parameter << " went (" << gone.x << ", " << gone.y << "), not (" << way.x << ", " << way.y
+        << ")";
+    ++foretold;
+  }
+  return foretold;
+}
+
+TEST(Handles, StandOnWhatIsDrawnAndMoveWithTheirNumbers) {
+  if (test::sanitized) return;  // all of this is run by golden/trace_hash
+  int foretold = 0;
+  std::set<std::string> moved;
+  for (const Case& run : all_cases()) {
+    SCOPED_TRACE(run.name());
+    const Trace trace = run.trace();
+    expect_well_formed(trace, run);
+    expect_to_stand_on_something(trace, run);
+    if (run.is_default_of_a_method()) expect_all_wanted(trace);
+    foretold += expect_to_move(trace, run, moved);
+  }
+  EXPECT_GT(foretold, 50) << "handles in drawings that were not fitted anew";
+}
+
+TEST(Handles, CountTheNumbersBehindNamesWithDigits) {
+  const Case run{find_entry("polygon_shading"),
+                 {{"method", "flat"}, {"faces", "2 left: 0,0,0 10,0,0 5,10,0; A1: 10,0,0 11,9,0 5,10,0"}}};
+  const Trace trace = run.trace();
+  expect_well_formed(trace, run);
+  std::set<std::string> moved;
+  EXPECT_EQ(expect_to_move(trace, run, moved), 1);
+  const std::vector<Written> numbers = numbers_in(arguments_of(*run.topic, run.given).text("faces"));
+  ASSERT_EQ(trace.handles.size(), 6u);
+  EXPECT_EQ(numbers.at(static_cast<std::size_t>(trace.handles[4].numbers[0])).value, 11);
+  EXPECT_EQ(numbers.at(static_cast<std::size_t>(trace.handles[4].numbers[1])).value, 9);
+}
+
+}  // namespace
+}  // namespace gradus
