@@ -5,8 +5,8 @@
 /** Kinds of parameters whose texts hold numbers that can be moved. */
 const MOVABLE = new Set(['cell', 'window', 'integer', 'number', 'numbers', 'bounds', 'points', 'rings', 'factors', 'faces']);
 const WHOLE = new Set(['cell', 'window', 'integer']);
-/** Not a part of a name or of a colour, and not a name itself ("2: 0,0,1 …"). */
-const NUMBER = /(?<![\w#.])[-+]?(?:\d+\/\d+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?![\w.]|\s*:)/gi;
+/** Not a part of a name or of a colour, nor of a face's name: "2: 0,0,1 …", "front 2 left: 0,0,1 …". */
+const NUMBER = /(?<![\w#.])[-+]?(?:\d+\/\d+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?![\w.]|[^;]*:)/gi;
 
 /** {at, length, value, tuple, whole}: tuple counts those that belong together. */
 function numbersIn(text, type) {
