@@ -217,6 +217,7 @@ void Narrator::backdrop(std::string id, Role role, decltype(Mark::shape) shape) 
 
 void Narrator::add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at,
                            std::optional<double> step) {
+  if (!arguments_.has(parameter)) return;  // of what is not given there may be no entry
   const auto declared = std::ranges::find(topic_.parameters, parameter, &Parameter::name);
   const bool bounds = declared->type == ParameterType::bounds;
   for (Handle& handle : handles_of(arguments_.entry(parameter), dimensions, bounds, at, step))

@@ -132,9 +132,10 @@ class HandleLayer {
   /** Counted from what is seen: a panel that is fitted anew while its input is dragged comes under the hand again. */
   moveBy({name, numbers, along}, dx, dy) {
     const by = changesFor(along, dx, dy), shown = this.host.shownNumbers().filter((number) => number.name === name);
-    this.apply(name, numbers.map((index, i) => {
+    this.apply(name, numbers.flatMap((index, i) => {
+      if (by[i] === 0) return [];  // a depth that the drawing does not show stays as it is
       const {value, whole} = shown[index];
-      return [index, roundedTo(value + by[i], whole ? 1 : this.stepOf(along[i], DRAG_PIXELS))];
+      return [[index, roundedTo(value + by[i], whole ? 1 : this.stepOf(along[i], DRAG_PIXELS))]];
     }));
   }
   /** What a number's steps are so that they go that far in the drawing. */
