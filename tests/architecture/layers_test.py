@@ -31,7 +31,7 @@ PACKAGES = {
     "fontconfig/": "visualize/cairo/",
     "zlib.h": "visualize/cairo/deflated.cpp",
     "CLI/": "visualize/cli/",
-    "nlohmann/": "visualize/json/json.cpp",
+    "nlohmann/": "visualize/json/",
     "boost/": "algorithms/core/arithmetic/exact_scalar.cpp",
     "png.h": "algorithms/core/image.cpp",
     "hwy/": ("algorithms/", "pipeline/engine/"),
@@ -42,7 +42,7 @@ PACKAGES = {
     "assimp/": "visualize/cli/imported_",
     "tiny_obj_loader.h": "tests/",
 }
-ONE_FILE = ("zlib.h", "CLI/", "nlohmann/", "boost/", "png.h", "cmark-gfm", "archive", "turbojpeg.h")  # heavy or confined: a single .cpp
+ONE_FILE = ("zlib.h", "CLI/", "boost/", "png.h", "cmark-gfm", "archive", "turbojpeg.h")  # heavy or confined: a single .cpp
 ORACLES = ("zlib.h", "boost/", "png.h", "nlohmann/", "hwy/", "cairo", "turbojpeg.h", "assimp/")  # tests and benchmarks use them too
 BATCH_ONLY = ("hwy/",)  # SIMD: nothing that a reader of the algorithm sees
 

@@ -18,7 +18,6 @@ namespace gradus {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using SortedJson = nlohmann::json;
 
 // -- Text -----------------------------------------------------------------------------------------
 
@@ -366,11 +365,12 @@ Json names_json(const Trace& trace) {
   return {{"variables", variables_of(trace)}, {"quantities", quantities}};
 }
 
-/// [parameter, [its numbers], [x, y], [[dx, dy] for each number]]
-Json handle_json(const Handle& handle) {
-  Json along = Json::array();
-  for (const dvec2 way : handle.along) along.push_back({way.x, way.y});
-  return Json::array({handle.parameter, handle.numbers, Json::array({handle.at.x, handle.at.y}), along});
+/// [parameter, [its numbers], [x, y], [dx, dy for each number]] each
+Json handles_json(const std::vector<Handle>& handles) {
+  Json out = Json::array();
+  for (const Handle& h : handles)
+    out.push_back(Json::array({h.parameter, h.numbers, Json::array({h.at.x, h.at.y}), points_json(h.along)}));
+  return out;
 }
 
 void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
@@ -385,11 +385,7 @@ void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   if (with_legend) out.member("legend", legend);
   out.member("grid", grid_json(trace.grid));
   out.member("backdrop", marks_json(trace.backdrop));
-  if (!trace.handles.empty()) {
-    Json handles = Json::array();
-    for (const Handle& handle : trace.handles) handles.push_back(handle_json(handle));
-    out.member("handles", handles);
-  }
+  if (!trace.handles.empty()) out.member("handles", handles_json(trace.handles));
   const bool from_the_start = trace.steps.empty() || trace.steps.front().number == StepNumber{};
   if (!from_the_start) out.member("before", before_json(trace));
 }
@@ -499,44 +495,6 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
                 {"examples", topic->examples}};
   });
   return std::move(out).finish();
-}
-
-// Of a library type that finds a member in logarithmic time: a manifest may have thousands of jobs.
-
-std::string manifest_json(const Manifest& manifest) {
-  SortedJson jobs = SortedJson::object();
-  for (const auto& [slug, job] : manifest.jobs) {
-    SortedJson files = SortedJson::array();
-    for (const ManifestFile& f : job.second)
-      files.push_back({{"path", f.path}, {"size", f.size}, {"modified", f.modified}});
-    jobs[slug] = {{"key", job.first}, {"files", std::move(files)}};
-  }
-  const SortedJson all{{"owner", manifest.owner}, {"jobs", std::move(jobs)}};
-  return all.dump(1, ' ', false, SortedJson::error_handler_t::replace) + "\n";
-}
-
-Manifest parse_manifest(std::string_view text) {
-  const SortedJson json = SortedJson::parse(text, nullptr, false);
-  Manifest out;
-  if (!json.is_object() || !json.contains("jobs") || !json["jobs"].is_object()) return out;
-  if (json.contains("owner") && json["owner"].is_string()) out.owner = json["owner"].get<std::string>();
-  const auto is_file = [](const SortedJson& f) {
-    return f.is_object() && f.contains("path") && f["path"].is_string() && f.contains("size") &&
-           f["size"].is_number_unsigned() && f.contains("modified") && f["modified"].is_number_integer();
-  };
-  // A job that can't be read in full is left out: it is made anew.
-  for (const auto& [slug, job] : json["jobs"].items()) {
-    if (!job.is_object() || !job.contains("key") || !job["key"].is_string()) continue;
-    if (!job.contains("files") || !job["files"].is_array()) continue;
-    if (!std::ranges::all_of(job["files"], is_file)) continue;
-    auto& [key, files] = out.jobs[slug];
-    key = job["key"].get<std::string>();
-    for (const SortedJson& f : job["files"]) {
-      files.push_back(
-          {f["path"].get<std::string>(), f["size"].get<std::uint64_t>(), f["modified"].get<std::int64_t>()});
-    }
-  }
-  return out;
 }
 
 }  // namespace gradus

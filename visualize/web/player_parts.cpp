@@ -87,7 +87,7 @@ std::string player_scripts() {
   for (const std::string_view file :
        {"words.js", "run.js", "typeset.js", "elements.js", "stage.js", "labels.js", "overview.js",
         "legend.js", "motion.js", "drawing.js", "scrub.js", "address.js", "clipboard.js", "export.js",
-        "together.js", "view.js", "player.js", "page.js"}) {
+        "together.js", "view.js", "player.js", "controls.js", "page.js"}) {
     out.append(web_asset(file));
   }
   return out;

@@ -128,13 +128,17 @@ class Stage {
     return {cell: Math.max(low, 1e-3), margins: this.textMargins(low)};
   }
 
-  /** Pixels for a unit of letters: in a small room those of a paper with lines of text get smaller, so that no line
-      lies on another. */
+  /** Pixels for a unit of letters: in a small room those of a paper get smaller, so that no line of text lies on another,
+      and that there is room for what the texts stand beside. */
   letters(width, height, s) {
     const {lines = 0} = this.grid, room = `${width} ${height} ${s}`;
     if (this.lettered?.room === room) return this.lettered.s;
     const least = 0.4 * s;
-    while (s > least && this.fit(width / s, height / s).cell < lines) s *= 0.95;
+    const crowded = () => {
+      const {cell} = this.fit(width / s, height / s), small = (i, room) => cell * s * this.size[i] < 0.4 * room;
+      return cell < lines || (!this.axes && small(0, width) && small(1, height));
+    };
+    while (s > least && crowded()) s *= 0.95;
     this.lettered = {room, s};
     return s;
   }

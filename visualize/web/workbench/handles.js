@@ -51,7 +51,8 @@ class HandleLayer {
   /** Those of the run that is seen: their buttons stay while they are the same ones. */
   follow() {
     const {handles = []} = this.player.run.trace;
-    const next = handles.map(([name, numbers, [x, y], along]) => ({key: `${name} ${numbers}`, name, numbers, at: {x, y}, along}));
+    const next = handles.map(([name, numbers, [x, y], along]) => (
+        {key: `${name} ${numbers}`, name, numbers, at: {x, y}, along: numbers.map((_, i) => along.slice(2 * i, 2 * i + 2))}));
     if (next.length === this.handles.length && next.every(({key}, i) => key === this.handles[i].key)) {
       next.forEach((handle, i) => Object.assign(this.handles[i], handle));
       return;
