@@ -247,26 +247,51 @@ struct SinCosPair {
   DoubleDouble cos;
 };
 
+// Terms of the series as double-doubles: all that it takes, and few with an error below 2^-61 of the result
+constexpr std::size_t all_near_terms = 5, few_near_terms = 3;
+
 // Taylor's series. Domain: |x| <= pi / 4
-SinCosPair near_zero(DoubleDouble x) {
-  const DoubleDouble minus_square = -(x * x);
-  const DoubleDouble sine = x * evaluate(sine_series, minus_square, 5);
-  return {sine, evaluate(cosine_series, minus_square, 5)};
+DoubleDouble sine_near_zero(DoubleDouble x, std::size_t near_terms) {
+  return x * evaluate(sine_series, -(x * x), near_terms);
+}
+DoubleDouble cosine_near_zero(DoubleDouble x, std::size_t near_terms) {
+  return evaluate(cosine_series, -(x * x), near_terms);
 }
 
 SinCosPair sin_cos_of(const ReducedAngle& angle) {
-  const SinCosPair rest = near_zero(angle.rest);
+  const DoubleDouble sine = sine_near_zero(angle.rest, all_near_terms);
+  const DoubleDouble cosine = cosine_near_zero(angle.rest, all_near_terms);
   switch (angle.quadrant) {
     case 0:
-      return rest;
+      return {sine, cosine};
     case 1:
-      return {rest.cos, -rest.sin};
+      return {cosine, -sine};
     case 2:
-      return {-rest.sin, -rest.cos};
+      return {-sine, -cosine};
     default:
-      return {-rest.cos, rest.sin};
+      return {-cosine, sine};
   }
 }
+
+// Whether all numbers within 2^-60 of x, relatively, have the same nearest double
+bool rounds_safely(DoubleDouble x) {
+  const double off = std::abs(x.high) * 0x1p-60;
+  return x.high + (x.low + off) == x.high && x.high + (x.low - off) == x.high;
+}
+
+// The double nearest to a series. Source: Ziv 1991. The few terms decide nearly always, and else all of them
+template <class Near>
+double rounded(Near near_zero, DoubleDouble x) {
+  const DoubleDouble estimate = near_zero(x, few_near_terms);
+  return rounds_safely(estimate) ? estimate.high : near_zero(x, all_near_terms).high;
+}
+
+// The sine of this many quadrants and the rest; the cosine is that of one more.
+double rounded_sine(int quadrant, DoubleDouble rest) {
+  const double size = quadrant % 2 == 0 ? rounded(sine_near_zero, rest) : rounded(cosine_near_zero, rest);
+  return quadrant % 4 < 2 ? size : -size;
+}
+double rounded_cosine(int quadrant, DoubleDouble rest) { return rounded_sine(quadrant + 1, rest); }
 
 // Then the next term of the series, at most x^3 / 3, is below a fifth of an ulp: x is the nearest double
 bool is_tiny(double x) { return std::abs(x) < 0x1p-27; }
@@ -356,13 +381,19 @@ double power(double size, double y) {
 SinCos sin_cos(double radians) {
   if (!std::isfinite(radians)) return {not_a_number, not_a_number};
   if (is_tiny(radians)) return {radians, 1};
-  const SinCosPair pair = sin_cos_of(reduced(std::abs(radians)));
-  return {radians < 0 ? -pair.sin.high : pair.sin.high, pair.cos.high};
+  const auto [quadrant, rest] = reduced(std::abs(radians));
+  const double sine = rounded_sine(quadrant, rest);
+  return {radians < 0 ? -sine : sine, rounded_cosine(quadrant, rest)};
 }
 
 double sin(double radians) { return sin_cos(radians).sin; }
 
-double cos(double radians) { return sin_cos(radians).cos; }
+double cos(double radians) {
+  if (!std::isfinite(radians)) return not_a_number;
+  if (is_tiny(radians)) return 1;
+  const auto [quadrant, rest] = reduced(std::abs(radians));
+  return rounded_cosine(quadrant, rest);
+}
 
 double tan(double radians) {
   if (!std::isfinite(radians)) return not_a_number;
@@ -381,8 +412,9 @@ SinCos sin_cos_degrees(double degrees) {
   if (quadrants == 0 && is_tiny(rest)) {
     return {radians_from_degrees(std::copysign(rest, degrees)) + 0.0, 1};
   }
-  const SinCosPair pair = sin_cos_of({quadrants % 4, DoubleDouble{rest, 0} * radians_per_degree});
-  return {(degrees < 0 ? -pair.sin.high : pair.sin.high) + 0.0, pair.cos.high + 0.0};
+  const DoubleDouble radians = DoubleDouble{rest, 0} * radians_per_degree;
+  const double sine = rounded_sine(quadrants, radians);
+  return {(degrees < 0 ? -sine : sine) + 0.0, rounded_cosine(quadrants, radians) + 0.0};
 }
 
 double radians_from_degrees(double degrees) {

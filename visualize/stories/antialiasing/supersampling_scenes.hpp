@@ -54,9 +54,10 @@ struct ShapesScene {
   /// Twenty spokes that meet in a point.
   static bool in_spokes(dvec2 p) {
     const dvec2 d = p - dvec2{28.5, 12.5};
+    if (glm::dot(d, d) >= 10.5 * 10.5) return false;
     constexpr double turn = 2 * 3.14159265358979323846;
     const double spoke = gradus::atan2(d.y, d.x) / turn * 20;
-    return glm::dot(d, d) < 10.5 * 10.5 && spoke - std::floor(spoke) < 0.5;
+    return spoke - std::floor(spoke) < 0.5;
   }
   static bool in_sliver(dvec2 p) {
     static const std::vector<Polygon> slivers{{{1.5, 36.3}, {38.7, 25.4}, {38.7, 26.3}},
