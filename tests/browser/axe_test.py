@@ -4,10 +4,10 @@
     axe_test.py [--axe axe.min.js] [--made FOLDER] [PAGE.html or FOLDER ...]
 
 Every PAGE is read at 1280 x 720 and at 360 x 740, light and dark, folded in every other of these ways and unfolded in the
-rest, with every dialog open in turn; a topic's page, which is one among many of its kind, in one of these ways. Players are
-all one page: of each topic one is read, in one way, at three of its steps, and their dialogs are read in the first ways
-alone. The first of the pages of FOLDER, which make_pages wrote, is read in every theme. GRADUS_STRESS reads everything in
-all ways.
+rest, with every dialog open in turn; of a gallery's hundreds of cards one of each kind but in the first of these ways; a
+topic's page, which is one among many of its kind, in one of these ways. Players are all one page: of each topic one is read,
+in one way, at three of its steps, and their dialogs are read in the first ways alone. The first of the pages of FOLDER,
+which make_pages wrote, is read in every theme. GRADUS_STRESS reads everything in all ways.
 axe-core comes from the npm registry (get_axe_core.py in this folder): `--axe` or the environment's GRADUS_AXE says where
 its axe.min.js is. Prints `N passed, N failed`, exits 1 when something was found, and without Chromium or axe-core 77, or 1
 where CI is set.
@@ -31,6 +31,15 @@ FOLDED = (True, False, False, True)  # in these ways: both in every size and sch
 READ = '''return axe.run(arguments[0] || document, {resultTypes: ['violations'], rules: {'target-size': {enabled: true}}}).then(
     (found) => found.violations.flatMap((rule) => rule.nodes.map((node) =>
       `${rule.id}: ${node.target.join(' ')}: ${node.failureSummary.replace(/\\s+/g, ' ')}`)))'''
+
+# Leaves one card of each kind, which is told by its elements and their classes.
+THIN = '''const kinds = new Set();
+          for (const card of [...document.querySelectorAll('.card')]) {
+            const kind = [card, ...card.querySelectorAll('*')].map((node) => `${node.localName}.${node.getAttribute('class')}`).join(' ');
+            if (kinds.has(kind)) card.remove();
+            kinds.add(kind);
+          }
+          return kinds.size'''
 
 DIALOGS = 'return [...document.querySelectorAll("dialog")].map((d) => d.dataset.part || d.id)'
 OPEN = '''const dialog = document.querySelectorAll("dialog")[arguments[0]];
@@ -80,6 +89,8 @@ class Reader:
         read = self.players if is_player else self.topics
         for (size, scheme), folded in zip(ways, FOLDED if len(ways) > 1 else [(read - 1) // len(WAYS) % 2 == 0]):
             self.open(path, size, '', scheme)
+            if (size, scheme) != ways[0] and not EVERYTHING:
+                self.browser.run(THIN)
             self.read_all(is_player, dialogs, folded=folded or EVERYTHING, unfolded=not folded or EVERYTHING)
 
     def ways_of(self, path, is_player):
