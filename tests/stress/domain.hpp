@@ -83,7 +83,7 @@ struct Domain {
   std::vector<Property> properties;
 };
 
-/// Those of all topics, in the catalogue's order.
+/// Those of the program's topics, in the catalogue's order.
 std::span<const Domain> domains();
 
 }  // namespace gradus::stress
