@@ -2,6 +2,11 @@
 // The drawing: the picture on the left, with how many samples each pixel takes; one pixel, large, on the
 // right, with its samples.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include "stories/antialiasing/adaptive_subject.hpp"
 #include "stories/paper.hpp"
 
@@ -144,27 +149,45 @@ class Paper {
             {fmt::format("t name {}", i), Role::input, Text{place(free_place(i, lower)), subject_.name(i)}});
     }
   }
+  struct Side {
+    Edge edge;
+    double length;  ///< in pixels
+  };
+  using Sides = std::array<Side, 3>;
+  std::vector<Sides> sides() const {
+    std::vector<Sides> all;
+    for (int i = 0; i < static_cast<int>(subject_.triangles.size()); ++i) {
+      Sides& sides = all.emplace_back();
+      for (std::size_t k = 0; const Edge& e : triangle_coverage::edges_of(subject_.triangle(i).corners)) {
+        const dvec2 way = dvec2(e.to - e.from) / double{subpixels};
+        sides[k++] = {e, std::max(1e-9, length_between({0, 0}, way))};
+      }
+    }
+    return all;
+  }
   /// A place for a triangle's name in a pixel: in the triangle, far from edges and samples.
   dvec2 free_place(int triangle, dvec2 pixel) const {
     constexpr int steps = 24;
+    const std::vector<Sides> all = sides();
     dvec2 best = pixel + 0.5;
     double farthest = -1;
     for (int k = 0; k < steps * steps; ++k) {
       const dvec2 part = (dvec2(k % steps, k / steps) + 0.5) / double{steps}, p = pixel + part;
       double far = std::min({part.x, part.y, 1 - part.x, 1 - part.y});
       bool alone = true;
-      for (int i = 0; i < static_cast<int>(subject_.triangles.size()); ++i) {
+      for (int i = 0; i < static_cast<int>(all.size()); ++i) {
         double least = 1e9;
-        for (const Edge& e : triangle_coverage::edges_of(subject_.triangle(i).corners)) {
-          const dvec2 way = dvec2(e.to - e.from) / double{subpixels};
-          least = std::min(least, at(e, p) / std::max(1e-9, length_between({0, 0}, way)));
-        }
+        for (const auto& [edge, length] : all[static_cast<std::size_t>(i)])
+          least = std::min(least, at(edge, p) / length);
         if (i == triangle && least < 0) far = -1;
         if (i != triangle && least > 0) alone = false;
         far = std::min(far, std::abs(least));
       }
-      for (const ivec2 s : subject_.places)
-        far = std::min(far, length_between(part, dvec2(s) / double{subpixels}));
+      for (const ivec2 s : subject_.places) {
+        const dvec2 way = part - dvec2(s) / double{subpixels};
+        // Lengths take long, and most samples are farther by far
+        if (std::max(std::abs(way.x), std::abs(way.y)) < 1.001 * far) far = std::min(far, length_of(way));
+      }
       if (alone && far > 0.06) far += 1;
       if (far <= farthest) continue;
       farthest = far;

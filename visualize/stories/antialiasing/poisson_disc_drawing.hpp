@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "antialiasing/poisson_disc/poisson_disc.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "stories/antialiasing/ring_cut.hpp"
 #include "stories/telling.hpp"
 
@@ -30,12 +31,9 @@ class Sheet {
     return {at(lower), at({upper.x, lower.y}), at(upper), at({lower.x, upper.y})};
   }
   std::vector<dvec2> circle(dvec2 middle, double radius) const {
-    constexpr int corners = 72;
+    static const std::vector<dvec2> unit = unit_circle();
     std::vector<dvec2> ring;
-    for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * 3.14159265358979323846 * i / corners;
-      ring.push_back(at(middle + radius * dvec2(cos(angle), sin(angle))));
-    }
+    for (const dvec2 corner : unit) ring.push_back(at(middle + radius * corner));
     return ring;
   }
   /// As much of a circle as lies in the area, or of one in a tile as the paper shows.
@@ -98,6 +96,16 @@ class Sheet {
   }
 
  private:
+  static std::vector<dvec2> unit_circle() {
+    constexpr int corners = 72;
+    std::vector<dvec2> ring;
+    for (int i = 0; i < corners; ++i) {
+      const SinCos at = sin_cos(2 * 3.14159265358979323846 * i / corners);
+      ring.push_back({at.cos, at.sin});
+    }
+    return ring;
+  }
+
   Area area_;
   Panel panel_;
   Extent shown_;
