@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "figure/layout.hpp"
@@ -34,19 +35,51 @@ Margins axis_margins(const Stage& stage, double cell, bool name_above = true) {
           axis_below};
 }
 
-/// What texts need beyond the shown part of a paper when a unit of it is this large.
-Margins text_margins(const Stage& stage, double cell) {
-  Margins margins{paper_rim, paper_rim, paper_rim, paper_rim};
-  const dvec2 upper = stage.lower + stage.size;
-  for (const Content::TextRoom& text : stage.content->texts) {
-    const dvec2 from_lower = (text.at - stage.lower) * cell, to_upper = (upper - text.at) * cell;
-    margins.left = std::max(margins.left, text.left - from_lower.x);
-    margins.right = std::max(margins.right, text.right - to_upper.x);
-    margins.above = std::max(margins.above, text.up - (stage.y_up ? to_upper.y : from_lower.y));
-    margins.below = std::max(margins.below, text.down - (stage.y_up ? from_lower.y : to_upper.y));
+/// What one side needs for its texts: each reaches so far out, less its distance from the border in units of
+/// the paper. Only those are kept that no other needs more room than at every size of a unit.
+class SideTexts {
+ public:
+  void add(double reach, double units) {
+    const auto needs_less = [&](const Text& t) { return t.reach <= reach && t.units >= units; };
+    const auto needs_more = [&](const Text& t) { return t.reach >= reach && t.units <= units; };
+    if (std::ranges::any_of(texts_, needs_more)) return;
+    std::erase_if(texts_, needs_less);
+    texts_.push_back({reach, units});
   }
-  return margins;
-}
+  /// When a unit is this large.
+  double margin(double cell) const {
+    double margin = paper_rim;
+    for (const Text& text : texts_) margin = std::max(margin, text.reach - text.units * cell);
+    return margin;
+  }
+
+ private:
+  struct Text {
+    double reach, units;
+  };
+  std::vector<Text> texts_;
+};
+
+/// What texts need beyond the shown part of a paper.
+class TextMargins {
+ public:
+  explicit TextMargins(const Stage& stage) {
+    const dvec2 upper = stage.lower + stage.size;
+    for (const Content::TextRoom& text : stage.content->texts) {
+      const dvec2 from_lower = text.at - stage.lower, to_upper = upper - text.at;
+      left_.add(text.left, from_lower.x);
+      right_.add(text.right, to_upper.x);
+      above_.add(text.up, stage.y_up ? to_upper.y : from_lower.y);
+      below_.add(text.down, stage.y_up ? from_lower.y : to_upper.y);
+    }
+  }
+  Margins operator()(double cell) const {
+    return {left_.margin(cell), right_.margin(cell), above_.margin(cell), below_.margin(cell)};
+  }
+
+ private:
+  SideTexts left_, right_, above_, below_;
+};
 
 double cell_between(const Stage& stage, const Margins& m, double width, double height) {
   return std::min({(width - m.left - m.right) / stage.size.x, (height - m.above - m.below) / stage.size.y,
@@ -80,13 +113,14 @@ Sized largest_of_grid(const Stage& stage, double width, double height) {
 
 /// The smaller the unit, the more room is asked beside it.
 Sized largest_of_paper(const Stage& stage, double width, double height) {
+  const TextMargins margins(stage);
   double low = 0, high = cell_between(stage, {}, width, height);
   for (int i = 0; i < 20; ++i) {
     const double middle = (low + high) / 2;
-    const bool fits = middle <= cell_between(stage, text_margins(stage, middle), width, height);
+    const bool fits = middle <= cell_between(stage, margins(middle), width, height);
     (fits ? low : high) = middle;
   }
-  return {low, text_margins(stage, low)};
+  return {low, margins(low)};
 }
 
 Sized largest_in(const Stage& stage, double width, double height) {
