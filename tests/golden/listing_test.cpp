@@ -39,36 +39,36 @@ std::string listing_text(const Trace& trace) {
   return text;
 }
 
-TEST(Listing, ShowsAndMarksTheLinesOfTheGoldenFiles) {
+void expect_golden(const std::string& text, const std::filesystem::path& path) {
+  if (std::getenv("GRADUS_UPDATE_GOLDEN")) std::ofstream(path, std::ios::binary) << text;
+  std::ostringstream golden;
+  golden << std::ifstream(path, std::ios::binary).rdbuf();
+  EXPECT_EQ(text, golden.str()) << path;
+}
+
+void expect_no_plumbing(const Trace& trace, const Method& method) {
+  // An exhibit may be one wrong line and what it stands among, a method a loop of few
+  EXPECT_GE(trace.listing.size(), method.standing == Standing::faulty ? 4u : 7u) << method.name;
+  for (const SourceLine& line : trace.listing) {
+    EXPECT_EQ(line.text.find("observe"), std::string::npos) << line.text;
+    EXPECT_EQ(line.text.find("expect"), std::string::npos) << line.text;
+    EXPECT_EQ(line.text.find("template"), std::string::npos) << line.text;
+  }
+}
+
+TEST(Listing, ShowsAndMarksTheLinesOfTheGoldenFilesWithoutPlumbing) {
   const std::filesystem::path folder = std::filesystem::path(GRADUS_SOURCE_DIR) / "tests/golden/listings";
   std::size_t count = 0;
   for (const TopicEntry* entry : catalogue()) {
     for (const Method& method : entry->methods) {
-      const std::string text = listing_text(test::trace_of(entry->name, {{"method", method.name}}));
-      const auto path = folder / fmt::format("{}-{}.txt", entry->name, method.name);
-      if (std::getenv("GRADUS_UPDATE_GOLDEN")) std::ofstream(path, std::ios::binary) << text;
-      std::ostringstream golden;
-      golden << std::ifstream(path, std::ios::binary).rdbuf();
-      EXPECT_EQ(text, golden.str()) << path;
+      // Recorded once for both: that is what takes the time
+      const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
+      expect_golden(listing_text(trace), folder / fmt::format("{}-{}.txt", entry->name, method.name));
+      expect_no_plumbing(trace, method);
       ++count;
     }
   }
   EXPECT_GE(count, 8u);
-}
-
-TEST(Listing, LeavesThePlumbingOut) {
-  for (const TopicEntry* entry : catalogue()) {
-    for (const Method& method : entry->methods) {
-      const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
-      // An exhibit may be one wrong line and what it stands among, a method a loop of few
-      EXPECT_GE(trace.listing.size(), method.standing == Standing::faulty ? 4u : 7u) << method.name;
-      for (const SourceLine& line : trace.listing) {
-        EXPECT_EQ(line.text.find("observe"), std::string::npos) << line.text;
-        EXPECT_EQ(line.text.find("expect"), std::string::npos) << line.text;
-        EXPECT_EQ(line.text.find("template"), std::string::npos) << line.text;
-      }
-    }
-  }
 }
 
 TEST(Listing, NumbersAreThoseOfTheFile) {
