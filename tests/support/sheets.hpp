@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <variant>
@@ -116,22 +117,34 @@ inline const std::vector<Trace>& shared_traces() {
   return traces;
 }
 
-/// Calls f(trace, sheet, index) for up to `most` steps of every telling trace, evenly spread.
+/// Calls f(figure, index) or f(figure) for up to `most` steps of every telling trace, evenly spread.
 template <class F>
-std::size_t for_each_sheet(F f, const Look& look = {}, std::size_t most = 40) {
+std::size_t for_each_figure(F f, std::size_t most) {
   std::size_t count = 0;
-  most = thinned(most, 4);
   for (const Trace& trace : shared_traces()) {
     SCOPED_TRACE(trace.topic + " " + trace.method + " " + trace.subtitle);
     Playhead playhead(trace);
     const std::size_t stride = std::max<std::size_t>(1, (trace.steps.size() + most - 1) / most);
     for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
       SCOPED_TRACE("step " + text_of(trace.steps[i].number));
-      f(trace, lay_out(figure_of(trace, playhead, trace.steps[i].number), look), i);
+      const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
+      if constexpr (std::invocable<F, const Figure&>) {
+        f(figure);
+      } else {
+        f(figure, i);
+      }
       ++count;
     }
   }
   return count;
+}
+
+/// The same with f(trace, sheet, index), the figures laid out.
+template <class F>
+std::size_t for_each_sheet(F f, const Look& look = {}, std::size_t most = 40) {
+  return for_each_figure(
+      [&](const Figure& figure, std::size_t i) { f(*figure.trace, lay_out(figure, look), i); },
+      thinned(most, 4));
 }
 
 }  // namespace gradus::test

@@ -131,35 +131,40 @@ TEST(Handout, TwoByThreeIsTwoColumnsOfThree) {
   EXPECT_EQ(tops.size(), 3u);
 }
 
-TEST(Handout, NothingIsSmallerThanSevenPoints) {
-  const std::size_t sheets = for_each_page([](const Pages&, const Sheet& sheet, std::size_t) {
-    for (const TextShape* text : texts_of(sheet))
-      EXPECT_GE(text->size, seven_points * (1 - 1e-12)) << text->text;
-  });
-  EXPECT_GT(sheets, test::thinned(2000, 23));
+void nothing_is_smaller_than_seven_points(const Sheet& sheet) {
+  for (const TextShape* text : texts_of(sheet)) {
+    EXPECT_GE(text->size, seven_points * (1 - 1e-12)) << text->text;
+  }
 }
 
-TEST(Handout, NothingOverlapsOrLeavesItsBox) {
-  for_each_page([](const Pages&, const Sheet& sheet, std::size_t) {
+/// What belongs to a step lies in its box or, the caption, beneath it.
+void nothing_leaves_its_box(const Sheet& sheet) {
+  std::map<std::string, Box> boxes;
+  for (const Shape& shape : sheet.shapes) {
+    if (shape.id.ends_with(" box")) boxes[shape.id.substr(0, shape.id.size() - 4)] = extent_of(shape);
+  }
+  EXPECT_FALSE(boxes.empty());
+  for (const Shape& shape : sheet.shapes) {
+    const Box part = extent_of(shape);
+    EXPECT_TRUE(part.x >= 40 && part.y >= 40 && part.right() <= sheet.width - 40 &&
+                part.bottom() <= sheet.height - 40)
+        << shape.id;
+    if (!shape.id.starts_with("step ") || shape.slot == Slot::sentence) continue;
+    const Box& box = boxes.at(shape.id.substr(0, shape.id.find(' ', 5)));
+    EXPECT_TRUE(part.x >= box.x && part.y >= box.y && part.right() <= box.right() + 1e-9 &&
+                part.bottom() <= box.bottom() + 1e-9)
+        << shape.id;
+  }
+}
+
+TEST(Handout, IsLegibleApartAndInItsBoxes) {
+  // One walk for all laws, since laying out is what takes the time
+  const std::size_t sheets = for_each_page([](const Pages&, const Sheet& sheet, std::size_t) {
+    nothing_is_smaller_than_seven_points(sheet);
     test::expect_texts_apart(sheet);
-    // What belongs to a step lies in its box or, the caption, beneath it
-    std::map<std::string, Box> boxes;
-    for (const Shape& shape : sheet.shapes) {
-      if (shape.id.ends_with(" box")) boxes[shape.id.substr(0, shape.id.size() - 4)] = extent_of(shape);
-    }
-    EXPECT_FALSE(boxes.empty());
-    for (const Shape& shape : sheet.shapes) {
-      const Box part = extent_of(shape);
-      EXPECT_TRUE(part.x >= 40 && part.y >= 40 && part.right() <= sheet.width - 40 &&
-                  part.bottom() <= sheet.height - 40)
-          << shape.id;
-      if (!shape.id.starts_with("step ") || shape.slot == Slot::sentence) continue;
-      const Box& box = boxes.at(shape.id.substr(0, shape.id.find(' ', 5)));
-      EXPECT_TRUE(part.x >= box.x && part.y >= box.y && part.right() <= box.right() + 1e-9 &&
-                  part.bottom() <= box.bottom() + 1e-9)
-          << shape.id;
-    }
+    nothing_leaves_its_box(sheet);
   });
+  EXPECT_GT(sheets, test::thinned(2000, 23));
 }
 
 TEST(Handout, SmallGridsAreShownWholeInTheUsualBoxes) {

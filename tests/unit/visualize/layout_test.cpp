@@ -161,50 +161,46 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
   EXPECT_GT(sentences, test::thinned(2000, 40));
 }
 
-TEST(Layout, TheCurrentLineIsListed) {
+/// How many lines are strong in the figure's listing. Each stands on its sheet.
+std::size_t the_current_line_is_listed(const Figure& figure, const Sheet& sheet) {
   std::size_t listed = 0;
-  for (const Case& aspect : aspects()) {
-    SCOPED_TRACE(aspect.name);
-    for (const Trace& trace : shared_traces()) {
-      Playhead playhead(trace);
-      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / test::thinned(20, 10));
-      for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
-        const Figure figure = figure_of(trace, playhead, trace.steps[i].number);
-        const Sheet sheet = lay_out(figure, aspect.look);
-        for (const Figure::ListingLine& line : figure.listing) {
-          if (line.emphasis != Emphasis::strong) continue;
-          ++listed;
-          EXPECT_NE(find_text(sheet, fmt::format("line {}", line.line.number)), nullptr)
-              << trace.method << " step " << text_of(figure.number);
-        }
-      }
-    }
+  for (const Figure::ListingLine& line : figure.listing) {
+    if (line.emphasis != Emphasis::strong) continue;
+    ++listed;
+    EXPECT_NE(find_text(sheet, fmt::format("line {}", line.line.number)), nullptr);
   }
-  EXPECT_GT(listed, test::thinned(1000, 10));
+  return listed;
 }
 
-TEST(Layout, EveryStepIsWholeOnEveryAspect) {
-  // Nothing overlaps, nothing is clipped, all slots on: fewer slides than above, but all steps
-  std::size_t sheets = 0;
+void texts_are_whole_and_apart(const Sheet& sheet) {
+  std::vector<Box> boxes;
+  for (const TextShape* text : texts_of(sheet)) boxes.push_back(text->box());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& a = boxes[i];
+    EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.right() <= sheet.width && a.bottom() <= sheet.height);
+    for (std::size_t k = i + 1; k < boxes.size(); ++k) EXPECT_FALSE(overlap(a, boxes[k]));
+  }
+}
+
+TEST(Layout, EveryStepIsWholeWithItsLineOnEveryAspect) {
+  // All slots on: fewer slides than above, but all steps
+  std::size_t sheets = 0, listed = 0;
   for (const Case& aspect : aspects()) {
     for (const Layout layout : {Layout::slide, Layout::handout}) {
       SCOPED_TRACE(aspect.name + (layout == Layout::slide ? "" : ", handout"));
       Look look = aspect.look;
       look.layout = layout;
-      sheets += for_each_sheet(
-          [](const Trace&, const Sheet& sheet, std::size_t) {
-            std::vector<Box> boxes;
-            for (const TextShape* text : texts_of(sheet)) boxes.push_back(text->box());
-            for (std::size_t i = 0; i < boxes.size(); ++i) {
-              const Box& a = boxes[i];
-              EXPECT_TRUE(a.x >= 0 && a.y >= 0 && a.right() <= sheet.width && a.bottom() <= sheet.height);
-              for (std::size_t k = i + 1; k < boxes.size(); ++k) EXPECT_FALSE(overlap(a, boxes[k]));
-            }
+      sheets += test::for_each_figure(
+          [&](const Figure& figure) {
+            const Sheet sheet = lay_out(figure, look);
+            texts_are_whole_and_apart(sheet);
+            listed += the_current_line_is_listed(figure, sheet);
           },
-          look, test::sanitized ? 1 : 1'000'000);
+          test::sanitized ? 2 : 1'000'000);
     }
   }
   EXPECT_GT(sheets, test::thinned(10000, 20));
+  EXPECT_GT(listed, test::thinned(10000, 20));
 }
 
 // --- Still ---------------------------------------------------------------------------------------
