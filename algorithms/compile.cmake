@@ -91,6 +91,12 @@ if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O[23]")
   set(quickly $<$<CONFIG:Release>:-O1>)
 endif()
 
+# The module of live pages is fetched: what is most of it is compiled for size alone, which takes a fifth from it.
+set(small)
+if(GRADUS_LIVE)
+  set(small -Oz)
+endif()
+
 # What the sanitized tests spend their time in is compiled with -O1 in a build that else is not optimised (preset asan-ubsan),
 # and without the precompiled headers, which are compiled with its -O0.
 set(busy)
