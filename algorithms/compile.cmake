@@ -91,10 +91,13 @@ if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O[23]")
   set(quickly $<$<CONFIG:Release>:-O1>)
 endif()
 
-# The module of live pages is fetched: what is most of it is compiled for size alone, which takes a fifth from it.
+# The module of live pages is fetched: what is most of it is compiled for size alone, which takes a fifth from it; the
+# little that its answers wait for, for speed.
 set(small)
+set(swift)
 if(GRADUS_LIVE)
   set(small -Oz)
+  set(swift -O2)
 endif()
 
 # What the sanitized tests spend their time in is compiled with -O1 in a build that else is not optimised (preset asan-ubsan),
