@@ -213,6 +213,8 @@ std::string canonical(const Parameter& parameter, std::string_view text);
 /// name: a maze's characters alone, and either a wall among them or rows of one length.
 bool is_maze_rows(std::string_view text);
 
+struct Checking;  // stories/checking.hpp
+
 struct TopicEntry {
   std::string name, title{}, chapter;  ///< "bresenham_line", "Bresenham line", "scan_conversion"
   std::vector<std::string> aliases{};
@@ -223,6 +225,8 @@ struct TopicEntry {
   std::vector<Parameter> parameters;
   std::vector<std::string> examples;  ///< three argument lists to paste: "--from 0,0 --to 7,3"
   Trace (*run)(const Arguments&, Recording) = nullptr;
+  /// What judges others' answers knows of this topic besides; nullptr: nothing.
+  const Checking* checking = nullptr;
 };
 
 /// Every topic there is, by chapter, then name.

@@ -3,6 +3,7 @@
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d_notes.hpp"
+#include "stories/clipping/clip_checking.hpp"
 #include "stories/clipping/region_codes.hpp"
 #include "stories/clipping/window_view.hpp"
 #include "stories/parameters.hpp"
@@ -342,6 +343,14 @@ void tell(Narrator& narrator) {
   });
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{"segment", "Accepted", {"x0", "y0", "x1", "y1"}}},
+                              .follows = follows_by_cuts,
+                              .bits = "TBRL",
+                              .codes = {"code_a", "code_b"}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -383,7 +392,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                           "which border each digit of a code stands for: T top, B bottom, R right, L left"),
                       exact_parameter()},
        .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
-                    "--line 5,5,-5,5 --method codes_only"}});
+                    "--line 5,5,-5,5 --method codes_only"},
+       .checking = &checking()});
   return topic;
 }
 

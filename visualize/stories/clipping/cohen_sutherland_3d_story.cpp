@@ -3,6 +3,7 @@
 
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
 
+#include "stories/checking.hpp"
 #include "stories/clipping/cohen_sutherland_3d_drawing.hpp"
 #include "stories/clipping/region_codes.hpp"
 #include "stories/parameters.hpp"
@@ -237,6 +238,13 @@ void tell_correctly_rounded(Narrator& narrator) {
        [&](auto watcher) { return correctly_rounded(task.line, task.region, task.order, watcher); });
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{"segment", "Accepted", {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"}}},
+                              .bits = "FNTBRL",
+                              .codes = {"code_a", "code_b"}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -280,7 +288,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)"),
             exact_parameter()},
        .examples = {"--line -2,1,2,12,11,9", "--line -3,5,1,4,12,2 --order top,bottom,left,right,near,far",
-                    "--method view_volume --homogeneous -2.2,0.5,1.5,2,2,1,-1.5,-1"}});
+                    "--method view_volume --homogeneous -2.2,0.5,1.5,2,2,1,-1.5,-1"},
+       .checking = &checking()});
   return topic;
 }
 

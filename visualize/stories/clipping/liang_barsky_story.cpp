@@ -3,6 +3,7 @@
 #include "clipping/liang_barsky/liang_barsky.hpp"
 
 #include "clipping/liang_barsky/liang_barsky_box.hpp"
+#include "stories/clipping/clip_checking.hpp"
 #include "stories/clipping/liang_barsky_drawing.hpp"
 #include "stories/parameters.hpp"
 #include "stories/side_by_side.hpp"
@@ -305,6 +306,12 @@ void tell_box_parametric(Narrator& narrator) {
   });
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{"segment", "Accepted", {"x0", "y0", "x1", "y1"}}},
+                              .follows = follows_in_table_of_t};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -340,7 +347,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                           "method box_parametric: the box xmin,ymin,zmin,xmax,ymax,zmax, its faces included",
                           {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"}, window_view::rounded_sizes),
                       exact_parameter()},
-       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"}});
+       .examples = {"--line -4,3,6,15", "--window 0,0,10,10 --line -5,8,3,20", "--line -3,-8,13,16"},
+       .checking = &checking()});
   return topic;
 }
 

@@ -5,6 +5,7 @@
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_homogeneous.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/clipping/border_story.hpp"
 #include "stories/clipping/clip_space.hpp"
 #include "stories/clipping/pieces_story.hpp"
@@ -176,6 +177,16 @@ void show_second_border(Narrator& narrator) {
   if (later != steps.end()) narrator.telling(later->number);
 }
 
+/// What comes out, for programs.
+std::vector<Field> corners_of(std::span<const Vertex<double>> polygon) {
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    fields.push_back({fmt::format("corner_{}.x", i + 1), polygon[i].at.x});
+    fields.push_back({fmt::format("corner_{}.y", i + 1), polygon[i].at.y});
+  }
+  return fields;
+}
+
 void tell_border_by_border(Narrator& narrator) {
   const Given given = given_of(narrator.arguments(), {.oblique_windows = true});
   set_up(narrator, given);
@@ -185,6 +196,7 @@ void tell_border_by_border(Narrator& narrator) {
   at_window(given, [&](const auto& window) {
     const auto polygon = clip_to_window(given.outline(), window, given.order, watch);
     story.add_result(polygon);
+    narrator.result(corners_of(polygon));
     bridges(polygon, given.outline(), window, [&](const auto& bridge) { watch(bridge, 0); });
   });
   show_second_border(narrator);
@@ -301,6 +313,11 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{.name = "corners", .type = {}, .fields = {"x", "y"}, .ring = true}}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -315,7 +332,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
        .examples = {"--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --window 0,0,10,10",
                     "--polygon '2,-4 8,-4 8,4 6,4 6,-2 4,-2 4,4 2,4' --method separate_pieces",
                     "--window-polygon '5,-3 12,3 8,10 -2,7'",
-                    "--method homogeneous --homogeneous '-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1'"}});
+                    "--method homogeneous --homogeneous '-2,-1,2.75,3 1.5,-1.5,1.65,2 1.5,2,-1.65,-1'"},
+       .checking = &checking()});
   return topic;
 }
 

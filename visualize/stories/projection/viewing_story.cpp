@@ -1,5 +1,6 @@
 // The story of a view: three axes at the eye, the matrix made of them, and what the viewer sees.
 
+#include "stories/checking.hpp"
 #include "stories/parameters.hpp"
 #include "stories/projection/viewing_drawing.hpp"
 
@@ -402,6 +403,13 @@ void tell_any_frame(Narrator& narrator) {
   conclude(narrator, inverse);
 }
 
+const Checking& checking() {
+  static const Checking known{.matrix = {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",  //
+                                         "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"},
+                              .matrix_columns = 4};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -447,7 +455,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     {"a", "b", "c", "d", "e", "f", "g", "h", "i"}, coordinate_sizes)},
        .examples = {"--eye 1.6,2.1,1.6 --target 0.4,0.6,0", "--eye 3,2,5 --target 0,0,0 --up 0,1,0",
                     "--eye 2,3,5 --target 0,0,0 --method transposed",
-                    "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"}});
+                    "--eye 0.4,5,0 --target 0.4,0.6,0 --method spare_up"},
+       .checking = &checking()});
   return topic;
 }
 

@@ -3,6 +3,7 @@
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 
 #include "scan_conversion/bresenham_circle/bresenham_circle_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/scan_conversion/circle_drawing.hpp"
 
 namespace gradus::bresenham_circle {
@@ -406,6 +407,33 @@ void tell_eight(Narrator& narrator) {
   narrator.result({{"count", pixels}, {"plots", pixels + again}, {"plotted_again", again}});
 }
 
+/// One move by the sign of their own p, and p moved on by the same rule.
+Follows follows(const OwnSteps& steps, std::size_t i) {
+  const Values &before = steps.theirs[i - 1], &now = steps.theirs[i];
+  const auto at = [&](const Values& values) -> std::optional<ivec2> {
+    if (const auto place = value_as<ivec2>(values, "at")) return place;
+    if (const auto pixel = value_as<ivec2>(values, "pixel")) return *pixel - steps.arguments.cell("center");
+    const auto x = value_as<std::int64_t>(values, "x"), y = value_as<std::int64_t>(values, "y");
+    if (!x || !y) return std::nullopt;
+    return ivec2(static_cast<int>(*x), static_cast<int>(*y)) - steps.arguments.cell("center");
+  };
+  const auto p = value_as<std::int64_t>(before, "p"), moved_on = value_as<std::int64_t>(now, "p");
+  const auto stood = at(before), stands = at(now);
+  if (!p || !stood || !stands) return Follows::untold;
+  const std::int64_t x = stood->x, y = stood->y;
+  const auto is = [&](ivec2 move, std::int64_t change) {
+    return *stood + move == *stands && (!moved_on || *moved_on == *p + change);
+  };
+  const bool goes = *p < 0 ? is({1, 0}, 4 * x + 6) : is({1, -1}, 4 * (x - y) + 10);
+  return goes ? Follows::yes : Follows::no;
+}
+
+/// p is odd, so no two pixels of a column are as near.
+const Checking& checking() {
+  static const Checking known{.is_tie = [](const TraceStep&) { return false; }, .follows = follows};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -431,7 +459,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                       {"window", ParameterType::window, "", "0,0,15,9",
                        "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
        .examples = {"--center 0,0 --radius 10", "--radius 7 --method late_update",
-                    "--center -960383883,-1920767765 --radius 2147483647 --window -8,-6,8,6"}});
+                    "--center -960383883,-1920767765 --radius 2147483647 --window -8,-6,8,6"},
+       .checking = &checking()});
   return topic;
 }
 

@@ -5,6 +5,7 @@
 #include "scan_conversion/bresenham_line/bresenham_line_batch.hpp"
 #include "scan_conversion/bresenham_line/bresenham_line_notes.hpp"
 #include "stories/scan_conversion/dda_story.hpp"
+#include "stories/scan_conversion/line_checking.hpp"
 #include "stories/scan_conversion/line_drawing.hpp"
 
 namespace gradus::bresenham_line {
@@ -395,7 +396,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                       {"window", ParameterType::window, "", "0,0,15,9",
                        "draw only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"},
                       exact_parameter()},
-       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"}});
+       .examples = {"--from 0,0 --to 7,3", "--from 2,5 --to -3,-4", "--from 0,0 --to 9,4 --method dda"},
+       .checking = &checking()});
   return topic;
 }
 

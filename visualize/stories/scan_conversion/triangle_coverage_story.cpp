@@ -3,6 +3,7 @@
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
 
 #include "scan_conversion/triangle_coverage/triangle_coverage_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/scan_conversion/triangle_drawing.hpp"
 
 namespace gradus::triangle_coverage {
@@ -439,6 +440,20 @@ void tell_expanded(Narrator& narrator) {
   });
 }
 
+/// A centre on an edge, and beyond none: it may be in or out.
+bool is_on_edge(const TraceStep& step) {
+  if (step.type != "Tested") return false;
+  double least = std::numeric_limits<double>::max();
+  for (const char* name : {"ea", "eb", "ec"})
+    least = std::min(least, value_as<double>(step.fields, name).value_or(1));
+  return least == 0;
+}
+
+const Checking& checking() {
+  static const Checking known{.asked = {{"covered", "Tested", {"pixel"}, "covered"}}, .is_tie = is_on_edge};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -458,7 +473,8 @@ const TopicEntry& entry() {
        .columns = {{"x"}, {"y"}, {"ea"}, {"eb"}, {"ec"}, {"covered", false}},
        .parameters = subject_parameters(),
        .examples = {"--triangles '1,3 4,1 2,5'", "--triangles '0,0 6,0 6,6; 0,0 6,6 0,6'",
-                    "--samples lattice --method closed_half_planes"}});
+                    "--samples lattice --method closed_half_planes"},
+       .checking = &checking()});
   return topic;
 }
 

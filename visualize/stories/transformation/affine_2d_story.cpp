@@ -1,6 +1,7 @@
 // The story of a product of transformations in the plane: which factor acts first, and where the shape goes.
 
 #include "stories/parameters.hpp"
+#include "stories/transformation/affine_2d_checking.hpp"
 #include "stories/transformation/affine_2d_layout.hpp"
 #include "transformation/affine_2d/affine_2d_notes.hpp"
 
@@ -460,7 +461,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                       exact_parameter()},
        .examples = {"--factors 'rotate 30 about 1,1; scale 2 about 1,1'",
                     "--factors 'translate 2,0; rotate 90' --orders both",
-                    "--factors 'shear 2,1/2' --polygon '0,0 2,0 2,1 0,1'"}});
+                    "--factors 'shear 2,1/2' --polygon '0,0 2,0 2,1 0,1'"},
+       .checking = &checking()});
   return topic;
 }
 

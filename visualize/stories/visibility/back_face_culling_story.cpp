@@ -4,6 +4,7 @@
 #include "core/arithmetic/elementary.hpp"
 #include "visibility/back_face_culling/back_face_culling.hpp"
 
+#include "stories/checking.hpp"
 #include "stories/visibility/back_face_culling_drawing.hpp"
 #include "visibility/back_face_culling/back_face_culling_notes.hpp"
 
@@ -399,6 +400,11 @@ void tell_eye_space_normal(Narrator& narrator) {
   });
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{"signs", "Judged", {"key", "sign"}}}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -436,7 +442,8 @@ const TopicEntry& entry() {
                       parameters::numbers("target", "0,0,0", "0,1,0",
                                           "what the eye looks at: the middle of its picture", parameters::xyz,
                                           sizes)},
-       .examples = {"--eye 3,0,0.5", "--method screen_area", "--towards 1,2,3"}});
+       .examples = {"--eye 3,0,0.5", "--method screen_area", "--towards 1,2,3"},
+       .checking = &checking()});
   return topic;
 }
 

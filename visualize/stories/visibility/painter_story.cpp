@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "stories/checking.hpp"
 #include "stories/visibility/painter_drawing.hpp"
 #include "visibility/painter/painter_notes.hpp"
 
@@ -457,6 +458,12 @@ void tell_mean_z(Narrator& narrator) {
              });
 }
 
+const Checking& checking() {
+  static const Checking known{
+      .asked = {{.name = "order", .type = "Drawn", .fields = {"key"}, .in_order = true}}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -482,7 +489,8 @@ const TopicEntry& entry() {
                                              parameters::numbers("eye", "", "3,4,20", "where the eye is",
                                                                  parameters::xyz, faces_task::modest_sizes))},
        .examples = {"--method centroid", "--eye 3,4,20",
-                    "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"}});
+                    "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"},
+       .checking = &checking()});
   return topic;
 }
 
