@@ -120,18 +120,25 @@ std::string choose_steps(StepChoice& choice, std::string_view text) {
 
 Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording, ListingForm listing,
              const OtherSide* beside)
+    : Takes(topic, arguments, std::move(wording), listing, beside, nullptr) {}
+
+Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording, ListingForm listing,
+             const OtherSide* beside, const Trace* given)
     : topic_(topic),
       arguments_(arguments),
       wording_(std::move(wording)),
       listing_(listing),
+      given_(given),
       opening_(std::make_unique<Trace>(record(0))),
       current_(nullptr) {
   if (!beside) return;
-  beside_ = std::make_unique<Takes>(*beside->topic, beside->arguments, wording_, listing_);
-  alignment_ = align(*opening_, beside_->opening());
+  const Trace* other = beside->given ? &beside->given->trace : nullptr;
+  beside_.reset(new Takes(*beside->topic, beside->arguments, wording_, listing_, nullptr, other));
+  alignment_ = other ? beside->given->alignment : align(*opening_, beside_->opening());
 }
 
 Trace Takes::record(std::int64_t first) const {
+  if (given_) return *given_;
   Trace trace = topic_.run(arguments_, {.first = std::max<std::int64_t>(first, 0), .wording = wording_});
   if (listing_ == ListingForm::pseudo) trace.listing = pseudocode(trace.listing);
   return trace;

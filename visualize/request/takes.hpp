@@ -47,11 +47,18 @@ struct StepChoice {
 std::string choose_step(StepChoice& choice, std::string_view text);
 std::string choose_steps(StepChoice& choice, std::string_view text);
 
+/// A run that is none of a topic's, such as somebody's own answer, and how it stands beside ours.
+struct GivenRun {
+  Trace trace;          ///< whole
+  Alignment alignment;  ///< of ours with it
+};
+
 /// The other run where two are compared.
 struct OtherSide {
   const TopicEntry* topic = nullptr;
   Arguments arguments;
   std::string text;  ///< as the canonical command says it: "first_octant", "--receding 45,1"
+  std::shared_ptr<const GivenRun> given{};  ///< it is this one, whatever topic and arguments say
 };
 
 /// The run of a topic, recorded in parts as they are asked for.
@@ -89,6 +96,8 @@ class Takes {
   Trace part(const std::vector<StepRange>& ranges) const;
 
  private:
+  Takes(const TopicEntry& topic, const Arguments& arguments, Wording wording, ListingForm listing,
+        const OtherSide* beside, const Trace* given);
   Trace record(std::int64_t first) const;
   void record_around(StepNumber number);
   void take(std::int64_t first);
@@ -97,6 +106,7 @@ class Takes {
   const Arguments& arguments_;
   Wording wording_;
   ListingForm listing_;
+  const Trace* given_;  ///< instead of a run of the topic
   std::unique_ptr<Trace> opening_, other_;
   const Trace* current_;  ///< the one that playhead_ plays
   std::unique_ptr<Playhead> playhead_;
