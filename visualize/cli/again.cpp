@@ -88,6 +88,13 @@ Request recorded_request(const Colophon& colophon, const std::string& path) {
   Request recorded = read_request({words->begin() + 1, words->end()});
   if (is_figure ? !recorded.topic || !recorded.operands.empty() : recorded.operands.size() != 1) refuse();
   if (recorded.has("output") || recorded.has("format")) refuse();
+  if (recorded.has("trace")) {
+    throw UsageError(
+        fmt::format("again: expected a figure of our own runs, found one with an answer beside them (`gradus "
+                    "figure --trace "
+                    "{}` makes it anew)",
+                    shown_name(recorded.flags.at("trace"))));
+  }
   return recorded;
 }
 

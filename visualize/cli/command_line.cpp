@@ -141,7 +141,9 @@ Request read_request(const std::vector<std::string>& words) {
   request.command = spelled.command;
   request.topic = spelled.topic;
   Parser(spelled, request).parse();
-  if (request.command && request.command->about_topic) take_model(request);
+  // Behind other commands' topics stands a file of their own
+  const bool may_be_model = request.command && request.command->operand != Operand::answers;
+  if (may_be_model && request.command->about_topic) take_model(request);
   if (request.command) check_operands(request);
   return request;
 }

@@ -18,6 +18,8 @@ namespace {
 const Flag width{"width", 0, "N",
                  "columns of a line; default: COLUMNS, or the terminal's, or no end in a pipe"};
 const Flag output{"output", 'o', "FILE", ""};
+const Flag output_folder{"output", 'o', "DIR",
+                         "a folder for a figure of the first difference of each wrong answer"};
 const Flag step{
     "step", 0, "N",
     "one step: a number like 4, 4.1 for a finer event after it, or last; default: one that decides"};
@@ -30,6 +32,10 @@ const Flag panels{"panels", 0, "LIST",
 const Flag compare{"compare", 0, "METHOD",
                    "beside another run: a method, another topic with the same inputs, or other inputs like "
                    "'--method NAME'; shows where they first differ"};
+const Flag trace{
+    "trace", 0, "FILE",
+    "beside somebody's own answer: results.json, results.json#CASE of several, or a table like mine.csv "
+    "with a pixel x,y a line; shows where it first differs"};
 const Flag force{"force", 'f', "", "replaces a file also when gradus did not make it"};
 const Flag format{
     "format", 0, "NAME",
@@ -175,6 +181,7 @@ std::vector<Command> all_commands() {
             steps,
             panels,
             compare,
+            trace,
             format,
             force,
             {"snippet", 0, "KIND", "prints the lines to paste into a lecture: beamer, reveal or markdown"}},
@@ -186,10 +193,36 @@ std::vector<Command> all_commands() {
         "gradus figure TOPIC -o figure.pdf --steps auto --size 4:3 --snippet beamer",
         "gradus figure TOPIC -o figure.svg --panels phases    # one slide, a drawing for each phase",
         "gradus figure TOPIC -o figure.pdf --handout 2x3 --paper a4",
+        "gradus run TOPIC --json > mine.json && gradus figure TOPIC --trace mine.json -o mine.svg",
         "gradus figure TOPIC -o figure.gif --seconds-per-step 2"},
        Operand::none,
        {"a PDF: 1000 pages, the first of a longer run; --steps takes others",
         "a film: 1000 frames; 10000 with --steps", "{step} in the name: 1000 files; 100000 with --steps"}},
+      {"cases",
+       "a TOPIC",
+       "inputs to try your own program on: easy, typical and nasty ones, and ties",
+       1,
+       1,
+       true,
+       {{"json", 0, "", "as JSON: topic, conventions, what is asked for, cases"},
+        {"count", 0, "N", "how many of each kind, 1 to 50; default 4"},
+        {"random-seed", 0, "N", "which inputs; the same number makes the same ones; default 1"},
+        width},
+       {"gradus cases TOPIC", "gradus cases TOPIC --json > cases.json",
+        "gradus cases TOPIC --method NAME --random-seed 7 --count 2"}},
+      {"check",
+       "a TOPIC and a FILE",
+       "judges what your own program answered, in JSON or a table: right, by another tie rule, wrong from "
+       "which "
+       "step on",
+       2,
+       2,
+       true,
+       {output_folder, force, {"json", 0, "", "as JSON: verdicts, steps, whether later steps follow"}, width},
+       {"gradus run TOPIC --json | gradus check TOPIC -        # our own answer",
+        "gradus run TOPIC --json > results.json && gradus check TOPIC results.json --json",
+        "gradus check TOPIC results.json -o wrong/"},
+       Operand::answers},
       {"figures",
        "one LECTURE",
        "draws every figure of a lecture, or of the built-in gallery; only what has changed",

@@ -21,7 +21,7 @@ struct Flag {
 };
 
 /// What an operand is, for completion.
-enum class Operand { none, topic, page, lecture, model, figure, shell, folder, demo, data };
+enum class Operand { none, topic, page, lecture, model, figure, shell, folder, demo, data, answers };
 
 struct Command {
   std::string name;
@@ -65,6 +65,8 @@ int list(const Request& request);
 int help(const Request& request);
 int run(const Request& request);
 int figure(const Request& request);
+int cases(const Request& request);
+int check(const Request& request);
 int figures(const Request& request);
 int render(const Request& request);
 int explain(const Request& request);

@@ -330,6 +330,10 @@ class Line {
   void add_operands(Words& words) const {
     if (!command_) return add_commands(words);
     if (command_->about_topic && !topic_) return add_topics(words);
+    if (topic_ && command_->operand == Operand::answers) {
+      if (operands_ == 0) add_files(words, {".json", ".csv"});
+      return;
+    }
     if (topic_) {
       if (operands_ == 0 && model_of(*topic_)) add_models(words);
       return;
@@ -337,6 +341,7 @@ class Line {
     if (operands_ >= command_->most) return;
     switch (command_->operand) {
       case Operand::none:
+      case Operand::answers:  // behind a topic
         return;
       case Operand::topic:
         return add_topics(words);

@@ -10,6 +10,7 @@
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
 #include "cli/inputs.hpp"
+#include "cli/own_answers.hpp"
 #include "cli/progress.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
@@ -58,6 +59,7 @@ constexpr const char* any_film = "gif, mp4 or webp";
 constexpr FlagUse uses[] = {
     {"panels", drawn_at_once, "svg, png, pdf or pptx"},
     {"compare", drawn_or_played, any_figure},
+    {"trace", drawn_or_played, any_figure},
     {"slots", drawn_or_played, any_figure},
     {"no-title", drawn_or_played, any_figure},
     {"theme", drawn_or_played, any_figure},
@@ -278,6 +280,20 @@ std::optional<SnippetKind> read_snippet(const Request& request, Format format, c
   return kind;
 }
 
+/// --trace: our run, and beside it what somebody's own program answered. Its file says the inputs, unless
+/// flags do.
+int figure_of_answer(const Request& request, Format format, const Output& output,
+                     std::optional<SnippetKind> snippet) {
+  const NamedAnswer named = named_answer(request.flags.at("trace"));
+  AskedRuns runs(*request.topic, read_own_answers(*request.topic, named.path, "--trace"), request.arguments);
+  const check::OwnAnswer& answer = find_answer(runs.answers(), named.id);
+  FigureSpec spec = read_spec(request, runs.arguments_of(answer));
+  set_beside(spec, runs, answer);
+  const std::vector<std::string> inputs{named.path};
+  write_figure(spec, format, output, inputs, snippet);
+  return 0;
+}
+
 }  // namespace
 
 int figure(const Request& request) {
@@ -289,6 +305,7 @@ int figure(const Request& request) {
   const Format format = read_format(request, output.path);
   refuse_idle_flags(request, format);
   const auto snippet = read_snippet(request, format, output.path);
+  if (request.has("trace")) return figure_of_answer(request, format, output, snippet);
   const Inputs inputs = read_inputs(*request.topic, request.arguments);
   const FigureSpec spec = read_spec(request, inputs.arguments);
   if (!output.quiet) std::ranges::for_each(inputs.remarks, note);

@@ -65,7 +65,7 @@ std::string read_panels(FigureSpec& spec, const std::string& text) {
   }
   static_cast<StepChoice&>(spec) = {};
   spec.compare.reset();
-  for (const char* flag : {"step", "steps", "compare"}) spec.said.erase(flag);
+  for (const char* flag : {"step", "steps", "compare", "trace"}) spec.said.erase(flag);
   spec.panels = choice;
   return choice.phases ? "phases" : text_of(ranges);
 }
@@ -73,8 +73,17 @@ std::string read_panels(FigureSpec& spec, const std::string& text) {
 std::string read_compare(FigureSpec& spec, const std::string& text) {
   if (!spec.topic) return "";
   leave_panels(spec);
+  spec.said.erase("trace");
   spec.compare = other_side(*spec.topic, spec.arguments, text);
   return spec.compare->text;
+}
+
+/// What it names is read once all is known of how it is told: see set_beside.
+std::string read_trace(FigureSpec& spec, const std::string& text) {
+  leave_panels(spec);
+  spec.compare.reset();
+  spec.said.erase("compare");
+  return text;
 }
 
 // --- What of it ------------------------------------------------------------------------------------------
@@ -294,6 +303,7 @@ constexpr FlagReader readers[] = {
     {"steps", read_steps_flag},
     {"panels", read_panels},
     {"compare", read_compare},
+    {"trace", read_trace},
     {"slots", read_slots},
     {"no-title", read_no_title},
     {"theme", read_theme},
@@ -326,8 +336,9 @@ bool is_switch(const std::string& name) { return name == "crop"; }
 }  // namespace
 
 void apply_flags(FigureSpec& spec, const Request& request) {
-  constexpr std::pair<const char*, const char*> rivals[] = {
-      {"step", "steps"}, {"panels", "step"}, {"panels", "steps"}, {"panels", "compare"}};
+  constexpr std::pair<const char*, const char*> rivals[] = {{"step", "steps"},   {"panels", "step"},
+                                                            {"panels", "steps"}, {"panels", "compare"},
+                                                            {"panels", "trace"}, {"compare", "trace"}};
   for (const auto& [one, other] : rivals) {
     if (request.has(one) && request.has(other))
       throw UsageError(fmt::format("--{}: expected either this or --{}, found both", one, other));
