@@ -33,8 +33,6 @@ class OursOrNot {
 /// What a list's elements are called, one and many.
 std::string called(const ExpectedList& list) { return list.cells() ? "pixel" : list.name; }
 
-ivec2 cell_of(const Element& element) { return std::get<ivec2>(element.front()); }
-
 /// An order in which cells and other values can be sorted.
 std::string sort_key(const Element& element) { return text_of(element); }
 

@@ -11,6 +11,9 @@ namespace gradus::check {
 /// An element of a list: one value, or several that belong together.
 using Element = std::vector<Value>;
 
+/// Of a list of cells.
+inline ivec2 cell_of(const Element& element) { return std::get<ivec2>(element.front()); }
+
 struct ExpectedElement {
   Element values;
   std::int64_t step;  ///< the step that gives it

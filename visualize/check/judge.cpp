@@ -13,8 +13,6 @@
 namespace gradus::check {
 namespace {
 
-ivec2 cell_of(const Element& element) { return std::get<ivec2>(element.front()); }
-
 /// How many cells a king in chess needs from one to the other.
 std::int64_t moves_between(ivec2 a, ivec2 b) {
   return std::max(std::abs(std::int64_t{a.x} - b.x), std::abs(std::int64_t{a.y} - b.y));

@@ -70,8 +70,7 @@ class OwnRunWriter {
     }
     has_cells_ = true;
     const auto places = steps_of(list, expected_);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      cells_[places[i]].push_back(std::get<ivec2>(list.elements[i].front()));
+    for (std::size_t i = 0; i < places.size(); ++i) cells_[places[i]].push_back(cell_of(list.elements[i]));
   }
 
   /// What is said of the run as a whole.
