@@ -18,12 +18,14 @@ LAYERS = {
     "text": {"figure", "theme"},
     "plot": {"figure", "theme"},
     "office": {"figure", "theme"},
+    "worksheet": {"figure", "stories", "text"},
     "json": {"figure", "stories"},  # no look: what a page in a browser is told, too
     "request": {"figure", "stories", "json", "pipeline"},
     "check": {"figure", "stories", "json", "request", "pipeline"},
     "live": {"figure", "stories", "json", "request", "pipeline"},
     "web": {"figure", "theme", "stories", "json", "cairo"},  # the letters in a page
-    "cli": {"figure", "theme", "stories", "json", "request", "check", "cairo", "text", "plot", "web", "office", "pipeline"},
+    "cli": {"figure", "theme", "stories", "json", "request", "check", "cairo", "text", "worksheet", "plot", "web", "office",
+            "pipeline"},
 }
 
 # Packages: include prefix -> the file or folder that may name it

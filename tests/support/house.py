@@ -29,6 +29,7 @@ COLUMNS = {  # from left to right, and what a room is for
     "visualize/theme": (2, "colours and fonts"),
     "visualize/cairo": (2, "SVG, PNG, PDF"),
     "visualize/office": (3, "slides to edit"),
+    "visualize/worksheet": (4, "exercises with blanks"),
     "visualize/text": (4, "tables"),
     "visualize/plot": (5, "diagrams of benchmarks"),
 }

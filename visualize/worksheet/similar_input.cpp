@@ -1,0 +1,328 @@
+#include "worksheet/similar_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <span>
+
+namespace gradus::worksheet {
+namespace {
+
+constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
+constexpr bool is_word(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || is_digit(c);
+}
+
+// --- Numbers in a text ---------------------------------------------------------------------------------
+
+/// A number where it stands in the canonical text of an argument.
+struct WrittenNumber {
+  std::size_t begin, end;
+  double value;
+  int decimals;
+  int axis = -1;      ///< 0, 1, 2: it is an x, y or z of a place; -1: it is none
+  bool turn = false;  ///< degrees
+};
+
+/// Behind the number that begins here; here, when none does.
+std::size_t end_of_written(const std::string& text, std::size_t at) {
+  std::size_t end = at + (text[at] == '-' ? 1 : 0);
+  if (end >= text.size() || !is_digit(text[end])) return at;
+  while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
+  return end;
+}
+
+/// The numbers of a text: not the digits of names ("B1: 0,0,0"), nor what a fraction is divided by.
+std::vector<WrittenNumber> numbers_written_in(const std::string& text) {
+  std::vector<WrittenNumber> numbers;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = end_of_written(text, at);
+    if (end == at) {
+      const bool name = is_word(text[at]);
+      ++at;
+      while (name && at < text.size() && is_word(text[at])) ++at;
+      continue;
+    }
+    const std::string digits = text.substr(at, end - at);
+    const std::size_t dot = digits.find('.');
+    const bool of_a_name = end < text.size() && (text[end] == ':' || is_word(text[end]));
+    const bool divides = at > 0 && text[at - 1] == '/';
+    if (!of_a_name && !divides) {
+      const int decimals = dot == std::string::npos ? 0 : static_cast<int>(digits.size() - dot - 1);
+      const std::string before = text.substr(0, at);
+      numbers.push_back(
+          {at, end, std::strtod(digits.c_str(), nullptr), decimals, -1, before.ends_with("rotate ")});
+    }
+    at = end;
+  }
+  return numbers;
+}
+
+/// Which coordinate the i-th number of an argument is.
+int axis_of(const Parameter& parameter, std::size_t i) {
+  switch (parameter.type) {
+    case ParameterType::cell:
+    case ParameterType::window:
+      return static_cast<int>(i % 2);
+    case ParameterType::faces:
+      return static_cast<int>(i % 3);
+    case ParameterType::numbers:
+    case ParameterType::bounds:
+    case ParameterType::points:
+    case ParameterType::rings: {
+      if (parameter.parts.empty()) return -1;
+      const char name = parameter.parts[i % parameter.parts.size()].front();
+      return 'x' <= name && name <= 'z' ? name - 'x' : -1;
+    }
+    default:
+      return -1;
+  }
+}
+
+std::string written(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+/// The text with other numbers.
+std::string rewritten(const std::string& text, std::span<const WrittenNumber> numbers) {
+  std::string out;
+  std::size_t at = 0;
+  for (const WrittenNumber& number : numbers) {
+    out += text.substr(at, number.begin - at) + written(number.value);
+    at = number.end;
+  }
+  return out + text.substr(at);
+}
+
+// --- Moves -----------------------------------------------------------------------------------------------
+
+/// The numbers of one argument while they are changed.
+struct Draft {
+  const Parameter* parameter;
+  std::string text;
+  std::vector<WrittenNumber> numbers;
+};
+using Drafts = std::vector<Draft>;
+
+bool chance(Random& random, std::int64_t one_in) { return random.uniform_int(1, one_in) == 1; }
+
+void nudge(WrittenNumber& number, Random& random) {
+  if (number.turn) {
+    constexpr double quarter = 90;
+    number.value = quarter * static_cast<double>(random.uniform_int(-1, 2));
+    return;
+  }
+  const std::int64_t reach =
+      std::clamp<std::int64_t>(std::llround(std::min(std::abs(number.value), 1000.0) / 4), 3, 50);
+  if (number.decimals == 0) {
+    number.value += static_cast<double>(random.uniform_int(-reach, reach));
+  } else if (chance(random, 2)) {
+    number.value = std::round(2 * number.value) / 2 + static_cast<double>(random.uniform_int(-2, 2)) / 2;
+  } else {
+    const double grain = number.decimals == 1 ? 0.1 : 0.01;
+    number.value = std::round(number.value / grain + static_cast<double>(random.uniform_int(-3, 3))) * grain;
+  }
+}
+
+/// Some numbers of one argument, or of all.
+void nudge_some(Drafts& drafts, Random& random) {
+  const bool all = chance(random, 3);
+  const std::int64_t only = random.uniform_int(0, std::ssize(drafts) - 1);
+  const std::int64_t one_in = random.uniform_int(1, 3);
+  for (std::int64_t i = 0; i < std::ssize(drafts); ++i) {
+    if (!all && i != only) continue;
+    for (WrittenNumber& number : drafts[static_cast<std::size_t>(i)].numbers) {
+      if (chance(random, one_in)) nudge(number, random);
+    }
+  }
+}
+
+/// All places, or those of one argument, go through a change of their coordinates.
+template <class Change>
+void change_places(Drafts& drafts, Random& random, bool together, Change change) {
+  const std::int64_t only = random.uniform_int(0, std::ssize(drafts) - 1);
+  for (std::int64_t i = 0; i < std::ssize(drafts); ++i) {
+    if (!together && i != only) continue;
+    for (WrittenNumber& number : drafts[static_cast<std::size_t>(i)].numbers) {
+      if (number.axis >= 0) change(number);
+    }
+  }
+}
+
+void mirror(Drafts& drafts, Random& random) {
+  const std::int64_t axis = random.uniform_int(0, 2);
+  change_places(drafts, random, !chance(random, 4), [axis](WrittenNumber& number) {
+    if (number.axis == axis) number.value = -number.value;
+  });
+}
+
+void move(Drafts& drafts, Random& random) {
+  const bool any_tenths = std::ranges::any_of(drafts, [](const Draft& draft) {
+    return std::ranges::any_of(draft.numbers,
+                               [](const WrittenNumber& number) { return number.decimals > 0; });
+  });
+  const double grain = any_tenths && chance(random, 2) ? 0.1 : 1;
+  double by[3];
+  for (double& each : by) each = grain * static_cast<double>(random.uniform_int(-4, 4));
+  change_places(drafts, random, !chance(random, 3),
+                [&by](WrittenNumber& number) { number.value += by[number.axis]; });
+}
+
+/// x becomes y, and y x.
+void turn_round(Drafts& drafts, Random& random) {
+  const bool together = !chance(random, 4);
+  const std::int64_t only = random.uniform_int(0, std::ssize(drafts) - 1);
+  for (std::int64_t i = 0; i < std::ssize(drafts); ++i) {
+    if (!together && i != only) continue;
+    std::vector<WrittenNumber>& numbers = drafts[static_cast<std::size_t>(i)].numbers;
+    for (std::size_t k = 0; k + 1 < numbers.size(); ++k) {
+      if (numbers[k].axis == 0 && numbers[k + 1].axis == 1) std::swap(numbers[k].value, numbers[k + 1].value);
+    }
+  }
+}
+
+void scale(Drafts& drafts, Random& random) {
+  constexpr double factors[] = {2, 0.5, 1.5, 3};
+  const double factor = factors[random.uniform_int(0, 3)];
+  change_places(drafts, random, !chance(random, 3), [factor](WrittenNumber& number) {
+    const double value = number.value * factor;
+    number.value = number.decimals == 0 ? std::round(value) : value;
+  });
+}
+
+/// Numbers that are easier: whole ones, and no turns.
+void simplify(Drafts& drafts, Random& random) {
+  constexpr double least_turn = 15;
+  for (Draft& draft : drafts) {
+    if (chance(random, 2)) continue;
+    for (WrittenNumber& number : draft.numbers) {
+      const bool maybe_turn = number.axis < 0 && std::abs(number.value) >= least_turn;
+      number.value = maybe_turn && chance(random, 2) ? 0 : std::round(number.value);
+    }
+  }
+}
+
+/// After mirroring, the lower borders of a window are the upper ones.
+void set_right(Draft& draft) {
+  const ParameterType type = draft.parameter->type;
+  if (type != ParameterType::bounds && type != ParameterType::window) return;
+  const std::size_t half = draft.numbers.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    WrittenNumber &lower = draft.numbers[i], &upper = draft.numbers[half + i];
+    if (lower.value > upper.value) std::swap(lower.value, upper.value);
+  }
+}
+
+/// A maze with a few walls less or more; its rim stays.
+std::string with_other_walls(std::string rows, Random& random) {
+  const std::size_t width = std::min(rows.find('/'), rows.size()) + 1;
+  std::vector<std::size_t> inner;
+  for (std::size_t i = width; i + width < rows.size(); ++i) {
+    const bool rim = i % width == 0 || i % width + 2 >= width;
+    if (!rim && (rows[i] == '#' || rows[i] == '.')) inner.push_back(i);
+  }
+  if (inner.empty()) return rows;
+  for (std::int64_t left = random.uniform_int(1, 6); left > 0; --left) {
+    char& cell = rows[inner[static_cast<std::size_t>(random.uniform_int(0, std::ssize(inner) - 1))]];
+    cell = cell == '#' ? '.' : '#';
+  }
+  return rows;
+}
+
+/// Whether a reader could be given another value of it.
+bool is_changeable(const Parameter& parameter, const Arguments::Entry& entry) {
+  switch (parameter.type) {
+    case ParameterType::maze:
+      return is_maze_rows(entry.text);
+    case ParameterType::faces:  // a file's name where they are too many to be written down
+      return entry.text.find(',') != std::string::npos;
+    case ParameterType::cell:
+    case ParameterType::window:
+    case ParameterType::integer:
+    case ParameterType::number:
+    case ParameterType::numbers:
+    case ParameterType::bounds:
+    case ParameterType::points:
+    case ParameterType::rings:
+    case ParameterType::factors:
+      return !entry.text.empty();
+    default:
+      return false;
+  }
+}
+
+Arguments::Entry entry_of(const Parameter& parameter, const std::string& text) {
+  if (parameter.type != ParameterType::maze) return read_argument(parameter, text);
+  std::string rows = text + "\n";
+  std::ranges::replace(rows, '/', '\n');
+  return {.name = parameter.name, .text = text, .content = rows};
+}
+
+}  // namespace
+
+const Method& method_of(const TopicEntry& topic, const Arguments& arguments) {
+  return *std::ranges::find(topic.methods, arguments.text("method"), &Method::name);
+}
+
+std::vector<const Parameter*> read_parameters(const TopicEntry& topic, const Arguments& arguments) {
+  const Method& method = method_of(topic, arguments);
+  const auto names = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::ranges::find(list, name) != list.end();
+  };
+  std::vector<const Parameter*> read;
+  for (const Parameter& parameter : topic.parameters) {
+    if (names(method.without, parameter.name) || names(method.unread, parameter.name)) continue;
+    if (!arguments.has(parameter.name) || arguments.text(parameter.name).empty()) continue;
+    read.push_back(&parameter);
+  }
+  return read;
+}
+
+SimilarInputs::SimilarInputs(const TopicEntry& topic, const Arguments& model, Random random)
+    : model_(model), random_(random) {
+  for (const Parameter* parameter : read_parameters(topic, model)) {
+    const Arguments::Entry& entry = model.entry(parameter->name);
+    if (is_changeable(*parameter, entry)) changed_.push_back({parameter, entry.text});
+  }
+}
+
+std::optional<Arguments> SimilarInputs::next() {
+  Drafts drafts;
+  for (const Changed& changed : changed_) {
+    Draft draft{changed.parameter, changed.text, {}};
+    if (draft.parameter->type != ParameterType::maze) draft.numbers = numbers_written_in(draft.text);
+    for (std::size_t i = 0; i < draft.numbers.size(); ++i) {
+      draft.numbers[i].axis = axis_of(*draft.parameter, i);
+    }
+    drafts.push_back(std::move(draft));
+  }
+  for (std::int64_t moves = random_.uniform_int(1, 3); moves > 0; --moves) {
+    constexpr void (*all[])(Drafts&, Random&) = {nudge_some, nudge_some, nudge_some, mirror,
+                                                 move,       turn_round, scale,      simplify};
+    all[random_.uniform_int(0, std::ssize(all) - 1)](drafts, random_);
+  }
+  Arguments drawn = model_;
+  try {
+    for (Draft& draft : drafts) {
+      set_right(draft);
+      const std::string text = draft.parameter->type == ParameterType::maze
+                                   ? with_other_walls(draft.text, random_)
+                                   : rewritten(draft.text, draft.numbers);
+      if (text == draft.text) continue;
+      Arguments::Entry entry = entry_of(*draft.parameter, text);
+      entry.given = true;
+      drawn.set(std::move(entry));
+    }
+  } catch (const std::exception&) {
+    return std::nullopt;  // a value beyond its parameter's range
+  }
+  return drawn;
+}
+
+}  // namespace gradus::worksheet

@@ -1,0 +1,47 @@
+#pragma once
+// Inputs like another one: what a second student is given.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
+#include "stories/topic.hpp"
+
+namespace gradus::worksheet {
+
+/// Draws inputs near a given one, by the kinds of the topic's parameters alone: numbers move by a little,
+/// points are mirrored, moved and scaled together, rows of a maze lose and get walls. Whole numbers stay
+/// whole, others keep at most as many decimals, or become halves.
+///
+/// Changed is what the method reads and somebody could write down: no choices, colours, files, flags and
+/// orders. The same seed draws the same inputs, one after the other.
+class SimilarInputs {
+ public:
+  /// topic and model must live as long.
+  SimilarInputs(const TopicEntry& topic, const Arguments& model, Random random);
+
+  /// Whether there is anything to change.
+  bool any() const { return !changed_.empty(); }
+  /// The next input; nothing where what was drawn is none that the parameters take. Whether the topic runs on
+  /// it is not known yet. Must not be called where there is nothing to change.
+  std::optional<Arguments> next();
+
+ private:
+  struct Changed {
+    const Parameter* parameter;
+    std::string text;  ///< the model's
+  };
+
+  const Arguments& model_;
+  std::vector<Changed> changed_;
+  Random random_;
+};
+
+/// The parameters that the arguments' method takes notice of and that have a value, in the topic's order.
+std::vector<const Parameter*> read_parameters(const TopicEntry& topic, const Arguments& arguments);
+
+/// The topic's method of these arguments.
+const Method& method_of(const TopicEntry& topic, const Arguments& arguments);
+
+}  // namespace gradus::worksheet
