@@ -62,7 +62,7 @@ def test_everything_of_the_catalogue_is_offered():
     commands = words_after("")
     for name in commands:
         check({"--help", "--quiet"} <= words_after(name, "--"), f"flags of {name}")
-    check({"list", "help", "run", "figure", "cases", "check", "figures", "render", "demo", "inspect", "bench", "stress", "again", "open", "completion", "man"} <= commands,
+    check({"list", "help", "run", "figure", "cases", "check", "figures", "worksheet", "render", "demo", "inspect", "bench", "stress", "again", "open", "completion", "man"} <= commands,
           f"{commands}")
 
 
@@ -119,6 +119,11 @@ def test_words_as_they_are_typed():
     equal(following("again", "")[1], ["files\t.svg .png .pdf .pptx .html .gif .mp4 .webp"], "figures")
     equal(following("figures", "")[1], ["files\t.json"], "lectures")
     equal(following("open", "")[1], ["folders"], "folders")
+    check({"liang_barsky", "z_buffer"} <= words_after("worksheet", "bresenham_line", ""), "a second topic of a worksheet")
+    equal(words_after("worksheet", "bresenham_line", "--format", ""), {"pdf", "tex", "xml"}, "formats of worksheets")
+    equal(words_after("worksheet", "bresenham_line", "--paper", ""), {"a4", "letter"}, "paper")
+    equal(following("worksheet", "bresenham_line", "--lecture", "")[1], ["files\t.json"], "a lecture's words")
+    check({"--points", "--input-points"} <= words_after("worksheet", "viewport", "--"), "an input called like a flag of the command")
     equal(words_after("completion", ""), {"bash", "zsh", "fish"}, "shells")
     for odd in ([], ["\x1b[31m"], ["--"], ["-"], ["run", "--", "-"], ["run", "-o"], ["figure", "line", "--=", ""], ["run", "line", "=", "="]):
         equal(gradus("completion", "--next", "--", *odd).code, 0, f"{odd}")

@@ -47,6 +47,7 @@ class Place:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="gradus_examples_"))
         (self.folder / "photo.png").write_bytes(png(60, 50))
         (self.folder / "my_lecture.json").write_text(LECTURE)
+        (self.folder / "names.txt").write_text("Ada Lovelace\nZoë\n")
         data = json.loads((ROOT / "examples/demos/pyramid_demo.json").read_text())
         (self.folder / "short.json").write_text(json.dumps({**data, "k_duration": 1, "k_fps": 3}))
         bin = self.folder / ".bin"

@@ -59,7 +59,8 @@ class Parser {
   void add_parameters(const TopicEntry& topic) {
     for (const Parameter& p : topic.parameters) {
       const bool takes_value = p.type != ParameterType::flag;
-      add("--" + hyphened(p.name), "--" + hyphened(p.name), takes_value, request_.arguments, p.name);
+      const std::string flag = "--" + parameter_flag(*spelled_.command, p);
+      add(flag, flag, takes_value, request_.arguments, p.name);
     }
     add("--method", "--method", true, request_.arguments, "method");
   }

@@ -243,6 +243,35 @@ std::vector<Command> all_commands() {
         "gradus figures my_lecture.json -o dark/ --theme dark --size 4:3", "gradus figures -o out/ --zip",
         "gradus figures -o out/ --jobs 2 --force"},
        Operand::lecture},
+      {"worksheet",
+       "a TOPIC",
+       "exercises for print or Moodle: step tables with blanks, an input for each student, and the answer "
+       "key",
+       1,
+       64,
+       true,
+       joined(
+           {with_help(output, "where to: .pdf, .tex (with its drawings in a PDF beside it) or .xml (Moodle)"),
+            {"key", 0, "FILE",
+             "where the answer key goes; default: beside the sheets, with -key in its name"},
+            {"students", 0, "FILE", "their names, one a line, or a CSV with names first; default: one sheet"},
+            {"seed", 0, "N", "which inputs; the same number makes the same ones; default 1"},
+            {"points", 0, "N", "of a sheet, shared by rows and drawings; default 10"},
+            {"table-rows", 0, "N", "how many rows of the table at most, 2 to 16; default 12"},
+            {"calculator", 0, "", "takes numbers of three decimals, too: not for the hand"},
+            {"no-drawing", 0, "", "the table alone"},
+            {"lecture", 0, "FILE", "words, notation and input of that lecture's first figure of the topic"},
+            {"format", 0, "NAME", "pdf, tex or xml; default: by the file's ending"},
+            {"paper", 0, "NAME", "a4 (default) or letter"},
+            force},
+           {words}),
+       {"gradus worksheet TOPIC -o sheet.pdf              # and sheet-key.pdf",
+        "gradus worksheet TOPIC -o sheet.pdf --students names.txt --seed 7 --language de",
+        "gradus worksheet TOPIC -o sheet.tex --paper letter --table-rows 8",
+        "gradus worksheet TOPIC TOPIC -o exam.pdf --points 20    # two tasks a student",
+        "gradus worksheet TOPIC -o quiz.xml --students names.txt"},
+       Operand::topic,
+       {"500 students"}},
       {"render",
        "a MODEL.obj or a SCENE.json",
        "renders a model (OBJ with the materials that lie beside it, glTF, PLY, STL and others) or a scene of "
@@ -419,6 +448,12 @@ std::span<const Flag> lecture_looks() {
 std::span<const Command> commands() {
   static const std::vector<Command> all = all_commands();
   return all;
+}
+
+std::string parameter_flag(const Command& command, const Parameter& parameter) {
+  const std::string name = hyphened(parameter.name);
+  const bool taken = std::ranges::find(command.flags, name, &Flag::name) != command.flags.end();
+  return taken ? "input-" + name : name;
 }
 
 std::span<const Flag> common_flags() {

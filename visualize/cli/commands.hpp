@@ -36,6 +36,10 @@ struct Command {
 };
 std::span<const Command> commands();
 
+/// What a topic's parameter is called among a command's flags, "svg-text": where the command has a flag of
+/// that name itself, "input-points".
+std::string parameter_flag(const Command& command, const Parameter& parameter);
+
 /// Flags that every command takes.
 std::span<const Flag> common_flags();
 
@@ -68,6 +72,7 @@ int figure(const Request& request);
 int cases(const Request& request);
 int check(const Request& request);
 int figures(const Request& request);
+int worksheet(const Request& request);
 int render(const Request& request);
 int explain(const Request& request);
 int demo(const Request& request);

@@ -157,6 +157,10 @@ void add_values(Words& words, const Flag& flag, const TopicEntry* topic) {
     words.to().folders = true;
   } else if (flag.value == "FILE") {
     add_files(words, {});
+  } else if (name == "lecture") {
+    add_files(words, {".json"});
+  } else if (name == "format" && flag.help.starts_with("pdf, tex")) {
+    words.add_all(Texts{"pdf", "tex", "xml"});
   } else if (name == "format") {
     words.add_all(format_names());
   } else if (name == "snippet") {
@@ -255,7 +259,8 @@ class Line {
   std::vector<Offer> offers() const {
     std::vector<Offer> all;
     if (topic_) {
-      for (const Parameter& p : topic_->parameters) all.push_back({hyphened(p.name), p.help, nullptr, &p});
+      for (const Parameter& p : topic_->parameters)
+        all.push_back({parameter_flag(*command_, p), p.help, nullptr, &p});
       all.push_back({"method", "how it is done", nullptr, nullptr});
     }
     const auto add = [&all](std::span<const Flag> flags) {
@@ -336,6 +341,7 @@ class Line {
     }
     if (topic_) {
       if (operands_ == 0 && model_of(*topic_)) add_models(words);
+      if (command_->operand == Operand::topic && operands_ + 1 < command_->most) add_topics(words);
       return;
     }
     if (operands_ >= command_->most) return;

@@ -36,6 +36,7 @@ int perform(const std::vector<std::string>& words) {
   if (name == "cases") return cases(request);
   if (name == "check") return check(request);
   if (name == "figures") return figures(request);
+  if (name == "worksheet") return worksheet(request);
   if (name == "render") return render(request);
   if (name == "explain") return explain(request);
   if (name == "demo") return demo(request);

@@ -74,7 +74,9 @@ bool is_own_table(std::string_view text) {
   const bool tex = (first == "% \\usepackage{booktabs}" || first.starts_with("\\begin{tabular}{")) &&
                    last.starts_with("% gradus figure ");
   const bool txt = holds(first, " · ") && last.starts_with("gradus figure ");
-  return csv || json || md || tex || txt;
+  const bool sheet = text.starts_with("\\documentclass[") && last.starts_with("% gradus worksheet ");
+  const bool quiz = text.starts_with("<?xml ") && holds(text.substr(0, 4096), "\n<!-- gradus worksheet ");
+  return csv || json || md || tex || txt || sheet || quiz;
 }
 
 bool is_own_manual(std::string_view text) { return first_line(text) == manual_mark; }

@@ -38,8 +38,10 @@ void add_flags(std::vector<Known>& known, std::span<const Flag> flags) {
 std::vector<Known> known_flags(const Command* command, const TopicEntry* topic) {
   std::vector<Known> known;
   if (topic) {
-    for (const Parameter& p : topic->parameters)
-      known.push_back({p.name, hyphened(p.name), p.type != ParameterType::flag, expected_value(p)});
+    for (const Parameter& p : topic->parameters) {
+      const std::string flag = command ? parameter_flag(*command, p) : hyphened(p.name);
+      known.push_back({folded(flag), flag, p.type != ParameterType::flag, expected_value(p)});
+    }
     known.push_back({"method", "method", true, "a method's name"});
   }
   if (command) add_flags(known, command->flags);

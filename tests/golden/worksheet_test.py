@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""`gradus worksheet` from end to end: files, keys, answers against `gradus run`, languages, names, refusals.
+
+    tests/golden/worksheet_test.py [GRADUS]
+"""
+import base64
+import csv
+import io
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import command
+from command import check, equal, files, gradus, read, write
+
+LINE = ["worksheet", "bresenham_line"]
+NAMES = "Ada Lovelace\nZoë & Łukasz_{50%}\n<b>]]></b> \"q\"\n"
+FIELD = re.compile(r"\{([0-9]+):(NUMERICAL|SHORTANSWER):((?:\\.|[^}\\])*)\}")
+
+
+def pages_text(path):
+    done = subprocess.run(["pdftotext", "-layout", path, "-"], capture_output=True, check=True)
+    return done.stdout.decode().split("\f")[:-1]
+
+
+def made(*words, **options):
+    result = gradus(*words, **options)
+    equal(result.code, 0, f"{words}: {result.err}")
+    return result
+
+
+# --- Files -------------------------------------------------------------------------------------------------------------
+
+
+def test_a_sheet_and_its_key():
+    result = made(*LINE, "-o", "sheet.pdf")
+    equal((result.out, result.err), ("", "sheet.pdf\nsheet-key.pdf\n"), "what was made")
+    equal(files(), ["sheet-key.pdf", "sheet.pdf"], "files")
+    before = {name: read(name) for name in files()}
+    made(*LINE, "-o", "sheet.pdf", "-q")
+    equal({name: read(name) for name in files()}, before, "the same bytes")
+    made(*LINE, "-o", "sheet.pdf", "--seed", "2")
+    check(all(read(name) != before[name] for name in before), "another seed")
+    check(b"--seed" not in read("sheet.pdf"), "a sheet does not tell its seed")
+    check(b"--seed 2" in read("sheet-key.pdf"), "a key does")
+    for kind, count in (("tex", 4), ("xml", 1)):
+        os.mkdir(kind)
+        made(*LINE, "-o", f"{kind}/sheet.{kind}", "-q")
+        equal(len(files(kind)), count, f"{files(kind)}")
+        made(*LINE, "-o", f"{kind}/sheet.{kind}", "-q", "--seed", "3")  # its own files give way
+    made(*LINE, "-o", "a.pdf", "--key", "b.pdf", "--no-drawing", "-q")
+    equal(gradus("again", "sheet.pdf").code, 2, "a worksheet is no figure")
+    one = made(*LINE, "-o", "-", "--format", "tex", "--no-drawing")
+    check(one.out.startswith("\\documentclass[11pt,a4paper]{article}") and "\\end{document}" in one.out, one.out)
+
+
+def test_pages_say_what_they_should():
+    write("names.txt", "name\nAda Lovelace\n\n  Zoë \r\n")
+    for language, name, points, key in (("en", "Name: Ada Lovelace", "____ of 10 points", "Answer key"),
+                                        ("de", "Name: Ada Lovelace", "____ von 10 Punkte", "Lösung")):
+        made(*LINE, "liang_barsky", "-o", "s.pdf", "--students", "names.txt", "--language", language, "--points", "20", "-q")
+        sheets, keys = pages_text("s.pdf"), pages_text("s-key.pdf")
+        equal((len(sheets), len(keys)), (4, 4), "a page a task and student")
+        check(name in sheets[0] and "Zoë" in sheets[2], sheets[0])
+        check(all(key in page for page in keys) and not any(key in page for page in sheets), "the key is apart")
+        totals = [sum(float(number.replace(",", ".")) for number in re.findall(r"____ (?:of|von) ([\d.,]+) ", page))
+                  for page in sheets]
+        equal((totals[0] + totals[1], totals[2] + totals[3]), (20, 20), "points of each student")
+    made(*LINE, "-o", "letter.pdf", "--paper", "letter", "-q")
+    size = subprocess.run(["pdfinfo", "letter.pdf"], capture_output=True, text=True).stdout
+    check("612 x 792" in size, size)
+    noted = made(*LINE, "-o", "n.pdf", "--label", "p=d", "-q") and pages_text("n.pdf")[0]
+    check(re.search(r"^ +k +x +y +d +", noted, re.M), noted)
+
+
+def test_a_lecture_says_how():
+    write("mine.json", '{"language": "de", "figures": [{"topic": "bresenham_line", "input": {"to": "5,2"}, "labels": {"p": "d"}}]}')
+    made(*LINE, "-o", "s.pdf", "--lecture", "mine.json", "-q")
+    page = pages_text("s.pdf")[0]
+    check("Füllen Sie" in page and re.search(r"^ +k +x +y +d +", page, re.M), page)
+    equal(len(re.findall(r"^ +[0-5] *$|^ +0 ", page, re.M)) >= 6, True, "six rows")
+    result = gradus("worksheet", "liang_barsky", "-o", "t.pdf", "--lecture", "mine.json")
+    equal((result.code, result.err), (2, "gradus: --lecture: expected a lecture with a figure of liang_barsky, found 'mine.json'\n"),
+          "a lecture without the topic")
+
+
+# --- Answers ---------------------------------------------------------------------------------------------------------
+
+
+def questions_in(path):
+    root = ElementTree.parse(path).getroot()
+    equal(root.tag, "quiz", "Moodle's root")
+    return [question for question in root if question.get("type") == "cloze"]
+
+
+def cells_of(html):
+    """Rows of a question's table: text, or (mark, type, answers)."""
+    def plain(text):
+        for entity, sign in (("&lt;", "<"), ("&gt;", ">"), ("&quot;", '"'), ("&#123;", "{"), ("&#125;", "}"), ("&amp;", "&")):
+            text = text.replace(entity, sign)
+        return text
+    rows = []
+    for row in re.findall(r"<tr>(<td.*?)</tr>", html):
+        cells = []
+        for cell in re.findall(r"<td[^>]*>(.*?)</td>", row):
+            field = FIELD.fullmatch(cell)
+            cells.append((int(field[1]), field[2], [re.sub(r"\\(.)", r"\1", plain(a.lstrip("="))) for a in field[3].split("~")])
+                         if field else plain(cell))
+        rows.append(cells)
+    return rows
+
+
+def table_of(topic, given):
+    words = []
+    for argument in given.split(" · "):
+        name, _, value = argument.partition(" ")
+        words.append(f"--{name.replace(' ', '-')}={value}")
+    result = made("figure", topic, *words, "--numbers", "fractions", "-o", "-", "--format", "csv")
+    rows = list(csv.reader(io.StringIO(result.out)))
+    return [row[3:-1] for row in rows[1:]]
+
+
+def test_answers_are_those_of_the_run():
+    write("names.txt", NAMES)
+    fields = 0
+    for topic in ("bresenham_line", "bresenham_circle", "liang_barsky", "cohen_sutherland_2d", "viewport", "affine_2d"):
+        made("worksheet", topic, "-o", "quiz.xml", "--students", "names.txt", "-q")
+        questions = questions_in("quiz.xml")
+        equal(len(questions), 3, f"{topic}: a question a student")
+        tables = []
+        for question in questions:
+            html = question.find("questiontext/text").text
+            given = re.search(r"<code>(.*?)</code>", html)[1].replace("&lt;", "<")
+            rows, expected = cells_of(html), table_of(topic, given)
+            tables.append(rows)
+            check(2 <= len(rows) <= len(expected), f"{topic}: {len(rows)} of {len(expected)} rows")
+            for found, right in zip(rows, expected):
+                for cell, answer in zip(found, right):
+                    if isinstance(cell, str):
+                        equal(cell.replace("−", "-"), answer, f"{topic}: a given cell")
+                        continue
+                    fields += 1
+                    mark, kind, alternatives = cell
+                    check(mark >= 1, f"{topic}: a mark")
+                    if kind == "NUMERICAL":
+                        equal(alternatives, [f"{int(answer)}:0"], f"{topic}: a number")
+                    else:
+                        check(answer in [a.replace("−", "-") for a in alternatives] or
+                              answer.replace("\u00a0", " ") in [a.replace("−", "-") for a in alternatives],
+                              f"{topic}: {answer} in {alternatives}")
+            picture = question.find("questiontext/file")
+            equal((picture.get("encoding"), picture.get("path")), ("base64", "/"), "the figure")
+            check(base64.b64decode(picture.text).startswith(b"\x89PNG"), "a PNG")
+            check(f"@@PLUGINFILE@@/{picture.get('name')}" in html, "shown in the text")
+        equal(len({len(rows) for rows in tables}), 1, f"{topic}: all have as many rows")
+        check(len({str(rows) for rows in tables}) == 3, f"{topic}: each student has another one")
+    check(fields > 200, f"{fields} fields")
+    names = [question.find("name/text").text for question in questions_in("quiz.xml")]
+    check(names[1].endswith("Zoë & Łukasz_{50%}") and names[2].endswith("<b>]]></b> \"q\""), f"{names}")
+
+
+def test_names_for_latex():
+    write("names.csv", '"Łukasz ""Ł"" & Söhne_{50%}",12345\n\\input{x}#1;x@example.org\n')
+    made(*LINE, "-o", "s.tex", "--students", "names.csv", "-q")
+    text = read("s.tex").decode()
+    check("Łukasz \\textquotedbl{}Ł\\textquotedbl{} \\& Söhne\\_\\{50\\%\\}" in text, "specials are escaped")
+    check("\\textbackslash{}input\\{x\\}\\#1" in text and "12345" not in text and "example.org" not in text, "the name alone")
+    equal(subprocess.run(["pdfinfo", "s-figures.pdf"], capture_output=True, text=True).stdout.count("Pages:           2"), 1,
+          "a drawing a student")
+
+
+# --- Refusals --------------------------------------------------------------------------------------------------------
+
+
+def test_what_is_refused_in_one_line():
+    write("empty.txt", "\n\n")
+    write("names.txt", "Ada\n")
+    write("wide.txt", "中\n")
+    for words, said in (
+            (["-o", "s.png"], "-o: expected a name that ends in .pdf, .tex, .xml (or --format), found 's.png'"),
+            ([], "-o: expected a file like sheet.pdf, or - for standard output, found none"),
+            (["-o", "s.xml", "--key", "k.xml"], "--key: expected pdf or tex, found xml, which has the answers in it"),
+            (["-o", "s.pdf", "--key", "s.pdf"], "--key: expected another file than -o, found 's.pdf'"),
+            (["-o", "s.pdf", "--points", "0.3"], "--points: expected whole or half points up to 1000, found '0.3'"),
+            (["-o", "s.pdf", "--points", "1"], "--points: expected at least 2 for this sheet, found 1"),
+            (["-o", "s.pdf", "--table-rows", "1"], "--table-rows: expected a whole number from 2 to 16, found '1'"),
+            (["-o", "s.pdf", "--seed=-1"], "--seed: expected a whole number from 0 to 9223372036854775807, found '-1'"),
+            (["-o", "s.pdf", "--students", "empty.txt"], "--students: expected a name a line, found none"),
+            (["-o", "s.pdf", "--students", "none.txt"], "--students: "),
+            (["-o", "s.pdf", "--students", "wide.txt"], "worksheet: expected texts that can be drawn"),
+            (["-o", "names.txt", "--format", "pdf", "--students", "names.txt"], "-o: "),
+            (["liang_barsky", "--to", "5,2", "-o", "s.pdf"], "--to: expected one topic with inputs of its own, found 2"),
+            (["-o", "s.pdf", "--from", "0,0", "--to", "1,0", "--calculator"],
+             "worksheet: expected an input of bresenham_line like its own with numbers for a calculator, found none in")):
+        before = {name: read(name) for name in files()}
+        result = gradus(*LINE, *words)
+        check(result.code == 2 and result.out == "" and result.err.startswith("gradus: " + said) and result.err.count("\n") == 1,
+              f"{words}\n    expected: {said}\n    found: {result.code} {result.err}")
+        equal({name: read(name) for name in files()}, before, f"{words}: nothing is made")
+
+
+def test_too_few_inputs_are_said_and_shared():
+    write("names.txt", "".join(f"Student {i}\n" for i in range(12)))
+    result = made("worksheet", "bresenham_circle", "-o", "s.xml", "--students", "names.txt")
+    said = re.fullmatch(r"bresenham_circle: (\d+) different inputs found in \d+, so that some of 12 students share one\ns.xml\n",
+                        result.err)
+    check(said, result.err)
+    tables = {question.find("questiontext/text").text.split("</code>")[1] for question in questions_in("s.xml")}
+    equal(len({re.sub(r"_\d+\.png", "", table) for table in tables}), int(said[1]) if said else 0, "as many as were said")
+
+
+sys.exit(command.run_all(globals()))
