@@ -75,7 +75,7 @@ bool is_own_table(std::string_view text) {
                    last.starts_with("% gradus figure ");
   const bool txt = holds(first, " · ") && last.starts_with("gradus figure ");
   const bool sheet = text.starts_with("\\documentclass[") && last.starts_with("% gradus worksheet ");
-  const bool quiz = text.starts_with("<?xml ") && holds(text.substr(0, 4096), "\n<!-- gradus worksheet ");
+  const bool quiz = text.starts_with("<?xml ") && holds(text.substr(0, 4096), "\n<?gradus gradus worksheet ");
   return csv || json || md || tex || txt || sheet || quiz;
 }
 

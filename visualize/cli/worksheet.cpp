@@ -17,6 +17,7 @@
 #include "cli/own_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/students.hpp"
+#include "core/shown.hpp"
 #include "figure/metrics.hpp"
 #include "request/names.hpp"
 #include "stories/point_text.hpp"
@@ -246,7 +247,7 @@ std::vector<StudentSheet> sheets_of(const WorksheetWish& wish, const std::vector
     std::vector<const worksheet::Exercise*> exercises;
     for (std::size_t t = 0; t < variants.size(); ++t) {
       const worksheet::Variant& variant = variants[t].found[s % variants[t].found.size()];
-      sheet.tasks.push_back({wish.models[t].topic, &variant, {}});
+      sheet.tasks.push_back({wish.models[t].topic, &variant, variants[t].parameters, {}});
       exercises.push_back(&variant.exercise);
     }
     std::vector<worksheet::Worth> worths = worksheet::worths_of(exercises, wish.halves, drawings);
@@ -317,6 +318,15 @@ std::string drawings_bytes(const WorksheetWish& wish, const std::vector<StudentS
   return pdf_of(tasks.size(), page, print_finish(), sheet_colophon(wish, part));
 }
 
+/// In a comment of XML two hyphens, as of a flag, may not stand.
+std::string command_instruction(const std::string& command) {
+  std::string line = visible(command);
+  for (std::size_t at = line.find("?>"); at != std::string::npos; at = line.find("?>", at)) {
+    line.replace(at, 2, "? >");
+  }
+  return fmt::format("<?gradus {}?>\n", line);
+}
+
 std::string quiz_bytes(const WorksheetWish& wish, const std::vector<StudentSheet>& sheets) {
   Finish finish = print_finish();
   finish.scale = 1.5;
@@ -325,7 +335,7 @@ std::string quiz_bytes(const WorksheetWish& wish, const std::vector<StudentSheet
   };
   const std::string quiz =
       worksheet::moodle_quiz(sheets, wish.search.reckoning, wish.style.drawing ? draw : worksheet::DrawPng());
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>" + closing_line("xml", wish.command) + quiz;
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + command_instruction(wish.command) + quiz;
 }
 
 /// The files of the sheets or of their key.
@@ -367,7 +377,9 @@ int worksheet(const Request& request) {
     check_output(path, wish.inputs, wish.output.replace);
     outputs.push_back(path);
   }
-  if (outputs.size() == 2 && same_file(outputs[0], outputs[1])) {
+  const auto normal = [](const std::string& path) { return fs::absolute(path).lexically_normal(); };
+  if (outputs.size() == 2 &&
+      (same_file(outputs[0], outputs[1]) || normal(outputs[0]) == normal(outputs[1]))) {
     throw UsageError(fmt::format("--key: expected another file than -o, found {}", shown(wish.key)));
   }
   std::vector<Variants> variants;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <set>
 
 #include "figure/metrics.hpp"
+#include "figure/number_text.hpp"
 
 namespace gradus::worksheet {
 namespace {
@@ -59,7 +61,7 @@ CellNumber take_number(std::u32string_view text, std::size_t& at) {
 }
 
 bool can_be_had(const CellNumber& number, Reckoning reckoning) {
-  constexpr int largest_denominator = 20;
+  constexpr int largest_denominator = 25;
   if (number.code) return true;
   if (number.whole > 3 || number.below > 3) return false;
   if (reckoning == Reckoning::calculator) return number.decimals <= 3;
@@ -85,6 +87,60 @@ std::map<std::string, int> branches_of(const Exercise& exercise, bool beginning)
     if (!exercise.rows[r].branch.empty()) ++branches[exercise.rows[r].branch];
   }
   return branches;
+}
+
+// --- Rounded numbers -------------------------------------------------------------------------------------
+
+/// A number as a text shows it, and half of its last place.
+struct ShownNumber {
+  double value, half;
+};
+
+/// The decimals of a text with points.
+std::vector<ShownNumber> decimals_in(const std::string& text) {
+  std::vector<ShownNumber> numbers;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] < '0' || text[at] > '9') {
+      ++at;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.e", at), text.size());
+    const std::string number = text.substr(at, end - at);
+    const std::size_t point = number.find('.');
+    if (point != std::string::npos) {
+      double half = 0.5;
+      for (std::size_t i = point + 1; i < number.size(); ++i) half /= 10;
+      numbers.push_back({std::strtod(number.c_str(), nullptr), half});
+    }
+    at = end;
+  }
+  return numbers;
+}
+
+/// Sizes of the real numbers that a step reports.
+std::vector<double> reported_by(const TraceStep& step) {
+  std::vector<double> values;
+  for (const Field& field : step.fields) {
+    if (const double* value = std::get_if<double>(&field.value)) values.push_back(std::abs(*value));
+    if (const std::string* text = std::get_if<std::string>(&field.value)) {
+      for (const ShownNumber& number : decimals_in(*text)) values.push_back(number.value);
+    }
+  }
+  return values;
+}
+
+/// Whether a number in a cell is near one that was reported, but is none of them.
+bool is_rounded(const Row& cells, const std::vector<double>& reported, bool decimal_comma) {
+  constexpr double noise = 1e-9;
+  const auto rounded = [&](const ShownNumber& shown) {
+    const auto within = [&](double most) {
+      return std::ranges::any_of(reported, [&](double v) { return std::abs(v - shown.value) <= most; });
+    };
+    return within(shown.half) && !within(noise * std::max(1.0, shown.value));
+  };
+  return std::ranges::any_of(cells, [&](const std::string& cell) {
+    return std::ranges::any_of(decimals_in(decimal_comma ? with_decimal_points(cell) : cell), rounded);
+  });
 }
 
 }  // namespace
@@ -139,22 +195,37 @@ Exercise exercise_of(std::shared_ptr<const Trace> trace, std::size_t most, const
   Exercise exercise;
   const std::size_t columns = trace->columns.size();
   exercise.drawn_until = trace->steps.front().number;
+  std::vector<std::size_t> reading;  // rows that a decision has read
+  std::vector<std::vector<double>> reported;
   for (const TraceStep& step : trace->steps) {
     // What completes a row that was cut off completes none of the exercise
     if (!step.read.empty() && !exercise.rows.empty() && exercise.rows_of_run <= most) {
       exercise.rows.back().cells = step.read;
-      if (step.decision) take_decision(exercise.rows.back(), *step.decision);
+      if (step.decision) {
+        take_decision(exercise.rows.back(), *step.decision);
+        reading.push_back(exercise.rows.size() - 1);
+      }
     }
     if (!step.row.empty() && ++exercise.rows_of_run <= most)
       exercise.rows.push_back({step.row, {}, step.number});
     if (exercise.rows_of_run > most) continue;
+    reported.resize(exercise.rows.size());
+    if (!reported.empty()) {
+      for (const double value : reported_by(step)) reported.back().push_back(value);
+    }
     exercise.drawn_until = step.number;
     const bool undecided = !exercise.rows.empty() && exercise.rows.back().decision.empty();
     if (step.decision && undecided) take_decision(exercise.rows.back(), *step.decision);
   }
+  for (std::size_t r = 0; r < exercise.rows.size() && !reading.empty(); ++r) {
+    if (std::ranges::find(reading, r) != reading.end()) continue;
+    exercise.rows[r].decision.clear();
+    exercise.rows[r].branch.clear();
+  }
   for (std::size_t r = 0; r < exercise.rows.size(); ++r) {
     ExerciseRow& row = exercise.rows[r];
     row.cells.resize(columns);
+    row.rounded = is_rounded(row.cells, reported[r], trace->wording.decimal_comma());
     row.asked.assign(columns, false);
     if (r == 0) continue;
     for (std::size_t c = 0; c < columns; ++c)

@@ -26,8 +26,10 @@ struct ExerciseRow {
   Row cells;                ///< the answers, one a column; "" where nothing stands
   std::vector<bool> asked;  ///< a cell a column: whether it is left blank
   StepNumber step;          ///< that made the row
-  /// What is decided by it, "p < 0? yes", or, where nothing is, what led to it; and the kind of branch.
+  /// What is decided by it, "p < 0? yes", and the kind of branch. Where no row of the run is read by a
+  /// decision: what led to it.
   std::string decision{}, branch{};
+  bool rounded = false;  ///< a decimal in it is not all of its value
   int blanks() const;
 };
 

@@ -133,8 +133,7 @@ std::string task_page(const StudentSheet& sheet, std::size_t number, Part part, 
   const Trace& trace = *task.variant->exercise.trace;
   const Wording& wording = trace.wording;
   const std::string points = points_text(task.points(), wording);
-  const std::string worth =
-      part == Part::key ? points : wording.say("worksheet.of", fmt::arg("points", points));
+  const std::string worth = part == Part::key ? points : scored_text(task.points(), wording);
   const std::string name = latex_escaped(name_text(sheet, wording));
   std::string out = fmt::format("\\section*{{{} \\hfill \\normalsize\\normalfont {}}}\n",
                                 latex_escaped(task_title(sheet, number)), latex_escaped(worth));
@@ -189,7 +188,7 @@ std::string latex_document(const std::vector<StudentSheet>& sheets, Part part, c
          declarations(body) +
          "\\newlength{\\blankwidth}\n"
          "\\newcommand{\\blank}{\\rule[-0.5mm]{\\blankwidth}{0.4pt}}\n"
-         "\\newcommand{\\unused}{\\textcolor[gray]{0.6}{--}}\n"
+         "\\newcommand{\\unused}{\\textcolor[gray]{0.5}{/}}\n"
          "\\newcommand{\\answer}[1]{\\textbf{#1}}\n"
          "\\newcommand{\\tall}{\\rule[-2mm]{0pt}{8mm}}\n"
          "\\setlength{\\parindent}{0pt}\n"

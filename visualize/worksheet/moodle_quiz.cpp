@@ -157,10 +157,8 @@ std::string table_html(const Task& task) {
     out += "<tr>";
     for (std::size_t c = 0; c < row.cells.size(); ++c) {
       const std::string& cell = row.cells[c];
-      const bool unused = cell.empty();
-      out += unused ? "<td style=\"background:#ddd\">" : "<td>";
-      out += row.asked[c] ? embedded_answer(cell, marks[r]) : html_of(cell);
-      out += "</td>";
+      const std::string shown = cell.empty() ? "–" : html_of(cell);
+      out += "<td>" + (row.asked[c] ? embedded_answer(cell, marks[r]) : shown) + "</td>";
     }
     out += "</tr>\n";
   }

@@ -97,7 +97,7 @@ TableShape table_shape(const Task& task, Part part, double width) {
     const double sum = std::accumulate(shape.widths.begin(), shape.widths.end(), 0.0);
     if (sum <= rest) {
       // More room for writing, but no column wider than three times what it needs
-      const double gain = std::min((rest - sum) / static_cast<double>(shape.widths.size()), 60.0);
+      const double gain = std::min((rest - sum) / static_cast<double>(shape.widths.size()), 90.0);
       for (double& each : shape.widths) each += gain;
       return shape;
     }
@@ -149,14 +149,25 @@ class TablePrinter {
   /// Behind the table, without boxes.
   void side(double x, const std::string& decision, const std::string& points, Face face,
             const std::string& id) {
-    if (shape_.decision > 0 && !decision.empty()) {
-      to_.text(id + " decision", {x + 8, baseline()},
-               elided(decision, face, shape_.size, shape_.decision - 10), face, shape_.size, Align::left,
-               Paint::of(Tone::muted), Slot::table);
-    }
+    if (shape_.decision > 0 && !decision.empty()) decide(x + 8, decision, face, id + " decision");
     x += shape_.decision;
     to_.text(id + " points", {x + shape_.points - 2, baseline()}, points, face, shape_.size, Align::right,
              Paint::of(Tone::ink), Slot::table);
+  }
+
+  /// On one line, or in small letters on two.
+  void decide(double x, const std::string& decision, Face face, const std::string& id) {
+    const double room = shape_.decision - 10;
+    const bool long_one = text_width(decision, face, shape_.size) > room;
+    const double size = long_one ? least_letters : shape_.size;
+    const std::vector<std::string> lines = wrapped(decision, face, size, room);
+    const std::size_t shown = std::min<std::size_t>(lines.size(), 2);
+    double y = baseline() - (shown == 2 ? 0.65 * size : 0);
+    for (std::size_t i = 0; i < shown; ++i, y += 1.3 * size) {
+      const bool cut = i + 1 == shown && shown < lines.size();
+      to_.text(fmt::format("{} {}", id, i), {x, y}, elided(lines[i] + (cut ? " …" : ""), face, size, room),
+               face, size, Align::left, Paint::of(Tone::muted), Slot::table);
+    }
   }
 
   void row(std::size_t r) {
@@ -168,9 +179,13 @@ class TablePrinter {
       const bool numeric = exercise.trace->columns[c].numeric;
       const Face given = numeric ? Face::mono : Face::sans, answer = numeric ? Face::mono_bold : Face::bold;
       const bool hidden = row.asked[c] && part_ == Part::sheet;
-      const Paint ground = row.cells[c].empty() ? Paint::of(Tone::header) : Paint::of(Tone::paper);
       cell(id, x, shape_.widths[c], hidden ? "" : row.cells[c], row.asked[c] ? answer : given,
-           row.asked[c] ? Paint::text(Role::current) : Paint::of(Tone::ink), ground);
+           row.asked[c] ? Paint::text(Role::current) : Paint::of(Tone::ink), Paint::of(Tone::paper));
+      if (row.cells[c].empty()) {
+        const double inset = 0.28 * blank_height, middle = x + shape_.widths[c] / 2;
+        to_.line(id + " stroke", {middle - inset, to_.y + blank_height - inset},
+                 {middle + inset, to_.y + inset}, Tone::muted);
+      }
       x += shape_.widths[c];
     }
     if (part_ == Part::key) {
@@ -194,8 +209,7 @@ void write_head(Writer& to, const StudentSheet& sheet, std::size_t task, Part pa
   const Wording& wording = wording_of(told);
   const double right = margin + to.width();
   const std::string worth = points_text(told.points(), wording);
-  const std::string points =
-      part == Part::key ? worth : wording.say("worksheet.of", fmt::arg("points", worth));
+  const std::string points = part == Part::key ? worth : scored_text(told.points(), wording);
   const double points_width = text_width(points, Face::sans, letters);
   to.y += 16;
   to.text("title", {margin, to.y},

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <span>
+#include <utility>
 
 namespace gradus::worksheet {
 namespace {
@@ -74,8 +75,11 @@ int axis_of(const Parameter& parameter, std::size_t i) {
     case ParameterType::points:
     case ParameterType::rings: {
       if (parameter.parts.empty()) return -1;
-      const char name = parameter.parts[i % parameter.parts.size()].front();
-      return 'x' <= name && name <= 'z' ? name - 'x' : -1;
+      // "x", "x0", "xmin"; not "yaw"
+      const std::string& name = parameter.parts[i % parameter.parts.size()];
+      const std::string rest = name.substr(1);
+      const bool coordinate = rest.empty() || is_digit(rest.front()) || rest == "min" || rest == "max";
+      return coordinate && 'x' <= name.front() && name.front() <= 'z' ? name.front() - 'x' : -1;
     }
     default:
       return -1;
@@ -143,12 +147,12 @@ void nudge_some(Drafts& drafts, Random& random) {
   }
 }
 
-/// All places, or those of one argument, go through a change of their coordinates.
+/// All places, those of one argument, or of some, go through a change of their coordinates.
 template <class Change>
-void change_places(Drafts& drafts, Random& random, bool together, Change change) {
-  const std::int64_t only = random.uniform_int(0, std::ssize(drafts) - 1);
+void change_places(Drafts& drafts, Random& random, Change change) {
+  const std::int64_t which = random.uniform_int(0, 2), only = random.uniform_int(0, std::ssize(drafts) - 1);
   for (std::int64_t i = 0; i < std::ssize(drafts); ++i) {
-    if (!together && i != only) continue;
+    if (which == 1 ? i != only : which == 2 && chance(random, 2)) continue;
     for (WrittenNumber& number : drafts[static_cast<std::size_t>(i)].numbers) {
       if (number.axis >= 0) change(number);
     }
@@ -157,21 +161,24 @@ void change_places(Drafts& drafts, Random& random, bool together, Change change)
 
 void mirror(Drafts& drafts, Random& random) {
   const std::int64_t axis = random.uniform_int(0, 2);
-  change_places(drafts, random, !chance(random, 4), [axis](WrittenNumber& number) {
+  change_places(drafts, random, [axis](WrittenNumber& number) {
     if (number.axis == axis) number.value = -number.value;
   });
 }
 
+/// All together, by whole numbers or so that one place gets whole coordinates.
 void move(Drafts& drafts, Random& random) {
-  const bool any_tenths = std::ranges::any_of(drafts, [](const Draft& draft) {
-    return std::ranges::any_of(draft.numbers,
-                               [](const WrittenNumber& number) { return number.decimals > 0; });
-  });
-  const double grain = any_tenths && chance(random, 2) ? 0.1 : 1;
   double by[3];
-  for (double& each : by) each = grain * static_cast<double>(random.uniform_int(-4, 4));
-  change_places(drafts, random, !chance(random, 3),
-                [&by](WrittenNumber& number) { number.value += by[number.axis]; });
+  for (double& each : by) each = static_cast<double>(random.uniform_int(-4, 4));
+  if (chance(random, 2)) {
+    const std::int64_t chosen = random.uniform_int(0, std::ssize(drafts) - 1);
+    bool known[3] = {};
+    for (const WrittenNumber& number : drafts[static_cast<std::size_t>(chosen)].numbers) {
+      if (number.axis < 0 || std::exchange(known[number.axis], true)) continue;
+      by[number.axis] = std::round(by[number.axis] / 2) + std::round(number.value) - number.value;
+    }
+  }
+  change_places(drafts, random, [&by](WrittenNumber& number) { number.value += by[number.axis]; });
 }
 
 /// x becomes y, and y x.
@@ -190,7 +197,7 @@ void turn_round(Drafts& drafts, Random& random) {
 void scale(Drafts& drafts, Random& random) {
   constexpr double factors[] = {2, 0.5, 1.5, 3};
   const double factor = factors[random.uniform_int(0, 3)];
-  change_places(drafts, random, !chance(random, 3), [factor](WrittenNumber& number) {
+  change_places(drafts, random, [factor](WrittenNumber& number) {
     const double value = number.value * factor;
     number.value = number.decimals == 0 ? std::round(value) : value;
   });
@@ -198,12 +205,10 @@ void scale(Drafts& drafts, Random& random) {
 
 /// Numbers that are easier: whole ones, and no turns.
 void simplify(Drafts& drafts, Random& random) {
-  constexpr double least_turn = 15;
   for (Draft& draft : drafts) {
     if (chance(random, 2)) continue;
     for (WrittenNumber& number : draft.numbers) {
-      const bool maybe_turn = number.axis < 0 && std::abs(number.value) >= least_turn;
-      number.value = maybe_turn && chance(random, 2) ? 0 : std::round(number.value);
+      number.value = number.turn ? 0 : std::round(number.value);
     }
   }
 }
@@ -284,21 +289,32 @@ std::vector<const Parameter*> read_parameters(const TopicEntry& topic, const Arg
   return read;
 }
 
-SimilarInputs::SimilarInputs(const TopicEntry& topic, const Arguments& model, Random random)
-    : model_(model), random_(random) {
-  for (const Parameter* parameter : read_parameters(topic, model)) {
-    const Arguments::Entry& entry = model.entry(parameter->name);
-    if (is_changeable(*parameter, entry)) changed_.push_back({parameter, entry.text});
+SimilarInputs::SimilarInputs(const std::vector<const Parameter*>& parameters, const Arguments& model,
+                             Random random)
+    : random_(random) {
+  for (const Parameter* parameter : parameters) {
+    if (is_changeable(*parameter, model.entry(parameter->name))) changed_.push_back(parameter);
   }
 }
 
-std::optional<Arguments> SimilarInputs::next() {
+std::size_t SimilarInputs::choice(std::size_t most) {
+  return static_cast<std::size_t>(random_.uniform_int(0, static_cast<std::int64_t>(most)));
+}
+
+std::optional<Arguments> SimilarInputs::next(const Arguments& near) {
   Drafts drafts;
-  for (const Changed& changed : changed_) {
-    Draft draft{changed.parameter, changed.text, {}};
+  for (const Parameter* parameter : changed_) {
+    Draft draft{parameter, near.text(parameter->name), {}};
     if (draft.parameter->type != ParameterType::maze) draft.numbers = numbers_written_in(draft.text);
+    const bool in_degrees = draft.parameter->type != ParameterType::factors &&
+                            draft.parameter->help.find("degrees") != std::string::npos;
+    // Of an argument with decimals any number may have some
+    int decimals = 0;
+    for (const WrittenNumber& number : draft.numbers) decimals = std::max(decimals, number.decimals);
     for (std::size_t i = 0; i < draft.numbers.size(); ++i) {
       draft.numbers[i].axis = axis_of(*draft.parameter, i);
+      draft.numbers[i].decimals = decimals;
+      draft.numbers[i].turn |= in_degrees;
     }
     drafts.push_back(std::move(draft));
   }
@@ -307,7 +323,7 @@ std::optional<Arguments> SimilarInputs::next() {
                                                  move,       turn_round, scale,      simplify};
     all[random_.uniform_int(0, std::ssize(all) - 1)](drafts, random_);
   }
-  Arguments drawn = model_;
+  Arguments drawn = near;
   try {
     for (Draft& draft : drafts) {
       set_right(draft);

@@ -14,27 +14,24 @@ namespace gradus::worksheet {
 /// points are mirrored, moved and scaled together, rows of a maze lose and get walls. Whole numbers stay
 /// whole, others keep at most as many decimals, or become halves.
 ///
-/// Changed is what the method reads and somebody could write down: no choices, colours, files, flags and
-/// orders. The same seed draws the same inputs, one after the other.
+/// Changed is what somebody could write down: no choices, colours, files, flags and orders. The same seed
+/// draws the same inputs, one after the other.
 class SimilarInputs {
  public:
-  /// topic and model must live as long.
-  SimilarInputs(const TopicEntry& topic, const Arguments& model, Random random);
+  /// parameters: those that may change; what of them nobody could write down stays. They must live as long.
+  SimilarInputs(const std::vector<const Parameter*>& parameters, const Arguments& model, Random random);
 
   /// Whether there is anything to change.
   bool any() const { return !changed_.empty(); }
-  /// The next input; nothing where what was drawn is none that the parameters take. Whether the topic runs on
-  /// it is not known yet. Must not be called where there is nothing to change.
-  std::optional<Arguments> next();
+  /// The next input, near this one, which has the model's method; nothing where what was drawn is none that
+  /// the parameters take. Whether the topic runs on it is not known yet. Must not be called where there is
+  /// nothing to change.
+  std::optional<Arguments> next(const Arguments& near);
+  /// A whole number up to `most`, from the same stream.
+  std::size_t choice(std::size_t most);
 
  private:
-  struct Changed {
-    const Parameter* parameter;
-    std::string text;  ///< the model's
-  };
-
-  const Arguments& model_;
-  std::vector<Changed> changed_;
+  std::vector<const Parameter*> changed_;
   Random random_;
 };
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "worksheet/similar_input.hpp"
-
 namespace gradus::worksheet {
 
 using fmt::arg;
@@ -18,9 +16,9 @@ const Wording& wording_of(const Task& task) { return task.variant->exercise.trac
 
 std::vector<std::string> given_arguments(const Task& task) {
   std::vector<std::string> given;
-  for (const Parameter* parameter : read_parameters(*task.topic, task.variant->arguments)) {
+  for (const Parameter* parameter : task.parameters) {
     std::string name = parameter->name;
-    for (char& c : name) c = c == '_' ? ' ' : c;
+    for (char& c : name) c = c == '_' ? '-' : c;
     const std::string& text = task.variant->arguments.text(parameter->name);
     given.push_back(parameter->type == ParameterType::flag ? name : fmt::format("{} {}", name, text));
   }
@@ -46,6 +44,11 @@ std::string points_text(Points points, const Wording& wording) {
   const bool one = points.parts == points.of_one;
   return wording.say(one ? "worksheet.points.one" : "worksheet.points.many",
                      arg("n", text_of(points, wording)));
+}
+
+std::string scored_text(Points points, const Wording& wording) {
+  const bool one = points.parts == points.of_one;
+  return wording.say(one ? "worksheet.of.one" : "worksheet.of.many", arg("n", text_of(points, wording)));
 }
 
 std::string task_title(const StudentSheet& sheet, std::size_t task) {

@@ -13,7 +13,8 @@ namespace gradus::worksheet {
 struct Task {
   const TopicEntry* topic = nullptr;
   const Variant* variant = nullptr;
-  Worth worth;  ///< of its rows and of its drawing
+  std::vector<const Parameter*> parameters;  ///< that it depends on
+  Worth worth;                               ///< of its rows and of its drawing
   Points points() const;
 };
 
@@ -23,8 +24,7 @@ struct StudentSheet {
   std::vector<Task> tasks;
 };
 
-/// The input in the words of the topic's flags, an argument each: "from 0,0". Without what the method takes
-/// no notice of.
+/// The input in the words of the topic's flags, an argument each: "from 0,0".
 std::vector<std::string> given_arguments(const Task& task);
 
 /// "Fill in the table. …", and how long the run is where the table is only its beginning.
@@ -33,6 +33,8 @@ std::string filling_text(const Task& task, Reckoning reckoning);
 std::string drawing_text(const Task& task);
 /// "3.5 points".
 std::string points_text(Points points, const Wording& wording);
+/// "____ of 3.5 points", to be filled in by who corrects it.
+std::string scored_text(Points points, const Wording& wording);
 /// "Task 2: Bresenham line"; the title alone where there is one task.
 std::string task_title(const StudentSheet& sheet, std::size_t task);
 /// "Name: Ada", or "Name:" with nothing behind.

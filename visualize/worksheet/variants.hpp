@@ -36,6 +36,8 @@ struct Variants {
   std::vector<Variant> found;
   std::size_t tried = 0;
   Exercise model;
+  /// What the exercise depends on, in the topic's order: without numbers whose change changes nothing.
+  std::vector<const Parameter*> parameters;
 };
 
 /// Inputs near `model` whose exercises are like the model's (see are_alike) and whose numbers can all be had
