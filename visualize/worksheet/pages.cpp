@@ -13,7 +13,7 @@ namespace gradus::worksheet {
 namespace {
 
 // CSS pixels
-constexpr double margin = 48, least_drawing = 200, foot = 30;
+constexpr double margin = 48, foot = 30;
 constexpr double least_letters = 7.0 * 4 / 3, letters = 12, small = 10;
 constexpr double line_of = 1.36;  ///< height of a line, in letters
 constexpr double cell_padding = 7, least_blank = 44;
