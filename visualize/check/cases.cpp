@@ -306,12 +306,12 @@ std::vector<Case> Cases::of_kind(CaseKind kind, std::size_t count) {
 
 std::optional<Case> Cases::find(std::string_view id) {
   const std::size_t hyphen = std::min(id.find('-'), id.size());
-  const auto number = hyphen < id.size() ? whole_number(id.substr(hyphen + 1)) : std::nullopt;
+  const std::int64_t number = hyphen < id.size() ? whole_number(id.substr(hyphen + 1)).value_or(0) : 0;
   const auto kind =
       std::ranges::find_if(case_kinds, [&](CaseKind k) { return name_of(k) == id.substr(0, hyphen); });
-  if (!number || *number < 1 || *number > most_cases || kind == case_kinds.end()) return std::nullopt;
-  const auto cases = of_kind(*kind, static_cast<std::size_t>(*number));
-  if (cases.size() < static_cast<std::size_t>(*number)) return std::nullopt;
+  if (number < 1 || number > most_cases || kind == case_kinds.end()) return std::nullopt;
+  const auto cases = of_kind(*kind, static_cast<std::size_t>(number));
+  if (cases.size() < static_cast<std::size_t>(number)) return std::nullopt;
   return cases.back();
 }
 

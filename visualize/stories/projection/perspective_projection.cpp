@@ -127,9 +127,9 @@ void tell_projection(Narrator& narrator) {
   const dvec3 at = vector_of(arguments, "at");
   narrator.handles("at", [&](dvec3 p) { return scenery.moved_in_space(at, p); });
   // All images, and the plane with them, grow from the eye
-  const dvec3 corner = scenery.lower_corner(scenery.sheet());
-  narrator.handle("distance", 0, scenery.in_space(corner),
-                  scenery.in_space(corner / d) - scenery.in_space(dvec3{0}));
+  const dvec3 lower = scenery.lower_corner(scenery.sheet());
+  narrator.handle("distance", 0, scenery.in_space(lower),
+                  scenery.in_space(lower / d) - scenery.in_space(dvec3{0}));
   narrator.tell_each(story, solid.corners.size(),
                      [&](std::size_t i, const auto& watch) { project(d, solid.corners[i], watch); });
   narrator.result({{"images", std::ssize(solid.corners) - story.unseen()}});
