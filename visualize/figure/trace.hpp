@@ -90,7 +90,7 @@ struct Argument {
   std::string name, value;
 };
 
-/// A place of the drawing of step 0 that numbers of an argument move: where the page lets its reader drag them.
+/// A place of step 0's drawing that numbers of an argument move: where a page lets its reader drag them.
 struct Handle {
   std::string parameter;
   std::vector<int> numbers;  ///< which of the argument's, counted from 0 as they stand in its text
