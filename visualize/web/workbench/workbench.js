@@ -173,7 +173,7 @@ class Workbench {
     try {
       const request = requestOf(state, this.topic);
       if (state.beside) request.beside = state.beside;
-      const answer = JSON.parse(await this.asker.ask(request));
+      const answer = await this.answerTo(request);
       this.asked = state;
       this.show(state.beside ? answer : {trace: answer}, light);
       this.refuse('');
@@ -185,6 +185,12 @@ class Workbench {
       clearTimeout(working);
       this.root.classList.remove('working');
     }
+  }
+  /** The last answer serves again: what was dragged is asked for once more when it is let go. */
+  async answerTo(request) {
+    const key = JSON.stringify(request);
+    if (this.last?.key !== key) this.last = {key, answer: JSON.parse(await this.asker.ask(request))};
+    return this.last.answer;
   }
   /** What can be seen when the first input there is can't: the usual one's run, recorded where nothing answers. */
   async showUsual(answers) {
@@ -268,6 +274,7 @@ class Workbench {
     const parameter = name === undefined ? parameterFor(file, this.parameters) : this.parameter(name);
     if (!parameter) return this.player.notice(say('no_use', {name: file.name}));
     await this.asker.keep(file);
+    this.last = undefined;  // another file may have had this name
     this.change({[parameter.name]: parameter.type === 'maze' || parameter.type === 'faces' ? `@${file.name}` : file.name});
     await this.committed();
     await this.remark(file.name);
