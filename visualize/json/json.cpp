@@ -390,6 +390,20 @@ void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   if (!from_the_start) out.member("before", before_json(trace));
 }
 
+/// `ignores`: parameters that it has none of, or takes no notice of.
+Json method_json(const TopicEntry& topic, const Method& method) {
+  Json out{{"name", method.name},
+           {"title", method.title},
+           {"standing", name_of(method.standing)},
+           {"note", method.note}};
+  std::vector<std::string> ignores = method.without;
+  ignores.insert(ignores.end(), method.unread.begin(), method.unread.end());
+  const auto& all = topic.parameters;
+  if (!method.exact && std::ranges::count(all, "exact", &Parameter::name) > 0) ignores.push_back("exact");
+  if (!ignores.empty()) out["ignores"] = ignores;
+  return out;
+}
+
 }  // namespace
 
 std::string json_quoted(std::string_view text) { return text_of(Json(text)); }
@@ -443,29 +457,13 @@ std::string run_json(const Trace& trace) {
   return std::move(out).finish();
 }
 
-namespace {
-
-/// `ignores`: parameters that it has none of, or takes no notice of.
-Json method_json(const Method& method) {
-  Json out{{"name", method.name},
-           {"title", method.title},
-           {"standing", name_of(method.standing)},
-           {"note", method.note}};
-  std::vector<std::string> ignores = method.without;
-  ignores.insert(ignores.end(), method.unread.begin(), method.unread.end());
-  if (!ignores.empty()) out["ignores"] = ignores;
-  return out;
-}
-
-}  // namespace
-
 std::string list_json(std::span<const TopicEntry* const> topics) {
   Lines out(true);
   out.member("schema", trace_schema);
   out.list("topics", topics, [](const TopicEntry* topic) {
     Json methods = Json::array(), parameters = Json::array();
     for (const Method& m : topic->methods) {
-      methods.push_back(method_json(m));
+      methods.push_back(method_json(*topic, m));
     }
     for (const Parameter& p : topic->parameters) {
       Json parameter{{"name", p.name},
