@@ -28,8 +28,9 @@ def languages(check, browser, made):
     known = {key.removeprefix('player.said.') for key in english} | {'step', 'faulty'}
     check.that('the script asks for texts', len(asked) > 20, len(asked))
     check.equal('… that there are', sorted(asked - known), [])
-    sources = scripts + (ROOT / 'visualize/web/page/player.html').read_text(encoding='utf-8') + (
-        ROOT / 'visualize/web/player.cpp').read_text(encoding='utf-8')
+    sources = scripts + ''.join(
+        (ROOT / 'visualize/web' / name).read_text(encoding='utf-8')
+        for name in ('page/player.html', 'page/player_template.html', 'workbench/workbench.html', 'player.cpp', 'player_parts.cpp'))
     check.equal('no text is for nothing', [
         key for key in english for name in [key.split('.')[-1]]
         if not name.startswith('theme_') and not re.search(rf"'{name}'|say {name}}}}}|\"{key}\"", sources)], [])

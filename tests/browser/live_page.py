@@ -1,0 +1,297 @@
+"""The live page in a browser, and what holds for all of it: every topic, its drawing, its accessibility, its size."""
+
+import functools
+import http.server
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import threading
+import time
+import xml.etree.ElementTree as xml
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import project
+from axe_test import READ
+from webdriver import Browser
+
+MOST_PACKED = 2_000_000
+MEASURES = 'return Object.fromEntries(performance.getEntriesByType("measure").map((m) => [m.name, m.duration]))'
+# The middle of the handle that moves these numbers of this argument, in the window
+PLACE = '''const handle = workbench.handles.handles.find((h) => h.name === arguments[0] && String(h.numbers) === arguments[1]);
+           if (!handle || handle.button.hidden) return null;
+           const box = handle.button.getBoundingClientRect();
+           return [box.left + box.width / 2, box.top + box.height / 2];'''
+CELL = '''const {at} = player.drawing, box = player.parts.drawing.getBoundingClientRect();
+          const [x, y] = toPixels(at, arguments[0], arguments[1]);
+          return [box.left + x, box.top + y];'''
+GIVEN = 'return workbench.state.given'
+
+
+class Page:
+    """The live page in a browser, at a state."""
+
+    def __init__(self, browser, url, check):
+        self.browser, self.url, self.check = browser, url, check
+
+    def __getattr__(self, name):
+        return getattr(self.browser, name)
+
+    def open(self, fragment=''):
+        self.browser.open('about:blank')
+        self.browser.open(self.url + fragment)
+        self.run('return opened.then(() => null)')
+        return self
+
+    def choose(self, **changes):
+        self.run('return workbench.choose(arguments[0]).then(() => null)', changes)
+
+    def settle(self):
+        """Waits until what was asked has been answered."""
+        self.run('return (async () => { while (workbench.asking) await workbench.asking; })()')
+
+    def wait_for(self, condition, seconds=20):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.run(f'return Boolean({condition})'):
+                return True
+            time.sleep(0.05)
+        return False
+
+    def place(self, name, numbers):
+        found = self.run(PLACE, name, numbers)
+        if found is None:
+            raise AssertionError(f'there is no handle of {name} {numbers}')
+        return found
+
+    def refusal(self):
+        return self.run('return workbench.parts.refusal.hidden ? "" : workbench.parts.refusal.textContent')
+
+    @property
+    def step(self):
+        return self.run('return player.run.steps[player.index].number')
+
+    def quiet(self, what):
+        self.check.equal(f'{what}: nothing on the console', self.errors(), [])
+
+
+# -- Its texts
+
+def texts(check):
+    """What the page's scripts say is there in every language, and nothing is there that nothing says."""
+    folder = project.ROOT / 'visualize/web'
+    scripts = ''.join(path.read_text(encoding='utf-8') for path in sorted((folder / 'workbench').glob('*.js')))
+    asked = {key for call in re.findall(r'\bsay\(([^;{,)]*)', scripts) for key in re.findall(r"'(\w+)'", call)}
+    places = set(re.findall(r'{{say ([\w.]+)}}', (folder / 'workbench/workbench.html').read_text(encoding='utf-8')))
+    sources = (folder / 'live_page.cpp').read_text(encoding='utf-8')
+    for code in ('en', 'de'):
+        known = {'player': set(), 'player.said': set(), 'live': set(), 'live.said': set()}
+        section = ''
+        for line in (project.ROOT / f'visualize/figure/language/{code}.txt').read_text(encoding='utf-8').splitlines():
+            if line.startswith('['):
+                section = line.strip('[]')
+            elif ' = ' in line and section in known:
+                known[section].add(line.split(' = ')[0])
+        check.equal(f'{code}: the scripts ask for texts that there are', sorted(asked - known['live.said'] - known['player.said'] - {'step'}), [])
+        check.equal(f'{code}: the strip, too', sorted(places - known['live'] - known['player'] - {f'said.{key}' for key in known['live.said']}), [])
+        used = {key for key in known['live.said'] if key in asked or f'said.{key}' in places}
+        check.equal(f'{code}: no text is for nothing', sorted(known['live.said'] - used)
+                    + sorted(key for key in known['live'] if key not in places and f'live.{key}' not in sources), [])
+
+
+# -- Its drawing is that of the figures
+
+def copies_the_command(check, page, folder):
+    """What `gradus figure` draws and what the page shows are the same drawing, but for its size."""
+    for fragment in ('#topic=bresenham_line&in.to=9,4&step=4', '#topic=sutherland_hodgman&step=6',
+                     '#topic=cohen_sutherland_2d&step=2', '#topic=perspective&step=3', '#topic=z_buffer&step=20', '#topic=bresenham_circle&in.radius=6&step=3&language=de'):
+        page.open(fragment)
+        command = page.run('return player.commandNow()')
+        words = shlex.split(command)
+        check.that(f'{command}: names its step', f'--step={page.step}' in words)
+        figure = folder / words[-1]
+        subprocess.run([project.COMMAND, *words[1:-1], figure, '-q'], check=True)
+        same_geometry(check, command, figure, page)
+        figure.unlink()
+
+
+SHOWN = '''const out = [], {at} = player.drawing;
+    for (const node of player.drawing.svg.querySelectorAll("[data-id]")) {
+      const {id} = node.dataset;
+      if (out.some(([other]) => other === id)) continue;  // an arrow's head is as large in every drawing
+      if (node.tagName === "circle") out.push([id, [[Number(node.getAttribute("cx")), Number(node.getAttribute("cy"))]]]);
+      if (node.tagName === "path") out.push([id, [...node.getAttribute("d").matchAll(/[ML]([-\\d.e]+) ([-\\d.e]+)/g)].map(([, x, y]) => [Number(x), Number(y)])]);
+    }
+    for (const [x, y, , , color] of player.drawing.visibleCells()) {
+      if (color) continue;
+      const [px, py] = toPixels(at, x, y);
+      out.push([`cell ${x},${y}`, [[px - at.cell / 2, py - at.cell / 2]]]);
+    }
+    return out;'''
+
+
+def same_geometry(check, what, figure, page):
+    """Marks and cells of both lie at the same places, but for one scale and one shift."""
+    drawn = drawn_in(figure)
+    pairs = [(p, q) for name, places in page.run(SHOWN) for p, q in zip(places, drawn.get(name, ())) if len(places) == len(drawn[name])]
+    check.that(f'{what}: there is something to compare', len(pairs) > 8, len(pairs))
+    # Two places that are far apart tell scale and shift
+    (first, there), (last, at_last) = (end(pairs, key=lambda pair: sum(pair[0])) for end in (min, max))
+    scale = (sum(at_last) - sum(there)) / (sum(last) - sum(first))
+    off = [max(abs(there[i] + scale * (p[i] - first[i]) - q[i]) for i in (0, 1)) for p, q in pairs]
+    check.that(f'{what}: the page draws what the figure does ({len(pairs)} places)', max(off) < 0.05, max(off))
+
+
+def drawn_in(figure):
+    """The places of a figure's discs, lines and cells, by their names."""
+    found = {}
+    for node in xml.parse(figure).iter():
+        name, kind = node.get('data-id'), node.tag.rsplit('}', 1)[-1]
+        if kind == 'circle':
+            found[name] = [(float(node.get('cx')), float(node.get('cy')))]
+        elif kind == 'path' and name:
+            found.setdefault(name, [(float(x), float(y)) for x, y in re.findall(r'[ML](-?[\d.]+) (-?[\d.]+)', node.get('d'))])
+        elif kind == 'rect' and name and name.startswith('cell '):
+            found[name] = [(float(node.get('x')), float(node.get('y')))]
+    return found
+
+
+# -- Every topic
+
+# A slanted quadrilateral is refused when one corner leaves its plane
+FLAT = {'z_buffer': ('faces 24,25,26', 'faces 27,28,29', 'faces 30,31,32', 'faces 33,34,35')}
+
+
+def every_topic(check, page):
+    """All of them open, have their fields, and something to drag, to paint or to type; each drag leads to another run."""
+    page.open()
+    for topic in page.run('return workbench.topics.map(({name}) => name)'):
+        page.choose(topic=topic)
+        check.equal(f'{topic}: nothing is refused', page.refusal(), '')
+        fields, questions = page.run('return [workbench.form.fields.size, questionsOf(player.run).size]')
+        check.that(f'{topic}: there are fields', fields > 0)
+        check.that(f'{topic}: it asks what comes next', questions > 0)
+        wrong = [found for found in page.run(NUDGE) if found[0] not in FLAT.get(topic, ())]
+        check.equal(f'{topic}: handles lead where they are dragged', wrong, [])
+    page.quiet('topics')
+
+
+# Each handle goes by 30 pixels or a cell to the right and up, or the other way, and stands there or nearer then.
+NUDGE = '''return (async () => {
+  const wrong = [], layer = workbench.handles;
+  for (const {key} of [...layer.handles]) {
+    const handle = () => layer.handles.find((h) => h.key === key);
+    if (!handle() || handle().button.hidden) continue;
+    const given = JSON.stringify(workbench.state.given);
+    let tries = [];
+    const wholly = layer.numbers(handle().name)[handle().numbers[0]].whole, {cell} = player.drawing.at;
+    for (const [px, py] of wholly ? [[cell, cell], [-cell, -cell]] : [[30, 20], [-30, -20]]) {
+      const {at} = player.drawing, from = toPixels(at, handle().at.x, handle().at.y), text = workbench.textOf(workbench.parameter(handle().name));
+      player.drawing.hold();
+      for (let i = 0; i < 12 && handle(); ++i) {
+        const now = toPixels(player.drawing.at, handle().at.x, handle().at.y);
+        const [dx, dy] = [from[0] + px - now[0], from[1] + py - now[1]];
+        if (Math.hypot(dx, dy) < 4) break;
+        layer.moveBy(handle(), dx / at.cell, (at.yUp ? -dy : dy) / at.cell);
+        while (workbench.asking) await workbench.asking;
+      }
+      const found = handle() ?? {at: {x: NaN, y: NaN}, along: [[0, 0]], name: key.split(" ")[0]};
+      const now = toPixels(player.drawing.at, found.at.x, found.at.y);
+      const refused = !workbench.parts.refusal.hidden, {along} = found;
+      player.drawing.letGo();
+      const changed = workbench.textOf(workbench.parameter(found.name)) !== text;
+      const line = along.every(([x, y]) => Math.abs(x * along[0][1] - y * along[0][0]) < 1e-9 * (Math.hypot(x, y) + 1e-30));
+      const off = Math.hypot(now[0] - from[0] - px, now[1] - from[1] - py);
+      // A panel that is fitted anew to what is dragged in it gives way: there a handle comes nearer at least
+      const way = Math.hypot(px, py);
+      tries.push([refused, changed, off, line || off < (wholly ? 0.6 * at.cell : 0.95 * way)]);
+      workbench.state.given = JSON.parse(given);
+      await workbench.refresh(false);
+      if (!refused && changed && tries.at(-1)[3]) break;
+    }
+    if (!tries.some(([refused, changed, , near]) => !refused && changed && near)) wrong.push([key, JSON.stringify(tries)]);
+  }
+  return wrong;
+})()'''
+
+
+def speed(check, page):
+    """Traces a second, for the run alone and with its drawing."""
+    page.open()
+    slow = []
+    for topic in page.run('return workbench.topics.map(({name}) => name)'):
+        page.choose(topic=topic)
+        ms, drawn = page.run('''return (async () => {
+            const request = requestOf(workbench.state, workbench.topic), start = performance.now();
+            for (let i = 0; i < 8; ++i) await workbench.asker.ask(request);
+            const asked = (performance.now() - start) / 8, again = performance.now();
+            for (let i = 0; i < 8; ++i) {
+              workbench.last = undefined;
+              await workbench.refresh(true);
+            }
+            return [asked, (performance.now() - again) / 8];
+        })()''')
+        slow.append((drawn, ms, topic))
+    slow.sort(reverse=True)
+    print('  ms a trace, and with its drawing:', '; '.join(f'{topic} {ms:.0f}, {drawn:.0f}' for drawn, ms, topic in slow), flush=True)
+
+
+def accessible(check, page, axe):
+    for size in ((1280, 720), (360, 740)):
+        page.size(*size)
+        for fragment in ('#topic=bresenham_line', '#topic=flood_fill&theme=dark', '#topic=perspective', '#topic=bresenham_line&beside=dda',
+                         '#topic=bresenham_line&predict', '#topic=bresenham_line&in.from=here'):
+            page.open(fragment)
+            if 'predict' in fragment:
+                page.run('player.next()')
+            page.run(axe)
+            found = page.run(READ, None)
+            check.equal(f'axe at {size}, {fragment}', found, [])
+        page.run('workbench.parts.dialog.showModal()')
+        check.equal(f'axe at {size}, the dialog', page.run(READ, 'dialog[open]'), [])
+    page.size(1280, 720)
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    asked = []
+
+    def log_message(self, *_):
+        pass
+
+    def do_GET(self):
+        Quiet.asked.append(self.path)
+        super().do_GET()
+
+
+def from_a_server(check, browser, folder):
+    server = http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=str(folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        page = Page(browser, f'http://127.0.0.1:{server.server_port}/index.html', check)
+        page.open('#topic=bresenham_line&in.to=5,5')
+        check.equal('as a site: it runs', page.run('return player.run.trace.arguments.find(([n]) => n === "to")[1]'), '5,5')
+        check.equal('as a site: it asks for the page and the module', sorted(set(Quiet.asked) - {'/favicon.ico'}), ['/gradus.wasm', '/index.html'])
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+def without_webassembly(check, url):
+    with Browser() as browser:
+        browser.size(1280, 720)
+        browser.cdp('Page.addScriptToEvaluateOnNewDocument', source='delete window.WebAssembly')
+        page = Page(browser, url, check).open('#topic=sutherland_hodgman')
+        check.equal('there is no WebAssembly', page.run('return typeof WebAssembly'), 'undefined')
+        check.equal('the recorded run plays', [page.run('return player.run.trace.topic'), page.run('player.next(); return player.index > 0')],
+                    ['sutherland_hodgman', True])
+        check.that('and it is said why nothing can be changed', 'WebAssembly' in page.refusal(), page.refusal())
+
+
+def sizes(check, folder):
+    for name in ('gradus.html', 'index.html', 'gradus.wasm'):
+        print(f'  {name}: {(folder / name).stat().st_size:,} bytes, {len(zlib.compress((folder / name).read_bytes(), 9)):,} packed', flush=True)
+    packed = len(zlib.compress((folder / 'gradus.html').read_bytes(), 9))
+    site = sum(len(zlib.compress((folder / name).read_bytes(), 9)) for name in ('index.html', 'gradus.wasm'))
+    check.that(f'all of it is less than {MOST_PACKED:,} bytes packed', max(packed, site) < MOST_PACKED, (packed, site))
