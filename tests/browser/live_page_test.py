@@ -3,7 +3,7 @@
 
     live_page_test.py [--axe axe.min.js] [--keep FOLDER] PAGES
 
-PAGES is the program gradus-live-pages. Prints what it checks where that fails, exits 1 then, and 77 without the browsers or
+PAGES is the program gradus-live-pages. With GRADUS_STRESS it tells how many traces a second there are, too. Prints what it checks where that fails, exits 1 then, and 77 without the browsers or
 the module.
 """
 import argparse
@@ -25,7 +25,7 @@ from firefox import Firefox
 from live_page import (CELL, GIVEN, MEASURES, Page, accessible, copies_the_command, every_topic, from_a_server, sizes, speed, texts,
                        without_webassembly)
 from player_page import FITS, Checks
-from webdriver import Browser
+from webdriver import EVERYTHING, Browser
 
 
 # -- What is done in every browser
@@ -339,7 +339,7 @@ def main():
                 for part, run in (('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
                                   ('axe', lambda: accessible(check, page, options.axe.read_text(encoding='utf-8'))),
                                   ('server', lambda: from_a_server(check, browser, folder)), ('speed', lambda: speed(check, page))):
-                    if not only or part in only:
+                    if part in only or (not only and (part != 'speed' or EVERYTHING)):
                         start = time.monotonic()
                         run()
                         print(f'  {part}: {time.monotonic() - start:.1f} s', flush=True)

@@ -65,7 +65,8 @@ class Painter {
     const y = clamp(this.at[1], 0, rows.length - 1), x = clamp(this.at[0], 0, rows[y].length - 1);
     this.at = [x, y];
     const [px, py] = toPixels(at, x, y), label = say('paint', {x, y, what: say(rows[y][x] === '#' ? 'wall' : 'free')});
-    Object.assign(this.brush.style, {left: `${px}px`, top: `${py}px`, width: `${at.cell}px`, height: `${at.cell}px`});
+    const size = `${Math.max(at.cell, 24)}px`;
+    Object.assign(this.brush.style, {left: `${px}px`, top: `${py}px`, width: size, height: size});
     this.brush.setAttribute('aria-label', label);
   }
   key(event) {
