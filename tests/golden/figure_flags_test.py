@@ -412,8 +412,19 @@ def put_a_lecture():
         json.dump({"figures": [{"topic": "bresenham_line", "input": {"from": "0,0", "to": "9,4"}}]}, file)
 
 
+def put_answers():
+    """Files that a teacher and a student have."""
+    with open("names.txt", "w") as file:
+        file.write("Ada\nGrace\n")
+    with open("results.json", "w") as file:
+        json.dump({"topic": "bresenham_line", "answers": [{"case": "typical-1", "result": {"count": 8}}]}, file)
+    with open("mine.csv", "w") as file:
+        file.write("0,0\n1,0\n2,1\n3,1\n4,2\n5,2\n6,3\n7,3\n")
+
+
 def test_commands_of_the_readme():
     put_a_lecture()
+    put_answers()
     shutil.copytree(SOURCE / "examples/models", "examples/models")
     blocks = re.findall(r"^```\n(.*?)^```", (SOURCE / "README.md").read_text(), re.M | re.S)
     commands = [re.split(r"\s{2,}#", line)[0].strip() for block in blocks for line in block.splitlines() if line.startswith("gradus ")]
