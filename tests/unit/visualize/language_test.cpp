@@ -141,8 +141,9 @@ TEST(Language, EveryTextIsUsed) {
              (composed && whole != part && (in_program(part + ".\"") || in_program(part + ".{}\"")));
     };
     const bool shared = key.starts_with("words.") && in_program(name + "\"");  // shared("words", "yes")
+    const bool of_a_page = key.starts_with("player.") || key.starts_with("live.");
     const bool used = shared || (of_a_story && named_by_rule(own)) || asked_for(own, section) ||
-                      asked_for(key, key.substr(0, dot)) || (key.starts_with("player.") && in_page(name));
+                      asked_for(key, key.substr(0, dot)) || (of_a_page && in_page(name));
     if (!used) unused.push_back(key);
   }
   EXPECT_EQ(unused, std::vector<std::string>());
