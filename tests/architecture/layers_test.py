@@ -21,10 +21,11 @@ LAYERS = {
     "worksheet": {"figure", "stories", "text"},
     "json": {"figure", "stories"},  # no look: what a page in a browser is told, too
     "request": {"figure", "stories", "json", "pipeline"},
+    "source": {"figure", "stories"},
     "check": {"figure", "stories", "json", "request", "pipeline"},
     "live": {"figure", "stories", "json", "request", "pipeline"},
     "web": {"figure", "theme", "stories", "json", "cairo"},  # the letters in a page
-    "cli": {"figure", "theme", "stories", "json", "request", "check", "cairo", "text", "worksheet", "plot", "web", "office",
+    "cli": {"figure", "theme", "stories", "json", "request", "check", "source", "cairo", "text", "worksheet", "plot", "web", "office",
             "pipeline"},
 }
 

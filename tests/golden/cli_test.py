@@ -25,7 +25,7 @@ def test_help_and_version():
         result = gradus(*words)
         equal((result.code, result.err), (0, ""), f"gradus {words} gives help")
         check(result.out.index("Examples") < result.out.index("Commands"), "examples come first")
-    for command in ("list", "run", "figure", "cases", "check", "figures", "worksheet", "render", "demo", "inspect", "bench", "stress", "again"):
+    for command in ("list", "run", "figure", "source", "cases", "check", "figures", "worksheet", "render", "demo", "inspect", "bench", "stress", "again"):
         result = gradus(command, "--help")
         equal((result.code, result.err), (0, ""), f"gradus {command} --help")
         check(result.out.startswith(f"gradus {command}: ") and "Examples\n  gradus" in result.out, result.out)

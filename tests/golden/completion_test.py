@@ -62,7 +62,7 @@ def test_everything_of_the_catalogue_is_offered():
     commands = words_after("")
     for name in commands:
         check({"--help", "--quiet"} <= words_after(name, "--"), f"flags of {name}")
-    check({"list", "help", "run", "figure", "cases", "check", "figures", "worksheet", "render", "demo", "inspect", "bench", "stress", "again", "open", "completion", "man"} <= commands,
+    check({"list", "help", "run", "figure", "source", "cases", "check", "figures", "worksheet", "render", "demo", "inspect", "bench", "stress", "again", "open", "completion", "man"} <= commands,
           f"{commands}")
 
 

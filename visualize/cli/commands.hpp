@@ -69,6 +69,7 @@ int list(const Request& request);
 int help(const Request& request);
 int run(const Request& request);
 int figure(const Request& request);
+int source(const Request& request);
 int cases(const Request& request);
 int check(const Request& request);
 int figures(const Request& request);

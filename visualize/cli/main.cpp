@@ -33,6 +33,7 @@ int perform(const std::vector<std::string>& words) {
   const Working working(name + (request.topic ? " " + request.topic->name : ""), request.quiet());
   if (name == "run") return run(request);
   if (name == "figure") return figure(request);
+  if (name == "source") return source(request);
   if (name == "cases") return cases(request);
   if (name == "check") return check(request);
   if (name == "figures") return figures(request);
