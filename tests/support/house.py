@@ -21,7 +21,7 @@ COLUMNS = {  # from left to right, and what a room is for
     "visualize/stories": (1, "what a step shows and says"),
     "visualize/json": (1, "runs for other programs"),
     "visualize/request": (0, "what is asked for, read"),
-    "visualize/source": (3, "headers for others' programs"),
+    "visualize/source": (5, "headers for others' programs"),
     "visualize/check": (2, "others' answers, judged"),
     "visualize/live": (0, "the module of live pages"),
     "visualize/web": (1, "player and pages"),
