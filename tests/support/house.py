@@ -12,7 +12,7 @@ import sys
 import project
 
 FAMILIES = "algorithms"  # each topic includes core alone, or a topic of its own family: one room for all families
-WIDTH, ROW, BOX = 1200, 88, 46
+WIDTH, ROW, BOX = 1400, 88, 46
 COLUMNS = {  # from left to right, and what a room is for
     "algorithms": (0, "the topics, each alone"),
     "pipeline/scene": (0, "models, cameras"),
@@ -21,7 +21,7 @@ COLUMNS = {  # from left to right, and what a room is for
     "visualize/stories": (1, "what a step shows and says"),
     "visualize/json": (1, "runs for other programs"),
     "visualize/request": (0, "what is asked for, read"),
-    "visualize/source": (5, "headers for others' programs"),
+    "visualize/source": (6, "headers for others"),
     "visualize/check": (2, "others' answers, judged"),
     "visualize/live": (0, "the module of live pages"),
     "visualize/web": (1, "player and pages"),
