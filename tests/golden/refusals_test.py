@@ -40,8 +40,8 @@ def test_wrong_input():
     steps = "--steps: expected steps like 3-9 or 1,4,9-12, found "
     table = [
         # command, topic, flags
-        (["lits"], "COMMAND: expected one of list, help, run, figure, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'lits', did you mean 'list'?"),
-        (["zzz"], "COMMAND: expected one of list, help, run, figure, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'zzz'"),
+        (["lits"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'lits', did you mean 'list'?"),
+        (["zzz"], "COMMAND: expected one of list, help, run, figure, source, cases, check, figures, worksheet, render, explain, demo, inspect, bench, stress, again, open, completion, man, found 'zzz'"),
         (["run"], "run: expected a TOPIC, found none (`gradus run --help` shows examples)"),
         (["run", "bresenhm_line"], topics + "'bresenhm_line', did you mean 'bresenham_line'?"),
         (["run", "radiosity"], topics + "'radiosity'"),
