@@ -15,7 +15,7 @@ std::size_t end_of_aside(std::string_view text, std::size_t at) {
   const bool separates_digits = text[at] == '\'' && at > 0 && belongs_to_word(text[at - 1]);
   if ((text[at] != '"' && text[at] != '\'') || separates_digits) return at;
   std::size_t end = at + 1;
-  while (end < text.size() && text[end] != text[at]) end += text[end] == '\\' ? 2 : 1;
+  while (end < text.size() && text[end] != text[at]) end += text[end] == '\\' ? 2u : 1u;
   return std::min(end + 1, text.size());
 }
 
