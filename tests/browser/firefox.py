@@ -151,17 +151,22 @@ class Firefox:
 
     def open(self, url):
         self.frame_context = None
-        # Waiting for the event by the protocol hangs now and then: the page itself is asked
-        self.call('browsingContext.navigate', context=self.context, url=url, wait='none')
-        end = time.monotonic() + 60
-        while time.monotonic() < end:
-            try:
-                if self.run('return [location.href, document.readyState]') == [url, 'complete']:
+        # Waiting for the event by the protocol hangs now and then, and a page that was asked for too early never comes:
+        # the page itself is asked, and asked for again
+        for _ in range(6):
+            self.call('browsingContext.navigate', context=self.context, url=url, wait='none')
+            end = time.monotonic() + 15
+            while time.monotonic() < end:
+                if self._is_open(url):
                     return
-            except WebDriverError:
-                pass  # between two pages there is none
-            time.sleep(0.02)
+                time.sleep(0.02)
         raise WebDriverError(f'{url} does not open')
+
+    def _is_open(self, url):
+        try:
+            return self.run('return [location.href, document.readyState]') == [url, 'complete']
+        except WebDriverError:
+            return False  # between two pages there is none
 
     def frame(self, number):
         """Goes into the page's frame of this number; None: back to the page itself."""
