@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 import time
 
-from webdriver import KEYS, WebDriverError
+from webdriver import WebDriverError, drag_actions, key_actions
 
 PREFERENCES = {'remote.active-protocols': 1, 'browser.shell.checkDefaultBrowser': False, 'ui.prefersReducedMotion': 1,
                'datareporting.policy.dataSubmissionEnabled': False, 'toolkit.telemetry.reportingpolicy.firstRun': False,
@@ -191,19 +191,11 @@ class Firefox:
         self.call('input.performActions', context=self.frame_context or self.context, actions=actions)
 
     def press(self, *keys):
-        actions = []
-        for key in keys:
-            values = [KEYS.get(part, part) for part in (key.split('+') if len(key) > 1 else [key])]
-            actions += [{'type': 'keyDown', 'value': value} for value in values]
-            actions += [{'type': 'keyUp', 'value': value} for value in reversed(values)]
-        self._perform([{'type': 'key', 'id': 'keys', 'actions': actions}])
+        self._perform([key_actions(keys)])
 
     def drag(self, places, touch=False):
         """Down at the first place, over the others, up at the last one."""
-        moves = [{'type': 'pointerMove', 'x': round(x), 'y': round(y), 'duration': 0} for x, y in places]
-        actions = [moves[0], {'type': 'pointerDown', 'button': 0}, *moves[1:], {'type': 'pointerUp', 'button': 0}]
-        self._perform([{'type': 'pointer', 'id': 'finger' if touch else 'mouse', 'actions': actions,
-                        'parameters': {'pointerType': 'touch' if touch else 'mouse'}}])
+        self._perform([drag_actions(places, touch)])
 
     def click(self, x, y):
         self.drag([(x, y)])

@@ -33,6 +33,24 @@ class WebDriverError(Exception):
     pass
 
 
+def key_actions(keys):
+    """The keys one after the other; "Shift+b": held, then let go in turn."""
+    actions = []
+    for key in keys:
+        values = [KEYS.get(part, part) for part in (key.split('+') if len(key) > 1 else [key])]
+        actions += [{'type': 'keyDown', 'value': value} for value in values]
+        actions += [{'type': 'keyUp', 'value': value} for value in reversed(values)]
+    return {'type': 'key', 'id': 'keys', 'actions': actions}
+
+
+def drag_actions(places, touch):
+    """Down at the first place, over the others, up at the last one."""
+    moves = [{'type': 'pointerMove', 'duration': 0, 'x': round(x), 'y': round(y)} for x, y in places]
+    actions = [moves[0], {'type': 'pointerDown', 'button': 0}, *moves[1:], {'type': 'pointerUp', 'button': 0}]
+    return {'type': 'pointer', 'id': 'finger' if touch else 'mouse', 'actions': actions,
+            'parameters': {'pointerType': 'touch' if touch else 'mouse'}}
+
+
 def free_port():
     with socket.socket() as s:
         s.bind(('127.0.0.1', 0))
@@ -116,20 +134,11 @@ class Browser:
         self.cdp('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=dpr, mobile=False)
 
     def press(self, *keys):
-        actions = []
-        for key in keys:
-            # "Shift+b": held, then let go in turn
-            values = [KEYS.get(part, part) for part in (key.split('+') if len(key) > 1 else [key])]
-            actions += [{'type': 'keyDown', 'value': value} for value in values]
-            actions += [{'type': 'keyUp', 'value': value} for value in reversed(values)]
-        self.call('POST', '/actions', {'actions': [{'type': 'key', 'id': 'keys', 'actions': actions}]})
+        self.call('POST', '/actions', {'actions': [key_actions(keys)]})
 
     def drag(self, places, touch=False):
         """Down at the first place, over the others, up at the last one."""
-        moves = [{'type': 'pointerMove', 'duration': 0, 'x': round(x), 'y': round(y)} for x, y in places]
-        actions = [moves[0], {'type': 'pointerDown', 'button': 0}, *moves[1:], {'type': 'pointerUp', 'button': 0}]
-        self.call('POST', '/actions', {'actions': [{'type': 'pointer', 'id': 'finger' if touch else 'mouse', 'actions': actions,
-                                                    'parameters': {'pointerType': 'touch' if touch else 'mouse'}}]})
+        self.call('POST', '/actions', {'actions': [drag_actions(places, touch)]})
 
     def click(self, x, y):
         self.drag([(x, y)])

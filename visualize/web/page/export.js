@@ -21,16 +21,16 @@ function drawingSvg(player) {
 /** The same as a PNG of `scale` pixels for one of the page's. */
 async function drawingPng(player, scale = 2) {
   const {width, height} = player.drawing.at, image = new Image();
-  image.src = `data:image/svg+xml;base64,${base64Of(drawingSvg(player))}`;
+  image.src = `data:image/svg+xml;base64,${base64Of(new TextEncoder().encode(drawingSvg(player)))}`;
   await image.decode();
   const canvas = html('canvas', {width: Math.round(scale * width), height: Math.round(scale * height)});
   canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
   return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
 }
-function base64Of(text) {
-  let bytes = '';
-  for (const byte of new TextEncoder().encode(text)) bytes += String.fromCharCode(byte);
-  return btoa(bytes);
+function base64Of(bytes) {
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text);
 }
 
 /** Hands a file to the reader's folder of downloads. */

@@ -35,8 +35,6 @@ class Asker {
     this.files = [...this.files.filter(({name}) => name !== file.name), file];
     if (this.worker) await this.call('keep', file);
   }
-  has(name) { return this.files.some((file) => file.name === name); }
-  get idle() { return this.waiting.size === 0; }
 
   async start() {
     const module = await this.module;

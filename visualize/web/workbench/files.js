@@ -1,7 +1,11 @@
 'use strict';
 // Files that the reader opens or drops: pictures are decoded here, by the browser; nothing leaves the page.
 
-/** What a file holds, and of a picture what it shows. */
+const MOST_PIXELS = 1 << 26;  // of a picture, as the command takes them; more would fill the module's memory
+/** Whether a file holds the materials of a model. */
+const isLibrary = ({name}) => /\.mtl$/i.test(name);
+
+/** What a file holds, and of a picture what it shows; of one that is too large nothing. */
 async function readFile(file) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const isPicture = /^image\/(png|jpeg)$/.test(file.type) || /\.(png|jpe?g)$/i.test(file.name);
@@ -9,6 +13,7 @@ async function readFile(file) {
 }
 async function decoded(bytes) {
   const bitmap = await createImageBitmap(new Blob([bytes]), {premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
+  if (bitmap.width * bitmap.height > MOST_PIXELS) return null;
   const canvas = html('canvas', {width: bitmap.width, height: bitmap.height}), context = canvas.getContext('2d');
   context.drawImage(bitmap, 0, 0);
   return context.getImageData(0, 0, bitmap.width, bitmap.height);

@@ -158,8 +158,11 @@ class Workbench {
     this.wanted = {light: light && (this.wanted?.light ?? true)};
     if (this.asking) return this.asking;
     this.asking = this.askAll();
-    await this.asking;
-    this.asking = undefined;
+    try {
+      await this.asking;
+    } finally {
+      this.asking = undefined;
+    }
   }
   async askAll() {
     while (this.wanted) {
@@ -202,6 +205,7 @@ class Workbench {
   show({trace, beside, alignment}, light) {
     const {player} = this, first = !player.run, same = player.run?.trace.topic === trace.topic;
     if (!beside) this.endComparing();
+    this.predictor.close();  // what was asked was about another run
     player.silent = true;
     if (same)
       player.update(trace, {command: 'gradus', light});
@@ -264,17 +268,19 @@ class Workbench {
     putState(long ? {...state, given: {}} : state, put, parts, this.topic);
   }
   async opened(name, files) {
-    for (const file of files) await this.take(await readFile(file), name);
+    // A model is read with what lies beside it
+    const inOrder = [...files].sort((a, b) => isLibrary(b) - isLibrary(a));
+    for (const file of inOrder) await this.take(await readFile(file), name);
   }
   /** A file that was dropped or opened: for an argument, or a saved input. */
   async take(file, name) {
     const saved = name === undefined && /\.json$/i.test(file.name) && savedState(file.bytes);
     if (saved) return this.openSaved(saved);
-    if (/\.mtl$/i.test(file.name)) return this.asker.keep(file);
     const parameter = name === undefined ? parameterFor(file, this.parameters) : this.parameter(name);
-    if (!parameter) return this.player.notice(say('no_use', {name: file.name}));
+    if (!parameter && !isLibrary(file)) return this.player.notice(say('no_use', {name: file.name}));
     await this.asker.keep(file);
     this.last = undefined;  // another file may have had this name
+    if (isLibrary(file)) return this.refresh(false);  // the model may be there already
     this.change({[parameter.name]: parameter.type === 'maze' || parameter.type === 'faces' ? `@${file.name}` : file.name});
     await this.committed();
     await this.remark(file.name);
@@ -293,8 +299,8 @@ class Workbench {
     const put = (name, value) => value && parts.set(name, value);
     putState(this.state, put, parts, this.topic);
     put('step', this.player.run.steps[this.player.index].number);
-    const files = this.asker.files.filter(({name}) => Object.values(this.state.given).some((text) => text.replace(/^@/, '') === name) || /\.mtl$/i.test(name))
-                      .map(({name, bytes}) => ({name, bytes: base64OfBytes(bytes)}));
+    const files = this.asker.files.filter(({name}) => Object.values(this.state.given).some((text) => text.replace(/^@/, '') === name) || isLibrary({name}))
+                      .map(({name, bytes}) => ({name, bytes: base64Of(bytes)}));
     save(`${JSON.stringify({gradus: 1, address: addressText(parts), files}, null, 1)}\n`, 'application/json', `${this.state.topic}_input.json`);
   }
   async openSaved({address, files = []}) {
@@ -389,8 +395,3 @@ function parametersOf(topic, methodName) {
 }
 /** "scan_conversion": "Scan conversion" */
 const heading = (chapter) => chapter.charAt(0).toUpperCase() + chapter.slice(1).replaceAll('_', ' ');
-function base64OfBytes(bytes) {
-  let text = '';
-  for (const byte of bytes) text += String.fromCharCode(byte);
-  return btoa(text);
-}
