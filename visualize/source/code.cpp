@@ -88,12 +88,6 @@ std::size_t line_end(std::string_view text, std::size_t at) {
   return end == nowhere ? text.size() : end + 1;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \n");
-  if (begin == nowhere) return {};
-  return text.substr(begin, text.find_last_not_of(" \n") + 1 - begin);
-}
-
 std::vector<std::string_view> lines_in(std::string_view text) {
   std::vector<std::string_view> lines;
   for (std::size_t at = 0; at < text.size();) {

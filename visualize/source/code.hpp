@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stories/point_text.hpp"  // IWYU pragma: export (trimmed)
+
 namespace gradus::source {
 
 /// From the first character to before the last.
@@ -48,9 +50,6 @@ std::size_t find_word(std::string_view text, std::string_view word, std::size_t 
 /// The first character of the line, and the one past its end.
 std::size_t line_begin(std::string_view text, std::size_t at);
 std::size_t line_end(std::string_view text, std::size_t at);
-
-/// A text without spaces and line ends round it.
-std::string_view trimmed(std::string_view text);
 
 /// The lines of a text, without their ends.
 std::vector<std::string_view> lines_in(std::string_view text);
