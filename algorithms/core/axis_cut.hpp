@@ -38,10 +38,11 @@ constexpr BorderOrder<N> usual_order() {
 constexpr int axis_of(Border border) { return static_cast<int>(border) / 2; }
 constexpr bool is_upper(Border border) { return static_cast<int>(border) % 2 == 1; }
 
-/// Where the border lies on its axis.
+/// Where the border lies on its axis. Of the two zeros +0: points that are cut at a border copy this, and
+/// must not tell which of two borders at 0 came first.
 template <int N, class T>
 T coordinate(const AxisBox<N, T>& box, Border border) {
-  return is_upper(border) ? box.upper[axis_of(border)] : box.lower[axis_of(border)];
+  return (is_upper(border) ? box.upper : box.lower)[axis_of(border)] + T(0);
 }
 
 /// Whether p lies beyond the border; on it is not beyond it.

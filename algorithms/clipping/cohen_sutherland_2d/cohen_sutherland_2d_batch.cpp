@@ -146,8 +146,9 @@ std::size_t clip_all(const Segment<2, double>* lines, std::size_t size, const Re
                      Segment<2, double>* clipped, std::uint8_t* accepted) {
   const D d;
   const std::size_t count = hn::Lanes(d);
-  const Borders w{hn::Set(d, window.lower.x), hn::Set(d, window.lower.y), hn::Set(d, window.upper.x),
-                  hn::Set(d, window.upper.y)};
+  // + 0.0 as in coordinate(): of the two zeros +0
+  const Borders w{hn::Set(d, window.lower.x + 0.0), hn::Set(d, window.lower.y + 0.0),
+                  hn::Set(d, window.upper.x + 0.0), hn::Set(d, window.upper.y + 0.0)};
   std::size_t kept = 0, i = 0;
   for (; i + count <= size; i += count) {
     const std::uint64_t bits = clip_some(lines + i, window, w, clipped + i);

@@ -89,7 +89,8 @@ struct Axis {
 };
 
 HWY_INLINE Axis axis(Pair at, double lower, double upper) {
-  const V low = hn::Set(D(), lower), high = hn::Set(D(), upper);
+  // + 0.0 as in coordinate(): of the two zeros +0
+  const V low = hn::Set(D(), lower + 0.0), high = hn::Set(D(), upper + 0.0);
   const PairMask below = greater(both(low), at), above = greater(at, both(high));
   return {at,
           hn::Add(hn::Abs(at.a), hn::Abs(at.b)),

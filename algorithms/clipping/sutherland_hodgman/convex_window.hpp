@@ -75,11 +75,12 @@ int border_count(const ConvexWindow<T>& window) {
   return static_cast<int>(window.corners.size());
 }
 
-/// The axis a border of a rectangle goes with, 0 x or 1 y, and its coordinate there.
+/// The axis a border of a rectangle goes with, 0 x or 1 y, and its coordinate there; of the two zeros +0, so
+/// that no corner tells which of two borders at 0 was cut at first.
 constexpr int axis_of(int border) { return border / 2; }
 template <class T>
 constexpr T coordinate_of(const Rectangle<T>& window, int border) {
-  return (border % 2 == 0 ? window.lower : window.upper)[axis_of(border)];
+  return (border % 2 == 0 ? window.lower : window.upper)[axis_of(border)] + T(0);
 }
 
 /// The line of a border, with the window on its left. A rectangle's are of length 1, so that they are lines
@@ -203,12 +204,13 @@ int side_of_border(const Scene<T, ConvexWindow<T>>& scene, int border, const Ver
   return side_of_crossing(line, scene.line(v.edge), scene.line(v.border));
 }
 
-/// The border of a convex window at whose end both meet, if they are neighbours: that corner.
+/// The border of a convex window at whose end both meet, if they are neighbours: that corner. A zero is +0,
+/// as that of a crossing.
 template <class T>
 std::optional<glm::vec<2, T>> common_corner(const ConvexWindow<T>& window, int a, int b) {
   const int n = border_count(window);
-  if ((a + 1) % n == b) return window.corners[static_cast<std::size_t>(b)];
-  if ((b + 1) % n == a) return window.corners[static_cast<std::size_t>(a)];
+  if ((a + 1) % n == b) return window.corners[static_cast<std::size_t>(b)] + T(0);
+  if ((b + 1) % n == a) return window.corners[static_cast<std::size_t>(a)] + T(0);
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -92,6 +93,25 @@ TEST(CohenSutherland2d, EachCutClearsABit) {
   };
   watch([](auto line, auto& seen) { return cut_of_a_cut(line, ten, usual_order<2>(), seen); });
   watch([](auto line, auto& seen) { return correctly_rounded(line, ten, usual_order<2>(), seen); });
+}
+
+TEST(CohenSutherland2d, TheSignOfZeroDoesNotTellTheOrderOfBorders) {
+  // A window without thickness at 0, whose two borders are zeros of different signs
+  const Segment<2, double> line{{-3, -2}, {4, 5}};
+  for (const int axis : {0, 1}) {
+    for (const bool minus_below : {false, true}) {
+      Rectangle<double> window{{-9, -9}, {9, 9}};
+      window.lower[axis] = minus_below ? -0.0 : 0.0;
+      window.upper[axis] = minus_below ? 0.0 : -0.0;
+      Order order = usual_order<2>();
+      do {
+        for (const auto& part : {cut_of_a_cut(line, window, order), correctly_rounded(line, window, order)}) {
+          ASSERT_TRUE(part);
+          EXPECT_FALSE(std::signbit(part->a[axis]) || std::signbit(part->b[axis]));
+        }
+      } while (std::ranges::next_permutation(order).found);
+    }
+  }
 }
 
 TEST(CohenSutherland2d, TheOrderSaysWhichBorderIsCutFirst) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "clipping/sutherland_hodgman/separate_pieces.hpp"
 #include "clipping/sutherland_hodgman/sutherland_hodgman_notes.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
@@ -83,6 +86,33 @@ TEST(SutherlandHodgmanPlane, CornersComeOnce) {
     EXPECT_EQ(area_of(ring), 100);
   } while (std::next_permutation(order.begin(), order.end()));
   EXPECT_EQ(outline(pieces({diamond}).at(0)).size(), 4u);
+}
+
+bool same_bits(const Points& a, const Points& b) {
+  return std::ranges::equal(a, b, [](const dvec2& p, const dvec2& q) {
+    return p == q && std::signbit(p.x) == std::signbit(q.x) && std::signbit(p.y) == std::signbit(q.y);
+  });
+}
+
+TEST(SutherlandHodgmanPlane, TheSignOfZeroDoesNotTellTheOrderOfBorders) {
+  // Windows without thickness at 0, whose two borders are zeros of different signs
+  const Points zigzag{{-3, -2}, {4, -1}, {-3, 1}, {4, 5}};
+  for (const int signs : {0, 1, 2, 3}) {
+    const double a = signs & 1 ? -0.0 : 0.0, b = signs & 2 ? -0.0 : 0.0;
+    const Rectangle<double> windows[]{
+        {{a, -9}, {b, 9}}, {{-9, a}, {9, b}}, {{a, a}, {b, b}}, {{a, b}, {9, 9}}};
+    for (const auto& window : windows) {
+      std::vector<int> order{0, 1, 2, 3};
+      const Points first = places(clip_to_window(zigzag, window, order));
+      while (std::ranges::next_permutation(order).found) {
+        // Where the ring starts may depend on the order
+        Points ring = places(clip_to_window(zigzag, window, order));
+        const auto start = std::ranges::find(ring, first.empty() ? dvec2(0) : first.front());
+        if (start != ring.end()) std::ranges::rotate(ring, start);
+        ASSERT_TRUE(same_bits(ring, first)) << signs;
+      }
+    }
+  }
 }
 
 TEST(SutherlandHodgmanPlane, OutsideInsideAndAround) {
