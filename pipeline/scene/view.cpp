@@ -81,8 +81,9 @@ Aim aim_of(Objects objects, const View& view, double aspect) {
     if (!view.target) return aim;
     aim.target = middle;
   }
-  // Seen from nearly straight above or below, y tells no direction in the picture
-  if (!view.up && viewing::sine_between(aim.target - aim.eye, aim.up) < 0.1) aim.up = {0, 0, -1};
+  // Seen from straight above or below, y tells no direction in the picture; from beside there it still does,
+  // so that a camera's path does not turn the picture at once
+  if (!view.up && !tells_upright(aim)) aim.up = {0, 0, -1};
   return aim;
 }
 
