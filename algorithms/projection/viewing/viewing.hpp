@@ -111,7 +111,7 @@ inline constexpr T least_sine = T(1000) * std::numeric_limits<T>::epsilon();
 ///
 /// Domain: finite coordinates of any size.
 /// Steps: Aimed Levelled Framed.
-/// Accuracy: against the exact frame forward is within 9/4 ulp of 1 a component, right and up within 2 ulp of
+/// Accuracy: against the exact frame forward is within 9/4 ulp of 1 a component, right and up within 3 ulp of
 ///   1 divided by the sine between the view direction and the hint; lengths and right angles to 8 ulp of 1;
 ///   determinant of right, up, forward -1.
 /// Cost: five square roots, two cross products.

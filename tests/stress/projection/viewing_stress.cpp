@@ -19,7 +19,7 @@ using Vec3 = glm::vec<3, T>;
 
 // The header's bounds. Forward: the difference, three roundings under the root (halved), root and quotient,
 // each of half an ulp of 1 at most
-constexpr double forward_ulps = 2.25, other_ulps = 2;
+constexpr double forward_ulps = 2.25, other_ulps = 3;
 
 template <class T>
 Float one_ulp() {
@@ -276,7 +276,7 @@ Domain viewing() {
   return {
       "viewing",
       {{.name = "look_at",
-        .states = "forward within 9/4 ulp of 1, right and up within 2 over the sine; parallel up is refused",
+        .states = "forward within 9/4 ulp of 1, right and up within 3 over the sine; parallel up is refused",
         .unit = "bounds",
         .bound = 1,
         .numbers = 9,
@@ -285,6 +285,7 @@ Domain viewing() {
         .traps = {{"up along the view", {0, 5, 0, 0, 0, 0, 0, 1, 0}},
                   {"up along the view but for 1e-17", {0, 1, 0, 0, 0, 0, 1e-17, 1, 0}},
                   {"the target at the eye", {1, 2, 3, 1, 2, 3, 0, 1, 0}},
+                  {"up 2.1 ulp off in float", {0, 0x1.7328e8p0, 0, 0, 0, -0x1.c8c26ap0, -0x1p12, 0, 1}},
                   {"as far apart as doubles allow", {-1e308, 0, 0, 1e308, 1, 0, 0, 1, 0}},
                   {"squares underflow", {0, 0, 0, 1e-200, 0, 1e-200, 0, 1e-300, 0}}},
         .shares = {{"refused", 0.03, refused}}},
@@ -322,9 +323,8 @@ Domain viewing() {
         .error = in_both([](const auto& i) { return inverse_error(i); }),
         .traps = {{"in one plane", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}},
                   {"37 ulp in float",
-                   {0x1.18p+1, 0x1.8p+1, 0x1.1p+2, 0x1.a049c3e643474p+0, -0x1.bf3838bcc5ebcp+0,
-                    0x1.9b23d5f7b0a38p+1, 0x1.483ef4eb0dc98p-1, 0x1.11eb62ec5d602p+1, -0x1.84c2241f65c9p-2,
-                    0x1.89644558e163cp+1, 0x1.ff5e589e8c77p+0, 0x1.d01ea95925362p+1}},
+                   {0, 0, 0, 0x1.a049c4p+0, -0x1.bf3838p+0, 0x1.9b23d6p+0, 0x1.483ef4p+0, 0x1.11eb62p+0,
+                    -0x1.84c224p+0, 0x1.896446p+0, 0x1.ff5e58p+0, 0x1.d01eaap+0}},
                   {"lengths far apart", {0, 0, 0, 1e-200, 0, 0, 0, 1, 0, 0, 0, 1e200}},
                   {"no axis", {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1}}}},
        frames}};

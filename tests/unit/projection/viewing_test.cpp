@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/arithmetic/exact_scalar.hpp"
@@ -155,6 +157,31 @@ TEST(Viewing, TheTransposedMatrixInvertsOnlyUprightFrames) {
   EXPECT_THROW(inverse_of_any_frame(flat), ContractViolation);
   const DFrame nothing{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   EXPECT_THROW(inverse_of_any_frame(nothing), ContractViolation);
+}
+
+TEST(Viewing, TheWorstInverseKnownIs37UlpOff) {
+  // The number of the topic's page, by rationals; in float, for whose ulp the bound is the same
+  const ExactScope scope;
+  const Frame<float> frame{{0, 0, 0},
+                           {0x1.a049c4p+0f, -0x1.bf3838p+0f, 0x1.9b23d6p+0f},
+                           {0x1.483ef4p+0f, 0x1.11eb62p+0f, -0x1.84c224p+0f},
+                           {0x1.896446p+0f, 0x1.ff5e58p+0f, 0x1.d01eaap+0f}};
+  const glm::mat4 found = inverse_of_any_frame(frame);
+  const glm::vec<3, Exact> axes[]{glm::vec<3, Exact>(frame.right), glm::vec<3, Exact>(frame.up),
+                                  glm::vec<3, Exact>(frame.forward)};
+  const Exact det = glm::dot(axes[0], glm::cross(axes[1], axes[2]));
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto column = glm::cross(axes[(i + 1) % 3], axes[(i + 2) % 3]) / det;
+    double largest = 0, error = 0;
+    for (int row = 0; row < 3; ++row) {
+      largest = std::max(largest, std::abs(to_double(column[row])));
+      error = std::max(error, std::abs(to_double(column[row] - Exact(found[i][row]))));
+    }
+    // In ulp of 1 times the largest entry / determinant
+    worst = std::max(worst, error / largest * std::abs(to_double(det)) / 0x1p-23);
+  }
+  EXPECT_NEAR(worst, 36.7, 0.05);
 }
 
 TEST(Viewing, HugeAndTinyViewsHaveTheSameAxes) {
