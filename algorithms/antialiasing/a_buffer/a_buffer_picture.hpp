@@ -161,8 +161,8 @@ constexpr Fragment alike(int triangle, auto&& surface, auto&& opacity) {
 ///   triangle) lies between 0 and 1.
 ///
 /// Domain: corners and window at most `triangle_coverage::farthest` pixels from 0; fewer than 2^31 fragments.
-/// Accuracy: masks exactly; a straight edge's area within RMSE .0204 of a pixel. Equal depths: the triangle
-///   with the lower surface number is in front.
+/// Accuracy: masks exactly; a straight edge's area within 0.0202 of a pixel (root mean square). Equal depths:
+///   the triangle with the lower surface number is in front.
 /// Cost: a mask for each triangle and pixel of its box, then sorting each list. The memory is returned.
 /// Errors: ContractViolation for what lies too far out, for opacities not between 0 and 1.
 template <class Colour, class Plot, class Surface = OwnSurface, class Opacity = Opaque>

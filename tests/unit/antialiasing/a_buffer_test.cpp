@@ -123,7 +123,7 @@ TEST(ABufferMasks, ErrorOnRandomStraightEdges) {
   }
   const double rms = std::sqrt(squares / edges);
   RecordProperty("rms", std::to_string(rms));
-  EXPECT_NEAR(rms, 0.0202, 0.05 * 0.0202);
+  EXPECT_NEAR(rms, 0.0202, 0.00005);
   EXPECT_LT(std::abs(sum / edges), 4 * rms / std::sqrt(edges));
 }
 
