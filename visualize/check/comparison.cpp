@@ -1,11 +1,13 @@
 #include "check/comparison.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "check/lists.hpp"
 #include "request/names.hpp"
 
 namespace gradus::check {
@@ -35,57 +37,6 @@ std::string called(const ExpectedList& list) { return list.cells() ? "pixel" : l
 
 /// An order in which cells and other values can be sorted.
 std::string sort_key(const Element& element) { return text_of(element); }
-
-/// Elements of a list that the other has not, each as often as it is missing.
-std::vector<std::size_t> missing_from(const std::vector<Element>& list, const std::vector<Element>& of,
-                                      double tolerance) {
-  const bool exact = std::ranges::none_of(list, [](const Element& e) {
-    return std::ranges::any_of(e, [](const Value& v) { return std::holds_alternative<double>(v); });
-  });
-  std::vector<std::size_t> missing;
-  if (exact) {
-    std::map<std::string, std::size_t> there;
-    for (const Element& element : list) ++there[sort_key(element)];
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      const auto found = there.find(sort_key(of[i]));
-      if (found == there.end() || found->second == 0)
-        missing.push_back(i);
-      else
-        --found->second;
-    }
-    return missing;
-  }
-  std::vector<bool> taken(list.size());
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    std::size_t j = 0;
-    while (j < list.size() && (taken[j] || !agree(list[j], of[i], tolerance))) ++j;
-    if (j < list.size())
-      taken[j] = true;
-    else
-      missing.push_back(i);
-  }
-  return missing;
-}
-
-std::vector<Element> elements_of(const ExpectedList& list) {
-  std::vector<Element> elements;
-  for (const ExpectedElement& element : list.elements) elements.push_back(element.values);
-  return elements;
-}
-
-/// Whether a ring is the other one from another place on, or backwards.
-bool goes_round(const std::vector<Element>& ours, std::vector<Element> theirs, double tolerance) {
-  for (int way = 0; way < 2; ++way) {
-    for (std::size_t turn = 0; turn < theirs.size(); ++turn) {
-      std::ranges::rotate(theirs, theirs.begin() + 1);
-      if (std::ranges::equal(ours, theirs,
-                             [&](const Element& a, const Element& b) { return agree(a, b, tolerance); }))
-        return true;
-    }
-    std::ranges::reverse(theirs);
-  }
-  return false;
-}
 
 /// Whether the orders of two lists agree as far as their elements do.
 bool orders_agree(const Translated::List& theirs, double tolerance) {
@@ -151,50 +102,87 @@ void Comparison::compare_values() {
 // --- Lists -------------------------------------------------------------------------------------------------
 
 void Comparison::compare_list(const Translated::List& theirs) {
-  const auto ours = elements_of(*theirs.ours);
+  switch (theirs.ours->same) {
+    case SameList::set:
+      return compare_set(theirs);
+    case SameList::segments:
+      return compare_segments(theirs);
+    case SameList::ring:
+      return compare_rings(theirs);
+    case SameList::order:
+      return compare_in_order(theirs);
+  }
+}
+
+/// As sets; cells that are drawn one after the other as long as possible in their order, which tells where
+/// the first of them goes wrong.
+void Comparison::compare_set(const Translated::List& theirs) {
+  const ExpectedList& list = *theirs.ours;
+  const auto ours = elements_of(list);
   find_tied_cells(theirs);
   const bool same = missing_from(ours, theirs.elements, tolerance_).empty() &&
                     missing_from(theirs.elements, ours, tolerance_).empty();
   if (same) {
-    const bool in_order =
-        std::ranges::equal(ours, theirs.elements,
-                           [this](const Element& a, const Element& b) { return agree(a, b, tolerance_); });
-    if (in_order) return;
-    const bool strict =
-        theirs.ours->ring ? !goes_round(ours, theirs.elements, tolerance_) : theirs.ours->in_order;
-    if (strict) {
-      compare_in_order(theirs);
-    } else {
-      remarks_.push_back(
-          fmt::format("{} {}", theirs.ours->name,
-                      theirs.ours->ring ? "from another one on, or backwards" : "in another order"));
-    }
+    if (!same_in_order(ours, theirs.elements, tolerance_))
+      remarks_.push_back(list.name + " in another order");
     return;
   }
-  if (orders_agree(theirs, tolerance_) && compare_in_order(theirs)) return;
-  compare_as_sets(theirs);
+  if (!may_choose(list) && !is_ours_and_more(theirs) && orders_agree(theirs, tolerance_))
+    compare_in_order(theirs);
+  else
+    compare_as_sets(theirs);
 }
 
-/// Element by element. False where they are better compared as sets: ours, and some more than once.
-bool Comparison::compare_in_order(const Translated::List& theirs) {
-  const ExpectedList& ours = *theirs.ours;
-  const bool cells = ours.cells();
-  const bool may_choose =
-      task_.topic.checking && std::ranges::any_of(task_.topic.checking->asked, [&](const Asked& a) {
-        return a.name == ours.name && !a.where.empty();
-      });
-  if (may_choose) return false;  // an element more moves all behind it
-  const OursOrNot is_ours(ours, tolerance_);
-  bool only_again = true;
+void Comparison::compare_segments(const Translated::List& theirs) {
+  Translated::List turned = theirs;
+  if (turn_segments(elements_of(*theirs.ours), turned.elements, tolerance_) > 0)
+    remarks_.push_back(theirs.ours->name + " from its other end");
+  compare_set(turned);
+}
+
+void Comparison::compare_rings(const Translated::List& theirs) {
+  const RingsBeside rings = rings_beside(*theirs.ours, theirs.elements, tolerance_);
+  ExpectedList ours = *theirs.ours;
+  ours.elements = rings.ours;
+  const Translated::List fitted{&ours, rings.theirs};
+  if (same_in_order(elements_of(ours), rings.theirs, tolerance_)) {
+    std::vector<std::string> how;
+    if (rings.turned) how.emplace_back("from another one on");
+    if (rings.backwards) how.emplace_back("backwards");
+    if (rings.closed) how.emplace_back("closed by the first one");
+    if (rings.repeated > 0) how.push_back(fmt::format("{} of them again", rings.repeated));
+    if (!how.empty()) remarks_.push_back(fmt::format("{} {}", ours.name, fmt::join(how, ", ")));
+    return;
+  }
+  const std::size_t before = differences_.size();
+  if (ours.elements.size() != rings.theirs.size()) compare_as_sets(fitted);
+  // The same corners on another way round
+  if (differences_.size() == before) compare_in_order(fitted);
+}
+
+/// Whether each element is one that a decision may leave out: then one more moves all behind it.
+bool Comparison::may_choose(const ExpectedList& list) const {
+  return task_.topic.checking && std::ranges::any_of(task_.topic.checking->asked, [&](const Asked& asked) {
+           return asked.name == list.name && !asked.where.empty();
+         });
+}
+
+/// Whether all of ours are there, and more of the same.
+bool Comparison::is_ours_and_more(const Translated::List& theirs) const {
+  const std::size_t count = theirs.ours->elements.size();
+  if (theirs.elements.size() <= count) return false;
+  const OursOrNot is_ours(*theirs.ours, tolerance_);
   std::set<std::string> seen;
   for (const Element& element : theirs.elements) {
-    const bool known = is_ours(element);
-    only_again = only_again && known;
+    if (!is_ours(element)) return false;
     seen.insert(sort_key(element));
   }
-  const bool again = theirs.elements.size() > ours.elements.size();
-  if (again && only_again && seen.size() >= ours.elements.size() && !ours.in_order && !ours.ring)
-    return false;
+  return seen.size() >= count;
+}
+
+void Comparison::compare_in_order(const Translated::List& theirs) {
+  const ExpectedList& ours = *theirs.ours;
+  const bool cells = ours.cells();
   if (cells) in_order_ = &theirs;
   const std::size_t least = std::min(ours.elements.size(), theirs.elements.size());
   bool wrong = false;
@@ -222,7 +210,6 @@ bool Comparison::compare_in_order(const Translated::List& theirs) {
     differences_.push_back({task_.ours.last, fmt::format("{} go on with {} where ours end after {}",
                                                          ours.name, text_of(theirs.elements[least]), least)});
   }
-  return true;
 }
 
 void Comparison::compare_as_sets(const Translated::List& theirs) {

@@ -43,11 +43,16 @@ class Comparison {
  private:
   void compare_values();
   void compare_list(const Translated::List& theirs);
-  bool compare_in_order(const Translated::List& theirs);
+  void compare_set(const Translated::List& theirs);
+  void compare_segments(const Translated::List& theirs);
+  void compare_rings(const Translated::List& theirs);
+  void compare_in_order(const Translated::List& theirs);
   void compare_as_sets(const Translated::List& theirs);
   void compare_steps();
   void compare_step(std::size_t i);
   void find_tied_cells(const Translated::List& theirs);
+  bool may_choose(const ExpectedList& list) const;
+  bool is_ours_and_more(const Translated::List& theirs) const;
   bool near(ivec2 a, ivec2 b) const;
   bool is_tied(const ExpectedList& list, const Element& element) const;
   Follows follows(std::size_t i) const;

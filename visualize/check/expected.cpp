@@ -28,14 +28,12 @@ std::unordered_map<std::uint64_t, std::int64_t> steps_of_cells(const Trace& trac
   return steps;
 }
 
-ExpectedList pixels_of(const Trace& trace) {
-  ExpectedList list{.name = "pixels", .fields = {"pixel"}, .elements = {}};
+void add_pixels(ExpectedList& list, const Trace& trace) {
   const auto steps = steps_of_cells(trace);
   for (const ivec2 pixel : trace.pixels) {
     const auto step = steps.find(key_of(pixel));
     list.elements.push_back({{pixel}, step == steps.end() ? trace.last : step->second});
   }
-  return list;
 }
 
 /// "x" of "A.x".
@@ -57,7 +55,11 @@ void add_places(ExpectedList& list, const Trace& trace) {
 }
 
 ExpectedList list_of(const Asked& asked, const Trace& trace) {
-  ExpectedList list{asked.name, asked.fields, {}, asked.in_order, asked.ring};
+  ExpectedList list{.name = asked.name, .same = asked.same, .fields = asked.fields};
+  if (asked.type == plotted) {
+    add_pixels(list, trace);
+    return list;
+  }
   if (asked.type.empty()) {
     add_places(list, trace);
     return list;
@@ -124,9 +126,11 @@ Values values_of(const TraceStep& step) {
 
 Expected expected_of(const TopicEntry& topic, const Trace& trace) {
   Expected expected{.values = trace.result, .lists = {}, .steps = {}};
-  if (!trace.pixels.empty()) expected.lists.push_back(pixels_of(trace));
   if (topic.checking) {
-    for (const Asked& asked : topic.checking->asked) expected.lists.push_back(list_of(asked, trace));
+    for (const Asked& asked : topic.checking->asked) {
+      if (asked.method.empty() || asked.method == trace.method)
+        expected.lists.push_back(list_of(asked, trace));
+    }
   }
   for (const TraceStep& step : trace.steps) {
     if (step.number.fine == 0) expected.steps.push_back(&step);

@@ -19,10 +19,10 @@ struct ExpectedElement {
   std::int64_t step;  ///< the step that gives it
 };
 struct ExpectedList {
-  std::string name;                 ///< "pixels"
+  std::string name;  ///< "pixels"
+  SameList same;
   std::vector<std::string> fields;  ///< of an element
-  std::vector<ExpectedElement> elements;
-  bool in_order = false, ring = false;  ///< Asked's
+  std::vector<ExpectedElement> elements{};
   bool cells() const { return fields.size() == 1 && fields.front() == "pixel"; }
 };
 

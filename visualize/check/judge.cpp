@@ -75,7 +75,7 @@ void require_rule(const Task& task, const Comparison& comparison, const std::str
 
 // --- Hints -------------------------------------------------------------------------------------------------
 
-/// Whether a result is this one, whatever its order.
+/// Whether a result is this one.
 bool same_result(const Task& task, const Translated& theirs, const Trace& other, double tolerance) {
   const Expected expected = expected_of(task.topic, other);
   Translated by_other{.values = theirs.values, .lists = {}, .steps = {}};
@@ -190,10 +190,14 @@ std::vector<std::size_t> steps_of(const Translated::List& theirs, const Expected
   return places;
 }
 
+double tolerance_of(const Task& task, const OwnAnswers& answers) {
+  return answers.conventions.tolerance * largest_number(task.ours);
+}
+
 Judgement judge(const Task& task, const OwnAnswers& answers, const OwnAnswer& answer) {
   const Expected expected = expected_of(task.topic, task.ours);
   const Translated theirs = translated(task.topic, task.ours, expected, answers, answer, answers.conventions);
-  const double tolerance = answers.conventions.tolerance * largest_number(task.ours);
+  const double tolerance = tolerance_of(task, answers);
   const Comparison comparison(task, expected, theirs, tolerance);
   const auto& differences = comparison.differences();
   Judgement judgement;

@@ -57,6 +57,9 @@ struct Task {
   std::function<Trace(const std::string& method)> other_method;
 };
 
+/// How far real numbers of an answer may be off.
+double tolerance_of(const Task& task, const OwnAnswers& answers);
+
 /// Errors: as translated() does.
 Judgement judge(const Task& task, const OwnAnswers& answers, const OwnAnswer& answer);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "check/lists.hpp"
 #include "figure/recording.hpp"
 
 namespace gradus::check {
@@ -33,11 +34,12 @@ std::string drawn_text(const Element& element) {
 class OwnRunWriter {
  public:
   OwnRunWriter(const Task& task, const Expected& expected, const Translated& theirs,
-               const Judgement& judgement)
+               const Judgement& judgement, double tolerance)
       : ours_(task.ours),
         expected_(expected),
         theirs_(theirs),
         judgement_(judgement),
+        tolerance_(tolerance),
         cells_(expected.steps.size()),
         values_(expected.steps.size()) {
     for (const Translated::List& list : theirs.lists) take(list);
@@ -65,12 +67,29 @@ class OwnRunWriter {
 
   void take(const Translated::List& list) {
     if (!list.ours->cells()) {
-      lists_.push_back(&list);
+      lists_.push_back(beside(list));
       return;
     }
     has_cells_ = true;
     const auto places = steps_of(list, expected_);
     for (std::size_t i = 0; i < places.size(); ++i) cells_[places[i]].push_back(cell_of(list.elements[i]));
+  }
+
+  /// A list, and ours as it stands beside that.
+  struct Beside {
+    std::string name;
+    std::vector<ExpectedElement> ours;
+    std::vector<Element> theirs;
+  };
+  Beside beside(const Translated::List& list) const {
+    Beside lists{list.ours->name, list.ours->elements, list.elements};
+    if (list.ours->same == SameList::ring) {
+      RingsBeside rings = rings_beside(*list.ours, list.elements, tolerance_);
+      lists = {list.ours->name, std::move(rings.ours), std::move(rings.theirs)};
+    }
+    if (list.ours->same == SameList::segments)
+      turn_segments(elements_of(*list.ours), lists.theirs, tolerance_);
+    return lists;
   }
 
   /// What is said of the run as a whole.
@@ -153,12 +172,10 @@ class OwnRunWriter {
     if (!last(place)) return lines;
     for (const Field& field : theirs_.values)
       lines.push_back(line(field, value_of(expected_.values, field.name)));
-    for (const Translated::List* list : lists_) {
-      for (std::size_t i = 0; i < list->elements.size(); ++i) {
-        const auto& all = list->ours->elements;
-        const bool same = i < all.size() && text_of(all[i].values) == text_of(list->elements[i]);
-        lines.push_back(
-            {fmt::format("{} {}: {}", list->ours->name, i + 1, drawn_text(list->elements[i])), !same});
+    for (const auto& [name, all, theirs] : lists_) {
+      for (std::size_t i = 0; i < theirs.size(); ++i) {
+        const bool same = i < all.size() && agree(all[i].values, theirs[i], tolerance_);
+        lines.push_back({fmt::format("{} {}: {}", name, i + 1, drawn_text(theirs[i])), !same});
       }
     }
     return lines;
@@ -210,9 +227,10 @@ class OwnRunWriter {
   const Expected& expected_;
   const Translated& theirs_;
   const Judgement& judgement_;
+  const double tolerance_;
   std::vector<std::vector<ivec2>> cells_;  ///< theirs, by the step of ours that they belong to
   std::vector<Values> values_;             ///< the same
-  std::vector<const Translated::List*> lists_;
+  std::vector<Beside> lists_;
   std::set<std::pair<int, int>> wrong_;
   std::vector<ivec2> now_, drawn_;
   std::size_t written_ = 0;
@@ -236,7 +254,9 @@ GivenRun own_run(const Task& task, const OwnAnswers& answers, const OwnAnswer& a
   const Expected expected = expected_of(task.topic, task.ours);
   const Translated theirs = translated(task.topic, task.ours, expected, answers, answer, answers.conventions);
   const Judgement judgement = judge(task, answers, answer);
-  return {OwnRunWriter(task, expected, theirs, judgement).write(), side_by_side(expected, judgement)};
+  const double tolerance = tolerance_of(task, answers);
+  return {OwnRunWriter(task, expected, theirs, judgement, tolerance).write(),
+          side_by_side(expected, judgement)};
 }
 
 }  // namespace gradus::check

@@ -95,8 +95,15 @@ JsonNode result_node(const TopicEntry& topic, const Trace& trace) {
                                                      : fmt::format("[{}]", fmt::join(list.fields, ", "));
     members.push_back({list.name, 0, json_text("a list of " + of)});
   }
-  for (const Field& field : expected.values)
-    members.push_back({field.name, 0, json_text(check::kind_of(field.value))});
+  for (const Field& field : expected.values) {
+    const std::string kind(check::kind_of(field.value));
+    // A list and how long it is may have one name
+    const auto list = std::ranges::find(members, field.name, &JsonMember::key);
+    if (list == members.end())
+      members.push_back({field.name, 0, json_text(kind)});
+    else
+      list->value.text += ", or " + kind;
+  }
   return json_object(std::move(members));
 }
 

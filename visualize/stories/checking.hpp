@@ -34,16 +34,30 @@ std::optional<T> value_as(const Values& values, std::string_view name) {
   return std::nullopt;
 }
 
-/// A list that answers may have and no result has: an element for each step of a type; without a type, one
-/// for each place in the result, whose fields are called "A.x" and "A.y".
+/// Which lists are the same answer as ours: a rule that each list of a topic states.
+enum class SameList : std::uint8_t {
+  set,       ///< of the same elements, in any order, some of them more than once
+  segments,  ///< the same of pairs of points, each from either end
+  ring,  ///< an outline: from any corner on, either way round, corners again behind themselves, closed or not
+  order,  ///< of the same elements in the same places: the order is the answer
+};
+
+/// A list that answers may have: an element for each step of a type; without a type, one for each place in
+/// the result, whose fields are called "A.x" and "A.y".
 struct Asked {
-  std::string name;                 ///< "covered"
-  std::string type;                 ///< of the steps: "Tested"
+  std::string name;  ///< "covered"
+  SameList same;
+  std::string type{};               ///< of the steps: "Tested"
   std::vector<std::string> fields;  ///< of each; "key": what the step is about
   std::string where{};              ///< a fact that is true of them; empty: all
-  bool in_order = false;            ///< another order is another answer
-  bool ring = false;                ///< the same from any of its places on, and backwards
+  std::string method{};             ///< that has the list; empty: each
 };
+
+/// In the place of a type of steps: the pixels that a run plots.
+inline constexpr std::string_view plotted = "plotted pixels";
+inline Asked pixels_that_are(SameList same) {
+  return {.name = "pixels", .same = same, .type = std::string(plotted), .fields = {"pixel"}};
+}
 
 /// A way to choose between two cells that are as near.
 struct TieRule {

@@ -344,7 +344,10 @@ void tell(Narrator& narrator) {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{"segment", "Accepted", {"x0", "y0", "x1", "y1"}}},
+  static const Checking known{.asked = {{.name = "segment",
+                                         .same = SameList::segments,
+                                         .type = "Accepted",
+                                         .fields = {"x0", "y0", "x1", "y1"}}},
                               .follows = follows_by_cuts,
                               .bits = "TBRL",
                               .codes = {"code_a", "code_b"}};

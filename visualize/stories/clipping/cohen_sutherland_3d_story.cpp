@@ -239,7 +239,10 @@ void tell_correctly_rounded(Narrator& narrator) {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{"segment", "Accepted", {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"}}},
+  static const Checking known{.asked = {{.name = "segment",
+                                         .same = SameList::segments,
+                                         .type = "Accepted",
+                                         .fields = {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"}}},
                               .bits = "FNTBRL",
                               .codes = {"code_a", "code_b"}};
   return known;

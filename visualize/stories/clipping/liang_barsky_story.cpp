@@ -307,7 +307,10 @@ void tell_box_parametric(Narrator& narrator) {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{"segment", "Accepted", {"x0", "y0", "x1", "y1"}}},
+  static const Checking known{.asked = {{.name = "segment",
+                                         .same = SameList::segments,
+                                         .type = "Accepted",
+                                         .fields = {"x0", "y0", "x1", "y1"}}},
                               .follows = follows_in_table_of_t};
   return known;
 }

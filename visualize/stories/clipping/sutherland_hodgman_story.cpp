@@ -314,7 +314,7 @@ const std::vector<Method>& all_methods() {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{.name = "corners", .type = {}, .fields = {"x", "y"}, .ring = true}}};
+  static const Checking known{.asked = {{.name = "corners", .same = SameList::ring, .fields = {"x", "y"}}}};
   return known;
 }
 

@@ -4,6 +4,7 @@
 #include "projection/viewport/viewport.hpp"
 
 #include "projection/viewport/viewport_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/parameters.hpp"
 #include "stories/projection/viewport_drawing.hpp"
 #include "stories/side_by_side.hpp"
@@ -286,6 +287,12 @@ void tell_clamped(Narrator& narrator) {
               [&](dvec2 point, const auto& watch) { clamped(input.map, point, input.rounding, watch); });
 }
 
+/// A pixel for each point that has one.
+const Checking& checking() {
+  static const Checking known{.asked = {pixels_that_are(SameList::order)}};
+  return known;
+}
+
 /// Of points and windows: then fractions of the one in the other neither overflow nor underflow.
 constexpr Sizes sizes{1e-100, 1e100};
 
@@ -321,7 +328,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                       exact_parameter()},
        .examples = {"--points '0.3,0.4 1.3,0.5' --resolution 8,6",
                     "--window -1,-1,1,1 --resolution 8,6 --fit letterbox",
-                    "--points '0,0 2,1' --method clamped"}});
+                    "--points '0,0 2,1' --method clamped"},
+       .checking = &checking()});
   return topic;
 }
 

@@ -430,7 +430,9 @@ Follows follows(const OwnSteps& steps, std::size_t i) {
 
 /// p is odd, so no two pixels of a column are as near.
 const Checking& checking() {
-  static const Checking known{.is_tie = [](const TraceStep&) { return false; }, .follows = follows};
+  static const Checking known{.asked = {pixels_that_are(SameList::set)},
+                              .is_tie = [](const TraceStep&) { return false; },
+                              .follows = follows};
   return known;
 }
 

@@ -3,6 +3,7 @@
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 
 #include "scan_conversion/flood_fill/flood_fill_notes.hpp"
+#include "stories/checking.hpp"
 #include "stories/parameters.hpp"
 #include "stories/scan_conversion/fill_story.hpp"
 #include "stories/scan_conversion/fill_subject.hpp"
@@ -135,6 +136,11 @@ void tell_unchecked(Narrator& narrator) {
          {{"painted", done ? done->painted : 0}, {"index", index}, {"in_memory", lands.has_value()}});
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {pixels_that_are(SameList::set)}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry() {  // the catalogue asks for it by this name
@@ -178,7 +184,8 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
             {"window", ParameterType::window, "", "2,1,6,5",
              "fill only what lies in these cells: xmin,ymin,xmax,ymax, both corners included"}},
        .examples = {"--at 1,1 --method depth_first", "--maze '#####/#...#/#.#.#/#...#/#####' --at 2,1",
-                    "--image photo.png --at 40,30 --paint '#d55e00' --tolerance 12"}});
+                    "--image photo.png --at 40,30 --paint '#d55e00' --tolerance 12"},
+       .checking = &checking()});
   return topic;
 }
 

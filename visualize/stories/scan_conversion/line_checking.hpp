@@ -75,6 +75,7 @@ inline Whole aside_of(ivec2 pixel, const Arguments& arguments) { return pixel[As
 
 inline const Checking& checking() {
   static const Checking known{
+      .asked = {pixels_that_are(SameList::set)},
       .is_tie =
           [](const TraceStep& step) {
             return step.type == "Compared" && value_as<Whole>(step.fields, "p") == 0;

@@ -450,7 +450,12 @@ bool is_on_edge(const TraceStep& step) {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{"covered", "Tested", {"pixel"}, "covered"}}, .is_tie = is_on_edge};
+  static const Checking known{.asked = {{.name = "covered",
+                                         .same = SameList::set,
+                                         .type = "Tested",
+                                         .fields = {"pixel"},
+                                         .where = "covered"}},
+                              .is_tie = is_on_edge};
   return known;
 }
 

@@ -44,11 +44,10 @@ inline Follows follows(const OwnSteps& steps, std::size_t i) {
 }
 
 inline const Checking& checking() {
-  static const Checking known{
-      .asked = {{.name = "corners", .type = {}, .fields = {"x", "y"}, .in_order = true}},
-      .follows = follows,
-      .matrix = matrix_names,
-      .matrix_columns = 3};
+  static const Checking known{.asked = {{.name = "corners", .same = SameList::order, .fields = {"x", "y"}}},
+                              .follows = follows,
+                              .matrix = matrix_names,
+                              .matrix_columns = 3};
   return known;
 }
 

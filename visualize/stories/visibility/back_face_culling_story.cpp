@@ -401,7 +401,8 @@ void tell_eye_space_normal(Narrator& narrator) {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{"signs", "Judged", {"key", "sign"}}}};
+  static const Checking known{
+      .asked = {{.name = "signs", .same = SameList::set, .type = "Judged", .fields = {"key", "sign"}}}};
   return known;
 }
 

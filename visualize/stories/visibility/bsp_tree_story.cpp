@@ -2,6 +2,7 @@
 
 #include "visibility/bsp_tree/bsp_tree.hpp"
 
+#include "stories/checking.hpp"
 #include "stories/visibility/bsp_tree_walk.hpp"
 #include "visibility/bsp_tree/bsp_tree_notes.hpp"
 
@@ -364,6 +365,15 @@ void tell_uncut(Narrator& narrator) {
   narrator.result({{"nodes", static_cast<std::int64_t>(tree.size())}});
 }
 
+const Checking& checking() {
+  static const Checking known{.asked = {{.name = "order",
+                                         .same = SameList::order,
+                                         .type = "Drawn",
+                                         .fields = {"key"},
+                                         .method = "back_to_front"}}};
+  return known;
+}
+
 }  // namespace
 
 const TopicEntry& entry();  // the catalogue asks for it by this name
@@ -387,7 +397,8 @@ const TopicEntry& entry() {
                           "A: 0,0,0 4,0,0 4,3,0; B: 1,1,-1 3,1,-1 3,1,2 1,1,2"),
                       faces_task::towards_parameter("0.2,-0.4,1")},
        .examples = {"--method back_to_front", "--method uncut",
-                    "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"}});
+                    "--faces 'A: 0,0,0 4,0,0 4,3,0 0,3,0; B: 1,1,-2 3,1,-2 3,1,2 1,1,2' --towards 1,2,3"},
+       .checking = &checking()});
   return topic;
 }
 

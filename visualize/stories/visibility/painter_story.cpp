@@ -460,7 +460,7 @@ void tell_mean_z(Narrator& narrator) {
 
 const Checking& checking() {
   static const Checking known{
-      .asked = {{.name = "order", .type = "Drawn", .fields = {"key"}, .in_order = true}}};
+      .asked = {{.name = "order", .same = SameList::order, .type = "Drawn", .fields = {"key"}}}};
   return known;
 }
 
