@@ -230,6 +230,11 @@ def test_labels():
     table = gradus("run", *LINE, *LABELS).stdout.replace("\u00a0", " ")
     check(sentence in table and re.search(r"\bk +x +y +d +test +step\b", table) and " NE" not in table.replace(NAMES, ""), table)
     refused(re.compile(r"gradus: --label: expected one of the symbols E, .*, found 'q'.*\n"), "--label", "q=d")
+    for topic in ("painter", "back_face_culling", "bsp_tree"):
+        done = gradus("run", topic, "--label", "foo=A")
+        equal(done.stderr, f"gradus: --label: expected no symbol, for {topic} has none, found 'foo'\n", topic)
+        check("Symbols\n  none that --label" in gradus("help", topic).stdout, topic)
+    check("Symbols\n  E, M, N, NE," in gradus("help", "bresenham_line").stdout, "help lists them")
     refused(re.compile(r"gradus: --label: expected letters that can be drawn \(.*U\+2603.*\), found '☃'\n"), "--label", "p=☃")
     refused(re.compile(r"gradus: --title: expected letters .*U\+1F600.*\n"), "--title", "😀")
     refused(re.compile(r"gradus: --caption: expected letters .*\n"), "--caption", "漢字")

@@ -306,7 +306,24 @@ def test_labels_of_a_lecture_serve_its_topics():
     write("b.json", figures(fill, labels={"p": "d"}))
     code, _, err = gradus("figures", "b.json", "--check")
     equal(code, 2, "a symbol that none has")
-    check("labels.p: expected a symbol of one of the topics, found 'p'" in err, err)
+    check("labels.p: expected one of the symbols n, found 'p'" in err, err)
+    write("c.json", figures(fill, {}, labels={"foo": "d"}))
+    check("labels.foo: expected a symbol of one of the topics, found 'foo'" in gradus("figures", "c.json", "--check")[2], "nor two")
+
+
+def test_symbols_of_topics_that_have_none():
+    painter = {"topic": "painter", "input": {}}
+    none = "expected no symbol, for painter has none, found 'p'"
+    for lecture, where in ((figures({**painter, "notation": {"symbols": {"p": "d"}}}), "figures[0].notation.symbols.p"),
+                           (figures(painter, notation={"symbols": {"p": "d"}}), "notation.symbols.p"),
+                           (figures({**painter, "notation": {"symbols": {"painter": {"p": "d"}}}}), "figures[0].notation.symbols.painter.p"),
+                           (figures({**painter, "labels": {"p": "d"}}), "figures[0].labels")):
+        write("a.json", lecture)
+        code, out, err = gradus("figures", "a.json", "--check")
+        equal((code, out), (2, ""), where)
+        check(err.endswith(f": {where}: {none}\n") and err.count("\n") == 1, err)
+    write("a.json", figures(painter, {}, notation={"symbols": {"p": "d"}}))
+    equal(gradus("figures", "a.json", "--check")[0], 0, "a symbol of one of the topics")
 
 
 def test_from_standard_input():

@@ -6,6 +6,7 @@
 import base64
 import csv
 import io
+import json
 import os
 import pathlib
 import re
@@ -122,6 +123,48 @@ def table_of(topic, given):
     result = made("figure", topic, *words, "--numbers", "fractions", "-o", "-", "--format", "csv")
     rows = list(csv.reader(io.StringIO(result.out)))
     return [row[3:-1] for row in rows[1:]]
+
+
+def test_the_input_says_the_digits_of_the_notation():
+    """The letters that the input names decode the first row's codes, by where the ends of the segment lie."""
+    for topic, key, bits, box in (("cohen_sutherland_2d", "bits", "LRBT", "window"), ("cohen_sutherland_2d", "bits", "BTRL", "window"),
+                                  ("cohen_sutherland_3d", "bits_in_space", "TBRLFN", "box"), ("cohen_sutherland_2d", "bits", "", "window")):
+        notation = ["--notation", json.dumps({key: bits})] if bits else []
+        made("worksheet", topic, *notation, "-o", "codes.tex", "--force", "-q")
+        text = read("codes.tex").decode()
+        said = dict(re.findall(r"(line|window|box|code-bits) (\S+)", re.search(r"\\raggedright (line .*?)\\par", text)[1]))
+        check(said["code-bits"] == (bits or "TBRL"), f"{topic}: {said}")
+        ends, borders = ([float(number) for number in said[name].split(",")] for name in ("line", box))
+        axes = len(ends) // 2
+        first = re.findall(r"\$([01]{%d})\$" % (2 * axes), text)[:2]
+        for code, end in zip(first, (ends[:axes], ends[axes:])):
+            beyond = {letters[end[axis] > borders[axes + axis]] for axis, letters in enumerate(("LR", "BT", "NF")[:axes])
+                      if not borders[axis] <= end[axis] <= borders[axes + axis]}
+            equal({letter for letter, digit in zip(said["code-bits"], code) if digit == "1"}, beyond, f"{topic} {bits}: {code} of {end}")
+        equal(len(first), 2, f"{topic}: codes of both ends")
+
+
+def test_faces_of_sheets_are_flat():
+    """By the triple products of each face's corners; and a sheet's faces are as many as are told of."""
+    write("names.txt", "Ada\nBea\nCem\nDan\n")
+    for topic in ("back_face_culling", "bsp_tree"):
+        made("worksheet", topic, "--students", "names.txt", "-o", "faces.tex", "--force", "-q", "--no-drawing")
+        text = read("faces.tex").decode()
+        sheets = re.findall(r"(?<!\w)faces (.*?)(?: \$\\cdot\$|\\par)", text)
+        check(len(sheets) >= 4, f"{topic}: {len(sheets)} inputs")
+        for faces in sheets:
+            faces = faces.replace("{-}", "-").split(";")
+            for face in faces:
+                corners = [[float(number) for number in corner.split(",")] for corner in face.split(":")[1].split()]
+                a, b, c = corners[:3]
+                u, v = [[p[i] - a[i] for i in range(3)] for p in (b, c)]
+                normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+                for d in corners[3:]:
+                    off = sum(n * (d[i] - a[i]) for i, n in enumerate(normal))
+                    check(abs(off) <= 1e-9 * max(1, max(map(abs, normal))), f"{topic}: {face} is bent by {off}")
+        if topic == "bsp_tree":
+            counts = set(re.findall(r"([0-9]+) polygons", text))
+            equal(counts, {"3"}, f"{topic}: as many polygons as faces")
 
 
 def test_answers_are_those_of_the_run():

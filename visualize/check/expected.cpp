@@ -90,23 +90,6 @@ std::optional<ivec2> cell_in(std::string_view key) {
   return ivec2(static_cast<int>(*x), static_cast<int>(*y));
 }
 
-/// Whether the name stands in the text as a word of its own.
-bool names(const std::string& text, const std::string& name) {
-  const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-    const bool begins = at == 0 || !letter(text[at - 1]);
-    const std::size_t end = at + name.size();
-    if (begins && (end == text.size() || !letter(text[end]))) return true;
-  }
-  return false;
-}
-
-bool is_zero(const Value& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole == 0;
-  const auto* real = std::get_if<double>(&value);
-  return real && *real == 0;
-}
-
 }  // namespace
 
 Values values_of(const TraceStep& step) {
@@ -166,14 +149,6 @@ std::string text_of(const Element& element) {
   std::string all;
   for (const Value& value : element) all += (all.empty() ? "" : ", ") + text_of(value);
   return element.size() == 1 ? all : "(" + all + ")";
-}
-
-bool has_tie(const TopicEntry& topic, const TraceStep& step) {
-  if (topic.checking && topic.checking->is_tie) return topic.checking->is_tie(step);
-  if (!step.decision) return false;
-  return std::ranges::any_of(step.fields, [&](const Field& field) {
-    return is_zero(field.value) && names(step.decision->question, field.name);
-  });
 }
 
 }  // namespace gradus::check

@@ -46,7 +46,4 @@ bool agree(const Element& a, const Element& b, double tolerance);
 std::string text_of(const Value& value);
 std::string text_of(const Element& element);
 
-/// Whether the run has a decision that might as well have gone the other way.
-bool has_tie(const TopicEntry& topic, const TraceStep& step);
-
 }  // namespace gradus::check

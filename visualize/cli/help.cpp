@@ -178,6 +178,13 @@ std::vector<std::string> examples_of(const TopicEntry& topic) {
   return examples;
 }
 
+std::string symbols_text(const TopicEntry& topic) {
+  const std::vector<std::string> symbols = topic_symbols(topic.name);
+  if (symbols.empty()) return "none that --label could rename";
+  return fmt::format("{} (your own name for one: --label {})", fmt::join(symbols, ", "),
+                     shell_quoted(symbols.front() + "=TEXT"));
+}
+
 std::vector<std::string> first_examples() {
   std::vector<std::string> examples{"gradus list", "gradus figures -o out/"};
   if (!catalogue().empty()) {
@@ -197,6 +204,7 @@ std::string topic_help(const TopicEntry& topic, bool color) {
   text += section("Examples", color) + lines_of(examples_of(topic));
   text += section("Inputs", color) + inputs_of(topic);
   text += section("Methods", color) + methods_of(topic);
+  text += section("Symbols", color) + "  " + symbols_text(topic) + "\n";
   if (!topic.aliases.empty())
     text += section("Also called", color) + fmt::format("  {}\n", fmt::join(topic.aliases, ", "));
   return text;

@@ -21,6 +21,9 @@ std::vector<std::string> examples_of(const Command& command, const TopicEntry* t
 /// The topic's examples, with run, and the last one with figure.
 std::vector<std::string> examples_of(const TopicEntry& topic);
 
+/// The symbols of a topic, and how one is renamed.
+std::string symbols_text(const TopicEntry& topic);
+
 /// The examples that `gradus --help` begins with.
 std::vector<std::string> first_examples();
 

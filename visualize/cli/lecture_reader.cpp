@@ -62,7 +62,8 @@ class LectureReader : LectureValues {
     }
     read_figures(root, defaults);
     read_renders(root);
-    check_labels(defaults);
+    for (const auto& [symbol, given] : defaults.labels) require_symbol(symbol, given.place, topics_);
+    require_symbols(root, "", topics_);
     name_parts();
     std::ranges::stable_sort(lecture_.problems, {}, &Problem::line);
     return std::move(lecture_);
@@ -208,6 +209,7 @@ class LectureReader : LectureValues {
     if (figure.request.topic) topics_.insert(figure.request.topic);
     check_keys(node, path, &LectureKey::of_figure, figure.request.topic);
     read_settings(node, path, &LectureKey::of_figure, settings);
+    if (figure.request.topic) require_symbols(node, path, {figure.request.topic});
     read_own(node, path, figure);
     take(settings, figure);
     read_request(figure);
@@ -282,23 +284,6 @@ class LectureReader : LectureValues {
   }
 
   static bool is_default(const Given& label) { return label.place.path.starts_with("labels"); }
-
-  static bool has_symbol(const TopicEntry* topic, const std::string& symbol) {
-    if (!topic) return false;
-    const std::vector<std::string> symbols = topic_symbols(topic->name);
-    return std::ranges::find(symbols, symbol) != symbols.end();
-  }
-
-  /// A label of the whole lecture must be of use to one of its figures.
-  void check_labels(const Settings& defaults) {
-    for (const auto& [symbol, given] : defaults.labels) {
-      const bool used = std::ranges::any_of(
-          topics_, [&symbol](const TopicEntry* topic) { return has_symbol(topic, symbol); });
-      if (!used && !topics_.empty()) {
-        complain(given.place, fmt::format("expected a symbol of one of the topics, found {}", shown(symbol)));
-      }
-    }
-  }
 
   /// From what the lecture says to a request, as a command line would have made it.
   void take(const Settings& settings, LectureFigure& figure) {

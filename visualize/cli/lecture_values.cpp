@@ -9,6 +9,7 @@
 #include "cli/lecture_problem.hpp"
 #include "request/faces_file.hpp"
 #include "request/names.hpp"
+#include "request/words.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -190,6 +191,36 @@ std::optional<std::string> LectureValues::input_value(const Parameter& parameter
     return std::nullopt;
   }
   return text;
+}
+
+bool LectureValues::has_symbol(const TopicEntry* topic, const std::string& symbol) {
+  if (!topic) return false;
+  const Texts symbols = topic_symbols(topic->name);
+  return std::ranges::find(symbols, symbol) != symbols.end();
+}
+
+void LectureValues::require_symbol(const std::string& symbol, const Place& place, const Topics& topics) {
+  const bool used =
+      std::ranges::any_of(topics, [&symbol](const TopicEntry* topic) { return has_symbol(topic, symbol); });
+  if (used || topics.empty()) return;
+  complain(place, fmt::format("expected {}, found {}",
+                              topics.size() == 1 ? expected_symbol((*topics.begin())->name)
+                                                 : std::string("a symbol of one of the topics"),
+                              shown(symbol)));
+}
+
+void LectureValues::require_symbols(const JsonNode& part, const std::string& path, const Topics& topics) {
+  const JsonMember* notation = part.member("notation");
+  const JsonMember* symbols = notation ? notation->value.member("symbols") : nullptr;
+  if (!symbols) return;
+  for (const JsonMember& symbol : symbols->value.members) {
+    // Of topics by their names, and those that no topic has, the notation's reader tells
+    const bool known = std::ranges::any_of(
+        catalogue(), [&](const TopicEntry* topic) { return has_symbol(topic, symbol.key); });
+    if (symbol.value.kind == JsonNode::Kind::object || !known) continue;
+    const std::string way = fmt::format("{}{}notation.symbols.{}", path, path.empty() ? "" : ".", symbol.key);
+    require_symbol(symbol.key, {symbol.line, way}, topics);
+  }
 }
 
 }  // namespace gradus::cli

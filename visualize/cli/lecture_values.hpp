@@ -60,6 +60,13 @@ class LectureValues {
   std::optional<std::string> input_value(const Parameter& parameter, const JsonNode& node,
                                          const Place& place);
 
+  static bool has_symbol(const TopicEntry* topic, const std::string& symbol);
+  /// What the lecture, or one of its figures, calls a symbol must be of use to one of these topics: of
+  /// `label`, and of all symbols in an own notation that stands on the spot.
+  using Topics = std::set<const TopicEntry*>;
+  void require_symbol(const std::string& symbol, const Place& place, const Topics& topics);
+  void require_symbols(const JsonNode& part, const std::string& path, const Topics& topics);
+
   Lecture lecture_;
 
  private:

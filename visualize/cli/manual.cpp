@@ -171,6 +171,7 @@ std::string topic_page(const TopicEntry& topic) {
           bold("gradus figure " + topic.name) + " [" + italic("inputs") + "] " + bold("-o") + " " +
           italic("FILE") + "\n";
   text += inputs_section(topic) + methods_section(topic);
+  text += section("SYMBOLS") + line(symbols_text(topic));
   if (!topic.aliases.empty())
     text += section("ALSO CALLED") + line(fmt::format("{}", fmt::join(topic.aliases, ", ")));
   text += examples_section(examples_of(topic));

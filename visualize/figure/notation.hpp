@@ -52,4 +52,10 @@ struct Notation {
   std::string forward_name(const std::string& direction) const;
 };
 
+/// What a reader's notation has in the place of a text of the code's, unless he asked for another one.
+inline const std::string& as_noted(const std::string& asked, std::string_view of_code,
+                                   const std::string& of_notation) {
+  return asked == of_code && !of_notation.empty() ? of_notation : asked;
+}
+
 }  // namespace gradus

@@ -11,6 +11,7 @@
 #include "figure/wording.hpp"
 #include "request/complaint.hpp"
 #include "request/names.hpp"
+#include "request/words.hpp"
 #include "stories/notations.hpp"
 #include "stories/point_text.hpp"
 #include "stories/topic.hpp"
@@ -82,7 +83,7 @@ class NotationReader {
     for (const JsonMember& label : member.value.members) {
       const std::string here = way + "." + label.key;
       if (std::ranges::find(symbols, label.key) == symbols.end()) {
-        complain(label.value, here, fmt::format("one of the symbols {}", fmt::join(symbols, ", ")),
+        complain(label.value, here, expected_symbol(member.key),
                  shown(label.key) + suggestion(label.key, symbols));
       } else if (is_drawable(label.value, here)) {
         add(member.key, {label.key, label.value.text});

@@ -15,14 +15,13 @@ namespace {
 using SymbolTexts = std::vector<std::string>;
 
 /// "p=d": the topic's symbol and what the reader calls it.
-SymbolLabel label_in(std::string_view text, const SymbolTexts& symbols) {
+SymbolLabel label_in(std::string_view text, std::string_view topic) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse_flag("label", "a symbol and a name for it like p=d", shown(text));
   const std::string symbol(trimmed(text.substr(0, equals)));
-  if (!symbols.empty() && std::ranges::find(symbols, symbol) == symbols.end()) {
-    refuse_usage(fmt::format("--label: expected one of the symbols {}, found {}{}", fmt::join(symbols, ", "),
-                             shown(symbol), suggestion(symbol, symbols)));
-  }
+  const SymbolTexts symbols = topic_symbols(topic);
+  if (!topic.empty() && std::ranges::find(symbols, symbol) == symbols.end())
+    refuse_flag("label", expected_symbol(topic), shown(symbol) + suggestion(symbol, symbols));
   return {symbol, drawable("label", text.substr(equals + 1), Face::bold)};
 }
 
@@ -53,15 +52,20 @@ std::string read_numbers(Wording& wording, const std::string& text) {
   return numbers == Numbers::decimals ? "" : text;
 }
 
+std::string expected_symbol(std::string_view topic) {
+  const SymbolTexts symbols = topic_symbols(topic);
+  if (symbols.empty()) return fmt::format("no symbol, for {} has none", topic);
+  return fmt::format("one of the symbols {}", fmt::join(symbols, ", "));
+}
+
 void apply_labels(Wording& wording, std::string_view topic, std::span<const std::string> given) {
   std::vector<SymbolLabel> labels = wording.labels();
   if (given.empty()) return;
-  const SymbolTexts symbols = topic.empty() ? SymbolTexts{} : topic_symbols(topic);
   const auto known_to_notation = [&](const std::string& symbol) {
     return !topic.empty() && wording.with(std::vector<SymbolLabel>{}).about(topic).renames(symbol);
   };
   for (const std::string& text : given) {
-    const SymbolLabel label = label_in(text, symbols);
+    const SymbolLabel label = label_in(text, topic);
     std::erase_if(labels, [&label](const SymbolLabel& known) { return known.symbol == label.symbol; });
     // A symbol of the code under its own name says something where the notation has another
     if (label.symbol != label.text || known_to_notation(label.symbol)) labels.push_back(label);

@@ -21,6 +21,10 @@ std::string drawable(std::string_view flag, std::string_view text, Face face);
 std::string read_language(Wording& wording, std::string_view text);
 std::string read_numbers(Wording& wording, const std::string& text);
 
+/// What is expected where a symbol of the topic is: "one of the symbols p, q", "no symbol, for painter has
+/// none".
+std::string expected_symbol(std::string_view topic);
+
 /// Each "p=d": a symbol, and what the reader calls it. topic: whose symbols they are; "": of any. Throws
 /// UsageError.
 void apply_labels(Wording& wording, std::string_view topic, std::span<const std::string> given);

@@ -78,7 +78,7 @@ struct OwnSteps {
 
 struct Checking {
   std::vector<Asked> asked{};
-  /// Whether this step's decision is a tie. Without it: a value that the decision asks about is 0.
+  /// Whether this step's decision might as well have gone the other way. Without it, none is known to.
   bool (*is_tie)(const TraceStep& step) = nullptr;
   /// Whether two different cells are equally near to what is drawn, so that either is right.
   bool (*as_near)(const Arguments& arguments, ivec2 one, ivec2 other) = nullptr;

@@ -78,4 +78,10 @@ inline Parameter instead_of(std::string other, Parameter parameter) {
   return parameter;
 }
 
+/// A reader's notation may have another one than the default.
+inline Parameter noted(std::string Notation::* by, Parameter parameter) {
+  parameter.noted = by;
+  return parameter;
+}
+
 }  // namespace gradus::parameters

@@ -72,6 +72,7 @@ struct Parameter {
   std::string instead_of{};  ///< the parameter whose default gives way when this one is given; never both
   bool numbered = false;     ///< for an order: it may be one of the numbers from 1 on, for what has no names
   Sizes sizes{};             ///< of real numbers, each for itself; methods may take less
+  std::string Notation::* noted = nullptr;  ///< what a reader's notation has in the place of the default
 };
 
 enum class Standing { plain, taught, fast, faulty };

@@ -6,8 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <map>
 #include <span>
 #include <utility>
+
+#include "stories/face_text.hpp"
+#include "stories/outline.hpp"
 
 namespace gradus::worksheet {
 namespace {
@@ -25,6 +29,7 @@ struct WrittenNumber {
   double value;
   int decimals;
   int axis = -1;      ///< 0, 1, 2: it is an x, y or z of a place; -1: it is none
+  int face = -1;      ///< of which face it is; -1: of none
   bool turn = false;  ///< degrees
 };
 
@@ -54,8 +59,11 @@ std::vector<WrittenNumber> numbers_written_in(const std::string& text) {
     if (!of_a_name && !divides) {
       const int decimals = dot == std::string::npos ? 0 : static_cast<int>(digits.size() - dot - 1);
       const std::string before = text.substr(0, at);
-      numbers.push_back(
-          {at, end, std::strtod(digits.c_str(), nullptr), decimals, -1, before.ends_with("rotate ")});
+      numbers.push_back({.begin = at,
+                         .end = end,
+                         .value = std::strtod(digits.c_str(), nullptr),
+                         .decimals = decimals,
+                         .turn = before.ends_with("rotate ")});
     }
     at = end;
   }
@@ -134,6 +142,33 @@ void nudge(WrittenNumber& number, Random& random) {
   }
 }
 
+/// Faces are moved as they are, or stretched from their first corner: so flat ones stay flat.
+class FaceNudges {
+ public:
+  FaceNudges(Random& random, std::int64_t one_in) : random_(random), one_in_(one_in) {}
+  void operator()(WrittenNumber& number) {
+    const auto [found, first] = changes_.try_emplace({number.face, number.axis});
+    Change& change = found->second;
+    if (first) change.from = number.value;
+    if (first && chance(random_, one_in_)) {
+      WrittenNumber moved = number;
+      nudge(moved, random_);
+      change.way = moved.value - number.value;
+      constexpr double factors[] = {2, 0.5, -1};
+      if (chance(random_, 3)) change.factor = factors[random_.uniform_int(0, 2)];
+    }
+    number.value = change.from + change.way + change.factor * (number.value - change.from);
+  }
+
+ private:
+  struct Change {
+    double from = 0, way = 0, factor = 1;
+  };
+  Random& random_;
+  const std::int64_t one_in_;
+  std::map<std::pair<int, int>, Change> changes_;  ///< by face and axis
+};
+
 /// Some numbers of one argument, or of all.
 void nudge_some(Drafts& drafts, Random& random) {
   const bool all = chance(random, 3);
@@ -141,8 +176,12 @@ void nudge_some(Drafts& drafts, Random& random) {
   const std::int64_t one_in = random.uniform_int(1, 3);
   for (std::int64_t i = 0; i < std::ssize(drafts); ++i) {
     if (!all && i != only) continue;
+    FaceNudges nudge_face(random, one_in);
     for (WrittenNumber& number : drafts[static_cast<std::size_t>(i)].numbers) {
-      if (chance(random, one_in)) nudge(number, random);
+      if (number.face >= 0)
+        nudge_face(number);
+      else if (chance(random, one_in))
+        nudge(number, random);
     }
   }
 }
@@ -262,6 +301,16 @@ bool is_changeable(const Parameter& parameter, const Arguments::Entry& entry) {
   }
 }
 
+/// Whether an argument has a face that is not flat.
+bool has_bent_face(const Arguments::Entry& entry) {
+  const auto* faces = std::get_if<std::vector<FaceText>>(&entry.value);
+  return faces && std::ranges::any_of(*faces, [](const FaceText& face) {
+           std::vector<dvec3> corners;
+           for (const Tuple& p : face.points) corners.emplace_back(p[0].value, p[1].value, p[2].value);
+           return !is_flat(corners);
+         });
+}
+
 Arguments::Entry entry_of(const Parameter& parameter, const std::string& text) {
   if (parameter.type != ParameterType::maze) return read_argument(parameter, text);
   std::string rows = text + "\n";
@@ -313,6 +362,11 @@ std::optional<Arguments> SimilarInputs::next(const Arguments& near) {
     for (const WrittenNumber& number : draft.numbers) decimals = std::max(decimals, number.decimals);
     for (std::size_t i = 0; i < draft.numbers.size(); ++i) {
       draft.numbers[i].axis = axis_of(*draft.parameter, i);
+      if (draft.parameter->type == ParameterType::faces) {
+        const auto begin = draft.text.begin();
+        draft.numbers[i].face = static_cast<int>(
+            std::count(begin, begin + static_cast<std::ptrdiff_t>(draft.numbers[i].begin), ';'));
+      }
       draft.numbers[i].decimals = decimals;
       draft.numbers[i].turn |= in_degrees;
     }
@@ -332,6 +386,8 @@ std::optional<Arguments> SimilarInputs::next(const Arguments& near) {
                                    : rewritten(draft.text, draft.numbers);
       if (text == draft.text) continue;
       Arguments::Entry entry = entry_of(*draft.parameter, text);
+      // Where numbers were rounded
+      if (has_bent_face(entry) && !has_bent_face(near.entry(entry.name))) return std::nullopt;
       entry.given = true;
       drawn.set(std::move(entry));
     }

@@ -19,7 +19,9 @@ std::vector<std::string> given_arguments(const Task& task) {
   for (const Parameter* parameter : task.parameters) {
     std::string name = parameter->name;
     for (char& c : name) c = c == '_' ? '-' : c;
-    const std::string& text = task.variant->arguments.text(parameter->name);
+    std::string text = task.variant->arguments.text(parameter->name);
+    if (parameter->noted)
+      text = as_noted(text, parameter->default_value, wording_of(task).notation().*parameter->noted);
     given.push_back(parameter->type == ParameterType::flag ? name : fmt::format("{} {}", name, text));
   }
   return given;

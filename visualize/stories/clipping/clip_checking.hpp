@@ -25,6 +25,14 @@ inline Follows follows_in_table_of_t(const OwnSteps& steps, std::size_t i) {
   return same(*enter, enters) && same(*leave, leaves) ? Follows::yes : Follows::no;
 }
 
+/// Along a border, which belongs to the window, and in a single point.
+inline bool is_tie_in_table_of_t(const TraceStep& step) {
+  if (step.type != "Tested") return false;
+  const auto p = value_as<double>(step.fields, "p"), q = value_as<double>(step.fields, "q");
+  const auto enter = value_as<double>(step.fields, "enter"), leave = value_as<double>(step.fields, "leave");
+  return (p == 0.0 && q == 0.0) || (enter && enter == leave);
+}
+
 /// Cohen and Sutherland's cuts in a window: each lies on its border and on the line through the ends as they
 /// were before, and the codes are those of the ends as they are then.
 inline Follows follows_by_cuts(const OwnSteps& steps, std::size_t i) {

@@ -388,12 +388,13 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                    {"y"},
                    {.id = "code_a", .numeric = false, .quantity = "a"},
                    {.id = "code_b", .numeric = false, .quantity = "b"}},
-       .parameters = {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
-                      window_view::order_parameter(),
-                      choice(
-                          "code_bits", {"TBRL", "LRBT"}, "TBRL", "LRBT",
-                          "which border each digit of a code stands for: T top, B bottom, R right, L left"),
-                      exact_parameter()},
+       .parameters =
+           {window_view::line_parameter("-3,-8,13,16"), window_view::window_parameter(),
+            window_view::order_parameter(),
+            noted(&Notation::bits,
+                  choice("code_bits", {"TBRL", "LRBT"}, "TBRL", "LRBT",
+                         "which border each digit of a code stands for: T top, B bottom, R right, L left")),
+            exact_parameter()},
        .examples = {"--line -3,-8,13,16", "--window 0,0,10,10 --line -5,8,3,20",
                     "--line 5,5,-5,5 --method codes_only"},
        .checking = &checking()});

@@ -287,8 +287,13 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
                     {"x0", "y0", "z0", "w0", "x1", "y1", "z1", "w1"}, {1e-100, 1e100}),
             order_parameter<3>("top,bottom,far,near,right,left",
                                "which face an end beyond several is cut at first"),
-            choice("code_bits", {"FNTBRL", "LRBTNF"}, "FNTBRL", "LRBTNF",
-                   "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)"),
+            noted(
+                &Notation::bits_in_space,
+                choice(
+                    "code_bits",
+                    {"FNTBRL", "LRBTNF"}, "FNTBRL",
+                    "LRBTNF",
+                    "how codes are written: far first, as a binary number (FNTBRL), or left first (LRBTNF)")),
             exact_parameter()},
        .examples = {"--line -2,1,2,12,11,9", "--line -3,5,1,4,12,2 --order top,bottom,left,right,near,far",
                     "--method view_volume --homogeneous -2.2,0.5,1.5,2,2,1,-1.5,-1"},

@@ -311,6 +311,7 @@ const Checking& checking() {
                                          .same = SameList::segments,
                                          .type = "Accepted",
                                          .fields = {"x0", "y0", "x1", "y1"}}},
+                              .is_tie = is_tie_in_table_of_t,
                               .follows = follows_in_table_of_t};
   return known;
 }

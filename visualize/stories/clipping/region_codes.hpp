@@ -24,8 +24,7 @@ inline constexpr std::string_view border_letters = "LRBTNF";
 /// as the reader's notation has it, else as the code does.
 inline std::string digit_letters(const Arguments& arguments, const std::string& of_notation,
                                  std::string_view of_code) {
-  const std::string& asked = arguments.text("code_bits");
-  return asked == of_code && !of_notation.empty() ? of_notation : asked;
+  return as_noted(arguments.text("code_bits"), of_code, of_notation);
 }
 
 /// The digits of a code in that order: "1001".

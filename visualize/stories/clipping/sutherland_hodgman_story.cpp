@@ -314,7 +314,12 @@ const std::vector<Method>& all_methods() {
 }
 
 const Checking& checking() {
-  static const Checking known{.asked = {{.name = "corners", .same = SameList::ring, .fields = {"x", "y"}}}};
+  static const Checking known{.asked = {{.name = "corners", .same = SameList::ring, .fields = {"x", "y"}}},
+                              // A corner on a border
+                              .is_tie = [](const TraceStep& step) {
+                                return step.type == "VertexTested" &&
+                                       value_as<std::int64_t>(step.fields, "side") == 0;
+                              }};
   return known;
 }
 

@@ -402,7 +402,11 @@ void tell_eye_space_normal(Narrator& narrator) {
 
 const Checking& checking() {
   static const Checking known{
-      .asked = {{.name = "signs", .same = SameList::set, .type = "Judged", .fields = {"key", "sign"}}}};
+      .asked = {{.name = "signs", .same = SameList::set, .type = "Judged", .fields = {"key", "sign"}}},
+      // Seen from its edge
+      .is_tie = [](const TraceStep& step) {
+        return step.type == "Judged" && value_as<std::int64_t>(step.fields, "sign") == 0;
+      }};
   return known;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "stories/outline.hpp"
 #include "stories/parameters.hpp"
 #include "stories/space_drawing.hpp"
 #include "stories/telling.hpp"
@@ -70,14 +71,7 @@ inline std::vector<NamedFace> faces_of(const Arguments& arguments) {
   return faces;
 }
 
-/// Whether a face lies in one plane, but for the rounding of its corners.
-inline bool is_flat(const std::vector<dvec3>& ring) {
-  const dvec3 normal = unit_vector(area_vector(ring));
-  double size = 0;
-  for (const dvec3 p : ring) size = std::max(size, length_between(p, ring[0]));
-  return std::ranges::all_of(ring,
-                             [&](dvec3 p) { return std::abs(glm::dot(normal, p - ring[0])) <= 1e-9 * size; });
-}
+using gradus::is_flat;
 
 /// A convex part of a face, with a name of its own.
 struct NamedPart {
@@ -92,11 +86,16 @@ inline std::string part_name(const std::string& whole, std::size_t n) {
   return whole + (digit ? std::string(1, static_cast<char>('a' + n % 26)) : fmt::format("{}", n + 1));
 }
 
-/// Flat convex faces whole, others as triangles, but for those without an inside.
+/// Convex faces whole, others in convex parts, but for those without an inside. A bent face is refused: its
+/// parts would be polygons that nobody gave.
 inline std::vector<NamedPart> parts_of(const std::vector<NamedFace>& faces) {
   std::vector<NamedPart> parts;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    auto rings = is_flat(faces[i].points) ? convex_parts(faces[i].points) : triangles_of(faces[i].points);
+    if (!is_flat(faces[i].points)) {
+      refuse("faces", "expected flat faces, found '{}' with corners in no one plane: triangles are flat",
+             faces[i].name);
+    }
+    auto rings = convex_parts(faces[i].points);
     const double whole = glm::length(area_vector(faces[i].points));
     std::erase_if(rings, [&](const auto& ring) { return glm::length(area_vector(ring)) <= 1e-9 * whole; });
     for (std::size_t k = 0; k < rings.size(); ++k) {
