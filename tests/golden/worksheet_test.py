@@ -150,7 +150,7 @@ def test_faces_of_sheets_are_flat():
     for topic in ("back_face_culling", "bsp_tree"):
         made("worksheet", topic, "--students", "names.txt", "-o", "faces.tex", "--force", "-q", "--no-drawing")
         text = read("faces.tex").decode()
-        sheets = re.findall(r"(?<!\w)faces (.*?)(?: \$\\cdot\$|\\par)", text)
+        sheets = re.findall(r"raggedright faces (.*?)(?: \$\\cdot\$|\\par)", text)
         check(len(sheets) >= 4, f"{topic}: {len(sheets)} inputs")
         for faces in sheets:
             faces = faces.replace("{-}", "-").split(";")

@@ -52,7 +52,8 @@ bool is_whole(ParameterType type) {
 bool is_window(ParameterType type) { return type == ParameterType::window || type == ParameterType::bounds; }
 /// Whether its points are the corners of outlines, in the plane or with a w each.
 bool is_outline(const Parameter& p) {
-  const bool points = (p.type == ParameterType::points || p.type == ParameterType::rings) && p.least >= 3;
+  const bool encloses = p.least >= 3 || p.name.find("polygon") != std::string::npos;
+  const bool points = (p.type == ParameterType::points || p.type == ParameterType::rings) && encloses;
   return points && p.parts.size() >= 2 && p.parts[0] == "x" && p.parts[1] == "y" &&
          (p.parts.size() == 2 || (p.parts.size() == 3 && p.parts[2] == "w"));
 }
@@ -181,8 +182,8 @@ double Changes::nasty(std::size_t i, double usual, bool whole) {
       return small(-60, 60);
     case 6:  // thirds and sevenths, or ones
       return whole ? small(-1, 1) : small(-20, 20) / (picks(0.5) ? 3 : 7);
-    default:
-      return picks(0.5) ? 0 : usual;
+    default:  // on axes
+      return i == 0 || picks(0.5) ? 0 : usual;
   }
 }
 
@@ -270,7 +271,7 @@ dvec3 Changes::small_way(int least, int most) {
   return {x, y, z};
 }
 
-/// A flat convex face of whole corners in a box; the usual one where none is found.
+/// A flat convex face of as many whole corners in a box.
 Changes::Corners Changes::face_in(dvec3 lower, dvec3 upper, const Corners& usual) {
   constexpr int most_tries = 400;
   const auto pattern = convex_pattern(usual.size());
@@ -290,7 +291,15 @@ Changes::Corners Changes::face_in(dvec3 lower, dvec3 upper, const Corners& usual
     });
     if (fits && glm::cross(ways[0], ways[1]) != dvec3{0}) return corners;
   }
-  return usual;
+  // Across the narrowest way, in one corner of the box
+  const dvec3 room = upper - lower;
+  const int narrow = room.x <= room.y && room.x <= room.z ? 0 : room.y <= room.z ? 1 : 2;
+  Corners corners(pattern.size(), lower);
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    corners[i][(narrow + 1) % 3] += pattern[i].x;
+    corners[i][(narrow + 2) % 3] += pattern[i].y;
+  }
+  return corners;
 }
 
 /// Moved, turned or drawn anew as a whole: it stays flat.
