@@ -119,9 +119,13 @@ bool Cases::has_ties(const Trace& trace, const Arguments& arguments) const {
 std::vector<Case> Cases::of_kind(CaseKind kind, std::size_t count) {
   Drawn& drawn_so_far = drawn_[static_cast<std::size_t>(kind)];
   auto& [cases, draws, known] = drawn_so_far;
+  const Checking* checking = topic_.checking;
+  if (kind == CaseKind::ties && (!checking || (!checking->is_tie && !checking->as_near))) return {};
   for (; draws < most_draws && cases.size() < count; ++draws) {
     if (kind == CaseKind::ties && cases.empty() && draws >= draws_without_ties) break;
     GivenTexts given = drawn(kind, draws);
+    const bool as_usual = kind != CaseKind::typical && given == fixed_;
+    if (as_usual) continue;
     const auto trace = run(given);
     if (!trace) continue;
     std::vector<std::string> canonical;

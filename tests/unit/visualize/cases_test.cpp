@@ -160,15 +160,20 @@ bool is_outline_of(const Parameter& p) {
          p.parts.size() <= 3 && p.parts[0] == "x" && p.parts[1] == "y" && p.parts.back() != "z";
 }
 
-template <class See>
-void for_each_case(CaseKind kind, See see) {
-  static std::map<CaseKind, std::vector<std::pair<const TopicEntry*, Case>>> drawn;  // once for all tests
+using DrawnCases = std::vector<std::pair<const TopicEntry*, Case>>;
+const DrawnCases& cases_of_all(CaseKind kind) {
+  static std::map<CaseKind, DrawnCases> drawn;  // once for all tests
   auto& all = drawn[kind];
   for (const TopicEntry* topic : all.empty() ? catalogue() : std::span<const TopicEntry* const>()) {
     Cases cases(*topic, {}, 1, [topic](const GivenTexts& given) { return arguments_of_case(*topic, given); });
     for (Case& one : cases.of_kind(kind, 4)) all.emplace_back(topic, std::move(one));
   }
-  for (const auto& [topic, one] : all) {
+  return all;
+}
+
+template <class See>
+void for_each_case(CaseKind kind, See see) {
+  for (const auto& [topic, one] : cases_of_all(kind)) {
     SCOPED_TRACE(topic->name + " " + one.id);
     see(*topic, one);
   }
@@ -419,6 +424,14 @@ TEST(CasesTest, NastyOnesHaveNastyNumbers) {
     }
     std::string all;
     for (const auto& [name, text] : one.arguments) all += " " + name + " " + text;
+    // Of cells side by side
+    Numbers numbers;
+    for (const auto& [name, text] : one.arguments) {
+      if (name != "method")
+        for (const double n : given_or_default(topic, one, name)) numbers.push_back(n);
+    }
+    ASSERT_FALSE(numbers.empty() && !nasty) << all;
+    nasty = nasty || *std::ranges::max_element(numbers) - *std::ranges::min_element(numbers) <= 1;
     EXPECT_TRUE(nasty) << all;
   });
 }
