@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/arithmetic/elementary.hpp"
+#include "core/arithmetic/exact.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
@@ -113,13 +114,22 @@ int first_centre(T x) {
   return static_cast<int>(ceil(x - T(0.5)));
 }
 
-/// The rows whose centres lie within the polygon's height.
+/// Whether the corners lie on no line, exactly: the rounded ends of a line's rows may lie apart.
+template <class T, class Value>
+bool has_area(std::span<const Corner<T, Value>> polygon) {
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    if (orient2d(polygon[0].at, polygon[i - 1].at, polygon[i].at) != 0) return true;
+  return false;
+}
+
+/// The rows whose centres lie within the polygon's height; none where it has no area.
 template <class T, class Value>
 auto rows(std::span<const Corner<T, Value>> polygon, const Window& picture) {
   const auto below = [](const auto& a, const auto& b) { return a.at.y < b.at.y; };
   const auto [low, high] = std::ranges::minmax_element(polygon, below);
   const int first = std::max(first_centre(low->at.y), picture.lower.y);
-  return std::views::iota(first, std::max(first, std::min(first_centre(high->at.y), picture.upper.y + 1)));
+  const int end = has_area(polygon) ? std::min(first_centre(high->at.y), picture.upper.y + 1) : first;
+  return std::views::iota(first, std::max(first, end));
 }
 
 /// Where the line through the row's centres meets the border of a convex polygon: left end, right end.
@@ -204,7 +214,7 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 ///   seen from the side that is lit. light(place, normal) gives a colour. plot(pixel, colour) is called for
 ///   each pixel of `picture` whose centre the polygon covers, row by row.
 ///
-/// Domain: corners within 2^24 pixels of 0; finite places. A polygon without area in the picture plots
+/// Domain: corners within 2^24 pixels of 0; finite places. A polygon whose corners lie on a line plots
 ///   nothing.
 /// Steps: PolygonLit RowBegun* Shaded* Finished, rows upwards, each before its pixels.
 /// Accuracy: the pixels are those whose centres lie from the left end on and before the right one; an end is

@@ -345,6 +345,14 @@ TEST(PolygonShading, WhatHasNoAreaPlotsNothing) {
   EXPECT_TRUE(gouraud_of({{{0, 0}, 0}, {{9, 9}, 1}, {{4, 4}, 1}}).empty());
   EXPECT_TRUE(gouraud_of({{{0, 0.5}, 0}, {{9, 0.5}, 1}, {{4, 0.5}, 1}}).empty());
   EXPECT_TRUE(gouraud_of({{{1, 1}, 0}, {{1, 1}, 1}, {{1, 1}, 1}}).empty());
+  EXPECT_TRUE(gouraud_of({{{4, 2}, 0}, {{3.5, 0.5}, 1}, {{6, 8}, 1}}).empty()) << "through pixel (5, 6)";
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    Random random(20240611, i);
+    const auto some = [&](int most) { return static_cast<double>(random.uniform_int(-most, most)) / 2; };
+    const dvec2 start{some(40), some(40)}, way{some(12), some(12)};
+    const auto corner = [&] { return Lit{start + 2 * some(6) * way, 1}; };
+    EXPECT_TRUE(gouraud_of({corner(), corner(), corner()}).empty()) << "case " << i;
+  }
 }
 
 TEST(PolygonShading, RefusesWhatIsNoPolygon) {
