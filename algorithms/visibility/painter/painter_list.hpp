@@ -212,17 +212,15 @@ std::vector<Polygon<T>> order_of(const List<T>& list) {
 
 // --- Sides and parts
 
-/// How corners lie to the plane of P, seen from the eye; what crosses it more than twice lies in it, but for
-/// rounding. The plane of one that the eye sees edge-on has no sides.
+/// How corners lie to the plane of P, seen from the eye. The plane of one that the eye sees edge-on has no
+/// sides.
 template <class T>
 Beside corners_beside(const Polygon<T>& polygon, const Piece<T>& p) {
-  std::vector<int> sides = bsp_tree::sides(p.polygon.plane, polygon, bsp_tree::ExactSide{});
-  std::erase(sides, 0);
-  std::size_t crossings = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) crossings += sides[i] != sides[(i + 1) % sides.size()];
-  if (sides.empty() || crossings > 2 || p.eye_side == 0) return {};
-  const bool first_before = sides[0] == p.eye_side;
-  return {first_before || crossings > 0, !first_before || crossings > 0};
+  if (p.eye_side == 0) return {};
+  const Side at = bsp_tree::side_of(bsp_tree::sides(p.polygon.plane, polygon, bsp_tree::ExactSide{}));
+  const Side before = p.eye_side > 0 ? Side::in_front : Side::behind;
+  const Side beyond = p.eye_side > 0 ? Side::behind : Side::in_front;
+  return {at == Side::both || at == before, at == Side::both || at == beyond};
 }
 
 /// How Q lies to the plane of P. Parts lie in their own plane, on one side of each that has cut them, and on

@@ -30,7 +30,7 @@ inline Scene scene_of(int count, double size) {
 
 /// Where the sight line through `from` meets a polygon, as a multiple of the way to the viewer.
 inline std::optional<double> hit(const bsp_tree::Polygon<double>& polygon, dvec3 from) {
-  const auto& [a, b, c] = polygon.plane;
+  const auto &a = polygon.plane.a, &b = polygon.plane.b, &c = polygon.plane.c;
   const auto& p = polygon.corners;
   const dvec3 normal = glm::cross(b - a, c - a);
   const double t = glm::dot(normal, a - from) / glm::dot(normal, towards);

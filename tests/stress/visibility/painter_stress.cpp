@@ -83,7 +83,7 @@ View<T> view_of(const Input& i) {
 
 /// Where the ray from `from` along `way` meets a triangle's or a part's inside.
 std::optional<Exact> hit(const Polygon<Exact>& polygon, const ExactVec3& from, const ExactVec3& way) {
-  const auto& [a, b, c] = polygon.plane;
+  const auto &a = polygon.plane.a, &b = polygon.plane.b, &c = polygon.plane.c;
   const ExactVec3 normal = glm::cross(b - a, c - a);
   const Exact along = glm::dot(normal, way);
   if (along == Exact{0}) return std::nullopt;
@@ -123,7 +123,7 @@ double order_error(const Input& i) {
 
 /// Where a ray meets a part's inside, apart from its border.
 std::optional<double> hit(const Polygon<double>& polygon, dvec3 from, dvec3 way) {
-  const auto& [a, b, c] = polygon.plane;
+  const auto &a = polygon.plane.a, &b = polygon.plane.b, &c = polygon.plane.c;
   const dvec3 normal = glm::cross(b - a, c - a);
   const double along = glm::dot(normal, way), size = glm::length(normal);
   if (!(std::abs(along) > 1e-6 * size)) return std::nullopt;

@@ -8,8 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/random.hpp"
@@ -230,6 +235,104 @@ TEST(BspTree, ADistantEyeIsOnTheSideToWhichItLooks) {
   EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 0, 0}), 0);
   EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 1, 1}), 0);
   EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 2, 1}), 1);
+}
+
+// --- Faces off their own planes
+
+using Areas = std::map<std::size_t, double>;
+
+/// Half of what the corners' cross products add up to.
+double area_of(const std::vector<dvec3>& p) {
+  glm::vec<3, long double> sum(0);
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    sum += glm::cross(glm::vec<3, long double>(p[i] - p[0]), glm::vec<3, long double>(p[i + 1] - p[0]));
+  return static_cast<double>(glm::length(sum) / 2);
+}
+
+/// What the parts of each face add up to, as a share of it.
+Areas shares(const std::vector<Polygon<double>>& faces) {
+  Areas shares;
+  for (const auto& node : build(faces))
+    for (const auto& part : node.polygons) shares[part.face] += area_of(part.corners);
+  for (const auto& face : faces) shares[face.face] /= area_of(face.corners);
+  return shares;
+}
+
+/// A regular polygon about (1000, 1000, 1000), whose corners rounding puts beside its plane.
+std::vector<dvec3> regular(int corners, double radius, const glm::dmat3& turn) {
+  std::vector<dvec3> outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    outline.push_back(dvec3(1000) + turn * (radius * dvec3{std::cos(angle), std::sin(angle), 0}));
+  }
+  return outline;
+}
+
+glm::dmat3 any_turn(Random& random) {
+  const auto number = [&] { return random.uniform(-1, 1); };
+  return glm::mat3_cast(glm::normalize(glm::dquat{number(), number(), number(), number()}));
+}
+
+std::vector<dvec3> from_corner(std::vector<dvec3> outline, std::ptrdiff_t first) {
+  std::ranges::rotate(outline, outline.begin() + first);
+  return outline;
+}
+
+TEST(BspTree, AFaceGivenThreeTimesIsNotCut) {
+  const std::uint64_t seed = test::seed();
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", case " << i);
+    Random random(seed, i);
+    const auto outline = regular(12, 100, any_turn(random));
+    auto turned_round = from_corner(outline, 5);
+    std::ranges::reverse(turned_round);
+    const Tree<double> tree = build(std::vector<Polygon<double>>{
+        {outline, 0}, {from_corner(outline, 3), 1}, {turned_round, 2}, {outline, 3}});
+    ASSERT_EQ(tree.size(), 1U);
+    EXPECT_EQ(tree[0].polygons.size(), 4U);
+  }
+}
+
+/// Faces in almost one plane, among others that cut them all.
+TEST(BspTree, AreasOfPartsAddUpToTheFaces) {
+  const std::uint64_t seed = test::seed();
+  std::size_t parts = 0;
+  double most = 0;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    Random random(seed, i);
+    const glm::dmat3 turn = any_turn(random);
+    std::vector<std::vector<dvec3>> outlines;
+    for (const int corners : {12, 12, 12, 7, 40})
+      outlines.push_back(regular(corners, outlines.size() < 3 ? 100 : random.uniform(30, 100), turn));
+    for (int k = 0; k < 3; ++k) outlines.push_back(regular(4, 90, any_turn(random)));
+    for (std::size_t k = outlines.size(); k > 1; --k)
+      std::swap(outlines[k - 1],
+                outlines[static_cast<std::size_t>(random.uniform_int(0, static_cast<std::int64_t>(k) - 1))]);
+    std::vector<Polygon<double>> faces;
+    for (const auto& outline : outlines) faces.push_back({outline, faces.size()});
+    parts += polygon_count(build(faces));
+    for (const auto& [face, share] : shares(faces)) {
+      EXPECT_NEAR(share, 1, 1e-12) << "seed " << seed << ", case " << i << ", face " << face;
+      most = std::max(most, std::abs(share - 1));
+    }
+  }
+  EXPECT_GT(parts, 60U * 20U);
+  RecordProperty("most", std::to_string(most));
+}
+
+/// An edge on the floor whose three corners rounding has put behind, before and behind it: what stands on the
+/// floor stands in front of it all the same.
+TEST(BspTree, AnUnevenEdgeDecidesNothing) {
+  constexpr double off = 0x1p-50;
+  const Polygon<double> floor({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, 0);
+  const Polygon<double> wall({{0, 0, -off}, {1, 0, off}, {2, 0, -off}, {3, 0, off}, {3, 0, 1}, {0, 0, 1}}, 1);
+  EXPECT_EQ(side_of(sides(floor.plane, wall, ExactSide{})), Side::both);
+  double in_front = 0;
+  const Tree<double> tree = build(std::vector<Polygon<double>>{floor, wall});
+  for (const auto& node : tree)
+    for (const auto& part : node.polygons)
+      if (&node != &tree[0] && &node == &tree[tree[0].in_front]) in_front += area_of(part.corners);
+  EXPECT_NEAR(in_front, 3, 1e-12);
 }
 
 TEST(BspTree, WatchingChangesNothing) {

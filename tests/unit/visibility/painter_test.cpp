@@ -347,7 +347,7 @@ ExactRing common(ExactRing ring, const ExactRing& window) {
 }
 /// How far towards the eye from z = 0 a sight line meets a polygon's plane.
 Exact height(const Polygon<Exact>& polygon, const ExactVec2& place, const ExactVec3& towards) {
-  const auto& [a, b, c] = polygon.plane;
+  const auto &a = polygon.plane.a, &b = polygon.plane.b, &c = polygon.plane.c;
   const ExactVec3 normal = glm::cross(b - a, c - a);
   return glm::dot(normal, a - ExactVec3{place.x, place.y, Exact(0)}) / glm::dot(normal, towards);
 }

@@ -236,9 +236,10 @@ class OrderStory {
 
   /// How many corners of one lie beyond the other's plane; those that a cut has put into it don't.
   std::int64_t beyond(const DPolygon& one, const DPolygon& other) const {
-    const auto& [a, b, c] = other.plane;
-    const int eye = bsp_tree::side_of_eye(other.plane, task_.view.eye);
-    const dvec3 normal = unit_vector(glm::cross(b - a, c - a));
+    const auto& plane = other.plane;
+    const dvec3 a = plane.a;
+    const int eye = bsp_tree::side_of_eye(plane, task_.view.eye);
+    const dvec3 normal = unit_vector(glm::cross(plane.b - a, plane.c - a));
     return std::ranges::count_if(
         one.corners, [&](dvec3 p) { return eye * glm::dot(normal, p - a) < -1e-9 * length_between(p, a); });
   }
