@@ -19,7 +19,7 @@ namespace gradus::pipeline::engine {
 struct Frame;
 
 /// Whether the engine draws a scene: surfaces by the z-buffer. The textbook chain draws wireframes, and what
-/// asks for the painter or a BSP tree.
+/// asks for an order from back to front.
 bool draws(const Scene& scene);
 
 /// Whether picture_of computes light in single precision: with the antialiasing methods `none` and, of up to

@@ -102,7 +102,10 @@ std::string order_text(const Scene& scene) {
   using enum HiddenSurfaces;
   if (scene.shading == Shading::wireframe) return "edges alone: nothing is sorted, nothing is lit\n";
   if (scene.hidden_surfaces == painter)
-    return "painter: all triangles are sorted, what is hidden is painted over\n";
+    return "painter: all triangles are sorted and tested, and what is hidden is painted over\n";
+  if (scene.hidden_surfaces == farthest_vertex)
+    return "farthest_vertex, an exhibit: all triangles are sorted by their farthest corners, none is "
+           "tested\n";
   if (scene.hidden_surfaces == bsp_tree)
     return "BSP tree: it is built of all triangles, and asks for all objects\n";
   return "z-buffer: nothing is sorted\n";

@@ -247,8 +247,8 @@ class Planner {
 Rules sound_rules(const Scene& scene, Rules rules) {
   const bool edges = scene.shading == Shading::wireframe;
   if (edges || scene.hidden_surfaces != HiddenSurfaces::z_buffer) rules = rules.without(Rule::hidden);
-  const bool tree = !edges && scene.hidden_surfaces == HiddenSurfaces::bsp_tree;
-  return tree ? rules.without(Rule::outside).without(Rule::area_of_interest) : rules;
+  return !edges && cuts(scene.hidden_surfaces) ? rules.without(Rule::outside).without(Rule::area_of_interest)
+                                               : rules;
 }
 
 Plan plan_of(const Scene& scene, Size size, Rules rules, std::optional<Window> window) {

@@ -153,7 +153,7 @@ void count_skipped(const Mesh& mesh, Rule rule, Ledger& ledger) {
   for (LedgerRow* row : {&ledger.facing, &ledger.clipping, &ledger.rasterization}) row->skip(why, triangles);
 }
 
-/// The painter's order or the tree's, where the scene asks for one, and what it adds and drops.
+/// The order from back to front, where the scene asks for one, and what it adds and drops.
 Triangles in_drawing_order(const Scene& scene, Triangles triangles, Size size, Ledger& ledger) {
   if (scene.shading == Shading::wireframe || scene.hidden_surfaces == HiddenSurfaces::z_buffer)
     return triangles;

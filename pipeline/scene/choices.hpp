@@ -30,11 +30,18 @@ constexpr bool leans(Projection3d projection) { return projection == Projection3
 
 /// What decides which of two surfaces is seen where both are.
 enum class HiddenSurfaces {
-  z_buffer,  ///< the depth of each pixel (visibility/z_buffer)
-  painter,   ///< the depth of each triangle's farthest corner: wrong for some (visibility/painter)
-  bsp_tree,  ///< the order of a BSP tree, which cuts triangles (visibility/bsp_tree)
+  z_buffer,         ///< the depth of each pixel (visibility/z_buffer)
+  painter,          ///< Newell's order, which cuts what has none (visibility/painter)
+  bsp_tree,         ///< the order of a BSP tree, which cuts triangles (visibility/bsp_tree)
+  farthest_vertex,  ///< an exhibit: the order of farthest corners, wrong for some (visibility/painter)
 };
-inline constexpr std::array<std::string_view, 3> hidden_surface_names{"z_buffer", "painter", "bsp_tree"};
+inline constexpr std::array<std::string_view, 4> hidden_surface_names{"z_buffer", "painter", "bsp_tree",
+                                                                      "farthest_vertex"};
+
+/// Whether a method cuts triangles by the planes of others, so that its parts depend on all of them.
+constexpr bool cuts(HiddenSurfaces method) {
+  return method == HiddenSurfaces::painter || method == HiddenSurfaces::bsp_tree;
+}
 
 /// Which faces are left out because they turn their backs.
 enum class Culling {

@@ -1,5 +1,5 @@
 #pragma once
-// Between stages 5 and 6, for scenes that ask for it: the painter's list or a BSP tree puts the triangles in
+// Between stages 5 and 6, for scenes that ask for it: the painter or a BSP tree puts the triangles in
 // an order from back to front, and their places in it stand for their depths. What compares depths after
 // that - the z-buffer and every antialiasing method - then keeps what was drawn last, which is what drawing
 // over one another does.
@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/random.hpp"
+#include "core/refusal.hpp"
 #include "scene/scene.hpp"
 #include "stages/5_clipping.hpp"
 #include "stages/points.hpp"
@@ -27,6 +31,55 @@ inline glm::dvec4 eye_of(const SceneCamera& camera) {
   if (!camera.rays) return {camera.frame.eye, 1};
   return {towards_viewer(camera.frame, camera.rays->slant), 0};
 }
+
+// --- How much work an order may take
+
+/// An order from back to front may take the square of what there is and more: it is refused where it would
+/// take too long, in one line that names the way out.
+struct ArrangingLimit {
+  static constexpr std::int64_t most = 20'000'000;  ///< some seconds, and some hundred megabytes
+  static constexpr std::int64_t a_cut = 100;        ///< takes as long as so many tests
+
+  std::string_view method;
+  std::size_t triangles;
+  std::int64_t work = 0;  ///< in tests of one polygon against another
+
+  void add(std::int64_t tests) {
+    work += tests;
+    if (work <= most) return;
+    refuse_usage(
+        fmt::format("--hidden-surfaces {}: expected triangles whose order takes at most {} tests, found {} "
+                    "that take more; z_buffer needs no order, and draws the same",
+                    method, most, triangles));
+  }
+};
+
+/// Watches the tree being built.
+struct TreeLimit {
+  ArrangingLimit limit;
+
+  void operator()(const bsp_tree::Placed<double>&) { limit.add(1); }
+  void operator()(const bsp_tree::Split<double>&) { limit.add(ArrangingLimit::a_cut); }
+  template <class Step>
+  void operator()(const Step&) {}
+};
+
+/// Watches the painter; the list is sorted anew after each cut.
+struct PainterLimit {
+  ArrangingLimit limit;
+
+  void operator()(const painter::Compared<double>&) { limit.add(1); }
+  void operator()(const painter::Cut<double>&) { limit.add(ArrangingLimit::a_cut); }
+  void operator()(const painter::Sorted<double>& sorted) {
+    limit.add(static_cast<std::int64_t>(sorted.order.size()));
+  }
+  template <class Step>
+  void operator()(const Step&) {}
+  /// By planes, where rounding has closed a cycle.
+  void parts(std::size_t pieces) { limit.add(static_cast<std::int64_t>(pieces)); }
+};
+
+// --- Triangles and their parts
 
 /// The triangles in world space, each with its place in the list as its face. Those without an area there,
 /// which no pixel shows, are left out.
@@ -84,11 +137,16 @@ inline void append_part(Triangles& list, const Triangle& triangle, const WorldPo
     list.push_back({triangle.id, {corners[0], corners[i - 1], corners[i]}, triangle.seen_from_behind});
 }
 
-/// From back to front by farthest corners, without any test: where triangles overlap in depth the wrong one
-/// may be seen.
-inline Triangles in_painters_order(const SceneCamera& camera, const Triangles& triangles) {
+// --- The painter
+
+/// Who looks, as the painter has it.
+inline painter::View<double> painters_view(const SceneCamera& camera) {
   const auto& [eye, right, up, forward] = camera.frame;
-  const painter::View<double> view{eye_of(camera), right, up, forward};
+  return {eye_of(camera), right, up, forward};
+}
+
+/// What the painter takes: all that lies in front of the eye.
+inline std::vector<WorldPolygon> painted_polygons(const SceneCamera& camera, const Triangles& triangles) {
   std::vector<WorldPolygon> polygons = world_polygons(triangles);
   if (!camera.rays) {
     // A near plane very close to the eye may round corners to behind it
@@ -98,11 +156,29 @@ inline Triangles in_painters_order(const SceneCamera& camera, const Triangles& t
       });
     });
   }
+  return polygons;
+}
+
+/// AN EXHIBIT: from back to front by farthest corners, without any test: where triangles overlap in depth the
+/// wrong one may be seen.
+inline Triangles in_order_of_farthest_vertices(const SceneCamera& camera, const Triangles& triangles) {
   Triangles ordered;
-  painter::farthest_vertex(polygons, view,
+  painter::farthest_vertex(painted_polygons(camera, triangles), painters_view(camera),
                            [&](const WorldPolygon& p) { ordered.push_back(triangles[p.face]); });
   return ordered;
 }
+
+/// From back to front as Newell, Newell and Sancha have it, which cuts what no order could tell apart.
+inline Triangles in_painters_order(const SceneCamera& camera, const Triangles& triangles) {
+  Triangles ordered;
+  painter::newell(
+      painted_polygons(camera, triangles), painters_view(camera),
+      [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); },
+      PainterLimit{{"painter", triangles.size()}});
+  return ordered;
+}
+
+// --- The BSP tree
 
 /// From back to front by a BSP tree, which cuts what no order could tell apart. Triangles take their turns as
 /// planes at random, always the same: neighbours in a file would cut off one another one by one.
@@ -114,7 +190,9 @@ inline Triangles in_tree_order(const SceneCamera& camera, const Triangles& trian
     std::swap(polygons[left - 1], polygons[static_cast<std::size_t>(other)]);
   }
   Triangles ordered;
-  bsp_tree::back_to_front(bsp_tree::build(polygons), eye_of(camera),
+  const auto tree =
+      bsp_tree::build(polygons, bsp_tree::ExactSide{}, TreeLimit{{"bsp_tree", polygons.size()}});
+  bsp_tree::back_to_front(tree, eye_of(camera),
                           [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); });
   return ordered;
 }
@@ -135,20 +213,30 @@ inline void take_places_for_depths(Triangles& triangles) {
 /// facing: from stage 4. size: of the picture.
 ///
 /// Domain: that of clip; with bsp_tree, extents from 1e-75 to 1e75.
-/// Accuracy: the painter's order is right where no two triangles overlap in depth and in the picture. That of
-///   the tree always is; corners of parts are rounded anew, so that a pixel's centre within 1/256 pixel of a
-///   cut or of an edge that a cut meets may show what is beside it.
-/// Cost: painter: n log n comparisons. bsp_tree: see bsp_tree::build; the number of triangles may grow to its
-///   square.
-/// Errors: ContractViolation as bsp_tree::build.
+/// Accuracy: the orders of the painter and of the tree are right; corners of parts are rounded anew, so that
+/// a
+///   centre within 1/256 pixel of a cut or of an edge that a cut meets may show what is beside it. That of
+///   farthest_vertex is right where no two triangles overlap in depth and in the picture.
+/// Cost: farthest_vertex: n log n comparisons. painter: see painter::newell; bsp_tree: see bsp_tree::build;
+///   the number of triangles may grow to its square, up to the work that ArrangingLimit has.
+/// Errors: ContractViolation as bsp_tree::build; UsageError for more work than that.
 inline void arrange(const Scene& scene, const Model<ClipPoint>& facing, Size size, Triangles& triangles) {
   if (scene.shading == Shading::wireframe) {
     triangles = outlines(facing, size);
     return;
   }
-  if (scene.hidden_surfaces == HiddenSurfaces::z_buffer) return;
-  triangles = scene.hidden_surfaces == HiddenSurfaces::painter ? in_painters_order(scene.camera, triangles)
-                                                               : in_tree_order(scene.camera, triangles);
+  switch (scene.hidden_surfaces) {
+    case HiddenSurfaces::z_buffer:
+      return;
+    case HiddenSurfaces::painter:
+      triangles = in_painters_order(scene.camera, triangles);
+      break;
+    case HiddenSurfaces::bsp_tree:
+      triangles = in_tree_order(scene.camera, triangles);
+      break;
+    case HiddenSurfaces::farthest_vertex:
+      triangles = in_order_of_farthest_vertices(scene.camera, triangles);
+  }
   take_places_for_depths(triangles);
 }
 

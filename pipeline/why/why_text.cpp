@@ -34,7 +34,14 @@ std::string clipping_text(const Clipped& clipped) {
   return fmt::format("cut: {} corners become {}", clipped.before.size(), clipped.after.size());
 }
 
-std::string depth_text(const FragmentStory& story, bool keeps_all) {
+/// Whether what comes last in an order is seen, and not what has the least depth.
+bool by_order(const Scene& scene) { return scene.hidden_surfaces != HiddenSurfaces::z_buffer; }
+
+/// Whether that need not be the nearest.
+bool by_sort(const Scene& scene) { return scene.hidden_surfaces == HiddenSurfaces::farthest_vertex; }
+
+std::string depth_text(const Scene& scene, const FragmentStory& story) {
+  const bool keeps_all = draws_opacity(scene);
   const DepthTested& tested = story.tested;
   const std::string depth = text_of(tested.fragment.depth);
   if (keeps_all) {
@@ -43,7 +50,9 @@ std::string depth_text(const FragmentStory& story, bool keeps_all) {
   }
   if (!tested.before) return fmt::format("{}, the first: kept", depth);
   return fmt::format("{}, before it {}: {}", depth, text_of(tested.before->depth),
-                     tested.nearer ? "nearer, takes its place" : "not nearer, thrown away");
+                     by_order(scene)
+                         ? (tested.nearer ? "drawn later, takes its place" : "drawn earlier, painted over")
+                         : (tested.nearer ? "nearer, takes its place" : "not nearer, thrown away"));
 }
 
 std::string line_of(std::string_view stage, std::string_view what) {
@@ -73,7 +82,7 @@ std::string triangle_text(const Scene& scene, const FragmentStory& story) {
 /// Stages 6 and 7 at the pixel.
 std::string fragment_text(const Scene& scene, const FragmentStory& story) {
   return line_of("", fmt::format("shares of the corners {}", text_of(story.tested.fragment.weights))) +
-         line_of(fmt::format("7 {}", depth_name(scene)), depth_text(story, draws_opacity(scene)));
+         line_of(fmt::format("7 {}", depth_name(scene)), depth_text(scene, story));
 }
 
 // --- The light -------------------------------------------------------------------------------------
@@ -142,13 +151,16 @@ std::string light_of(const Scene& scene, const PixelStory& story) {
   return is_mixed(story) ? text + mixed_text(scene, story) : text;
 }
 
-std::string covered_text(const PixelStory& story) {
+std::string covered_text(const Scene& scene, const PixelStory& story) {
   const std::size_t count = story.fragments.size(), seen = story.layers.size();
   if (count == 0) return "No triangle covers its centre: it shows the background.";
   if (count == 1) return "One triangle covers its centre.";
-  if (seen == 1) return fmt::format("{} triangles cover its centre; the nearest is seen.", count);
-  return fmt::format("{} triangles cover its centre; {} are seen, for light goes through.", count,
-                     seen == count ? "all" : fmt::format("the {} nearest", seen));
+  if (seen == 1)
+    return fmt::format("{} triangles cover its centre; {} is seen.", count,
+                       by_sort(scene) ? "the one drawn last" : "the nearest");
+  return fmt::format(
+      "{} triangles cover its centre; {} are seen, for light goes through.", count,
+      seen == count ? "all" : fmt::format("the {} {}", seen, by_sort(scene) ? "drawn last" : "nearest"));
 }
 
 std::string colour_text(const PixelStory& story, Antialiasing method) {
@@ -176,9 +188,7 @@ std::string triangle_name(const Scene& scene, const FragmentStory& story) {
                      id.face + 1, from, id.piece + 1, story.face.pieces.size());
 }
 
-std::string_view depth_name(const Scene& scene) {
-  return scene.hidden_surfaces == HiddenSurfaces::z_buffer ? "depth" : "drawing order";
-}
+std::string_view depth_name(const Scene& scene) { return by_order(scene) ? "drawing order" : "depth"; }
 
 std::string lit_where(Shading shading) {
   if (shading == Shading::wireframe) return "none: an edge has the colour of ink";
@@ -195,7 +205,7 @@ std::vector<StoryPart> why_parts(const std::string& name, const Scene& scene, Si
                                  const PixelStory& story, TriangleTexts& known) {
   std::vector<StoryPart> parts;
   parts.push_back({fmt::format("Pixel {},{} of {}, {} x {}. {}\n\n", story.pixel.x, story.pixel.y,
-                               visible(name), size.width, size.height, covered_text(story))});
+                               visible(name), size.width, size.height, covered_text(scene, story))});
   for (const FragmentStory& fragment : story.fragments) {
     const auto [text, is_new] = known.try_emplace(fragment.tested.fragment.triangle);
     if (is_new) text->second = triangle_text(scene, fragment);

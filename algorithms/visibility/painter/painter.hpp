@@ -173,34 +173,57 @@ Cut<T> cut(List<T>& list, std::size_t plane, std::size_t piece, const View<T>& v
   return done;
 }
 
-/// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
-/// rounding alone can't mislead it.
-template <class T, class Draw, class O>
-[[gnu::noinline]] void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
-  if (list.empty()) return;
-  // One that the eye does not see edge-on
+/// A list to be drawn by planes, or, of `ready` ones, as it stands.
+template <class T>
+struct Rest {
+  List<T> list;
+  bool ready = false;
+};
+
+/// The plane of a list that has not been parted: of one that the eye does not see edge-on, where there is
+/// one.
+template <class T>
+Piece<T> parting_piece(List<T>& list) {
   const auto seen = std::ranges::find_if(list, [](const Piece<T>& piece) { return piece.eye_side != 0; });
   if (seen != list.end()) std::iter_swap(seen, list.end() - 1);
-  const Piece<T> p = list.back();
-  List<T> beyond, within, before;
-  for (const Piece<T>& q : list) {
-    const Beside lies = beside(q, p);
-    if (lies.before && lies.beyond) {
-      const auto parts = parts_of(q, p, view);
-      const bool front_before = p.eye_side > 0;
-      before.push_back(parts[front_before ? 0 : 1]);
-      beyond.push_back(parts[front_before ? 1 : 0]);
-      if constexpr (observed<O>) observer(Cut<T>{p.polygon, q.polygon, parts[0].polygon, parts[1].polygon});
-    } else {
-      (lies.before ? before : lies.beyond ? beyond : within).push_back(q);
+  return list.back();
+}
+
+/// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
+/// rounding alone can't mislead it. An observer that limits the work is told how many pieces a plane parts.
+template <class T, class Draw, class O>
+[[gnu::noinline]] void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
+  std::vector<Rest<T>> rest{{std::move(list)}};
+  while (!rest.empty()) {
+    Rest<T> next = bsp_tree::taken_from(rest);
+    if (next.ready) {
+      for (const Piece<T>& q : next.list) {
+        draw(q.polygon);
+        if constexpr (observed<O>) observer(Drawn<T>{q.polygon});
+      }
+      continue;
     }
+    if (next.list.empty()) continue;
+    if constexpr (requires { observer.parts(next.list.size()); }) observer.parts(next.list.size());
+    const Piece<T> p = parting_piece(next.list);
+    List<T> beyond, within, before;
+    for (Piece<T>& q : next.list) {
+      const Beside lies = beside(q, p);
+      if (lies.before && lies.beyond) {
+        const auto parts = parts_of(q, p, view);
+        const bool front_before = p.eye_side > 0;
+        before.push_back(parts[front_before ? 0 : 1]);
+        beyond.push_back(parts[front_before ? 1 : 0]);
+        if constexpr (observed<O>) observer(Cut<T>{p.polygon, q.polygon, parts[0].polygon, parts[1].polygon});
+      } else {
+        (lies.before ? before : lies.beyond ? beyond : within).push_back(std::move(q));
+      }
+    }
+    // What lies beyond is taken first
+    rest.push_back({std::move(before)});
+    rest.push_back({std::move(within), true});
+    rest.push_back({std::move(beyond)});
   }
-  draw_by_planes(std::move(beyond), view, draw, observer);
-  for (const Piece<T>& q : within) {
-    draw(q.polygon);
-    if constexpr (observed<O>) observer(Drawn<T>{q.polygon});
-  }
-  draw_by_planes(std::move(before), view, draw, observer);
 }
 
 template <class T, class Draw, class O>

@@ -52,7 +52,7 @@ void count(const Plan& plan, const Scene& scene, const Ledger& ledger, Fired& fi
 /// How it is seen and drawn: mostly by a z-buffer, in perspective, with surfaces.
 void choose(Scene& scene, Random& random) {
   scene.shading = static_cast<Shading>(random.uniform_int(0, random.unit() < 0.2 ? 3 : 2));
-  if (random.unit() < 0.2) scene.hidden_surfaces = static_cast<HiddenSurfaces>(random.uniform_int(0, 2));
+  if (random.unit() < 0.2) scene.hidden_surfaces = static_cast<HiddenSurfaces>(random.uniform_int(0, 3));
   if (random.unit() < 0.2) scene.culling = static_cast<Culling>(random.uniform_int(0, 2));
   if (random.unit() >= 0.3) return;
   const auto slant = [&] { return random.unit() < 0.5 ? random.uniform(-1, 1) : 0.0; };

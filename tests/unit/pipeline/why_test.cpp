@@ -135,7 +135,7 @@ TEST(Why, AllPixelsAtOnceAreToldAsOneByOne) {
     Random random(test::seed(), i);
     Scene scene = test::random_screened_scene(random, 5);
     scene.shading = static_cast<Shading>(i % 4);
-    scene.hidden_surfaces = static_cast<HiddenSurfaces>(i % 3);
+    scene.hidden_surfaces = static_cast<HiddenSurfaces>(i / 3 % 4);
     scene.samples = 4;
     const Window window{{3, 2}, {36, 28}};
     PixelStories stories(scene, size, window);
