@@ -71,7 +71,8 @@ struct PainterLimit {
   void operator()(const painter::Compared<double>&) { limit.add(1); }
   void operator()(const painter::Cut<double>&) { limit.add(ArrangingLimit::a_cut); }
   void operator()(const painter::Sorted<double>& sorted) {
-    limit.add(static_cast<std::int64_t>(sorted.order.size()));
+    constexpr std::int64_t moves = 2;  // in tests: a piece takes its place by merges
+    limit.add(moves * static_cast<std::int64_t>(sorted.order.size()));
   }
   template <class Step>
   void operator()(const Step&) {}

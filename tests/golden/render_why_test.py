@@ -115,7 +115,7 @@ def same_stories(page, count, *words):
 
 
 def test_page_tells_what_why_tells():
-    for count, words in ((8, ["spot.json", "--size", "64x36"]), (2, ["town.json", "--hidden-surfaces", "painter", "--size", "48x27"]),
+    for count, words in ((8, ["spot.json", "--size", "64x36"]), (2, ["town.json", "--hidden-surfaces", "farthest_vertex", "--size", "48x27"]),
                          (4, ["cornell_box.json", "--shading", "gouraud", "--aa", "none", "--size", "20x20"]),
                          (4, [LETTER, "--shading", "wireframe", "--size", "48x36"]), (1, [LETTER, "--size", "1x1"])):
         page = page_of(*words)
@@ -153,7 +153,7 @@ def test_page_is_whole_and_made_again():
 
 def test_figure_says_what_the_text_says():
     """The same triangles, depths and colours."""
-    for pixel, words in (("60,50", ["spot.json", *SMALL]), ("3,3", ["spot.json", *SMALL]), ("60,50", ["town.json", "--hidden-surfaces", "painter", *SMALL])):
+    for pixel, words in (("60,50", ["spot.json", *SMALL]), ("3,3", ["spot.json", *SMALL]), ("60,50", ["town.json", "--hidden-surfaces", "farthest_vertex", *SMALL])):
         told = gradus("render", *words, "--why", pixel).out
         made = gradus("render", *words, "--why", pixel, "-o", "why.svg", "-f")
         equal((made.code, made.out, made.err), (0, "", "why.svg\n"), f"{words}")
