@@ -56,8 +56,8 @@ Model<ClipPoint> remove_back_faces(const Scene& scene, Model<ClipPoint> model, O
     const bool keep =  // edge-on: never
         front || (back && both);
     piece.seen_from_behind = back;
-    if (keep) kept.push_back(piece);
     if constexpr (observed<O>) observer(Faced{piece.id, side, both, !keep});
+    if (keep) kept.push_back(piece);
   }
   model.pieces.swap(kept);
   return model;

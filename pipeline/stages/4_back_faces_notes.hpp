@@ -29,8 +29,8 @@ Model<ClipPoint> cull_after_division(const Scene& scene, Model<ClipPoint> model,
     const bool back = side == Facing::back;
     const bool keep = side == Facing::front || (back && both);
     piece.seen_from_behind = back;
-    if (keep) kept.push_back(piece);
     if constexpr (observed<O>) observer(Faced{piece.id, side, both, !keep});
+    if (keep) kept.push_back(piece);
   }
   model.pieces.swap(kept);
   return model;

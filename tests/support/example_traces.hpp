@@ -259,6 +259,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   for (const char* polygon : {"0,0 3,0 3,2 0,2", "0.5,0.5 4.5,0.5 4.5,3.5 2.5,1.25 0.5,3.5",
                               "0.25,0.25 0.75,0.25 0.5,0.75", "1,1 1,1 3,2", "7,7 9,7 9,9"}) {
     tell("area_sampling", {{"polygon", polygon}});
+    tell("area_sampling", {{"method", "area_as_tone"}, {"polygon", polygon}});
   }
   for (const char* method : {"visible_areas", "areas_without_visibility"}) {
     for (const char* layers : {"A: 0,0,1 1,0,1 0,1,1", "A: -1,-1,1 3,-1,1 -1,3,1; B: 0,0,2 1,0,2 0,1,2",

@@ -86,17 +86,15 @@ std::string parting_of(const Alignment& alignment, StepPair shown) {
                      text_of(shown.b));
 }
 
-/// Nothing but a closing bracket, behind which a run's end is reported.
-bool closes_block(const SourceLine& line) { return line.text.find_first_not_of(" }") == std::string::npos; }
-
-/// The lines round the one that reported the step.
-std::vector<ExhibitLine> culprit_of(const Trace& trace, StepNumber step) {
+/// The lines of the wrong form round the one to blame, which the entry names: where runs part is where the
+/// fault is seen, not where it is.
+std::vector<ExhibitLine> culprit_of(const Trace& trace, const std::string& id, const std::string& named) {
   constexpr std::size_t around = 3;
-  const int number = trace.steps[index_of(trace, step)].line;
-  const auto after = std::ranges::upper_bound(trace.listing, number, {}, &SourceLine::number);
-  if (number == 0 || after == trace.listing.begin()) return {};
-  auto at = static_cast<std::size_t>(after - trace.listing.begin()) - 1;
-  while (at > 0 && closes_block(trace.listing[at])) --at;
+  const auto is_named = [&](const SourceLine& line) { return line.text.find(named) != std::string::npos; };
+  if (named.empty() || std::ranges::count_if(trace.listing, is_named) != 1)
+    throw WorkError(fmt::format("{}: the culprit '{}' isn't one line of {}", id, named, trace.method));
+  const auto at =
+      static_cast<std::size_t>(std::ranges::find_if(trace.listing, is_named) - trace.listing.begin());
   std::vector<ExhibitLine> lines;
   for (std::size_t i = at - std::min(at, around); i < std::min(at + around, trace.listing.size()); ++i) {
     lines.push_back({trace.listing[i].text, i == at});
@@ -206,7 +204,7 @@ Exhibit exhibit_of(const JsonNode& entry) {
     exhibit.wrong = shown_side(wrong, text("wrong"), last);
     exhibit.right = {right_name, std::ranges::find(topic.methods, right_name, &Method::name)->title, "", "",
                      command_of("figure", topic, right.arguments) + " -o right.svg"};
-    exhibit.source = culprit_of(wrong.trace, last);
+    exhibit.source = culprit_of(wrong.trace, exhibit.id, text("culprit"));
     exhibit.refusal = right.refusal;
     exhibit.parting = "The right one refuses this input by name, before its first step.";
     exhibit.difference = in_vain(wrong.trace);
@@ -220,7 +218,7 @@ Exhibit exhibit_of(const JsonNode& entry) {
     exhibit.wrong.picture = picture_of(wrong.trace, wrong.trace.steps.back().number, finish);
     exhibit.right.picture = picture_of(right.trace, right.trace.steps.back().number, finish);
   }
-  exhibit.source = culprit_of(wrong.trace, pair.a);
+  exhibit.source = culprit_of(wrong.trace, exhibit.id, text("culprit"));
   exhibit.parting = parting_of(alignment, pair);
   exhibit.outcome = outcome_of(wrong.trace, right.trace);
   exhibit.difference = in_pixels(wrong.trace, right.trace, finish);

@@ -7,6 +7,7 @@
 
 #include "core/colour.hpp"
 #include "engine/engine.hpp"
+#include "figure/tone_of.hpp"
 #include "plan/plan.hpp"
 
 namespace gradus::cli {
@@ -50,7 +51,7 @@ Image halved(const Image& image) {
       LinearRgb sum{0};
       for (const ivec2 d : {ivec2{0, 0}, ivec2{1, 0}, ivec2{0, 1}, ivec2{1, 1}})
         sum += linear_from_srgb8(image[ivec2{2 * x, 2 * y} + d]);
-      half[{x, y}] = srgb8_from_linear(sum / 4.0f);
+      half[{x, y}] = tone_of(dvec3(sum) / 4.0);
     }
   }
   return half;

@@ -14,8 +14,8 @@
 #include "cli/errors.hpp"
 #include "cli/plan_flags.hpp"
 #include "cli/progress.hpp"
-#include "core/colour.hpp"
 #include "core/shown.hpp"
+#include "figure/tone_of.hpp"
 #include "pipeline.hpp"
 #include "plan/planned.hpp"
 #include "request/names.hpp"
@@ -128,7 +128,7 @@ std::string light_title(const Scene& scene, const PixelStory& story) {
   std::string text = fmt::format("light, {}", pipeline::lit_where(scene.shading));
   if (const auto& texel = story.layers.front().shaded.texel)
     text += fmt::format("; the texture there, {}, times ambient and diffuse",
-                        told_colour(srgb8_from_linear(*texel)));
+                        told_colour(tone_of(dvec3(*texel))));
   return text;
 }
 

@@ -58,7 +58,7 @@ struct TraceStep {
   std::string type;                    ///< the step type's name in the algorithm: "Stepped"
   std::string phase;                   ///< part of the run: "set up", "main loop"
   std::string key;                     ///< what it is about: "4,2" for a pixel
-  int line = 0;                        ///< the algorithm's source line that reported it; 0 where none did
+  int line = 0;                        ///< the listed source line that it marks; 0: none (line_that_ran)
   std::vector<Field> fields;           ///< the step's data
   std::string sentence;                ///< cause, then effect, with the numbers put in
   std::string note{};                  ///< its effect in two or three words, where a story says it

@@ -10,6 +10,7 @@
 #include "core/contract.hpp"
 #include "figure/layout.hpp"
 #include "figure/metrics.hpp"
+#include "figure/tone_of.hpp"
 
 namespace gradus::plot {
 namespace {
@@ -30,7 +31,7 @@ Rgba8 mean_of(const Image& image, dvec2 from, dvec2 to) {
       weight += part.x * part.y;
     }
   }
-  return srgb8_from_linear(LinearRgb(sum / weight));
+  return tone_of(sum / weight);
 }
 
 /// The picture, in fewer pixels where it is wider than that.
@@ -423,7 +424,7 @@ class PixelDrawing {
   }
 
   void draw_share(Pen& p, const std::string& id, const LightShare& share, double x, double step) const {
-    draw_swatch(p, id, srgb8_from_linear(share.light), x, step);
+    draw_swatch(p, id, tone_of(dvec3(share.light)), x, step);
     const double room = step - gap_ * s_;
     p.text(id + " name", short_text({x, name_line_ * s_}, share.name, room, 20, Tone::ink));
     if (share.factor) draw_factor(p, id, *share.factor, x, room, factor_line_);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/colour.hpp"
 #include "core/refusal.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/face_text.hpp"
 
 namespace gradus {
@@ -92,7 +92,7 @@ class FacesReader {
 };
 
 std::string color_text(const Material& material) {
-  const Rgba8 color = srgb8_from_linear(material.diffuse);
+  const Rgba8 color = tone_of(dvec3(material.diffuse));
   return fmt::format(" #{:02x}{:02x}{:02x}", color.r, color.g, color.b);
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <optional>
 
+#include "stories/listing.hpp"
 #include "stories/topic.hpp"
 
 namespace gradus {
@@ -72,6 +73,49 @@ std::optional<std::pair<std::size_t, std::size_t>> body_from(const std::vector<s
   return std::nullopt;
 }
 
+/// First and one past the last line of the body of the function of that name.
+std::optional<std::pair<std::size_t, std::size_t>> body_in(const std::vector<std::string_view>& lines,
+                                                           std::string_view function) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!declares(lines[i], function)) continue;
+    if (const auto body = body_from(lines, i)) return body;
+  }
+  return std::nullopt;
+}
+
+// --- Which line a step marks ---------------------------------------------------------------------------
+
+std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+/// Nothing but braces, or a comment.
+bool says_nothing(std::string_view line) {
+  return is_comment(line) || line.find_first_not_of(" {}();,") == std::string_view::npos;
+}
+bool starts_branch(std::string_view line) {
+  const std::string_view code = without_indent(line);
+  return code.starts_with("if ") || code.starts_with("else ") || code.starts_with("} else");
+}
+/// A branch whose statement stands behind its question: whether it was taken is not seen.
+bool is_short_branch(std::string_view line) {
+  const std::string_view code = code_of(line);
+  return starts_branch(line) && code.find_last_not_of(' ') != std::string_view::npos &&
+         code[code.find_last_not_of(' ')] == ';';
+}
+
+/// Of the block that ends with this line, the one that begins it.
+std::size_t head_of(std::span<const SourceLine> lines, std::size_t end) {
+  const std::size_t indent = indent_of(lines[end].text);
+  std::size_t head = end;
+  do --head;
+  while (head > 0 && (indent_of(lines[head].text) > indent || is_comment(lines[head].text)));
+  return head;
+}
+/// The first question of a chain of branches, of which this is one.
+std::size_t first_of_chain(std::span<const SourceLine> lines, std::size_t branch) {
+  while (branch > 0 && without_indent(lines[branch].text).starts_with('}')) branch = head_of(lines, branch);
+  return branch;
+}
+
 /// A call without the observer that it hands on.
 std::string without_observer(std::string_view line) {
   constexpr std::string_view handed_on = ", observer)";
@@ -85,28 +129,53 @@ std::string without_observer(std::string_view line) {
 
 std::vector<SourceLine> listing_of(std::string_view source, std::string_view function) {
   const std::vector<std::string_view> lines = lines_of(source);
+  const auto body = body_in(lines, function);
+  if (!body) return {};
   std::vector<SourceLine> listing;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!declares(lines[i], function)) continue;
-    const auto body = body_from(lines, i);
-    if (!body) continue;
-    std::size_t indent = std::string_view::npos;
-    for (std::size_t k = body->first; k < body->second; ++k) {
-      indent = std::min(indent, lines[k].find_first_not_of(' '));
+  std::size_t indent = std::string_view::npos;
+  for (std::size_t k = body->first; k < body->second; ++k) {
+    indent = std::min(indent, lines[k].find_first_not_of(' '));
+  }
+  int open = 0;  // of a plumbing statement that goes on
+  for (std::size_t k = body->first; k < body->second; ++k) {
+    const std::string_view code = without_indent(lines[k]);
+    if (open > 0 || is_plumbing(code)) {
+      open += balance(lines[k], '(', ')');
+      continue;
     }
-    int open = 0;  // of a plumbing statement that goes on
-    for (std::size_t k = body->first; k < body->second; ++k) {
-      const std::string_view code = without_indent(lines[k]);
-      if (open > 0 || is_plumbing(code)) {
-        open += balance(lines[k], '(', ')');
-        continue;
-      }
-      if (code.empty()) continue;
-      listing.push_back({static_cast<int>(k) + 1, without_observer(lines[k].substr(indent))});
-    }
-    return listing;
+    if (code.empty()) continue;
+    listing.push_back({static_cast<int>(k) + 1, without_observer(lines[k].substr(indent))});
   }
   return listing;
+}
+
+std::pair<int, int> body_of(std::string_view source, std::string_view function) {
+  const auto body = body_in(lines_of(source), function);
+  if (!body) return {0, 0};
+  return {static_cast<int>(body->first) + 1, static_cast<int>(body->second) + 1};
+}
+
+int line_that_ran(std::span<const SourceLine> lines, int line) {
+  const auto after = std::ranges::upper_bound(lines, line, {}, &SourceLine::number);
+  auto at = static_cast<std::size_t>(after - lines.begin());
+  while (at-- > 0) {
+    const std::string& text = lines[at].text;
+    const bool closes = without_indent(text).starts_with('}') && says_nothing(text);
+    if (closes && at > 0) {
+      const std::size_t head = first_of_chain(lines, head_of(lines, at));
+      if (starts_branch(lines[head].text)) return lines[head].number;
+      // The last line of a loop, unless that is a branch without a block
+      if (is_short_branch(lines[at - 1].text)) return lines[head].number;
+    }
+    if (says_nothing(text)) continue;
+    // The only statement of a branch without braces
+    const bool inner = at > 0 && indent_of(text) > indent_of(lines[at - 1].text);
+    if (inner && starts_branch(lines[at - 1].text) && !code_of(text).ends_with("{") &&
+        !code_of(lines[at - 1].text).ends_with("{"))
+      return lines[at - 1].number;
+    return lines[at].number;
+  }
+  return 0;
 }
 
 }  // namespace gradus

@@ -1,9 +1,11 @@
 #include "stories/telling.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 #include "figure/which_steps.hpp"
 #include "stories/handles.hpp"
+#include "stories/listing.hpp"
 
 namespace gradus {
 namespace {
@@ -235,12 +237,33 @@ void Narrator::list(std::string_view function, std::string_view file) {
   const bool from_root = name.find('/') != std::string::npos;
   trace().source_file =
       from_root ? name : fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
-  trace().listing = listing_of(source_text(trace().source_file), function);
+  trace().listing.clear();
+  listed_.clear();
+  list_below(function);
 }
 
 void Narrator::list_below(std::string_view function) {
+  listed_.push_back(body_of(source_text(trace().source_file), function));
   std::ranges::move(listing_of(source_text(trace().source_file), function),
                     std::back_inserter(trace().listing));
+}
+
+int Narrator::in_listed_file(int line, std::string_view file) {
+  const bool by_story = file.find("visualize/") != std::string_view::npos;
+  return by_story || file.ends_with(trace().source_file) ? line : 0;
+}
+
+int Narrator::marked_line(int line) {
+  const std::vector<SourceLine>& all = trace().listing;
+  for (const auto& [first, last] : listed_) {
+    if (line < first || line > last) continue;
+    const auto begin =
+        std::ranges::find_if(all, [&](const SourceLine& l) { return l.number >= first && l.number <= last; });
+    const auto end = std::find_if(begin, all.end(),
+                                  [&](const SourceLine& l) { return l.number < first || l.number > last; });
+    return line_that_ran({begin, end}, line);
+  }
+  return 0;
 }
 
 void Narrator::tell(std::string_view type, int line, const std::function<Event()>& say) {
@@ -280,6 +303,7 @@ void Narrator::describe(TraceStep& step, std::string_view type, Event event) {
 }
 
 Trace Narrator::finish() && {
+  for (TraceStep& step : trace().steps) step.line = marked_line(step.line);
   Trace trace = std::move(writer_).finish();
   trace.telling = telling_ ? *telling_ : telling_step(trace);
   trace.result = std::move(result_);

@@ -298,12 +298,13 @@ class Narrator {
   /// remains to be done of a step when the recording is full.
   template <class Story>
   auto watcher(Story& story) {
-    return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(), const char* = nullptr) {
+    return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(),
+                                      const char* file = __builtin_FILE()) {
       if constexpr (requires { story.count(board_, step); }) {
         if (board_.full()) return story.count(board_, step);
       }
       story.show(board_, step);
-      tell(step_name<Step>(), line, [&] { return story.say(step); });
+      tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
     };
   }
   /// The same for what no step tells: an input, a whole curve.
@@ -341,6 +342,11 @@ class Narrator {
     name = name.substr(0, name.find_first_of("<;],"));
     return name.substr(name.rfind(':') + 1);
   }
+  /// A source line, or 0 where it is one of another file than the listed one. Lines that a story hands on it
+  /// has looked up.
+  int in_listed_file(int line, std::string_view file);
+  /// The line that is marked for a report from this one; 0 where it isn't in what is listed.
+  int marked_line(int line);
   void describe(TraceStep& step, std::string_view type, Event event);
   void add_handles(std::string_view parameter, int dimensions, const PlaceOnPaper& at,
                    std::optional<double> step);
@@ -356,6 +362,7 @@ class Narrator {
   std::vector<Field> result_;
   std::optional<StepNumber> telling_;
   int line_ = 0;
+  std::vector<std::pair<int, int>> listed_;  ///< the source lines of the functions in the listing
   std::function<void(Trace&)> afterwards_;
 };
 

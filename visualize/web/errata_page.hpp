@@ -20,10 +20,10 @@ struct Erratum {
 /// The entries of class W (wrong) and F (fragile), in the order of the file.
 std::vector<Erratum> wrong_and_fragile();
 
-/// A line of the wrong form's source round the step at which the runs part.
+/// A line of the wrong form's source, round the one to blame.
 struct ExhibitLine {
   std::string text;
-  bool culprit = false;  ///< the line that reported the step
+  bool culprit = false;  ///< the one to blame
 };
 
 /// One side of an exhibit: a run, at the step where the two part.
@@ -39,7 +39,7 @@ struct Exhibit {
   std::string id;     ///< of the erratum
   std::string title;  ///< "Bresenham circle, radius 7"
   ExhibitSide wrong, right;
-  std::vector<ExhibitLine> source;  ///< of the wrong form; empty where no line reported the step
+  std::vector<ExhibitLine> source;  ///< of the wrong form, round its culprit
   std::string refusal;     ///< what the right one says to the input instead of taking it; empty: it takes it
   std::string parting;     ///< where the runs part; empty: nowhere that both have
   std::string outcome;     ///< what the results differ in; empty: nothing that both tell

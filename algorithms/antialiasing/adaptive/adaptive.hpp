@@ -126,8 +126,8 @@ std::int64_t take_samples(Survey& survey, O&& observer = {}) {
         const auto z = t.depth.at(w);
         const int old = sample.triangle;
         bool nearer = in && z < sample.depth;
-        if (nearer) sample = {z, i};
         if constexpr (observed<O>) observer(Sampled{i, p, s, in, z, old, nearer});
+        if (nearer) sample = {z, i};
       }
     }
   }

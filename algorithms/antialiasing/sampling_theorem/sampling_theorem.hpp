@@ -104,10 +104,10 @@ template <class T, Observer<Folded<T>> O = Unobserved>
 constexpr T alias_of(const T& f, const T& fs, O&& observer = {}) {
   expects(fs > T(0), "a sampling rate above 0");
   // Whole rates leave no trace in samples
-  T alias = less_nearest_multiple(f, fs);
+  const T nearest = less_nearest_multiple(f, fs);
   // In the middle between two: the upper one
-  const bool tie = size(alias + alias) == fs;
-  if (tie) alias = size(alias);
+  const bool tie = size(nearest + nearest) == fs;
+  const T alias = tie ? size(nearest) : nearest;
   if constexpr (observed<O>) observer(Folded<T>{f, fs, alias, tie});
   return alias;
 }

@@ -37,6 +37,13 @@ struct EdgeCut {
   bool leaves;
 };
 
+/// A vertex stays. Where its edge enters, the cut stands before it by now.
+template <class T>
+struct VertexKept {
+  int border;
+  Vertex<T> vertex;
+};
+
 /// One border is done with.
 template <class T>
 struct BorderPassed {
@@ -116,12 +123,13 @@ VertexTested<T> tested(const ExactBorder<T, Window>& border, std::span<const Ver
 ///   there is gone, its memory is used again.
 ///
 /// Domain: finite coordinates.
-/// Steps: (VertexTested EdgeCut?)* BorderPassed, VertexTested once for every vertex. The edge is cut after
-///   its second end was tested.
+/// Steps: (VertexTested EdgeCut? VertexKept?)* BorderPassed, VertexTested once for every vertex. The edge is
+///   cut after its second end was tested, and before that end is kept.
 /// Accuracy: exact decisions; a made vertex is the nearest to the exact one.
 /// Cost: one test a vertex, one division a cut.
 /// Errors: none.
-template <class T, class Window, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, class Window,
+          Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 void cut_at_border(std::span<const Vertex<T>> polygon, const ExactBorder<T, Window>& border, Kept<T>& kept,
                    O&& observer = {}) {
   kept.start(border.number);
@@ -136,7 +144,10 @@ void cut_at_border(std::span<const Vertex<T>> polygon, const ExactBorder<T, Wind
       if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, kept.polygon.back(), was > 0});
     }
     // What is inside or on it stays
-    if (is >= 0) kept.add(now, is);
+    if (is >= 0) {
+      kept.add(now, is);
+      if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
+    }
     last = now;
     was = is;
   }
@@ -224,14 +235,16 @@ std::vector<int> all_borders(const Window& window) {
 /// Domain: finite coordinates of any size; polygons may cross themselves. Of a concave polygon parts may hang
 ///   together by edges along a border (see bridges); separate_pieces keeps them apart. A polygon that only
 ///   touches the window gives nothing or a polygon without area.
-/// Steps: ((VertexTested EdgeCut?)* BorderPassed)*, a BorderPassed for every border until nothing is left.
-/// Accuracy: all decisions exact. A vertex inside is copied; a made one is the nearest to the exact point
+/// Steps: ((VertexTested EdgeCut? VertexKept?)* BorderPassed)*, a BorderPassed for every border until nothing
+/// is left. Accuracy: all decisions exact. A vertex inside is copied; a made one is the nearest to the exact
+/// point
 ///   where edge and border cross, the coordinate across a rectangle's border and a corner of the window
 ///   copied. At a rectangle clipping twice changes nothing, bit for bit. No made vertex repeats its
 ///   neighbour.
 /// Cost: one test a vertex and border, one division a cut.
 /// Errors: ContractViolation for coordinates that are not finite and a window that is inside out.
-template <class T, class Window, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, class Window,
+          Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> clip_to_window(std::span<const glm::vec<2, T>> points, const Window& window,
                                       std::span<const int> order, O&& observer = {}) {
   expect_finite(points);

@@ -51,6 +51,13 @@ struct Cut {
   glm::vec<4, T> at;
 };
 
+/// A corner stays. Where its edge enters, the cut stands before it by now.
+template <class T>
+struct CornerKept {
+  Plane<T> plane;
+  std::size_t corner;  ///< its number in the polygon as it came to this plane
+};
+
 /// One plane is done with.
 template <class T>
 struct Passed {
@@ -108,12 +115,12 @@ constexpr Point<T> mix(const Point<T>& a, const Point<T>& b, T t) {
 ///
 /// Domain: finite coordinates up to 2^1020 / (1 + bound), so that no difference overflows. Of a concave
 ///   polygon pieces may hang together by edges that run along the plane.
-/// Steps: (Tested Cut?)* Passed, Tested once for every corner.
+/// Steps: (Tested Cut? CornerKept?)* Passed, Tested once for every corner.
 /// Accuracy: corners inside are copied; a cut lies on the plane to the rounding of bound * w, and along it is
 ///   within 6 ulp of the edge's largest coordinate (bound: 0 or 2^k). A corner on it gives no second one.
 /// Cost: one test a corner, one division a cut.
 /// Errors: none.
-template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
+template <class T, class Vertex, Observer<Tested<T>, Cut<T>, CornerKept<T>, Passed<T>> O = Unobserved>
 std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane, O&& observer = {}) {
   std::vector<Vertex> kept;
   kept.reserve(polygon.size() + 1);
@@ -130,7 +137,10 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
       if constexpr (observed<O>) observer(Cut<T>{plane, c.inside, c.outside, c.t, c.vertex.at});
     }
     // What is inside or on it stays
-    if (is >= 0) kept.push_back(now);
+    if (is >= 0) {
+      kept.push_back(now);
+      if constexpr (observed<O>) observer(CornerKept<T>{plane, number_in(polygon, now)});
+    }
     last = now;
   }
   if constexpr (observed<O>) observer(Passed<T>{plane, kept.size()});
@@ -142,11 +152,11 @@ std::vector<Vertex> clip(std::span<const Vertex> polygon, const Plane<T>& plane,
 /// polygon: the corners in order; the parts of a convex one are convex. planes: in the order of cutting.
 ///
 /// Domain: finite coordinates; no plane leaves the polygon as it is.
-/// Steps: ((Tested Cut?)* Passed)*, a Passed for every plane until nothing is left.
+/// Steps: ((Tested Cut? CornerKept?)* Passed)*, a Passed for every plane until nothing is left.
 /// Accuracy: that of one plane, for each.
 /// Cost: one test a corner and plane; a convex polygon gains at most one corner a plane.
 /// Errors: none.
-template <class T, class Vertex, Observer<Tested<T>, Cut<T>, Passed<T>> O = Unobserved>
+template <class T, class Vertex, Observer<Tested<T>, Cut<T>, CornerKept<T>, Passed<T>> O = Unobserved>
 std::vector<Vertex> clip(std::vector<Vertex> polygon, std::span<const Plane<T>> planes, O&& observer = {}) {
   for (const Plane<T>& plane : planes) {
     if (polygon.empty()) break;

@@ -71,12 +71,12 @@ VertexTested<T> tested(const PlainBorder<T>& border, std::span<const Vertex<T>> 
 /// polygon: not empty. border: of a rectangle.
 ///
 /// Domain: finite coordinates whose differences and their products are finite; others may give anything.
-/// Steps: (VertexTested EdgeCut?)* BorderPassed
+/// Steps: (VertexTested EdgeCut? VertexKept?)* BorderPassed
 /// Accuracy: a cut of a cut adds up the rounding errors of both: measured in the benchmark beside the exact
 ///   form. Where an edge passes a corner closely, it may be cut on the wrong side.
 /// Cost: one test a vertex, one division a cut.
 /// Errors: none.
-template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                     O&& observer = {}) {
   std::vector<Vertex<T>> kept;
@@ -92,7 +92,10 @@ std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const Pl
       if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was > 0});
     }
     // What is inside or on it stays
-    if (is >= 0) kept.push_back(now);
+    if (is >= 0) {
+      kept.push_back(now);
+      if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
+    }
     last = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
@@ -102,7 +105,7 @@ std::vector<Vertex<T>> cut_of_a_cut(std::span<const Vertex<T>> polygon, const Pl
 /// FAULTY: edges that enter are not cut. One pass of the notes' first listing (errata E001-26b).
 /// Domain: right only for polygons that lie inside. Steps, Cost: as cut_of_a_cut. Accuracy: none: of the
 ///   triangle (-5,2), (5,2), (5,8) in [0,10]^2 it keeps the area 15 instead of 22.5.
-template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> entering_not_cut(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                         O&& observer = {}) {
   std::vector<Vertex<T>> kept;
@@ -114,6 +117,7 @@ std::vector<Vertex<T>> entering_not_cut(std::span<const Vertex<T>> polygon, cons
     if (is) {
       // Missing: a cut if it enters
       kept.push_back(now);
+      if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
     } else if (was) {
       auto c = border.cut(last, now);
       kept.push_back(c);
@@ -129,7 +133,7 @@ std::vector<Vertex<T>> entering_not_cut(std::span<const Vertex<T>> polygon, cons
 /// once more. One pass of the notes' second listing, as it is indented (errata E001-26b).
 /// Domain: right only for polygons that lie inside. Steps, Cost: as cut_of_a_cut. Accuracy: none: of the
 ///   triangle (-5,2), (5,2), (5,8) in [0,10]^2 it keeps 7.5 instead of 22.5, and lies on itself.
-template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> previous_left_behind(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                             O&& observer = {}) {
   std::vector<Vertex<T>> kept;
@@ -145,6 +149,7 @@ std::vector<Vertex<T>> previous_left_behind(std::span<const Vertex<T>> polygon, 
     }
     if (is) {
       kept.push_back(now);
+      if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
     } else {
       // Should be done in both cases
       last = now;
@@ -166,7 +171,7 @@ VertexTested<T> marked(const PlainBorder<T>& border, std::span<const Vertex<T>> 
 /// both ends outside are dropped. One pass of the notes' numbered steps (errata E001-26).
 /// Domain: right only for polygons that lie inside. Steps: as cut_of_a_cut. Accuracy: none: of a triangle
 ///   that contains the window nothing remains.
-template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> marked_by_window(std::span<const Vertex<T>> polygon, const PlainBorder<T>& border,
                                         O&& observer = {}) {
   std::vector<Vertex<T>> kept;
@@ -183,7 +188,10 @@ std::vector<Vertex<T>> marked_by_window(std::span<const Vertex<T>> polygon, cons
       kept.push_back(c);
       if constexpr (observed<O>) observer(EdgeCut<T>{border.number, last, now, c, was});
     }
-    if (is) kept.push_back(now);
+    if (is) {
+      kept.push_back(now);
+      if constexpr (observed<O>) observer(VertexKept<T>{border.number, now});
+    }
     last = now;
   }
   if constexpr (observed<O>) observer(BorderPassed<T>{border.number, kept});
@@ -222,7 +230,7 @@ bool contains_window(const Task<T>& task) {
 /// Domain: right where no polygon contains the window. Steps: BorderPassed for the special case, else those
 ///   of all passes. Accuracy: none: of (-10,-10), (30,-10), (10,40) around [0,10]^2 it keeps 1000 instead
 ///   of 100.
-template <class T, Observer<VertexTested<T>, EdgeCut<T>, BorderPassed<T>> O = Unobserved>
+template <class T, Observer<VertexTested<T>, EdgeCut<T>, VertexKept<T>, BorderPassed<T>> O = Unobserved>
 std::vector<Vertex<T>> containing_left_whole(const Task<T>& task, O&& observer = {}) {
   // Wrong: the window should stay
   if (contains_window(task)) {

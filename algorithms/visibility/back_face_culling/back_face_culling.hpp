@@ -290,9 +290,9 @@ void normal_and_view(std::span<const Face<T>> faces, const Eye<T>& eye, Draw&& d
     const T dot = glm::dot(N, V);
     // Its sign, without rounding
     const int sign = sign_of(dot, face, eye);
+    if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -330,9 +330,9 @@ void screen_area(std::span<const Outline<T>> faces, Draw&& draw, O&& observer = 
     }
     // Its sign, without rounding
     const int sign = sign_of(sum, face);
+    if constexpr (observed<O>) observer(Judged<T>{i, sum, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, sum, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -359,9 +359,9 @@ void homogeneous(std::span<const Face<T>> faces, Draw&& draw, O&& observer = {})
     const T det = glm::dot(N, face[0]);
     // Its sign, without rounding
     const int sign = sign_of(det, face);
+    if constexpr (observed<O>) observer(Judged<T>{i, det, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, det, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }

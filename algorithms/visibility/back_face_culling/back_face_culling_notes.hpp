@@ -78,9 +78,9 @@ void first_three_corners(std::span<const Face<T>> faces, const Eye<T>& eye, Draw
     if constexpr (observed<O>) observer(ViewTaken<T>{i, face[0], V});
     const T dot = glm::dot(N, V);
     const int sign = sign_of(dot);
+    if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, dot, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -104,9 +104,9 @@ void eye_space_normal(std::span<const Face<T>> faces, Draw&& draw, O&& observer 
     if constexpr (observed<O>) observer(NormalFound<T>{i, N});
     // All sight lines run along z?
     const int sign = sign_of(N.z);
+    if constexpr (observed<O>) observer(Judged<T>{i, N.z, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, N.z, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -141,9 +141,9 @@ void after_division(std::span<const Face<T>> faces, Draw&& draw, O&& observer = 
       area += p.x * q.y - q.x * p.y;
     }
     const int sign = sign_of(area);
+    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -176,9 +176,9 @@ void misprinted_shoelace(std::span<const Outline<T>> faces, Draw&& draw, O&& obs
       area += a.x * b.y - b.x * a.y;
     }
     const int sign = sign_of(area);
+    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }
@@ -211,9 +211,9 @@ void six_products(std::span<const Outline<T>> faces, Draw&& draw, O&& observer =
     }
     const T area = right - left;
     const int sign = sign_of(area);
+    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
     drawn += sign > 0;
     if (sign > 0) draw(i);
-    if constexpr (observed<O>) observer(Judged<T>{i, area, sign, facing_of(sign)});
   }
   if constexpr (observed<O>) observer(Finished{n, drawn});
 }

@@ -78,7 +78,7 @@ TEST(SutherlandHodgman, CutsLieOnThePlaneAndNeighboursShareThem) {
   int cuts = 0;
   for (const Plane<double>& plane : planes) {
     const Polygon one{a, b, {{-7, 1, 1, 2}}}, other{b, a, {{2, -9, 1, 3}}};
-    Recorder<Tested<double>, Cut<double>, Passed<double>> first, second;
+    Recorder<Tested<double>, Cut<double>, CornerKept<double>, Passed<double>> first, second;
     clip(std::span<const P>(one), plane, first);
     clip(std::span<const P>(other), plane, second);
     for (const auto& x : all<Cut<double>>(first)) {
@@ -96,7 +96,7 @@ TEST(SutherlandHodgman, CutsLieOnThePlaneAndNeighboursShareThem) {
 }
 
 TEST(SutherlandHodgman, StepsFollowTheGrammar) {
-  Recorder<Tested<double>, Cut<double>, Passed<double>> seen;
+  Recorder<Tested<double>, Cut<double>, CornerKept<double>, Passed<double>> seen;
   const Polygon polygon = flat({{-5, 2}, {5, 2}, {5, 8}});
   const Polygon kept = clip(polygon, Planes(window), seen);
   const Polygon plain = clip(polygon, Planes(window));

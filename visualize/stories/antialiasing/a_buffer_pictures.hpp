@@ -9,6 +9,7 @@
 
 #include "antialiasing/a_buffer/a_buffer_picture.hpp"
 #include "core/arithmetic/elementary.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/antialiasing/a_buffer_drawing.hpp"
 
 namespace gradus::a_buffer {
@@ -40,6 +41,7 @@ inline std::vector<ScreenTriangle> star_of(int side) {
 class PicturesStory {
  public:
   static constexpr int gap = 3, heading = 4;
+  static constexpr Rgba8 ink{0, 0, 0, 255};
 
   PicturesStory(const Words& words, int side)
       : words_(words), side_(side), crop_(side / 3), zoom_(side / crop_) {}
@@ -98,10 +100,8 @@ class PicturesStory {
   double grey(const PictureDrawn& p, ivec2 at) const {
     return p.greys[static_cast<std::size_t>(at.y * side_ + at.x)];
   }
-  void put(ivec2 cell, double grey) {
-    const auto level = static_cast<std::uint8_t>(255 * (1 - std::clamp(grey, 0.0, 1.0)) + 0.5);
-    base_.cells.insert_or_assign({cell.y, cell.x},
-                                 CellLook{Role::result, "", Rgba8{level, level, level, 255}});
+  void put(ivec2 cell, double share) {
+    base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_on_paper(ink, share)});
   }
 
   const Words& words_;

@@ -8,6 +8,7 @@
 #include "antialiasing/accumulation_buffer/accumulation_buffer.hpp"
 #include "core/arithmetic/exact.hpp"
 #include "core/colour.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/antialiasing/ring_cut.hpp"
 #include "stories/telling.hpp"
 #include "stories/topic.hpp"
@@ -37,10 +38,6 @@ Picture picture_at(ivec2 size, dvec2 place, const Colour& colour) {
   Picture picture{size};
   draw(size, place, colour, picture.sums());
   return picture;
-}
-
-inline Rgba8 grey_of(double light) {
-  return srgb8_from_linear(LinearRgb{static_cast<float>(std::clamp(light, 0.0, 1.0))});
 }
 
 // --- Triangles
@@ -114,7 +111,7 @@ struct Frame {
   static double shade(double value) { return 0.05 + 0.95 * value; }
   void put_pixel(View& view, ivec2 p, double grey, std::string text = "") const {
     view.cells.insert_or_assign({p.y + corner.y, p.x + corner.x},
-                                CellLook{Role::result, std::move(text), grey_of(grey)});
+                                CellLook{Role::result, std::move(text), tone_of(grey)});
   }
   /// With every value divided by `by`.
   void put_picture(View& view, const Picture& picture, double by = 1) const {

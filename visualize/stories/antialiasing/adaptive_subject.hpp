@@ -3,6 +3,7 @@
 
 #include "antialiasing/adaptive/adaptive.hpp"
 #include "core/colour.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/parameters.hpp"
 #include "stories/point_text.hpp"
 #include "stories/telling.hpp"
@@ -14,9 +15,7 @@ inline constexpr std::array<Rgba8, 4> own_colors{Rgba8{86, 180, 233, 255}, Rgba8
                                                  Rgba8{204, 121, 167, 255}, Rgba8{0, 158, 115, 255}};
 
 /// A colour before a white ground, as the screen has it.
-inline Rgba8 on_white(const dvec3& sum, double share) {
-  return srgb8_from_linear(LinearRgb(sum + (1 - share) * dvec3(1)));
-}
+inline Rgba8 on_white(const dvec3& sum, double share) { return tone_of(sum + (1 - share)); }
 
 struct Subject {
   std::vector<NamedFace> named{};

@@ -90,6 +90,7 @@ class MovingStory {
 
  private:
   static constexpr int gap = 2, heading = 3;
+  static constexpr Rgba8 ink{38, 38, 38, 255};  // not black: the outline is seen on it
 
   /// The cell of a panel's first pixel.
   ivec2 corner(int panel, int number) const {
@@ -97,7 +98,7 @@ class MovingStory {
   }
   void put(int panel, int number, ivec2 pixel, double area) {
     const ivec2 cell = corner(panel, number) + pixel - first_;
-    base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", grey_of(1 - 0.85 * area)});
+    base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_on_paper(ink, area)});
   }
 
   const Words& words_;

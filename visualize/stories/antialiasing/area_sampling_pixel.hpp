@@ -279,7 +279,7 @@ class PixelStory {
         {"x whole name", Role::boundary, Text{{right + 1, foot + unit}, words_.say("whole"), Align::left}});
     for (int row = 3; row < 6; ++row) {
       for (int column = 30; column < 33; ++column)
-        view.cells.insert_or_assign({row, column}, CellLook{Role::result, "", grey_of(grey_)});
+        view.cells.insert_or_assign({row, column}, CellLook{Role::result, "", tone_of(grey_)});
     }
     view.add({"s swatch", Role::boundary, Path{{{29.5, 2.5}, {32.5, 2.5}, {32.5, 5.5}, {29.5, 5.5}}, true}});
     view.add(

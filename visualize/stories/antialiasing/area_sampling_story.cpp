@@ -7,6 +7,7 @@
 #include "stories/antialiasing/area_sampling_moving.hpp"
 #include "stories/antialiasing/area_sampling_pixel.hpp"
 #include "stories/antialiasing/area_sampling_subject.hpp"
+#include "stories/antialiasing/area_sampling_tones.hpp"
 
 namespace gradus::area_sampling {
 namespace {
@@ -59,7 +60,7 @@ class Story {
   void show(Board& board, const AreaTaken<Exact>& a) {
     next(board, a.pixel);
     sum_ = sum_ + a.area;
-    board.put(a.pixel, Role::result, "", tint(to_double(a.area)));
+    board.put(a.pixel, Role::result, "", tone_on_paper(ink, to_double(a.area)));
     const std::vector<dvec2> piece = on_grid(a.piece);
     if (window_.width() <= 8 && window_.height() <= 8)
       board.keep("area " + pixel_key(a.pixel), Role::input, Text{clear_place(a.pixel), area_text(a.area)});
@@ -76,7 +77,7 @@ class Story {
         .facts = {{"pixel", a.pixel}, {"corners", std::ssize(a.piece)}, {"area", area}},
         .words = {{"pixel", a.pixel},
                   {"area", area_text(a.area)},
-                  {"byte", byte_of(area)},
+                  {"byte", byte_of(a.piece, a.pixel, area)},
                   {"sum", area_text(sum_)},
                   {"n", a.piece.size()}},
 
@@ -128,13 +129,7 @@ class Story {
     const double t = length > 0 ? std::clamp(glm::dot(to, way) / length, 0.0, 1.0) : 0;
     return glm::length(to - t * way);
   }
-  /// From paper to a light blue, on which figures can be read.
-  static Rgba8 tint(double area) {
-    const auto mix = [area](int full) {
-      return static_cast<std::uint8_t>(std::lround(255 - area * (255 - full)));
-    };
-    return {mix(86), mix(180), mix(233), 255};
-  }
+  static constexpr Rgba8 ink{86, 180, 233, 255};  // a light blue, on which figures can be read
   void next(Board& board, ivec2 focus) {
     board.milestone(focus);
     ++milestones_;
@@ -209,7 +204,11 @@ const TopicEntry& entry() {
                    {.name = "areas_without_visibility",
                     .standing = Standing::faulty,
                     .tell = tell_without_visibility,
-                    .unread = {"polygon", "window", "thin"}}},
+                    .unread = {"polygon", "window", "thin"}},
+                   {.name = "area_as_tone",
+                    .standing = Standing::faulty,
+                    .tell = tell_area_as_tone,
+                    .unread = {"triangles", "thin"}}},
        .columns = {{"x"}, {"y"}, {"corners"}, {"area"}, {"byte"}},
        .parameters =
            {points(3, 50, "polygon", "1,3 4,1 2,5", "0.5,0.5 3.5,0.5 3.5,2.5 2,1.5 0.5,2.5",

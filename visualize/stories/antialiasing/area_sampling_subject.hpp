@@ -3,6 +3,7 @@
 
 #include "antialiasing/area_sampling/area_sampling.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
@@ -81,7 +82,7 @@ inline Window window_of(const Arguments& arguments) {
 struct InPixel {
   std::vector<std::string> names;
   std::vector<ScreenTriangle> triangles;
-  std::vector<double> grey;  ///< what each adds to the pixel a unit of area
+  std::vector<double> grey;  ///< the light that each adds to the pixel a unit of area
 };
 
 inline InPixel in_pixel_of(const Arguments& arguments) {
@@ -104,12 +105,6 @@ inline InPixel in_pixel_of(const Arguments& arguments) {
     subject.triangles.push_back(t);
   }
   return subject;
-}
-
-/// A colour of this brightness.
-inline Rgba8 grey_of(double brightness) {
-  const auto level = static_cast<std::uint8_t>(std::clamp(255 * brightness + 0.5, 0.0, 255.0));
-  return {level, level, level, 255};
 }
 
 }  // namespace gradus::area_sampling

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/arithmetic/elementary.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/antialiasing/jittered_drawing.hpp"
 
 namespace gradus::jittered {
@@ -245,9 +246,7 @@ class PicturesStory {
   static ivec2 first_of_crop() { return ivec2(side - crop - 1); }
   double grey_at(ivec2 p) const { return done_.back().greys[static_cast<std::size_t>(p.y * side + p.x)]; }
   void put(ivec2 cell, double grey) {
-    const auto level = static_cast<std::uint8_t>(std::lround(255 * std::clamp(grey, 0.0, 1.0)));
-    base_.cells.insert_or_assign({cell.y, cell.x},
-                                 CellLook{Role::result, "", Rgba8{level, level, level, 255}});
+    base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_of(grey)});
   }
 
   const Words& words_;

@@ -4,11 +4,12 @@
 
 #include "antialiasing/sampling_theorem/test_patterns.hpp"
 #include "core/geometry.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::sampling_theorem {
 
-using Grey = std::vector<double>;  // pixels, row by row
+using Grey = std::vector<double>;  // the light of pixels, row by row
 
 template <class Pattern>
 Grey grey_of_pattern(const Pattern& pattern, ivec2 size, int n) {
@@ -28,9 +29,7 @@ inline void put_picture(View& view, const Grey& picture, ivec2 size, ivec2 corne
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
       const double value = picture[static_cast<std::size_t>(y * size.x + x)];
-      const auto grey = static_cast<std::uint8_t>(std::lround(255 * value));
-      view.cells.insert_or_assign({y + corner.y, x + corner.x},
-                                  CellLook{Role::result, "", Rgba8{grey, grey, grey, 255}});
+      view.cells.insert_or_assign({y + corner.y, x + corner.x}, CellLook{Role::result, "", tone_of(value)});
     }
   }
 }

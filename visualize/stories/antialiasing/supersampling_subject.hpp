@@ -6,7 +6,7 @@
 #include <string>
 
 #include "antialiasing/supersampling/supersampling.hpp"
-#include "core/colour.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/antialiasing/supersampling_scenes.hpp"
 #include "stories/telling.hpp"
 
@@ -46,11 +46,6 @@ inline std::string filter_name(const Words& words, Filter filter) {
                                             : "filter.gaussian");
 }
 
-inline Rgba8 rgb_of(const dvec3& light) {
-  return srgb8_from_linear(LinearRgb(glm::clamp(light, dvec3(0), dvec3(1))));
-}
-inline Rgba8 rgb_of(double light) { return rgb_of(dvec3(light)); }
-
 inline Path rectangle(dvec2 corner, dvec2 size) {
   return {{corner, corner + dvec2{size.x, 0}, corner + size, corner + dvec2{0, size.y}}, true};
 }
@@ -62,7 +57,7 @@ template <class ValueAt>
 void put_values(View& view, ivec2 corner, ivec2 size, int scale, const ValueAt& value_at) {
   for (int y = 0; y < size.y * scale; ++y) {
     for (int x = 0; x < size.x * scale; ++x) {
-      const Rgba8 color = rgb_of(value_at(ivec2(x / scale, y / scale)));
+      const Rgba8 color = tone_of(value_at(ivec2(x / scale, y / scale)));
       view.cells.insert_or_assign({corner.y + y, corner.x + x}, CellLook{Role::result, "", color});
     }
   }

@@ -19,9 +19,7 @@ class BorderStory : public PlaneDrawing {
     ++met_;
     quiet();
     mark_side(t.vertex, t.side);
-    if (t.side >= 0) kept_.push_back(t.vertex.at);
-    tested_ = t;
-    show_kept();
+    row_ = row_of(t);
     add_edge(t.last, t.vertex);
     put(board);
   }
@@ -34,7 +32,7 @@ class BorderStory : public PlaneDrawing {
         .text = texts[answer],
         .facts = {{"border", t.border}, {"side", t.side}, {"x", t.vertex.at.x}, {"y", t.vertex.at.y}},
         .words = {{"corner", names_(t.vertex)}, {"at", t.vertex.at}, {"border", border}},
-        .row = row_of(t),
+        .row = row_,
         .phase = phase_of(t.border),
         .decides = Decision{words_.say("question.side", {{"corner", names_(t.vertex)}, {"border", border}}),
                             {side_text(1), side_text(0), side_text(-1)},
@@ -45,10 +43,7 @@ class BorderStory : public PlaneDrawing {
   void show(Board& board, const EdgeCut<double>& c) {
     quiet();
     const std::string name = names_(c.vertex);
-    // The cut comes before the corner that was tested last
-    before_kept_ = tested_ && tested_->side >= 0 && !kept_.empty();
-    kept_.insert(kept_.end() - (before_kept_ ? 1 : 0), c.vertex.at);
-    show_kept();
+    keep(c.vertex);
     const dvec2 at = panel_.at(c.vertex.at), from = panel_.at(c.from.at), to = panel_.at(c.to.at);
     view_.add({"f edge", Role::current, c.leaves ? Stroke{from, at} : Stroke{at, to, true}});
     view_.add({"f cut off", Role::rejected, c.leaves ? Stroke{at, to} : Stroke{from, at}});
@@ -72,12 +67,23 @@ class BorderStory : public PlaneDrawing {
         .phase = phase_of(c.border),
         .decides = yes_or_no(words_, "question.cut", {{"from", from}, {"to", to}, {"border", border}}, true,
                              c.leaves ? "leaves" : "enters")};
-    // The edge's row goes on: what is kept of it
-    if (tested_) {
-      event.read = row_of(*tested_);
-      event.read.back() = before_kept_ ? name + ", " + event.read.back().text : name;
-    }
+    event.read = row_;
     return event;
+  }
+
+  void show(Board& board, const VertexKept<double>& k) {
+    quiet();
+    keep(k.vertex);
+    view_.add({"f here", Role::current, Dot{panel_.at(k.vertex.at)}});
+    board.detail(View(view_));
+  }
+  Event say(const VertexKept<double>& k) {
+    return {.text = "kept",
+            .facts = {{"border", k.border}, {"x", k.vertex.at.x}, {"y", k.vertex.at.y}},
+            .words = {{"corner", names_(k.vertex)}},
+            .count = std::ssize(kept_),
+            .read = row_,
+            .phase = phase_of(k.border)};
   }
 
   void show(Board& board, const BorderPassed<double>& p) {
@@ -172,8 +178,7 @@ class BorderStory : public PlaneDrawing {
   }
   std::vector<Said> row_of(const VertexTested<double>& t) {
     const std::string name = names_(t.vertex);
-    return {fmt::format("{} → {}", names_(t.last), name), side_text(t.was), side_text(t.side),
-            t.side >= 0 ? name : ""};
+    return {fmt::format("{} → {}", names_(t.last), name), side_text(t.was), side_text(t.side), ""};
   }
   /// The edge that is looked at, and its corners' names.
   void add_edge(const Vertex<double>& last, const Vertex<double>& now) {
@@ -183,10 +188,13 @@ class BorderStory : public PlaneDrawing {
   void begin_border(int border) {
     if (!enter_border(border)) return;
     kept_.clear();
-    tested_.reset();
     met_ = 0;
   }
-  void show_kept() {
+  /// A corner joins what stays, and the row of its edge says so.
+  void keep(const Vertex<double>& vertex) {
+    kept_.push_back(vertex.at);
+    const std::string name = names_(vertex);
+    if (!row_.empty()) row_.back() = row_.back().text.empty() ? name : row_.back().text + ", " + name;
     if (kept_.size() > 1) view_.add({"d kept", Role::result, Path{panel_.at(kept_)}});
   }
   /// An edge of the result but for the stretches of bridges on it.
@@ -214,9 +222,8 @@ class BorderStory : public PlaneDrawing {
   }
 
   const std::optional<double> right_;
-  std::optional<VertexTested<double>> tested_;  ///< the last one at this border
-  bool before_kept_ = false;                    ///< the cut stands before it, and it is kept
-  std::int64_t met_ = 0;                        ///< corners that met this border
+  std::vector<Said> row_;  ///< of the edge at hand
+  std::int64_t met_ = 0;   ///< corners that met this border
   Points kept_, result_;
   std::vector<std::pair<dvec2, dvec2>> bridges_;
 };

@@ -57,7 +57,7 @@ class ClipSpaceStory {
   void show(Board& board, const Tested<double>& t) {
     if (!plane_ || passed_) enter(t.plane);
     tested_ = t;
-    if (t.inside) kept_.push_back(rest_[t.corner]);
+    row_ = row_of(t);
     sides_.push_back(t.inside);
     here_ = t.at;
     put(board);
@@ -70,7 +70,7 @@ class ClipSpaceStory {
                       {"test", test_text(t.plane)},
                       {"numbers", numbers_text(t.plane, t.at)},
                       {"plane", plane_text(t.plane)}},
-            .row = row_of(t),
+            .row = row_,
             .phase = phase_of(t.plane),
             .decides = yes_or_no(words_, "question.plane", {{"test", test_text(t.plane)}, {"value", value}},
                                  t.inside, "inside", "outside")};
@@ -78,8 +78,8 @@ class ClipSpaceStory {
 
   void show(Board& board, const Cut<double>& c) {
     made_ = {letter(letters_++), c.at};
-    // The cut comes before the corner that was tested last
-    kept_.insert(kept_.end() - (tested_->inside ? 1 : 0), made_);
+    kept_.push_back(made_);
+    row_ = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name};
     edge_ = {c.inside, c.outside};
     here_ = c.at;
     put(board);
@@ -100,16 +100,27 @@ class ClipSpaceStory {
                           {"name", made_.name},
                           {"at", place_text(c.at)},
                           {"plane", plane_text(c.plane)}},
-                .row = {plane_text(c.plane), made_.name, distance(c.plane, c.at), made_.name},
+                .row = row_,
                 .phase = phase_of(c.plane),
                 .decides = yes_or_no(words_, "question.plane_cut",
                                      {{"from", before}, {"to", now}, {"plane", plane_text(c.plane)}}, true,
                                      enters ? "enters" : "leaves")};
-    if (enters) {
-      event.read = row_of(*tested_);
-      event.row.back() = made_.name + ", " + std::exchange(event.read.back().text, "");
-    }
     return event;
+  }
+
+  void show(Board& board, const CornerKept<double>& k) {
+    const NamedPoint& corner = rest_[k.corner];
+    kept_.push_back(corner);
+    row_.back() = row_.back().text.empty() ? corner.name : row_.back().text + ", " + corner.name;
+    here_ = corner.at;
+    board.detail(view());
+  }
+  Event say(const CornerKept<double>& k) const {
+    return {.text = "kept",
+            .words = {{"corner", rest_[k.corner].name}},
+            .count = std::ssize(kept_),
+            .read = row_,
+            .phase = phase_of(k.plane)};
   }
 
   void show(Board& board, const Passed<double>&) {
@@ -219,9 +230,9 @@ class ClipSpaceStory {
   std::string phase_of(const Plane<double>& plane) const {
     return words_.say("phase.plane", {{"plane", plane_text(plane)}});
   }
+  /// What is kept of it is told when it is kept.
   std::vector<Said> row_of(const Tested<double>& t) const {
-    const std::string& name = rest_[t.corner].name;
-    return {plane_text(t.plane), name, distance(t.plane, t.at), t.inside ? name : ""};
+    return {plane_text(t.plane), rest_[t.corner].name, distance(t.plane, t.at), ""};
   }
   static std::vector<Field> fields(const Plane<double>& plane, const dvec4& p) {
     return {
@@ -236,12 +247,13 @@ class ClipSpaceStory {
     axis_ = plane.axis;
     passed_ = false;
   }
-  void put(Board& board) const {
-    View view;
-    add_side(view);
-    add_picture(view);
-    board.milestone(std::move(view));
+  View view() const {
+    View drawn;
+    add_side(drawn);
+    add_picture(drawn);
+    return drawn;
   }
+  void put(Board& board) const { board.milestone(view()); }
 
   std::vector<dvec2> in_side(std::span<const NamedPoint> polygon) const {
     std::vector<dvec2> points;
@@ -393,6 +405,7 @@ class ClipSpaceStory {
   std::vector<bool> sides_;  ///< of the corners tested so far at this plane
   std::optional<Plane<double>> plane_;
   std::optional<Tested<double>> tested_;  ///< the last one
+  std::vector<Said> row_;                 ///< of it, or of its cut
   std::optional<dvec4> here_;
   std::optional<std::pair<dvec4, dvec4>> edge_;
   NamedPoint made_;

@@ -141,6 +141,8 @@ struct Numbers {
     to.point("cut", c.vertex.at);
   }
   template <class T>
+  void operator()(NumericStep<T>&, const VertexKept<T>&) const {}
+  template <class T>
   void operator()(NumericStep<T>&, const BorderPassed<T>&) const {}
 };
 

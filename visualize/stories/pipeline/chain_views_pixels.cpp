@@ -1,6 +1,6 @@
 // The tour's drawings of pixels: from rasterization to the picture.
 
-#include "core/colour.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/pipeline/chain_shapes.hpp"
 #include "stories/pipeline/chain_views.hpp"
 
@@ -61,7 +61,7 @@ void Views::depth_picture(View& view, Side side) const {
 
 void Views::lit_picture(View& view, Side side) const {
   for (const Shaded& s : run_.shaded)
-    put(view, side, s.fragment.pixel, Role::result, srgb8_from_linear(s.colour));
+    put(view, side, s.fragment.pixel, Role::result, tone_of(dvec3(s.colour)));
   frame(view, side);
   mark_pixel(view, side);
 }

@@ -53,7 +53,9 @@ std::vector<EdgeCut> cuts_of(const Run& run, const Clipped& clipped) {
   using Corner = sutherland_hodgman::Point<double>;
   std::vector<Corner> polygon;
   for (const ClipPoint& p : clipped.before) polygon.push_back({p.at});
-  Recorder<sutherland_hodgman::Tested<double>, EdgeCut, sutherland_hodgman::Passed<double>> seen;
+  Recorder<sutherland_hodgman::Tested<double>, EdgeCut, sutherland_hodgman::CornerKept<double>,
+           sutherland_hodgman::Passed<double>>
+      seen;
   sutherland_hodgman::clip(polygon, guard_volume(run.size), seen);
   return all<EdgeCut>(seen);
 }

@@ -2,6 +2,7 @@
 // What the stories of antialiased lines draw alike: pixels in their intensities, and the line over them.
 
 #include "core/arithmetic/elementary.hpp"
+#include "figure/tone_of.hpp"
 #include "scan_conversion/antialiased_line/antialiased_line.hpp"
 #include "stories/telling.hpp"
 
@@ -10,11 +11,9 @@ namespace gradus::antialiased_line {
 /// So many columns a line may have: each pixel about it is drawn.
 constexpr std::int64_t longest_shown = 200;
 
-/// Ink on white paper: a pixel that the line has all of is black.
-constexpr Rgba8 paint_of(int intensity) {
-  const auto level = static_cast<std::uint8_t>(full - intensity);
-  return {level, level, level, 255};
-}
+/// Ink on white paper: a pixel that the line has all of is black. An intensity is the ink's share of the
+/// pixel, in 255ths.
+inline Rgba8 paint_of(int intensity) { return tone_on_paper({0, 0, 0, 255}, double{1} * intensity / full); }
 
 /// The line of a story, and the cells about it.
 struct Subject {

@@ -23,6 +23,29 @@ void draw_by(Drawn method, ivec2 from, ivec2 to, const Plot& plot) {
   }
 }
 
+/// The source line at which a method tells of a pixel; 0 for Bresenham's, whose source is another file.
+inline int telling_line(Drawn method) {
+  const ivec2 from{0, 0}, to{5, 2};
+  const auto drop = [](ivec2, auto) {};
+  LineOf<Paired> paired;
+  LineOf<Measured> measured;
+  LineOf<Cut> cut;
+  switch (method) {
+    case Drawn::bresenham:
+      return 0;
+    case Drawn::wu:
+      wu(from, to, drop, paired);
+      return paired.line;
+    case Drawn::gupta_sproull:
+      gupta_sproull(from, to, drop, measured);
+      return measured.line;
+    case Drawn::exact_area:
+      exact_area(from, to, drop, cut);
+      return cut.line;
+  }
+  return 0;
+}
+
 /// What a line that goes on for ever in this direction has of ink a unit of length, where 1 is full width.
 inline double ink_of(Drawn method, ivec2 way) {
   const auto sum_of = [&](int times) {
@@ -122,12 +145,13 @@ inline void tell_pictures(Narrator& narrator) {
   narrator.trace().grid.whole = true;
   narrator.trace().grid.axes = false;
   narrator.columns({{"method", false}, {"level"}, {"diagonal"}});
+  for (const std::string_view below : {"gupta_sproull", "exact_area"}) narrator.list_below(below);
   PicturesStory story(narrator.words());
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   for (std::size_t m = 0; m < 4; ++m) {
     const auto method = static_cast<Drawn>(m);
-    watch(PictureDrawn{method, ink_of(method, {1, 0}), ink_of(method, {1, 1})}, narrator.last_line());
+    watch(PictureDrawn{method, ink_of(method, {1, 0}), ink_of(method, {1, 1})}, telling_line(method));
   }
   watch(steps::Finished{}, 0);
   narrator.telling({4, 0});

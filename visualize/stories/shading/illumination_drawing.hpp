@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arithmetic/elementary.hpp"
+#include "figure/tone_of.hpp"
 #include "stories/shading/illumination_task.hpp"
 
 namespace gradus::illumination {
@@ -292,7 +293,7 @@ class PlaceDrawing {
               Text{{x + 0.5 * wide, height(0) - 0.9}, names[static_cast<std::size_t>(channel)]}});
   }
   void add_swatch(View& view, const dvec3& sum, int x) const {
-    const Rgba8 colour = srgb8_from_linear(LinearRgb(glm::clamp(sum, dvec3{0}, dvec3{1})));
+    const Rgba8 colour = tone_of(sum);
     const int y = from_below_ ? 1 : 0;
     for (int row = 0; row < 2; ++row) {
       for (int column = 0; column < 4; ++column)

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "figure/tone_of.hpp"
 #include "stories/shading/illumination_task.hpp"
 
 namespace gradus::illumination {
@@ -185,7 +186,7 @@ class LightsStory {
       if (k >= done_.size()) continue;
       for (const auto& [p, colour] : done_[k].picture)
         view.cells.insert_or_assign({corner.y + p.second, corner.x + p.first},
-                                    CellLook{Role::result, "", srgb8_from_linear(colour)});
+                                    CellLook{Role::result, "", tone_of(dvec3(colour))});
     }
     board.milestone(std::move(view));
   }

@@ -121,7 +121,7 @@ class ShadeStory {
     ++fine_;
     shown_[{s.pixel.x, s.pixel.y}] = s.colour;
     if constexpr (std::same_as<Value, Point>) ++lights_;
-    board.put(s.pixel, Role::result, cell_text(s.colour), grey_of(s.colour));
+    board.put(s.pixel, Role::result, cell_text(s.colour), tone_of(s.colour));
     if (wanted_ && *wanted_ == s.pixel) telling_ = {milestones_, fine_};
     if (!telling_ && s.gamma > 0.4 && row_ >= subject_.size.y / 2 - 1) telling_ = {milestones_, fine_};
     put_ends(board);

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "core/colour.hpp"
 #include "core/surface.hpp"
+#include "figure/tone_of.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
@@ -186,9 +186,6 @@ inline Worst worst_of(const Picture& shown, const Picture& right) {
   }
   return worst;
 }
-
-/// How an intensity looks on the screen; above 1 it is white.
-inline Rgba8 grey_of(double intensity) { return srgb8_from_linear(LinearRgb{static_cast<float>(intensity)}); }
 
 /// With two digits, as pixels have room for.
 inline std::string short_text(double intensity) { return figure_real(std::round(intensity * 100) / 100); }

@@ -64,7 +64,7 @@ class Paper {
       for (int x = 0; x < side_; ++x) {
         const double grey = texel({x * count / side_, y * count / side_});
         view.cells.insert_or_assign({y + texture_.y, x + texture_.x},
-                                    CellLook{Role::result, "", grey_of(grey)});
+                                    CellLook{Role::result, "", tone_of(grey)});
       }
     }
     const dvec2 above = 0.5 * (place({0, 1}) + place({1, 1})) - dvec2{0, 0.8 * unit_};

@@ -92,7 +92,7 @@ class ChainStory {
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
         const ivec2 at = corner(level) + texel * side + ivec2{x, y};
-        base_.cells.insert_or_assign({at.y, at.x}, CellLook{Role::result, "", grey_of(grey)});
+        base_.cells.insert_or_assign({at.y, at.x}, CellLook{Role::result, "", tone_of(grey)});
       }
     }
   }
@@ -163,7 +163,7 @@ class FiltersStory {
     off_.push_back(mean_difference(p.picture, right_));
     for (const auto& [at, grey] : p.picture) {
       const ivec2 cell = corner(p.filter) + ivec2{at.first, at.second};
-      base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", grey_of(grey)});
+      base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_of(grey)});
     }
     board.milestone(base_);
   }

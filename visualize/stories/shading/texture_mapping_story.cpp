@@ -220,7 +220,7 @@ class Story {
   /// The drawing with the pixel's colour.
   View coloured(double grey) {
     picture_[{at_.pixel.x, at_.pixel.y}] = grey;
-    paper_.put_pixel(base_, at_.pixel, grey_of(grey));
+    paper_.put_pixel(base_, at_.pixel, tone_of(grey));
     View view = base_;
     paper_.mark_pixel(view, at_.pixel);
     return view;

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/colour.hpp"
+#include "figure/tone_of.hpp"
 #include "shading/texture_mapping/texture_mapping.hpp"
 #include "shading/texture_mapping/texture_mapping_notes.hpp"
 #include "stories/telling.hpp"
@@ -111,7 +111,6 @@ inline double mean_difference(const Picture& shown, const Picture& right) {
 
 /// Column and row of a texel.
 inline std::string texel_name(ivec2 texel) { return fmt::format("({}, {})", texel.x, texel.y); }
-inline Rgba8 grey_of(double light) { return srgb8_from_linear(LinearRgb{static_cast<float>(light)}); }
 
 inline Subject subject_of(const Arguments& arguments) {
   Subject subject{

@@ -77,7 +77,7 @@ class ThreeStory {
   static void put_picture(View& view, const Picture& picture, ivec2 corner) {
     for (const auto& [at, colour] : picture)
       view.cells.insert_or_assign({at.second + corner.y, at.first + corner.x},
-                                  CellLook{Role::result, "", grey_of(colour)});
+                                  CellLook{Role::result, "", tone_of(colour)});
   }
   void put_outlines(View& view, std::size_t method, dvec2 corner) const {
     for (std::size_t f = 0; f < subject_.rings.size(); ++f) {

@@ -146,7 +146,7 @@ TEST(SutherlandHodgmanPlane, VerticesRememberWhatMadeThem) {
 }
 
 TEST(SutherlandHodgmanPlane, StepsFollowTheGrammar) {
-  Recorder<VertexTested<double>, EdgeCut<double>, BorderPassed<double>> seen;
+  Recorder<VertexTested<double>, EdgeCut<double>, VertexKept<double>, BorderPassed<double>> seen;
   const std::vector<int> order{2, 0, 3, 1};
   const std::span<const dvec2> given(letter_u);
   const auto watched = clip_to_window(given, square, std::span<const int>(order), seen);
@@ -397,7 +397,7 @@ TEST(SutherlandHodgmanPlane, TakesPointsAsProgramsHaveThem) {
   EXPECT_EQ(places(clip_to_window({{-5, 2}, {5, 2}, {5, 8}}, {{0, 0}, {10, 10}})), right);
   static_assert(std::same_as<decltype(clip_to_window(floats, {{0, 0}, {10, 10}})), Ring<float>>);
   static_assert(std::same_as<decltype(clip_to_window({{0, 0}}, {{0, 0}, {10, 10}})), Ring<double>>);
-  Recorder<VertexTested<double>, EdgeCut<double>, BorderPassed<double>> seen;
+  Recorder<VertexTested<double>, EdgeCut<double>, VertexKept<double>, BorderPassed<double>> seen;
   EXPECT_EQ(places(clip_to_window(vector, square, order, seen)), right);
   EXPECT_EQ(all<BorderPassed<double>>(seen).size(), 4u);
   // What takes the result, and what makes a window
