@@ -50,13 +50,13 @@ struct ToneTaken {
 /// Accuracy: the tones are the nearest to 255 times the area; wrong for every area but 0 and 1.
 template <class Plot, Observer<ToneTaken> O = Unobserved>
 void area_as_tone(std::span<const ivec2> corners, const Window& window, Plot&& plot, O&& observer = {}) {
-  const auto give = [&](ivec2 p, double area) {
+  const auto set = [&](ivec2 p, double area) {
     // A share of the light is no tone
     const int tone = byte_of(area);
     if constexpr (observed<O>) observer(ToneTaken{p, area, tone});
     plot(p, tone);
   };
-  pixel_areas(corners, window, give);
+  pixel_areas(corners, window, set);
 }
 
 }  // namespace gradus::area_sampling
