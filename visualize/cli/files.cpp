@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -111,6 +112,25 @@ std::optional<std::string> behind_links(const std::string& path) {
   return std::nullopt;
 }
 
+/// The one name of the file that will be written: without links, dots and double slashes.
+std::filesystem::path destination_of(const std::string& path) {
+  std::error_code error;
+  const auto target = std::filesystem::absolute(behind_links(path).value_or(path));
+  const std::filesystem::path known = std::filesystem::weakly_canonical(target, error);
+  return error ? target.lexically_normal() : known;
+}
+
+/// Throws WorkError, before work that would be lost, when the system will not let this file be written.
+void check_writable(const std::string& path) {
+  struct stat known{};
+  const auto target = behind_links(path);
+  if (!target) cannot_write(path);
+  const bool in_place = stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode);
+  const std::string folder = std::filesystem::path(*target).parent_path().string();
+  const std::string asked = in_place ? *target : folder.empty() ? std::string(".") : folder;
+  if (faccessat(AT_FDCWD, asked.c_str(), W_OK, AT_EACCESS) != 0) cannot_write(path);
+}
+
 /// Opens a new file beside `path`.
 int open_beside(const std::string& path, std::string& temporary) {
   const std::string folder = path.substr(0, path.find_last_of('/') + 1);
@@ -185,20 +205,32 @@ void note(std::string_view line) {
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat first{}, second{};
-  if (stat(a.c_str(), &first) != 0 || stat(b.c_str(), &second) != 0) return false;
+  if (stat(a.c_str(), &first) != 0 || stat(b.c_str(), &second) != 0) {
+    return destination_of(a) == destination_of(b);
+  }
   return first.st_dev == second.st_dev && first.st_ino == second.st_ino;
 }
 
 void make_folder(const std::string& path, std::string_view what) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (!std::filesystem::is_directory(path, error)) {
-    throw UsageError(fmt::format("{}: expected a folder, found {}", what, shown(path)));
-  }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return;
+  const bool in_the_way = std::filesystem::exists(path, ignored) || !error;
+  if (in_the_way) throw UsageError(fmt::format("{}: expected a folder, found {}", what, shown(path)));
+  throw UsageError(fmt::format("{}: expected a folder that can be made, found {} ({})", what, shown(path),
+                               std::strerror(error.value())));
 }
 
 void check_replaced(const std::string& path, std::string_view what, std::string_view bytes) {
   if (is_replaceable(path, bytes)) return;
+  if (access(path.c_str(), R_OK) != 0) {
+    const int reason = errno;
+    throw UsageError(
+        fmt::format("{}: expected a file that can be read, to see whether gradus made it, found {} "
+                    "({}; --force replaces it)",
+                    what, shown(path), std::strerror(reason)));
+  }
   throw UsageError(fmt::format(
       "{}: expected a new file or one that gradus made, found {} (--force replaces it)", what, shown(path)));
 }
@@ -218,6 +250,7 @@ void check_output(const std::string& path, std::span<const std::string> inputs, 
     throw UsageError(fmt::format("-o: expected another file than the input, found {}", shown(path)));
   }
   if (replace == Replace::own) check_replaced(path, "-o");
+  check_writable(path);
 }
 
 NewFiles::~NewFiles() {
@@ -234,6 +267,10 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
   if (replace == Replace::own) check_replaced(path, "-o", bytes);
   const auto target = behind_links(path);
   if (!target) cannot_write(path);
+  if (!destinations_.insert(destination_of(*target)).second) {
+    throw UsageError(
+        fmt::format("-o: expected different files, found {}, which leads to another's place", shown(path)));
+  }
   std::string temporary;
   Descriptor file(open_beside(*target, temporary));
   if (file.number() < 0) cannot_write(path);
@@ -245,7 +282,16 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
 void NewFiles::commit() {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     const Pending& file = pending_[i];
-    if (rename(file.temporary.c_str(), file.path.c_str()) != 0) cannot_write(file.path);
+    if (rename(file.temporary.c_str(), file.path.c_str()) != 0) {
+      const int reason = errno;
+      std::string replaced;
+      for (std::size_t k = 0; k < std::min<std::size_t>(i, 3); ++k) {
+        replaced += (k == 0 ? "" : ", ") + shown(pending_[k].path);
+      }
+      if (i > 3) replaced += fmt::format(" and {} more", i - 3);
+      throw WorkError(fmt::format("can't write {}: {}{}{}", shown(file.path), std::strerror(reason),
+                                  i > 0 ? "; new already: " : "", replaced));
+    }
     forget(file.temporary);
   }
   pending_.clear();
@@ -266,6 +312,7 @@ void prepare_process() {
     static_cast<void>(open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY));
   }
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // writing says then that the file is too large
   wait_for_signals();
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ void write_stream(Stream stream, std::string_view bytes);
 /// The same to stderr, whatever happens to it: there is nowhere left to complain.
 void note(std::string_view line);
 
-/// Whether both paths lead to one file.
+/// Whether both paths lead to one file, by links and folders' links, too; it need not be there yet.
 bool same_file(const std::string& a, const std::string& b);
 
 /// What a new file may take the place of.
@@ -45,7 +46,8 @@ struct Output {
 void check_replaced(const std::string& path, std::string_view what, std::string_view bytes = {});
 
 /// Throws UsageError when nothing can be written under this name: it is a folder, its folder does not exist,
-/// it is one of the inputs, or somebody's own.
+/// it is one of the inputs, or somebody's own; WorkError when the system forbids it: before the work, not
+/// after.
 void check_output(const std::string& path, std::span<const std::string> inputs, Replace replace);
 
 /// Makes a folder and those it lies in, unless it is there. Throws UsageError, naming the argument `what`.
@@ -62,8 +64,10 @@ class NewFiles {
   NewFiles& operator=(const NewFiles&) = delete;
 
   /// An existing file keeps its permissions; a link is followed, also to what is not there yet; a device or
-  /// pipe is written at once. Throws UsageError for a file that must not be replaced.
+  /// pipe is written at once. Throws UsageError for a file that must not be replaced, or that another one of
+  /// these will be.
   void add(const std::string& path, std::string_view bytes, Replace replace = Replace::own);
+  /// Where the system refuses a name in their midst, the error tells which files are new.
   void commit();
 
  private:
@@ -71,6 +75,7 @@ class NewFiles {
     std::string temporary, path;
   };
   std::vector<Pending> pending_;
+  std::set<std::filesystem::path> destinations_;
 };
 
 /// One file, or standard output for "-". Throws as NewFiles does.

@@ -377,9 +377,7 @@ int worksheet(const Request& request) {
     check_output(path, wish.inputs, wish.output.replace);
     outputs.push_back(path);
   }
-  const auto normal = [](const std::string& path) { return fs::absolute(path).lexically_normal(); };
-  if (outputs.size() == 2 &&
-      (same_file(outputs[0], outputs[1]) || normal(outputs[0]) == normal(outputs[1]))) {
+  if (outputs.size() == 2 && same_file(outputs[0], outputs[1])) {
     throw UsageError(fmt::format("--key: expected another file than -o, found {}", shown(wish.key)));
   }
   std::vector<Variants> variants;
