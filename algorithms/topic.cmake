@@ -4,7 +4,8 @@
 function(gradus_export target name set)
   add_library(gradus::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  install(TARGETS ${target} EXPORT ${set})
+  install(TARGETS ${target} EXPORT ${set} COMPONENT library)
+  set_property(GLOBAL APPEND PROPERTY gradus_installed ${target})
 endfunction()
 
 # gradus_add_topic(F/T [DEPENDS topic...] [PARTIAL]): all that belongs to the topic in algorithms/F/T/: the target

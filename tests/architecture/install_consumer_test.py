@@ -2,6 +2,7 @@
 """`cmake --install` into an empty folder; another project finds the package there and uses topics, a short program each."""
 import pathlib
 import re
+import shlex
 import sys
 import tempfile
 import unittest
@@ -13,11 +14,25 @@ CONSUMER = pathlib.Path(__file__).resolve().parent / "consumer"
 PROGRAMS = sorted(CONSUMER.glob("*.cpp"))
 
 
+def path_under(root):
+    """A pattern of this folder or what lies in it: not of a longer name, as /gradus is in ${DIR}/gradusTargets.cmake."""
+    return rf"(?:(?<![\w.}}/])|(?<=-[IL])){re.escape(str(root))}(?![\w.-])"
+
+
+def installing_line():
+    """What the readme says to install the library alone."""
+    readme = (project.ROOT / "README.md").read_text(encoding="utf-8")
+    return re.search(r"^cmake --build .* && cmake --install .*$", readme, re.MULTILINE)[0]
+
+
 class InstallConsumer(unittest.TestCase):
     def test_a_consumer_finds_builds_and_runs(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            project.run("cmake", "--install", project.BUILD, "--prefix", folder / "prefix")
+            build, install = (shlex.split(words) for words in installing_line().split(" && "))
+            place = {"build/release": project.BUILD, "P": folder / "prefix"}
+            for words in (build, install):
+                project.run(*(place.get(word, word) for word in words))
             # A topic needs GLM and fmt; nothing else may even be looked for
             project.run("cmake", "-S", CONSUMER, "-B", folder / "build", "-G", "Ninja",
                         f"-DCMAKE_PREFIX_PATH={folder / 'prefix'}", f"-DCMAKE_CXX_COMPILER={project.COMPILER}",
@@ -30,8 +45,14 @@ class InstallConsumer(unittest.TestCase):
                     self.assertEqual(project.run(folder / "build" / program.stem).rstrip(), expected)
             # Nothing of this machine's folders is in what was installed
             for file in (folder / "prefix").rglob("*.cmake"):
-                self.assertNotIn(str(project.ROOT), file.read_text(encoding="utf-8"), file.name)
+                self.assertIsNone(re.search(path_under(project.ROOT), file.read_text(encoding="utf-8")), file.name)
             self.assertTrue(list((folder / "prefix").rglob("LICENSE")))
+
+    def test_a_root_is_told_from_longer_names(self):
+        for text in ("/gradus", '"/gradus/algorithms"', "-I/gradus/a", "a;/gradus;b"):
+            self.assertIsNotNone(re.search(path_under("/gradus"), text), text)
+        for text in ('"${CMAKE_CURRENT_LIST_DIR}/gradusTargets.cmake"', "${_PREFIX}/gradus", "lib/cmake/gradus"):
+            self.assertIsNone(re.search(path_under("/gradus"), text), text)
 
     def test_hidden_surfaces_and_shading_have_a_program_each(self):
         build = (project.ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
