@@ -20,6 +20,7 @@
 #include "core/observe.hpp"
 #include "core/raster.hpp"
 #include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "visibility/z_buffer/face_plane.hpp"
 
 namespace gradus::z_buffer {
 
@@ -86,43 +87,6 @@ constexpr bool keep_nearest(Raster<Cell<T, Key>>& buffer, ivec2 pixel, T depth, 
 }
 
 // --- Faces -------------------------------------------------------
-
-/// Who a face is. Of faces at equal depth the one of the lowest (object, face) is seen.
-struct Id {
-  int object = 0, face = 0;
-  friend constexpr auto operator<=>(const Id&, const Id&) = default;
-};
-
-/// A plane convex polygon on the screen: x to the right and y down in pixels, z away from the viewer, who
-/// looks along +z with parallel rays. Pixel (i, j) has its centre at (i + 0.5, j + 0.5).
-struct Face {
-  std::span<const dvec3> corners;  ///< at least three, in order, in either direction
-  Id id;
-};
-
-/// The depth of a face over the screen: z = corner.z + right (x - corner.x) + down (y - corner.y).
-struct Plane {
-  dvec3 corner;
-  double right, down;        ///< by how much z grows a pixel
-  double nearest, farthest;  ///< of the corners' depths; rounding leads no further
-
-  constexpr double at(ivec2 pixel) const {
-    const dvec2 way = dvec2(pixel) + 0.5 - dvec2(corner);
-    return std::clamp(corner.z + right * way.x + down * way.y, nearest, farthest);
-  }
-};
-
-/// The plane of a face by Newell's normal; nothing for a face that is seen edge on.
-/// Accuracy: exact for faces of one depth; else the error grows with the slope, as the face turns edge on.
-constexpr std::optional<Plane> plane_of(const Face& face) {
-  const auto& c = face.corners;
-  dvec3 normal(0);
-  for (std::size_t i = 1; i + 1 < c.size(); ++i) normal += glm::cross(c[i] - c[0], c[i + 1] - c[0]);
-  if (normal.z == 0) return {};
-  const auto by_depth = [](const dvec3& a, const dvec3& b) { return a.z < b.z; };
-  const auto [near, far] = std::ranges::minmax_element(c, by_depth);
-  return Plane{c[0], -normal.x / normal.z, -normal.y / normal.z, near->z, far->z};
-}
 
 /// How far a corner may lie from the picture's first one, in pixels.
 inline constexpr int farthest = 1 << 15;
@@ -316,7 +280,8 @@ constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
 ///
 /// Domain: faces plane and convex, corners at most `farthest` pixels out, of finite depth.
 /// Steps: (FaceTaken Compared* FaceDone)* Finished; Compared row by row, once for each pixel covered.
-/// Accuracy: the result is the least (stored depth, id) of each pixel whatever the order of the faces.
+/// Accuracy: depths are the nearest doubles before they are stored; the result is the least (stored depth,
+///   id) of each pixel whatever the order of the faces.
 /// Cost: a depth and a comparison a covered pixel; bytes by the size of the picture alone.
 /// Errors: ContractViolation for a face outside of the domain.
 template <class Depth, class Store = Exactly,

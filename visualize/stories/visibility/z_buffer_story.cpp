@@ -3,14 +3,12 @@
 #include "visibility/z_buffer/z_buffer.hpp"
 
 #include "stories/parameters.hpp"
+#include "stories/visibility/z_buffer_judge.hpp"
 #include "stories/visibility/z_buffer_subject.hpp"
 #include "visibility/z_buffer/z_buffer_notes.hpp"
 
 namespace gradus::z_buffer {
 namespace {
-
-/// What a picture shows at last: whose each pixel is.
-using Owners = std::map<std::pair<int, int>, Id>;
 
 /// What the run is asked for besides its faces.
 struct Look {
@@ -250,7 +248,8 @@ class Story {
   }
   /// Where a face lies in space that a pixel shows.
   double z_at(Id id, ivec2 pixel) const {
-    const auto plane = plane_of({subject_.corners(id), id});
+    const auto face = std::ranges::find(subject_.faces, id, &Face::id);
+    const auto plane = plane_of(*face);
     return plane ? subject_.sight.z_of(plane->at(pixel)) : 0;
   }
   /// Where the two faces of a pixel lie, for an eye that stores something else.
@@ -321,20 +320,6 @@ class Story {
 };
 
 // --- The methods
-
-/// What is right, drawn with depths as they are.
-Owners right_of(const Subject& subject) {
-  Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
-  per_polygon<double>(subject.faces, buffer);
-  Owners shown;
-  for (int y = 0; y < subject.size.y; ++y) {
-    for (int x = 0; x < subject.size.x; ++x) {
-      const auto& cell = buffer[{x, y}];
-      if (cell.taken) shown.emplace(std::pair{x, y}, cell.key);
-    }
-  }
-  return shown;
-}
 
 /// What stands unchanged behind all steps. base: of the codes in the cells.
 void set_scene(Narrator& narrator, const Subject& subject, std::int64_t base) {

@@ -46,8 +46,9 @@ struct Subject {
   std::vector<NamedFace> named;  ///< as they are seen: depths are linear in the picture
   ivec2 size;
   Sight sight;
-  std::vector<Rgba8> colors{};  ///< by face
-  std::vector<Face> faces{};    ///< in the order of drawing
+  std::vector<Rgba8> colors{};                 ///< by face
+  std::vector<Face> faces{};                   ///< in the order of drawing
+  std::vector<std::vector<dvec3>> in_space{};  ///< the corners of faces before they are seen, by face
 
   const std::string& name(Id id) const { return named[static_cast<std::size_t>(id.face)].name; }
   Rgba8 color(Id id) const { return colors[static_cast<std::size_t>(id.face)]; }
@@ -124,6 +125,24 @@ inline Sight sight_of(const Arguments& arguments) {
   return sight;
 }
 
+/// The first face in whose plane all corners of a face lie, exactly: it gives the plane of both.
+inline std::size_t first_in_plane(const std::vector<std::vector<dvec3>>& faces, std::size_t face) {
+  const auto in_plane_of = [&](const std::vector<dvec3>& first) {
+    // By three corners that lie on no line, which are in the plane of whatever gives it
+    const std::vector<dvec3>& own = faces[face];
+    const dvec3 a = first[0], b = first[1];
+    for (std::size_t i = 2; i < first.size(); ++i) {
+      if (glm::cross(b - a, first[i] - a) == dvec3(0)) continue;
+      const auto lies = [&](const dvec3& p) { return orient3d(a, b, first[i], p) == 0; };
+      return std::ranges::all_of(own, lies) && std::ranges::all_of(first, lies);
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < face; ++i)
+    if (in_plane_of(faces[i])) return i;
+  return face;
+}
+
 inline Subject subject_of(const Arguments& arguments) {
   Subject subject{
       .named = arguments.faces("faces"),
@@ -131,10 +150,12 @@ inline Subject subject_of(const Arguments& arguments) {
       .sight = sight_of(arguments)};
   for (std::size_t i = 0; i < subject.named.size(); ++i) {
     require_face(subject.named[i], i, subject.sight);
+    subject.in_space.push_back(subject.named[i].points);
     for (dvec3& corner : subject.named[i].points) corner = subject.sight.image(corner);
     const std::string& color = subject.named[i].color;
     subject.colors.push_back(color.empty() ? own_colors[i % own_colors.size()] : color_of(color));
-    subject.faces.push_back({subject.named[i].points, {0, static_cast<int>(i)}});
+    const std::size_t first = first_in_plane(subject.in_space, i);
+    subject.faces.push_back({subject.named[i].points, {0, static_cast<int>(i)}, subject.named[first].points});
   }
   if (arguments.text("order") == "given") return subject;
   const auto order = arguments.numbered_order("order");
