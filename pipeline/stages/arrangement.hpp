@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -190,9 +191,10 @@ inline Triangles in_tree_order(const SceneCamera& camera, const Triangles& trian
     const auto other = random.uniform_int(0, static_cast<std::int64_t>(left) - 1);
     std::swap(polygons[left - 1], polygons[static_cast<std::size_t>(other)]);
   }
+  auto tree = bsp_tree::build(polygons, bsp_tree::ExactSide{}, TreeLimit{{"bsp_tree", polygons.size()}});
+  // Of those in one plane the lowest (object, face) is seen: it comes last
+  for (auto& node : tree) std::ranges::sort(node.polygons, std::ranges::greater{}, &WorldPolygon::face);
   Triangles ordered;
-  const auto tree =
-      bsp_tree::build(polygons, bsp_tree::ExactSide{}, TreeLimit{{"bsp_tree", polygons.size()}});
   bsp_tree::back_to_front(tree, eye_of(camera),
                           [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); });
   return ordered;
