@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import threading
@@ -101,9 +102,38 @@ def test_a_film_of_too_many_frames():
     equal(gradus(*circle, "--steps", "0-2100/1050", "--size", "320x180").code, 0, "some of them")
 
 
+def test_a_film_of_frames_too_large():
+    for name in ("a.gif", "a.mp4", "a.webp"):
+        equal(measured("figure", "bresenham_line", "-o", name, "--size", "8192x8192")[:2],
+              (2, "gradus: -o: expected frames of at most 8294400 pixels, as 3840 x 2160 has, for a film (--size, --scale), "
+                  "found 8192 x 8192\n"), name)
+    equal(measured("figure", "bresenham_line", "-o", "a.gif", "--scale", "4")[0], 2, "by --scale")
+    equal(files(), ["stderr"], "no file")
+
+
+def test_a_page_of_too_many_steps():
+    code, err, _, _ = measured("figure", "bresenham_line", "--to", "200000,5", "-o", "a.html")
+    equal(code, 2, "200,000 steps")
+    found = re.fullmatch(r"gradus: -o: expected at most 5000 steps in a page, found (\d+) steps \(--steps 0-(\d+)/(\d+) takes "
+                         r"some of them, --steps A-B up to 20000\)\n", err)
+    if check(found, err):
+        last, stride = map(int, found.groups()[1:])
+        check(last // stride + 1 <= 5000, f"what it offers is taken: {err}")
+        equal(gradus("figure", "bresenham_line", "--to", "200000,5", "-o", "a.html", "--steps", f"0-{last}/{stride}").code, 0,
+              "some of them")
+    check(os.path.getsize("a.html") < 10e6, f"{os.path.getsize('a.html')} bytes")
+
+
+def test_few_files_may_be_open():
+    few = lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (12, 12))
+    ran = subprocess.run([GRADUS, "figure", "bresenham_line", "-o", "a.gif"], preexec_fn=few, env=PLAIN, capture_output=True)
+    equal((ran.returncode, ran.stderr.decode()), (1, "gradus: film: can't open a file: Too many open files\n"), "of 12")
+    equal(files(), [], "no file")
+
+
 def test_help_states_the_limits():
     text = gradus("figure", "--help").out
-    for limit in ("1000 pages", "1000 frames", "1000 files", "10000", "100000"):
+    for limit in ("1000 pages", "1000 frames", "1000 files", "10000", "100000", "5000 steps", "8294400 pixels"):
         check(limit in text, f"{limit} in figure --help")
     check("67108864 pixels" in gradus("help", "flood_fill").out, "pixels in help flood_fill")
 

@@ -29,6 +29,8 @@ constexpr int output_number = 3, palette_number = 4;  ///< in the child, as Ffmp
 Descriptor apart(int number) {
   constexpr int least = 16;
   Descriptor copy(fcntl(number, F_DUPFD_CLOEXEC, least));
+  // Where fewer files may be open than that, it calls the number invalid
+  if (copy.number() < 0 && errno == EINVAL) errno = EMFILE;
   if (copy.number() < 0) cannot("open a file");
   return copy;
 }

@@ -94,14 +94,16 @@ std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Form
   return format == Format::pdf ? pages_bytes(spec, takes, {step}) : picture_bytes(spec, takes, step, format);
 }
 
-/// How many steps are put into files or frames: of a run without being asked to, and for who asks with
-/// --steps.
+/// How many steps are put into files, frames or a page with the player: of a run without being asked to, and
+/// for who asks with --steps.
 struct Limit {
   std::string_view of;
   std::int64_t unasked, asked;
 };
 constexpr Limit most_files{"files", 1000, 100'000};
 constexpr Limit most_frames{"frames", 1000, 10'000};
+/// A step takes some 2 kB of a page.
+constexpr Limit most_played{"steps in a page", 5000, 20'000};
 
 /// The steps to show, refused where they are more than anybody can mean. Throws UsageError.
 std::vector<StepNumber> steps_within(const Limit& limit, const FigureSpec& spec, const Takes& takes) {
@@ -173,9 +175,21 @@ std::string document(FigureSpec spec, Takes& takes, Format format, bool quiet) {
 }
 
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
+  if (format == Format::html) steps_within(most_played, spec, takes);
   const Trace trace = shown_part(spec, takes, format);
   remark_cut(spec, trace, quiet);
   return trace_bytes(spec, trace, format, "", &takes);
+}
+
+/// Throws UsageError for frames larger than films are shown, each of which takes seconds.
+void check_frame(const FigureSpec& spec) {
+  constexpr double most_pixels = 3840.0 * 2160;
+  const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
+  if (width * height <= most_pixels) return;
+  throw UsageError(
+      fmt::format("-o: expected frames of at most {:.0f} pixels, as 3840 x 2160 has, for a film (--size, "
+                  "--scale), found {:.0f} x {:.0f}",
+                  most_pixels, width, height));
 }
 
 std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
@@ -251,7 +265,10 @@ void write_figure(FigureSpec spec, Format format, const Output& output, std::spa
   const bool series = output.path.find(step_mark) != std::string::npos;
   if (!series) check_output(output.path, inputs, output.replace);
   if (output.path == dash) refuse_binary_in_terminal(format);
-  if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
+  if (is_film(format)) {
+    check_film(film_format(format), spec.film, spec.transparent);
+    check_frame(spec);
+  }
   Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   if (series) {
     write_series(spec, takes, format, output, inputs);
