@@ -45,7 +45,7 @@ std::string depth_text(const Scene& scene, const FragmentStory& story) {
   const DepthTested& tested = story.tested;
   const std::string depth = text_of(tested.fragment.depth);
   if (keeps_all) {
-    if (story.share == 0) return depth + ": hidden by what lets nothing through";
+    if (story.share == 0) return depth + ": hidden at the centre by what lets nothing through";
     return depth + ": seen" + (story.share < 1 ? ", with a share of " + text_of(story.share) : "");
   }
   if (!tested.before) return fmt::format("{}, the first: kept", depth);

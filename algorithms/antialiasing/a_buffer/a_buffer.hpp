@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,9 @@ inline constexpr Mask full = 0xffffffff;
 
 /// The bit of a sub-sample, counted in reading order from 0 on.
 constexpr Mask bit_of(int sample) { return Mask{1} << (samples - 1 - sample); }
+
+/// The last sub-sample of a mask that has one.
+constexpr int last_of(Mask mask) { return samples - 1 - std::countr_zero(mask); }
 
 /// Where a sub-sample lies on the grid of 1/256 pixel: in the middle of its cell.
 constexpr ivec2 place_of(ivec2 pixel, int sample) {
@@ -168,26 +172,68 @@ constexpr void merge(std::vector<Fragment>& sorted) {
   if (!sorted.empty()) sorted.resize(kept + 1);
 }
 
-/// Where two surfaces pass through each other, and the share of the front one there.
-struct Crossing {
-  Mask mask = 0;
-  double front = 1;
+// --- Their order -------------------------------------------------
+
+/// Of two fragments whose depths overlap the one that begins in front is in front: all that can be said where
+/// nothing is known but how deep they reach.
+struct ByRange {
+  constexpr Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
+    return nearer(a, b) ? common : 0;
+  }
 };
 
-/// Carpenter's estimate: of two fragments whose depths overlap neither hides the other. The one that begins
-/// in front is seen to the share (back's z_far - front's z_near) / (sum of both extents), which is above 0
-/// and below 1; exact for two planes with opposite slopes along one direction. Of several behind the first
-/// that crosses counts.
-constexpr Crossing crossing(std::span<const Fragment> sorted, std::size_t number) {
-  const Fragment& front = sorted[number];
-  for (const Fragment& back : sorted.subspan(number + 1)) {
-    if (back.z_near >= front.z_far) break;
-    if (back.surface == front.surface || (back.mask & front.mask) == 0) continue;
-    const double extents = (front.z_far - front.z_near) + (back.z_far - back.z_near);
-    return {back.mask & front.mask, (back.z_far - front.z_near) / extents};
-  }
-  return {};
+/// Of the sub-samples that both cover, those at which a lies before b. before(a, b, common): is asked where
+/// their depths overlap.
+constexpr Mask ahead(const Fragment& a, const Fragment& b, auto& before) {
+  const Mask common = a.mask & b.mask;
+  if (common == 0 || b.z_far < a.z_near) return 0;
+  return a.z_far < b.z_near ? common : before(a, b, common);
 }
+
+/// A fragment of a list, and the part of its mask that no other one in the list lies before.
+struct Foremost {
+  std::size_t number = 0;
+  Mask open = 0;
+};
+
+/// The first that no other lies before at any sub-sample, of a list sorted by nearest depths. Where there is
+/// none, for surfaces cross: the first that is open in part.
+constexpr Foremost foremost(std::span<const Fragment> sorted, auto& before) {
+  std::optional<Foremost> in_part;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    Mask open = sorted[i].mask;
+    for (std::size_t j = 0; j < sorted.size() && sorted[j].z_near <= sorted[i].z_far; ++j) {
+      if (j != i) open &= ~ahead(sorted[j], sorted[i], before);
+    }
+    if (open == sorted[i].mask) return {i, open};
+    if (open != 0 && !in_part) in_part = Foremost{i, open};
+  }
+  return in_part.value_or(Foremost{0, sorted[0].mask});
+}
+
+/// Brings a list sorted by nearest depths into one that goes front to back at every sub-sample. Surfaces that
+/// cross in the pixel have no such order: of these a fragment is parted where they do, the nearer part first.
+/// Returns how many parts more there are.
+constexpr std::size_t put_in_order(std::vector<Fragment>& sorted, auto& before) {
+  const std::size_t given = sorted.size();
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    auto [number, open] = foremost(std::span(sorted).subspan(i), before);
+    number += i;
+    const auto here = sorted.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto front = sorted.begin() + static_cast<std::ptrdiff_t>(number);
+    if (open == front->mask) {
+      std::rotate(here, front, front + 1);
+    } else {
+      Fragment part = *front;
+      part.mask = open;
+      front->mask &= ~open;
+      sorted.insert(here, part);
+    }
+  }
+  return sorted.size() - given;
+}
+
+// --- Light -------------------------------------------------------
 
 /// What of each sub-sample is still seen from the eye: parts of the pixel that all fragments so far have
 /// treated alike. A fragment cuts each part in two, inside and outside of its mask: the recursion of the
@@ -202,16 +248,7 @@ class Light {
     for (std::size_t i = 0; i < count_; ++i) sum += parts_[i].seen * area_of(parts_[i].mask);
     return sum;
   }
-  /// What a fragment takes of it: the share of the pixel that is seen in its colour.
-  constexpr double take(const Fragment& f, Mask visible, const Crossing& crossed) {
-    return take(visible & ~crossed.mask, f.opacity) + take(visible & crossed.mask, f.opacity * crossed.front);
-  }
-
- private:
-  struct Part {
-    Mask mask;
-    double seen;
-  };
+  /// What a fragment takes of it: the share of the pixel that is seen in its colour. mask: where it is seen.
   constexpr double take(Mask mask, double opacity) {
     double taken = 0;
     for (std::size_t i = 0, n = count_; i < n && mask != 0; ++i) {
@@ -224,6 +261,12 @@ class Light {
     if (opacity == 1) cover(mask);
     return taken;
   }
+
+ private:
+  struct Part {
+    Mask mask;
+    double seen;
+  };
   constexpr void cover(Mask mask) {
     covered_ |= mask;
     const auto gone = [&](const Part& part) { return (part.mask & ~covered_) == 0; };
@@ -238,9 +281,14 @@ class Light {
 
 // --- Steps -------------------------------------------------------
 
-/// The list goes from front to back.
+/// The list is sorted by nearest depths.
 struct Sorted {
   std::vector<Fragment> list;
+};
+/// Where depths overlap, sub-samples have been compared: the list goes front to back at each of them.
+struct Ordered {
+  std::vector<Fragment> list;
+  std::size_t parts;  ///< by how many it has grown, where surfaces cross
 };
 /// What abuts on one surface has become one.
 struct Merged {
@@ -257,7 +305,6 @@ struct Weighed {
   std::size_t number;
   Fragment fragment;
   Mask visible;
-  double crossed;  ///< what is seen of it where another passes through it; 1 where none does
   double weight;
   Mask covered;
   double left;  ///< for what is behind
@@ -273,26 +320,32 @@ struct Finished {
 constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
 
 /// Gives each fragment of a pixel the share of it that it is seen in, front to back, and stops when the pixel
-/// is full. Carpenter 1984, p. 106.
+/// is full. Carpenter 1984, p. 106; where depths overlap he estimates, from the nearest and the farthest,
+/// which share of the front one is seen (see by_ranges). Here each sub-sample says who is in front.
 ///
-/// list: the pixel's fragments in any order; sorted and merged afterwards. take(Fragment, double weight) is
-///   called for each that is seen, front to back.
+/// list: the pixel's fragments in any order; in order and merged afterwards. take(Fragment, double weight) is
+///   called for each that is seen, front to back. before(Fragment a, Fragment b, Mask common) gives those of
+///   the common sub-samples at which a lies before b; it is asked where their depths overlap, and puts
+///   the fragments of each sub-sample into one order.
 ///
 /// Domain: masks not 0 or 0, which are not seen; opacities from 0 to 1; z_near <= z_far, finite.
-/// Steps: Sorted Merged (Masked Weighed)* Finished.
-/// Accuracy: weights of opaque fragments whose depths don't overlap are popcount/32, exactly; weights and
-///   what is left add up to 1 within 1e-13, exactly where all are opaque. Where depths overlap, see crossing.
-/// Cost: sorting, then an "and not" and a popcount for each fragment; at most 32 parts with opacity. No
-///   memory.
+/// Steps: Sorted Ordered Merged (Masked Weighed)* Finished.
+/// Accuracy: weights of opaque fragments are popcount/32, exactly, by the order of each sub-sample; weights
+///   and what is left add up to 1 within 1e-13, exactly where all are opaque.
+/// Cost: sorting, then an "and not" and a popcount for each fragment; before for each two that overlap, again
+///   for each part where they cross; at most 32 parts with opacity. Memory for parts alone.
 /// Errors: ContractViolation for opacities outside of the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.
 template <std::invocable<const Fragment&, double> Take,
-          Observer<Sorted, Merged, Masked, Weighed, Finished> O = Unobserved>
-constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer = {}) {
-  // Front to back
+          Observer<Sorted, Ordered, Merged, Masked, Weighed, Finished> O = Unobserved, class Before = ByRange>
+constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer = {}, Before&& before = {}) {
+  // By nearest depths
   std::ranges::sort(list, nearer);
   if constexpr (observed<O>) observer(Sorted{list});
+  // Front to back at each sub-sample
+  auto parts = put_in_order(list, before);
+  if constexpr (observed<O>) observer(Ordered{list, parts});
   // What abuts on one surface is one
   merge(list);
   if constexpr (observed<O>) observer(Merged{list});
@@ -305,9 +358,8 @@ constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer 
     const Mask visible = f.mask & ~covered;
     if constexpr (observed<O>) observer(Masked{used, f, covered, visible});
     // Its share of what is still seen
-    const auto c = crossing(list, used);
-    const auto w = light.take(f, visible, c);
-    if constexpr (observed<O>) observer(Weighed{used, f, visible, c.front, w, light.covered(), light.left()});
+    const auto w = light.take(visible, f.opacity);
+    if constexpr (observed<O>) observer(Weighed{used, f, visible, w, light.covered(), light.left()});
     if (w > 0) take(f, w);
     used += 1;
     // Full: nothing behind is seen

@@ -158,21 +158,21 @@ TEST(ABuffer, WeightsAreTheBitsThatRemain) {
 TEST(ABuffer, StepsFollowTheGrammarAndStopWhenFull) {
   std::vector<Fragment> list{fragment(full, 3, 3), fragment(0x0000ffff, 2, 2), fragment(full, 4, 4),
                              fragment(0xffff0000, 1, 1)};
-  Recorder<Sorted, Merged, Masked, Weighed, Finished> seen;
+  Recorder<Sorted, Ordered, Merged, Masked, Weighed, Finished> seen;
   std::vector<int> taken, unobserved;
   std::vector<Fragment> again = list;
   resolve(list, [&](const Fragment& f, double) { taken.push_back(f.source); }, seen);
   resolve(again, [&](const Fragment& f, double) { unobserved.push_back(f.source); });
   EXPECT_EQ(taken, unobserved);
   EXPECT_THAT(taken, testing::ElementsAre(1, 2));
-  ASSERT_EQ(seen.events().size(), 2u + 2 * 2 + 1);
+  ASSERT_EQ(seen.events().size(), 3u + 2 * 2 + 1);
   const auto masked = all<Masked>(seen);
   EXPECT_EQ(masked[1].covered, 0xffff0000);
   EXPECT_EQ(masked[1].visible, 0x0000ffffu);
   double sum = 0;
   EXPECT_TRUE(every<Weighed>(seen, [&](const Weighed& s) {
     sum += s.weight;
-    return s.weight == area_of(s.visible) && s.crossed == 1 && s.left == 1 - sum;
+    return s.weight == area_of(s.visible) && s.left == 1 - sum;
   }));
   const auto finished = all<Finished>(seen);
   EXPECT_EQ(finished[0].used, 2u);
@@ -219,18 +219,6 @@ TEST(ABuffer, OpacityIsThatOfEachSubSample) {
     worst = std::max(worst, std::abs(sum - covered));
   }
   EXPECT_LT(worst, 1e-13);
-}
-
-TEST(ABuffer, CrossingSurfacesShare) {
-  // Front from 1 to 3, back from 2 to 4: (4 - 1) / (2 + 2)
-  std::vector<Fragment> list{{full, 1, 3, 1, 0, 0}, {full, 2, 4, 1, 1, 1}};
-  std::vector<double> weights;
-  EXPECT_EQ(resolve(list, [&](const Fragment&, double w) { weights.push_back(w); }), 1);
-  EXPECT_THAT(weights, testing::ElementsAre(0.75, 0.25));
-  // Two slopes that cross in the middle, and one that only touches
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 1, 1}}, 0).front, 0.5);
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 1, 2, 1, 1, 1}}, 0).mask, 0u);
-  EXPECT_EQ(crossing(std::vector<Fragment>{{full, 0, 1, 1, 0, 0}, {full, 0, 1, 1, 0, 1}}, 0).mask, 0u);
 }
 
 TEST(ABuffer, WhatAbutsOnOneSurfaceIsMerged) {

@@ -21,6 +21,7 @@ struct Piece {
   std::vector<dvec2> ring;     ///< in the pixel, from 0 to 1, y down
   std::vector<ivec2> snapped;  ///< on the grid of 1/256 pixel
   Fragment fragment;
+  double left = 0, right = 0;  ///< its depths at the sides of the pixel
 };
 
 /// "f0f0f0f0", two digits a row.

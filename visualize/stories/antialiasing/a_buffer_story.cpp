@@ -5,6 +5,7 @@
 
 #include "antialiasing/a_buffer/a_buffer_notes.hpp"
 #include "stories/antialiasing/a_buffer_drawing.hpp"
+#include "stories/antialiasing/a_buffer_mask_story.hpp"
 #include "stories/antialiasing/a_buffer_pictures.hpp"
 #include "stories/parameters.hpp"
 
@@ -58,6 +59,21 @@ class ListStory {
             .words = {{"order", order}},
             .count = std::ssize(s.list)};
   }
+  void show(Board& board, const Ordered& o) {
+    const bool compared = any_overlap(list_);
+    list_ = o.list;
+    at_.reset();
+    if (compared) put(board);
+  }
+  Event say(const Ordered& o) const {
+    std::string order;
+    for (const Fragment& f : o.list) order += (order.empty() ? "" : ", ") + name_of(f);
+    Event event{.text = o.parts > 0 ? "ordered.parted" : "ordered",
+                .facts = {{"fragments", std::ssize(o.list)}, {"parts", static_cast<std::int64_t>(o.parts)}},
+                .words = {{"order", order}}};
+    if (o.parts > 0) event.count = static_cast<std::int64_t>(o.parts);
+    return event;
+  }
   void show(Board& board, const Merged& m) {
     merged_ = list_.size() - m.list.size();
     const auto grown = std::ranges::mismatch(list_, m.list, {}, &Fragment::mask, &Fragment::mask).in2;
@@ -106,14 +122,10 @@ class ListStory {
     put(board);
   }
   Event say(const Weighed& w) const {
-    const bool opaque = w.fragment.opacity == 1, crossed = w.crossed < 1;
-    return {.text = crossed  ? "weighed.crossed"
-                    : opaque ? "weighed"
-                             : "weighed.through",
+    return {.text = w.fragment.opacity == 1 ? "weighed" : "weighed.through",
             .facts = {{"weight", w.weight}, {"left", w.left}},
             .words = {{"name", name_of(w.fragment)},
                       {"opacity", w.fragment.opacity},
-                      {"share", w.crossed},
                       {"bits", std::popcount(w.visible)}},
             .read = {name_of(w.fragment), w.fragment.z_near, hex_of(w.fragment.mask), hex_of(w.visible),
                      w.weight, w.left},
@@ -143,6 +155,20 @@ class ListStory {
 
   // The exhibits
 
+  void show(Board& board, const Estimated& e) {
+    weights_.emplace_back(name_of(e.fragment), e.weight);
+    covered_mask_ = e.covered;
+    put(board);
+    if (e.front < 1) telling_ = milestones_;
+  }
+  Event say(const Estimated& e) const {
+    return {.text = e.front < 1 ? "estimated" : "weighed",
+            .facts = {{"weight", e.weight}, {"left", e.left}},
+            .words = {{"name", name_of(e.fragment)}, {"share", e.front}, {"bits", std::popcount(e.visible)}},
+            .read = {name_of(e.fragment), e.fragment.z_near, hex_of(e.fragment.mask), hex_of(e.visible),
+                     e.weight, e.left},
+            .key = name_of(e.fragment)};
+  }
   void show(Board& board, const Summed& s) {
     if (s.number < list_.size()) at_ = s.number;
     weights_.emplace_back(name_of(s.fragment), s.area);
@@ -189,6 +215,15 @@ class ListStory {
  private:
   const std::string& name_of(const Fragment& f) const {
     return pieces_[static_cast<std::size_t>(f.source)].name;
+  }
+
+  /// Whether two of them overlap in depth where both are.
+  static bool any_overlap(const std::vector<Fragment>& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      for (std::size_t k = i + 1; k < list.size(); ++k)
+        if ((list[i].mask & list[k].mask) != 0 && list[k].z_near <= list[i].z_far) return true;
+    }
+    return false;
   }
 
   /// Whether a fragment is another one, or has been merged into it.
@@ -267,76 +302,6 @@ class ListStory {
   bool finished_ = false, told_ = false, masked_ = false;
 };
 
-/// The half-planes of one triangle.
-class MaskStory {
- public:
-  MaskStory(const Words& words, Piece piece) : words_(words), piece_(std::move(piece)) {}
-
-  Mask mask() const { return left_; }
-  StepNumber telling() const { return {telling_, 0}; }
-
-  void show(Board& board, const steps::Started&) { put(board); }
-  Event say(const steps::Started&) const { return {.text = "mask.started"}; }
-  void show(Board& board, const HalfPlane& h) {
-    edge_ = h.edge;
-    inside_ = h.inside;
-    left_ = h.left;
-    ++number_;
-    if (telling_ == 0 && h.inside != full) telling_ = number_;
-    put(board);
-  }
-  Event say(const HalfPlane& h) const {
-    return {.text = "mask.edge",
-            .facts = {{"inside", hex_of(h.inside)}, {"left", hex_of(h.left)}},
-            .words = {{"bits", std::popcount(h.left)}},
-            .count = std::popcount(h.inside),
-            .row = {number_, hex_of(h.inside), hex_of(h.left), std::popcount(h.left)},
-            .key = figure_number(number_)};
-  }
-  void show(Board& board, const steps::Finished&) {
-    edge_.reset();
-    inside_ = left_;
-    put(board);
-  }
-  Event say(const steps::Finished&) const {
-    return {.text = "mask.finished",
-            .facts = {{"mask", hex_of(left_)}},
-            .words = {{"hex", hex_of(left_)}, {"area", area_of(left_)}},
-            .count = std::popcount(left_)};
-  }
-
- private:
-  void put(Board& board) const {
-    View view;
-    LargePixel::add_grid(view);
-    LargePixel::add_polygon(view, piece_, Role::input, true);
-    if (edge_) {
-      const auto at = [](ivec2 p) { return dvec2(p) / double{subpixels}; };
-      const Extent unit{{0, 0}, {1, 1}};
-      const dvec2 from = at(edge_->from), way = at(edge_->to) - from;
-      const auto [first, last] = span_in(unit, from, way, -1e6, 1e6);
-      if (first < last)
-        view.add({"c edge", Role::current,
-                  Stroke{LargePixel::at(from + first * way), LargePixel::at(from + last * way)}});
-    }
-    LargePixel::add_samples(view, full, Role::guide, true);
-    LargePixel::add_samples(view, inside_ & ~left_, Role::candidate, true);
-    LargePixel::add_samples(view, left_, Role::accepted, false);
-    constexpr dvec2 top{25, 20}, below{25, 15};
-    view.add({"l title", Role::guide, Text{{27, 21.2}, words_.say("edge_mask")}});
-    add_pattern(view, "l edge", top, inside_, Role::candidate);
-    view.add({"m title", Role::guide, Text{{27, 16.2}, words_.say("left_mask")}});
-    add_pattern(view, "m left", below, left_, Role::accepted);
-    board.milestone(std::move(view));
-  }
-
-  const Words& words_;
-  Piece piece_;
-  std::optional<Edge> edge_;
-  Mask inside_ = full, left_ = full;
-  int number_ = 0, telling_ = 0;
-};
-
 /// A polygon as it was given, of no depth yet.
 Piece piece_of(std::size_t i, const std::vector<dvec2>& ring) {
   Piece piece{std::string(1, static_cast<char>('A' + i)), ring, {}, {}};
@@ -359,9 +324,9 @@ std::vector<Piece> pieces_of(const Arguments& given) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     Piece piece = piece_of(i, rings[i]);
-    const double near = depths[i][0].value, far = depths[i][1].value, opacity = depths[i][2].value;
-    if (near > far)
-      refuse("depths", "expected the nearest depth before the farthest, found {},{}", near, far);
+    piece.left = depths[i][0].value, piece.right = depths[i][1].value;
+    const auto [near, far] = std::minmax(piece.left, piece.right);
+    const double opacity = depths[i][2].value;
     if (!is_share(opacity)) refuse("depths", "expected an opacity from 0 to 1, found {}", opacity);
     const int number = static_cast<int>(i);
     const int surface = surfaces.empty() ? number : static_cast<int>(surfaces[i][0].value);
@@ -370,6 +335,31 @@ std::vector<Piece> pieces_of(const Arguments& given) {
   }
   return pieces;
 }
+
+/// Who is in front, by the depths of the planes at each sub-sample.
+class Nearer {
+ public:
+  explicit Nearer(const std::vector<Piece>& pieces) : pieces_(pieces) {}
+
+  Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
+    Mask before = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double at_a = depth_of(a, i), at_b = depth_of(b, i);
+      if (at_a < at_b || (at_a == at_b && std::tie(a.surface, a.source) < std::tie(b.surface, b.source)))
+        before |= bit_of(i);
+    }
+    return before & common;
+  }
+
+ private:
+  double depth_of(const Fragment& f, int sample) const {
+    const Piece& piece = pieces_[static_cast<std::size_t>(f.source)];
+    const double across = (sample % mask_columns + 0.5) / mask_columns;
+    return piece.left + across * (piece.right - piece.left);
+  }
+
+  const std::vector<Piece>& pieces_;
+};
 
 template <class Run>
 void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
@@ -389,22 +379,27 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
     list.push_back(pieces[i].fragment);
     watch(Listed{i}, 0);
   }
-  run(list, watch);
+  run(list, watch, pieces);
   narrator.telling(story.telling());
   narrator.result({{"covered", story.covered()}});
 }
 
 void tell_resolve(Narrator& narrator) {
+  tell_list(
+      narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
+      [](auto& list, const auto& watch, const auto& pieces) { resolve(list, drop, watch, Nearer(pieces)); });
+}
+void tell_ranges(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
-            [](auto& list, const auto& watch) { resolve(list, drop, watch); });
+            [](auto& list, const auto& watch, const auto&) { by_ranges(list, drop, watch); });
 }
 void tell_sum(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"area"}, {"total"}},
-            [](auto& list, const auto& watch) { sum_of_areas(list, drop, watch); });
+            [](auto& list, const auto& watch, const auto&) { sum_of_areas(list, drop, watch); });
 }
 void tell_divided(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"area"}, {"total"}},
-            [](auto& list, const auto& watch) { divided_by_covered(list, drop, watch); });
+            [](auto& list, const auto& watch, const auto&) { divided_by_covered(list, drop, watch); });
 }
 void tell_mask(Narrator& narrator) {
   const Piece piece = piece_of(0, narrator.arguments().rings("polygons")[0]);
@@ -454,6 +449,7 @@ const TopicEntry& entry() {
              .function = "a_buffer",
              .file = "a_buffer_picture.hpp",
              .unread = {"polygons", "depths", "surfaces"}},
+            {.name = "by_ranges", .standing = Standing::faulty, .tell = tell_ranges, .unread = {"columns"}},
             {.name = "sum_of_areas",
              .standing = Standing::faulty,
              .tell = tell_sum,
@@ -464,22 +460,23 @@ const TopicEntry& entry() {
              .unread = {"surfaces", "columns"}}},
        .default_method = "resolve",
        .columns = {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
-       .parameters = {polygons,
-                      points(1, 6, "depths", "0.2,0.3,1 0.4,0.5,1 0.8,0.9,1", "0.2,0.3,0.5 0.8,0.9,1",
-                             "of each polygon: its nearest and farthest depth and its opacity from 0 to 1",
-                             {"near", "far", "opacity"}, {1e-6, 1000}),
-                      points(
-                          1, 6, "surfaces", "", "1 1 2",
-                          "of each polygon the number of its surface, whose parts become one; without them "
-                          "each is one of its own",
-                          {"surface"}, {0, 1000}),
-                      {.name = "columns",
-                       .type = ParameterType::integer,
-                       .default_value = "28",
-                       .example = "20",
-                       .help = "how many pixels the pictures are wide and high",
-                       .least = 8,
-                       .most = 40}},
+       .parameters =
+           {polygons,
+            points(1, 6, "depths", "0.2,0.3,1 0.4,0.5,1 0.8,0.9,1", "0.2,0.3,0.5 0.8,0.9,1",
+                   "of each polygon: its depth at the left and at the right side of the pixel, and its "
+                   "opacity from 0 to 1",
+                   {"left", "right", "opacity"}, {1e-6, 1000}),
+            points(1, 6, "surfaces", "", "1 1 2",
+                   "of each polygon the number of its surface, whose parts become one; without them "
+                   "each is one of its own",
+                   {"surface"}, {0, 1000}),
+            {.name = "columns",
+             .type = ParameterType::integer,
+             .default_value = "28",
+             .example = "20",
+             .help = "how many pixels the pictures are wide and high",
+             .least = 8,
+             .most = 40}},
        .examples = {
            "--polygons '-1,-1 0.5,-1 0.5,2 -1,2; -1,-1 2,-1 2,2 -1,2' --depths '0.1,0.1,1 0.5,0.5,1'",
            "--depths '0.2,0.3,0.5 0.4,0.5,1 0.8,0.9,1'",
