@@ -135,6 +135,9 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   tell("a_buffer", {{"method", "mask_of"}, {"polygons", corner}, {"depths", "0,0,1"}});
   for (const char* method : {"sum_of_areas", "divided_by_covered"})
     tell("a_buffer", {{"method", method}, {"polygons", strip}, {"depths", "0,0,1"}});
+  tell("a_buffer",
+       {{"method", "by_ranges"}, {"polygons", whole + "; " + whole}, {"depths", "0.2,0.3,1 0.25,0.35,1"}});
+  listed(whole + "; " + whole, "0.2,0.4,1 0.35,0.25,1");
   for (const char* filter : {"tent", "gaussian"})
     tell("supersampling", {{"filter", filter}, {"samples", "2"}});
   tell("supersampling", {{"method", "rays"}, {"samples", "1"}});
