@@ -29,7 +29,7 @@ int main() {
     if constexpr (std::same_as<Step, Weighed>)
       fmt::print("fragment {}: {:08x} is seen, weight {}\n", step.number, step.visible, step.weight);
   };
-  resolve(list, [](const Fragment&, double) {}, watch);
+  resolve(list, [](const Fragment&, double) {}, ByRange{}, watch);
 
   // A fragment that is hidden in part as a figure
   const TopicEntry& topic = *find_entry("a_buffer");

@@ -337,9 +337,9 @@ constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
 /// Errors: ContractViolation for opacities outside of the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.
-template <std::invocable<const Fragment&, double> Take,
-          Observer<Sorted, Ordered, Merged, Masked, Weighed, Finished> O = Unobserved, class Before = ByRange>
-constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer = {}, Before&& before = {}) {
+template <std::invocable<const Fragment&, double> Take, class Before = ByRange,
+          Observer<Sorted, Ordered, Merged, Masked, Weighed, Finished> O = Unobserved>
+constexpr double resolve(std::vector<Fragment>& list, Take&& take, Before&& before = {}, O&& observer = {}) {
   // By nearest depths
   std::ranges::sort(list, nearer);
   if constexpr (observed<O>) observer(Sorted{list});
@@ -358,7 +358,7 @@ constexpr double resolve(std::vector<Fragment>& list, Take&& take, O&& observer 
     const Mask visible = f.mask & ~covered;
     if constexpr (observed<O>) observer(Masked{used, f, covered, visible});
     // Its share of what is still seen
-    const auto w = light.take(visible, f.opacity);
+    auto w = light.take(visible, f.opacity);
     if constexpr (observed<O>) observer(Weighed{used, f, visible, w, light.covered(), light.left()});
     if (w > 0) take(f, w);
     used += 1;

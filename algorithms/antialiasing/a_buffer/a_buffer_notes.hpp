@@ -110,6 +110,12 @@ constexpr Crossing crossing(std::span<const Fragment> sorted, std::size_t number
   return {};
 }
 
+/// What a fragment takes of the light where another is taken to pass through it, and elsewhere.
+constexpr double taken(Light& light, const Fragment& f, Mask visible, const Crossing& crossed) {
+  return light.take(visible & ~crossed.mask, f.opacity) +
+         light.take(visible & crossed.mask, f.opacity * crossed.front);
+}
+
 /// A fragment has got its share, by the estimate where depths overlap.
 struct Estimated {
   std::size_t number;
@@ -147,9 +153,10 @@ constexpr double by_ranges(std::vector<Fragment>& list, Take&& take, O&& observe
     const Mask visible = f.mask & ~covered;
     if constexpr (observed<O>) observer(Masked{used, f, covered, visible});
     // Overlapping depths count as a crossing
-    const auto [mask, front] = crossing(list, used);
-    const double w = light.take(visible & ~mask, f.opacity) + light.take(visible & mask, f.opacity * front);
-    if constexpr (observed<O>) observer(Estimated{used, f, visible, front, w, light.covered(), light.left()});
+    const auto c = crossing(list, used);
+    auto w = taken(light, f, visible, c);
+    if constexpr (observed<O>)
+      observer(Estimated{used, f, visible, c.front, w, light.covered(), light.left()});
     if (w > 0) take(f, w);
     used += 1;
     if (light.covered() == full) break;

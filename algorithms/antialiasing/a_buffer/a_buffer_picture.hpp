@@ -232,7 +232,7 @@ Memory a_buffer(std::span<const ScreenTriangle> triangles, const Window& window,
         auto at = shading_weights(triangle, pixel);
         sum += weight * colour(f.source, pixel, at);
       };
-      const double covered = resolve(list, add, Unobserved{}, NearerAt(triangles, pixel));
+      const double covered = resolve(list, add, NearerAt(triangles, pixel));
       plot(pixel, sum, covered);
     }
   }

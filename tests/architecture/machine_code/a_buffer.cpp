@@ -11,6 +11,7 @@ extern "C" {
   return mask_of(edges, pixel);
 }
 double machine_code_resolve(std::vector<Fragment>& list) { return resolve(list, take); }
+double machine_code_by_ranges(std::vector<Fragment>& list) { return by_ranges(list, take); }
 double machine_code_sum_of_areas(std::vector<Fragment>& list) { return sum_of_areas(list, take); }
 double machine_code_divided_by_covered(std::vector<Fragment>& list) { return divided_by_covered(list, take); }
 }

@@ -161,7 +161,7 @@ TEST(ABuffer, StepsFollowTheGrammarAndStopWhenFull) {
   Recorder<Sorted, Ordered, Merged, Masked, Weighed, Finished> seen;
   std::vector<int> taken, unobserved;
   std::vector<Fragment> again = list;
-  resolve(list, [&](const Fragment& f, double) { taken.push_back(f.source); }, seen);
+  resolve(list, [&](const Fragment& f, double) { taken.push_back(f.source); }, ByRange{}, seen);
   resolve(again, [&](const Fragment& f, double) { unobserved.push_back(f.source); });
   EXPECT_EQ(taken, unobserved);
   EXPECT_THAT(taken, testing::ElementsAre(1, 2));

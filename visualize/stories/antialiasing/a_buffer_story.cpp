@@ -387,7 +387,7 @@ void tell_list(Narrator& narrator, std::vector<Column> columns, Run run) {
 void tell_resolve(Narrator& narrator) {
   tell_list(
       narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},
-      [](auto& list, const auto& watch, const auto& pieces) { resolve(list, drop, watch, Nearer(pieces)); });
+      [](auto& list, const auto& watch, const auto& pieces) { resolve(list, drop, Nearer(pieces), watch); });
 }
 void tell_ranges(Narrator& narrator) {
   tell_list(narrator, {{"fragment", false}, {"z"}, {"mask", false}, {"visible", false}, {"weight"}, {"left"}},

@@ -289,8 +289,7 @@ TEST(ABufferOrder, WhatCrossesIsParted) {
     return ahead;
   };
   std::map<int, double> weights;
-  const double covered =
-      resolve(list, [&](const Fragment& f, double w) { weights[f.source] += w; }, Unobserved{}, before);
+  const double covered = resolve(list, [&](const Fragment& f, double w) { weights[f.source] += w; }, before);
   EXPECT_EQ(covered, 1);
   EXPECT_THAT(weights, testing::ElementsAre(std::pair{0, 0.25}, std::pair{1, 0.25}, std::pair{2, 0.5}));
   // All bits of each are there, once, in the order of each sub-sample
