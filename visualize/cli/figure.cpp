@@ -94,16 +94,14 @@ std::string bytes_at(const FigureSpec& spec, Takes& takes, StepNumber step, Form
   return format == Format::pdf ? pages_bytes(spec, takes, {step}) : picture_bytes(spec, takes, step, format);
 }
 
-/// How many steps are put into files, frames or a page with the player: of a run without being asked to, and
-/// for who asks with --steps.
+/// How many steps are put into files or frames: of a run without being asked to, and for who asks with
+/// --steps.
 struct Limit {
   std::string_view of;
   std::int64_t unasked, asked;
 };
 constexpr Limit most_files{"files", 1000, 100'000};
 constexpr Limit most_frames{"frames", 1000, 10'000};
-/// A step takes some 2 kB of a page.
-constexpr Limit most_played{"steps in a page", 5000, 20'000};
 
 /// The steps to show, refused where they are more than anybody can mean. Throws UsageError.
 std::vector<StepNumber> steps_within(const Limit& limit, const FigureSpec& spec, const Takes& takes) {
@@ -174,8 +172,22 @@ std::string document(FigureSpec spec, Takes& takes, Format format, bool quiet) {
                                : slides_bytes(spec, takes, steps, on_drawn);
 }
 
+/// Throws UsageError for more steps than a page with the player takes, some 2 kB each.
+void check_played(const FigureSpec& spec, const Takes& takes) {
+  constexpr std::int64_t unasked = 5000, asked = 20'000;
+  if (count_in(spec.steps) > asked) {
+    throw UsageError(
+        fmt::format("--steps: expected at most {} for a page, found {}", asked, count_in(spec.steps)));
+  }
+  if (spec.chooses_steps() || takes.last() < unasked) return;
+  throw UsageError(fmt::format(
+      "-o: expected at most {} steps for a page, found {} (--steps 0-{} takes the first of them, --steps A-B "
+      "up to {})",
+      unasked, takes.last() + 1, unasked - 1, asked));
+}
+
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
-  if (format == Format::html) steps_within(most_played, spec, takes);
+  if (format == Format::html) check_played(spec, takes);
   const Trace trace = shown_part(spec, takes, format);
   remark_cut(spec, trace, quiet);
   return trace_bytes(spec, trace, format, "", &takes);

@@ -121,7 +121,7 @@ struct Estimated {
   std::size_t number;
   Fragment fragment;
   Mask visible;
-  double front;  ///< the share that is taken to be in front of what overlaps; 1 where nothing does
+  Crossing crossed;  ///< what is taken to pass through it
   double weight;
   Mask covered;
   double left;  ///< for what is behind
@@ -155,8 +155,7 @@ constexpr double by_ranges(std::vector<Fragment>& list, Take&& take, O&& observe
     // Overlapping depths count as a crossing
     const auto c = crossing(list, used);
     auto w = taken(light, f, visible, c);
-    if constexpr (observed<O>)
-      observer(Estimated{used, f, visible, c.front, w, light.covered(), light.left()});
+    if constexpr (observed<O>) observer(Estimated{used, f, visible, c, w, light.covered(), light.left()});
     if (w > 0) take(f, w);
     used += 1;
     if (light.covered() == full) break;

@@ -200,11 +200,11 @@ constexpr Fragment alike(int triangle, auto&& surface, auto&& opacity) {
 ///
 /// Domain: corners and window at most `triangle_coverage::farthest` pixels from 0; fewer than 2^31 fragments.
 /// Accuracy: masks exactly; a straight edge's area within 0.0202 of a pixel (root mean square), that of the
-/// line in which
-///   two triangles cross likewise. Which triangle a sub-sample shows: the one whose depth there is least, of
-///   equals the one with the lower surface number.
-/// Cost: a mask for each triangle and pixel of its box, then sorting each list; depths at common sub-samples
-///   where ranges of depth overlap. The memory is returned.
+///   line in which two triangles cross likewise. Which triangle a sub-sample shows: the one whose depth there
+///   is least, of equals the one with the lower surface number.
+/// Cost: a mask for each triangle and pixel of its box, then sorting each list;
+///   depths at common sub-samples where ranges of depth overlap.
+///   The memory is returned.
 /// Errors: ContractViolation for what lies too far out, for opacities not between 0 and 1.
 template <class Colour, class Plot, class Surface = OwnSurface, class Opacity = Opaque>
 Memory a_buffer(std::span<const ScreenTriangle> triangles, const Window& window, Colour&& colour, Plot&& plot,

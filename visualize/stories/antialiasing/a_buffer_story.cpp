@@ -159,12 +159,14 @@ class ListStory {
     weights_.emplace_back(name_of(e.fragment), e.weight);
     covered_mask_ = e.covered;
     put(board);
-    if (e.front < 1) telling_ = milestones_;
+    if (e.crossed.front < 1) telling_ = milestones_;
   }
   Event say(const Estimated& e) const {
-    return {.text = e.front < 1 ? "estimated" : "weighed",
+    return {.text = e.crossed.front < 1 ? "estimated" : "weighed",
             .facts = {{"weight", e.weight}, {"left", e.left}},
-            .words = {{"name", name_of(e.fragment)}, {"share", e.front}, {"bits", std::popcount(e.visible)}},
+            .words = {{"name", name_of(e.fragment)},
+                      {"share", e.crossed.front},
+                      {"bits", std::popcount(e.visible)}},
             .read = {name_of(e.fragment), e.fragment.z_near, hex_of(e.fragment.mask), hex_of(e.visible),
                      e.weight, e.left},
             .key = name_of(e.fragment)};
