@@ -279,7 +279,8 @@ class OddArguments {
   }
   std::string faces(const Parameter& p, const Way& way, std::size_t count) {
     std::string all;
-    for (std::size_t i = 0; i < count; ++i) all += (i == 0 ? "" : "; ") + points(p, way, 3, 5);
+    // Others than triangles are bent, as a rule, and refused for that
+    for (std::size_t i = 0; i < count; ++i) all += (i == 0 ? "" : "; ") + points(p, way, 3, below(3) ? 3 : 5);
     return all;
   }
   std::string factors(const Parameter& p, const Way& way) {
