@@ -77,9 +77,19 @@ struct PainterLimit {
   }
   template <class Step>
   void operator()(const Step&) {}
-  /// By planes, where rounding has closed a cycle.
+};
+
+/// Draws for the painter, and counts what planes part, where rounding has closed a cycle.
+template <class Draw>
+struct LimitedDrawing {
+  Draw draw;
+  ArrangingLimit limit;
+
+  void operator()(const WorldPolygon& polygon) { draw(polygon); }
   void parts(std::size_t pieces) { limit.add(static_cast<std::int64_t>(pieces)); }
 };
+template <class Draw>
+LimitedDrawing(Draw, ArrangingLimit) -> LimitedDrawing<Draw>;
 
 // --- Triangles and their parts
 
@@ -173,10 +183,10 @@ inline Triangles in_order_of_farthest_vertices(const SceneCamera& camera, const 
 /// From back to front as Newell, Newell and Sancha have it, which cuts what no order could tell apart.
 inline Triangles in_painters_order(const SceneCamera& camera, const Triangles& triangles) {
   Triangles ordered;
-  painter::newell(
-      painted_polygons(camera, triangles), painters_view(camera),
-      [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); },
-      PainterLimit{{"painter", triangles.size()}});
+  const auto append = [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); };
+  const ArrangingLimit limit{"painter", triangles.size()};
+  painter::newell(painted_polygons(camera, triangles), painters_view(camera), LimitedDrawing{append, limit},
+                  PainterLimit{limit});
   return ordered;
 }
 

@@ -114,12 +114,12 @@ def test_a_film_of_frames_too_large():
 def test_a_page_of_too_many_steps():
     line = ["figure", "bresenham_line", "--to", "200000,5", "-o", "a.html"]
     equal(measured(*line)[:2],
-          (2, "gradus: -o: expected at most 5000 steps for a page, found 200001 (--steps 0-4999 takes the first of them, "
+          (2, "gradus: -o: expected at most 4000 steps for a page, found 200001 (--steps 0-3999 takes the first of them, "
               "--steps A-B up to 20000)\n"), "200,001 steps")
     equal(measured(*line, "--steps", "1-20001")[:2],
           (2, "gradus: --steps: expected at most 20000 for a page, found 20001\n"), "asked for")
     equal(files(), ["stderr"], "no file")
-    equal(gradus(*line, "--steps", "0-4999").code, 0, "the first of them")
+    equal(gradus(*line, "--steps", "0-3999").code, 0, "the first of them")
     check(os.path.getsize("a.html") < 10e6, f"{os.path.getsize('a.html')} bytes")
 
 
@@ -132,7 +132,7 @@ def test_few_files_may_be_open():
 
 def test_help_states_the_limits():
     text = gradus("figure", "--help").out
-    for limit in ("1000 pages", "1000 frames", "1000 files", "10000", "100000", "5000 steps", "8294400 pixels"):
+    for limit in ("1000 pages", "1000 frames", "1000 files", "10000", "100000", "4000 steps", "8294400 pixels"):
         check(limit in text, f"{limit} in figure --help")
     check("67108864 pixels" in gradus("help", "flood_fill").out, "pixels in help flood_fill")
 

@@ -27,7 +27,7 @@ CENTRES = {
     "letter_f_from_behind": [LETTER, "--eye", "-1,1,-4"],
     "spot": [SPOT],
     "spot_face": [SPOT, "--eye", "-1.5,1.2,-2.7", "--light", "2,2,-2", "--background", "#202830"],
-    "spot_from_above": [SPOT, "--eye", "0,4,0", "--fov", "36"],
+    "spot_from_above": [SPOT, "--eye", "0,4,0", "--fov", "36", "--up", "0,0,-1"],
     "spot_lying": [SPOT, "--up", "0,0,1"],
     "torus": [TORUS],
     "cornell_box": [BOX],

@@ -198,7 +198,7 @@ std::vector<Command> all_commands() {
        Operand::none,
        {"a PDF: 1000 pages, the first of a longer run; --steps takes others",
         "a film: 1000 frames; 10000 with --steps; 8294400 pixels each, as 3840 x 2160 has",
-        "a page (.html): 5000 steps; 20000 with --steps",
+        "a page (.html): 4000 steps; 20000 with --steps",
         "{step} in the name: 1000 files; 100000 with --steps"}},
       {"source",
        "a TOPIC",

@@ -174,7 +174,7 @@ std::string document(FigureSpec spec, Takes& takes, Format format, bool quiet) {
 
 /// Throws UsageError for more steps than a page with the player takes, some 2 kB each.
 void check_played(const FigureSpec& spec, const Takes& takes) {
-  constexpr std::int64_t unasked = 5000, asked = 20'000;
+  constexpr std::int64_t unasked = 4000, asked = 20'000;
   if (count_in(spec.steps) > asked) {
     throw UsageError(
         fmt::format("--steps: expected at most {} for a page, found {}", asked, count_in(spec.steps)));

@@ -190,7 +190,7 @@ Piece<T> parting_piece(List<T>& list) {
 }
 
 /// Draws a list as a BSP tree does, beyond a plane first, and asks for no overlaps: parts that overlap by
-/// rounding alone can't mislead it. An observer that limits the work is told how many pieces a plane parts.
+/// rounding alone can't mislead it. Who draws and limits the work may ask how many pieces a plane parts.
 template <class T, class Draw, class O>
 [[gnu::noinline]] void draw_by_planes(List<T> list, const View<T>& view, Draw&& draw, O&& observer) {
   std::vector<Rest<T>> rest{{std::move(list)}};
@@ -204,7 +204,7 @@ template <class T, class Draw, class O>
       continue;
     }
     if (next.list.empty()) continue;
-    if constexpr (requires { observer.parts(next.list.size()); }) observer.parts(next.list.size());
+    if constexpr (requires { draw.parts(next.list.size()); }) draw.parts(next.list.size());
     const Piece<T> p = parting_piece(next.list);
     List<T> beyond, within, before;
     for (Piece<T>& q : next.list) {

@@ -360,7 +360,7 @@ TEST(HiddenSurfaces, OrdersThatWouldTakeTooLongNameTheWayOut) {
   // By planes alone, where rounding has closed a cycle
   expect_limit("painter", [&](const ArrangingLimit& limit) {
     auto list = painter::pieces_of(polygons, view);
-    painter::draw_rest(list, view, [](const auto&) {}, PainterLimit{limit});
+    painter::draw_rest(list, view, LimitedDrawing{[](const auto&) {}, limit}, Unobserved{});
   });
 }
 
