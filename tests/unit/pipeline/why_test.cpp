@@ -253,8 +253,9 @@ TEST(Why, SaysWhatIsSeenThroughWhat) {
   const std::string text = why_text("scene", scene, size, why(scene, size, {7, 6}));
   for (const char* said :
        {"3 triangles cover its centre; the 2 nearest are seen, for light goes through.",
-        "seen, with a share of 0.25\n", "seen, with a share of 0.75\n", "hidden at the centre by what lets nothing through",
-        "light of wall 1, face 1, triangle", "light of wall 2, face 1, triangle", "opacity 0.25\n",
+        "seen, with a share of 0.25\n", "seen, with a share of 0.75\n",
+        "hidden at the centre by what lets nothing through", "light of wall 1, face 1, triangle",
+        "light of wall 2, face 1, triangle", "opacity 0.25\n",
         "seen through one another, from the eye on\n  0.25 of (0, 0, 0)\n  0.75 of (1, 1, 1)\n",
         "light (0.75, 0.75, 0.75)"})
     EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
