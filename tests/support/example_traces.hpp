@@ -138,6 +138,7 @@ inline std::vector<Trace> telling_traces(const Wording& wording = {}, std::strin
   tell("a_buffer",
        {{"method", "by_ranges"}, {"polygons", whole + "; " + whole}, {"depths", "0.2,0.3,1 0.25,0.35,1"}});
   listed(whole + "; " + whole, "0.2,0.4,1 0.35,0.25,1");
+  listed(whole + "; " + whole + "; " + whole, "0.2,0.4,1 0.4,0.2,1 0.3,0.3,1");
   for (const char* filter : {"tent", "gaussian"})
     tell("supersampling", {{"filter", filter}, {"samples", "2"}});
   tell("supersampling", {{"method", "rays"}, {"samples", "1"}});

@@ -216,7 +216,7 @@ struct Wanted {
 
 std::vector<Wanted> all_wanted() {
   return {
-      {"a_buffer", "resolve mask_of sum_of_areas divided_by_covered", "polygons"},
+      {"a_buffer", "resolve mask_of by_ranges sum_of_areas divided_by_covered", "polygons"},
       {"accumulation_buffer", "accumulate", "triangle pixel"},
       {"adaptive", "adaptive adaptive_contrast pictures", "faces"},
       {"adaptive", "each_sample", "faces pixel"},
