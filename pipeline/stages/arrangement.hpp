@@ -227,8 +227,7 @@ inline void take_places_for_depths(Triangles& triangles) {
 ///
 /// Domain: that of clip; with bsp_tree, extents from 1e-75 to 1e75.
 /// Accuracy: the orders of the painter and of the tree are right; corners of parts are rounded anew, so that
-/// a
-///   centre within 1/256 pixel of a cut or of an edge that a cut meets may show what is beside it. That of
+///   a centre within 1/256 pixel of a cut or of an edge that a cut meets may show what is beside it. That of
 ///   farthest_vertex is right where no two triangles overlap in depth and in the picture.
 /// Cost: farthest_vertex: n log n comparisons. painter: see painter::newell; bsp_tree: see bsp_tree::build;
 ///   the number of triangles may grow to its square, up to the work that ArrangingLimit has.

@@ -112,15 +112,25 @@ def test_a_film_of_frames_too_large():
 
 
 def test_a_page_of_too_many_steps():
-    line = ["figure", "bresenham_line", "--to", "200000,5", "-o", "a.html"]
+    line = ["figure", "bresenham_line", "--to", "30000,5", "-o", "a.html"]
     equal(measured(*line)[:2],
-          (2, "gradus: -o: expected at most 4000 steps for a page, found 200001 (--steps 0-3999 takes the first of them, "
-              "--steps A-B up to 20000)\n"), "200,001 steps")
+          (2, "gradus: -o: expected at most 4000 steps for a page, found 30001 (--steps 0-3999 takes the first of them, "
+              "--steps A-B up to 20000)\n"), "30,001 steps")
     equal(measured(*line, "--steps", "1-20001")[:2],
           (2, "gradus: --steps: expected at most 20000 for a page, found 20001\n"), "asked for")
     equal(files(), ["stderr"], "no file")
     equal(gradus(*line, "--steps", "0-3999").code, 0, "the first of them")
     check(os.path.getsize("a.html") < 10e6, f"{os.path.getsize('a.html')} bytes")
+
+
+def test_lectures_have_the_same_limits():
+    for output, keys, expected in (("gif", {"input": {}, "size": "8192x8192"}, "8294400 pixels"),
+                                   ("html", {"input": {"to": "30000,5"}}, "at most 4000 steps for a page"),
+                                   ("html", {"input": {"to": "30000,5"}, "steps": "0,25000"}, "at most 20000 for a page")):
+        write("a.json", json.dumps({"outputs": [output], "figures": [{"topic": "bresenham_line", **keys}]}))
+        for words in (["--check"], ["-o", "out"]):
+            code, err, _, _ = measured("figures", "a.json", *words)
+            check(code == 2 and expected in err and err.startswith("gradus: a.json"), f"{output} {words}: {code} {err}")
 
 
 def test_few_files_may_be_open():

@@ -172,36 +172,10 @@ std::string document(FigureSpec spec, Takes& takes, Format format, bool quiet) {
                                : slides_bytes(spec, takes, steps, on_drawn);
 }
 
-/// Throws UsageError for more steps than a page with the player takes, some 2 kB each.
-void check_played(const FigureSpec& spec, const Takes& takes) {
-  constexpr std::int64_t unasked = 4000, asked = 20'000;
-  if (count_in(spec.steps) > asked) {
-    throw UsageError(
-        fmt::format("--steps: expected at most {} for a page, found {}", asked, count_in(spec.steps)));
-  }
-  if (spec.chooses_steps() || takes.last() < unasked) return;
-  throw UsageError(fmt::format(
-      "-o: expected at most {} steps for a page, found {} (--steps 0-{} takes the first of them, --steps A-B "
-      "up to {})",
-      unasked, takes.last() + 1, unasked - 1, asked));
-}
-
 std::string table_or_player(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
-  if (format == Format::html) check_played(spec, takes);
   const Trace trace = shown_part(spec, takes, format);
   remark_cut(spec, trace, quiet);
   return trace_bytes(spec, trace, format, "", &takes);
-}
-
-/// Throws UsageError for frames larger than films are shown, each of which takes seconds.
-void check_frame(const FigureSpec& spec) {
-  constexpr double most_pixels = 3840.0 * 2160;
-  const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
-  if (width * height <= most_pixels) return;
-  throw UsageError(
-      fmt::format("-o: expected frames of at most {:.0f} pixels, as 3840 x 2160 has, for a film (--size, "
-                  "--scale), found {:.0f} x {:.0f}",
-                  most_pixels, width, height));
 }
 
 std::string film(const FigureSpec& spec, Takes& takes, Format format, bool quiet) {
@@ -277,10 +251,7 @@ void write_figure(FigureSpec spec, Format format, const Output& output, std::spa
   const bool series = output.path.find(step_mark) != std::string::npos;
   if (!series) check_output(output.path, inputs, output.replace);
   if (output.path == dash) refuse_binary_in_terminal(format);
-  if (is_film(format)) {
-    check_film(film_format(format), spec.film, spec.transparent);
-    check_frame(spec);
-  }
+  if (is_film(format)) check_film(spec, format);
   Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   if (series) {
     write_series(spec, takes, format, output, inputs);

@@ -215,8 +215,20 @@ class TwoSheets {
 
 }  // namespace
 
+void check_film(const FigureSpec& spec, Format format) {
+  check_film(film_format(format), spec.film, spec.transparent);
+  constexpr double most_pixels = 3840.0 * 2160;
+  const double width = spec.look.width * spec.scale, height = spec.look.height * spec.scale;
+  if (width * height <= most_pixels) return;
+  throw UsageError(
+      fmt::format("-o: expected frames of at most {:.0f} pixels, as 3840 x 2160 has, for a film (--size, "
+                  "--scale), found {:.0f} x {:.0f}",
+                  most_pixels, width, height));
+}
+
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,
                     const OnDrawn& on_drawn) {
+  check_film(spec, format);
   const Finish finish = finish_of(spec);
   std::size_t drawn = 0;
   const auto picture_of = [&](const Sheet& sheet) {
@@ -282,6 +294,20 @@ std::string players_page(const FigureSpec& spec, const Trace& trace, const Takes
   return player_page(turned(spec, widened(trace, other)), colophon, options);
 }
 
+/// Throws UsageError for more steps than a page with the player takes, some 2 kB each.
+void check_played(const FigureSpec& spec, const Takes& takes) {
+  constexpr std::int64_t unasked = 4000, asked = 20'000;
+  if (count_in(spec.steps) > asked) {
+    throw UsageError(
+        fmt::format("--steps: expected at most {} for a page, found {}", asked, count_in(spec.steps)));
+  }
+  if (spec.chooses_steps() || takes.last() < unasked) return;
+  throw UsageError(fmt::format(
+      "-o: expected at most {} steps for a page, found {} (--steps 0-{} takes the first of them, --steps A-B "
+      "up to {})",
+      unasked, takes.last() + 1, unasked - 1, asked));
+}
+
 }  // namespace
 
 std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format format,
@@ -302,6 +328,7 @@ std::string trace_bytes(const FigureSpec& spec, const Trace& trace, Format forma
 }
 
 Trace shown_part(const FigureSpec& spec, const Takes& takes, Format format) {
+  if (format == Format::html) check_played(spec, takes);
   const std::vector<StepRange> ranges = chosen_ranges(spec, takes);
   if (ranges.empty()) return takes.opening();
   const bool played = ranges.size() == 1 && ranges.front().stride == 1 && ranges.front().first.fine == 0;

@@ -44,6 +44,9 @@ std::string pages_bytes(const FigureSpec& spec, Takes& takes, const std::vector<
 /// PPTX, a slide a step.
 std::string slides_bytes(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps,
                          const OnDrawn& on_drawn = {});
+/// Throws UsageError for options out of a film's range, and for frames larger than films are shown, each of
+/// which takes seconds.
+void check_film(const FigureSpec& spec, Format format);
 /// GIF, MP4, WebP: a frame a step, and what moves between them. `on_drawn` is told of each of
 /// pictures_drawn(). Throws UsageError, WorkError.
 std::string film_of(const FigureSpec& spec, Takes& takes, const std::vector<StepNumber>& steps, Format format,

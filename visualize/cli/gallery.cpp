@@ -156,7 +156,7 @@ void rehearse(const LectureFigure& figure) {
   const FigureSpec& spec = figure.spec;
   Takes takes(*spec.topic, spec.arguments, spec.wording, spec.listing, beside_of(spec));
   for (const Format format : figure.outputs) {
-    if (is_film(format)) check_film(film_format(format), spec.film, spec.transparent);
+    if (is_film(format)) check_film(spec, format);
     if (is_document(format) || is_film(format)) {
       page_steps(paged(spec, takes), takes);
     } else if (!is_picture(format)) {

@@ -236,8 +236,8 @@ std::vector<int> all_borders(const Window& window) {
 ///   together by edges along a border (see bridges); separate_pieces keeps them apart. A polygon that only
 ///   touches the window gives nothing or a polygon without area.
 /// Steps: ((VertexTested EdgeCut? VertexKept?)* BorderPassed)*, a BorderPassed for every border until nothing
-/// is left. Accuracy: all decisions exact. A vertex inside is copied; a made one is the nearest to the exact
-/// point
+///   is left.
+/// Accuracy: all decisions exact. A vertex inside is copied; a made one is the nearest to the exact point
 ///   where edge and border cross, the coordinate across a rectangle's border and a corner of the window
 ///   copied. At a rectangle clipping twice changes nothing, bit for bit. No made vertex repeats its
 ///   neighbour.

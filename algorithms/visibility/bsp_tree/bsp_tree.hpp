@@ -276,9 +276,8 @@ Item taken_from(std::vector<Item>& list) {
 /// Domain: the polygons may touch, pierce each other, overlap in a cycle and stand twice in the list. A part
 ///   may have no area where rounding has closed it.
 /// Steps: (PlaneTaken (Placed | Placed Split)*)* Built
-/// Accuracy: sides are exact, against planes as thick as their polygons are uneven; corners where a plane
-/// cuts
-///   are the nearest doubles, and count from then on as they stand. So the parts of a polygon meet along
+/// Accuracy: sides are exact, against planes as thick as their polygons are uneven; corners at a
+///   cut are the nearest doubles, and count from then on as they stand. So the parts of a polygon meet along
 ///   their cuts and nowhere else, and their areas add up to its own but for that rounding. With a rational
 ///   scalar nothing is rounded.
 /// Cost: at worst n^2 tests and parts, in practice some n log n; a test some 6 ns, a cut some 30 us.
