@@ -84,7 +84,8 @@ def test_bad_input_is_one_line():
         (["parallel", "--seconds", "61"], "--seconds: " + number.format(60, "61")),
         (["parallel", "--repetitions", "many"], "--repetitions: " + number.format(1000, "many")),
         (["parallel", "-o", "file"], "--output: expected a folder, found 'file'"),
-        (["parallel", "-o", "file/below"], "--output: expected a folder, found 'file/below'"),
+        (["parallel", "-o", "file/below"],
+         "--output: expected a folder that can be made, found 'file/below' (Not a directory)"),
     ]
     for words, message in table:
         result = gradus("bench", *words)

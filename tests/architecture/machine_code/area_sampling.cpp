@@ -7,12 +7,17 @@ using Fragments = std::span<sampling::Fragment<double>>;
 
 // Defined nowhere: they must be called
 void set_pixel(gradus::ivec2 p, double area);
+void set_tone(gradus::ivec2 p, int tone);
 void show(const sampling::Fragment<double>& fragment, const sampling::Pieces<double>& pieces, double area);
 
 extern "C" {
 [[gnu::flatten]] void machine_code_pixel_areas(std::span<const gradus::ivec2> corners,
                                                const gradus::Window& window) {
   sampling::pixel_areas(corners, window, set_pixel);
+}
+[[gnu::flatten]] void machine_code_area_as_tone(std::span<const gradus::ivec2> corners,
+                                               const gradus::Window& window) {
+  sampling::area_as_tone(corners, window, set_tone);
 }
 [[gnu::flatten]] void machine_code_visible_areas(Fragments fragments) {
   sampling::visible_areas(fragments, show);

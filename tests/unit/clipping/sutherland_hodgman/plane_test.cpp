@@ -151,15 +151,19 @@ TEST(SutherlandHodgmanPlane, StepsFollowTheGrammar) {
   const std::span<const dvec2> given(letter_u);
   const auto watched = clip_to_window(given, square, std::span<const int>(order), seen);
   std::size_t passed = 0, tested = 0, corners = letter_u.size();
-  bool may_cut = false;
+  bool may_cut = false, may_keep = false;
   for (const auto& event : seen.events()) {
     if (const auto* t = std::get_if<VertexTested<double>>(&event.step)) {
       EXPECT_EQ(t->number, tested++);
       EXPECT_EQ(t->border, order[passed]);
       may_cut = true;
+      may_keep = t->side >= 0;
     } else if (std::holds_alternative<EdgeCut<double>>(event.step)) {
-      EXPECT_TRUE(may_cut);
+      EXPECT_TRUE(may_cut);  // at most once for a corner, and before it is kept
       may_cut = false;
+    } else if (std::holds_alternative<VertexKept<double>>(event.step)) {
+      EXPECT_TRUE(may_keep);
+      may_cut = may_keep = false;
     } else {
       EXPECT_EQ(tested, corners);
       tested = 0;
