@@ -9,7 +9,7 @@ namespace gradus::supersampling {
 class RaysStory {
  public:
   RaysStory(const Words& words, const Subject& subject, const SphereScene& scene, ivec2 pixel)
-      : words_(words), subject_(subject), scene_(scene), pixel_(pixel) {
+      : subject_(subject), scene_(scene), pixel_(pixel) {
     Taken taken;
     once_ = picture_of(scene, {1, Filter::box}, taken);
     all_ = picture_of(scene, {subject.n, Filter::box}, taken);
@@ -87,7 +87,6 @@ class RaysStory {
   static constexpr int line = 5, large_side = 48;
   static constexpr ivec2 large_at{56, line}, mean_at{56, 2 * line + large_side}, mean_size{large_side, 24};
 
-  const Words& words_;
   const Subject& subject_;
   const SphereScene& scene_;
   const ivec2 pixel_;
