@@ -35,6 +35,7 @@ MeshPieces pieces_of(const Mesh& mesh) {
   pieces.vertices.reserve(count);
   pieces.of_faces.reserve(count);
   for (std::int32_t face = 0; face < std::ssize(mesh.faces); ++face) add_pieces(mesh, face, pieces);
+  pieces.shared = shared_planes(mesh.positions, pieces.vertices);
   return pieces;
 }
 

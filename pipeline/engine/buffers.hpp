@@ -11,6 +11,7 @@
 #include "core/mesh.hpp"
 #include "engine/pieces_batch.hpp"
 #include "scene/scene.hpp"
+#include "scene/shared_planes.hpp"
 #include "stages/textures.hpp"
 
 namespace gradus::pipeline::engine {
@@ -28,6 +29,7 @@ struct MeshPieces {
   std::vector<PieceVertices> vertices;
   std::vector<MeshPiece> of_faces;
   std::vector<dvec3> flat_normals{};  ///< of faces with corners that have none
+  SharedPlanes shared{};              ///< of pieces
 
   std::int64_t count() const { return std::ssize(vertices); }
 };
@@ -42,8 +44,9 @@ struct Buffers {
 ///
 /// Domain: coordinates are finite.
 /// Accuracy: the pieces of `input`, in its order.
-/// Cost: ear clipping for faces of more than 3 corners; memory of 60 bytes a piece of a mesh, 16 bytes a
-/// texel. Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
+/// Cost: ear clipping for faces of more than 3 corners, and shared_planes; memory of 60 bytes a piece of a
+/// mesh, 16 bytes a texel. Errors: ContractViolation for coordinates that are not finite, in faces of more
+/// than 3 corners.
 Buffers buffers_of(const Scene& scene);
 
 }  // namespace gradus::pipeline::engine

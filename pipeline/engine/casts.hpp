@@ -9,7 +9,7 @@
 
 #include "engine/geometry.hpp"
 #include "engine/visibility_batch.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 namespace gradus::pipeline::engine {
 
@@ -41,7 +41,7 @@ inline PieceId piece_of(const Frame& frame, const FrameTriangle& t, std::int32_t
 inline ExactDepth exact_depth(const Frame& frame, std::int32_t id, ivec2 place) {
   const FrameTriangle& t = frame.triangle(id);
   const auto weights = weights_at_place(triangle_coverage::edges_of(t.grid), place);
-  return {triangle_coverage::Linear(t.grid, t.depth).at(weights), piece_of(frame, t, id), id};
+  return {depth_of(frame, t).at(place, weights), piece_of(frame, t, id), id};
 }
 
 /// One side of a triangle over the pixels of a tile: at + a x + b y >= 0 for those inside, x and y counted
@@ -108,6 +108,12 @@ struct Cast {
 
 /// By how much the nearness changes from pixel to pixel, at most.
 inline double slope_of(const NearnessPlane& plane) { return std::abs(plane.right) + std::abs(plane.down); }
+
+/// How far a shared plane may be from that through a triangle's snapped corners, which lie up to half a step
+/// of the grid beside their places.
+inline double shared_plane_off(const PlaneDepth& plane) {
+  return plane ? (std::abs(plane->right) + std::abs(plane->down)) / 2 + triangle_coverage::Depth::slack : 0;
+}
 
 /// How near a triangle is at least in the pixels of its box. depth: of its corners.
 inline double least_nearness(const Cast& cast, const dvec3& depth) {

@@ -60,6 +60,17 @@ SpaceVertex in_space(const Scene& scene, const Frame& frame, const FrameObject& 
   return {world, transform(frame.path.lens, viewing::to_view(scene.camera.frame, world))};
 }
 
+/// The depths of all shared planes.
+void place_planes(const Scene& scene, Frame& frame) {
+  frame.planes.clear();
+  for (const FrameObject& object : frame.objects) {
+    for (const auto& [a, b, c] : object.pieces->shared.planes) {
+      const auto at = [&](int vertex) { return in_space(scene, frame, object, vertex).clip; };
+      frame.planes.push_back(plane_depth({at(a), at(b), at(c)}, frame.path.size));
+    }
+  }
+}
+
 // --- Pieces --------------------------------------------------------------------------------------
 
 /// The places of a piece's corners in it, counter-clockwise seen from outside after the placement.
@@ -137,6 +148,19 @@ class PieceWork {
     t.object = place_;
     t.piece = number;
     t.seen_from_behind = behind;
+    t.plane = plane_told_by(number, t.depth);
+  }
+
+  /// The place of a piece's shared plane among those of the frame.
+  std::int32_t plane_of(std::int32_t number) const {
+    const int own = object_.pieces->shared.of[static_cast<std::size_t>(number)];
+    return own == SharedPlanes::none ? no_plane : static_cast<std::int32_t>(object_.first_plane) + own;
+  }
+  /// The same where a triangle of that piece has its depths from it.
+  std::int32_t plane_told_by(std::int32_t number, const dvec3& corners) const {
+    const std::int32_t plane = plane_of(number);
+    if (plane == no_plane) return plane;
+    return told_by(frame_.planes[static_cast<std::size_t>(plane)], corners) ? plane : no_plane;
   }
 
   void look_closely(std::int32_t number) {
@@ -174,9 +198,9 @@ class PieceWork {
   void cut(std::int32_t number, bool behind) {
     const auto place = static_cast<std::size_t>(number);
     const Polygon before = whole_polygon(scene_, frame_, object_, place, behind);
-    const Piece piece{id_of(object_, place), {}, behind};
+    const Piece piece{id_of(object_, place), {}, behind, plane_of(number)};
     const auto planes = guard_volume(frame_.path.size);
-    const Triangles parts = fan(piece, divided(part_inside(before, planes)));
+    const Triangles parts = fan(piece, divided(part_inside(before, planes)), frame_.planes);
     ++batch_.clipped;
     batch_.clipped_away += parts.empty();
     batch_.more += parts.empty() ? 0 : std::ssize(parts) - 1;
@@ -189,7 +213,8 @@ class PieceWork {
            place_,
            in_cut,
            true,
-           behind});
+           behind,
+           t.depth ? plane_of(number) : no_plane});
     }
   }
 
@@ -239,15 +264,16 @@ std::vector<int> front_to_back(const Scene& scene, const Buffers& buffers, const
 
 std::vector<FrameObject> objects_of(const Scene& scene, const Buffers& buffers, const Plan& plan) {
   std::vector<FrameObject> objects;
-  std::int64_t vertices = 0, pieces = 0;
+  std::int64_t vertices = 0, pieces = 0, planes = 0;
   for (const int number : front_to_back(scene, buffers, plan)) {
     const MeshPieces& own = *buffers.pieces[static_cast<std::size_t>(number)];
     const Object& object = object_at(scene, number);
-    objects.push_back({number, vertices, pieces, &own, affine_3d::normal_matrix(object.placement),
+    objects.push_back({number, vertices, pieces, planes, &own, affine_3d::normal_matrix(object.placement),
                        affine_3d::mirrors(object.placement),
                        two_sided(scene, Piece{{number, 0, 0}, {}, false})});
     vertices += std::ssize(object.mesh->positions);
     pieces += own.count();
+    planes += std::ssize(own.shared.planes);
   }
   return objects;
 }
@@ -274,6 +300,7 @@ void make_frame(const Scene& scene, const Buffers& buffers, const Plan& plan, To
   frame.grid.resize(static_cast<std::size_t>(vertices));
   frame.depths.resize(static_cast<std::size_t>(vertices));
   place_all_vertices(scene, frame);
+  place_planes(scene, frame);
 
   frame.batches.resize(static_cast<std::size_t>((pieces + batch_pieces - 1) / batch_pieces));
   tbb::parallel_for(std::int64_t{0}, std::ssize(frame.batches), [&](std::int64_t i) {
@@ -288,7 +315,12 @@ Triangle whole_triangle(const Scene& scene, const Frame& frame, std::int32_t id)
   const FrameObject& object = frame.object_of(t);
   const auto piece = static_cast<std::size_t>(t.piece);
   const auto corners = divided(whole_polygon(scene, frame, object, piece, t.seen_from_behind));
-  return {id_of(object, piece), {corners[0], corners[1], corners[2]}, t.seen_from_behind};
+  const int plane = object.pieces->shared.of[piece];
+  return {id_of(object, piece),
+          {corners[0], corners[1], corners[2]},
+          t.seen_from_behind,
+          plane,
+          frame.plane_of(t)};
 }
 
 }  // namespace gradus::pipeline::engine

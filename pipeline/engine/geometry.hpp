@@ -11,16 +11,17 @@
 #include "engine/buffers.hpp"
 #include "engine/vertices_batch.hpp"
 #include "plan/plan.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 #include "scene/scene.hpp"
+#include "stages/5_clipping.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline::engine {
 
-/// An object that is drawn, and where its vertices and pieces begin among those of all.
+/// An object that is drawn, and where its vertices, pieces and shared planes begin among those of all.
 struct FrameObject {
   int number = 0;
-  std::int64_t first_vertex = 0, first_piece = 0;
+  std::int64_t first_vertex = 0, first_piece = 0, first_plane = 0;
   const MeshPieces* pieces = nullptr;
   glm::dmat3 normal_matrix{1};
   bool mirrored = false;  ///< the placement mirrors: the order of corners is reversed
@@ -35,6 +36,7 @@ struct FrameTriangle {
   std::int32_t piece = 0;   ///< of the object's mesh; of a triangle that was cut: its place among those
   bool cut = false;
   bool seen_from_behind = false;
+  std::int32_t plane = no_plane;  ///< place among the frame's, where it has the depths of a shared one
 };
 
 /// What came of some of the pieces, in the order of the frame's objects and of theirs.
@@ -74,8 +76,9 @@ inline Window squares_of(const triangle_coverage::Triangle& t, const Window& win
 struct Frame {
   VertexPath path;
   std::vector<FrameObject> objects;
-  std::vector<ivec2> grid;     ///< of all vertices: see place_vertices
-  std::vector<double> depths;  ///< of the same
+  std::vector<ivec2> grid;         ///< of all vertices: see place_vertices
+  std::vector<double> depths;      ///< of the same
+  std::vector<PlaneDepth> planes;  ///< that triangles share
   std::vector<Batch> batches;
 
   const FrameTriangle& triangle(std::int32_t id) const {
@@ -90,7 +93,16 @@ struct Frame {
   const FrameObject& object_of(const FrameTriangle& t) const {
     return objects[static_cast<std::size_t>(t.object)];
   }
+  /// The shared plane that a triangle has its depths from.
+  PlaneDepth plane_of(const FrameTriangle& t) const {
+    return t.plane == no_plane ? PlaneDepth{} : planes[static_cast<std::size_t>(t.plane)];
+  }
 };
+
+/// How deep a triangle is at places of the picture.
+inline triangle_coverage::Depth depth_of(const Frame& frame, const FrameTriangle& t) {
+  return triangle_coverage::Depth({t.grid, t.depth, frame.plane_of(t)});
+}
 
 /// Stages 2 to 5 for the objects that a plan draws. Triangles are numbered by batch and place: those of an
 /// object in the order of stage 5, objects from front to back. Runs on the threads of the arena that it is

@@ -58,7 +58,7 @@ class Sampling {
         long_sides |= is_too_long(cast, side);
       }
     }
-    if (!is_flat_enough(cast, t.depth) || long_sides)
+    if (!is_flat_enough(cast, t.depth) || long_sides || t.plane != no_plane)
       draw_exactly(t, cast, id);
     else
       draw_blocks(cast, half, id);
@@ -296,10 +296,10 @@ class Sampling {
     of.ids[s] = id;
   }
 
-  /// Pixel by pixel, for triangles too steep or too long for blocks.
+  /// Pixel by pixel, for triangles too steep or too long for blocks, and for those of shared planes.
   HWY_NOINLINE void draw_exactly(const FrameTriangle& t, const Cast& cast, std::int32_t id) {
     const auto edges = triangle_coverage::edges_of(t.grid);
-    const double slope = (std::abs(cast.plane.right) + std::abs(cast.plane.down)) / 2;
+    const double slope = slope_of(cast.plane) / 2 + shared_plane_off(frame_.plane_of(t));
     std::array<std::int64_t, 3> half;
     for (std::size_t k = 0; k < 3; ++k) {
       const ivec2 way = edges[k].to - edges[k].from;
@@ -328,13 +328,13 @@ class Sampling {
 
   void sample_exactly(const FrameTriangle& t, const triangle_coverage::Edges& edges, std::size_t cell,
                       std::int32_t id) {
-    const triangle_coverage::Linear depth(t.grid, t.depth);
+    const triangle_coverage::Depth depth = depth_of(frame_, t);
     for (std::size_t s = 0; s < places_.size(); ++s) {
       const ivec2 place = place_of(cell, s);
       const auto w = weights_at_place(edges, place);
       if (!holds(edges, w)) continue;
       PixelSamples& of = samples_of(cell);
-      const auto mine = static_cast<float>(1 - depth.at(w)), old = of.nearness[s];
+      const auto mine = static_cast<float>(1 - depth.at(place, w)), old = of.nearness[s];
       if (mine > old + unsure_at(old)) {
         of.nearness[s] = mine;
         of.ids[s] = id;

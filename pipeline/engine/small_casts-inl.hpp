@@ -46,8 +46,10 @@ struct CastCorners {
   alignas(64) double depth[3][casts_at_once];
 };
 
-HWY_INLINE void take_corners(const Frame& frame, std::span<const std::int32_t> ids, ivec2 origin,
-                             CastCorners& corners) {
+/// Returns the bits of those that have the depths of a shared plane.
+HWY_INLINE std::uint32_t take_corners(const Frame& frame, std::span<const std::int32_t> ids, ivec2 origin,
+                                      CastCorners& corners) {
+  std::uint32_t shared = 0;
   const ivec2 from = origin * triangle_coverage::subpixels;
   for (std::size_t i = 0; i < casts_at_once; ++i) {
     const FrameTriangle& t = frame.triangle(ids[std::min(i, ids.size() - 1)]);
@@ -56,7 +58,9 @@ HWY_INLINE void take_corners(const Frame& frame, std::span<const std::int32_t> i
       corners.y[k][i] = t.grid[k].y - from.y;
       corners.depth[k][i] = t.depth[static_cast<int>(k)];
     }
+    shared |= std::uint32_t{t.plane != no_plane} << i;
   }
+  return shared;
 }
 
 /// Pixels on one axis whose centres lie between the least and the largest of three corners.
@@ -158,7 +162,7 @@ HWY_INLINE CastKinds cast_some(const Frame& frame, std::span<const std::int32_t>
   const Whole d;
   CastCorners corners;
   CastAreas areas;
-  take_corners(frame, ids, pixels.lower, corners);
+  const std::uint32_t shared = take_corners(frame, ids, pixels.lower, corners);
   std::uint32_t there = (1U << ids.size()) - 1, small = 0, asked = 0;
   if (farthest >= 0) there &= reaching(corners, farthest);
   if (there == 0) return {0, 0};
@@ -178,7 +182,7 @@ HWY_INLINE CastKinds cast_some(const Frame& frame, std::span<const std::int32_t>
     set_sides(corners, i, column, row, casts, areas);
   }
   there &= asked;
-  small &= there;
+  small &= there & ~shared;
   if (small != 0) small &= set_planes(corners, areas, casts);
   return {small, there & ~small};
 }

@@ -173,7 +173,7 @@ class Visibility {
       else
         long_sides |= is_too_long(cast, side);
     }
-    if (!is_flat_enough(cast, t.depth) || long_sides)
+    if (!is_flat_enough(cast, t.depth) || long_sides || t.plane != no_plane)
       draw_pixels(t, id);
     else
       draw_blocks(cast, id);
@@ -268,12 +268,13 @@ class Visibility {
       far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
   }
 
-  /// Pixel by pixel, for triangles too steep or too long for blocks.
+  /// Pixel by pixel, for triangles too steep or too long for blocks, and for those of shared planes.
   HWY_NOINLINE void draw_pixels(const FrameTriangle& t, std::int32_t id) {
-    const triangle_coverage::Linear depth(t.grid, t.depth);
+    const triangle_coverage::Depth depth = depth_of(frame_, t);
     triangle_coverage::cover(t.grid, pixels_, [&](ivec2 pixel, const triangle_coverage::Weights& w) {
       const std::size_t cell = TileBuffer::cell(pixel - pixels_.lower);
-      const auto mine = static_cast<float>(1 - depth.at(w)), old = buffer_.nearness[cell];
+      const auto mine = static_cast<float>(1 - depth.at(triangle_coverage::centre_of(pixel), w)),
+                 old = buffer_.nearness[cell];
       if (mine > old + unsure_at(old)) {
         buffer_.nearness[cell] = mine;
         buffer_.ids[cell] = id;

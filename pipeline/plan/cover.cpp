@@ -70,20 +70,21 @@ void tell_unpaired(std::vector<Directed>& edges, const Tell& tell) {
 /// A triangle with an area, tile by tile.
 class TiledTriangle {
  public:
-  /// depths: of its corners.
-  TiledTriangle(const triangle_coverage::Triangle& grid, const dvec3& depths)
-      : edges_(triangle_coverage::edges_of(grid)),
-        depths_(depths),
-        area_(std::abs(static_cast<double>(area_of(grid)))),
-        deepest_corner_(std::max({depths.x, depths.y, depths.z})) {
+  explicit TiledTriangle(const triangle_coverage::ScreenTriangle& t)
+      : edges_(triangle_coverage::edges_of(t.corners)),
+        depths_(t.depth),
+        area_(std::abs(static_cast<double>(area_of(t.corners)))),
+        deepest_corner_(std::max({t.depth.x, t.depth.y, t.depth.z})) {
     dvec2 slope{0};
     for (std::size_t i = 0; i < 3; ++i) {
       const ivec2 way = edges_[i].to - edges_[i].from;
       reach_[i] =
           std::int64_t{tile_steps / 2} * (std::abs(std::int64_t{way.x}) + std::abs(std::int64_t{way.y}));
-      slope += depths[static_cast<int>(i)] * dvec2(-way.y, way.x);
+      slope += depths_[static_cast<int>(i)] * dvec2(-way.y, way.x);
     }
     rise_ = (std::abs(slope.x) + std::abs(slope.y)) * (tile_steps / 2) / area_;
+    // What a shared plane may be off it
+    if (t.plane) rise_ += (std::abs(t.plane->right) + std::abs(t.plane->down)) / 2;
   }
 
   Weights at_middle(ivec2 tile) const {
@@ -169,8 +170,7 @@ void Cover::add(int object, std::span<const Triangle> triangles) {
   for (const Triangle& t : triangles) {
     const triangle_coverage::Triangle grid = on_grid(snapped(in_picture(t, picture_)));
     if (!keeps_side(t, area_of(grid))) continue;
-    const auto& [a, b, c] = t.corners;
-    const TiledTriangle triangle(grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z});
+    const TiledTriangle triangle(on_screen(grid, t));
     const Window tiles = lay(object, triangle, box_round(grid));
     touched = {glm::min(touched.lower, tiles.lower), glm::max(touched.upper, tiles.upper)};
     for (const triangle_coverage::Edge& edge : triangle.edges())
@@ -190,8 +190,8 @@ void Cover::add(int object, std::span<const Triangle> triangles) {
 int Cover::hider_of(const ScreenBox& extent) const {
   const auto& [lower, upper] = extent.pixels;
   if (extent.pixels.empty()) return -1;
-  // Depths of stage 6 are off by a few ulp of the largest corner's
-  constexpr double off = 0x1p-46;
+  // Depths of stage 6 are off by a few ulp of the largest corner's, or by the slack of a shared plane
+  constexpr double off = 2 * triangle_coverage::Depth::slack;
   int hider = -1;
   for (int y = lower.y / tile_pixels; y <= upper.y / tile_pixels; ++y) {
     for (int x = lower.x / tile_pixels; x <= upper.x / tile_pixels; ++x) {

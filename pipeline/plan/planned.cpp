@@ -63,10 +63,11 @@ bool may_hide(const ObjectPlan& object, const Window& rest) {
 // --- An object -------------------------------------------------------------------------------------
 
 /// Stage 5 for what lies wholly between the planes: no test, no cut.
-Triangles divided_whole(const Model<WorldPoint>& world, const Model<ClipPoint>& model) {
+Triangles divided_whole(const Model<WorldPoint>& world, const Model<ClipPoint>& model, Size size) {
   Triangles triangles = room_for(model.pieces);
+  const auto depths = plane_depths(model, size);
   for (const Piece& piece : model.pieces)
-    append(triangles, fan(piece, divided(polygon_of(piece, world, model))));
+    append(triangles, fan(piece, divided(polygon_of(piece, world, model)), depths));
   return triangles;
 }
 
@@ -119,7 +120,7 @@ Triangles geometry_of(const Scene& scene, int number, const Plan& plan, Ledger& 
   const bool edges = scene.shading == Shading::wireframe;
   Triangles triangles = edges ? outlines(facing, plan.size)
                         : cut ? clip(world, facing, plan.size)
-                              : divided_whole(world, facing);
+                              : divided_whole(world, facing, plan.size);
 
   ledger.input.done += count_of(object_at(scene, number).mesh->faces);
   ledger.world.done += count_of(world.vertices);

@@ -11,6 +11,7 @@
 #include "core/observe.hpp"
 #include "modeling/ear_clipping/ear_clipping.hpp"
 #include "scene/scene.hpp"
+#include "scene/shared_planes.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline {
@@ -76,6 +77,23 @@ inline FaceRead face_read(const Mesh& mesh, int object, int id, const std::vecto
   return {object, id, vertices, pieces, face.material, face.file, face.line};
 }
 
+/// Tells the pieces of an object, from `first` on, which planes they share.
+inline void share_planes(const Mesh& mesh, int first_vertex, std::size_t first, Model<ObjectPoint>& model) {
+  const auto pieces = std::span(model.pieces).subspan(first);
+  std::vector<Triple> triangles;
+  triangles.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
+    const auto& [a, b, c] = piece.corners;
+    triangles.push_back({a.vertex - first_vertex, b.vertex - first_vertex, c.vertex - first_vertex});
+  }
+  const SharedPlanes shared = shared_planes(mesh.positions, triangles);
+  const int first_plane = size_of(model.planes);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (shared.of[i] != SharedPlanes::none) pieces[i].plane = first_plane + shared.of[i];
+  for (const auto& [a, b, c] : shared.planes)
+    model.planes.push_back({first_vertex + a, first_vertex + b, first_vertex + c});
+}
+
 /// Brings in one object: its vertices, then the pieces of its faces.
 /// Steps: VertexRead* FaceRead*.
 template <Observer<VertexRead, FaceRead> O = Unobserved>
@@ -90,6 +108,7 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
   }
   // Larger faces lose their ears
   int faces = size_of(mesh.faces);
+  const auto first_piece = model.pieces.size();
   for (int i = 0; i < faces; ++i) {
     const PieceId id{object, i, 0};
     const auto pieces =  // triangles
@@ -97,6 +116,8 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
     append(model.pieces, pieces);
     if constexpr (observed<O>) observer(face_read(mesh, object, i, pieces));
   }
+  // One depth for all in a plane
+  share_planes(mesh, first, first_piece, model);
 }
 
 /// Brings in every object of the scene, in order.
@@ -104,7 +125,7 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
 /// Domain: coordinates are finite.
 /// Steps: (VertexRead* FaceRead*)*, for each object.
 /// Accuracy: coordinates are copied.
-/// Cost: the size of the model, and ear clipping for faces of more than 3 corners.
+/// Cost: the size of the model, ear clipping for faces of more than 3 corners, and shared_planes.
 /// Errors: ContractViolation for coordinates that are not finite, in faces of more than 3 corners.
 template <Observer<VertexRead, FaceRead> O = Unobserved>
 Model<ObjectPoint> input(const Scene& scene, O&& observer = {}) {

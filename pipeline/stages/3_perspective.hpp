@@ -79,6 +79,7 @@ Model<ClipPoint> to_clip(const SceneCamera& camera, double aspect, const Model<W
     if constexpr (observed<O>) observer(Projected{id, from, view, {to}});
   }
   clip.pieces = world.pieces;
+  clip.planes = world.planes;
   return clip;
 }
 

@@ -8,7 +8,7 @@
 
 #include "core/observe.hpp"
 #include "projection/viewport/viewport.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 #include "stages/points.hpp"
 
 namespace gradus::pipeline {
@@ -61,11 +61,27 @@ inline bool keeps_side(const Triangle& triangle, std::int64_t doubled_area) {
   return triangle.seen_from_behind ? doubled_area > 0 : doubled_area < 0;
 }
 
-/// Its depth, which is linear in the picture.
-inline triangle_coverage::Linear depth_over(const triangle_coverage::Triangle& grid,
-                                            const Triangle& triangle) {
+/// The same with its depths.
+inline triangle_coverage::ScreenTriangle on_screen(const triangle_coverage::Triangle& grid,
+                                                   const Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
-  return {grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z}};
+  return {grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z}, triangle.depth};
+}
+
+/// Its depth in the centres of pixels, which is linear in the picture, and the same for all in one plane.
+class DepthOver {
+ public:
+  DepthOver(const triangle_coverage::Triangle& grid, const Triangle& triangle)
+      : depth_(on_screen(grid, triangle)) {}
+  double at(ivec2 pixel, const triangle_coverage::Weights& weights) const {
+    return depth_.at(triangle_coverage::centre_of(pixel), weights);
+  }
+
+ private:
+  triangle_coverage::Depth depth_;
+};
+inline DepthOver depth_over(const triangle_coverage::Triangle& grid, const Triangle& triangle) {
+  return {grid, triangle};
 }
 
 /// 1 / w of its corners, for what is linear on the surface.
@@ -88,7 +104,7 @@ inline dvec3 shares_of(const triangle_coverage::Weights& weights, const dvec3& o
 /// Domain: corners between the guard planes.
 /// Steps: (Snapped Covered*)*.
 /// Accuracy: coverage exact for the snapped corners, without gaps and double hits between neighbours of one
-///   mesh; weights to 8 ulp, depths to 6 ulp.
+///   mesh; weights to 8 ulp, depths to 6 ulp, or as of plane_depth.
 /// Cost: the pixels of each triangle's box.
 /// Errors: ContractViolation for corners beyond the guard planes.
 template <std::invocable<const Fragment&> Emit, Observer<Snapped, Covered> O = Unobserved>
@@ -114,7 +130,7 @@ void rasterize(const Triangles& triangles, Size size, Emit&& emit, O&& observer 
       // Perspective-correct shares
       const auto parts =  // of the corners
           shares_of(w, over_w);
-      const double z = depth.at(w);
+      const double z = depth.at(p, w);
       const Fragment f =  // one pixel's
           {t.id, i, p, z, parts};
       if constexpr (observed<O>) observer(Covered{f});

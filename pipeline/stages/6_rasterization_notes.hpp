@@ -26,7 +26,7 @@ void rasterize_by(const Cover& cover, const Triangles& triangles, Size size, Emi
     const auto depth = depth_over(grid, t);
     const dvec3 over_w = over_w_of(t);
     cover(grid, picture_window(size), [&](ivec2 p, const triangle_coverage::Weights& w) {
-      const Fragment f{t.id, i, p, depth.at(w), shares_of(w, over_w)};
+      const Fragment f{t.id, i, p, depth.at(p, w), shares_of(w, over_w)};
       if constexpr (observed<O>) observer(Covered{f});
       emit(f);
     });

@@ -46,11 +46,7 @@ inline std::vector<triangle_coverage::ScreenTriangle> screen_triangles(const Tri
   all.reserve(triangles.size());
   for (const Triangle& t : triangles) {
     const triangle_coverage::Triangle grid = on_grid(snapped(in_picture(t, size)));
-    const auto& [a, b, c] = t.corners;
-    if (keeps_side(t, area_of(grid)))
-      all.push_back({grid, {a.ndc.at.z, b.ndc.at.z, c.ndc.at.z}});
-    else
-      all.push_back({});
+    all.push_back(keeps_side(t, area_of(grid)) ? on_screen(grid, t) : triangle_coverage::ScreenTriangle{});
   }
   return all;
 }
@@ -179,8 +175,9 @@ inline Raster<z_buffer::Cell<double, int>> pass_of(const std::vector<adaptive::P
     for (int y = lower.y; y <= upper.y; ++y) {
       for (int x = lower.x; x <= upper.x; ++x) {
         const ivec2 p{x, y};
-        const auto w = weights_at_place(t.edges, adaptive::place_in(p, pattern.at(p, sample)));
-        if (holds(t.edges, w)) z_buffer::keep_nearest(kept, p - window.lower, t.depth.at(w), i);
+        const ivec2 place = adaptive::place_in(p, pattern.at(p, sample));
+        const auto w = weights_at_place(t.edges, place);
+        if (holds(t.edges, w)) z_buffer::keep_nearest(kept, p - window.lower, t.depth.at(place, w), i);
       }
     }
   }

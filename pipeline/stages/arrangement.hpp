@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -93,6 +93,46 @@ LimitedDrawing(Draw, ArrangingLimit) -> LimitedDrawing<Draw>;
 
 // --- Triangles and their parts
 
+/// A plane of a model in the world, where rounding has moved its triangles: it is that of the largest, and so
+/// thick that it holds the corners of all.
+class SharedWorldPlane {
+ public:
+  void add(const WorldPolygon& polygon) {
+    const auto& c = polygon.corners;
+    const dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+    if (const double size = glm::dot(normal, normal); size > largest_) {
+      largest_ = size;
+      plane_ = polygon.plane;
+    }
+    corners_.insert(corners_.end(), c.begin(), c.end());
+  }
+  bsp_tree::Plane<double> plane() const {
+    bsp_tree::Plane<double> thick = plane_;
+    bsp_tree::thicken(thick, corners_);
+    return thick;
+  }
+
+ private:
+  double largest_ = -1;
+  bsp_tree::Plane<double> plane_;
+  std::vector<dvec3> corners_{};
+};
+
+/// Gives all triangles that share a plane the same one.
+inline void take_shared_planes(const Triangles& triangles, std::vector<WorldPolygon>& polygons) {
+  using Shared = std::pair<int, int>;  // whose, and which
+  const auto plane_of = [&](const WorldPolygon& p) {
+    return Shared{triangles[p.face].id.object, triangles[p.face].plane};
+  };
+  std::map<Shared, SharedWorldPlane> shared;
+  for (const WorldPolygon& p : polygons)
+    if (plane_of(p).second != no_plane) shared[plane_of(p)].add(p);
+  std::map<Shared, bsp_tree::Plane<double>> planes;
+  for (const auto& [which, of] : shared) planes.emplace(which, of.plane());
+  for (WorldPolygon& p : polygons)
+    if (const auto found = planes.find(plane_of(p)); found != planes.end()) p.plane = found->second;
+}
+
 /// The triangles in world space, each with its place in the list as its face. Those without an area there,
 /// which no pixel shows, are left out.
 inline std::vector<WorldPolygon> world_polygons(const Triangles& triangles) {
@@ -104,6 +144,7 @@ inline std::vector<WorldPolygon> world_polygons(const Triangles& triangles) {
     if (!(glm::dot(normal, normal) > 0)) continue;
     polygons.push_back({{a.world.at, b.world.at, c.world.at}, i});
   }
+  take_shared_planes(triangles, polygons);
   return polygons;
 }
 
@@ -202,8 +243,8 @@ inline Triangles in_tree_order(const SceneCamera& camera, const Triangles& trian
     std::swap(polygons[left - 1], polygons[static_cast<std::size_t>(other)]);
   }
   auto tree = bsp_tree::build(polygons, bsp_tree::ExactSide{}, TreeLimit{{"bsp_tree", polygons.size()}});
-  // Of those in one plane the lowest (object, face) is seen: it comes last
-  for (auto& node : tree) std::ranges::sort(node.polygons, std::ranges::greater{}, &WorldPolygon::face);
+  // Of those in one plane the first is seen: the lowest (object, face)
+  for (auto& node : tree) std::ranges::sort(node.polygons, {}, &WorldPolygon::face);
   Triangles ordered;
   bsp_tree::back_to_front(tree, eye_of(camera),
                           [&](const WorldPolygon& p) { append_part(ordered, triangles[p.face], p); });
@@ -217,6 +258,7 @@ inline void take_places_for_depths(Triangles& triangles) {
   for (Triangle& triangle : triangles) {
     place -= 1;
     for (TriangleCorner& corner : triangle.corners) corner.ndc.at.z = (place + 0.5) / count;
+    triangle.depth.reset();
   }
 }
 

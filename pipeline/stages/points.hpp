@@ -8,10 +8,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/geometry.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 namespace gradus::pipeline {
 
@@ -74,11 +76,15 @@ struct PieceCorner {
   dvec2 texture{0, 0};  ///< v up
 };
 
+/// The plane of a piece that shares it with no other.
+inline constexpr int no_plane = -1;
+
 /// A triangle, counter-clockwise seen from outside.
 struct Piece {
   PieceId id;
   std::array<PieceCorner, 3> corners;
   bool seen_from_behind = false;  ///< stage 4: a two-sided piece that shows its back
+  int plane = no_plane;           ///< place in Model::planes
 };
 
 /// The vertices and pieces of all objects, as stages 1 to 4 hand them on.
@@ -86,6 +92,7 @@ template <class Point>
 struct Model {
   std::vector<Vertex<Point>> vertices;
   std::vector<Piece> pieces;
+  std::vector<std::array<int, 3>> planes{};  ///< that pieces share: three of their vertices
 
   const Point& point(const PieceCorner& corner) const {
     return vertices[static_cast<std::size_t>(corner.vertex)].point;
@@ -97,6 +104,7 @@ struct Model {
 template <class From, class To>
 void hand_on_pieces(Model<From>& from, Model<To>& to) {
   to.pieces = std::move(from.pieces);
+  to.planes = std::move(from.planes);
 }
 
 /// How many there are, as the numbers of vertices, faces and triangles count.
@@ -125,6 +133,8 @@ struct Triangle {
   PieceId id;
   std::array<TriangleCorner, 3> corners;
   bool seen_from_behind = false;
+  int plane = no_plane;                                  ///< of its piece: a number of its object's
+  std::optional<triangle_coverage::DepthPlane> depth{};  ///< of that plane, where the triangle has its depths
 };
 
 using Triangles = std::vector<Triangle>;

@@ -40,6 +40,15 @@ bool by_order(const Scene& scene) { return scene.hidden_surfaces != HiddenSurfac
 /// Whether that need not be the nearest.
 bool by_sort(const Scene& scene) { return scene.hidden_surfaces == HiddenSurfaces::farthest_vertex; }
 
+/// What became of a fragment whose pixel held another.
+std::string_view outcome_of(const Scene& scene, const DepthTested& tested) {
+  if (by_order(scene)) return tested.nearer ? "drawn later, takes its place" : "drawn earlier, painted over";
+  if (tested.fragment.depth == tested.before->depth)
+    return tested.nearer ? "as deep and of a lower face, takes its place"
+                         : "as deep and of a higher face, thrown away";
+  return tested.nearer ? "nearer, takes its place" : "not nearer, thrown away";
+}
+
 std::string depth_text(const Scene& scene, const FragmentStory& story) {
   const bool keeps_all = draws_opacity(scene);
   const DepthTested& tested = story.tested;
@@ -49,10 +58,7 @@ std::string depth_text(const Scene& scene, const FragmentStory& story) {
     return depth + ": seen" + (story.share < 1 ? ", with a share of " + text_of(story.share) : "");
   }
   if (!tested.before) return fmt::format("{}, the first: kept", depth);
-  return fmt::format("{}, before it {}: {}", depth, text_of(tested.before->depth),
-                     by_order(scene)
-                         ? (tested.nearer ? "drawn later, takes its place" : "drawn earlier, painted over")
-                         : (tested.nearer ? "nearer, takes its place" : "not nearer, thrown away"));
+  return fmt::format("{}, before it {}: {}", depth, text_of(tested.before->depth), outcome_of(scene, tested));
 }
 
 std::string line_of(std::string_view stage, std::string_view what) {

@@ -20,7 +20,7 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/observe.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 namespace gradus::a_buffer {
 

@@ -73,12 +73,12 @@ constexpr Window reached(const triangle_coverage::Triangle& t, const Window& win
 class Depth {
  public:
   explicit constexpr Depth(const ScreenTriangle& triangle)
-      : edges_(edges_of(triangle.corners)), depth_(triangle.corners, triangle.depth) {}
-  constexpr double at(ivec2 place) const { return depth_.at(weights_at_place(edges_, place)); }
+      : edges_(edges_of(triangle.corners)), depth_(triangle) {}
+  constexpr double at(ivec2 place) const { return depth_.at(place, weights_at_place(edges_, place)); }
 
  private:
   Edges edges_;
-  triangle_coverage::Linear depth_;
+  triangle_coverage::Depth depth_;
 };
 
 /// The least and the greatest depth over a mask's sub-samples. Of a whole pixel those at its corners, and as

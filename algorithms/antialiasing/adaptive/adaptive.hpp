@@ -106,7 +106,7 @@ void mark_crossed(Survey& survey, O&& observer = {}) {
 // --- The samples -------------------------------------------------
 
 /// Tests every triangle at the samples of the pixels that have some.
-/// Steps: Sampled*. Accuracy: coverage exact, depths as of triangle_coverage::Linear; the least
+/// Steps: Sampled*. Accuracy: coverage exact, depths as of triangle_coverage::Depth; the least
 /// (depth, triangle) is kept. Cost: three edge functions a sample of each box. Returns the tests.
 template <Observer<Sampled> O = Unobserved>
 std::int64_t take_samples(Survey& survey, O&& observer = {}) {
@@ -123,7 +123,8 @@ std::int64_t take_samples(Survey& survey, O&& observer = {}) {
         auto w = survey.weights(i, p, s);
         const bool in = holds(t.edges, w);
         // Nearer than what is there?
-        const auto z = t.depth.at(w);
+        auto at = survey.place(p, s);
+        const auto z = t.depth.at(at, w);
         const int old = sample.triangle;
         bool nearer = in && z < sample.depth;
         if constexpr (observed<O>) observer(Sampled{i, p, s, in, z, old, nearer});

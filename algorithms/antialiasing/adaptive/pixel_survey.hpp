@@ -13,13 +13,13 @@
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 #include "core/raster.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 namespace gradus::adaptive {
 
+using triangle_coverage::Depth;
 using triangle_coverage::Edge;
 using triangle_coverage::Edges;
-using triangle_coverage::Linear;
 using triangle_coverage::ScreenTriangle;
 using triangle_coverage::Weights;
 
@@ -45,7 +45,7 @@ enum class Order {
 /// A triangle that can be asked.
 struct Prepared {
   Edges edges;
-  Linear depth;
+  Depth depth;
   Window box;  ///< the pixels of the window that its box touches
 };
 
@@ -89,12 +89,13 @@ class PixelsOf {
 inline std::vector<Prepared> prepare(std::span<const ScreenTriangle> triangles, const Window& window) {
   std::vector<Prepared> all;
   all.reserve(triangles.size());
-  for (const auto& [corners, depth] : triangles) {
+  for (const ScreenTriangle& triangle : triangles) {
+    const auto& corners = triangle.corners;
     expects(triangle_coverage::near_enough(corners), "a corner of a triangle lies more than {} pixels out",
             triangle_coverage::farthest);
     const bool flat = triangle_coverage::doubled_area(corners) == 0;
-    all.push_back({triangle_coverage::edges_of(corners), Linear(corners, depth),
-                   flat ? Window{} : touched(corners, window)});
+    all.push_back(
+        {triangle_coverage::edges_of(corners), Depth(triangle), flat ? Window{} : touched(corners, window)});
   }
   return all;
 }
@@ -181,6 +182,10 @@ class Survey {
   Weights weights(int i, ivec2 p, int sample) const {
     return weights_at(i, p, places_[static_cast<std::size_t>(sample)]);
   }
+  /// How deep a triangle is at a place of a pixel.
+  double depth_at(int i, ivec2 p, ivec2 place) const {
+    return triangle(i).depth.at(place_in(p, place), weights_at(i, p, place));
+  }
   /// Where a fragment is coloured: in the centre of the pixel if the triangle covers it, else at the covered
   /// sample that is nearest to it, so that no colour comes from beyond an edge.
   ivec2 colour_place(int i, ivec2 p) const { return adaptive::colour_place(triangle(i).edges, p, places_); }
@@ -189,8 +194,7 @@ class Survey {
     if (before == nobody) return Order::nearer;
     std::size_t nearer = 0;
     for (const ivec2 place : places_) {
-      nearer += triangle(next).depth.at(weights_at(next, p, place)) <
-                triangle(before).depth.at(weights_at(before, p, place));
+      nearer += depth_at(next, p, place) < depth_at(before, p, place);
     }
     return nearer == 0 ? Order::behind : nearer == places_.size() ? Order::nearer : Order::changing;
   }
@@ -199,6 +203,7 @@ class Survey {
     const Pixel& pixel = (*this)[p];
     return pixel.crossed ? samples(p)[static_cast<std::size_t>(sample)].triangle : pixel.front;
   }
+  ivec2 place(ivec2 p, int sample) const { return place_in(p, place(sample)); }
   ivec2 place(int sample) const { return places_[static_cast<std::size_t>(sample)]; }
   std::int64_t crossed() const { return std::ssize(samples_) / std::max(1, samples()); }
 

@@ -19,7 +19,7 @@
 #include "antialiasing/area_sampling/visible_areas.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 namespace gradus::area_sampling {
 
@@ -31,9 +31,13 @@ using triangle_coverage::Weights;
 
 /// The depth of a triangle as a function of places in a pixel.
 /// Domain: a triangle with an area; finite depths.
-/// Accuracy: exact in rationals; constant depths are exact in double, too.
+/// Accuracy: exact in rationals; constant depths are exact in double, too. Triangles that share a plane have
+///   the same one to the bit; snapping may take it up to 1/512 pixel beyond the depths of their corners.
 template <class T>
 Plane<T> plane_in(const ScreenTriangle& triangle, const Edges& edges, ivec2 pixel) {
+  if (const auto& shared = triangle.plane)
+    return {T(shared->at(pixel * subpixels)), T(shared->right) * T{subpixels},
+            T(shared->down) * T{subpixels}};
   const Weights w = weights_at_place(edges, pixel * subpixels);
   const T sum = static_cast<T>(w[0] + w[1] + w[2]);
   Plane<T> plane{T(triangle.depth[0]), T{0}, T{0}};

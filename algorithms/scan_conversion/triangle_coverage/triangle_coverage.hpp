@@ -116,13 +116,6 @@ constexpr Weights weights_at_place(const Edges& edges, ivec2 place) {
   return {edges[0].at(place), edges[1].at(place), edges[2].at(place)};
 }
 
-/// A triangle in the picture: where its corners are on the grid, and how deep. Depth after division is linear
-/// in the picture (see Linear); smaller is nearer.
-struct ScreenTriangle {
-  Triangle corners;
-  dvec3 depth{0};
-};
-
 /// The triangle has its edges; the pixels in the box are tested next.
 struct Prepared {
   Triangle triangle;
@@ -231,40 +224,5 @@ constexpr dvec3 perspective_correct(const Weights& weights, const dvec3& over_w)
                        over_w;
   return shares / (shares.x + shares.y + shares.z);
 }
-
-/// A value that is linear in the picture, such as the depth after division: given at the corners, it comes
-/// out the same to the last bit however the corners are numbered, so that a triangle drawn twice has the same
-/// depths.
-class Linear {
- public:
-  /// values: at the corners of the triangle, finite.
-  constexpr Linear(const Triangle& triangle, const dvec3& values) {
-    const auto before = [&](int i, int j) {
-      const ivec2 p = triangle[static_cast<std::size_t>(i)], q = triangle[static_cast<std::size_t>(j)];
-      return p.y < q.y || (p.y == q.y && p.x < q.x);
-    };
-    // From the topmost corner on, the leftmost of two, in one direction
-    first_ = before(1, 0) ? (before(2, 1) ? 2 : 1) : (before(2, 0) ? 2 : 0);
-    second_ = (first_ + 1) % 3;
-    third_ = (first_ + 2) % 3;
-    if (doubled_area(triangle) < 0) std::swap(second_, third_);
-    value_ = values[first_];
-    to_second_ = values[second_] - value_;
-    to_third_ = values[third_] - value_;
-  }
-
-  /// The value at the centre with these weights from cover. Accuracy: 6 ulp of the largest corner value;
-  /// exact where all three are equal.
-  constexpr double at(const Weights& weights) const {
-    const double sum = static_cast<double>(weights[0] + weights[1] + weights[2]);
-    const double second = static_cast<double>(weights[static_cast<std::size_t>(second_)]) / sum;
-    const double third = static_cast<double>(weights[static_cast<std::size_t>(third_)]) / sum;
-    return value_ + (second * to_second_ + third * to_third_);
-  }
-
- private:
-  int first_ = 0, second_ = 1, third_ = 2;
-  double value_ = 0, to_second_ = 0, to_third_ = 0;
-};
 
 }  // namespace gradus::triangle_coverage

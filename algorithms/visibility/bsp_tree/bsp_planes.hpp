@@ -70,6 +70,16 @@ int compare_heights(const Plane<T>& plane, const glm::vec<3, T>& p, const glm::v
   return (difference > T{0}) - (difference < T{0});
 }
 
+/// Makes a plane so thick that these points lie in it.
+template <class T>
+void thicken(Plane<T>& plane, const std::vector<glm::vec<3, T>>& points) {
+  for (const auto& point : points) {
+    const int side = orient3d(plane.a, plane.b, plane.c, point);
+    if (side > 0 && compare_heights(plane, point, plane.highest) > 0) plane.highest = point;
+    if (side < 0 && compare_heights(plane, point, plane.lowest) < 0) plane.lowest = point;
+  }
+}
+
 /// The plane of a polygon, through three corners that lie on no line: those of the largest triangle from the
 /// first corner on, so that their rounding turns it least.
 /// Domain: as Polygon. Errors: ContractViolation for corners without an inside.
@@ -88,11 +98,7 @@ Plane<T> plane_of(const std::vector<glm::vec<3, T>>& p) {
   }
   expects(largest > T{0}, "expected polygons with an inside, found one of {} corners without", p.size());
   Plane<T> plane{p[0], p[best], p[best + 1]};
-  for (const auto& corner : p) {
-    const int side = orient3d(plane.a, plane.b, plane.c, corner);
-    if (side > 0 && compare_heights(plane, corner, plane.highest) > 0) plane.highest = corner;
-    if (side < 0 && compare_heights(plane, corner, plane.lowest) < 0) plane.lowest = corner;
-  }
+  thicken(plane, p);
   return plane;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <glm/vec4.hpp>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -54,7 +55,7 @@ inline constexpr std::size_t none = static_cast<std::size_t>(-1);
 template <class T>
 struct Node {
   Plane<T> plane;
-  std::vector<Polygon<T>> polygons;            ///< in the plane; the first gave it
+  std::vector<Polygon<T>> polygons;            ///< in the plane; the first gave it, and is drawn last
   std::size_t in_front = none, behind = none;  ///< nodes
 };
 
@@ -361,6 +362,12 @@ Turn root_of(const Tree<T>& tree) {
   return {tree.empty() ? none : 0};
 }
 
+/// Those in a node's plane, the first of which is to be seen.
+template <class T>
+auto last_to_first(const Node<T>& node) {
+  return std::views::reverse(node.polygons);
+}
+
 /// The subtree on the eye's side of a node's plane, and the one beyond it. In the plane itself the eye sees
 /// no polygon of it: either may come first.
 template <class T>
@@ -373,7 +380,8 @@ std::size_t far_side(const Node<T>& node, int side) {
 }
 
 /// Gives a tree's polygons to `draw` from back to front: before those of a plane all that lies beyond it,
-/// seen from the eye, and after them all on the eye's own side. None can cover one that comes later.
+/// seen from the eye, and after them all on the eye's own side. None can cover one that comes later. Of those
+/// in one plane the first is seen: they come from the last to the first.
 /// Source: Fuchs, Kedem and Naylor 1980, as build.
 ///
 /// eye: a point, w = 1; or the direction towards a distant one, w = 0, not all 0. draw(polygon): takes each
@@ -393,7 +401,7 @@ void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& obse
     const auto& node = tree[at];
     if (own) {
       // All beyond its plane is drawn
-      for (const auto& p : node.polygons) {
+      for (const auto& p : last_to_first(node)) {
         draw(p);
         if constexpr (observed<O>) observer(Drawn<T>{at, p});
       }

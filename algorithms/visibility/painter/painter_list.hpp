@@ -223,6 +223,15 @@ Beside corners_beside(const Polygon<T>& polygon, const Piece<T>& p) {
   return {at == Side::both || at == before, at == Side::both || at == beyond};
 }
 
+/// How Q lies to P where each lies in the plane of the other: as if they were stacked, the first in the input
+/// nearest to the eye, so that it is drawn last.
+template <class T>
+Beside stacked(const Piece<T>& q, const Piece<T>& p) {
+  const Beside other = corners_beside(*p.whole, q);
+  if (p.eye_side == 0 || q.eye_side == 0 || other.before || other.beyond) return {};
+  return {q.number<p.number, q.number> p.number};
+}
+
 /// How Q lies to the plane of P. Parts lie in their own plane, on one side of each that has cut them, and on
 /// that of their whole where it has but one, wherever rounding has put their corners: so no plane cuts one
 /// twice.
@@ -233,6 +242,7 @@ Beside beside(const Piece<T>& q, const Piece<T>& p) {
     if (known.number == p.number) return known.lies;
   }
   const Beside whole = corners_beside(*q.whole, p);
+  if (!whole.before && !whole.beyond) return stacked(q, p);
   return q.known.empty() || !whole.before || !whole.beyond ? whole : corners_beside(q.polygon, p);
 }
 

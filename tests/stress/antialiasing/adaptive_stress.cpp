@@ -99,9 +99,9 @@ std::array<int, most_triangles> shown(const std::vector<ScreenTriangle>& triangl
     std::optional<std::size_t> front;
     double least = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto& [corners, depth] = triangles[t];
+      const auto& corners = triangles[t].corners;
       if (!inside(corners, place_in(p, place))) continue;
-      const double z = Linear(corners, depth)
+      const double z = triangle_coverage::Linear(corners, triangles[t].depth)
                            .at(weights_at_place(triangle_coverage::edges_of(corners), place_in(p, place)));
       if (front && z >= least) continue;
       front = t;

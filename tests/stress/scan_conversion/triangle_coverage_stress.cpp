@@ -1,7 +1,7 @@
 // The promises of triangles as pixels: the nearest grid place for a corner, every centre to one triangle, and
 // what is linear on them.
 
-#include "scan_conversion/triangle_coverage/triangle_coverage.hpp"
+#include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
 #include <optional>
 #include <vector>

@@ -178,10 +178,10 @@ void expect_nearest(const Frame& frame, int tile, const Window& pixels, const Ti
     const PieceId piece = t.cut ? frame.cut_triangle(id).id
                                 : PieceId{object.number, of_faces[static_cast<std::size_t>(t.piece)].face,
                                           of_faces[static_cast<std::size_t>(t.piece)].piece};
-    const triangle_coverage::Linear depth(t.grid, t.depth);
+    const triangle_coverage::Depth depth = depth_of(frame, t);
     triangle_coverage::cover(t.grid, pixels, [&](ivec2 pixel, const triangle_coverage::Weights& w) {
       auto& best = nearest[TileBuffer::cell(pixel - pixels.lower)];
-      const Nearest mine{depth.at(w), piece, id};
+      const Nearest mine{depth.at(triangle_coverage::centre_of(pixel), w), piece, id};
       const auto before = [](const Nearest& a, const Nearest& b) {
         return std::tie(a.depth, a.piece, a.id) < std::tie(b.depth, b.piece, b.id);
       };

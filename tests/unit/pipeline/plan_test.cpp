@@ -140,7 +140,7 @@ TEST(Plan, AGapHidesNothing) {
 /// Whether triangles cover a place of the 1/256 grid, and how near; by hand, over all of them.
 double nearest_at(const std::vector<triangle_coverage::ScreenTriangle>& triangles, ivec2 place) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& [grid, depth] : triangles) {
+  for (const auto& [grid, depth, plane] : triangles) {
     const auto side = [&](ivec2 a, ivec2 b) {
       return std::int64_t{b.x - a.x} * (place.y - a.y) - std::int64_t{b.y - a.y} * (place.x - a.x);
     };

@@ -222,8 +222,9 @@ class Paper {
     return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
   }
   double depth(int i, dvec2 p) const {
-    const auto& [corners, z] = subject_.triangle(i);
-    const Edges edges = triangle_coverage::edges_of(corners);
+    const ScreenTriangle& triangle = subject_.triangle(i);
+    const Edges edges = triangle_coverage::edges_of(triangle.corners);
+    const dvec3& z = triangle.depth;
     const dvec3 w{at(edges[0], p), at(edges[1], p), at(edges[2], p)};
     return (w.x * z.x + w.y * z.y + w.z * z.z) / (w.x + w.y + w.z);
   }
