@@ -364,7 +364,7 @@ Turn root_of(const Tree<T>& tree) {
 
 /// Those in a node's plane, the first of which is to be seen.
 template <class T>
-auto last_to_first(const Node<T>& node) {
+auto reversed(const Node<T>& node) {
   return std::views::reverse(node.polygons);
 }
 
@@ -401,7 +401,7 @@ void back_to_front(const Tree<T>& tree, const Eye<T>& eye, Draw&& draw, O&& obse
     const auto& node = tree[at];
     if (own) {
       // All beyond its plane is drawn
-      for (const auto& p : last_to_first(node)) {
+      for (const auto& p : reversed(node)) {
         draw(p);
         if constexpr (observed<O>) observer(Drawn<T>{at, p});
       }
