@@ -68,6 +68,30 @@ def drags(check, page):
     check.that('the handle is still the focus', page.run('return document.activeElement.classList.contains("handle")'))
     check.equal('who hears is told where it is', page.run('return document.activeElement.getAttribute("aria-label")'), 'to: 8, 4')
     page.quiet('drag')
+    drags_there_and_back(check, page)
+
+
+def drags_there_and_back(check, page):
+    """By the mouse: where the drawing is fitted anew to what is dragged, and where a number ends."""
+    page.open('#topic=affine_2d')
+    before = page.run('return workbench.textOf(workbench.parameter("polygon"))')
+    handle = page.run('const [{name, numbers}] = workbench.handles.handles; return [name, String(numbers)]')
+    x, y = page.place(*handle)
+    jiggles = [(x + 90 + i % 2, y - 50) for i in range(12)]
+    page.drag([(x, y), (x + 90, y - 50), *jiggles, (x + 90, y - 50)])
+    page.settle()
+    most = page.run('return Math.max(...workbench.numbers().filter(({name}) => name === "polygon").map(({value}) => Math.abs(value)))')
+    check.that('a jiggled ring stays near', most < 20, most)
+    page.open('#topic=affine_2d')
+    page.drag([(x, y), (x + 90, y - 50), *jiggles, (x, y)])
+    page.settle()
+    check.equal('back means back', [page.run('return workbench.textOf(workbench.parameter("polygon"))'), page.run(GIVEN)], [before, {}])
+    page.open('#topic=bresenham_circle')
+    x, y = page.run('''const box = workbench.form.fields.get("radius").label.querySelector(".name").getBoundingClientRect();
+                       return [box.left + box.width / 2, box.top + box.height / 2]''')
+    page.drag([(x, y), (x - 130, y), (x, y)])
+    page.settle()
+    check.equal('back from beyond the least radius, too', page.run(GIVEN), {})
 
 
 def finds_numbers(check, page):
@@ -81,6 +105,10 @@ def finds_numbers(check, page):
         check.equal(f'numbers of {text}', page.run('return numbersIn(arguments[0], arguments[1]).map(({value}) => value)', text, kind), values)
     check.equal('others stay as they are written', page.run('''const text = "A: 0,0.50,1/3 ; B: 2,3,4";
         return withNumbers(text, [[numbersIn(text, "faces")[3], -7.25]])'''), 'A: 0,0.50,1/3 ; B: -7.25,3,4')
+    face = 'A: 0,0,0 1,0,1 1,2,1 0,2,0; B: 5,0,0 6,0,0 5,1,0; C: 0,0,0 1,0,0 1,1,1 0,1,0'
+    normals = page.run('const numbers = numbersIn(arguments[0], "faces"); return [0, 9, 12, 21].map((index) => normalAt(arguments[0], numbers, index) ?? null)', face)
+    check.equal('the plane of a flat face, and of no triangle or bent face',
+                [normal and [round(value * 2 ** 0.5, 9) for value in normal] for normal in normals], [[-1, 0, 1], [-1, 0, 1], None, None])
     check.equal('steps are round', page.run('return [7, 3, 1, 0.6, 0.04, 0.0099].map(roundStep)'), [5, 1, 1, 0.5, 0.01, 0.005])
 
 

@@ -10,10 +10,6 @@ function decodePicture(picture) {
   return out;
 }
 
-/** Two strokes that cross in (x, y). */
-const crossPath = (x, y, arm) =>
-    `M${x - arm} ${y - arm}L${x + arm} ${y + arm}M${x - arm} ${y + arm}L${x + arm} ${y - arm}`;
-
 /** x and y in turn, of a mark that is a chain of strokes. */
 const numbersOf = (kind, rest) => (kind === 'path' || kind === 'polygon' ? rest[0] : rest.slice(0, 4));
 const LINE_WIDTHS = {
@@ -41,16 +37,20 @@ class Drawing {
     if (!run.shows('drawing')) return;
     const {picture, lower} = run.trace.grid;
     const stage = new Stage(run.trace);
-    if (this.held && this.held.axes === stage.axes) Object.assign(stage, this.heldPart());
+    const {held} = this;
+    if (held?.stage.axes === stage.axes) Object.assign(stage, held.part);
     this.stage = stage;
     this.texels = picture ? {...picture, lower, rgba: decodePicture(picture)} : null;
     this.stillKey = null;
   }
-  /** From now on all runs are shown on this part of the plane: what is dragged must not move the paper below it. */
-  hold() { this.held = this.stage; }
-  heldPart() {
-    const {cells, lower, upper, texts} = this.held;
-    return {cells, lower, upper, texts};
+  /** From now on all runs are shown on this part of the plane, and as large: what is dragged must not move the paper below it. */
+  hold() {
+    const {stage, at} = this, {cells, lower, upper, texts} = stage;
+    this.held = {stage, at, part: {cells, lower, upper, texts}};
+  }
+  heldAt(width, height) {
+    const {at, stage} = this.held ?? {};
+    return at?.width === width && at.height === height && stage.axes === this.stage.axes ? at : undefined;
   }
   /** Shows all of a run again. */
   letGo() {
@@ -73,7 +73,7 @@ class Drawing {
     const width = this.element.clientWidth, height = this.element.clientHeight;
     this.theme = theme;
     this.canvas = playhead.at(index);
-    this.at = arrange(this.stage, width, height, s, steps[index].focus);
+    this.at = this.heldAt(width, height) ?? arrange(this.stage, width, height, s, steps[index].focus);
     this.labels = new LabelPlacer(this.at);
     const stood = moving ? marksIn(this.svg) : new Map(), {stillKey} = this;
     this.keepStill(`${width} ${height} ${s} ${theme.name} ${JSON.stringify(this.at.view)} ${JSON.stringify(this.at.box)}`);

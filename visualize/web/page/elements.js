@@ -18,6 +18,10 @@ const html = (name, attributes = {}, ...children) =>
 const svg = (name, attributes = {}, ...children) =>
     filled(document.createElementNS(SVG, name), attributes, children);
 
+/** Two strokes that cross in (x, y). */
+const crossPath = (x, y, arm) =>
+    `M${x - arm} ${y - arm}L${x + arm} ${y + arm}M${x - arm} ${y + arm}L${x + arm} ${y - arm}`;
+
 /** A whole number as it is written in formulas, with a minus sign. */
 const written = (number) => String(number).replace('-', '−');
 

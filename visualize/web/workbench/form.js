@@ -50,13 +50,16 @@ class Form {
   }
   /** The name of a number can be dragged, and its arrows go up and down. */
   bindNumber(label, control, {name, least, most, type}) {
-    const step = (by) => {
-      const value = Number(control.value || control.placeholder);
+    const write = (text) => {
+      control.value = text;
+      this.grow(control);
+      this.host.changed(name, text);
+    };
+    const step = (by, from = control.value) => {
+      const value = Number(from || control.placeholder);
       if (!Number.isFinite(value)) return;
       const next = type === 'integer' ? Math.min(Math.max(Math.round(value + by), least), most) : Number((value + by).toPrecision(10));
-      control.value = String(next);
-      this.grow(control);
-      this.host.changed(name, control.value);
+      write(String(next));
     };
     const unit = () => (type === 'integer' ? 1 : roundStep(Math.max(Math.abs(Number(control.value)), 1e-3) / 8));
     control.addEventListener('keydown', (event) => {
@@ -68,24 +71,26 @@ class Form {
     });
     const handle = label.querySelector('.name');
     handle.classList.add('scrubs');
-    let last = null, size = 1;
+    let start = null;  // a drag is counted from where it began
     handle.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
-      last = event.clientX;
-      size = unit();
+      start = {x: event.clientX, text: control.value, size: unit(), steps: 0};
       handle.setPointerCapture(event.pointerId);
     });
     handle.addEventListener('pointermove', (event) => {
-      if (last === null) return;
-      const steps = Math.trunc((event.clientX - last) / 8);
-      if (steps === 0) return;
-      last += 8 * steps;
-      step(steps * size);
+      if (start === null) return;
+      const steps = Math.trunc((event.clientX - start.x) / 8);
+      if (steps === start.steps) return;
+      start.steps = steps;
+      if (steps === 0)
+        write(start.text);
+      else
+        step(steps * start.size, start.text);
     });
     for (const ends of ['pointerup', 'pointercancel'])
       handle.addEventListener(ends, () => {
-        if (last !== null) this.host.committed();
-        last = null;
+        if (start !== null) this.host.committed();
+        start = null;
       });
   }
   swatch(control, name) {

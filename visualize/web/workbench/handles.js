@@ -19,6 +19,21 @@ function changesFor(along, dx, dy) {
   return along.map(([x, y]) => (size > 0 ? (x * dx + y * dy) / size : 0));  // all along one direction
 }
 
+/** Of each number how far it goes as a part of what stays in the plane across the normal. */
+function keptWithin(along, normal) {
+  const out = [0, 1].map((k) => product(along.map((way) => way[k]), normal));
+  return along.map((way, i) => way.map((value, k) => value - normal[i] * out[k]));
+}
+/** After a change to a step of its own: what hardly changes stays as it was. */
+const changedBy = (value, change, step) => (Math.abs(change) < step / 2 ? value : roundedTo(value + change, step));
+/** The numbers now, in the plane in which they were: the one that it tells best follows the others. */
+function inPlane(before, now, normal) {
+  const sizes = normal.map(Math.abs), told = sizes.indexOf(Math.max(...sizes));
+  const others = now.reduce((sum, value, i) => (i === told ? sum : sum + normal[i] * (value - before[i])), 0);
+  const follows = others === 0 ? before[told] : String(Number((before[told] - others / normal[told]).toPrecision(13)));
+  return now.map((value, i) => (i === told ? follows : value));
+}
+
 /** Where marks stand: all their points, as texts. */
 function placesOf(marks) {
   const places = new Set();
@@ -36,8 +51,7 @@ function placesOf(marks) {
 const placeText = (x, y) => `${x.toFixed(6)} ${y.toFixed(6)}`;
 
 class HandleLayer {
-  /** host: {parameter(name), textOf(parameter), numbers(), shownNumbers(), change(texts), commit()}, which hears of
-      what is dragged. */
+  /** host: {parameter(name), textOf(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
   constructor(player, host) {
     this.player = player;
     this.host = host;
@@ -89,23 +103,16 @@ class HandleLayer {
     // On paper a later step may show the input elsewhere, or not at all
     const places = run.trace.grid.axes === false && this.player.index > 0 ? placesOf([...run.trace.backdrop, ...drawing.canvas.sortedMarks()]) : null;
     for (const handle of this.handles) {
-      const [x, y] = toPixels(at, handle.at.x, handle.at.y), {button} = handle;
+      const {button} = handle, dragged = this.drag?.handle === handle;
+      const [x, y] = (dragged && this.drag.seen) || toPixels(at, handle.at.x, handle.at.y);  // it stays under the hand
       const inView = x >= 0 && y >= 0 && x <= at.width && y <= at.height;
-      button.hidden = this.drag?.handle !== handle && (!inView || !(places?.has(placeText(handle.at.x, handle.at.y)) ?? true));
+      button.hidden = !dragged && (!inView || !(places?.has(placeText(handle.at.x, handle.at.y)) ?? true));
       button.style.left = `${x}px`;
       button.style.top = `${y}px`;
       const label = this.labelOf(handle);
       button.setAttribute('aria-label', label);
       button.title = label;
     }
-  }
-
-  /** A place of the window in the drawing's coordinates. */
-  toGrid(clientX, clientY) {
-    const box = this.player.parts.drawing.getBoundingClientRect(), {at} = this.player.drawing;
-    const px = clientX - box.left, py = clientY - box.top;
-    const fromLower = at.yUp ? at.box.y + at.box.height - py : py - at.box.y;
-    return {x: at.origin[0] + (px - at.box.x) / at.cell, y: at.origin[1] + fromLower / at.cell};
   }
 
   // -- Dragging
@@ -117,48 +124,70 @@ class HandleLayer {
     button.focus({preventScroll: true});
     button.setPointerCapture(event.pointerId);
     this.player.pause();
-    this.player.drawing.hold();
-    const handle = this.of(button), from = this.toGrid(event.clientX, event.clientY);
-    // Where the hand has it, seen from its middle
-    this.drag = {handle, pointer: event.pointerId, grip: {x: from.x - handle.at.x, y: from.y - handle.at.y}, moved: false};
+    this.take(this.of(button));
+    Object.assign(this.drag, {pointer: event.pointerId, from: [event.clientX, event.clientY]});
     button.classList.add('dragged');
+  }
+  /** From here all of a drag is counted: what is seen meanwhile may be fitted anew to what is dragged. */
+  take(handle) {
+    const {drawing} = this.player;
+    drawing.hold();
+    const place = toPixels(drawing.at, handle.at.x, handle.at.y);
+    this.drag = {...this.standing(handle), handle, at: drawing.at, place, moved: false};
   }
   move(event) {
     const {drag} = this;
     if (!drag || event.pointerId !== drag.pointer) return;
     event.preventDefault();
-    const {handle, grip} = drag, to = this.toGrid(event.clientX, event.clientY);
-    this.moveBy(handle, to.x - grip.x - handle.at.x, to.y - grip.y - handle.at.y);
+    this.dragTo(event.clientX - drag.from[0], event.clientY - drag.from[1]);
   }
-  /** Counted from what is seen: a panel that is fitted anew while its input is dragged comes under the hand again. */
-  moveBy({name, numbers, along}, dx, dy) {
-    const by = changesFor(along, dx, dy), shown = this.host.shownNumbers().filter((number) => number.name === name);
-    this.apply(name, numbers.flatMap((index, i) => {
-      if (by[i] === 0) return [];  // a depth that the drawing does not show stays as it is
-      const {value, whole} = shown[index];
-      return [[index, roundedTo(value + by[i], whole ? 1 : this.stepOf(along[i], DRAG_PIXELS))]];
-    }));
+  /** So many pixels to the right and down of where it was taken. */
+  dragTo(right, down) {
+    const {drag} = this, {at} = drag, by = changesFor(drag.along, right / at.cell, (at.yUp ? -down : down) / at.cell);
+    const step = (i) => (drag.whole ? 1 : this.stepOf(drag.along[i], DRAG_PIXELS, at));
+    this.apply(drag, drag.values.map((value, i) => changedBy(value, by[i], step(i))));
   }
-  /** What a number's steps are so that they go that far in the drawing. */
-  stepOf([x, y], pixels) { return roundStep(pixels / (this.player.drawing.at.cell * Math.max(Math.hypot(x, y), 1e-9))); }
-  /** changes: [[number of the argument, value]] */
-  apply(name, changes) {
-    const text = this.host.textOf(this.host.parameter(name)), now = this.numbers(name);
-    const changed = withNumbers(text, changes.map(([index, value]) => [now[index], value]));
-    if (changed === text) return;
-    if (this.drag) this.drag.moved = true;
-    this.host.change({[name]: changed});
+  letGo() {
+    this.drag = null;
+    this.player.drawing.letGo();
   }
   finish(event) {
     const {drag} = this;
     if (!drag || event.pointerId !== drag.pointer) return;
-    this.drag = null;
     drag.handle.button.classList.remove('dragged');
-    this.player.drawing.letGo();
+    this.letGo();
     if (drag.moved)
       this.host.commit();
     else
       this.place();
+  }
+
+  /** What a handle moves, as it is now: {name, text, numbers, values, whole, along, normal}. */
+  standing({name, numbers: indices, along}) {
+    const parameter = this.host.parameter(name), text = this.host.textOf(parameter), all = this.numbers(name);
+    const numbers = indices.map((index) => all[index]), isCorner = parameter.type === 'faces' && indices.length === 3;
+    const normal = isCorner ? normalAt(text, all, indices[0]) : undefined;
+    return {
+      name, text, numbers, normal, values: numbers.map(({value}) => value), whole: numbers[0].whole,
+      along: normal ? keptWithin(along, normal) : along
+    };
+  }
+  /** What a number's steps are so that they go that far in the drawing. */
+  stepOf([x, y], pixels, {cell} = this.player.drawing.at) {
+    return roundStep(pixels / (cell * Math.max(Math.hypot(x, y), 1e-9)));
+  }
+  /** The text as it stood, with these values; those that are what they were keep their spelling. */
+  apply({name, text, numbers, values, normal}, now) {
+    const written = normal ? inPlane(values, now, normal) : now;
+    const changed = withNumbers(text, written.flatMap((value, i) => (value === values[i] ? [] : [[numbers[i], value]])));
+    if (this.drag) {
+      const {at, place, along} = this.drag, by = written.map((value, i) => Number(value) - values[i]);
+      const go = (k) => along.reduce((sum, way, i) => sum + way[k] * by[i], 0) * at.cell;
+      this.drag.seen = [place[0] + go(0), place[1] + (at.yUp ? -go(1) : go(1))];
+    }
+    if (changed === this.host.textOf(this.host.parameter(name))) return;
+    if (this.drag) this.drag.moved = true;
+    this.host.change({[name]: changed});
   }
 
   // -- Keys
@@ -168,16 +197,15 @@ class HandleLayer {
     if (!direction || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    const {name, numbers, along} = this.of(button);
+    const now = this.standing(this.of(button)), {along, values, whole} = now;
     const by = changesFor(along, direction[0], direction[1] * (this.player.drawing.at.yUp ? 1 : -1));
-    const most = Math.max(...by.map(Math.abs)), now = this.numbers(name), factor = event.shiftKey ? 10 : 1;
-    const changes = numbers.flatMap((index, i) => {
-      if (Math.abs(by[i]) < 0.25 * most || most === 0) return [];  // it hardly matters in this direction
-      const {value, whole} = now[index], step = whole ? 1 : this.stepOf(along[i], 2 * DRAG_PIXELS);
-      return [[index, roundedTo(value + Math.sign(by[i]) * step * factor, step)]];
-    });
-    if (changes.length === 0) return;
-    this.apply(name, changes);
+    const most = Math.max(...by.map(Math.abs)), factor = event.shiftKey ? 10 : 1;
+    if (most === 0) return;
+    this.apply(now, values.map((value, i) => {
+      if (Math.abs(by[i]) < 0.25 * most) return value;  // it hardly matters in this direction
+      const step = whole ? 1 : this.stepOf(along[i], 2 * DRAG_PIXELS);
+      return roundedTo(value + Math.sign(by[i]) * step * factor, step);
+    }));
     this.host.commit();
   }
 }

@@ -20,11 +20,11 @@ function numbersIn(text, type) {
   });
 }
 
-/** The text with some of its numbers changed. changes: [[number of numbersIn, value]]. */
+/** The text with some of its numbers changed. changes: [[number of numbersIn, value, or as it is written]]. */
 function withNumbers(text, changes) {
   let out = '', end = 0;
   for (const [{at, length}, value] of [...changes].sort(([a], [b]) => a.at - b.at)) {
-    out += text.slice(end, at) + written10(value);
+    out += text.slice(end, at) + (typeof value === 'string' ? value : written10(value));
     end = at + length;
   }
   return out + text.slice(end);
@@ -38,10 +38,28 @@ function roundStep(most) {
   const power = 10 ** Math.floor(Math.log10(most));
   return power * (most >= 5 * power ? 5 : 1);
 }
-const roundedTo = (value, step) => Number((Math.round(value / step) * step).toPrecision(12));
+const roundedTo = (value, step) => Number((Math.round(value / step) * step).toPrecision(10));
 
 /** The numbers of an input: {name, index, …of numbersIn}. */
 function numbersOfInput(parameters, textOf) {
   return parameters.flatMap((parameter) => numbersIn(textOf(parameter), parameter.type)
                                                .map((number, index) => ({...number, name: parameter.name, index})));
 }
+
+/** The unit normal of the flat face with more than three corners that number `index` of a text is of: its corners stay in
+    one plane while they are dragged. Nothing for what is no such face. numbers: those of the text. */
+function normalAt(text, numbers, index) {
+  const first = text.lastIndexOf(';', numbers[index].at) + 1, next = text.indexOf(';', first), last = next < 0 ? text.length : next;
+  const own = numbers.filter(({at}) => first <= at && at < last).map(({value}) => value), corners = [];
+  for (let i = 0; i + 2 < own.length; i += 3) corners.push([0, 1, 2].map((k) => own[i + k] - own[k]));
+  if (corners.length <= 3) return undefined;
+  const area = [0, 0, 0];
+  corners.forEach((p, i) => crossed(p, corners[(i + 1) % corners.length]).forEach((value, k) => { area[k] += value; }));
+  const length = Math.hypot(...area), size = Math.max(...corners.map((p) => Math.hypot(...p)));
+  if (!(length > 1e-12 * size * size)) return undefined;
+  const normal = area.map((value) => value / length);
+  return corners.every((p) => Math.abs(product(normal, p)) <= FLAT * size) ? normal : undefined;
+}
+const FLAT = 1e-9;  // of a face's size: how far its corners may be out of its plane
+const product = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+const crossed = ([ax, ay, az], [bx, by, bz]) => [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];

@@ -53,8 +53,6 @@ class Workbench {
     return text.includes('/') && !text.startsWith('@') ? text : '';
   }
   numbers() { return numbersOfInput(this.parameters, (parameter) => this.textOf(parameter)); }
-  /** Those of the run that is seen, while the next one is asked for. */
-  shownNumbers() { return numbersOfInput(this.parameters, (parameter) => this.textOf(parameter, this.asked.given)); }
 
   fillChoices() {
     const {topic, language, notation} = this.parts, chapters = new Map();
