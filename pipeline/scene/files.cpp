@@ -111,7 +111,7 @@ bool lies_in(const fs::path& folder, const fs::path& file) {
 
 FileReader libraries_beside(const std::string& model, Took took) {
   const fs::path folder = fs::path(model).parent_path();
-  const std::size_t most = is_imported(model) ? most_file_bytes : most_library_bytes;
+  const std::size_t most = is_other_format(model) ? most_file_bytes : most_library_bytes;
   return [folder, most, took = std::move(took)](const std::string& name) -> std::optional<LibraryText> {
     const std::optional<fs::path> place = place_of(folder, name);
     if (!place) return std::nullopt;

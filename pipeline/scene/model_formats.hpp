@@ -1,5 +1,5 @@
 #pragma once
-// Models of all formats: OBJ by our own reader, others by whoever is there to import them.
+// Models of all formats: OBJ, OFF, PLY and STL by our own readers, others by whoever is there to import them.
 
 #include <array>
 #include <functional>
@@ -10,16 +10,18 @@
 
 namespace gradus::pipeline {
 
+/// What the names of models end in that our own readers read beside OBJ, in small letters.
+inline constexpr std::array<std::string_view, 3> own_endings{"off", "ply", "stl"};
 /// What the names of models end in that are imported, in small letters.
-inline constexpr std::array<std::string_view, 35> imported_endings{
-    "3ds",  "3mf", "ac",   "amf", "ase", "b3d", "blend",   "cob", "dae", "dxf", "fbx",     "glb",
-    "gltf", "ifc", "iqm",  "lwo", "lws", "lxo", "irrmesh", "md2", "md3", "mdl", "md5mesh", "ms3d",
-    "nff",  "off", "ogex", "ply", "pmx", "q3o", "smd",     "stl", "x",   "x3d", "xgl"};
+inline constexpr std::array<std::string_view, 32> imported_endings{
+    "3ds",     "3mf",  "ac",  "amf",  "ase", "b3d", "blend", "cob",     "dae", "dxf", "fbx",
+    "glb",     "gltf", "ifc", "iqm",  "lwo", "lws", "lxo",   "irrmesh", "md2", "md3", "mdl",
+    "md5mesh", "ms3d", "nff", "ogex", "pmx", "q3o", "smd",   "x",       "x3d", "xgl"};
 
 /// What stands behind the last dot of a file's name, in small letters.
 std::string ending_of(std::string_view name);
-/// Whether a model of this name is imported: by its ending. All others are OBJ files.
-bool is_imported(std::string_view name);
+/// Whether a model of this name is of another format than OBJ: by its ending.
+bool is_other_format(std::string_view name);
 
 /// Reads a model that is imported. As parse_obj, but that its faces know no lines.
 using ModelImporter =

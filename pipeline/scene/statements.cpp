@@ -11,6 +11,7 @@
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
 #include "scene/decimal.hpp"
+#include "scene/letters.hpp"
 
 namespace gradus::pipeline {
 namespace {
@@ -68,25 +69,42 @@ double Statement::number(std::string_view what, std::string_view text) {
   return value;
 }
 
+std::int64_t Statement::whole(std::string_view what, std::int64_t least, std::int64_t most) {
+  const std::string_view text = word();
+  std::int64_t value = 0;
+  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || stopped != text.data() + text.size() || value < least || value > most)
+    fail(fmt::format("expected {}, a whole number from {} to {}, found {}", what, least, most,
+                     text.empty() ? "none" : quoted(text)));
+  return value;
+}
+
+bool Statement::is_no_number(std::string_view word) {
+  const std::string_view size = word.substr(std::min(word.find_first_not_of("+-"), word.size()));
+  const std::string name = in_small_letters(size);
+  return name.starts_with("nan") || name.starts_with("inf") || name.starts_with("1.#");
+}
+
 void Statement::end(std::string_view after) {
   if (more()) fail(fmt::format("expected nothing after {}, found {}", after, quoted(word())));
 }
 
 std::string Statement::quoted(std::string_view word) const {
-  return file_.quotable ? shown(word) : "something else";
+  return file_->quotable ? shown(word) : "something else";
 }
 
 std::string Statement::quoted(double number) const {
-  return file_.quotable ? fmt::format("{}", number) : "something else";
+  return file_->quotable ? fmt::format("{}", number) : "something else";
 }
 
 std::string Statement::place(std::string_view text) const {
-  return fmt::format("{}:{}: {}", shown_name(file_.name), line_, text);
+  return fmt::format("{}:{}: {}", shown_name(file_->name), line_, text);
 }
 
 void Statement::fail(std::string_view text) const { refuse_input(place(text)); }
 
-Statements::Statements(std::string_view text, const TextFile& file) : text_(text), file_(file) {
+Statements::Statements(std::string_view text, const TextFile& file, Backslash backslash)
+    : text_(text), file_(file), backslash_(backslash) {
   const auto begins = [text](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
   if (begins("\xFF\xFE") || begins("\xFE\xFF")) {
     refuse_input(fmt::format("{}: expected text in UTF-8 or ASCII, found UTF-16", shown_name(file.name)));
@@ -114,7 +132,7 @@ std::optional<Statement> Statements::next() {
     std::string_view text = trimmed(line());
     if (text.empty() || text.front() == '#') continue;
     const int first = line_;
-    if (text.back() != '\\') return Statement(text, file_, first);
+    if (backslash_ == Backslash::is_a_letter || text.back() != '\\') return Statement(text, file_, first);
 
     joined_.clear();
     while (!text.empty() && text.back() == '\\') {

@@ -30,7 +30,7 @@ struct TextFile {
 class Statement {
  public:
   Statement(std::string_view text, const TextFile& file, int line)
-      : at_(text.data()), end_(text.data() + text.size()), file_(file), line_(line) {}
+      : at_(text.data()), end_(text.data() + text.size()), file_(&file), line_(line) {}
 
   /// The next word; empty at the end.
   std::string_view word() {
@@ -52,11 +52,15 @@ class Statement {
   double number(std::string_view what);
   /// The same for a word already taken.
   double number(std::string_view what, std::string_view word);
+  /// The next word as a whole number from least to most.
+  std::int64_t whole(std::string_view what, std::int64_t least, std::int64_t most);
+  /// Whether a word is how programs write what is no finite number: nan, -inf, 1.#IND.
+  static bool is_no_number(std::string_view word);
   /// Nothing may follow.
   void end(std::string_view after);
 
   int line() const { return line_; }
-  const TextFile& file() const { return file_; }
+  const TextFile& file() const { return *file_; }
   /// A word or a number of the file as messages show it; "something else" where it may not be quoted.
   std::string quoted(std::string_view word) const;
   std::string quoted(double number) const;
@@ -71,17 +75,19 @@ class Statement {
  private:
   const char* at_;
   const char* end_;
-  const TextFile& file_;
+  const TextFile* file_;
   int line_;
 };
 
 /// The statements of a text in order. Lines end in LF, CR LF or CR; one that ends in a backslash goes on in
-/// the next. Empty lines and those that begin with # are left out. A byte order mark is skipped. Errors:
-/// InputError for text that is none: UTF-16, or with zero bytes.
+/// the next, where the format has it so. Empty lines and those that begin with # are left out. A byte order
+/// mark is skipped. Errors: InputError for text that is none: UTF-16, or with zero bytes.
 class Statements {
  public:
+  enum class Backslash { joins_lines, is_a_letter };
+
   /// text and file must outlive this.
-  Statements(std::string_view text, const TextFile& file);
+  Statements(std::string_view text, const TextFile& file, Backslash backslash = Backslash::joins_lines);
 
   /// The next statement; nothing at the end. It is good until the next call.
   std::optional<Statement> next();
@@ -91,6 +97,7 @@ class Statements {
 
   std::string_view text_;
   const TextFile& file_;
+  Backslash backslash_;
   std::size_t at_ = 0;
   int line_ = 0;        ///< the last one read, from 1
   std::string joined_;  ///< a statement that goes over several lines

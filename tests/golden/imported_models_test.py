@@ -111,7 +111,7 @@ def test_scenes_and_why():
     check(pixels(written("p.json", scene("m.ply"))) == pixels(written("o.json", scene("m.obj"))), "a scene of it")
     equal(len(picture("p.json", *SMALL).texts["gradus-input-hash"].split()), 2, "scene and model")
     result = gradus("render", "m.ply", *SMALL, "--why", "32,24")
-    check(result.code == 0 and "m.ply, face " in result.out and "(m.ply), triangle 1 of 1" in result.out, f"why: {result.out}")
+    check(result.code == 0 and "m.ply, face 1 (m.ply:18), triangle 1 of 1" in result.out, f"why: {result.out}")
 
 
 def test_remarks():
@@ -128,6 +128,17 @@ def test_remarks():
     start = rows.index(b"end_header") + 1
     write("m.ply", b"\n".join(rows[:start] + [row + b" 255 0 0" for row in rows[start:start + 8]] + rows[start + 8:]))
     equal(gradus("render", "m.ply", *SMALL, "-o", "m.png").err, "m.ply: colours of vertices are not used\nm.png\n", "colours")
+
+
+def test_stl_as_other_readers_take_it():
+    """In capitals, and with bytes behind its last triangle: a remark tells them."""
+    model = house().cut()
+    flat = pixels(written("flat.obj", obj(model)))
+    check(pixels(written("capitals.stl", stl(model).upper())) == flat, "capitals")
+    write("longer.stl", stl(model, binary=True) + b"more")
+    result = gradus("render", "longer.stl", *SMALL, "-o", "longer.png")
+    equal((result.code, result.err), (0, "longer.stl: 4 bytes behind its 16 triangles are left out\nlonger.png\n"), "longer")
+    check(Picture(read("longer.png")).pixels == flat, "and it is drawn whole")
 
 
 # --- What is refused --------------------------------------------------------------------------------------------
@@ -156,10 +167,11 @@ def test_broken_files():
     def with_first(number):
         return Model([(number, 0, 0), *model.positions[1:]], model.faces)
     for number in (float("nan"), float("inf"), 1e31):
-        refused("far.ply", ply(with_first(number), "<"), "far.ply: expected coordinates within 1e30 of 0, found ")
-    refused("far.stl", stl(with_first(-1e31), binary=True), "expected coordinates within 1e30 of 0, found -9.99")
+        refused("far.ply", ply(with_first(number), "<"), "far.ply: row 1 of vertex: expected a finite number of at most 1e+30 for x, found ")
+    refused("far.stl", stl(with_first(-1e31), binary=True), "far.stl: expected coordinates within 1e30 of 0 in triangle 3, found others")
     refused("bare.ply", ply(Model(model.positions, [])), "bare.ply: ")
-    refused("beyond.ply", ply(Model(model.positions, [(0, 1, 8)])), "beyond.ply: ")
+    refused("beyond.off", "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 77\n", "beyond.off:6: expected one of the 3 vertices, a whole number from 0 to 2, found '77'")
+    refused("beyond.ply", ply(Model(model.positions, [(0, 1, 8)])), "beyond.ply:18: expected the number of a vertex, a whole number from 0 to 7, found '8'")
     material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
     place = "a.gltf: texture 'gone.png' of material "
     refused("a.gltf", gltf(model, material=material, image="gone.png"), place,
@@ -201,8 +213,7 @@ def test_what_others_name_is_not_quoted():
 def test_mutations():
     """Files with a few wrong bytes: a picture or a refusal, never a crash."""
     draw, model = random.Random(SEED), house().cut()
-    files = {"m.ply": ply(house()), "b.ply": ply(house(), "<"), "m.stl": stl(model), "b.stl": stl(model, True),
-             "m.glb": glb(model), "m.gltf": gltf(model)}
+    files = {"b.ply": ply(house(), "<"), "b.stl": stl(model, True), "m.glb": glb(model), "m.gltf": gltf(model)}
     taken = crashed = 0
     for n in range(MUTATIONS):
         name = draw.choice(sorted(files))

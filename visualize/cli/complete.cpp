@@ -98,6 +98,7 @@ void add_models_and_scenes(Words& words) {
   add_models(words);
   for (const std::string& name : shipped_examples(".json")) words.add(name, "comes with gradus");
   Texts endings{".obj", ".json"};
+  for (const std::string_view ending : pipeline::own_endings) endings.push_back(fmt::format(".{}", ending));
   if (model_importer()) {
     for (const std::string_view ending : pipeline::imported_endings)
       endings.push_back(fmt::format(".{}", ending));

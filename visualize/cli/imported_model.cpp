@@ -110,8 +110,7 @@ pipeline::ModelFile read_by_assimp(std::string_view bytes, const pipeline::TextF
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(name, 0);
   asked = files->asked();
-  const bool stl = ending == "stl", bare = stl || ending == "ply" || ending == "off";
-  if (scene) return model_of(*scene, file, {.flat = gltf || stl, .bare = bare, .uris = gltf});
+  if (scene) return model_of(*scene, file, {.flat = gltf, .uris = gltf});
   std::string problem = files->problem(file.quotable);
   if (problem.empty()) {
     problem = no_model;

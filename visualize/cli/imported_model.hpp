@@ -1,5 +1,5 @@
 #pragma once
-// Models of other formats than OBJ, by Assimp where it was there when gradus was built.
+// Models of formats that our own readers don't read, by Assimp where it was there when gradus was built.
 
 #include "scene/model_formats.hpp"
 
@@ -12,8 +12,8 @@ inline constexpr std::size_t most_imported_corners = std::size_t{1} << 26;
 ///
 /// Node hierarchies are multiplied out, polygons kept, positions that are the same made one. Of materials it
 /// takes the diffuse or base colour, which is the ambient one, too, highlight, emission, opacity and the
-/// diffuse picture, also one inside the file. Missing normals are made as the format has it: flat in glTF and
-/// STL, smooth in others. With a note: what else there is.
+/// diffuse picture, also one inside the file. Missing normals are made as the format has it: flat in glTF,
+/// smooth in others. With a note: what else there is.
 ///
 /// Domain: any bytes, as far as Assimp can be trusted with them; graphs of glTF's nodes that are no trees are
 ///   refused before it sees them.

@@ -106,7 +106,7 @@ class Conversion {
     unsigned channel = 0;
     m.diffuse_map = texture_of(from, m.name, channel);
     channels_.push_back(channel);
-    if (!format_.bare && m.name != AI_DEFAULT_MATERIAL_NAME)
+    if (m.name != AI_DEFAULT_MATERIAL_NAME)
       take_light(from, m);
     else if (!m.diffuse_map.file.empty())
       m.diffuse = m.ambient = LinearRgb{1};  // the picture alone

@@ -10,7 +10,6 @@ namespace gradus::cli {
 /// What the format says that Assimp's scene does not.
 struct ImportedFormat {
   bool flat = false;  ///< faces without normals are flat
-  bool bare = false;  ///< it has no materials: those that are there are Assimp's own
   bool uris = false;  ///< names of pictures are URIs: a blank is %20
 };
 

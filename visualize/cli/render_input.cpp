@@ -41,7 +41,8 @@ RenderInput read_render_input(const std::string& operand, const FindFile& find, 
   take(file.path, text);
   input.name = from_stdin ? operand : fs::path(operand).filename().string();
   input.quotable = file.quotable;
-  input.is_scene = !pipeline::is_imported(file.path) && pipeline::begins_as_json(text);  // no OBJ file does
+  input.is_scene =
+      !pipeline::is_other_format(file.path) && pipeline::begins_as_json(text);  // no OBJ file does
   const auto took = [&](const std::string&, const std::string& path, const pipeline::LibraryText& library) {
     take(path, library.text);
   };
