@@ -3,6 +3,7 @@
 import pathlib
 import re
 import shlex
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -23,6 +24,19 @@ def installing_line():
     """What the readme says to install the library alone."""
     readme = (project.ROOT / "README.md").read_text(encoding="utf-8")
     return re.search(r"^cmake --build .* && cmake --install .*$", readme, re.MULTILINE)[0]
+
+
+def files_in(prefix):
+    return {file.relative_to(prefix): file.read_bytes() for file in prefix.rglob("*") if file.is_file()}
+
+
+def built_by_bootstrap():
+    """The names of the files that `./bootstrap figures` builds."""
+    bootstrap = (project.ROOT / "bootstrap").read_text(encoding="utf-8")
+    targets = re.search(r"build release --target ([\w ]+?) *(#|$)", bootstrap, re.MULTILINE)[1].split()
+    # Ninja names the libraries' objects, and leaves out a library that only a phony target asks for
+    inputs = project.run("ninja", "-C", project.BUILD, "-t", "inputs", *targets)
+    return set(targets) | {f"lib{name}.a" for name in re.findall(r"^CMakeFiles/(\w+)\.dir/.*\.o$", inputs, re.MULTILINE)}
 
 
 class InstallConsumer(unittest.TestCase):
@@ -47,6 +61,28 @@ class InstallConsumer(unittest.TestCase):
             for file in (folder / "prefix").rglob("*.cmake"):
                 self.assertIsNone(re.search(path_under(project.ROOT), file.read_text(encoding="utf-8")), file.name)
             self.assertTrue(list((folder / "prefix").rglob("LICENSE")))
+            # Without a component, the same files are there beside the command, and nothing that bootstrap doesn't build
+            project.run("cmake", "--install", project.BUILD, "--prefix", folder / "plain")
+            plain = files_in(folder / "plain")
+            self.assertEqual(set(files_in(folder / "prefix").items()) - set(plain.items()), set())
+            compiled = {name for name in plain if re.match(r"bin/|lib.*\.(a|so)$", str(name))}
+            self.assertIn(pathlib.Path("bin/gradus"), compiled)
+            self.assertEqual({file.name for file in compiled} - built_by_bootstrap(), set())
+
+    def test_nothing_is_installed_before_all_of_it_is_built(self):
+        script = (project.BUILD / "before_installing.cmake").read_text(encoding="utf-8")
+        rules = (project.BUILD / "cmake_install.cmake").read_text(encoding="utf-8")
+        self.assertLess(rules.index("before_installing.cmake"), rules.index("file(INSTALL"))
+        for component, missing in (("command", "gradus"), ("library", "libgradus_core.a"), ("", "gradus"),
+                                   ("", "libgradus_sutherland_hodgman.a")):
+            with self.subTest(component=component, missing=missing), tempfile.TemporaryDirectory() as name:
+                copy = pathlib.Path(name) / "before.cmake"
+                copy.write_text(script.replace(f"{project.BUILD}/{missing}", f"{name}/{missing}"), encoding="utf-8")
+                done = subprocess.run(["cmake", f"-DCMAKE_INSTALL_COMPONENT={component}", "-P", copy],
+                                      capture_output=True, text=True)
+                self.assertNotEqual(done.returncode, 0)
+                target = "gradus" if missing == "gradus" else "library"
+                self.assertRegex(done.stderr, rf"{name}/{missing} is not built.*: cmake --build .* --target {target}\n")
 
     def test_a_root_is_told_from_longer_names(self):
         for text in ("/gradus", '"/gradus/algorithms"', "-I/gradus/a", "a;/gradus;b"):

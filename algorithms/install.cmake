@@ -1,0 +1,77 @@
+# What is installed beside the command, and find_package(gradus).
+
+include(CMakePackageConfigHelpers)
+
+# The component: what find_package(gradus) finds, and a target that builds it
+get_property(installed GLOBAL PROPERTY gradus_installed)
+add_custom_target(library DEPENDS ${installed})
+
+# The script that comes before every installation, so that none stops half-way
+set(built_for_command)
+if(TARGET gradus)
+  set(built_for_command $<TARGET_FILE:gradus>)
+endif()
+set(built_for_library)
+foreach(target IN LISTS installed)
+  get_target_property(type ${target} TYPE)
+  if(NOT type STREQUAL INTERFACE_LIBRARY)
+    list(APPEND built_for_library $<TARGET_FILE:${target}>)
+  endif()
+endforeach()
+string(CONFIGURE [[
+set(built_for_command "@built_for_command@")
+set(built_for_library "@built_for_library@")
+set(target_for_command gradus)
+set(target_for_library library)
+set(components ${CMAKE_INSTALL_COMPONENT})
+if(NOT components)
+  set(components command library)
+endif()
+foreach(component IN LISTS components)
+  foreach(file IN LISTS built_for_${component})
+    if(NOT EXISTS "${file}")
+      # A line that begins with a space is not folded
+      message(FATAL_ERROR " ${file} is not built, so nothing is installed; build it first: "
+                          "cmake --build @PROJECT_BINARY_DIR@ --target ${target_for_${component}}")
+    endif()
+  endforeach()
+endforeach()
+]] script @ONLY)
+file(GENERATE OUTPUT ${before_installing} CONTENT "${script}")
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/gradus)
+install(DIRECTORY algorithms/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gradus COMPONENT library FILES_MATCHING PATTERN "*.hpp"
+        PATTERN "*-inl.hpp" EXCLUDE)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT library)
+install(EXPORT gradusTargets NAMESPACE gradus:: DESTINATION ${package_folder} COMPONENT library)
+if(TARGET gradus_image)
+  install(EXPORT gradusImageTargets NAMESPACE gradus:: DESTINATION ${package_folder} COMPONENT library)
+endif()
+if(batches)
+  install(EXPORT gradusBatchTargets NAMESPACE gradus:: DESTINATION ${package_folder} COMPONENT library)
+endif()
+# find_package(gradus) needs GLM and fmt; libpng only who asks for COMPONENTS image, Highway who asks for batch
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/gradusConfig.cmake @ONLY CONTENT [[
+include(CMakeFindDependencyMacro)
+find_dependency(glm CONFIG)
+find_dependency(fmt CONFIG)
+include("${CMAKE_CURRENT_LIST_DIR}/gradusTargets.cmake")
+foreach(component IN LISTS gradus_FIND_COMPONENTS)
+  set(gradus_${component}_FOUND FALSE)
+  if(component STREQUAL "image" AND EXISTS "${CMAKE_CURRENT_LIST_DIR}/gradusImageTargets.cmake")
+    find_dependency(PNG)
+    include("${CMAKE_CURRENT_LIST_DIR}/gradusImageTargets.cmake")
+    set(gradus_image_FOUND TRUE)
+  elseif(component STREQUAL "batch" AND EXISTS "${CMAKE_CURRENT_LIST_DIR}/gradusBatchTargets.cmake")
+    find_dependency(hwy CONFIG)
+    include("${CMAKE_CURRENT_LIST_DIR}/gradusBatchTargets.cmake")
+    set(gradus_batch_FOUND TRUE)
+  elseif(gradus_FIND_REQUIRED_${component})
+    set(gradus_FOUND FALSE)
+    set(gradus_NOT_FOUND_MESSAGE "gradus has no component ${component} in this installation")
+  endif()
+endforeach()
+]])
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gradusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gradusConfig.cmake ${PROJECT_BINARY_DIR}/gradusConfigVersion.cmake
+        DESTINATION ${package_folder} COMPONENT library)
