@@ -47,6 +47,9 @@ FileRead unreadable(const std::string& path) {
   return {"", fmt::format("expected a readable file, found {} ({})", shown(path), std::strerror(reason))};
 }
 
+/// The system would take such a name for what stands before.
+bool has_nul(const std::string& path) { return path.find('\0') != std::string::npos; }
+
 FileRead irregular(const std::string& path, mode_t mode) {
   return {"", fmt::format("expected a regular file, found {} {}", kind_of(mode), shown(path))};
 }
@@ -57,6 +60,7 @@ FileRead too_large(const std::string& path, std::size_t most) {
 
 /// Where a name leads from a folder: as it says, else to its last part there; nothing where no file is.
 std::optional<fs::path> place_of(const fs::path& folder, std::string name) {
+  if (has_nul(name)) return std::nullopt;
   std::ranges::replace(name, '\\', '/');
   for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
     std::error_code error;
@@ -81,6 +85,7 @@ LibraryText text_at(const fs::path& place, const fs::path& folder, const std::st
 
 FileRead read_regular_file(const std::string& path, std::size_t most) {
   struct stat known{};
+  if (has_nul(path)) return {"", fmt::format("expected a file's name without NUL, found {}", shown(path))};
   if (stat(path.c_str(), &known) != 0) return unreadable(path);
   if (!S_ISREG(known.st_mode)) return irregular(path, known.st_mode);
   const OpenFile file(path);

@@ -30,6 +30,9 @@ using Kind = JsonNode::Kind;
 using Keys = std::initializer_list<std::string_view>;
 
 constexpr double largest = 1e30;  // as in models
+// Lengths that divide and directions that are made as long as 1 are as far from the ends of doubles: products
+// of five such quotients are still finite
+constexpr double smallest = 1e-30;
 constexpr int largest_picture = 8192;
 
 /// A value and the way to it, "/objects/0/place".
@@ -100,9 +103,7 @@ class Values {
     return value;
   }
   double above_zero(const Found& at) const {
-    const double value = number(at, "a number above 0");
-    if (!(value > 0)) refuse(at, "a number above 0");
-    return value;
+    return number_in(at, smallest, largest, "a number above 0, from 1e-30 to 1e30");
   }
   int whole(const Found& at, int least, int most) const {
     const std::string expected = fmt::format("a whole number from {} to {}", least, most);
@@ -115,8 +116,11 @@ class Values {
     return at.node.truth;
   }
   const std::string& text(const Found& at, std::string_view expected) const {
-    if (at.node.kind != Kind::text || at.node.text.empty()) refuse(at, expected);
-    return at.node.text;
+    const std::string& text = at.node.text;
+    if (at.node.kind != Kind::text || text.empty()) refuse(at, expected);
+    // The system would read a file's name up to there
+    if (text.find('\0') != std::string::npos) refuse(at, std::string(expected) + ", without NUL");
+    return text;
   }
   /// The number of the name.
   std::size_t choice(const Found& at, std::span<const std::string_view> names) const {
@@ -134,7 +138,10 @@ class Values {
   }
   dvec3 direction(const Found& at) const {
     const dvec3 way = vector(at);
+    const dvec3 parts = glm::abs(way);
     if (way == dvec3{0}) refuse(at, "a direction like [0, 1, 0]", "[0, 0, 0]");
+    if (std::max({parts.x, parts.y, parts.z}) < smallest)
+      refuse(at, "a direction like [0, 1, 0], one of its numbers at least 1e-30 in size", "less");
     return way;
   }
   /// "#4080ff" in sRGB, or three shares of light.
@@ -206,7 +213,9 @@ class Placing {
 
   dvec3 factors(const Found& at) const {
     const dvec3 by = at.node.kind == Kind::number ? dvec3{values_.number(at)} : values_.vector(at);
-    if (by.x == 0 || by.y == 0 || by.z == 0) values_.refuse(at, "factors other than 0", "0");
+    const dvec3 sizes = glm::abs(by);
+    const double least = std::min({sizes.x, sizes.y, sizes.z});
+    if (least < smallest) values_.refuse(at, "factors of at least 1e-30 in size", least == 0 ? "0" : "less");
     return by;
   }
 
@@ -287,8 +296,9 @@ class Lamps {
 
   void attenuate(Light& lamp, const Found& at) const {
     const dvec3 by = values_.vector(at);
-    if (!(by.x >= 0 && by.y >= 0 && by.z >= 0) || by == dvec3{0})
-      values_.refuse(at, "constant, linear and quadratic part from 0 on, not all 0", "others");
+    if (!(by.x >= 0 && by.y >= 0 && by.z >= 0) || std::max({by.x, by.y, by.z}) < smallest)
+      values_.refuse(at, "constant, linear and quadratic part from 0 on, one of them at least 1e-30",
+                     "others");
     lamp.constant = by.x, lamp.linear = by.y, lamp.quadratic = by.z;
   }
 

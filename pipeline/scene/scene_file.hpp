@@ -54,9 +54,9 @@ using ModelFinder = std::function<std::optional<FoundModel>(const std::string& n
 /// Accuracy: the nearest double to each number.
 /// Cost: that of the models; objects that show the same model share its mesh.
 /// Errors: InputError "file:line: /objects/0/place/1/scale: expected …, found …" for keys and values that the
-///   schema refuses, numbers larger than 1e30, objects without an extent left (a matrix that is not affine or
-///   that has no inverse), more than most_models, most_objects, most_lights; "file:line: …" for what is no
-///   JSON and for what is wrong with a model.
+///   schema refuses, numbers larger than 1e30 or, where they divide, below 1e-30, objects without an extent
+///   left (a matrix that is not affine or that has no inverse), more than most_models, most_objects,
+///   most_lights; "file:line: …" for what is no JSON and for what is wrong with a model.
 SceneFile parse_scene(std::string_view text, const std::string& name, const ModelFinder& find,
                       const PictureDecoder& decode, const ModelImporter& import = {});
 

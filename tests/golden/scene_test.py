@@ -223,7 +223,7 @@ def changed(scene, rng):
     elif kind == 2 and isinstance(holder, list):
         holder.insert(way[-1], copy.deepcopy(holder[way[-1]]))
     else:
-        holder[way[-1]] = rng.choice([None, True, False, -1, 0, 1, 0.5, 2.5, 7, 1e31, "", "x", "#a0B1c2", "flat", "none", "point", "oblique", [], {},
+        holder[way[-1]] = rng.choice([None, True, False, -1, 0, 1, 0.5, 2.5, 7, 1e31, 5e-324, -9e-31, 1e-30, [0, 1e-31, 0], "", "x", "x\0y", "#a0B1c2", "flat", "none", "point", "oblique", [], {},
                                       [1, 2], [1, 2, 3], [0, 0, 0], [4, 4], [1, "2", 3], {"translate": [1, 2, 3]}, {"scale": 0}])
     return scene
 

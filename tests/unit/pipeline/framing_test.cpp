@@ -24,6 +24,17 @@ dvec3 seen(const Camera& camera, double aspect, dvec3 point) {
   return perspective::divide(perspective::transform(projection_of(camera.lens, aspect), view));
 }
 
+TEST(Framing, ABoxThatTouchesTheEyeHasDepthsToo) {
+  Bounds bounds;
+  bounds.add({0, 0, 0}), bounds.add({1, 1, 1});
+  for (const double z : {0.0, 5e-324, 1e-300}) {
+    Camera camera;
+    camera.frame = viewing::look_at({0, 0, z}, dvec3{0, 0, -1}, dvec3{0, 1, 0});
+    const Camera told = with_depths(camera, bounds);
+    EXPECT_TRUE(0 < told.lens.near && told.lens.near < told.lens.far) << z << ": " << told.lens.near;
+  }
+}
+
 TEST(Framing, EverythingIsInThePictureAndFillsIt) {
   Random random(test::seed());
   int cases = 0;

@@ -56,6 +56,15 @@ class ObjFiles : public testing::Test {
   std::filesystem::path root_;
 };
 
+TEST_F(ObjFiles, NoNameEndsAtANul) {
+  write("models/a.mtl", red);
+  const std::string name("a.mtl\0.mtl", 10);
+  EXPECT_EQ(said("mtllib a.mtl"), "red");
+  EXPECT_THAT(said("mtllib " + name), testing::Not(testing::StartsWith("red")));
+  EXPECT_THAT(read_regular_file((root_ / "models/").string() + name).problem,
+              testing::StartsWith("expected a file's name without NUL, found "));
+}
+
 TEST_F(ObjFiles, LibrariesWithBlanksInTheirNames) {
   write("models/a b.mtl", red);
   std::filesystem::create_directory(root_ / "models/a");

@@ -233,7 +233,7 @@ TEST(SceneFile, MistakesAreBlamedOnTheirLineAndKey) {
   EXPECT_EQ(complaint_of_object("\"place\": [{\"scale\": 1},\n{\"translate\": [1, \"2\", 3]}]"),
             "s.json:4: /objects/1/place/1/translate/1: expected a number of at most 1e30 in size, found '2'");
   EXPECT_EQ(complaint_of_object("\"place\": {\"scale\": 0}"),
-            "s.json:3: /objects/1/place/scale: expected factors other than 0, found 0");
+            "s.json:3: /objects/1/place/scale: expected factors of at least 1e-30 in size, found 0");
   EXPECT_THAT(complaint_of_object("\"place\": {\"scale\": 1, \"translate\": [1, 2, 3]}"),
               HasSubstr("expected one of translate, rotate, scale, matrix alone, found 2 of them"));
   EXPECT_THAT(complaint_of_object("\"place\": {\"matrix\": [[1, 0, 0, 0], [2, 0, 0, 0], [0, 0, 1, 0]]}"),
@@ -279,9 +279,44 @@ TEST(SceneFile, ContradictionsAreRefused) {
        "/lights/0/inner: expected an inner cone within the outer one, at most 20 degrees, found 30"},
       {R"("lights": [{"kind": "area", "position": [0, 1, 0], "across": [0, 1, 0], "along": [0, 2, 0]}])",
        "/lights/0/along: expected another direction than that of across"},
-      {R"("lights": [{"kind": "point", "position": [0, 1, 0], "attenuation": [0, 0, 0]}])", "not all 0"}};
+      {R"("lights": [{"kind": "point", "position": [0, 1, 0], "attenuation": [0, 0, 0]}])",
+       "one of them at least 1e-30"}};
   for (const auto& [members, expected] : mistakes)
     EXPECT_THAT(refused(members), HasSubstr(expected)) << members;
+}
+
+TEST(SceneFile, WhatDividesIsNotNearZero) {
+  const auto with = [](const std::string& members) {
+    return complaint(fmt::format(R"({{"objects": [{{"model": "body.obj"}}], {}}})", members));
+  };
+  const auto in_camera = [&](const std::string& members) {
+    return with(fmt::format(R"("camera": {{{}}})", members));
+  };
+  const auto in_lamp = [&](const std::string& members) {
+    return with(fmt::format(R"("lights": [{{"kind": "point", "position": [0, 1, 0], {}}}])", members));
+  };
+  for (const char* little : {"5e-324", "1e-300", "9.99e-31"}) {
+    const auto height = fmt::format(R"("projection": "orthographic", "height": {})", little);
+    EXPECT_THAT(in_camera(height),
+                HasSubstr("/camera/height: expected a number above 0, from 1e-30 to 1e30, found "));
+    EXPECT_THAT(in_camera(fmt::format(R"("focal": {}, "sensor": 1)", little)),
+                HasSubstr("from 1e-30 to 1e30"));
+    EXPECT_THAT(in_camera(fmt::format(R"("near": {}, "far": 1)", little)), HasSubstr("from 1e-30 to 1e30"));
+    EXPECT_THAT(in_camera(fmt::format(R"("up": [0, -{}, 0])", little)), HasSubstr("at least 1e-30 in size"));
+    EXPECT_THAT(in_lamp(fmt::format(R"("range": {})", little)), HasSubstr("from 1e-30 to 1e30"));
+    EXPECT_THAT(in_lamp(fmt::format(R"("attenuation": [{}, 0, 0])", little)), HasSubstr("at least 1e-30"));
+    EXPECT_THAT(complaint_of_object(fmt::format(R"("place": {{"scale": [1, -{}, 1]}})", little)),
+                HasSubstr("factors of at least 1e-30 in size"));
+  }
+  EXPECT_EQ(in_camera(R"("projection": "orthographic", "height": 1e-30)"), "(no complaint)");
+  EXPECT_EQ(in_camera(R"("up": [0, -1e-30, 5e-324])"), "(no complaint)");
+}
+
+TEST(SceneFile, NamesHaveNoNul) {
+  EXPECT_THAT(
+      complaint(R"({"objects": [{"model": "body.obj\u0000.png"}]})"),
+      HasSubstr("/objects/0/model: expected a file's name like \"../models/spot.obj\", without NUL, found "));
+  EXPECT_THAT(complaint_of_object(R"("name": "a\u0000b")"), HasSubstr("expected a name, without NUL"));
 }
 
 TEST(SceneFile, ShippedScenesAreRead) {
