@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -280,21 +281,60 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
 }
 
 void NewFiles::commit() {
+  // No signal to end the program comes between two of them
+  const std::lock_guard lock(incomplete().mutex);
+  std::vector<Old> olds;
+  for (const Pending& file : pending_) {
+    olds.push_back(pending_.size() == 1 ? Old{} : keep_old(file.path));
+    if (rename(file.temporary.c_str(), file.path.c_str()) == 0) continue;
+    const int reason = errno;
+    const std::string remaining = take_back(olds);
+    throw WorkError(fmt::format("can't write {}: {}{}", shown(file.path), std::strerror(reason), remaining));
+  }
   for (std::size_t i = 0; i < pending_.size(); ++i) {
-    const Pending& file = pending_[i];
-    if (rename(file.temporary.c_str(), file.path.c_str()) != 0) {
-      const int reason = errno;
-      std::string replaced;
-      for (std::size_t k = 0; k < std::min<std::size_t>(i, 3); ++k) {
-        replaced += (k == 0 ? "" : ", ") + shown(pending_[k].path);
-      }
-      if (i > 3) replaced += fmt::format(" and {} more", i - 3);
-      throw WorkError(fmt::format("can't write {}: {}{}{}", shown(file.path), std::strerror(reason),
-                                  i > 0 ? "; new already: " : "", replaced));
-    }
-    forget(file.temporary);
+    incomplete().paths.erase(pending_[i].temporary);
+    drop(olds[i]);
   }
   pending_.clear();
+}
+
+NewFiles::Old NewFiles::keep_old(const std::string& path) {
+  Old old;
+  const std::string name = path.substr(0, path.find_last_of('/') + 1) + temporary_name();
+  incomplete().paths.insert(name);
+  if (link(path.c_str(), name.c_str()) == 0) {
+    old.kept = name;
+  } else {
+    old.none = errno == ENOENT;
+    incomplete().paths.erase(name);
+  }
+  return old;
+}
+
+void NewFiles::drop(const Old& old) {
+  if (old.kept.empty()) return;
+  unlink(old.kept.c_str());
+  incomplete().paths.erase(old.kept);
+}
+
+std::string NewFiles::take_back(const std::vector<Old>& olds) {
+  drop(olds.back());  // of the one that has no new file
+  std::vector<std::string> remaining;
+  for (std::size_t i = 0; i + 1 < olds.size(); ++i) {
+    const auto& [kept, none] = olds[i];
+    const std::string& path = pending_[i].path;
+    if (!kept.empty() && rename(kept.c_str(), path.c_str()) == 0) {
+      incomplete().paths.erase(kept);
+    } else if (!none || unlink(path.c_str()) != 0) {
+      remaining.push_back(shown(path));
+    }
+  }
+  if (remaining.empty()) return olds.size() > 1 ? "; the others stay as they were" : "";
+  constexpr std::size_t most = 3;
+  const std::size_t more = remaining.size() - std::min(remaining.size(), most);
+  remaining.resize(remaining.size() - more);
+  return fmt::format("; new already: {}{}", fmt::join(remaining, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 void write_output(const std::string& path, std::string_view bytes, Replace replace) {

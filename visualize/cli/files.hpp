@@ -67,13 +67,24 @@ class NewFiles {
   /// pipe is written at once. Throws UsageError for a file that must not be replaced, or that another one of
   /// these will be.
   void add(const std::string& path, std::string_view bytes, Replace replace = Replace::own);
-  /// Where the system refuses a name in their midst, the error tells which files are new.
+  /// Where the system refuses a name in their midst, the files before it get their old contents back; where
+  /// the disk can't keep those beside the new ones, by links, the error tells which files are new.
   void commit();
 
  private:
   struct Pending {
     std::string temporary, path;
   };
+  /// What was under a name before: another name that it is kept by, or nothing.
+  struct Old {
+    std::string kept{};
+    bool none = false;
+  };
+  static Old keep_old(const std::string& path);
+  static void drop(const Old& old);
+  /// Undoes what commit() has done; tells what it can't. olds: of the files up to the one that failed.
+  std::string take_back(const std::vector<Old>& olds);
+
   std::vector<Pending> pending_;
   std::set<std::filesystem::path> destinations_;
 };

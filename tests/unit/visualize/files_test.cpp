@@ -75,6 +75,29 @@ TEST_F(Files, LeaveNoTraceWithoutCommit) {
   EXPECT_EQ(get("a"), "old");
 }
 
+TEST_F(Files, ARefusedNameLeavesTheOthersAsTheyWere) {
+  put("a", "old");
+  {
+    NewFiles files;
+    for (const char* name : {"a", "b", "c", "d"}) files.add(path(name), "new", Replace::anything);
+    fs::create_directory(path("c"));  // since then, so that no file can get its name
+    EXPECT_EQ(complaint([&] { files.commit(); }),
+              "work: can't write '" + path("c") + "': Is a directory; the others stay as they were");
+  }
+  EXPECT_EQ(names(), (FileNames{"a", "c"}));
+  EXPECT_EQ(get("a"), "old");
+}
+
+TEST_F(Files, WhatIsKeptForAWhileLeavesNoTrace) {
+  put("a", "old"), put("b", "old");
+  fs::create_hard_link(path("a"), path("other"));
+  NewFiles files;
+  for (const char* name : {"a", "b", "c"}) files.add(path(name), "new", Replace::anything);
+  files.commit();
+  EXPECT_EQ(names(), (FileNames{"a", "b", "c", "other"}));
+  EXPECT_EQ(get("a") + get("b") + get("c") + get("other"), "newnewnewold");
+}
+
 TEST_F(Files, ReplaceAndKeepPermissions) {
   put("a", "old");
   fs::permissions(path("a"), fs::perms::owner_read | fs::perms::owner_write);
