@@ -33,6 +33,7 @@ LAYERS = {
 PACKAGES = {
     "cairo": "visualize/cairo/",
     "fontconfig/": "visualize/cairo/",
+    "pango/": "visualize/cairo/any_script.cpp",
     "zlib.h": "visualize/cairo/deflated.cpp",
     "CLI/": "visualize/cli/",
     "nlohmann/": "visualize/json/",
@@ -46,7 +47,7 @@ PACKAGES = {
     "assimp/": "visualize/cli/imported_",
     "tiny_obj_loader.h": "tests/",
 }
-ONE_FILE = ("zlib.h", "CLI/", "boost/", "png.h", "cmark-gfm", "archive", "turbojpeg.h")  # heavy or confined: a single .cpp
+ONE_FILE = ("zlib.h", "pango/", "CLI/", "boost/", "png.h", "cmark-gfm", "archive", "turbojpeg.h")  # heavy or confined: a single .cpp
 ORACLES = ("zlib.h", "boost/", "png.h", "nlohmann/", "hwy/", "cairo", "turbojpeg.h", "assimp/")  # tests and benchmarks use them too
 BATCH_ONLY = ("hwy/",)  # SIMD: nothing that a reader of the algorithm sees
 

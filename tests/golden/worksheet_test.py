@@ -12,6 +12,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import unicodedata
 import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
@@ -216,13 +217,78 @@ def test_names_for_latex():
           "a drawing a student")
 
 
+# --- Names in any script -----------------------------------------------------------------------------------------------
+
+
+def name_inks(path, page):
+    """The pieces of ink behind "Name:" on a page, from the left: the first and the last column of each that touches itself."""
+    boxes = subprocess.run(["pdftotext", "-bbox", "-f", str(page), "-l", str(page), path, "-"], capture_output=True).stdout.decode()
+    left, top, right, bottom = (float(number) for number in re.search(
+        r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">Name:', boxes).groups())
+    scale = 4  # pixels a point
+    shown = subprocess.run(["pdftoppm", "-r", str(72 * scale), "-gray", "-f", str(page), "-l", str(page), "-x", str(round(right * scale)),
+                            "-y", str(round(top * scale)), "-W", str(300 * scale), "-H", str(round((bottom - top) * scale)), path],
+                           capture_output=True).stdout
+    _, size, _, pixels = shown.split(b"\n", 3)
+    width, height = map(int, size.split())
+    dark = {(k % width, k // width) for k, value in enumerate(pixels[:width * height]) if value < 160}
+    inks = []
+    while dark:
+        todo = [dark.pop()]
+        first = last = todo[0][0]
+        while todo:
+            x, y = todo.pop()
+            first, last = min(first, x), max(last, x)
+            near = {(x + i, y + j) for i in (-1, 0, 1) for j in (-1, 0, 1)} & dark
+            dark -= near
+            todo += near
+        inks.append((first, last))
+    return sorted(inks)
+
+
+def test_names_in_any_script():
+    fonts = "".join(f"<dir>/usr/share/fonts/{folder}</dir>" for folder in ("opentype/inter", "truetype/dejavu", "truetype/jetbrains-mono"))
+    write("fonts.conf", f"<?xml version='1.0'?><fontconfig>{fonts}<cachedir>{os.getcwd()}/fonts</cachedir></fontconfig>")
+    own = {"FONTCONFIG_FILE": f"{os.getcwd()}/fonts.conf"}
+    write("names.csv", "Name;Nr\nمحمد;1\nدمم;2\n王小明;3\nAda;4\nمهدی\u200cزاده;5\n")
+    result = made(*LINE, "-o", "s.pdf", "--students", "names.csv", env=own)
+    equal(result.err.split("\n")[0], "names.csv:4: no installed font has U+738B of '王小明', so the name's line stays empty", "a remark")
+    equal(result.err.count("\n"), 3, result.err)
+    before = read("s.pdf"), read("s-key.pdf")
+    for locale in ({}, {"LANG": "ja_JP.UTF-8", "LANGUAGE": "ja"}, {"LC_ALL": "ar"}):
+        made(*LINE, "-o", "s.pdf", "--students", "names.csv", "-q", env=own | locale)
+        check((read("s.pdf"), read("s-key.pdf")) == before, f"the same bytes under {locale}")
+    sheets, keys = pages_text("s.pdf"), pages_text("s-key.pdf")
+    equal((len(sheets), len(keys)), (5, 5), "a page a student")
+    check("Name: Ada" in sheets[3] and "Name: Ada" in keys[3], sheets[3])
+    for page, letters in ((0, "محمد"), (1, "دمم"), (4, "مهدیزاده")):
+        for text in (sheets[page], keys[page]):
+            found = "".join(c for c in unicodedata.normalize("NFKC", text) if "\u0600" <= c <= "\u06ff")
+            check(sorted(found) in (sorted(letters), sorted(2 * letters)), f"{letters}: {found}")  # a sheet's foot has it again
+    # Written by hand, the first name is one stroke; of the second the first letter, the narrow one, stands apart at the right
+    equal(len(name_inks("s.pdf", 1)), 1, "letters are joined")
+    apart = name_inks("s.pdf", 2)
+    check(len(apart) == 2 and apart[0][1] - apart[0][0] > apart[1][1] - apart[1][0] and apart[0][1] < apart[1][1],
+          f"from right to left: {apart}")
+    # The line that a sheet without a name has
+    rule = name_inks("s.pdf", 3)
+    check(len(rule) == 1 and rule[0][1] - rule[0][0] > 800, f"a line to write on: {rule}")
+    long = "م" * 100
+    write("long.txt", long + "\n")
+    made(*LINE, "-o", "l.pdf", "--students", "long.txt", "-q", env=own)
+    check(name_inks("l.pdf", 1)[-1][1] < 1200, "a long name stays on the page")
+    write("names.txt", "王小明\n")
+    made(*LINE, "-o", "s.tex", "--students", "names.txt", "-q", env=own)
+    check("王小明" in read("s.tex").decode(), "LaTeX gets the name as it is")
+
+
 # --- Refusals --------------------------------------------------------------------------------------------------------
 
 
 def test_what_is_refused_in_one_line():
     write("empty.txt", "\n\n")
     write("names.txt", "Ada\n")
-    write("wide.txt", "中\n")
+    write("turned.txt", "Ada \u202eecila\n")
     for words, said in (
             (["-o", "s.png"], "-o: expected a name that ends in .pdf, .tex, .xml (or --format), found 's.png'"),
             ([], "-o: expected a file like sheet.pdf, or - for standard output, found none"),
@@ -234,7 +300,7 @@ def test_what_is_refused_in_one_line():
             (["-o", "s.pdf", "--seed=-1"], "--seed: expected a whole number from 0 to 9223372036854775807, found '-1'"),
             (["-o", "s.pdf", "--students", "empty.txt"], "--students: expected a name a line, found none"),
             (["-o", "s.pdf", "--students", "none.txt"], "--students: "),
-            (["-o", "s.pdf", "--students", "wide.txt"], "worksheet: expected texts that can be drawn"),
+            (["-o", "s.pdf", "--students", "turned.txt"], "--students: expected names of up to 100 letters in UTF-8, found "),
             (["-o", "names.txt", "--format", "pdf", "--students", "names.txt"], "-o: "),
             (["liang_barsky", "--to", "5,2", "-o", "s.pdf"], "--to: expected one topic with inputs of its own, found 2"),
             (["worksheet", "illumination", "-o", "s.pdf"],

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cairo/any_script.hpp"
 #include "cairo/fonts.hpp"
 #include "cairo/handles.hpp"
 #include "cairo/metadata.hpp"
@@ -189,6 +190,10 @@ class Painter {
   }
 
   void draw(const TextShape& text) {
+    if (text.any_script_within > 0) {
+      use(text.paint);
+      return show_in_any_script(context_, text.text, text.size, text.baseline, text.any_script_within);
+    }
     const dvec2 at{text.box().x, text.baseline.y};
     if (text.halo) {
       for (const TextPiece& piece : pieces_of(text))

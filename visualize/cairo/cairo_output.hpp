@@ -3,7 +3,9 @@
 // Every function throws std::runtime_error when Cairo reports a failure, or its fonts are missing.
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/image.hpp"
 #include "figure/colophon.hpp"
@@ -37,5 +39,9 @@ std::string png_of(const Sheet& sheet, const Finish& finish, const Colophon& col
 /// held at a time.
 std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& page, const Finish& finish,
                    const Colophon& colophon);
+
+/// The first character of a text in any script, in UTF-8, that no installed font has; nothing when all can be
+/// drawn.
+std::optional<char32_t> character_without_font(std::string_view text);
 
 }  // namespace gradus

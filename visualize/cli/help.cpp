@@ -285,14 +285,15 @@ int version() {
   constexpr std::string_view compiler = "compiled by GCC";
 #endif
   // Asked of the libraries themselves, whose headers belong to other folders
-  const std::string cairo = loaded_version("cairo_version_string"), zlib = loaded_version("zlibVersion");
+  const std::string cairo = loaded_version("cairo_version_string"),
+                    pango = loaded_version("pango_version_string"), zlib = loaded_version("zlibVersion");
   const std::string png = loaded_version<const void*>("png_get_libpng_ver", nullptr);
-  write_stream(
-      Stream::out,
-      fmt::format("gradus {}\ncairo {}, libpng {}, zlib {}, fmt {}.{}.{}, GLM {}.{}.{}.{}, CLI11 {}; {} {}\n",
-                  release_version, cairo, png, zlib, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                  FMT_VERSION % 100, GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
-                  GLM_VERSION_REVISION, cli11_version(), compiler, __VERSION__));
+  write_stream(Stream::out,
+               fmt::format("gradus {}\ncairo {}, pango {}, libpng {}, zlib {}, fmt {}.{}.{}, GLM "
+                           "{}.{}.{}.{}, CLI11 {}; {} {}\n",
+                           release_version, cairo, pango, png, zlib, FMT_VERSION / 10000,
+                           FMT_VERSION / 100 % 100, FMT_VERSION % 100, GLM_VERSION_MAJOR, GLM_VERSION_MINOR,
+                           GLM_VERSION_PATCH, GLM_VERSION_REVISION, cli11_version(), compiler, __VERSION__));
   return 0;
 }
 

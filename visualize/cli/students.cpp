@@ -14,6 +14,7 @@ namespace gradus::cli {
 namespace {
 
 constexpr std::size_t longest_name = 100;
+constexpr char32_t non_joiner = 0x200c, joiner = 0x200d;  // as Persian names and some emoji have them
 
 /// The first field of a line.
 std::string first_field(std::string_view line) {
@@ -39,7 +40,8 @@ bool is_heading(const std::string& field) {
 
 void check_student(const std::string& name, std::size_t line, std::string_view what) {
   const std::u32string letters = code_points(name);
-  const bool control = std::ranges::any_of(letters, [](char32_t c) { return c < U' ' || c == 0x7f; });
+  const bool control = std::ranges::any_of(
+      letters, [](char32_t c) { return is_control(c) && c != non_joiner && c != joiner; });
   const bool broken = letters.find(U'\ufffd') != std::u32string::npos;
   if (!control && !broken && letters.size() <= longest_name) return;
   throw UsageError(fmt::format("{}: expected names of up to {} letters in UTF-8, found {} in line {}", what,
@@ -48,9 +50,9 @@ void check_student(const std::string& name, std::size_t line, std::string_view w
 
 }  // namespace
 
-std::vector<std::string> students_in(std::string_view text, std::string_view what) {
+std::vector<Student> students_in(std::string_view text, std::string_view what) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  std::vector<std::string> names;
+  std::vector<Student> names;
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -61,7 +63,7 @@ std::vector<std::string> students_in(std::string_view text, std::string_view wha
     const std::string name = first_field(line);
     if (name.empty() || (number == 1 && is_heading(name))) continue;
     check_student(name, number, what);
-    names.push_back(name);
+    names.push_back({name, number});
     if (names.size() > most_students) {
       throw UsageError(fmt::format("{}: expected at most {} students, found more", what, most_students));
     }

@@ -48,7 +48,8 @@ struct Model {
 
 struct WorksheetWish {
   std::vector<Model> models;
-  std::vector<std::string> students;  ///< one without a name where no file is given
+  /// One without a name where no file is given; in a PDF also where no font has it.
+  std::vector<std::string> students;
   worksheet::PageStyle style;
   worksheet::Search search;
   int halves = 20;  ///< half points of a sheet
@@ -182,6 +183,25 @@ std::string recorded_command(const Request& request, const std::vector<Model>& m
   return line;
 }
 
+/// The names of a class. In a PDF one that no font can draw is left out, and told.
+std::vector<std::string> read_students(const std::string& file, SheetFormat format, bool quiet) {
+  std::vector<std::string> names, remarks;
+  for (const Student& student : students_in(read_input(file, "--students"), "--students")) {
+    const auto& [name, line] = student;
+    const bool by_table = missing_characters(name, Face::sans).empty();
+    const auto missing = by_table || format != SheetFormat::pdf ? std::nullopt : character_without_font(name);
+    names.push_back(missing ? "" : name);
+    if (!missing) continue;
+    remarks.push_back(
+        fmt::format("{}:{}: no installed font has U+{:04X} of {}, so the name's line stays empty",
+                    file == dash ? "standard input" : shown_name(file), line,
+                    static_cast<std::uint32_t>(*missing), shown(name)));
+  }
+  for (const std::string& remark : first_notes(remarks))
+    if (!quiet) note(remark);
+  return names;
+}
+
 WorksheetWish read_wish(const Request& request) {
   const auto wanted = request.flags.find("output");
   if (wanted == request.flags.end()) {
@@ -197,7 +217,7 @@ WorksheetWish read_wish(const Request& request) {
   wish.models = read_models(request, wish.inputs);
   wish.students = {""};
   if (const auto file = request.flags.find("students"); file != request.flags.end()) {
-    wish.students = students_in(read_input(file->second, "--students"), "--students");
+    wish.students = read_students(file->second, wish.format, request.quiet());
     wish.inputs.push_back(file->second);
   }
   wish.search.seed = static_cast<std::uint64_t>(read_whole(request, "seed", 1, 0, INT64_MAX));
@@ -273,8 +293,20 @@ std::vector<std::pair<const StudentSheet*, std::size_t>> all_tasks(const std::ve
   return tasks;
 }
 
+/// The first character of a page that is drawn by no font.
+std::optional<MissingGlyph> missing_on(const Sheet& sheet) {
+  if (const auto missing = missing_glyph(sheet)) return missing;
+  for (const Shape& shape : sheet.shapes) {
+    const TextShape* text = std::get_if<TextShape>(&shape.what);
+    if (!text || text->any_script_within == 0) continue;
+    if (const auto character = character_without_font(text->text))
+      return MissingGlyph{text->text, *character};
+  }
+  return std::nullopt;
+}
+
 void check_letters(const Sheet& sheet) {
-  const auto missing = missing_glyph(sheet);
+  const auto missing = missing_on(sheet);
   if (!missing) return;
   throw UsageError(fmt::format("worksheet: expected texts that can be drawn ({}), found {}",
                                explained(*missing), shown(missing->text)));

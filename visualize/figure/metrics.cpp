@@ -128,7 +128,7 @@ std::optional<MissingGlyph> missing_glyph(std::string_view text, Face face) {
 std::optional<MissingGlyph> missing_glyph(const Sheet& sheet) {
   for (const Shape& shape : sheet.shapes) {
     const TextShape* text = std::get_if<TextShape>(&shape.what);
-    if (!text) continue;
+    if (!text || text->any_script_within > 0) continue;
     for (const TextPiece& piece : pieces_of(*text)) {
       if (auto missing = missing_glyph(piece.text, piece.face)) return missing;
     }
@@ -197,8 +197,9 @@ std::vector<TextPiece> pieces_of(const TextShape& shape) {
 }
 
 Box TextShape::box() const {
-  double width = 0;
-  for (const TextPiece& piece : pieces_of(*this)) width += piece.width;
+  double width = any_script_within;
+  if (width == 0)
+    for (const TextPiece& piece : pieces_of(*this)) width += piece.width;
   const double left = align == Align::left ? 0 : align == Align::centre ? width / 2 : width;
   return {baseline.x - left, baseline.y - 0.78 * size, width, size};
 }

@@ -34,7 +34,7 @@ struct MissingGlyph {
 /// The first one of a text; nothing when all can be drawn. Sans, bold and italic can draw the same
 /// characters.
 std::optional<MissingGlyph> missing_glyph(std::string_view text, Face face);
-/// The first one of a whole figure.
+/// The first one of a whole figure, but for texts in any script.
 std::optional<MissingGlyph> missing_glyph(const Sheet& sheet);
 /// "the figures' fonts have no glyph for U+4E2D": what to say after the text.
 std::string explained(const MissingGlyph& missing);

@@ -140,7 +140,10 @@ struct TextShape {
   bool halo = false;                      ///< a rim in the paper's colour, where it crosses lines
   Paint ground = Paint::of(Tone::paper);  ///< what it stands on: the halo's colour, and for the contrast test
   std::vector<TextSpan> spans{};          ///< in order, none over another
-  Box box() const;                        ///< ascent to descent, by the metrics table
+  /// Above 0: in any script, from the left, within this width. What fonts are installed tells how it looks,
+  /// not the table; drawn in PDF files and pixels alone.
+  double any_script_within = 0;
+  Box box() const;  ///< ascent to descent, by the metrics table
   /// Whether it is another text's rim alone, which lies further down: it has no paint of its own.
   bool is_rim() const { return paint.part == Paint::Part::none; }
 };

@@ -134,7 +134,7 @@ std::string task_page(const StudentSheet& sheet, std::size_t number, Part part, 
   const Wording& wording = trace.wording;
   const std::string points = points_text(task.points(), wording);
   const std::string worth = part == Part::key ? points : scored_text(task.points(), wording);
-  const std::string name = latex_escaped(name_text(sheet, wording));
+  const std::string name = latex_escaped(name_text(sheet.student, wording));
   std::string out = fmt::format("\\section*{{{} \\hfill \\normalsize\\normalfont {}}}\n",
                                 latex_escaped(task_title(sheet, number)), latex_escaped(worth));
   if (part == Part::key) {

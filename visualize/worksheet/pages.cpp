@@ -30,6 +30,21 @@ class Writer {
             Align align = Align::left, Paint paint = Paint::of(Tone::ink), Slot slot = Slot::sentence) {
     page_.shapes.push_back({slot, id, TextShape{baseline, std::move(text), face, size, align, paint}});
   }
+  /// A student's name, or a text that ends with one: in the figures' letters where they have all of them.
+  void name(const std::string& id, double baseline, const std::string& before, const std::string& name,
+            double size, double room, Tone tone, Slot slot) {
+    const std::string all = before + name;
+    if (missing_characters(name, Face::sans).empty()) {
+      return text(id, {margin, baseline}, elided(all, Face::sans, size, room), Face::sans, size, Align::left,
+                  Paint::of(tone), slot);
+    }
+    const double begin = text_width(before, Face::sans, size);
+    if (!before.empty())
+      text(id + " before", {margin, baseline}, before, Face::sans, size, Align::left, Paint::of(tone), slot);
+    TextShape shape{{margin + begin, baseline}, name, Face::sans, size, Align::left, Paint::of(tone)};
+    shape.any_script_within = room - begin;
+    page_.shapes.push_back({slot, id, std::move(shape)});
+  }
   void line(const std::string& id, dvec2 from, dvec2 to, Tone tone = Tone::rule, double width = 1) {
     page_.shapes.push_back({Slot::title, id, LineShape{{from, to}, Paint::of(tone), width}});
   }
@@ -220,10 +235,10 @@ void write_head(Writer& to, const StudentSheet& sheet, std::size_t task, Part pa
   to.y += 30;
   const std::string key = part == Part::key ? wording.say("worksheet.key") : "";
   const double room = to.width() - text_width(key, Face::bold, 13) - 20;
-  const std::string name = elided(name_text(sheet, wording), Face::sans, 13, room);
-  to.text("name", {margin, to.y}, name, Face::sans, 13, Align::left, Paint::of(Tone::ink), Slot::title);
+  const std::string before = name_text("", wording) + (sheet.student.empty() ? "" : " ");
+  to.name("name", to.y, before, sheet.student, 13, room, Tone::ink, Slot::title);
   if (sheet.student.empty() && part == Part::sheet) {
-    const double from = margin + text_width(name, Face::sans, 13) + 8;
+    const double from = margin + text_width(before, Face::sans, 13) + 8;
     to.line("name line", {from, to.y + 2}, {margin + 0.6 * to.width(), to.y + 2}, Tone::muted);
   }
   if (!key.empty()) {
@@ -280,8 +295,7 @@ void write_foot(Sheet& page, Writer& to, const Wording& wording, const std::stri
       wording.say("figure.page", fmt::arg("page", number + 1), fmt::arg("pages", pages));
   const double room = to.width() - text_width(place, Face::sans, small) - 20;
   to.line("footer rule", {margin, baseline - 14}, {page.width - margin, baseline - 14});
-  to.text("footer", {margin, baseline}, elided(footer, Face::sans, small, room), Face::sans, small,
-          Align::left, Paint::of(Tone::muted), Slot::footer);
+  to.name("footer", baseline, "", footer, small, room, Tone::muted, Slot::footer);
   to.text("page", {page.width - margin, baseline}, place, Face::sans, small, Align::right,
           Paint::of(Tone::muted), Slot::footer);
 }

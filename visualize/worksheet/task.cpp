@@ -60,8 +60,8 @@ std::string task_title(const StudentSheet& sheet, std::size_t task) {
   return wording_of(told).say("worksheet.task", arg("number", task + 1), arg("title", title));
 }
 
-std::string name_text(const StudentSheet& sheet, const Wording& wording) {
-  return wording.say("worksheet.name") + (sheet.student.empty() ? "" : " " + sheet.student);
+std::string name_text(const std::string& student, const Wording& wording) {
+  return wording.say("worksheet.name") + (student.empty() ? "" : " " + student);
 }
 
 }  // namespace gradus::worksheet

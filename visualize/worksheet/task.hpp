@@ -38,7 +38,7 @@ std::string scored_text(Points points, const Wording& wording);
 /// "Task 2: Bresenham line"; the title alone where there is one task.
 std::string task_title(const StudentSheet& sheet, std::size_t task);
 /// "Name: Ada", or "Name:" with nothing behind.
-std::string name_text(const StudentSheet& sheet, const Wording& wording);
+std::string name_text(const std::string& student, const Wording& wording);
 
 /// In whose words a task is told.
 const Wording& wording_of(const Task& task);
