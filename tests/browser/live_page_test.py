@@ -103,6 +103,9 @@ def finds_numbers(check, page):
             ('B #cc79a7: 1,2,3', 'faces', [1, 2, 3]), ('rotate 30 about 1,1; scale 2 about y; reflect y=x', 'factors', [30, 1, 1, 2]),
             ('0,0 6,0; 8,1', 'rings', [0, 0, 6, 0, 8, 1]), ('##/#.', 'maze', []), ('photo1.png', 'picture', [])):
         check.equal(f'numbers of {text}', page.run('return numbersIn(arguments[0], arguments[1]).map(({value}) => value)', text, kind), values)
+    for text in ('1,1 ' * 40_000, '1' * 40_000 + 'x', 'A: ' + '1,1,1 ' * 40_000):
+        ms = page.run('const start = performance.now(); numbersIn(arguments[0], "faces"); return performance.now() - start', text)
+        check.that(f'{len(text)} letters like {text[:9]} are gone through once', ms < 1000, ms)
     check.equal('others stay as they are written', page.run('''const text = "A: 0,0.50,1/3 ; B: 2,3,4";
         return withNumbers(text, [[numbersIn(text, "faces")[3], -7.25]])'''), 'A: 0,0.50,1/3 ; B: -7.25,3,4')
     face = 'A: 0,0,0 1,0,1 1,2,1 0,2,0; B: 5,0,0 6,0,0 5,1,0; C: 0,0,0 1,0,0 1,1,1 0,1,0'
@@ -275,6 +278,14 @@ def takes_files(check, page):
     page.run(DROP, 'saved.json', base64.b64encode(saved.encode()).decode())
     check.that('a saved input is opened', page.wait_for('player.run?.trace.topic === "liang_barsky" && !workbench.asking'))
     check.equal('at its step', [page.run(GIVEN), page.step], [{'line': '0,0,3,4'}, '2'])
+    page.errors()  # from here on
+    for damaged in (5, [None], [{'name': 'a.png'}], [{'name': 'a.png', 'bytes': 'no base64!'}], 'text', {}):
+        page.run('player.parts.notice.textContent = ""')
+        text = json.dumps({'gradus': 1, 'address': '#topic=bresenham_line', 'files': damaged})
+        page.run(DROP, 'damaged.json', base64.b64encode(text.encode()).decode())
+        check.that(f'files {damaged} are refused', page.wait_for('player.parts.notice.textContent.includes("damaged.json")', 5))
+    check.equal('and what was seen stays', page.run('return player.run.trace.topic'), 'liang_barsky')
+    page.quiet('damaged files')
 
 
 def ends_what_takes_too_long(check, page):

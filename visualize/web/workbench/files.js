@@ -29,8 +29,19 @@ function parameterFor({name}, parameters) {
 function savedState(bytes) {
   try {
     const state = JSON.parse(new TextDecoder().decode(bytes));
-    return state?.gradus === 1 && typeof state.address === 'string' ? state : undefined;
+    return state?.gradus === 1 && typeof state.address === 'string' && areFiles(state.files ?? []) ? state : undefined;
   } catch {
     return undefined;
+  }
+}
+function areFiles(files) {
+  const isFile = (file) => typeof file?.name === 'string' && typeof file.bytes === 'string' && isBase64(file.bytes);
+  return Array.isArray(files) && files.every(isFile);
+}
+function isBase64(text) {
+  try {
+    return typeof atob(text) === 'string';
+  } catch {
+    return false;
   }
 }

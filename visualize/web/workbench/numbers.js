@@ -5,15 +5,19 @@
 /** Kinds of parameters whose texts hold numbers that can be moved. */
 const MOVABLE = new Set(['cell', 'window', 'integer', 'number', 'numbers', 'bounds', 'points', 'rings', 'factors', 'faces']);
 const WHOLE = new Set(['cell', 'window', 'integer']);
-/** Not a part of a name or of a colour, nor of a face's name: "2: 0,0,1 …", "front 2 left: 0,0,1 …". */
-const NUMBER = /(?<![\w#.])[-+]?(?:\d+\/\d+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(?![\w.]|[^;]*:)/gi;
+/** Not a part of a name or of a colour. */
+const NUMBER = /(?<![\w#.])[-+]?(?:\d+\/\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)(?![\w.])/gi;
+/** Spaces for the names of faces: "2: 0,0,1 …", "front 2 left: 0,0,1 …". */
+function withoutNames(text) {
+  return text.split(';').map((part) => ' '.repeat(part.lastIndexOf(':') + 1) + part.slice(part.lastIndexOf(':') + 1)).join(';');
+}
 
 /** {at, length, value, tuple, whole}: tuple counts those that belong together. */
 function numbersIn(text, type) {
   if (!MOVABLE.has(type)) return [];
   let end = 0, tuple = -1;
-  return [...text.matchAll(NUMBER)].map(({0: written, index: at}) => {
-    if (tuple < 0 || !/^\s*,\s*$/.test(text.slice(end, at))) ++tuple;
+  return [...withoutNames(text).matchAll(NUMBER)].map(({0: written, index: at}) => {
+    if (tuple < 0 || text.slice(end, at).trim() !== ',') ++tuple;
     end = at + written.length;
     const [numerator, denominator = 1] = written.split('/').map(Number);
     return {at, length: written.length, value: numerator / denominator, tuple, whole: WHOLE.has(type)};

@@ -301,8 +301,8 @@ class Workbench {
                       .map(({name, bytes}) => ({name, bytes: base64Of(bytes)}));
     save(`${JSON.stringify({gradus: 1, address: addressText(parts), files}, null, 1)}\n`, 'application/json', `${this.state.topic}_input.json`);
   }
-  async openSaved({address, files = []}) {
-    for (const {name, bytes} of files) {
+  async openSaved({address, files}) {
+    for (const {name, bytes} of files ?? []) {
       const file = new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name);
       await this.asker.keep(await readFile(file));
     }
