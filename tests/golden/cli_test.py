@@ -263,6 +263,39 @@ def test_again_with_files_gone():
     check("x.svg" not in files() and "x.svg" not in before, "nothing is written")
 
 
+def test_again_reads_no_file_that_a_figure_names():
+    line = ["bresenham_line", "--to", "3,1"]
+    write("own.json", json.dumps({"symbols": {"bresenham_line": {"p": "d"}}}))
+    gradus("figure", *line, "--notation", "own.json", "-o", "own.svg")
+    equal((gradus("again", "own.svg", "-o", "same.svg").code, read("same.svg")), (0, read("own.svg")), "it holds its notation itself")
+    gradus("figure", *line, "--notation", "foley", "-o", "a.svg")
+    os.mkdir("sub")
+    write("secret.json", '{"password": "hunter2"}')
+    for name in ("secret.json", "../secret.json", "none.json"):
+        write("sub/a.svg", read("a.svg").replace(b"--notation foley", b"--notation " + name.encode()))
+        result = gradus("again", "sub/a.svg", "-o", "x.svg")
+        equal((result.code, result.err),
+              (2, f"gradus: again: expected a figure that holds its notation, found one that names the file {name}\n"), name)
+        check("x.svg" not in files(), "nothing is written")
+
+
+def test_long_texts():
+    """Lines are broken and widths tried for what figures show: it is short, on the command line and in a figure's own command."""
+    line, most, long = ["figure", "bresenham_line", "--to", "3,1"], "a" * 1000, "a" * 20_000
+    for flag, text in (("title", ""), ("caption", ""), ("label", "p=")):
+        equal(gradus(*line, f"--{flag}", text + most, "-o", "a.svg", "-f").code, 0, f"--{flag} of 1000 letters")
+        equal(gradus(*line, f"--{flag}", text + "ü" * 1000, "-o", "u.svg", "-f").code, 0, f"--{flag} of 1000 letters of two bytes")
+        write("long.svg", read("a.svg").replace(most.encode(), long.encode()))
+        said = f"gradus: --{flag}: expected a text of up to 1000 letters, found one of 20000\n"
+        result = gradus(*line, f"--{flag}", text + long, "-o", "b.svg")
+        equal((result.code, result.err), (2, said), f"--{flag}")
+        result = gradus("again", "long.svg", "-o", "b.svg")
+        equal((result.code, result.err), (2, said), f"again, --{flag}")
+    result = gradus(*line, "--notation", json.dumps({"symbols": {"bresenham_line": {"p": long}}}), "-o", "b.svg")
+    check(result.code == 2 and "expected a text of up to 1000 letters, found one of 20000" in result.err, result.err)
+    check("b.svg" not in files(), "nothing is written")
+
+
 # --- Long runs -------------------------------------------------------------------------------------------------------
 
 

@@ -15,6 +15,7 @@
 #include "cli/shipped.hpp"
 #include "request/fingerprint.hpp"
 #include "request/names.hpp"
+#include "request/notation_reader.hpp"
 #include "stories/point_text.hpp"
 
 namespace gradus::cli {
@@ -88,6 +89,12 @@ Request recorded_request(const Colophon& colophon, const std::string& path) {
   Request recorded = read_request({words->begin() + 1, words->end()});
   if (is_figure ? !recorded.topic || !recorded.operands.empty() : recorded.operands.size() != 1) refuse();
   if (recorded.has("output") || recorded.has("format")) refuse();
+  // A figure holds its notation itself
+  if (recorded.has("notation") && is_notation_file(recorded.flags.at("notation"))) {
+    throw UsageError(
+        fmt::format("again: expected a figure that holds its notation, found one that names the file {}",
+                    shown_name(recorded.flags.at("notation"))));
+  }
   if (recorded.has("trace")) {
     throw UsageError(
         fmt::format("again: expected a figure of our own runs, found one with an answer beside them (`gradus "

@@ -114,6 +114,10 @@ class NotationReader {
       complain(node, way, "a text on one line", described(node));
       return false;
     }
+    if (letters_in(node.text) > longest_text) {
+      complain(node, way, expected_length(), found_length(node.text));
+      return false;
+    }
     const auto missing = missing_glyph(node.text, Face::bold);
     if (missing) {
       complain(node, way, fmt::format("letters that can be drawn ({})", explained(*missing)),

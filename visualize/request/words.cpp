@@ -27,10 +27,19 @@ SymbolLabel label_in(std::string_view text, std::string_view topic) {
 
 }  // namespace
 
+std::size_t letters_in(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string expected_length() { return fmt::format("a text of up to {} letters", longest_text); }
+std::string found_length(std::string_view text) { return fmt::format("one of {}", letters_in(text)); }
+
 std::string drawable(std::string_view flag, std::string_view text, Face face) {
   const std::string_view word = trimmed(text);
   if (word.empty()) refuse_flag(flag, "a text", shown(text));
   if (word.find('\n') != std::string_view::npos) refuse_flag(flag, "a text on one line", shown(text));
+  if (letters_in(word) > longest_text) refuse_flag(flag, expected_length(), found_length(word));
   if (const auto missing = missing_glyph(word, face)) {
     refuse_flag(flag, fmt::format("letters that can be drawn ({})", explained(*missing)), shown(text));
   }

@@ -11,8 +11,16 @@
 
 namespace gradus {
 
-/// A text that figures will show: not empty, on one line, of letters that the fonts have. Throws UsageError
-/// naming the flag.
+/// Of a title, a caption or a name of one's own: figures set them in lines, and try widths for each.
+inline constexpr std::size_t longest_text = 1000;
+/// Code points of a text in UTF-8.
+std::size_t letters_in(std::string_view text);
+/// For messages about a longer one: "a text of up to 1000 letters", "one of 20000".
+std::string expected_length();
+std::string found_length(std::string_view text);
+
+/// A text that figures will show: not empty, on one line, not too long, of letters that the fonts have.
+/// Throws UsageError naming the flag.
 std::string drawable(std::string_view flag, std::string_view text, Face face);
 
 // --- Each takes what a flag says, and gives its canonical text: nothing for the default. They throw
