@@ -10,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "core/shown.hpp"
@@ -164,6 +165,33 @@ std::string utf8_from_latin1(std::string_view text) {
   return utf8;
 }
 
+/// Where the text begins in the chunk of one, after its key and what else ends at a NUL; nothing for one that
+/// is packed.
+std::optional<std::size_t> begin_of_text(std::string_view type, std::string_view data) {
+  if (type != "tEXt" && type != "iTXt") return {};
+  std::size_t at = data.find('\0') + 1;
+  if (type == "tEXt") return at;
+  if (data.substr(at, 1) != std::string_view("\0", 1)) return {};
+  at = data.find('\0', at + 2) + 1;  // behind the language
+  return data.find('\0', at) + 1;    // and the key in it
+}
+
+/// Refuses texts with a NUL, which libpng would cut there.
+/// bytes: of a PNG that it has read.
+void refuse_cut_texts(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t before_data = 8, after_data = 4;
+  for (std::size_t at = 8; at + before_data <= bytes.size();) {
+    std::size_t length = 0;
+    for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
+    const std::string_view type = bytes.substr(at + 4, 4), data = bytes.substr(at + before_data, length);
+    const auto begin = begin_of_text(type, data);
+    if (begin && data.find('\0', *begin) != std::string_view::npos)
+      throw InputError(fmt::format("{}: expected a text without NUL, found one in the text '{}'",
+                                   shown_name(name), shown_name(data.substr(0, data.find('\0')))));
+    at += before_data + length + after_data;
+  }
+}
+
 std::vector<PngText> PngReader::texts() const {
   png_textp entries = nullptr;
   int count = 0;
@@ -292,6 +320,7 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, s
 std::vector<PngText> png_texts(std::span<const std::uint8_t> bytes, const std::string& name) {
   PngReader reader(bytes, name, most_png_pixels);
   reader.picture();
+  refuse_cut_texts({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
   return reader.texts();
 }
 

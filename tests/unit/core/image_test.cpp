@@ -228,6 +228,20 @@ TEST(Png, Latin1TextsBecomeUtf8) {
   EXPECT_EQ(texts[0].text, "é");
 }
 
+TEST(Png, ATextWithNulIsRefusedNotCut) {
+  const auto read = [](const Bytes& body) {
+    Bytes bytes = encode_png(Image(1, 1));
+    const Bytes text = chunk(body);
+    bytes.insert(bytes.begin() + 33, text.begin(), text.end());
+    return png_texts(bytes, "t.png");
+  };
+  EXPECT_THROW(read({'t', 'E', 'X', 't', 'k', 0, 'a', 0, 'b'}), InputError);
+  EXPECT_THROW(read({'i', 'T', 'X', 't', 'k', 0, 0, 0, 'd', 'e', 0, 0, 'a', 0, 'b'}), InputError);
+  const auto whole = read({'i', 'T', 'X', 't', 'k', 0, 0, 0, 'd', 'e', 0, 0, 'a', 'b'});
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].text, "ab");
+}
+
 TEST(Png, AnEmptyPictureIsNoPng) { EXPECT_THROW(encode_png(Image(0, 4)), ContractViolation); }
 
 TEST(Png, KeysHaveOneTo79Letters) {
