@@ -56,6 +56,18 @@ def test_texels_are_ffmpegs():
         check(len({p for row in decoded for p in row}) > 7, "there is something to compare")
 
 
+def test_as_phones_write_them():
+    """Without its end, and with bytes too many before a marker: the same picture, as browsers draw it."""
+    jpeg("whole.jpg", "testsrc", "-pix_fmt", "yuvj444p")
+    whole, table = read("whole.jpg"), read("whole.jpg").index(b"\xff\xdb")
+    expected = texels("whole.jpg")
+    check(whole.endswith(b"\xff\xd9"), "it had an end")
+    for name, data in {"no_end.jpg": whole[:-2], "extra.jpg": whole[:table] + b"\0\1\2" + whole[table:],
+                       "padded.jpg": whole[:-2] + b"\0" * 16 + whole[-2:]}.items():
+        write(name, data)
+        check(texels(name) == expected, f"{name} is whole.jpg")
+
+
 def test_a_picture_to_fill():
     jpeg("t.jpg", "smptebars", "-pix_fmt", "yuvj444p")
     fill = ["run", "flood_fill", "--at", "1,1", "--tolerance", "8", "--json", "--image"]

@@ -1,62 +1,113 @@
 #include "cairo/jpeg.hpp"
 
 #include <fmt/format.h>
-#include <turbojpeg.h>
 
-#include <memory>
-#include <new>
+#include <csetjmp>
+#include <cstdio>  // what jpeglib.h needs and doesn't include
 #include <string_view>
+
+#include <jerror.h>
+#include <jpeglib.h>
 
 #include "core/shown.hpp"
 
 namespace gradus {
 namespace {
 
-static_assert(sizeof(Rgba8) == 4, "rows of an Image are handed to TurboJPEG as bytes");
+static_assert(sizeof(Rgba8) == 4, "rows of an Image are handed to libjpeg as bytes");
 
-struct EndDecompression {
-  void operator()(void* jpeg) const { tjDestroy(jpeg); }
-};
-using Decompressor = std::unique_ptr<void, EndDecompression>;
-
-class JpegReader {
+/// libjpeg reading one file. Its functions tell of errors by a call that must not return: here that is a jump
+/// back to where this class called them, so that no function that makes such calls has anything to clean up.
+class Decompression {
  public:
-  JpegReader(std::span<const std::uint8_t> bytes, const std::string& name)
-      : bytes_(bytes), name_(name), jpeg_(tjInitDecompress()) {
-    if (!jpeg_) throw std::bad_alloc();
+  explicit Decompression(std::span<const std::uint8_t> bytes) {
+    info_.err = jpeg_std_error(&errors_);
+    errors_.error_exit = [](j_common_ptr info) { of(info).stop(); };
+    errors_.emit_message = [](j_common_ptr info, int level) { of(info).take(level); };
+    progress_.progress_monitor = [](j_common_ptr info) { of(info).check_scans(); };
+    info_.client_data = this;
+    if (setjmp(escape_) != 0) return;
+    jpeg_create_decompress(&info_);
+    info_.client_data = this;  // which creation forgets
+    info_.progress = &progress_;
+    jpeg_mem_src(&info_, bytes.data(), static_cast<unsigned long>(bytes.size()));
+    ready_ = true;
+  }
+  ~Decompression() { jpeg_destroy_decompress(&info_); }
+  Decompression(const Decompression&) = delete;
+  Decompression& operator=(const Decompression&) = delete;
+
+  /// Reads up to the picture: its size and colours are known then. Each of these says whether it went well.
+  bool read_header() {
+    if (!ready_ || setjmp(escape_) != 0) return false;
+    jpeg_read_header(&info_, TRUE);
+    return true;
+  }
+  bool read_pixels(Image& image) {
+    if (setjmp(escape_) != 0) return false;
+    info_.out_color_space = JCS_EXT_RGBA;
+    jpeg_start_decompress(&info_);
+    while (info_.output_scanline < info_.output_height) {
+      auto* row = reinterpret_cast<JSAMPLE*>(image.row(static_cast<int>(info_.output_scanline)).data());
+      jpeg_read_scanlines(&info_, &row, 1);
+    }
+    const bool all = has_all_scans();
+    jpeg_finish_decompress(&info_);
+    return all || !ended_early_;
   }
 
-  Image picture(std::int64_t most_pixels) const {
-    int width = 0, height = 0, subsampling = 0, colours = 0;
-    if (tjDecompressHeader3(jpeg_.get(), bytes_.data(), bytes_.size(), &width, &height, &subsampling,
-                            &colours) != 0)
-      refuse_damaged(tjGetErrorStr2(jpeg_.get()));
-    if (width < 1 || height < 1) refuse_damaged("no picture in it");  // tables alone
-    if (width > most_pixels / height)
-      refuse(fmt::format("expected at most {} pixels, found {} x {}", most_pixels, width, height));
-    if (colours == TJCS_CMYK || colours == TJCS_YCCK)
-      refuse("expected a JPEG file in grey or in red, green and blue, found one in a printer's inks");
-    Image image(width, height);
-    auto* const pixels = reinterpret_cast<unsigned char*>(image.row(0).data());
-    // A warning tells of data that are not there; a file of thousands of scans would take minutes
-    constexpr int strictly = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
-    if (tjDecompress2(jpeg_.get(), bytes_.data(), bytes_.size(), pixels, width, 0, height, TJPF_RGBA,
-                      strictly) != 0)
-      refuse_damaged(tjGetErrorStr2(jpeg_.get()));
-    return image;
-  }
+  int width() const { return static_cast<int>(info_.image_width); }
+  int height() const { return static_cast<int>(info_.image_height); }
+  bool is_in_inks() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
+  /// Why it did not go well.
+  const char* problem() const { return problem_; }
 
  private:
-  [[noreturn]] void refuse(std::string_view what) const {
-    throw InputError(fmt::format("{}: {}", shown_name(name_), what));
-  }
-  [[noreturn]] void refuse_damaged(std::string_view why) const {
-    refuse(fmt::format("expected a whole JPEG file, found a damaged one ({})", visible(why)));
+  static Decompression& of(j_common_ptr info) { return *static_cast<Decompression*>(info->client_data); }
+
+  void keep_problem() { errors_.format_message(reinterpret_cast<j_common_ptr>(&info_), problem_); }
+
+  [[noreturn]] void stop() {
+    if (!ended_early_) keep_problem();  // else all that follows comes of that
+    std::longjmp(escape_, 1);
   }
 
-  std::span<const std::uint8_t> bytes_;
-  const std::string& name_;
-  Decompressor jpeg_;
+  /// level: below 0 for a warning. Data that are wrong or not there end it. Bytes that are too many don't,
+  /// nor a file that ends behind its last datum: phones write such files, and nothing of the picture is lost.
+  void take(int level) {
+    if (level >= 0) return;
+    const int what = errors_.msg_code;
+    if (what == JWRN_EXTRANEOUS_DATA || what == JWRN_JFIF_MAJOR) return;
+    if (what != JWRN_JPEG_EOF) stop();
+    if (!ended_early_) keep_problem();
+    ended_early_ = true;
+  }
+
+  /// A file of thousands of scans would take minutes.
+  void check_scans() {
+    constexpr int most = 500;
+    if (info_.input_scan_number <= most) return;
+    std::snprintf(problem_, sizeof problem_, "more than %d scans", most);
+    std::longjmp(escape_, 1);
+  }
+
+  /// Whether every coefficient of every component came in some scan: a file of several may end between two.
+  bool has_all_scans() const {
+    for (int i = 0; i < info_.num_components; ++i) {
+      if (info_.comp_info[i].quant_table == nullptr) return false;
+      if (info_.coef_bits == nullptr) continue;
+      for (const int missing_bits : info_.coef_bits[i])
+        if (missing_bits != 0) return false;
+    }
+    return true;
+  }
+
+  jpeg_decompress_struct info_{};
+  jpeg_error_mgr errors_{};
+  jpeg_progress_mgr progress_{};
+  std::jmp_buf escape_{};
+  char problem_[JMSG_LENGTH_MAX]{};
+  bool ready_ = false, ended_early_ = false;
 };
 
 }  // namespace
@@ -66,7 +117,22 @@ bool begins_as_jpeg(std::span<const std::uint8_t> bytes) {
 }
 
 Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, std::int64_t most_pixels) {
-  return JpegReader(bytes, name).picture(most_pixels);
+  const auto refuse = [&name](std::string_view what) {
+    throw InputError(fmt::format("{}: {}", shown_name(name), what));
+  };
+  Decompression file(bytes);
+  const auto refuse_damaged = [&] {
+    refuse(fmt::format("expected a whole JPEG file, found a damaged one ({})", visible(file.problem())));
+  };
+  if (!file.read_header()) refuse_damaged();
+  if (file.width() > most_pixels / file.height())
+    refuse(
+        fmt::format("expected at most {} pixels, found {} x {}", most_pixels, file.width(), file.height()));
+  if (file.is_in_inks())
+    refuse("expected a JPEG file in grey or in red, green and blue, found one in a printer's inks");
+  Image image(file.width(), file.height());
+  if (!file.read_pixels(image)) refuse_damaged();
+  return image;
 }
 
 }  // namespace gradus

@@ -1,4 +1,5 @@
-// JPEG files: what TurboJPEG packs comes back, and what is no whole picture in RGB is refused.
+// JPEG files: what TurboJPEG packs comes back, as it reads it itself, and what is no whole picture in RGB is
+// refused.
 
 #include "cairo/jpeg.hpp"
 
@@ -114,6 +115,68 @@ TEST(Jpeg, AnyPartIsNoWholeFile) {
       EXPECT_EQ(problem.find('\n'), std::string::npos);
     }
   }
+}
+
+/// The picture as TurboJPEG reads it.
+Image by_turbojpeg(const Bytes& bytes, int width, int height) {
+  Image image(width, height);
+  const tjhandle jpeg = tjInitDecompress();
+  EXPECT_EQ(
+      tjDecompress2(jpeg, bytes.data(), bytes.size(), reinterpret_cast<unsigned char*>(image.row(0).data()),
+                    width, 0, height, TJPF_RGBA, TJFLAG_ACCURATEDCT),
+      0);
+  tjDestroy(jpeg);
+  return image;
+}
+
+/// Where a marker stands first from a place on; the end where it does not.
+std::size_t marker_in(const Bytes& bytes, std::uint8_t marker, std::size_t from = 0) {
+  const std::vector<std::uint8_t> wanted{0xff, marker};
+  const auto found = std::search(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end(),
+                                 wanted.begin(), wanted.end());
+  return static_cast<std::size_t>(found - bytes.begin());
+}
+
+constexpr std::uint8_t table = 0xdb, scan = 0xda, end_of_image = 0xd9;
+
+TEST(Jpeg, WithoutItsEndAndWithExtraBytesItIsDrawnWhole) {
+  for (const int flags : {0, TJFLAG_PROGRESSIVE}) {
+    const Bytes bytes = packed(slopes(40, 30), TJSAMP_420, TJPF_RGBA, flags);
+    const Image whole = by_turbojpeg(bytes, 40, 30);
+    EXPECT_EQ(decode_jpeg(bytes, "x.jpg", 1 << 20), whole);
+    EXPECT_EQ(decode_jpeg(Bytes(bytes.begin(), bytes.end() - 2), "x.jpg", 1 << 20), whole);
+    for (const std::uint8_t marker : {table, end_of_image}) {
+      Bytes longer = bytes;
+      const std::vector<std::uint8_t> extra{0, 1, 2, 0, 0};
+      longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(marker_in(bytes, marker)), extra.begin(),
+                    extra.end());
+      EXPECT_EQ(decode_jpeg(longer, "x.jpg", 1 << 20), whole) << int{marker};
+    }
+    Bytes behind = bytes;
+    behind.insert(behind.end(), 9, 'x');
+    EXPECT_EQ(decode_jpeg(behind, "x.jpg", 1 << 20), whole);
+  }
+}
+
+TEST(Jpeg, EndingBetweenTwoScansItIsNotWhole) {
+  const Bytes bytes = packed(slopes(40, 40), TJSAMP_420, TJPF_RGBA, TJFLAG_PROGRESSIVE);
+  int cuts = 0;
+  for (std::size_t at = marker_in(bytes, scan); at < bytes.size(); at = marker_in(bytes, scan, at + 1)) {
+    const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    EXPECT_EQ(complaint_about(cut),
+              "x.jpg: expected a whole JPEG file, found a damaged one (Premature end of JPEG file)");
+    ++cuts;
+  }
+  EXPECT_GE(cuts, 3);
+}
+
+TEST(Jpeg, DataThatAreNotThereAreRefusedAlsoWithTheirEnd) {
+  Bytes bytes = packed(slopes(40, 40), TJSAMP_420);
+  bytes.erase(bytes.end() - 102, bytes.end() - 2);
+  EXPECT_EQ(
+      complaint_about(bytes),
+      "x.jpg: expected a whole JPEG file, found a damaged one (Corrupt JPEG data: premature end of data "
+      "segment)");
 }
 
 /// Wrong bytes give a picture or a refusal.
