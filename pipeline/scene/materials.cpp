@@ -1,13 +1,17 @@
 #include "scene/materials.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
+#include "core/shown.hpp"
+#include "scene/letters.hpp"
 #include "scene/statements.hpp"
 
 namespace gradus::pipeline {
@@ -15,12 +19,12 @@ namespace {
 
 /// A material as it is being read.
 struct Draft {
-  Material material;
+  LibraryMaterial material;
   bool has_ambient = false;
   bool highlight = true;
 
-  Material finished() const {
-    Material done = material;
+  LibraryMaterial finished() const {
+    LibraryMaterial done = material;
     if (!has_ambient) done.ambient = done.diffuse;
     if (!highlight) done.specular = LinearRgb{0};
     return done;
@@ -54,33 +58,89 @@ bool numeric(std::string_view word) {
          word.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
 }
 
-/// The file name of a map, behind its options.
-std::string map_file(Statement& s) {
-  while (true) {
+/// A map_Kd statement.
+struct MapStatement {
+  std::string file;
+  TexturePlacement placement{};
+  std::vector<std::string> unused{};  ///< options that would change the picture: "-clamp"
+};
+
+/// Up to three numbers; those that are not there are as before.
+void read_numbers(Statement& s, std::string_view option, dvec3& numbers) {
+  for (int i = 0; i < 3; ++i) {
     Statement ahead = s;
-    const std::string_view option = ahead.word();
-    if (option.size() < 2 || option[0] != '-') return std::string(s.rest());
-    s.word();
-    constexpr std::array one{"-blendu", "-blendv",     "-boost",   "-bm",     "-cc",
-                             "-clamp",  "-colorspace", "-imfchan", "-texres", "-type"};
-    if (std::ranges::find(one, option) != one.end()) {
-      s.word();
-    } else if (option == "-mm" || option == "-o" || option == "-s" || option == "-t") {
-      for (int i = 0; i < 3; ++i) {
-        Statement number = s;
-        if (!numeric(number.word())) break;
-        s.word();
-      }
-    } else {
-      s.fail(fmt::format("expected an option of a map, found {}", s.quoted(option)));
-    }
+    const std::string_view word = ahead.word();
+    if (!numeric(word)) return;
+    numbers[i] = s.number(option, word);
+    s = ahead;
   }
 }
 
-bool known_but_unused(std::string_view key) {
-  constexpr std::array numbers{"Ni",    "Pr",     "Pm",        "Ps", "Pc", "Pcr",
-                               "aniso", "anisor", "sharpness", "Km", "Kt", "Tf"};
-  return std::ranges::find(numbers, key) != numbers.end();
+/// Reads the options of a map and the file's name behind them.
+MapStatement map_in(Statement& s) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> words{{{"-blendu", "on"},
+                                                                                 {"-blendv", "on"},
+                                                                                 {"-boost", ""},
+                                                                                 {"-bm", ""},
+                                                                                 {"-cc", "off"},
+                                                                                 {"-clamp", "off"},
+                                                                                 {"-colorspace", ""},
+                                                                                 {"-imfchan", ""},
+                                                                                 {"-texres", ""},
+                                                                                 {"-type", ""}}};
+  MapStatement map;
+  while (true) {
+    Statement ahead = s;
+    const std::string_view written = ahead.word();
+    const std::string option = in_small_letters(written);
+    if (option.size() < 2 || option[0] != '-') break;
+    s = ahead;
+    const auto* const one =
+        std::ranges::find(words, std::string_view(option), &decltype(words)::value_type::first);
+    bool used = true;
+    if (one != words.end()) {
+      used = in_small_letters(s.word()) == one->second;
+    } else if (option == "-s" || option == "-o") {
+      dvec2& part = option == "-s" ? map.placement.scale : map.placement.offset;
+      dvec3 numbers{part, 0};
+      read_numbers(s, option, numbers);
+      part = dvec2(numbers);
+    } else if (option == "-mm" || option == "-t") {
+      const dvec3 neutral = option == "-mm" ? dvec3{0, 1, 0} : dvec3{0};
+      dvec3 numbers = neutral;
+      read_numbers(s, option, numbers);
+      used = numbers == neutral;
+    } else {
+      s.fail(fmt::format("expected an option of a map, found {}", s.quoted(written)));
+    }
+    if (!used) map.unused.push_back(option);
+  }
+  map.file = s.rest();
+  return map;
+}
+
+/// What the numbers of a statement that is not used are where they change nothing; none where no picture of
+/// opaque surfaces without reflections shows them.
+struct UnusedNumbers {
+  std::string_view key;
+  std::optional<double> neutral;
+};
+
+const UnusedNumbers* unused_numbers(std::string_view key) {
+  static constexpr std::array<UnusedNumbers, 12> all{{{"ni", {}},
+                                                      {"sharpness", {}},
+                                                      {"tf", 1},
+                                                      {"pr", 0},
+                                                      {"pm", 0},
+                                                      {"ps", 0},
+                                                      {"pc", 0},
+                                                      {"pcr", 0},
+                                                      {"aniso", 0},
+                                                      {"anisor", 0},
+                                                      {"km", 0},
+                                                      {"kt", 0}}};
+  const auto* const found = std::ranges::find(all, key, &UnusedNumbers::key);
+  return found == all.end() ? nullptr : found;
 }
 
 bool other_map(std::string_view key) {
@@ -88,57 +148,100 @@ bool other_map(std::string_view key) {
   return key.substr(0, 4) == "map_" || std::ranges::find(maps, key) != maps.end();
 }
 
+/// What a library says and no picture shows: told in one note, at the first of it.
+class NotDrawn {
+ public:
+  void add(const Statement& s, std::string what) {
+    constexpr std::size_t most = 16;
+    if (line_ == 0) line_ = s.line();
+    if (std::ranges::find(all_, what) != all_.end()) return;
+    if (all_.size() < most)
+      all_.push_back(std::move(what));
+    else
+      more_ = true;
+  }
+  void tell(const TextFile& file, std::vector<std::string>& notes) const {
+    if (all_.empty()) return;
+    notes.push_back(fmt::format("{}:{}: {}{} {} not drawn", shown_name(file.name), line_,
+                                fmt::join(all_, ", "), more_ ? " and others" : "",
+                                all_.size() == 1 ? "is" : "are"));
+  }
+
+ private:
+  std::vector<std::string> all_;
+  bool more_ = false;
+  int line_ = 0;
+};
+
 class MtlReader {
  public:
   MtlReader(std::vector<std::string>& notes) : notes_(notes) {}
 
   void read(Statement& s) {
     const std::string_view key = s.word();
-    if (key == "newmtl") return begin(s);
+    const std::string small = in_small_letters(key);
+    if (small == "newmtl") return begin(s);
     if (drafts_.empty()) s.fail(fmt::format("expected newmtl first, found {}", s.quoted(key)));
     Draft& draft = drafts_.back();
-    Material& m = draft.material;
-    if (key == "Ka") {
+    LibraryMaterial& m = draft.material;
+    if (small == "ka") {
       m.ambient = colour(s, key);
       draft.has_ambient = true;
-    } else if (key == "Kd") {
+    } else if (small == "kd") {
       m.diffuse = colour(s, key);
-    } else if (key == "Ks") {
+    } else if (small == "ks") {
       m.specular = colour(s, key);
-    } else if (key == "Ke") {
+    } else if (small == "ke") {
       m.emission = colour(s, key);
-    } else if (key == "Ns") {
+    } else if (small == "ns") {
       m.shininess = static_cast<float>(share(s, key));
       s.end(key);
-    } else if (key == "d" || key == "Tr") {
+    } else if (small == "d" || small == "tr") {
       opacity(s, key, m);
-    } else if (key == "illum") {
-      draft.highlight = s.number(key) >= 2;
-      s.end(key);
-    } else if (key == "map_Kd") {
-      m.diffuse_map = texture(s);
-      if (m.diffuse_map.file.empty())
-        notes_.push_back(s.place("map_Kd names no file: the material has no texture"));
-    } else if (known_but_unused(key)) {
-      do s.number(key);
-      while (s.more());
-    } else if (!other_map(key)) {
+    } else if (small == "illum") {
+      illumination(s, key, draft);
+    } else if (small == "map_kd") {
+      texture(s, m);
+    } else if (const UnusedNumbers* numbers = unused_numbers(small)) {
+      unused(s, key, *numbers);
+    } else if (other_map(small)) {
+      not_drawn_.add(s, s.file().quotable ? visible(key) : "another map");
+    } else {
       unknown_.add(s, key);
     }
   }
 
-  std::vector<Material> finish() const {
-    std::vector<Material> materials;
+  std::vector<LibraryMaterial> finish(const TextFile& file) const {
+    std::vector<LibraryMaterial> materials;
     for (const Draft& draft : drafts_) materials.push_back(draft.finished());
+    not_drawn_.tell(file, notes_);
     for (std::string& note : unknown_.notes("an MTL file")) notes_.push_back(std::move(note));
     return materials;
   }
 
  private:
-  static Texture texture(Statement& s) {
-    std::string file = map_file(s);
-    std::string place = s.place(fmt::format("map_Kd {}", s.quoted(file)));
-    return {std::move(file), {}, std::move(place), s.file().quotable};
+  void texture(Statement& s, LibraryMaterial& m) {
+    MapStatement map = map_in(s);
+    for (const std::string& option : map.unused) not_drawn_.add(s, option + " of map_Kd");
+    if (map.file.empty()) notes_.push_back(s.place("map_Kd names no file: the material has no texture"));
+    std::string place = s.place(fmt::format("map_Kd {}", s.quoted(map.file)));
+    m.diffuse_map = {std::move(map.file), {}, std::move(place), s.file().quotable};
+    m.placement = map.placement;
+  }
+
+  /// 0 and 1 have no highlight; above 2 are mirrors and glass.
+  void illumination(Statement& s, std::string_view key, Draft& draft) {
+    const double model = s.number(key);
+    s.end(key);
+    draft.highlight = model >= 2;
+    if (model > 2) not_drawn_.add(s, "illum above 2");
+  }
+
+  void unused(Statement& s, std::string_view key, const UnusedNumbers& numbers) {
+    bool seen = false;
+    do seen |= s.number(key) != numbers.neutral.value_or(0);
+    while (s.more());
+    if (seen && numbers.neutral) not_drawn_.add(s, std::string(key));
   }
 
   void begin(Statement& s) {
@@ -152,29 +255,31 @@ class MtlReader {
 
   /// d is 1 where nothing shines through, Tr 0.
   static void opacity(Statement& s, std::string_view key, Material& m) {
+    const bool is_dissolve = key == "d" || key == "D";
     Statement ahead = s;
-    if (key == "d" && ahead.word() == "-halo") s.word();
+    if (is_dissolve && in_small_letters(ahead.word()) == "-halo") s.word();
     const double value = s.number(key);
     s.end(key);
     if (value < 0 || value > 1)
       s.fail(fmt::format("expected {} from 0 to 1, found {}", key, s.quoted(value)));
-    m.opacity = static_cast<float>(key == "d" ? value : 1 - value);
+    m.opacity = static_cast<float>(is_dissolve ? value : 1 - value);
   }
 
   std::vector<Draft> drafts_;
   std::unordered_set<std::string> names_;
   UnknownStatements unknown_;
+  NotDrawn not_drawn_;
   std::vector<std::string>& notes_;
 };
 
 }  // namespace
 
-std::vector<Material> parse_mtl(std::string_view text, const TextFile& file,
-                                std::vector<std::string>& notes) {
+std::vector<LibraryMaterial> parse_mtl(std::string_view text, const TextFile& file,
+                                       std::vector<std::string>& notes) {
   Statements statements(text, file);
   MtlReader reader(notes);
   while (std::optional<Statement> s = statements.next()) reader.read(*s);
-  return reader.finish();
+  return reader.finish(file);
 }
 
 }  // namespace gradus::pipeline

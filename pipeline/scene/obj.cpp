@@ -72,6 +72,11 @@ class ObjReader {
     leave_out(texture, &Corner::texture);
     leave_out(normal, &Corner::normal);
     check_indices();
+    lay_textures();
+    if (coloured_ > 0) {
+      model_.notes.push_back(
+          fmt::format("{}:{}: colours of vertices are not used", shown_name(file_.name), coloured_));
+    }
     for (const auto& [material, note] : missing_) model_.notes.push_back(note);
     for (std::string& note : unknown_.notes("an OBJ file")) model_.notes.push_back(std::move(note));
     model_.normals_in_file = static_cast<std::int64_t>(mesh.normals.size());
@@ -89,7 +94,8 @@ class ObjReader {
     return {x, y, z};
   }
 
-  /// x y z, x y z w, x y z r g b, or x y z w r g b. A weight is for curves, colours are not used.
+  /// x y z, x y z w, x y z r g b, or x y z w r g b. A weight is for curves, colours are told and not
+  /// used.
   void vertex(Statement& s) {
     const dvec3 at = triple(s, "the vertex");
     int more = 0;
@@ -97,6 +103,7 @@ class ObjReader {
     if (more != 0 && more != 1 && more != 3 && more != 4) {
       s.fail(fmt::format("expected a vertex of 3, 4, 6 or 7 numbers, found {}", 3 + more));
     }
+    if (more >= 3 && coloured_ == 0) coloured_ = s.line();
     model_.mesh.positions.push_back(at);
     check_count(s, model_.mesh.positions.size());
   }
@@ -293,19 +300,44 @@ class ObjReader {
     libraries_.push_back(name);
     const TextFile file{file_.quotable ? name : fmt::format("{}:{}: its library", file_.name, s.line()),
                         found->quotable && file_.quotable};
-    for (Material& material : parse_mtl(found->text, file, model_.notes)) add_material(std::move(material));
+    for (LibraryMaterial& material : parse_mtl(found->text, file, model_.notes))
+      add_material(std::move(material));
     return true;
   }
 
   /// The first definition of a name counts, also when it comes after the first use.
-  void add_material(Material material) {
+  void add_material(LibraryMaterial material) {
     std::vector<Material>& materials = model_.mesh.materials;
+    const TexturePlacement placement = material.placement;
     const auto next = static_cast<int>(materials.size());
     const auto [found, is_new] = material_of_.try_emplace(material.name, next);
     if (is_new) {
       materials.push_back(std::move(material));
     } else if (missing_.erase(found->second) > 0) {
       materials[static_cast<std::size_t>(found->second)] = std::move(material);
+    } else {
+      return;
+    }
+    if (placement != TexturePlacement()) placements_.emplace(found->second, placement);
+  }
+
+  /// Gives faces whose texture is laid on in its own way texture coordinates of their own, for those of the
+  /// file may be those of other materials, too.
+  void lay_textures() {
+    Mesh& mesh = model_.mesh;
+    std::map<std::pair<int, int>, int> laid;  // of each material and texture coordinate
+    for (const MeshFace& face : mesh.faces) {
+      const auto placement = placements_.find(face.material);
+      if (placement == placements_.end()) continue;
+      for (std::int64_t i = face.first; i < face.first + face.count; ++i) {
+        int& index = mesh.corners[static_cast<std::size_t>(i)].texture;
+        if (index < 0) continue;
+        const auto next = static_cast<int>(mesh.textures.size());
+        const auto [found, is_new] = laid.try_emplace({face.material, index}, next);
+        const dvec2 at = mesh.textures[static_cast<std::size_t>(index)];
+        if (is_new) mesh.textures.push_back(placement->second.scale * at + placement->second.offset);
+        index = found->second;
+      }
     }
   }
 
@@ -380,6 +412,8 @@ class ObjReader {
   std::unordered_map<std::string, int> material_of_;
   std::map<int, std::string> missing_;    ///< materials that were used but not read, and what to say
   std::array<std::string, 3> too_early_;  ///< for each array: the first index back into it while it was empty
+  std::map<int, TexturePlacement> placements_;  ///< of materials that have their own
+  int coloured_ = 0;                            ///< the first line with a vertex's colour
   UnknownStatements unknown_;
   std::vector<std::string> libraries_;
   std::vector<std::pair<int, int>>

@@ -56,8 +56,8 @@ using FileReader = std::function<std::optional<LibraryText>(const std::string& n
 /// mtllib, s, o, g, p and l (counted). A positive number may refer to what comes later. Missing normals, and
 /// those of length 0, are made: area-weighted means over a smoothing group; s off and s 0 are flat; a file
 /// without s is one group. With a note: a library or a material that is not there gives the default material;
-/// texture and normal indices in a file without any such data are left out, and so are statements that no
-/// reader of OBJ files knows.
+/// texture and normal indices in a file without any such data are left out, and so are colours of vertices
+/// and statements that no reader of OBJ files knows.
 ///
 /// Domain: any bytes.
 /// Accuracy: the nearest double to each number; what is too small for a double is a zero.

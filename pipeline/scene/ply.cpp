@@ -93,7 +93,7 @@ class PlyReader {
       refuse(fmt::format("expected at most {} vertices, found more", largest_count));
     vertices_ = element.rows;
     std::array<bool, roles + 1> has{};
-    for (const PlyProperty& property : element.properties) has[role_of(property)] = true;
+    for (const PlyProperty& property : element.properties) has[roles_.emplace_back(role_of(property))] = true;
     if (!has[x] || !has[y] || !has[z])
       refuse("expected the properties x, y and z of vertex, found less than these");
     has_normals_ = has[nx] && has[ny] && has[nz];
@@ -166,8 +166,9 @@ class PlyReader {
 
   void vertex(const PlyElement& element) {
     std::array<double, roles> value{};
-    for (const PlyProperty& property : element.properties) {
-      const Role role = role_of(property);
+    for (std::size_t i = 0; i < roles_.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      const Role role = roles_[i];
       if (role == nothing)
         skip(property);
       else if (nx <= role && role <= nz)
@@ -273,6 +274,7 @@ class PlyReader {
   std::unique_ptr<PlyRows> rows_;
   ModelFile model_;
   Places places_{model_.mesh};
+  std::vector<Role> roles_;      ///< of a vertex's properties
   std::vector<int> positions_;   ///< of each vertex
   std::vector<dvec2> textures_;  ///< of each vertex
   std::vector<dvec2> wedges_;    ///< of single corners, numbered behind those

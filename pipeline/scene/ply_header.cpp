@@ -52,6 +52,8 @@ class HeaderReader {
     } else if (key == "comment") {
       comment(s);
     } else if (key == "element") {
+      if (header_.elements.size() == largest)
+        s.fail(fmt::format("expected at most {} elements, found one more", largest));
       std::string name = name_in(s, "an element");
       header_.elements.push_back({std::move(name), s.whole("a number of rows", 0, std::int64_t{1} << 32)});
       s.end("an element");
@@ -66,6 +68,8 @@ class HeaderReader {
   bool formed() const { return formed_; }
 
  private:
+  static constexpr std::size_t largest = 1000;  // of elements, and of the properties of each
+
   void form(Statement& s) {
     static constexpr std::array<std::string_view, 3> names{"ascii", "binary_little_endian",
                                                            "binary_big_endian"};
@@ -100,6 +104,8 @@ class HeaderReader {
     auto& known = header_.elements.back().properties;
     if (std::ranges::find(known, property.name, &PlyProperty::name) != known.end())
       s.fail(fmt::format("expected each property once, found {} again", s.quoted(property.name)));
+    if (known.size() == largest)
+      s.fail(fmt::format("expected at most {} properties of an element, found one more", largest));
     known.push_back(std::move(property));
   }
 

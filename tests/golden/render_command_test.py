@@ -197,6 +197,22 @@ def test_textures():
     check("found fnv1a:" in gradus("again", "m.png", "-o", "n.png").err, "a texture that has changed is told")
 
 
+def test_textures_as_their_material_lays_them_on():
+    """-s and -o of map_Kd, in letters of any size: as texture coordinates that were scaled and moved by hand."""
+    write("wood.png", read(MODELS / "spot_texture.png"))
+    def drawn(statement, corners, remark=""):
+        write("m.mtl", f"newmtl m\nKd 1 1 1\n{statement}\n")
+        write("m.obj", "mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\n" + "".join(f"vt {uv}\n" for uv in corners) + "f 1/1 2/2 3/3\n")
+        result = gradus("render", "m.obj", "-o", "m.png", "--size", "80x60")
+        equal((result.code, result.err), (0, remark + "m.png\n"), statement)
+        return Picture(read("m.png")).pixels
+    plain = drawn("map_Kd wood.png", ("0 0", "1 0", "0 1"))
+    moved = drawn("map_Kd wood.png", ("0.25 -0.5", "2.25 -0.5", "0.25 2.5"))
+    check(plain != moved, "the two can be told apart")
+    check(drawn("map_kd -s 2 3 1 -o 0.25 -0.5 0 wood.png", ("0 0", "1 0", "0 1")) == moved, "-s and -o")
+    check(drawn("MAP_KD -clamp on wood.png", ("0 0", "1 0", "0 1"), "m.mtl:3: -clamp of map_Kd is not drawn\n") == plain, "-clamp is told")
+
+
 def test_forgiven_forms():
     """Forms of public models whose meaning is plain: remarks on stderr, and the picture of the tidy file."""
     good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"

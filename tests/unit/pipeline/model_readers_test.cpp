@@ -229,6 +229,7 @@ void expect_two_squares(const ModelFile& m) {
   ASSERT_EQ(m.mesh.faces.size(), 2u);
   EXPECT_EQ(m.mesh.positions.size(), 6u);
   EXPECT_EQ(m.mesh.positions.at(4), (dvec3{1, 0, -1}));
+  EXPECT_EQ(m.mesh.faces[0].material, 0) << "the default";
   EXPECT_THAT(positions(m, 0), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(positions(m, 1), ElementsAre(1, 4, 5, 2));
   EXPECT_NEAR(normal(m, 0, 1).x, std::sqrt(0.5), 1e-12) << "smooth: at the shared edge the mean of both";
@@ -404,6 +405,10 @@ TEST(Ply, HeadersThatAreNone) {
                  "float z\nend_header\n0 0 0\n",
                  "m.ply"),
       "m.ply: expected at least one face, found none (1 vertices, 0 points, 0 lines)");
+  std::string many = "ply\nformat ascii 1.0\nelement vertex 6\n";
+  for (int i = 0; i < 1001; ++i) many += "property float p" + std::to_string(i) + "\n";
+  EXPECT_EQ(refusal_of(many + "end_header\n", "m.ply"),
+            "m.ply:1004: expected at most 1000 properties of an element, found one more");
   EXPECT_EQ(refusal_of("ply\ntopsecret", {"m.ply", false}).find("topsecret"), std::string::npos);
 }
 

@@ -67,7 +67,7 @@ TEST(Obj, FacesOfAnySizeAndEverythingBeside) {
   EXPECT_EQ(triangle_count(m.mesh), 498);
   EXPECT_EQ(m.points, 1);
   EXPECT_EQ(m.lines, 2);
-  // Weights and colours are checked and not used
+  // Weights and colours are checked and not used, colours told
   EXPECT_EQ(parse("v 0 0 0 2\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1 1\nf 1 2 3\n").mesh.positions[0], dvec3{0});
 }
 
