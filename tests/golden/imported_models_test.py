@@ -160,7 +160,7 @@ def test_broken_files():
     refused("a.gltf", gltf(model, uri="gone.bin"), "a.gltf: expected the file 'gone.bin' beside it, found none")
     os.mkdir("folder.bin")
     refused("a.gltf", gltf(model, uri="folder.bin"), "a.gltf: expected the file 'folder.bin' beside it, found none")
-    refused("cut.glb", whole[:-40], "cut.glb: expected ")
+    refused("cut.glb", whole[:-40], "cut.glb:1: expected a buffer of 720 bytes, found one of 680")
     for name in ("a.ply", "a.stl", "a.glb", "a.gltf", "a.fbx", "a.dae", "a.3ds", "a.off"):
         refused(name, "", f"{name}")
         refused(name, "This is no model.\x1b[31m\n", f"{name}")
@@ -195,6 +195,38 @@ def test_gltf_that_goes_round():
     refused("a.gltf", '{"asset":\n{"version": "2.0",}\n}', "a.gltf:2: expected ")
     write("a.gltf", changed(nodes=[{"mesh": 0}] * 3, scenes=[{"nodes": [0, 1, 2]}]))
     equal(gradus("render", "a.gltf", *SMALL, "-o", "a.png").code, 0, "a mesh may be shown several times")
+
+
+def test_gltf_data_that_are_not_there():
+    """Indices, buffers, views, accessors and pictures: what the importer would leave out or make up."""
+    root, buffer = gltf_parts(box().cut())
+    indices = struct.pack("<3H", 0, 1, 77)
+    def changed(more=b"", **keys):
+        data = buffer + more
+        return json.dumps(root | {"buffers": [{"byteLength": len(data), "uri": data_uri(data)}]} | keys, indent=1)
+    views = root["bufferViews"] + [{"buffer": 0, "byteOffset": len(buffer), "byteLength": 6}]
+    accessors = root["accessors"] + [{"bufferView": len(views) - 1, "componentType": 5123, "count": 3, "type": "SCALAR"}]
+    attributes = root["meshes"][0]["primitives"][0]["attributes"]
+    faces = [{"primitives": [{"attributes": attributes, "indices": len(accessors) - 1}]}]
+    indexed = {"bufferViews": views, "accessors": accessors, "meshes": faces}
+    refused("a.gltf", changed(indices, **indexed), "a.gltf:", ": expected indices of the 36 vertices, from 0, found 77 at index 2")
+    write("b.bin", buffer + indices)
+    beside = [{"byteLength": len(buffer) + 6, "uri": "b.bin"}]
+    refused("a.gltf", changed(**indexed, buffers=beside), "expected indices of the 36 vertices, from 0, found 77 at index 2")
+    refused("a.glb", glb_of(root | indexed, buffer + indices), "a.glb:1: expected indices of the 36 vertices, from 0, found 77 at index 2")
+    write("a.gltf", changed(struct.pack("<3H", 0, 1, 2), **indexed))
+    equal(gradus("render", "a.gltf", *SMALL, "-o", "a.png").code, 0, "indices that are there")
+    refused("a.gltf", changed(indices[:4], **indexed), "expected a view within the 724 bytes of its buffer, found one that ends at 726")
+    refused("a.gltf", changed(accessors=[root["accessors"][0] | {"count": 37}, *root["accessors"][1:]]),
+            "expected an accessor within the 432 bytes of its bufferView, found one that ends at 444")
+    for uri, what in (("data:application/octet-stream;base64,", "expected a buffer of 720 bytes, found one of 0"),
+                      ("data:application/octet-stream;base64,####", "expected data in Base64, found others")):
+        refused("a.gltf", changed(buffers=[{"byteLength": len(buffer), "uri": uri}]), what)
+    refused("a.gltf", changed(meshes=[{"primitives": [{"attributes": {"POSITION": 7}}]}]), "expected one of the 2 accessors, from 0, found 7")
+    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+    refused("a.gltf", gltf(box().cut(), material=material, image="data:image/png;base64,"), "a.gltf:", "expected a picture, found empty data")
+    refused("a.gltf", changed(extensionsUsed=["KHR_draco_mesh_compression"], extensionsRequired=["KHR_draco_mesh_compression"]),
+            "expected a file whose data need no extension, found 'KHR_draco_mesh_compression'")
 
 
 def test_what_others_name_is_not_quoted():

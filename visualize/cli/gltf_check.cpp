@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/gltf_data.hpp"
+#include "cli/gltf_json.hpp"
 #include "cli/imported_model.hpp"
 #include "core/refusal.hpp"
 #include "core/shown.hpp"
+#include "scene/little_endian.hpp"
 #include "scene/located_json.hpp"
 
 namespace gradus::cli {
@@ -19,47 +21,27 @@ namespace {
 using pipeline::JsonNode;
 using Kind = JsonNode::Kind;
 
-/// A whole number of JSON, if it is one from 0 to below `limit`.
-std::optional<std::size_t> number_below(const JsonNode& node, std::size_t limit) {
-  std::size_t number = 0;
-  const char* const end = node.text.data() + node.text.size();
-  const auto read = std::from_chars(node.text.data(), end, number);
-  if (node.kind != Kind::number || read.ec != std::errc{} || read.ptr != end || number >= limit)
-    return std::nullopt;
-  return number;
-}
-
-class GltfCheck {
+/// What its scenes say.
+class SceneCheck : GltfJson {
  public:
-  explicit GltfCheck(const std::string& file) : file_(file) {}
+  using GltfJson::GltfJson;
 
   void check(const JsonNode& root) const {
-    if (root.kind != Kind::object) refuse(root, "a glTF object", described(root));
+    check_extensions(root);
     check_nodes(list_of(root, "nodes"));
     for (const JsonNode& scene : list_of(root, "scenes")) check_roots(list_of(scene, "nodes"));
-    for (const JsonNode& accessor : list_of(root, "accessors")) {
-      const auto* count = accessor.member("count");
-      if (count && !number_below(count->value, most_imported_corners + 1))
-        refuse(count->value, fmt::format("a whole number up to {}", most_imported_corners),
-               described(count->value));
-    }
   }
 
  private:
-  using List = std::vector<JsonNode>;
-
-  [[noreturn]] void refuse(const JsonNode& at, std::string_view expected, std::string_view found) const {
-    refuse_input(fmt::format("{}:{}: expected {}, found {}", file_, at.line, expected, found));
-  }
-
-  /// The list of this key; an empty one when there is none.
-  const List& list_of(const JsonNode& object, std::string_view key) const {
-    static const List none;
-    const auto* member = object.member(key);
-    if (!member) return none;
-    if (member->value.kind != Kind::list)
-      refuse(member->value, fmt::format("a list of {}, as in glTF 2.0", key), described(member->value));
-    return member->value.elements;
+  /// Without these, data could not be read or would be others. What extensions say of lamps and materials is
+  /// left out, where they are.
+  void check_extensions(const JsonNode& root) const {
+    for (const JsonNode& extension : list_of(root, "extensionsRequired")) {
+      const std::string& name = extension.text;
+      const bool known = name.starts_with("KHR_materials_") || name == "KHR_lights_punctual" ||
+                         name == "KHR_texture_transform";
+      if (!known) refuse(extension, "a file whose data need no extension", described(extension));
+    }
   }
 
   /// Each node has one parent at most, and the way up from each ends.
@@ -100,28 +82,31 @@ class GltfCheck {
       known[*number] = true;
     }
   }
-
-  const std::string& file_;
 };
 
-/// The JSON part of a GLB file's bytes: a header of 12 bytes, then the length and the kind of a chunk.
-std::optional<std::string_view> json_in(std::string_view bytes) {
-  if (!bytes.starts_with("glTF")) return bytes;  // all of it
-  constexpr std::size_t head = 20;
-  if (bytes.size() < head || bytes.substr(16, 4) != "JSON") return std::nullopt;
-  std::size_t length = 0;
-  for (std::size_t i = 4; i > 0; --i) length = length << 8 | static_cast<unsigned char>(bytes[11 + i]);
-  return bytes.substr(head, length);
+/// The chunk that begins here in a GLB file, of this kind: a length of 4 bytes, the kind, the bytes.
+std::optional<std::string_view> chunk_at(std::string_view bytes, std::size_t at, std::string_view kind) {
+  constexpr std::size_t head = 8;
+  if (bytes.size() < at + head || bytes.substr(at + 4, 4) != kind) return std::nullopt;
+  return bytes.substr(at + head, pipeline::whole_at(bytes, at, 4));
 }
 
 }  // namespace
 
-void check_gltf(std::string_view bytes, const pipeline::TextFile& file) {
-  const auto json = json_in(bytes);
+void check_gltf(std::string_view bytes, const pipeline::TextFile& file, const pipeline::FileReader& open) {
+  constexpr std::size_t head = 12;
+  std::optional<std::string_view> json = bytes, binary;
+  if (bytes.starts_with("glTF")) {
+    json = chunk_at(bytes, head, "JSON");
+    if (json) binary = chunk_at(bytes, head + 8 + json->size(), {"BIN\0", 4});
+  }
   if (!json) return;
   const std::string called = shown_name(file.name);
   try {
-    GltfCheck(called).check(pipeline::read_json(*json, called));
+    const JsonNode root = pipeline::read_json(*json, called);
+    if (root.kind != Kind::object) GltfJson(called).refuse(root, "a glTF object", described(root));
+    SceneCheck(called).check(root);
+    check_gltf_data(root, called, binary, open);
   } catch (const InputError&) {
     if (file.quotable) throw;
     refuse_input(called + ": expected a glTF file, found something else");

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cli/gltf_check.hpp"
+#include "cli/gltf_data.hpp"
 #include "cli/imported_scene.hpp"
 #include "cli/model_bytes.hpp"
 #include "cli/own_process.hpp"
@@ -157,9 +158,15 @@ ProcessLimits limits_for(std::size_t bytes) {
 
 /// Assimp was not made for files that want to do harm, and some that are merely damaged make it crash.
 pipeline::ModelFile import_model(std::string_view bytes, const pipeline::TextFile& file,
-                                 const pipeline::FileReader& open) {
+                                 const pipeline::FileReader& read) {
   const std::string ending = pipeline::ending_of(file.name);
-  if (ending == "gltf" || ending == "glb") check_gltf(bytes, file);
+  std::map<std::string, std::optional<LibraryText>> known;  // so that no file is read twice
+  const pipeline::FileReader open = [&](const std::string& name) {
+    const auto [found, is_new] = known.try_emplace(name);
+    if (is_new) found->second = read(name);
+    return found->second;
+  };
+  if (ending == "gltf" || ending == "glb") check_gltf(bytes, file, open);
   const auto refuse = [&file](std::string_view what) {
     refuse_input(fmt::format("{}: {}", shown_name(file.name), what));
   };

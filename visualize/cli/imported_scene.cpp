@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <span>
 #include <unordered_map>
 #include <utility>
 
+#include "cli/gltf_data.hpp"
 #include "cli/imported_model.hpp"
 #include "core/image.hpp"
 #include "core/refusal.hpp"
@@ -294,22 +294,6 @@ class Conversion {
 pipeline::ModelFile model_of(const aiScene& scene, const pipeline::TextFile& file,
                              const ImportedFormat& format) {
   return Conversion(scene, file, format).model();
-}
-
-std::string name_in_uri(std::string_view uri) {
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned code = 0;
-    const char* const end = uri.data() + std::min(i + 3, uri.size());
-    if (uri[i] == '%' && i + 2 < uri.size() &&
-        std::from_chars(uri.data() + i + 1, end, code, 16).ptr == end && code >= 0x20) {
-      name += static_cast<char>(code);
-      i += 2;
-    } else {
-      name += uri[i];
-    }
-  }
-  return name;
 }
 
 }  // namespace gradus::cli

@@ -18,7 +18,4 @@ struct ImportedFormat {
 pipeline::ModelFile model_of(const aiScene& scene, const pipeline::TextFile& file,
                              const ImportedFormat& format);
 
-/// A name that stands in a URI: "my%20wood.png" is "my wood.png".
-std::string name_in_uri(std::string_view uri);
-
 }  // namespace gradus::cli
