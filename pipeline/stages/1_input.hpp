@@ -10,6 +10,7 @@
 #include "core/mesh.hpp"
 #include "core/observe.hpp"
 #include "modeling/ear_clipping/ear_clipping.hpp"
+#include "modeling/ear_clipping/many_corners.hpp"
 #include "scene/scene.hpp"
 #include "scene/shared_planes.hpp"
 #include "stages/points.hpp"
@@ -53,7 +54,12 @@ void triangulate(const Mesh& mesh, const MeshFace& face, const Add& add) {
   }
   std::vector<dvec3> polygon;
   for (const Corner& corner : corners_of(mesh, face)) polygon.push_back(position_of(mesh, corner));
-  ear_clipping::triangulate(polygon, add);
+  // The same triangles; the walk round the ring is quadratic, the tree pays from about here on
+  constexpr std::size_t many = 100;
+  if (polygon.size() < many)
+    ear_clipping::triangulate(polygon, add);
+  else
+    ear_clipping::triangulate_many(polygon, add);
 }
 
 /// The same as pieces.

@@ -3,6 +3,7 @@
 Usage: limits_test.py [path of gradus]        (default: $GRADUS_COMMAND)
 """
 import json
+import math
 import os
 import pathlib
 import re
@@ -169,6 +170,17 @@ def test_figures_take_time_in_proportion():
         equal(code, 0, f"{count} figures without names: {err[:200]}")
     print(f"gradus figures --check: {times[1250]:.2f} s for 1250 figures without names, {times[5000]:.2f} s for 5000")
     check(times[5000] < 8 * times[1250], f"giving names, too: {times}")
+
+
+def test_a_face_of_many_corners():
+    """A walk round the ring for each of its ears would take more than 40 s."""
+    corners = 100_000
+    turns = [2 * math.pi * i / corners for i in range(corners)]
+    write("m.obj", "".join(f"v {math.cos(a)} {math.sin(a)} 0\n" for a in turns) + "f " + " ".join(map(str, range(1, corners + 1))) + "\n")
+    code, err, time, _ = measured("render", "m.obj", "--size", "32x24", "--aa", "none", "-o", "m.png")
+    equal((code, err), (0, "m.png\n"), "drawn")
+    print(f"gradus render of a face of {corners} corners: {time:.2f} s of user time")
+    check(time < 10, f"in {time} s")
 
 
 def test_a_stopped_run_of_figures_is_not_done_again():
