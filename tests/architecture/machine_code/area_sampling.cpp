@@ -16,7 +16,7 @@ extern "C" {
   sampling::pixel_areas(corners, window, set_pixel);
 }
 [[gnu::flatten]] void machine_code_area_as_tone(std::span<const gradus::ivec2> corners,
-                                               const gradus::Window& window) {
+                                                const gradus::Window& window) {
   sampling::area_as_tone(corners, window, set_tone);
 }
 [[gnu::flatten]] void machine_code_visible_areas(Fragments fragments) {
