@@ -2,6 +2,7 @@
 // What readers of formats share whose faces name places instead of numbers, or number the same place twice.
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 
@@ -27,9 +28,9 @@ class Places {
  private:
   struct Hash {
     std::size_t operator()(dvec3 p) const {
-      std::size_t hash = 0;
+      std::uint64_t hash = 0;
       for (int i = 0; i < 3; ++i) hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(p[i]);
-      return hash;
+      return static_cast<std::size_t>(hash);
     }
   };
 

@@ -95,8 +95,7 @@ MapStatement map_in(Statement& s) {
     const std::string option = in_small_letters(written);
     if (option.size() < 2 || option[0] != '-') break;
     s = ahead;
-    const auto* const one =
-        std::ranges::find(words, std::string_view(option), &decltype(words)::value_type::first);
+    const auto one = std::ranges::find(words, std::string_view(option), &decltype(words)::value_type::first);
     bool used = true;
     if (one != words.end()) {
       used = in_small_letters(s.word()) == one->second;
@@ -139,8 +138,8 @@ const UnusedNumbers* unused_numbers(std::string_view key) {
                                                       {"anisor", 0},
                                                       {"km", 0},
                                                       {"kt", 0}}};
-  const auto* const found = std::ranges::find(all, key, &UnusedNumbers::key);
-  return found == all.end() ? nullptr : found;
+  const auto found = std::ranges::find(all, key, &UnusedNumbers::key);
+  return found == all.end() ? nullptr : &*found;
 }
 
 bool other_map(std::string_view key) {

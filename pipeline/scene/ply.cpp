@@ -69,7 +69,7 @@ class PlyReader {
                                                                        {"texture_v", v},
                                                                        {"texture_s", u},
                                                                        {"texture_t", v}}};
-    const auto* const found =
+    const auto found =
         std::ranges::find(names, std::string_view(property.name), &decltype(names)::value_type::first);
     return property.count || found == names.end() ? nothing : found->second;
   }

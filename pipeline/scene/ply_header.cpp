@@ -26,7 +26,7 @@ std::size_t header_size(std::string_view bytes) {
 
 PlyType type_of(Statement& s) {
   const std::string_view word = s.word();
-  const auto* const found = std::ranges::find_if(
+  const auto found = std::ranges::find_if(
       ply_types, [word](const PlyType& type) { return word == type.name || word == type.other_name; });
   if (found == ply_types.end())
     s.fail(fmt::format("expected a type of numbers like float, found {}", s.quoted(word)));
@@ -74,7 +74,7 @@ class HeaderReader {
     static constexpr std::array<std::string_view, 3> names{"ascii", "binary_little_endian",
                                                            "binary_big_endian"};
     const std::string_view name = s.word(), version = s.word();
-    const auto* const found = std::ranges::find(names, name);
+    const auto found = std::ranges::find(names, name);
     if (found == names.end() || version != "1.0")
       s.fail(fmt::format("expected {} 1.0, found {}", fmt::join(names, " 1.0, "),
                          s.quoted(std::string(name) + " " + std::string(version))));

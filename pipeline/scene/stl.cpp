@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t stl_count = 80, stl_head = stl_count + 4, stl_record = 50;
 
 /// Triangles that a binary file tells of.
-std::size_t told_triangles(std::string_view bytes) { return whole_at(bytes, stl_count, 4); }
+std::uint64_t told_triangles(std::string_view bytes) { return whole_at(bytes, stl_count, 4); }
 
 /// Whether all triangles are there that a binary file of these bytes would have. In a text the four bytes
 /// that tell are characters, at least 9 each: it would be a file of gigabytes.
@@ -38,7 +38,7 @@ class StlReader {
   explicit StlReader(const TextFile& file) : file_(file) { model_.mesh.files.push_back(file.name); }
 
   ModelFile binary(std::string_view bytes) {
-    const std::size_t count = told_triangles(bytes);
+    const auto count = static_cast<std::size_t>(told_triangles(bytes));  // all are there
     bool attributes = false;
     for (std::size_t i = 0; i < count; ++i) {
       const std::string_view triangle = bytes.substr(stl_head + stl_record * i, stl_record);

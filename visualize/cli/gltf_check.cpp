@@ -88,7 +88,7 @@ class SceneCheck : GltfJson {
 std::optional<std::string_view> chunk_at(std::string_view bytes, std::size_t at, std::string_view kind) {
   constexpr std::size_t head = 8;
   if (bytes.size() < at + head || bytes.substr(at + 4, 4) != kind) return std::nullopt;
-  return bytes.substr(at + head, pipeline::whole_at(bytes, at, 4));
+  return bytes.substr(at + head, static_cast<std::size_t>(pipeline::whole_at(bytes, at, 4)));
 }
 
 }  // namespace
