@@ -105,8 +105,9 @@ Camera with_depths(Camera camera, const Bounds& bounds) {
     farthest = std::max(farthest, depth);
   }
   // A box behind the eye, or that touches it at most, is not seen, whatever the planes
-  constexpr double least = 1e-30;  // as of depths that are told
-  if (farthest < least) farthest = bounds.radius() >= least ? bounds.radius() : 1;
+  constexpr double least = 1e-305;  // a thousandth of it is no zero
+  if (farthest <= 1e-30 * bounds.radius() || farthest < least)
+    farthest = bounds.radius() >= least ? bounds.radius() : 1;
   camera.lens.far = 1.01 * farthest;
   camera.lens.near = std::max(0.99 * nearest, camera.lens.far / 1000);
   return camera;
