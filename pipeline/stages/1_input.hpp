@@ -114,7 +114,7 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
   }
   // Larger faces lose their ears
   int faces = size_of(mesh.faces);
-  const auto first_piece = model.pieces.size();
+  const auto from = model.pieces.size();
   for (int i = 0; i < faces; ++i) {
     const PieceId id{object, i, 0};
     const auto pieces =  // triangles
@@ -123,7 +123,7 @@ void bring_in(const Mesh& mesh, int object, Model<ObjectPoint>& model, O&& obser
     if constexpr (observed<O>) observer(face_read(mesh, object, i, pieces));
   }
   // One depth for all in a plane
-  share_planes(mesh, first, first_piece, model);
+  share_planes(mesh, first, from, model);
 }
 
 /// Brings in every object of the scene, in order.

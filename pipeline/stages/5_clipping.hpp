@@ -178,7 +178,7 @@ inline Clipped clipped(PieceId id, const Polygon& before, const Polygon& after,
 template <Observer<Clipped> O = Unobserved>
 Triangles clip(const Model<WorldPoint>& world, const Model<ClipPoint>& model, Size size, O&& observer = {}) {
   auto planes = guard_volume(size);
-  const auto depths = plane_depths(model, size);
+  auto depths = plane_depths(model, size);
   Triangles triangles =  // one a piece, or more
       room_for(model.pieces);
   for (auto& p : model.pieces) {
