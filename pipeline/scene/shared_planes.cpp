@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <tuple>
 #include <utility>
 

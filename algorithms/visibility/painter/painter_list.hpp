@@ -229,7 +229,8 @@ template <class T>
 Beside stacked(const Piece<T>& q, const Piece<T>& p) {
   const Beside other = corners_beside(*p.whole, q);
   if (p.eye_side == 0 || q.eye_side == 0 || other.before || other.beyond) return {};
-  return {q.number<p.number, q.number> p.number};
+  const bool first = q.number < p.number;
+  return {first, !first};
 }
 
 /// How Q lies to the plane of P. Parts lie in their own plane, on one side of each that has cut them, and on
