@@ -8,6 +8,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import project
+from share import share_of
 
 TOPIC = "scan_conversion/bresenham_line"
 OUTER = {"image.cpp", "exact_scalar.cpp"}  # targets of their own, with libraries of their own
@@ -63,7 +64,7 @@ class CopyOneTopic(unittest.TestCase):
         core = [h.relative_to(self.folder) for h in sorted((self.folder / "core").rglob("*.hpp"))
                 if not h.name.endswith("-inl.hpp")]
         precompiled = project.precompiled(self.folder, project.COMPILER, *self.flags(), headers=core)
-        for topic in topics.values():
+        for topic in share_of(topics.values(), 3):
             with self.subTest(topic.name):
                 for path in needed(topic):
                     self.copy(path)

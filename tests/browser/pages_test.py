@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 from player_page import Checks, Page
-from webdriver import Browser
+from webdriver import Browser, share_of
 
 # A topic page is at most three screens: of the usual 1920 x 1080, or of A4 paper
 SCREEN, PAPER, MOST = (1920, 1080), (8.27, 11.69), 3
@@ -252,7 +252,7 @@ def main():
         lecture(check, browser, pathlib.Path(sys.argv[2]).resolve())
         pages = sorted(folder.glob('topics/*/*.html'))
         check.that('topic pages', len(pages) > 1, pages)
-        for path in pages:
+        for path in share_of(pages, 3):
             topic_page(check, browser, path)
         errata(check, browser, folder / 'errata.html')
         picture(check, browser, pathlib.Path(sys.argv[3]).resolve())

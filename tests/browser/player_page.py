@@ -4,7 +4,7 @@ import random
 import re
 import time
 
-from webdriver import EVERYTHING
+from webdriver import EVERYTHING, share_of
 
 SEED = 20261121
 MADE = ('line', 'fine', 'long', 'many', 'huge', 'hostile', 'late')
@@ -191,11 +191,15 @@ def narrow(check, browser, path):
 
 
 def one_a_topic(pages):
-    """The first page of each topic, unless GRADUS_STRESS asks for all: a page takes seconds."""
+    """Of players the first of each topic, of those and of topics' pages a share, and all others; unless GRADUS_STRESS asks
+    for all: a page takes seconds."""
     if EVERYTHING:
         return pages
-    first = {}
+    players, about, others = {}, [], []
     for page in pages:
         topic = re.search(r'"topic": *"(\w+)"', page.read_text(encoding='utf-8'))
-        first.setdefault(topic[1] if topic else page.name, page)
-    return list(first.values())
+        if topic:
+            players.setdefault(topic[1], page)
+        else:
+            (about if 'topics' in page.parts else others).append(page)
+    return others + share_of(about, 3) + share_of(players.values(), 3)

@@ -15,6 +15,7 @@ import urllib.request
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import programs
+from share import share_of
 
 programs.use_nothing_else()
 EVERYTHING = bool(os.environ.get('GRADUS_STRESS'))  # every page, not the first one of each topic

@@ -21,6 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
 from command import GRADUS, PLAIN, check, equal
 from renders import fewer_frames
+from share import EVERYTHING, share_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("GRADUS_BINARY_DIR", pathlib.Path(GRADUS).parent))
@@ -153,7 +154,7 @@ def test_from_the_build():
     gradus = pathlib.Path(GRADUS)
     pages, topics = main_pages(gradus)
     pages += [f"{name} {topic} --help" for name in ("run", "figure") for topic in topics]
-    try_pages(gradus, pages, 280)
+    try_pages(gradus, share_of(pages, 3), 280 if EVERYTHING else 70)
 
 
 def test_from_an_installed_prefix():
@@ -165,7 +166,7 @@ def test_from_an_installed_prefix():
     gradus = prefix / "bin" / "gradus"
     check(bool(gradus.stat().st_mode & stat.S_IXUSR), "the program is installed")
     pages, _ = main_pages(gradus)
-    try_pages(gradus, pages, 110)
+    try_pages(gradus, share_of(pages, 8), 110 if EVERYTHING else 10)
 
 
 sys.exit(command.run_all(globals()))

@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+#include "figure/figure.hpp"
+#include "figure/layout.hpp"
 #include "support/example_traces.hpp"
 #include "support/sanitized.hpp"
 
@@ -196,6 +198,14 @@ std::string golden_hashes(const std::string& path) {
   return hashes;
 }
 
+/// Its first, its telling and its last step as figures: under a sanitizer, where no test of the visualizer
+/// runs.
+void is_laid_out(const Trace& trace) {
+  Playhead playhead(trace);
+  for (const StepNumber step : {trace.steps.front().number, trace.telling, trace.steps.back().number})
+    EXPECT_FALSE(lay_out(figure_of(trace, playhead, step), Look{}).shapes.empty()) << trace.topic;
+}
+
 // A line a run: its hash in English, in German, and what it is.
 TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   const std::string path = std::string(GRADUS_SOURCE_DIR) + "/tests/golden/trace_hashes.txt";
@@ -204,6 +214,7 @@ TEST(TraceHash, IsTheCommittedOneOnThisCompiler) {
   std::string hashes;
   std::size_t count = 0;
   for (const Trace& trace : test::telling_traces({}, {}, false)) {
+    if (test::sanitized) is_laid_out(trace);
     hashes += fmt::format("{:016x} ", fnv1a(whole_text(trace)));
     if (!test::sanitized) hashes += fmt::format("{:016x} ", german.at(count));
     hashes += fmt::format("{} {}, {}\n", trace.topic, trace.method, trace.subtitle);

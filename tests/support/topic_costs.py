@@ -1,10 +1,11 @@
 """What each topic costs: seconds to compile it, and seconds to test it.
 
-    python3 tests/support/topic_costs.py build/release
+    python3 tests/support/topic_costs.py build/release build/asan-ubsan
 
-The seconds to compile are those of Ninja's log; where a file was compiled again, the last time counts. The seconds to test are
-those of tests.xml, which ./bootstrap test writes. A file or test belongs to the topic whose name it bears; to no topic
-belongs what serves them all.
+The seconds to compile are those of Ninja's logs; where a file was compiled again, the last time counts. The seconds to test are
+those of tests.xml, which ./bootstrap test writes, and, of a program whose tests run in parts, those of the reports beside
+it. A file or test belongs to the topic whose name it bears; to no topic belongs what serves them all. A topic that takes more
+than continuous integration has for one is named on standard error.
 """
 import pathlib
 import re
@@ -20,6 +21,7 @@ PARTS = {"algorithms": "algorithms", "stories": "stories", "example": "examples"
          "property": "property", "stress": "stress", "promises": "stress", "benchmark": "benchmark"}
 KINDS = (*dict.fromkeys(PARTS.values()), "scripts", "others")
 NO_TOPIC = "no topic's own"
+MOST, CORES = 15, 2  # seconds that a topic may add to continuous integration, and what shares its work
 
 
 class Refusal(Exception):
@@ -86,13 +88,29 @@ def tested(report):
         raise Refusal(f"expected a report as `ctest --output-junit` writes it ({error})") from error
 
 
+def single_tests(tests, folder):
+    """The tests, those of parts such as unit/visualize/part_2 by their own names where folder has the part's report."""
+    found = {}
+    for name, seconds in tests.items():
+        part = re.fullmatch(r"(.+)/part_(\d+)", name)
+        report = folder / f"{part[1].replace('/', '_')}_{part[2]}.xml" if part else None
+        if not report or not report.is_file():
+            found[name] = seconds
+            continue
+        own = {f"{part[1]}/{case.attrib['classname']}.{case.attrib['name']}": float(case.attrib["time"])
+               for case in ElementTree.fromstring(report.read_text(encoding="utf-8")).iter("testcase")}
+        found.update(own)
+        found[name] = max(0, seconds - sum(own.values()))  # its start
+    return found
+
+
 def costs_of(outputs, tests, topics):
-    """Topic -> its cost."""
+    """Topic -> its cost, of pairs of what was compiled and of what was tested, with their seconds."""
     costs = {name: Cost() for name in (*(topic.name for topic in topics), NO_TOPIC)}
-    for output, seconds in outputs.items():
+    for output, seconds in outputs:
         topic = topic_of(re.sub(r"^.*\.dir/", "", output), topics)
         costs[topic].compile[kind_of_output(output, topic)] += seconds
-    for name, seconds in tests.items():
+    for name, seconds in tests:
         costs[topic_of(name, topics)].test[kind_of_test(name)] += seconds
     return costs
 
@@ -124,25 +142,40 @@ def aligned(rows):
                    for row in texts)
 
 
-def report(words, root):
-    """The table of the build folder that the words name."""
-    if len(words) != 1:
-        raise Refusal("expected one build folder, such as build/release")
+def read_build(folder):
+    """What was compiled and what was tested in this build."""
     parts = []
     for name, read, maker in ((".ninja_log", compiled, "a build with Ninja"), ("tests.xml", tested, "./bootstrap test")):
-        path = pathlib.Path(words[0]) / name
+        path = folder / name
         try:
             parts.append(read(path.read_text(encoding="utf-8")))
         except OSError as error:
             raise Refusal(f"{path}: {error.strerror}; {maker} makes it") from error
         except Refusal as refusal:
             raise Refusal(f"{path}: {refusal}") from refusal
-    return table(costs_of(*parts, project.topics(root)))
+    return parts[0], single_tests(parts[1], folder / "tests")
+
+
+def costs_of_builds(words, root):
+    """The costs in all of the build folders that the words name."""
+    if not words:
+        raise Refusal("expected build folders, such as build/release build/asan-ubsan")
+    builds = [read_build(pathlib.Path(word)) for word in words]
+    return costs_of([pair for outputs, _ in builds for pair in outputs.items()],
+                    [pair for _, tests in builds for pair in tests.items()], project.topics(root))
+
+
+def warnings(costs):
+    return [f"{name} makes continuous integration {cost.seconds() / CORES:.0f} s longer, more than {MOST}"
+            for name, cost in costs.items() if name != NO_TOPIC and cost.seconds() / CORES > MOST]
 
 
 if __name__ == "__main__":
     try:
-        print(report(sys.argv[1:], pathlib.Path(__file__).resolve().parents[2]), end="")
+        costs = costs_of_builds(sys.argv[1:], pathlib.Path(__file__).resolve().parents[2])
+        print(table(costs), end="")
+        for warning in warnings(costs):
+            print(f"topic_costs: {warning}", file=sys.stderr)
     except Refusal as refusal:
         print(f"topic_costs: {refusal}", file=sys.stderr)
         sys.exit(2)

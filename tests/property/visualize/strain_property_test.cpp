@@ -22,6 +22,7 @@
 #include "support/odd_arguments.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
+#include "support/share.hpp"
 #include "support/sheets.hpp"
 #include "support/stress.hpp"
 
@@ -177,7 +178,8 @@ TEST_P(Strain, GivesNoWayToOddNumbers) {
   std::uint64_t own = start;  // the topics' cases differ
   for (const char c : topic.name) own = 31 * own + static_cast<unsigned char>(c);
   test::OddArguments odd(own);
-  const std::size_t cases = test::thinned(static_cast<std::size_t>(test::cases(1'000, 20'000)), 20);
+  const std::size_t cases =
+      test::thinned(static_cast<std::size_t>(test::cases(test::whole_run() ? 1'000 : 300, 20'000)), 20);
   std::size_t told = 0, claims = 0, failures = 0;
   for (std::size_t i = 0; i < cases && failures < 10; ++i) {
     const std::vector<Argument> given = odd.of(topic);

@@ -249,7 +249,7 @@ std::int64_t side_of_box(const triangle_coverage::Triangle& t) {
 TEST(EngineBatches, FindWhatIsNearestAmongTrianglesOfAllSizes) {
   const std::uint64_t seed = test::seed();
   std::int64_t small = 0, long_ones = 0;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < rounds(6); ++round) {
     Random random(seed, static_cast<std::uint64_t>(round));
     const Scene scene = scene_of_all_sizes(random);
     const Buffers buffers = buffers_of(scene);

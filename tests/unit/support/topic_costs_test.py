@@ -66,6 +66,23 @@ class Belonging(unittest.TestCase):
 
 
 class Reports(unittest.TestCase):
+    def costs(self, times=1):
+        return topic_costs.costs_of([*topic_costs.compiled(LOG).items()] * times, [*topic_costs.tested(REPORT).items()] * times, TOPICS)
+
+    def test_builds_are_summed_up(self):
+        self.assertEqual(self.costs(2)["liang_barsky"].seconds(), 2 * 4.75)
+
+    def test_what_is_too_dear_is_named(self):
+        self.assertEqual(topic_costs.warnings(self.costs(6)), [])
+        self.assertEqual(topic_costs.warnings(self.costs(7)), ["liang_barsky makes continuous integration 17 s longer, more than 15"])
+
+    def test_tests_of_a_part_are_told_one_by_one(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "unit_visualize_2.xml").write_text(
+            '<testsuites><testsuite name="Fill"><testcase name="Ends" classname="Fill" time="3"/></testsuite></testsuites>')
+        found = topic_costs.single_tests({"unit/visualize/part_1": 2, "unit/visualize/part_2": 5, "golden/cli": 1}, folder)
+        self.assertEqual(found, {"unit/visualize/part_1": 2, "unit/visualize/Fill.Ends": 3, "unit/visualize/part_2": 2, "golden/cli": 1})
+
     def test_the_last_run_of_each_command_counts_once(self):
         self.assertEqual(sorted(topic_costs.compiled(LOG).values()), [0.5, 1.0, 2.0, 4.0])
 
@@ -80,7 +97,7 @@ class Reports(unittest.TestCase):
                 read(text)
 
     def test_nothing_is_lost(self):
-        costs = topic_costs.costs_of(topic_costs.compiled(LOG), topic_costs.tested(REPORT), TOPICS)
+        costs = self.costs()
         self.assertEqual(costs["liang_barsky"].compile, {"unit": 4.5})
         self.assertEqual(costs["liang_barsky"].test, {"unit": 0.25})
         self.assertEqual(costs["liang_barsky_circle"].compile, {"stories": 2})
@@ -89,7 +106,7 @@ class Reports(unittest.TestCase):
         self.assertEqual(sum(cost.seconds() for cost in costs.values()), 4.5 + 2 + 1 + 0.25 + 1.5)
 
     def test_the_dearest_comes_first_and_kinds_are_summed_up(self):
-        costs = topic_costs.costs_of(topic_costs.compiled(LOG), topic_costs.tested(REPORT), TOPICS)
+        costs = self.costs()
         first, second = topic_costs.table(costs).split("\n\n")
         self.assertEqual([line.split() for line in first.splitlines()], [
             ["seconds", "stories", "unit", "others", "compile", "test", "all"],
@@ -119,7 +136,7 @@ class Command(unittest.TestCase):
 
     def test_bad_input_is_one_line(self):
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-        for words, reason in (((), "expected one build folder"), (("a", "b"), "expected one build folder"),
+        for words, reason in (((), "expected build folders"),
                               ((folder,), r"\.ninja_log: No such file or directory; a build with Ninja makes it")):
             done = self.run_on(*words)
             self.assertEqual((done.returncode, done.stdout), (2, ""))

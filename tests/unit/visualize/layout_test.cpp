@@ -12,6 +12,7 @@
 #include "figure/layout.hpp"
 #include "support/aspects.hpp"
 #include "support/sanitized.hpp"
+#include "support/share.hpp"
 #include "support/sheets.hpp"
 
 namespace gradus {
@@ -106,6 +107,10 @@ void listing_and_table_have_their_least(const Trace& trace, const Sheet& sheet, 
   EXPECT_GE(at.rows, std::min<std::int64_t>(2, trace.last + 1));
 }
 
+/// One in so many looks a run: prime to the numbers of choices, layouts and crops, or a run would see one
+/// kind alone.
+constexpr std::size_t looks_shares = 5;
+
 TEST(Layout, EverySlideIsLegibleApartAndWhole) {
   // One walk for all laws, since laying out is what takes the time: some steps of every telling trace
   const std::vector<std::pair<const char*, void (*)(const Trace&, const Sheet&, const Look&)>> laws{
@@ -117,10 +122,11 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
       {"slots keep apart", slots_keep_apart},
       {"every slot that was asked for is there", every_slot_that_was_asked_for_is_there},
       {"listing and table have their least", listing_and_table_have_their_least}};
-  std::size_t sheets = 0;
+  std::size_t sheets = 0, looks = 0;
   for (const Case& slide : slides()) {
     SCOPED_TRACE(slide.name);
     for (const bool crop : {false, true}) {
+      if (!test::in_share(looks++, looks_shares)) continue;
       SCOPED_TRACE(crop ? "cropped" : "whole");
       Look look = slide.look;
       look.crop = crop;
@@ -134,8 +140,8 @@ TEST(Layout, EverySlideIsLegibleApartAndWhole) {
           look, test::thinned(3, 3));
     }
   }
-  EXPECT_GT(sheets, test::thinned(15000, 30));
-  EXPECT_GT(cells_seen, test::thinned(10000, 20));
+  EXPECT_GT(sheets, test::share_of(test::thinned(15000, 30), looks_shares));
+  EXPECT_GT(cells_seen, test::share_of(test::thinned(10000, 20), 2 * looks_shares));
 }
 
 TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
@@ -146,7 +152,8 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
     Playhead playhead(trace);
     for (const Case& aspect : aspects()) {
       SCOPED_TRACE(aspect.name);
-      const std::size_t stride = std::max<std::size_t>(1, trace.steps.size() / test::thinned(40, 40));
+      const std::size_t stride =
+          std::max<std::size_t>(1, trace.steps.size() / test::thinned(test::share_of(40, 3), 13));
       for (std::size_t i = 0; i < trace.steps.size(); i += stride) {
         const Sheet sheet = lay_out(figure_of(trace, playhead, trace.steps[i].number), aspect.look);
         for (const Shape& shape : sheet.shapes) {
@@ -158,7 +165,7 @@ TEST(Layout, SentencesOfTheGalleryAreNotCutShort) {
       }
     }
   }
-  EXPECT_GT(sentences, test::thinned(2000, 40));
+  EXPECT_GT(sentences, test::share_of(test::thinned(2000, 40), 3));
 }
 
 /// How many lines are strong in the figure's listing. Each stands on its sheet.
@@ -184,7 +191,7 @@ void texts_are_whole_and_apart(const Sheet& sheet) {
 
 TEST(Layout, EveryStepIsWholeWithItsLineOnEveryAspect) {
   // All slots on: fewer slides than above, but all steps
-  std::size_t sheets = 0, listed = 0;
+  std::size_t sheets = 0, listed = 0, seen = 0;
   for (const Case& aspect : aspects()) {
     for (const Layout layout : {Layout::slide, Layout::handout}) {
       SCOPED_TRACE(aspect.name + (layout == Layout::slide ? "" : ", handout"));
@@ -192,6 +199,7 @@ TEST(Layout, EveryStepIsWholeWithItsLineOnEveryAspect) {
       look.layout = layout;
       sheets += test::for_each_figure(
           [&](const Figure& figure) {
+            if (!test::in_share(seen++, 5)) return;
             const Sheet sheet = lay_out(figure, look);
             texts_are_whole_and_apart(sheet);
             listed += the_current_line_is_listed(figure, sheet);
@@ -200,7 +208,7 @@ TEST(Layout, EveryStepIsWholeWithItsLineOnEveryAspect) {
     }
   }
   EXPECT_GT(sheets, test::thinned(10000, 20));
-  EXPECT_GT(listed, test::thinned(10000, 20));
+  EXPECT_GT(listed, test::share_of(test::thinned(10000, 20), 5));
 }
 
 // --- Still ---------------------------------------------------------------------------------------
@@ -225,9 +233,10 @@ std::map<std::string, Box> fixed_parts(const Sheet& sheet, bool follows) {
 }
 
 TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
-  std::size_t compared = 0;
+  std::size_t compared = 0, looks = 0;
   for (const Case& slide : slides()) {
     for (const bool crop : {false, true}) {
+      if (!test::in_share(looks++, looks_shares)) continue;
       SCOPED_TRACE(slide.name + (crop ? ", cropped" : ""));
       Look look = slide.look;
       look.crop = crop;
@@ -254,7 +263,7 @@ TEST(Layout, AxesAndSlotsStayPutOverAllSteps) {
       }
     }
   }
-  EXPECT_GT(compared, test::thinned(100000, 20));
+  EXPECT_GT(compared, test::share_of(test::thinned(100000, 20), looks_shares));
 }
 
 TEST(Layout, AViewThatFollowsLeavesTheShelfAway) {
@@ -310,9 +319,9 @@ TEST(Layout, ScalesWithTheSize) {
 }
 
 TEST(Layout, TheCurrentCellIsInView) {
-  std::size_t followed = 0;
+  std::size_t followed = 0, looks = 0;
   for (const Case& slide : slides()) {
-    if (!slide.look.slots.contains(Slot::drawing)) continue;
+    if (!slide.look.slots.contains(Slot::drawing) || !test::in_share(looks++, looks_shares)) continue;
     SCOPED_TRACE(slide.name);
     for (const Trace& trace : shared_traces()) {
       if (!trace.grid.axes) continue;  // a paper has no cells to follow
@@ -326,7 +335,7 @@ TEST(Layout, TheCurrentCellIsInView) {
       }
     }
   }
-  EXPECT_GT(followed, test::thinned(1000, 20));
+  EXPECT_GT(followed, test::share_of(test::thinned(1000, 20), looks_shares));
 }
 
 // --- Arranged ------------------------------------------------------------------------------------
@@ -400,7 +409,7 @@ TEST(Layout, ATitleOfOnesOwnReplacesTheTopics) {
 
 TEST(Layout, ALongTitleIsBrokenThenShortened) {
   for (const Case& aspect : aspects()) {
-    if (test::sanitized && aspect.name != "16:9" && aspect.name != "3:4") continue;
+    if (aspect.name != "16:9" && aspect.name != "3:4" && (test::sanitized || !test::whole_run())) continue;
     SCOPED_TRACE(aspect.name);
     for (const int words : {8, 40}) {
       Look look = aspect.look;
