@@ -1,0 +1,143 @@
+// The numbers that the pages of scan conversion claim, measured again.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/raster.hpp"
+#include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
+#include "scan_conversion/flood_fill/flood_fill.hpp"
+#include "stress/scan_conversion/areas.hpp"
+#include "support/documented.hpp"
+
+namespace gradus {
+namespace {
+
+using test::states;
+
+constexpr const char* fill_page = "docs/topics/scan_conversion/flood_fill.md";
+constexpr auto four = flood_fill::Connectivity::four;
+using Canvas = Raster<std::uint8_t>;  // 0 free, 1 wall
+
+constexpr int side = 1024;
+
+/// With 60 % free just above where one area spans the picture.
+Canvas noise() {
+  Canvas canvas(side, side);
+  std::mt19937_64 random(1);
+  for (auto& cell : canvas.cells()) cell = random() % 100 < 60 ? 0 : 1;
+  return canvas;
+}
+
+/// A row along the upper side, and columns one cell wide that hang from it.
+Canvas comb() {
+  Canvas canvas(side, side);
+  for (int y = 1; y < side; ++y) {
+    for (int x = 1; x < side; x += 2) canvas[{x, y}] = 1;
+  }
+  return canvas;
+}
+
+/// Corridors one cell wide, without loops.
+Canvas maze() {
+  Canvas canvas(side + 1, side + 1, 1);
+  std::mt19937_64 random(1);
+  std::vector<ivec2> path{{1, 1}};
+  canvas[{1, 1}] = 0;
+  while (!path.empty()) {
+    std::vector<ivec2> open;
+    for (const ivec2 way : flood_fill::ways(four)) {
+      const ivec2 next = path.back() + 2 * way;
+      if (canvas.contains(next) && canvas[next] == 1) open.push_back(way);
+    }
+    if (open.empty()) {
+      path.pop_back();
+      continue;
+    }
+    const ivec2 way = open[random() % open.size()];
+    canvas[path.back() + way] = 0;
+    canvas[path.back() + 2 * way] = 0;
+    path.push_back(path.back() + 2 * way);
+  }
+  return canvas;
+}
+
+/// What fills of the largest area ask and remember; how many cells it has, by union-find.
+struct Costs {
+  double cells = 0;
+  std::array<double, 3> entries{}, bytes_a_cell{}, questions_a_cell{};
+};
+Costs costs_of(const Canvas& canvas, std::optional<ivec2> seed = {}) {
+  const auto is_free = [&](ivec2 p) { return canvas.contains(p) && canvas[p] == 0; };
+  const auto areas = stress::areas_of(canvas.width(), canvas.height(), four, is_free);
+  std::vector<int> sizes(areas.cells().size());
+  for (const int area : areas.cells()) {
+    if (area != stress::no_area) ++sizes[static_cast<std::size_t>(area)];
+  }
+  const auto largest = std::ranges::max_element(sizes);
+  const int first = static_cast<int>(largest - sizes.begin());
+  const ivec2 from = seed.value_or(ivec2{first % canvas.width(), first / canvas.width()});
+  Costs costs{.cells = static_cast<double>(*largest)};
+  constexpr flood_fill::Method methods[] = {flood_fill::Method::depth_first,
+                                            flood_fill::Method::breadth_first, flood_fill::Method::span};
+  constexpr double bytes[] = {12, 8, 16};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Canvas painted = canvas;
+    double asked = 0;
+    const auto inside = [&](ivec2 p) {
+      ++asked;
+      return painted.contains(p) && painted[p] == 0;
+    };
+    const auto filled = flood_fill::fill(methods[k], from, inside, [&](ivec2 p) { painted[p] = 2; }, four);
+    EXPECT_EQ(static_cast<double>(filled.painted), costs.cells);
+    costs.entries[k] = static_cast<double>(filled.peak_waiting);
+    costs.bytes_a_cell[k] = bytes[k] * costs.entries[k] / costs.cells;
+    costs.questions_a_cell[k] = asked / costs.cells;
+  }
+  return costs;
+}
+
+TEST(DocumentedScanConversion, WhatFillsRemember) {
+  const Costs empty = costs_of(Canvas(side, side), ivec2(side / 2)), of_maze = costs_of(maze()),
+              of_noise = costs_of(noise()), of_comb = costs_of(comb());
+  EXPECT_TRUE(states(
+      fill_page, "| empty, seed in the middle ({}) | {} bytes a cell | {} ({} entries) | {} ({} entries) |",
+      {empty.cells, empty.bytes_a_cell[0], empty.bytes_a_cell[1], empty.entries[1], empty.bytes_a_cell[2],
+       empty.entries[2]}));
+  const auto row = [](const char* text, const Costs& c) {
+    return states(
+        fill_page, text,
+        {c.cells, c.bytes_a_cell[0], c.bytes_a_cell[1], c.entries[1], c.bytes_a_cell[2], c.entries[2]});
+  };
+  EXPECT_TRUE(row("| maze ({}) | {} | {} ({}) | {} ({}) |", of_maze));
+  EXPECT_TRUE(row("| noise, 60 % free ({}) | {} | {} ({}) | {} ({}) |", of_noise));
+  EXPECT_TRUE(row("| comb, teeth 1 wide ({}) | {} | {} ({}) | {} ({}) |", of_comb));
+  EXPECT_TRUE(states(fill_page,
+                     "Questions asked a painted cell: {} (8) for depth and breadth first; for span {} on the "
+                     "empty canvas, {} "
+                     "in the maze, {} on noise, {} in the comb,",
+                     {of_maze.questions_a_cell[0], empty.questions_a_cell[2], of_maze.questions_a_cell[2],
+                      of_noise.questions_a_cell[2], of_comb.questions_a_cell[2]}));
+  for (const Costs& c : {empty, of_maze, of_noise, of_comb})
+    EXPECT_LE(std::ranges::max(c.questions_a_cell), 4.01);
+}
+
+TEST(DocumentedScanConversion, PixelsOfCircles) {
+  const int radius = 100'000;
+  double columns = 0, pixels = 0;
+  // By the definition: the nearest pixel of each column of an octant, x <= y
+  for (int x = 0; x <= std::lround(std::sqrt(double(radius) * radius - double(x) * x)); ++x) ++columns;
+  bresenham_circle::decision_parameter({0, 0}, radius, [&](ivec2) { ++pixels; });
+  EXPECT_TRUE(states("docs/topics/scan_conversion/bresenham_circle.md",
+                     "An octant has about {} r columns, the circle about {} r pixels;",
+                     {columns / radius, pixels / radius}));
+}
+
+}  // namespace
+}  // namespace gradus
