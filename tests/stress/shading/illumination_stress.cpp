@@ -202,7 +202,7 @@ double ranges_error(const Input& i) {
   if (d >= light.range) return found == 0 ? 0 : wrong;
   const Digits part = Digits(d) / Digits(light.range), left = 1 - part * part * part * part;
   if (!(found >= 0 && found <= 1)) return wrong;
-  return static_cast<double>(Digits(abs(Digits(found) - left * left) / (20 * Digits(0x1p-53))));
+  return static_cast<double>(Digits(abs(Digits(found) - left * left) / (16 * Digits(0x1p-53))));
 }
 
 /// A rectangle above the place: its middle, its sides, and how often it is sampled.

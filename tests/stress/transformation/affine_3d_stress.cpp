@@ -142,7 +142,7 @@ double transform_error(const std::vector<T>& i) {
     }
     if (overflows<T>(size)) continue;
     if (!std::isfinite(to[row])) return wrong;
-    const Exact bound = size * Exact(4) * u * (Exact(1) + Exact(4) * u) + lost;
+    const Exact bound = size * Exact(4) * u * (Exact(1) + Exact(3) * u) + lost;
     worst = std::max(worst, in_bounds(abs(sum - Exact(to[row])), bound));
   }
   return worst;

@@ -158,6 +158,7 @@ TEST(BresenhamLine, WhereDdaFirstGoesWrong) {
   ivec2 end{};
   EXPECT_EQ(first_wrong<float>({1000000, 618034}, &end), 305);
   EXPECT_EQ(end, (ivec2{1000000, 623366}));
+  EXPECT_EQ(end.y - 618034, 5332);
   EXPECT_EQ(first_wrong<double>({1000000, 618034}, &end), 250000);
   EXPECT_EQ(end, (ivec2{1000000, 618034}));
   // From 2^23 on, adding 1/2 to a float of 8,388,608 changes nothing: the line stops climbing

@@ -92,6 +92,7 @@ TEST(DocumentedTransformation, AFarPivotInThePlane) {
           std::max(matrix, static_cast<double>(Wide(abs(Wide(by_matrix[0][axis]) - Wide(c) - right[axis]))));
     }
   }
+  EXPECT_LE(local, 1 * ulp);
   EXPECT_TRUE(states(page_2d,
                      "relative to it: {} off at most in 1000 turns where the matrix is up to {} off.",
                      {local, matrix}));

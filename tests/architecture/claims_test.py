@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""docs/claims.csv (document, text, test, number): which test computes each number that a page's section on accuracy or a
+contract's Accuracy line claims. Without {} the text stands in the document as it is, and `number` is where its numbers stand
+in the test's source; with {} the test reads them from the document, by a call of states() with the same text."""
+import csv
+import io
+import pathlib
+import re
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import coverage_test
+import project
+
+HEADER = ["document", "text", "test", "number"]
+# What no test computes: times and what goes with them are the benchmarks' output, printed again by `gradus bench`; what is
+# given (how many cases, which input) isn't found; and roundings that are counted in the code, which nothing measures yet
+KINDS = ("bench", "given", "counted")
+MOST_COUNTED = 23  # a new bound comes with its test
+FOUND = re.compile(r"\b([Ww]ithin|worst|measured|found|at most|up to|off)\b")
+
+SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+NUMBER = r"(?:\d[\d,]*\.\d+|\d[\d,]*\d|\d|(?<![\w.])\.\d+)(?:e[+-]?\d+)?"
+POWER = r"(?:2|10)(?:\^-?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+VALUE = re.compile(rf"0x1p[-+]?\d+|{POWER}|{NUMBER}(?: ?/ ?{NUMBER}(?![\w.^]))?")
+# A number claims something with a unit of accuracy, with decimals or as a small power; on a page also if it counts many
+UNIT = r" ?(?:ulp\b|u\b|units? of|roundings?\b|eps\b|%|[*·] (?:2|10)(?:\^-|⁻)|pixels? off|pixels? of|square pixels)"
+SMALL = r"(?<![*·] )(?:\d[\d.]*e-\d+|2\^-\d+|2⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+CLAIM = rf"{NUMBER}/{NUMBER}(?={UNIT})|{NUMBER}(?={UNIT})|\d[\d,]*\.\d+(?![\d.e])|\.\d+|{SMALL}"
+MANY = r"|\d{1,3}(?:,\d{3})+|\d{3,}"
+# Units' definitions, code, addresses, sources, places and what is looked at are no claims
+NOT_CLAIMED = re.compile(
+    r"`[^`]*`|\]\([^)]*\)|\b[ue] = 2(?:\^-|⁻)\S+|\(2(?:\^-|⁻)\S+ for \w+(?:, 2\^-53 for double)?\)|2\^-24 in float"
+    r"|[Aa]n? ulp is 2\S+|[Oo]ne ulp is 2\S+|in float 2⁻²³|floats, 2\^-24|(?<=times )2\^-\d+|(?<=units of )2\^-53"
+    r"|\d+\(\d\), \d{4}, \d+-\d+|Access [\d., and]+|GCC [\d.]+|\(-?[\d.e+-]+(?:, ?-?[\d.e+-]+)+\)|±\d+|\d+[- ]bits?\b|\d+ x \d+"
+    r"|\bseed \d+|\b[rcf] = [\d.e]+|\bat z = \d+|\^-\d\.\d+|2⁻⁶⁰ to 2⁶⁰|\d+ area|255ths|mod 256|below 256")
+
+
+def one_line(text):
+    """Words with one blank between them, without the marks of comments."""
+    return " ".join(word for line in text.splitlines() for word in re.sub(r"^\s*///?(?=\s|$)", "", line).split())
+
+
+def passages(document, text):
+    """What of a document speaks of accuracy, each on one line."""
+    if document.endswith(".md"):
+        return [one_line(part) for part in re.findall(r"^## Accuracy and cost\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
+    comments = re.findall(r"(?:^[ \t]*///[^\n]*\n)+|///<?[^\n]*", text, re.MULTILINE)
+    paragraphs = [part for comment in comments for part in re.split(r"\n[ \t]*///[ \t]*\n", comment)]
+    return [found for part in paragraphs
+            for found in re.findall(r"Accuracy: (.*?)(?= (?:Cost|Errors|Steps|Domain|Source|Returns)\b:?|$)", one_line(part))]
+
+
+def value(text):
+    """9/4, 2⁻⁵⁰, 0x1p-50 and 13,126 (in C++ 13'126) as numbers."""
+    text = text.translate(SUPERSCRIPTS).replace(",", "").replace(" ", "")
+    if text.startswith("0x1p"):
+        return 2.0 ** int(text[4:])
+    if power := re.fullmatch(r"(2|10)\^?(-\d+)|(2|10)\^(\d+)", text):
+        return float(power[1] or power[3]) ** int(power[2] or power[4])
+    above, _, below = text.partition("/")
+    return float(above) / float(below or 1)
+
+
+def values(text):
+    return {value(found[0]) for found in VALUE.finditer(re.sub(r"(?<=\d)'(?=\d)", "", text))}
+
+
+def is_one_of(text, numbers, source):
+    """Whether one of the numbers, rounded to its digits if it has decimals, is this one; half an ulp is the nearest number,
+    and a power of two may be given by its exponent."""
+    if text == "1/2" and "nearest" in source:
+        return True
+    if text.startswith("2^-"):
+        numbers = numbers | {2.0 ** -n for n in numbers if n == int(n) and 0 < n < 1075}
+    decimals = re.fullmatch(r"[\d,]*\.(\d+)(?:e(-?\d+))?", text)
+    half = 0.5000001 * 10.0 ** (int(decimals[2] or 0) - len(decimals[1])) if decimals else 0
+    return any(abs(number - value(text)) <= half for number in numbers)
+
+
+def claims(passage, many=True):
+    """Where numbers claim something: (begin, end)."""
+    ours = NOT_CLAIMED.sub(lambda match: "_" * len(match[0]), passage)
+    return [match.span() for match in re.finditer(rf"(?<![\w.^/,-])(?:{CLAIM}{MANY if many else ''})(?![\w(])", ours)]
+
+
+def as_pattern(text):
+    return re.compile(re.escape(text).replace(re.escape("{}"), r"[\d.,]*\d(?:e-?\d+)?"))
+
+
+def documents():
+    found = {}
+    for folder, ending in (("docs/topics", "md"), ("algorithms", "hpp"), ("pipeline", "hpp")):
+        for path in sorted((project.ROOT / folder).rglob("*." + ending)):
+            found[path.relative_to(project.ROOT).as_posix()] = path.read_text(encoding="utf-8")
+    return found
+
+
+def states(source):
+    """(document, text) of each call of states(), where the document may be the constant of this name that comes before."""
+    constants = [(m.start(), m[1], m[2]) for m in re.finditer(r'(\w+) = "((?:docs|algorithms|pipeline)/[^"]+)"', source)]
+    strings = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
+    found = set()
+    # row(): a table's rows by a function of their own, on the page that was named last
+    for call in re.finditer(rf'\bstates\(\s*("[^"]+"|\w+),\s*{strings}|\brow\(\s*{strings}', source):
+        before = [document for at, name, document in constants if at < call.start() and call[1] in (name, None)]
+        text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', call[2] or call[3]))
+        if (call[1] or "").startswith('"'):
+            found.add((call[1].strip('"'), text))
+        elif before:
+            found.add((before[-1], text))
+    return found
+
+
+def test_sources():
+    """The source of each test: of GoogleTest's by their names, of promises by promises/TOPIC, with headers of their own."""
+    found = {}
+    for path in project.sources(project.ROOT, "tests/unit") + project.sources(project.ROOT, "tests/property"):
+        text = path.read_text(encoding="utf-8")
+        for names in re.findall(r"^TEST(?:_F)?\((\w+),\s*(\w+)\)", text, re.MULTILINE):
+            found[".".join(names)] = text
+    for path in sorted((project.ROOT / "tests/stress").rglob("*_stress.cpp")):
+        text = path.read_text(encoding="utf-8")
+        for header in re.findall(r'^#include "(stress/\w+/\w+\.hpp)"', text, re.MULTILINE):
+            text += (project.ROOT / "tests" / header).read_text(encoding="utf-8")
+        found["promises/" + path.name.removesuffix("_stress.cpp")] = text
+    return found
+
+
+def source_of(test, sources):
+    return sources.get(test) or sources.get("/".join(test.split("/")[:2]))
+
+
+def violations(table, texts, tests, sources):
+    rows = list(csv.reader(io.StringIO(table)))
+    if not rows or rows[0] != HEADER:
+        return [f"the first line is {','.join(HEADER)}"]
+    found, spans = [], {}
+    whole = {document: one_line(text) for document, text in texts.items()}
+    for line, row in enumerate(rows[1:], 2):
+        if len(row) != len(HEADER):
+            found.append(f"line {line}: {len(row)} fields, not {len(HEADER)}")
+            continue
+        document, text, test, number = row
+        if document not in texts:
+            found.append(f"line {line}: there is no {document}, or it isn't looked at")
+            continue
+        if not as_pattern(text).search(whole[document]):
+            found.append(f"line {line}: {document} doesn't say: {text}")
+        spans.setdefault(document, []).append(text)
+        if test in KINDS:
+            if test == "given" and FOUND.search(text):
+                found.append(f"line {line}: this is found, not given: {text}")
+            continue
+        if test not in tests:
+            found.append(f"line {line}: there is no test {test}")
+            continue
+        source = source_of(test, sources)
+        if source is None:
+            found.append(f"line {line}: no source of {test}")
+        elif "{}" in text:
+            if (document, text) not in states(source):
+                found.append(f"line {line}: {test} doesn't read from {document}: {text}")
+        elif not number or number not in source:
+            found.append(f"line {line}: the source of {test} doesn't have: {number}")
+        elif not claims(text) or not all(is_one_of(text[a:b], values(number), number) for a, b in claims(text)):
+            found.append(f"line {line}: {text} and {number} are not the same numbers")
+    counted = sum(row[2] == "counted" for row in rows[1:] if len(row) == len(HEADER))
+    if counted > MOST_COUNTED:
+        found.append(f"{counted} bounds are counted, not computed: more than {MOST_COUNTED}")
+    for document, text in texts.items():
+        for passage in passages(document, text):
+            covered = [match.span() for known in spans.get(document, []) for match in as_pattern(known).finditer(passage)]
+            for begin, end in claims(passage, document.endswith(".md")):
+                if not any(a <= begin and end <= b for a, b in covered):
+                    found.append(f"{document}: no row for {passage[begin:end]} in: …{passage[max(0, begin - 60):end + 40]}…")
+    return found
+
+
+class Claims(unittest.TestCase):
+    def test_every_number_is_computed(self):
+        table = (project.ROOT / "docs/claims.csv").read_text(encoding="utf-8")
+        found = violations(table, documents(), coverage_test.existing_names()["test"], test_sources())
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+
+    def test_planted_faults_are_caught(self):
+        page = "# Line\n\n## Accuracy and cost\n\nWithin 2 ulp (measured\n1.37), of 20,000 lines 24 %.\n\n## Charts\n\n0.5 ulp\n"
+        header = "/// A line.\n///\n/// Domain: all. Accuracy: within 4 u of\n///   it. Cost: 9 ulp.\nvoid line();\n"
+        texts = {"docs/topics/a.md": page, "algorithms/a.hpp": header}
+        sources = {"promises/a": "bound = 2.0, 4 * u", "Line.Off": 'constexpr const char* page = "docs/topics/a.md";\n'
+                   'states(page, "(measured {}), of 20,000 "\n  "lines {} %.", {off})'}
+        tests = {"promises/a/Of/Promises.AreKept/b", "Line.Off"}
+        good = ("document,text,test,number\n"
+                "docs/topics/a.md,Within 2 ulp,promises/a/Of/Promises.AreKept/b,bound = 2.0\n"
+                'docs/topics/a.md,"(measured {}), of 20,000 lines {} %.",Line.Off,\n'
+                "algorithms/a.hpp,within 4 u of it,promises/a/Of/Promises.AreKept/b,4 * u\n")
+        self.assertEqual(violations(good, texts, tests, sources), [])
+        for old, new, expected in (
+                ("Within 2 ulp", "Within 3 ulp", "doesn't say"), ("bound = 2.0", "4 * u", "not the same numbers"),
+                ("bound = 2.0", "bound = 2.5", "doesn't have"), ("Line.Off", "Line.On", "no test Line.On"),
+                ("docs/topics/a.md,Within", "docs/topics/b.md,Within", "there is no docs/topics/b.md"),
+                ("promises/a/Of/Promises.AreKept/b,bound = 2.0", "bench,", None),
+                ("of it,promises/a/Of/Promises.AreKept/b,4 * u", "of it,given,", "is found, not given"),
+                ("of 20,000 lines", "of {} lines", "doesn't read from"),
+                ("docs/topics/a.md,Within 2 ulp,promises/a/Of/Promises.AreKept/b,bound = 2.0\n", "", "no row for 2 in"),
+                ("algorithms/a.hpp,within 4 u of it,promises/a/Of/Promises.AreKept/b,4 * u\n", "", "no row for 4 in"),
+                ("4 * u", "4 * u,5", "5 fields"), ("document,text", "text", "the first line")):
+            with self.subTest(new):
+                found = violations(good.replace(old, new, 1), texts, tests, sources)
+                if expected is None:
+                    self.assertEqual(found, [])
+                else:
+                    self.assertIn(expected, "\n".join(found))
+        # Another number on the page is one that the test no longer has
+        moved = {**texts, "algorithms/a.hpp": header.replace("4 u", "3 u")}
+        self.assertEqual(len(violations(good, moved, tests, sources)), 2)
+        self.assertEqual([passages("a.hpp", header)[0][a:b] for a, b in claims(passages("a.hpp", header)[0])], ["4"])
+
+
+if __name__ == "__main__":
+    unittest.main()
