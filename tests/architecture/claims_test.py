@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """docs/claims.csv (document, text, test, number): which test computes each number that a page's section on accuracy or a
-contract's Accuracy line claims. Without {} the text stands in the document as it is, and `number` is where its numbers stand
-in the test's source; with {} the test reads them from the document, by a call of states() with the same text."""
+contract's Accuracy line claims, or a page's mistakes have counted or measured. Without {} the text stands in the document as
+it is, and `number` is where its numbers stand in the test's source; with {} the test reads them from the document, by a call
+of states() with the same text."""
 import csv
 import io
 import pathlib
@@ -42,10 +43,10 @@ def one_line(text):
     return " ".join(word for line in text.splitlines() for word in re.sub(r"^\s*///?(?=\s|$)", "", line).split())
 
 
-def passages(document, text):
+def passages(document, text, section="Accuracy and cost"):
     """What of a document speaks of accuracy, each on one line."""
     if document.endswith(".md"):
-        return [one_line(part) for part in re.findall(r"^## Accuracy and cost\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
+        return [one_line(part) for part in re.findall(rf"^## {section}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
     comments = re.findall(r"(?:^[ \t]*///[^\n]*\n)+|///<?[^\n]*", text, re.MULTILINE)
     paragraphs = [part for comment in comments for part in re.split(r"\n[ \t]*///[ \t]*\n", comment)]
     return [found for part in paragraphs
@@ -64,7 +65,13 @@ def value(text):
 
 
 def values(text):
-    return {value(found[0]) for found in VALUE.finditer(re.sub(r"(?<=\d)'(?=\d)", "", text))}
+    found = set()
+    for match in VALUE.finditer(re.sub(r"(?<=\d)'(?=\d)", "", text)):
+        try:
+            found.add(value(match[0]))
+        except (OverflowError, ZeroDivisionError):
+            pass  # a source's hostile inputs
+    return found
 
 
 def is_one_of(text, numbers, source):
@@ -83,6 +90,12 @@ def claims(passage, many=True):
     """Where numbers claim something: (begin, end)."""
     ours = NOT_CLAIMED.sub(lambda match: "_" * len(match[0]), passage)
     return [match.span() for match in re.finditer(rf"(?<![\w.^/,-])(?:{CLAIM}{MANY if many else ''})(?![\w(])", ours)]
+
+
+def measured(passage):
+    """Where examples have numbers that nobody gives: many, or of three decimals."""
+    ours = NOT_CLAIMED.sub(lambda match: "_" * len(match[0]), passage)
+    return [match.span() for match in re.finditer(r"(?<![\w.^/,-])(?:\d{1,3}(?:,\d{3})+|\d*\.\d{3,}|\d+\.\d+e-\d+|\d+(?= %))(?![\w(])", ours)]
 
 
 def as_pattern(text):
@@ -170,11 +183,27 @@ def violations(table, texts, tests, sources):
     if counted > MOST_COUNTED:
         found.append(f"{counted} bounds are counted, not computed: more than {MOST_COUNTED}")
     for document, text in texts.items():
-        for passage in passages(document, text):
+        looked_at = [(passage, claims(passage, document.endswith(".md"))) for passage in passages(document, text)]
+        if document.endswith(".md"):
+            looked_at += [(passage, measured(passage)) for passage in passages(document, text, "Common mistakes")]
+        for passage, numbers in looked_at:
             covered = [match.span() for known in spans.get(document, []) for match in as_pattern(known).finditer(passage)]
-            for begin, end in claims(passage, document.endswith(".md")):
+            for begin, end in numbers:
                 if not any(a <= begin and end <= b for a, b in covered):
                     found.append(f"{document}: no row for {passage[begin:end]} in: …{passage[max(0, begin - 60):end + 40]}…")
+    return found
+
+
+def violations_of_promises(page, sources):
+    """The table of promises in docs/stress.md: | `topic` | `promise` with its bound; … |, each bound in the topic's source."""
+    found = []
+    for topic, promises in re.findall(r"^\| `(\w+)` \| (`.*) \|$", page, re.MULTILINE):
+        # Where bounds stand: in lines about them and in what promises say
+        lines = sources.get("promises/" + topic, "").splitlines()
+        source = "\n".join(line for line in lines if re.search(r"bound|worst|measured\(|cases|\w \w+[^{]*\"", line))
+        for begin, end in claims(promises, many=False):
+            if not is_one_of(promises[begin:end], values(source), source):
+                found.append(f"docs/stress.md: {topic}'s promises have no {promises[begin:end]}: …{promises[max(0, begin - 40):end + 20]}…")
     return found
 
 
@@ -183,6 +212,12 @@ class Claims(unittest.TestCase):
         table = (project.ROOT / "docs/claims.csv").read_text(encoding="utf-8")
         found = violations(table, documents(), coverage_test.existing_names()["test"], test_sources())
         self.assertEqual(found, [], "\n" + "\n".join(found))
+
+    def test_the_table_of_promises_has_their_bounds(self):
+        page = (project.ROOT / "docs/stress.md").read_text(encoding="utf-8")
+        found = violations_of_promises(page, test_sources())
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+        self.assertGreater(len(violations_of_promises(page.replace("0.63 ulp", "0.59 ulp"), test_sources())), 1)
 
     def test_planted_faults_are_caught(self):
         page = "# Line\n\n## Accuracy and cost\n\nWithin 2 ulp (measured\n1.37), of 20,000 lines 24 %.\n\n## Charts\n\n0.5 ulp\n"
@@ -215,6 +250,8 @@ class Claims(unittest.TestCase):
         # Another number on the page is one that the test no longer has
         moved = {**texts, "algorithms/a.hpp": header.replace("4 u", "3 u")}
         self.assertEqual(len(violations(good, moved, tests, sources)), 2)
+        mistake = {**texts, "docs/topics/a.md": page + "## Common mistakes\n\nOf 1 mm and 20 are 1,234 wrong.\n"}
+        self.assertIn("no row for 1,234 in", "".join(violations(good, mistake, tests, sources)))
         self.assertEqual([passages("a.hpp", header)[0][a:b] for a, b in claims(passages("a.hpp", header)[0])], ["4"])
 
 

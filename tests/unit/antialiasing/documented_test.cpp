@@ -16,6 +16,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/raster.hpp"
 #include "support/documented.hpp"
+#include "support/example_traces.hpp"
 #include "support/random_edges.hpp"
 
 namespace gradus {
@@ -251,6 +252,26 @@ TEST(DocumentedAntialiasing, AreasOfWhatIsSeen) {
   EXPECT_LE(worst, 1e-12);
   EXPECT_TRUE(states("docs/topics/antialiasing/area_sampling.md",
                      "in double the promise is 1e-12 (found: {}),", {worst}));
+}
+
+TEST(DocumentedAntialiasing, AreasWithoutVisibilityAndTones) {
+  constexpr const char* page = "docs/topics/antialiasing/area_sampling.md";
+  const Trace trace = test::trace_of("area_sampling", {{"method", "areas_without_visibility"}});
+  const auto covered = std::ranges::find(trace.result, "covered", &Field::name);
+  ASSERT_NE(covered, trace.result.end());
+  EXPECT_TRUE(states(page, "the three triangles above have areas of {} in one pixel",
+                     {std::get<double>(covered->value)}));
+  // sRGB's definition
+  EXPECT_TRUE(
+      states(page, "255 times 1/2 is 128, a tone that shows {} of the light; half is {}.",
+             {std::pow((128 / 255.0 + 0.055) / 1.055, 2.4), 255 * (1.055 * std::pow(0.5, 1 / 2.4) - 0.055)}));
+}
+
+TEST(DocumentedAntialiasing, OnesInAFloat) {
+  float sum = 0;
+  for (int i = 0; i < 20'000'000; ++i) sum += 1;
+  EXPECT_TRUE(states("docs/topics/antialiasing/accumulation_buffer.md", "a sum of ones stays at 2^24 = {},",
+                     {double(sum)}));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "clipping/cohen_sutherland_2d/cohen_sutherland_2d.hpp"
 #include "clipping/cohen_sutherland_3d/cohen_sutherland_3d.hpp"
@@ -12,6 +13,7 @@
 #include "clipping/liang_barsky/liang_barsky.hpp"
 #include "clipping/liang_barsky_circle/liang_barsky_circle.hpp"
 #include "clipping/polygon_circle/polygon_circle.hpp"
+#include "core/arithmetic/elementary.hpp"
 #include "core/random.hpp"
 #include "stress/clipping/circle_polygons.hpp"
 #include "support/circle_areas.hpp"
@@ -250,6 +252,54 @@ TEST(DocumentedClipping, AreasOfPolygonsInCircles) {
   EXPECT_LE(worst, 1);
   EXPECT_TRUE(states("docs/topics/clipping/polygon_circle.md",
                      "of 1,600 random polygons the worst used {} of it.", {worst}));
+}
+
+TEST(DocumentedClipping, SignsOfDiscriminantsOfTangents) {
+  using test::Fraction;
+  Random random(20240611);
+  int below = 0, zero = 0, above = 0, wrong = 0;
+  for (int n = 0; n < 30'000; ++n) {
+    const dvec2 centre{random.uniform(-5, 5), random.uniform(-5, 5)};
+    const double radius = random.uniform(0.1, 10), turn = random.uniform(0, 6.283);
+    const dvec2 away{gradus::cos(turn), gradus::sin(turn)}, along{-away.y, away.x},
+        touches = centre + radius * away;
+    const dvec2 from = touches - random.uniform(0.1, 10) * along,
+                to = touches + random.uniform(0.1, 10) * along;
+    // D = B² - 4AC as it stands, and of the same numbers exactly
+    const auto discriminant = [&]<class T>(T) {
+      const T dx = T(to.x) - T(from.x), dy = T(to.y) - T(from.y), fx = T(from.x) - T(centre.x),
+              fy = T(from.y) - T(centre.y);
+      const T a = dx * dx + dy * dy, b = T(2.0) * (dx * fx + dy * fy),
+              c = fx * fx + fy * fy - T(radius) * T(radius);
+      return b * b - T(4.0) * a * c;
+    };
+    const double rounded = discriminant(0.0);
+    const int sign = (rounded > 0) - (rounded < 0);
+    below += sign < 0, zero += sign == 0, above += sign > 0;
+    wrong += sign != discriminant(Fraction(0)).sign();
+  }
+  EXPECT_TRUE(states("docs/topics/clipping/liang_barsky_circle.md",
+                     "Of 30,000 lines tangent by construction doubles say D < 0 for {}, D = 0 for {} and D > "
+                     "0 for {}; {} of these are "
+                     "not what the very same input says exactly.",
+                     {double(below), double(zero), double(above), double(wrong)}));
+}
+
+TEST(DocumentedClipping, TheSquareThatEdgesCrossTwice) {
+  constexpr const char* page = "docs/topics/clipping/polygon_circle.md";
+  const std::vector<dvec2> square{{-0.8, -0.8}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}};
+  const double area = static_cast<double>(test::exact_area(square, Circle<double>{{0, 0}, 1}));
+  EXPECT_TRUE(states(page, "loses the square [-0.8,0.8]² whole: 0, right is {}.", {area}));
+  // With all crossings, at 0.6, an octagon: the square less four corners of 0.2 by 0.2
+  EXPECT_TRUE(states(page, "for the same square {} even with all crossings.",
+                     {area - (1.6 * 1.6 - 4 * 0.2 * 0.2 / 2)}));
+}
+
+TEST(DocumentedClipping, ALineThatLeavesBeforeItEnters) {
+  // (-5, 8)-(3, 20) and the borders x = 0 and y = 10
+  EXPECT_TRUE(states(page_parametric,
+                     "(-5,8)-(3,20) crosses the left border at t = {} and the top one at {},",
+                     {(0 + 5) / (3.0 + 5), (10 - 8) / (20.0 - 8)}));
 }
 
 }  // namespace

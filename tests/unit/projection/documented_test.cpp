@@ -190,5 +190,21 @@ TEST(DocumentedProjection, StepsOfDepth) {
                      {reversed.step_of_floats(5e5)}));
 }
 
+TEST(DocumentedProjection, DepthsAlongALineOfTheScreen) {
+  Random random(20240611);
+  double kept = 0, inverted = 0;
+  for (int n = 0; n < 100'000; ++n) {
+    const double z0 = random.uniform(1, 100), z1 = random.uniform(1, 100), part = random.unit();
+    const double z =
+        z0 + part * (z1 - z0);  // of the line's point; its image divides the images of the ends so
+    const double share = part * z1 / z;
+    kept = std::max(kept, (1 - share) * z0 + share * z1 - z);
+    inverted = std::max(inverted, std::abs(1 / ((1 - share) / z0 + share / z1) - z) / z);
+  }
+  EXPECT_TRUE(states("docs/topics/projection/perspective.md",
+                     "in 100,000 random lines the worst was {}, and {} of the depth with 1/z.",
+                     {kept, inverted}));
+}
+
 }  // namespace
 }  // namespace gradus

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/raster.hpp"
+#include "scan_conversion/antialiased_line/antialiased_line.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 #include "stress/scan_conversion/areas.hpp"
@@ -137,6 +138,17 @@ TEST(DocumentedScanConversion, PixelsOfCircles) {
   EXPECT_TRUE(states("docs/topics/scan_conversion/bresenham_circle.md",
                      "An octant has about {} r columns, the circle about {} r pixels;",
                      {columns / radius, pixels / radius}));
+}
+
+TEST(DocumentedScanConversion, InkOfADiagonal) {
+  const auto ink = [](ivec2 to) {
+    double sum = 0;
+    antialiased_line::wu({0, 0}, to, [&](ivec2, int intensity) { sum += intensity; });
+    return sum / 255 / std::sqrt(double(to.x) * to.x + double(to.y) * to.y);
+  };
+  EXPECT_TRUE(states("docs/topics/scan_conversion/antialiased_line.md",
+                     "so a diagonal has {} of a level line's ink for its length.",
+                     {ink({5000, 5000}) / ink({5000, 0})}));
 }
 
 }  // namespace
