@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "antialiasing/accumulation_buffer/accumulation_buffer.hpp"
+#include "antialiasing/jittered/jittered.hpp"
 #include "antialiasing/poisson_disc/poisson_disc.hpp"
 #include "antialiasing/sampling_theorem/sampling_theorem.hpp"
+#include "antialiasing/supersampling/supersampling.hpp"
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/geometry.hpp"
 #include "core/random.hpp"
@@ -23,6 +25,7 @@
 #include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 #include "scene/circular_road.hpp"
 #include "scene/movement.hpp"
+#include "scene/turntable.hpp"
 #include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/mixed_along.hpp"
 #include "shading/texture_mapping/texture_mapping.hpp"
@@ -348,6 +351,62 @@ TEST(Bounds, ConesBesideADiagonal) {
   }
   EXPECT_TRUE(test::states("algorithms/scan_conversion/antialiased_line/antialiased_line_notes.hpp",
                            "right for level and upright lines only; up to {} off near a diagonal.", {worst}));
+}
+
+TEST(Bounds, WeightsOfAGaussian) {
+  // e^(-2 d²) along each axis; d² is up to 2.25 and rounded three times, each exponential once, and their
+  // product
+  for (int n = 1; n <= 16; ++n) {
+    const auto kernel = supersampling::kernel_of(supersampling::Filter::gaussian, n);
+    for (const auto& [cell, weight] : kernel.cells) {
+      const Wide x = (2 * Wide(cell.x) + 1 - n) / (2 * Wide(n)),
+                 y = (2 * Wide(cell.y) + 1 - n) / (2 * Wide(n));
+      const Wide right = exp(-2 * (x * x + y * y));
+      EXPECT_LE(off(weight, right), near(31 * u * right));
+    }
+  }
+}
+
+TEST(Bounds, MeansOfSamples) {
+  Numbers next;
+  for (int n = 0; n < cases; ++n) {
+    const auto count = static_cast<std::size_t>(next.random.uniform_int(1, 64));
+    std::vector<dvec2> places(count);
+    for (dvec2& place : places) place = {next.random.unit(), next.random.unit()};
+    const auto colour = [](dvec2 p) { return p.x + 3 * p.y; };
+    Wide sum = 0;
+    double largest = 0;
+    for (const dvec2 p : places) sum += colour(p), largest = std::max(largest, colour(p));
+    EXPECT_LE(off(jittered::sample_pixel({0, 0}, places, colour), sum / count),
+              static_cast<double>(count) * 0x1p-53 * largest);
+  }
+}
+
+TEST(Bounds, EyesOfATurntable) {
+  using namespace pipeline;
+  Numbers next;
+  const Wide pi = boost::math::constants::pi<Wide>();
+  for (int n = 0; n < 200; ++n) {
+    View view;
+    const dvec3 eye = next.three(), target = next.three();
+    view.eye = eye, view.target = target, view.up = next.direction();
+    const int frames = static_cast<int>(next.random.uniform_int(1, 90));
+    const CameraPath path = turntable({}, view, 1.5, frames);
+    const dvec3 axis = unit_vector(path.up[0].value);
+    for (int k = 0; k < frames; ++k) {
+      const Wide angle = 2 * pi * k / frames, c = cos(angle), s = sin(angle);
+      Wide d[3], a[3] = {axis.x, axis.y, axis.z}, along = 0, length = 0, norm = 0;
+      for (int i = 0; i < 3; ++i) norm += a[i] * a[i];
+      for (int i = 0; i < 3; ++i)
+        a[i] /= sqrt(norm), d[i] = Wide(eye[i]) - target[i], along += d[i] * a[i], length += d[i] * d[i];
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, m = (i + 2) % 3;
+        const Wide right = target[i] + c * d[i] + s * (a[j] * d[m] - a[m] * d[j]) + (1 - c) * along * a[i];
+        EXPECT_LE(off(path.eye[static_cast<std::size_t>(k)].value[i], right),
+                  34 * ulp * near(sqrt(length)) + ulp * length_of(target));
+      }
+    }
+  }
 }
 
 }  // namespace
