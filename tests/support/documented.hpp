@@ -5,14 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -53,8 +49,8 @@ inline Printed printed_at(std::string_view text) {
     point = point || text[at] == '.';
     digits += text[at];
   }
-  if (at > 0 && at < text.size() && text[at] == 'e' &&
-      (digit(at + 1) || (text[at + 1] == '-' && digit(at + 2)))) {
+  const bool negative = text.substr(at).starts_with("e-");
+  if (at > 0 && text.substr(at).starts_with('e') && digit(at + (negative ? 2 : 1))) {
     const std::size_t from = at++;
     while (++at, digit(at)) {
     }

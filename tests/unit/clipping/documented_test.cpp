@@ -159,7 +159,7 @@ TEST(DocumentedClipping, CutsOfCutsInSpace) {
 Segment<4, double> before_the_eye(Random& random) {
   const auto point = [&] {
     const double w = random.uniform(0.1, 100);
-    return glm::dvec4(w * random.uniform(-2, 2), w * random.uniform(-2, 2), w * random.uniform(-1, 2), w);
+    return glm::dvec4{w * random.uniform(-2, 2), w * random.uniform(-2, 2), w * random.uniform(-1, 2), w};
   };
   return {point(), point()};
 }

@@ -95,11 +95,13 @@ TEST(DocumentedProjection, CentresLeadBack) {
   for (int n = 0; n < 2000; ++n) {
     const ivec2 picture{static_cast<int>(random.uniform_int(1, 24)),
                         static_cast<int>(random.uniform_int(1, 24))};
-    const double largest = std::ldexp(random.uniform(1, 2), static_cast<int>(random.uniform_int(-60, 60)));
+    const double digits = random.uniform(1, 2);
+    const double largest = std::ldexp(digits, static_cast<int>(random.uniform_int(-60, 60)));
     const double ulp = std::nextafter(largest, HUGE_VAL) - largest;
     // From 9 ulp a pixel on, those most of the time
     const auto share = [&](int count) {
-      return count * ulp * (9 + std::ldexp(random.unit(), static_cast<int>(random.uniform_int(0, 30))));
+      const double more = random.unit();
+      return count * ulp * (9 + std::ldexp(more, static_cast<int>(random.uniform_int(0, 30))));
     };
     const Rectangle<double> window{{largest - share(picture.x), largest - share(picture.y)},
                                    {largest, largest}};

@@ -44,7 +44,10 @@ TEST(DocumentedTransformation, PointsAndInversesInThePlane) {
   double points = 0, inverses = 0;
   for (int n = 0; n < 20'000; ++n) {
     double x[8];
-    for (double& v : x) v = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.uniform_int(-9, 9)));
+    for (double& v : x) {
+      const double digits = random.uniform(-1, 1);
+      v = std::ldexp(digits, static_cast<int>(random.uniform_int(-9, 9)));
+    }
     const Matrix<double> m{x[0], x[1], 0, x[2], x[3], 0, x[4], x[5], 1};
     const dvec2 to = transform(m, dvec2{x[6], x[7]});
     for (int row = 0; row < 2; ++row) {
