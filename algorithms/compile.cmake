@@ -182,3 +182,26 @@ function(gradus_compile_at_once target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
 endfunction()
+
+# Lets a source file of a target load this shared library by itself, when it is asked for: the file gets what the linker
+# calls the library as GRADUS_<name>. More arguments: folders of headers, for the target.
+function(gradus_load_on_demand target file name library)
+  execute_process(COMMAND ${CMAKE_READELF} -d ${library} OUTPUT_VARIABLE section COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT section MATCHES "\\(SONAME\\)[^[]*\\[([^]]+)\\]")
+    message(FATAL_ERROR "${library}: expected a shared library, which can be loaded")
+  endif()
+  set_source_files_properties(${file} PROPERTIES COMPILE_DEFINITIONS "GRADUS_${name}=\"${CMAKE_MATCH_1}\"")
+  target_include_directories(${target} SYSTEM PRIVATE ${ARGN})
+  target_link_libraries(${target} PRIVATE ${CMAKE_DL_LIBS})
+endfunction()
+
+# The same of an imported target.
+function(gradus_load_target_on_demand target file name imported)
+  get_target_property(library ${imported} LOCATION)
+  get_target_property(folders ${imported} INTERFACE_INCLUDE_DIRECTORIES)
+  gradus_load_on_demand(${target} ${file} ${name} ${library} ${folders})
+  get_target_property(definitions ${imported} INTERFACE_COMPILE_DEFINITIONS)
+  if(definitions)
+    target_compile_definitions(${target} PRIVATE ${definitions})
+  endif()
+endfunction()

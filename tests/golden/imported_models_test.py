@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import struct
 import sys
 
@@ -128,6 +129,146 @@ def test_remarks():
     start = rows.index(b"end_header") + 1
     write("m.ply", b"\n".join(rows[:start] + [row + b" 255 0 0" for row in rows[start:start + 8]] + rows[start + 8:]))
     equal(gradus("render", "m.ply", *SMALL, "-o", "m.png").err, "m.ply: colours of vertices are not used\nm.png\n", "colours")
+
+
+def test_remarks_of_gltf():
+    """Colours of vertices, and a picture that is laid on turned."""
+    model = box(2, 1, 1).cut()
+    root, buffer = gltf_parts(model)
+    count = root["accessors"][0]["count"]
+    root["bufferViews"].append({"buffer": 0, "byteOffset": len(buffer), "byteLength": 12 * count})
+    root["accessors"].append({"bufferView": len(root["bufferViews"]) - 1, "componentType": 5126, "count": count, "type": "VEC3"})
+    root["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = len(root["accessors"]) - 1
+    write("c.glb", glb_of(root, buffer + struct.pack("<3f", 1, 0, 0) * count))
+    equal(gradus("render", "c.glb", *SMALL, "-o", "m.png").err, "c.glb: colours of vertices are not used\nm.png\n", "colours")
+    turned = {"index": 0, "extensions": {"KHR_texture_transform": {"rotation": 1, "scale": [2, 2]}}}
+    root, buffer = gltf_parts(model, material={"pbrMetallicRoughness": {"baseColorTexture": turned}}, image=read(TEXTURE))
+    root["extensionsUsed"] = ["KHR_texture_transform"]
+    write("t.glb", glb_of(root, buffer))
+    equal(gradus("render", "t.glb", *SMALL, "-o", "m.png").err,
+          "t.glb: textures are laid on without their own transformations\nm.png\n", "a turned texture")
+
+
+COLLADA = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="x" meter="{meter}"/><up_axis>Y_UP</up_axis></asset>
+<library_effects><effect id="e"><profile_COMMON><technique sid="t"><phong><diffuse>{diffuse}</diffuse></phong></technique></profile_COMMON>
+</effect></library_effects><library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles material="s" count="1"><input semantic="VERTEX" source="#v" offset="0"/>{inputs}<p>{corners}</p></triangles></mesh></geometry>
+</library_geometries><library_visual_scenes><visual_scene id="w"><node><instance_geometry url="#{geometry}"><bind_material>
+<technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry>{more}</node>
+</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>
+"""
+FBX = """; FBX 7.3.0 project file
+FBXHeaderExtension:  {{
+	FBXHeaderVersion: 1003
+	FBXVersion: {version}
+}}
+GlobalSettings:  {{
+	Version: 1000
+	Properties70:  {{
+	}}
+}}
+Definitions:  {{
+	Version: 100
+	Count: 0
+}}
+Objects:  {{
+	Geometry: 10, "Geometry::", "Mesh" {{
+		Properties70:  {{
+		}}
+		Vertices: *9 {{
+			a: 0,0,0,1,0,0,0,1,0
+		}}
+		PolygonVertexIndex: *3 {{
+			a: {corners}
+		}}
+		LayerElementMaterial: 0 {{
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {{
+				a: 0
+			}}
+		}}
+		Layer: 0 {{
+			LayerElement:  {{
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}}
+		}}
+	}}
+	Model: 20, "Model::tri", "Mesh" {{
+		Properties70:  {{
+		}}
+	}}
+	Material: 30, "Material::m", "" {{
+		ShadingModel: "{shading}"
+		Properties70:  {{
+		}}
+	}}
+}}
+Connections:  {{
+	C: "OO",20,0
+	C: "OO",10,20
+	C: "OO",30,20
+	C: "OO",{lost},20
+}}
+"""
+
+
+def test_what_assimp_says_of_a_file():
+    """What it finds wrong and reads nevertheless is one remark: each once, the first three, how many more."""
+    def said(name, text):
+        write(name, text)
+        result = gradus("render", name, *SMALL, "-o", "m.png")
+        check(result.code == 0 and result.err.endswith("m.png\n"), f"{name}: {result.code} {result.err}")
+        return result.err[:-len("m.png\n")]
+
+    def collada(**other):
+        given = {"meter": 1, "diffuse": "<color>1 0 0 1</color>", "inputs": "", "corners": "0 1 2", "geometry": "g", "more": ""}
+        return COLLADA.format(**{**given, **other})
+
+    def fbx(**other):
+        return FBX.format(**{"version": 7300, "corners": "0,1,-3", "shading": "phong", "lost": 30, **other})
+
+    equal((said("whole.dae", collada()), said("whole.fbx", fbx())), ("", ""), "nothing is wrong")
+    gone = '<instance_geometry url="#gone"/>'
+    equal(said("a.dae", collada(more=2 * gone)), 'a.dae: Assimp warns: Collada: Unable to find geometry for ID "gone". Skipping.\n', "told once")
+    lost = "".join(f'<instance_geometry url="#gone{i}"/>' for i in range(5))
+    told = "; ".join(f'Collada: Unable to find geometry for ID "gone{i}". Skipping.' for i in range(3))
+    equal(said("a.dae", collada(more=lost)), f"a.dae: Assimp warns: {told}; and 2 more\n", "told in short")
+    for key, value, word in (("meter", "parsec", "meter"), ("inputs", '<input semantic="ODD" source="#p" offset="0"/>', '"ODD"')):
+        found = said("a.dae", collada(**{key: value}))
+        check(found.startswith("a.dae: Assimp warns: ") and word in found and found.count("\n") == 1, f"{key}: {found}")
+    for key, value, word in (("lost", 77, "source object for connection does not exist"), ("version", 9900, "newer format version"),
+                             ("shading", "odd", "shading mode not recognized: odd")):
+        found = said("a.fbx", fbx(**{key: value}))
+        check(found.startswith("a.fbx: Assimp warns: ") and word in found and found.count("\n") == 1, f"{key}: {found}")
+    equal(gradus("render", "a.fbx", *SMALL, "-o", "m.png", "-q").err, "", "-q")
+    # Where nothing can be drawn, it is why
+    refused("a.dae", collada(geometry="gone"), "expected at least one face, found none", 'Unable to find geometry for ID "gone"')
+    refused("a.dae", collada(corners="0 1 77"), "Invalid data index (77/3)")
+    refused("a.fbx", fbx(corners="0,1,-78"), "expected at least one face, found none", "polygon vertex index out of range")
+    refused("a.dae", collada(diffuse='<texture texture="none" texcoord="UV"/>'), "of material 'm': expected a PNG or JPEG file")
+    # Of a file elsewhere that a scene names nothing is quoted
+    write("b.dae", collada(more=lost))
+    os.mkdir("here")
+    os.chdir("here")
+    write("s.json", json.dumps({"objects": [{"model": "../b.dae"}]}))
+    equal(gradus("render", "s.json", *SMALL, "-o", "m.png").err, "../b.dae: Assimp has 5 warnings\nm.png\n", "of a scene")
+
+
+def test_without_assimp():
+    """It is loaded by the first model that needs it."""
+    write("m.dae", COLLADA)
+    os.mkdir("broken")
+    name = re.search(r"find library=(libassimp\S+)", gradus("explain", "m.dae", env={"LD_DEBUG": "libs"}).err)[1]
+    write(f"broken/{name}", "")
+    result = gradus("explain", "m.dae", env={"LD_LIBRARY_PATH": f"{os.getcwd()}/broken"})
+    check(result.code == 1 and result.err.startswith(f"gradus: models of this format need {name}: ") and result.err.count("\n") == 1,
+          result.err)
 
 
 def test_stl_as_other_readers_take_it():

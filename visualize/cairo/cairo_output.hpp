@@ -44,4 +44,7 @@ std::string pdf_of(std::size_t pages, const std::function<Sheet(std::size_t)>& p
 /// drawn.
 std::optional<char32_t> character_without_font(std::string_view text);
 
+/// The version of Pango, which draws such texts: "not there" where it isn't.
+std::string pango_version();
+
 }  // namespace gradus

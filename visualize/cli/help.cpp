@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <glm/detail/setup.hpp>
 
+#include "cairo/cairo_output.hpp"
 #include "cli/commands.hpp"
 #include "cli/errors.hpp"
 #include "cli/files.hpp"
@@ -285,8 +286,8 @@ int version() {
   constexpr std::string_view compiler = "compiled by GCC";
 #endif
   // Asked of the libraries themselves, whose headers belong to other folders
-  const std::string cairo = loaded_version("cairo_version_string"),
-                    pango = loaded_version("pango_version_string"), zlib = loaded_version("zlibVersion");
+  const std::string cairo = loaded_version("cairo_version_string"), pango = pango_version(),
+                    zlib = loaded_version("zlibVersion");
   const std::string png = loaded_version<const void*>("png_get_libpng_ver", nullptr);
   write_stream(Stream::out,
                fmt::format("gradus {}\ncairo {}, pango {}, libpng {}, zlib {}, fmt {}.{}.{}, GLM "

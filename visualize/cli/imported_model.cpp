@@ -1,23 +1,22 @@
 #include "cli/imported_model.hpp"
 
-#include <assimp/MemoryIOWrapper.h>
+#include <assimp/cfileio.h>
 #include <assimp/config.h>
-
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/gltf_check.hpp"
 #include "cli/gltf_data.hpp"
+#include "cli/imported_library.hpp"
 #include "cli/imported_scene.hpp"
 #include "cli/model_bytes.hpp"
 #include "cli/own_process.hpp"
@@ -31,30 +30,43 @@ using pipeline::LibraryText;
 
 constexpr std::string_view no_model = "expected a model of this format, found another or a damaged one";
 
+/// A file that Assimp has open: first what it calls, so that a pointer to one is a pointer to the other.
+struct OpenFile {
+  aiFile calls;
+  std::string_view bytes;
+  std::size_t at = 0;
+
+  explicit OpenFile(std::string_view all)
+      : calls{read, nullptr, tell, size, seek, nullptr, nullptr}, bytes(all) {}
+
+  static OpenFile& of(aiFile* file) { return *reinterpret_cast<OpenFile*>(file); }
+  static std::size_t read(aiFile* from, char* to, std::size_t item, std::size_t count) {
+    OpenFile& file = of(from);
+    if (item == 0) return 0;
+    const std::size_t items = std::min(count, (file.bytes.size() - file.at) / item);
+    file.at += file.bytes.copy(to, items * item, file.at);
+    return items;
+  }
+  static std::size_t tell(aiFile* file) { return of(file).at; }
+  static std::size_t size(aiFile* file) { return of(file).bytes.size(); }
+  static aiReturn seek(aiFile* in, std::size_t offset, aiOrigin origin) {
+    OpenFile& file = of(in);
+    const std::size_t end = file.bytes.size();
+    const std::size_t from = origin == aiOrigin_CUR ? file.at : 0;
+    if (offset > end - from) return aiReturn_FAILURE;
+    file.at = origin == aiOrigin_END ? end - offset : from + offset;  // counted back, as Assimp has it
+    return aiReturn_SUCCESS;
+  }
+};
+
 /// The files that Assimp gets to see: the model, which has been read, and what a FileReader finds beside it.
 /// Nothing is written.
-class FilesBeside : public Assimp::IOSystem {
+class FilesBeside {
  public:
   FilesBeside(std::string name, std::string_view model, const pipeline::FileReader& open)
       : name_(std::move(name)), model_(model), open_(open) {}
 
-  bool Exists(const char* path) const override { return bytes_of(path).has_value(); }
-  char getOsSeparator() const override { return '/'; }
-  Assimp::IOStream* Open(const char* path, const char* mode) override {
-    const auto bytes = *mode == 'r' ? bytes_of(path) : std::nullopt;
-    if (!bytes) {
-      missed_ = path;
-      return nullptr;
-    }
-    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-  }
-  void Close(Assimp::IOStream* stream) override { delete stream; }
-  bool ComparePaths(const char* one, const char* other) const override {
-    return std::string_view(one) == other;
-  }
-  bool CreateDirectory(const std::string&) override { return false; }
-  bool ChangeDirectory(const std::string&) override { return false; }
-  bool DeleteFile(const std::string&) override { return false; }
+  aiFileIO calls() { return {open, close, reinterpret_cast<char*>(this)}; }
 
   /// Why the last file that was asked for and not given was not: "expected …, found …"; empty when all were.
   std::string problem(bool quotable) const {
@@ -70,7 +82,16 @@ class FilesBeside : public Assimp::IOSystem {
   std::vector<std::string> asked() const { return asked_; }
 
  private:
-  std::optional<std::string_view> bytes_of(const std::string& path) const {
+  static aiFile* open(aiFileIO* io, const char* path, const char* mode) {
+    auto& files = *reinterpret_cast<FilesBeside*>(io->UserData);
+    const auto bytes = *mode == 'r' ? files.bytes_of(path) : std::nullopt;
+    if (bytes) return &(new OpenFile(*bytes))->calls;
+    files.missed_ = path;
+    return nullptr;
+  }
+  static void close(aiFileIO* /*io*/, aiFile* file) { delete &OpenFile::of(file); }
+
+  std::optional<std::string_view> bytes_of(const std::string& path) {
     if (path == name_) return model_;
     auto [found, is_new] = beside_.try_emplace(path);
     if (is_new) {
@@ -88,14 +109,56 @@ class FilesBeside : public Assimp::IOSystem {
   std::string_view model_;
   const pipeline::FileReader& open_;
   std::string missed_;
-  mutable std::map<std::string, std::optional<LibraryText>> beside_;
-  mutable std::vector<std::string> asked_;
+  std::map<std::string, std::optional<LibraryText>> beside_;
+  std::vector<std::string> asked_;
 };
 
-/// The first line of what Assimp says.
-std::string complaint_of(const Assimp::Importer& importer) {
-  const std::string_view text = importer.GetErrorString();
+/// A text of Assimp's: its first line, shortened.
+std::string line_of(std::string_view text) {
   return visible(text.substr(0, std::min<std::size_t>(text.find('\n'), 200)));
+}
+
+/// What Assimp says of a file while it reads it.
+class Complaints {
+ public:
+  aiLogStream stream() { return {take, reinterpret_cast<char*>(this)}; }
+
+  /// One remark, nothing where there is nothing to say.
+  std::optional<std::string> remark(bool quotable) const {
+    if (known_.empty()) return std::nullopt;
+    if (!quotable) return fmt::format("Assimp has {} warnings", known_.size());
+    const std::string more =
+        known_.size() > told_.size() ? fmt::format("; and {} more", known_.size() - told_.size()) : "";
+    return fmt::format("Assimp warns: {}{}", fmt::join(told_, "; "), more);
+  }
+
+ private:
+  static constexpr std::size_t most_told = 3;
+
+  /// "Warn,  T0: what" or "Error, T0: what"; everything else is about its work.
+  static void take(const char* message, char* user) {
+    std::string_view text = message;
+    if (!text.starts_with("Warn") && !text.starts_with("Error")) return;
+    text.remove_prefix(std::min(text.find(": ") + 2, text.size()));
+    auto& said = *reinterpret_cast<Complaints*>(user);
+    const auto [line, is_new] = said.known_.insert(line_of(text));
+    if (is_new && said.told_.size() < most_told) said.told_.push_back(*line);
+  }
+
+  std::set<std::string> known_;
+  std::vector<std::string> told_;  ///< the first of them
+};
+
+/// The model in a scene, or why there is none, with what Assimp has said of the file.
+pipeline::ModelFile told_of(const aiScene& scene, const pipeline::TextFile& file,
+                            const ImportedFormat& format, const std::optional<std::string>& remark) {
+  try {
+    pipeline::ModelFile model = model_of(scene, file, format);
+    if (remark) model.notes.push_back(fmt::format("{}: {}", shown_name(file.name), *remark));
+    return model;
+  } catch (const InputError& error) {
+    refuse_input(remark ? fmt::format("{} ({})", error.what(), *remark) : error.what());
+  }
 }
 
 /// Reads a model within the process that may be lost. asked: gets the names of the files beside it that were
@@ -105,17 +168,21 @@ pipeline::ModelFile read_by_assimp(std::string_view bytes, const pipeline::TextF
   const std::string ending = pipeline::ending_of(file.name);
   const bool gltf = ending == "gltf" || ending == "glb";
   const std::string name = std::filesystem::path(file.name).filename().string();
-  Assimp::Importer importer;
-  auto* const files = new FilesBeside(name, bytes, open);
-  importer.SetIOHandler(files);  // which owns them from now on
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const aiScene* scene = importer.ReadFile(name, 0);
-  asked = files->asked();
-  if (scene) return model_of(*scene, file, {.flat = gltf, .uris = gltf});
-  std::string problem = files->problem(file.quotable);
+  FilesBeside files(name, bytes, open);
+  aiFileIO calls = files.calls();
+  Complaints complaints;
+  const aiLogStream log = complaints.stream();
+  assimp().aiAttachLogStream(&log);
+  aiPropertyStore* const properties = assimp().aiCreatePropertyStore();
+  assimp().aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+  // Neither is given back: this process ends
+  const aiScene* const scene = assimp().aiImportFileExWithProperties(name.c_str(), 0, &calls, properties);
+  asked = files.asked();
+  if (scene) return told_of(*scene, file, {.flat = gltf, .uris = gltf}, complaints.remark(file.quotable));
+  std::string problem = files.problem(file.quotable);
   if (problem.empty()) {
     problem = no_model;
-    if (file.quotable) problem += fmt::format(" ({})", complaint_of(importer));
+    if (file.quotable) problem += fmt::format(" ({})", line_of(assimp().aiGetErrorString()));
   }
   refuse_input(fmt::format("{}: {}", shown_name(file.name), problem));
 }
@@ -170,6 +237,7 @@ pipeline::ModelFile import_model(std::string_view bytes, const pipeline::TextFil
   const auto refuse = [&file](std::string_view what) {
     refuse_input(fmt::format("{}: {}", shown_name(file.name), what));
   };
+  assimp();  // before there are two processes: without it nothing can be read
   const ProcessResult result =
       in_own_process([&] { return answer_of(bytes, file, open); }, limits_for(bytes.size()));
   if (result.end == ProcessResult::End::too_much)

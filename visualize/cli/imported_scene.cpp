@@ -8,10 +8,12 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <span>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
 #include "cli/gltf_data.hpp"
+#include "cli/imported_library.hpp"
 #include "cli/imported_model.hpp"
 #include "core/image.hpp"
 #include "core/refusal.hpp"
@@ -44,9 +46,23 @@ struct PlaceHash {
 /// A value of a material, if it has one.
 template <class T>
 std::optional<T> value_of(const aiMaterial& material, const char* key, unsigned type, unsigned index) {
+  const auto asked = [&](auto function, auto* to, auto... more) {
+    return function(&material, key, type, index, to, more...) == aiReturn_SUCCESS;
+  };
   T value{};
-  if (material.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
-  return value;
+  bool there = false;
+  if constexpr (std::is_same_v<T, float>) {
+    there = asked(assimp().aiGetMaterialFloatArray, &value, nullptr);
+  } else if constexpr (std::is_same_v<T, aiString>) {
+    there = asked(assimp().aiGetMaterialString, &value);
+  } else if constexpr (std::is_same_v<T, aiUVTransform>) {
+    there = asked(assimp().aiGetMaterialUVTransform, &value);
+  } else {
+    aiColor4D colour;
+    there = asked(assimp().aiGetMaterialColor, &colour);
+    value = T(colour.r, colour.g, colour.b);
+  }
+  return there ? std::optional(value) : std::nullopt;
 }
 
 class Conversion {
@@ -124,7 +140,7 @@ class Conversion {
         exponent && 0 <= *exponent && *exponent <= largest_number)
       m.shininess = *exponent;
     // The factor of a picture that is not read: all of the surface would shine
-    if (from.GetTextureCount(aiTextureType_EMISSIVE) == 0)
+    if (assimp().aiGetMaterialTextureCount(&from, aiTextureType_EMISSIVE) == 0)
       m.emission = light_of(from, AI_MATKEY_COLOR_EMISSIVE, m.emission);
     const auto mode = value_of<aiString>(from, AI_MATKEY_GLTF_ALPHAMODE);
     const bool lets_through = !mode || std::string_view(mode->C_Str()) == "BLEND";
@@ -138,8 +154,11 @@ class Conversion {
     aiString path;
     constexpr std::array kinds{aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR};
     const auto* kind = kinds.begin();
-    while (kind != kinds.end() && from.GetTexture(*kind, 0, &path, nullptr, &channel) != aiReturn_SUCCESS)
-      ++kind;
+    const auto has = [&](aiTextureType one) {
+      return assimp().aiGetMaterialTexture(&from, one, 0, &path, nullptr, &channel, nullptr, nullptr, nullptr,
+                                           nullptr) == aiReturn_SUCCESS;
+    };
+    while (kind != kinds.end() && !has(*kind)) ++kind;
     if (kind == kinds.end() || path.length == 0) return {};
     if (value_of<aiUVTransform>(from, AI_MATKEY_UVTRANSFORM(*kind, 0))) moved_textures_ = true;
     std::string name = path.C_Str();

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "cairo/library_on_demand.hpp"
 #include "cli/errors.hpp"
 #include "cli/own_files.hpp"
 #include "figure/colophon.hpp"
@@ -17,9 +18,38 @@ namespace {
 /// day before is so in every zone.
 constexpr std::time_t entry_time = 315'446'400;  // 1979-12-31 00:00 UTC
 
+/// libarchive's functions, loaded by the first zip: it needs a dozen other libraries.
+struct Archives {
+  LibraryOnDemand library{GRADUS_ARCHIVE, "zips"};
+  GRADUS_ON_DEMAND(archive_entry_free);
+  GRADUS_ON_DEMAND(archive_entry_new);
+  GRADUS_ON_DEMAND(archive_entry_set_filetype);
+  GRADUS_ON_DEMAND(archive_entry_set_mtime);
+  GRADUS_ON_DEMAND(archive_entry_set_pathname_utf8);
+  GRADUS_ON_DEMAND(archive_entry_set_perm);
+  GRADUS_ON_DEMAND(archive_entry_set_size);
+  GRADUS_ON_DEMAND(archive_error_string);
+  GRADUS_ON_DEMAND(archive_write_close);
+  GRADUS_ON_DEMAND(archive_write_data);
+  GRADUS_ON_DEMAND(archive_write_free);
+  GRADUS_ON_DEMAND(archive_write_header);
+  GRADUS_ON_DEMAND(archive_write_new);
+  GRADUS_ON_DEMAND(archive_write_open);
+  GRADUS_ON_DEMAND(archive_write_set_bytes_per_block);
+  GRADUS_ON_DEMAND(archive_write_set_format_zip);
+  GRADUS_ON_DEMAND(archive_write_set_options);
+  GRADUS_ON_DEMAND(archive_write_zip_set_compression_deflate);
+  GRADUS_ON_DEMAND(archive_write_zip_set_compression_store);
+};
+
+const Archives& archives() {
+  static const Archives functions;
+  return functions;
+}
+
 struct Release {
-  void operator()(archive* writer) const { archive_write_free(writer); }
-  void operator()(archive_entry* entry) const { archive_entry_free(entry); }
+  void operator()(archive* writer) const { archives().archive_write_free(writer); }
+  void operator()(archive_entry* entry) const { archives().archive_entry_free(entry); }
 };
 
 la_ssize_t append(archive* /*writer*/, void* out, const void* bytes, std::size_t size) {
@@ -29,31 +59,33 @@ la_ssize_t append(archive* /*writer*/, void* out, const void* bytes, std::size_t
 
 class Zip {
  public:
-  Zip() : writer_(archive_write_new()) {
-    check(archive_write_set_format_zip(writer_.get()));
-    check(archive_write_set_options(writer_.get(), "zip:compression=deflate,zip:hdrcharset=UTF-8"));
-    check(archive_write_set_bytes_per_block(writer_.get(), 0));
-    check(archive_write_open(writer_.get(), &bytes_, nullptr, append, nullptr));
+  Zip() : writer_(archives().archive_write_new()) {
+    check(archives().archive_write_set_format_zip(writer_.get()));
+    check(
+        archives().archive_write_set_options(writer_.get(), "zip:compression=deflate,zip:hdrcharset=UTF-8"));
+    check(archives().archive_write_set_bytes_per_block(writer_.get(), 0));
+    check(archives().archive_write_open(writer_.get(), &bytes_, nullptr, append, nullptr));
   }
   Zip(const Zip&) = delete;
   Zip& operator=(const Zip&) = delete;
 
   void add(const ZipEntry& file) {
-    check(file.stored ? archive_write_zip_set_compression_store(writer_.get())
-                      : archive_write_zip_set_compression_deflate(writer_.get()));
-    const std::unique_ptr<archive_entry, Release> entry(archive_entry_new());
-    archive_entry_set_pathname_utf8(entry.get(), file.name.c_str());
-    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_mtime(entry.get(), entry_time, 0);
-    check(archive_write_header(writer_.get(), entry.get()));
-    const la_ssize_t written = archive_write_data(writer_.get(), file.bytes.data(), file.bytes.size());
+    check(file.stored ? archives().archive_write_zip_set_compression_store(writer_.get())
+                      : archives().archive_write_zip_set_compression_deflate(writer_.get()));
+    const std::unique_ptr<archive_entry, Release> entry(archives().archive_entry_new());
+    archives().archive_entry_set_pathname_utf8(entry.get(), file.name.c_str());
+    archives().archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));
+    archives().archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archives().archive_entry_set_perm(entry.get(), 0644);
+    archives().archive_entry_set_mtime(entry.get(), entry_time, 0);
+    check(archives().archive_write_header(writer_.get(), entry.get()));
+    const la_ssize_t written =
+        archives().archive_write_data(writer_.get(), file.bytes.data(), file.bytes.size());
     if (written != static_cast<la_ssize_t>(file.bytes.size())) check(ARCHIVE_FATAL);
   }
 
   std::string finish() {
-    check(archive_write_close(writer_.get()));
+    check(archives().archive_write_close(writer_.get()));
     add_comment(zip_comment());
     return std::move(bytes_);
   }
@@ -72,7 +104,7 @@ class Zip {
 
   void check(int status) const {
     if (status == ARCHIVE_OK) return;
-    const char* error = archive_error_string(writer_.get());
+    const char* error = archives().archive_error_string(writer_.get());
     throw WorkError(fmt::format("can't write the zip: {}", error ? error : "unknown reason"));
   }
 
