@@ -270,9 +270,17 @@ def test_names_in_any_script():
     apart = name_inks("s.pdf", 2)
     check(len(apart) == 2 and apart[0][1] - apart[0][0] > apart[1][1] - apart[1][0] and apart[0][1] < apart[1][1],
           f"from right to left: {apart}")
-    # The line that a sheet without a name has
-    rule = name_inks("s.pdf", 3)
-    check(len(rule) == 1 and rule[0][1] - rule[0][0] > 800, f"a line to write on: {rule}")
+    # What is without a name has a line for it
+    for path in ("s.pdf", "s-key.pdf"):
+        rule = name_inks(path, 3)
+        check(len(rule) == 1 and rule[0][1] - rule[0][0] > 800, f"{path}: a line to write on: {rule}")
+    # All else is as if a font had the name
+    write("names.csv", read("names.csv").decode().replace("王小明", "Eve"))
+    made(*LINE, "-o", "e.pdf", "--students", "names.csv", "-q", env=own)
+    for path, nameless in (("e.pdf", sheets), ("e-key.pdf", keys)):
+        named = pages_text(path)[2]
+        check("Name: Eve" in named and len(named) > 400, named)
+        equal(named.replace("Eve", "").split(), nameless[2].split(), f"{path}: a whole page")
     long = "م" * 100
     write("long.txt", long + "\n")
     made(*LINE, "-o", "l.pdf", "--students", "long.txt", "-q", env=own)

@@ -237,7 +237,7 @@ void write_head(Writer& to, const StudentSheet& sheet, std::size_t task, Part pa
   const double room = to.width() - text_width(key, Face::bold, 13) - 20;
   const std::string before = name_text("", wording) + (sheet.student.empty() ? "" : " ");
   to.name("name", to.y, before, sheet.student, 13, room, Tone::ink, Slot::title);
-  if (sheet.student.empty() && part == Part::sheet) {
+  if (sheet.student.empty()) {
     const double from = margin + text_width(before, Face::sans, 13) + 8;
     to.line("name line", {from, to.y + 2}, {margin + 0.6 * to.width(), to.y + 2}, Tone::muted);
   }
