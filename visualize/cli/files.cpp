@@ -283,12 +283,15 @@ void NewFiles::add(const std::string& path, std::string_view bytes, Replace repl
 void NewFiles::commit() {
   // No signal to end the program comes between two of them
   const std::lock_guard lock(incomplete().mutex);
+  // Names are given with nothing between: what kills the process there, as nothing can prevent, finds it
+  // seldom
   std::vector<Old> olds;
-  for (const Pending& file : pending_) {
-    olds.push_back(pending_.size() == 1 ? Old{} : keep_old(file.path));
+  for (const Pending& file : pending_) olds.push_back(pending_.size() == 1 ? Old{} : keep_old(file.path));
+  for (std::size_t done = 0; done < pending_.size(); ++done) {
+    const Pending& file = pending_[done];
     if (rename(file.temporary.c_str(), file.path.c_str()) == 0) continue;
     const int reason = errno;
-    const std::string remaining = take_back(olds);
+    const std::string remaining = take_back(olds, done);
     throw WorkError(fmt::format("can't write {}: {}{}", shown(file.path), std::strerror(reason), remaining));
   }
   for (std::size_t i = 0; i < pending_.size(); ++i) {
@@ -317,10 +320,10 @@ void NewFiles::drop(const Old& old) {
   incomplete().paths.erase(old.kept);
 }
 
-std::string NewFiles::take_back(const std::vector<Old>& olds) {
-  drop(olds.back());  // of the one that has no new file
+std::string NewFiles::take_back(const std::vector<Old>& olds, std::size_t done) {
+  for (std::size_t i = done; i < olds.size(); ++i) drop(olds[i]);  // these have no new file
   std::vector<std::string> remaining;
-  for (std::size_t i = 0; i + 1 < olds.size(); ++i) {
+  for (std::size_t i = 0; i < done; ++i) {
     const auto& [kept, none] = olds[i];
     const std::string& path = pending_[i].path;
     if (!kept.empty() && rename(kept.c_str(), path.c_str()) == 0) {
@@ -329,7 +332,7 @@ std::string NewFiles::take_back(const std::vector<Old>& olds) {
       remaining.push_back(shown(path));
     }
   }
-  if (remaining.empty()) return olds.size() > 1 ? "; the others stay as they were" : "";
+  if (remaining.empty()) return done > 0 ? "; the others stay as they were" : "";
   constexpr std::size_t most = 3;
   const std::size_t more = remaining.size() - std::min(remaining.size(), most);
   remaining.resize(remaining.size() - more);

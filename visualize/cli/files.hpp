@@ -68,7 +68,9 @@ class NewFiles {
   /// these will be.
   void add(const std::string& path, std::string_view bytes, Replace replace = Replace::own);
   /// Where the system refuses a name in their midst, the files before it get their old contents back; where
-  /// the disk can't keep those beside the new ones, by links, the error tells which files are new.
+  /// the disk can't keep those beside the new ones, by links, the error tells which files are new. Each file
+  /// is whole at any time; a process that is killed (SIGKILL, a loss of power) between two names leaves some
+  /// new.
   void commit();
 
  private:
@@ -82,8 +84,8 @@ class NewFiles {
   };
   static Old keep_old(const std::string& path);
   static void drop(const Old& old);
-  /// Undoes what commit() has done; tells what it can't. olds: of the files up to the one that failed.
-  std::string take_back(const std::vector<Old>& olds);
+  /// Undoes what commit() has done; tells what it can't. done: how many files have their new contents.
+  std::string take_back(const std::vector<Old>& olds, std::size_t done);
 
   std::vector<Pending> pending_;
   std::set<std::filesystem::path> destinations_;
