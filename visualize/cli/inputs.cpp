@@ -18,6 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether the value is a default that a reader's notation may have otherwise: said, it would be asked for.
+bool is_left_to_notations(const TopicEntry& topic, const Arguments::Entry& entry) {
+  const auto found = std::ranges::find(topic.parameters, entry.name, &Parameter::name);
+  return !entry.given && found != topic.parameters.end() && found->noted;
+}
+
 bool is_flag(const TopicEntry& topic, std::string_view name) {
   const auto known = std::ranges::find(topic.parameters, name, &Parameter::name);
   return known != topic.parameters.end() && known->type == ParameterType::flag;
@@ -71,6 +77,7 @@ std::string command_of(std::string_view command, const TopicEntry& topic, const 
   std::string line = fmt::format("gradus {} {}", command, topic.name);
   for (const Arguments::Entry& entry : arguments.entries()) {
     if (entry.name == "method" && entry.text == topic.default_method) continue;
+    if (is_left_to_notations(topic, entry)) continue;
     if (is_flag(topic, entry.name)) {
       if (!entry.text.empty()) line += " --" + hyphened(entry.name);
     } else {

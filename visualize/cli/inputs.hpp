@@ -31,7 +31,8 @@ FoundFile as_named(const std::string& name, const std::string& flag);
 Inputs read_inputs(const TopicEntry& topic, const std::map<std::string, std::string>& given,
                    const FindFile& find = as_named);
 
-/// "gradus figure <topic>" and every argument that is not told by the defaults of the topic alone.
+/// "gradus figure <topic>" and every argument, but for the default method and what a notation may have
+/// otherwise.
 std::string command_of(std::string_view command, const TopicEntry& topic, const Arguments& arguments);
 
 }  // namespace gradus::cli

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "stories/noted.hpp"
+
 namespace gradus::worksheet {
 
 using fmt::arg;
@@ -19,9 +21,9 @@ std::vector<std::string> given_arguments(const Task& task) {
   for (const Parameter* parameter : task.parameters) {
     std::string name = parameter->name;
     for (char& c : name) c = c == '_' ? '-' : c;
-    std::string text = task.variant->arguments.text(parameter->name);
-    if (parameter->noted)
-      text = as_noted(text, parameter->default_value, wording_of(task).notation().*parameter->noted);
+    const Arguments::Entry& entry = task.variant->arguments.entry(parameter->name);
+    const std::string& text =
+        parameter->noted ? noted_text(entry, wording_of(task).notation().*parameter->noted) : entry.text;
     given.push_back(parameter->type == ParameterType::flag ? name : fmt::format("{} {}", name, text));
   }
   return given;

@@ -105,6 +105,15 @@ TEST(FigureSpecs, ALaterFlagTakesThePlaceOfTheOneBefore) {
   EXPECT_FALSE(spec.transparent);
 }
 
+TEST(FigureSpecs, WhatNotationsMayHaveOtherwiseIsSaidWhereItWasAskedFor) {
+  const std::string topic = "cohen_sutherland_2d";
+  EXPECT_EQ(command_of(spec_of({"figure", topic})).find("--code-bits"), std::string::npos);
+  for (const std::string bits : {"TBRL", "LRBT"}) {
+    const std::string command = command_of(spec_of({"figure", topic, "--code-bits", bits}));
+    EXPECT_NE(command.find("--code-bits " + bits), std::string::npos) << command;
+  }
+}
+
 /// A command line of random flags, each with a value that it takes.
 std::vector<std::string> random_flags(std::mt19937& random) {
   const std::vector<std::vector<std::string>> choices{

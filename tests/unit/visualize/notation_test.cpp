@@ -138,6 +138,9 @@ TEST(Notation, DigitsOfCodesAreReordered) {
   EXPECT_EQ(code.method_title.find("in the code"), std::string::npos);
   // An order asked for by the input goes before the notation's, as a label does
   EXPECT_EQ(rows_of(told("cohen_sutherland_2d", {.bits = "BTLR"}, {{"code_bits", "LRBT"}})), book_rows);
+  const Trace asked = told("cohen_sutherland_2d", {.bits = "LRBT"}, {{"code_bits", "TBRL"}});
+  EXPECT_EQ(rows_of(asked), code_rows) << "also the code's own";
+  EXPECT_EQ(asked.method_title, code.method_title);
 }
 
 TEST(Notation, MatricesOfRowsAreTransposed) {

@@ -32,7 +32,7 @@ Task task_of(const Arguments& arguments, const Notation& notation) {
   const Line line = window_view::line_in(arguments);
   const Rectangle<double> window = window_view::window_in(arguments);
   window_view::require_scale(arguments, line, window);
-  return {line, window, order_in<2>(arguments), digit_letters(arguments, notation.bits, usual_bits),
+  return {line, window, order_in<2>(arguments), digit_letters(arguments, notation.bits),
           correctly_rounded(line, window)};
 }
 

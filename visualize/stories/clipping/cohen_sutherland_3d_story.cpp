@@ -182,7 +182,7 @@ template <int N>
 Task<N> task_of(const Arguments& arguments, const Notation& notation) {
   const auto seen = seen_in(arguments);
   const auto order = order_in<3>(arguments);
-  const std::string bits = digit_letters(arguments, notation.bits_in_space, usual_bits);
+  const std::string bits = digit_letters(arguments, notation.bits_in_space);
   if constexpr (N == 4) {
     Task<4> task{seen, {}, order, bits};
     task.plane = plane_of(task);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "stories/noted.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus {
@@ -22,9 +23,8 @@ inline constexpr std::string_view border_letters = "LRBTNF";
 
 /// Which border each digit of a code stands for, the first to the left: as the input "code_bits" says, else
 /// as the reader's notation has it, else as the code does.
-inline std::string digit_letters(const Arguments& arguments, const std::string& of_notation,
-                                 std::string_view of_code) {
-  return as_noted(arguments.text("code_bits"), of_code, of_notation);
+inline const std::string& digit_letters(const Arguments& arguments, const std::string& of_notation) {
+  return noted_text(arguments.entry("code_bits"), of_notation);
 }
 
 /// The digits of a code in that order: "1001".
@@ -45,11 +45,11 @@ std::string digit_names(std::string_view letters, std::string_view between, Name
   return names;
 }
 
-/// Says once what order the code has, where the reader's notation has another.
+/// Says once what order the code has, where a reader with a notation sees another one.
 template <class Name>
 void say_digits_of_code(Narrator& narrator, const std::string& of_notation, std::string_view of_code,
                         Name name) {
-  if (of_notation.empty() || of_notation == of_code) return;
+  if (of_notation.empty() || digit_letters(narrator.arguments(), of_notation) == of_code) return;
   narrator.in_the_code("notation.digits", {{"digits", digit_names(of_code, " ", name)}});
 }
 
