@@ -108,7 +108,8 @@ const std::vector<Flag> views{
      "light once a face, a corner or a pixel: flat, gouraud or phong (default); wireframe draws edges "
      "alone"},
     {"hidden-surfaces", 0, "METHOD",
-     fmt::format("what decides which surface is seen: {}; default {}",
+     fmt::format("what decides which surface is seen: {}, which is wrong where triangles overlap in depth; "
+                 "default {}",
                  fmt::join(pipeline::hidden_surface_names, ", "), pipeline::hidden_surface_names[0])},
     {"culling", 0, "WHICH",
      "faces that turn their backs are left out: auto (of closed bodies, default), none or back (all)"},
