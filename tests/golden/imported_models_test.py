@@ -370,6 +370,30 @@ def test_gltf_data_that_are_not_there():
             "expected a file whose data need no extension, found 'KHR_draco_mesh_compression'")
 
 
+def test_gltf_data_that_are_something_else():
+    """Numbers of another kind than they are used for, which the importer would take for others without a word."""
+    root, buffer = gltf_parts(box().cut())
+    def changed(**keys):
+        return json.dumps(root | {"buffers": [{"byteLength": len(buffer), "uri": data_uri(buffer)}]} | keys)
+    places, uvs = root["accessors"]
+    def accessors(**keys):
+        return {"accessors": [places | keys, uvs]}
+    view = root["bufferViews"][0]
+    for said, keys in (
+            ("a byteStride of at least 12, the bytes of an element, found 1", {"bufferViews": [view | {"byteStride": 1}, *root["bufferViews"][1:]]}),
+            ("an accessor within the 432 bytes of its bufferView, found one that ends at 444",
+             {"bufferViews": [view | {"byteStride": 0}, *root["bufferViews"][1:]], **accessors(count=37)}),
+            ("three floats for POSITION (VEC3 of 5126), found others", accessors(componentType=5121)),
+            ("three floats for POSITION (VEC3 of 5126), found others", accessors(type="VEC2")),
+            ("two numbers for TEXCOORD_0 (VEC2), found others",
+             {"meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 0}}]}]}),
+            ("a whole number up to 6, found 'x'", {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": "x"}]}]}),
+            ("16 numbers in a matrix, found 15", {"nodes": [{"mesh": 0, "matrix": [1] * 15}]}),
+            ("numbers in a matrix, found 'a'", {"nodes": [{"mesh": 0, "matrix": ["a"] * 16}]}),
+            ("4 numbers in a rotation, found 3", {"nodes": [{"mesh": 0, "rotation": [0, 0, 1]}]})):
+        refused("a.gltf", changed(**keys), f"a.gltf:1: expected {said}")
+
+
 def test_what_others_name_is_not_quoted():
     """A scene may name any file: what is wrong with one elsewhere is told without a word of it."""
     os.mkdir("here")

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/gltf_data.hpp"
@@ -29,6 +32,7 @@ class SceneCheck : GltfJson {
   void check(const JsonNode& root) const {
     check_extensions(root);
     check_nodes(list_of(root, "nodes"));
+    for (const JsonNode& node : list_of(root, "nodes")) check_placement(node);
     for (const JsonNode& scene : list_of(root, "scenes")) check_roots(list_of(scene, "nodes"));
   }
 
@@ -69,6 +73,21 @@ class SceneCheck : GltfJson {
         open.push_back(*number_below(child, nodes.size()));
     }
     if (reached < nodes.size()) refuse(nodes.front(), "nodes in trees", "some that are their own ancestors");
+  }
+
+  void check_placement(const JsonNode& node) const {
+    constexpr std::array<std::pair<std::string_view, std::size_t>, 4> parts{
+        {{"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}}};
+    for (const auto& [key, count] : parts) {
+      const List& numbers = list_of(node, key);
+      if (!node.member(key)) continue;
+      if (numbers.size() != count)
+        refuse(node.member(key)->value, fmt::format("{} numbers in a {}", count, key),
+               std::to_string(numbers.size()));
+      for (const JsonNode& number : numbers)
+        if (number.kind != Kind::number)
+          refuse(number, fmt::format("numbers in a {}", key), described(number));
+    }
   }
 
   /// The nodes of a scene, none of them twice.

@@ -133,8 +133,15 @@ class DataCheck : GltfJson {
   const JsonNode* view_of(const JsonNode& accessor) const {
     return named_by(accessor, "bufferView", list_of(root_, "bufferViews"), "bufferViews");
   }
+  /// From one element to the next, which may not lie in each other; 0 is taken for no byteStride.
   std::size_t stride_of(const JsonNode& accessor, const JsonNode& view) const {
-    return number_of(view, "byteStride", 252, size_of(accessor) * numbers_in(accessor));
+    const std::size_t size = size_of(accessor) * numbers_in(accessor),
+                      stride = number_of(view, "byteStride", 252);
+    if (stride == 0) return size;
+    if (stride < size)
+      refuse(view, fmt::format("a byteStride of at least {}, the bytes of an element", size),
+             std::to_string(stride));
+    return stride;
   }
 
   void check_accessor(const JsonNode& accessor) const {
@@ -154,7 +161,19 @@ class DataCheck : GltfJson {
     return named_by(object, key, list_of(root_, "accessors"), "accessors");
   }
 
+  /// Places and normals are three floats each, texture coordinates two numbers.
+  void check_type(std::string_view attribute, const JsonNode& accessor) const {
+    constexpr std::size_t single = 5126;
+    const bool in_space = attribute == "POSITION" || attribute == "NORMAL";
+    const bool on_pictures = attribute.starts_with("TEXCOORD_");
+    if (in_space && (numbers_in(accessor) != 3 || number_of(accessor, "componentType", 1 << 16) != single))
+      refuse(accessor, fmt::format("three floats for {} (VEC3 of 5126)", attribute), "others");
+    if (on_pictures && numbers_in(accessor) != 2)
+      refuse(accessor, fmt::format("two numbers for {} (VEC2)", attribute), "others");
+  }
+
   void check_primitive(const JsonNode& primitive) {
+    number_of(primitive, "mode", 6);
     const auto* const attributes = primitive.member("attributes");
     if (!attributes) return;
     const JsonNode* const places = accessor_of(attributes->value, "POSITION");
@@ -165,6 +184,7 @@ class DataCheck : GltfJson {
       if (count_of(*accessor) != vertices)
         refuse(number, fmt::format("an accessor of {} vertices, as POSITION has them", vertices),
                fmt::format("one of {}", count_of(*accessor)));
+      check_type(name, *accessor);
     }
     const JsonNode* const indices = accessor_of(primitive, "indices");
     if (!indices) return;
