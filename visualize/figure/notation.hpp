@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gradus {
@@ -51,11 +50,5 @@ struct Notation {
   /// The same of the direction forward: "−n" where the third axis, n, points backward.
   std::string forward_name(const std::string& direction) const;
 };
-
-/// What a reader's notation has in the place of a text of the code's, unless he asked for another one.
-inline const std::string& as_noted(const std::string& asked, std::string_view of_code,
-                                   const std::string& of_notation) {
-  return asked == of_code && !of_notation.empty() ? of_notation : asked;
-}
 
 }  // namespace gradus
