@@ -190,16 +190,14 @@ NUDGE = '''return (async () => {
       const {along} = layer.drag;
       layer.dragTo(px, py);
       while (workbench.asking) await workbench.asking;
-      const found = handle() ?? {at: {x: NaN, y: NaN}, name: key.split(" ")[0]};
+      const found = handlesOf(player.run.trace).find((h) => h.key === key) ?? {at: {x: NaN, y: NaN}, name: key.split(" ")[0]};
       const now = toPixels(player.drawing.at, found.at.x, found.at.y);
       const refused = !workbench.parts.refusal.hidden;
       layer.letGo();
       const changed = workbench.textOf(workbench.parameter(found.name)) !== text;
       const line = along.every(([x, y]) => Math.abs(x * along[0][1] - y * along[0][0]) < 1e-9 * (Math.hypot(x, y) + 1e-30));
       const off = Math.hypot(now[0] - from[0] - px, now[1] - from[1] - py);
-      // A panel that is fitted anew to what is dragged in it gives way: there a handle comes nearer at least
-      const way = Math.hypot(px, py);
-      tries.push([refused, changed, off, line || off < (wholly ? 0.6 * at.cell : 0.95 * way)]);
+      tries.push([refused, changed, off, line || off < (wholly ? 0.6 * at.cell : 6)]);  // steps of up to 4 pixels for each number
       workbench.state.given = JSON.parse(given);
       await workbench.refresh(false);
       if (!refused && changed && tries.at(-1)[3]) break;
@@ -211,7 +209,8 @@ NUDGE = '''return (async () => {
 
 
 # The same handles, by the events of a pointer: 90 pixels to the right and 50 up, jiggled by one pixel, and back. What a place of the
-# pointer means is told by the map that was seen when the drag began, whatever is drawn meanwhile.
+# pointer means is told by the map that was seen when the drag began, whatever is drawn meanwhile; and before it is let go, its mark is
+# drawn where the change would have taken it in the drawing of the beginning, and its ring there.
 THERE_AND_BACK = """return (async () => {
   const wrong = [], layer = workbench.handles;
   const one = new Map(layer.handles.map((handle) => [handle.name, handle]));
@@ -220,7 +219,8 @@ THERE_AND_BACK = """return (async () => {
     if (!handle || handle.button.hidden) continue;
     const text = () => workbench.textOf(workbench.parameter(name)), given = () => JSON.stringify(workbench.state.given);
     const values = () => { const all = layer.numbers(name); return handle.numbers.map((i) => all[i].value); };
-    const before = [text(), given()], start = values(), {button, along} = handle, {cell, yUp} = player.drawing.at;
+    const before = [text(), given()], start = values(), {button, along} = handle, {at} = player.drawing, {cell, yUp} = at;
+    const place = toPixels(at, handle.at.x, handle.at.y);
     const asked = [90 / cell, (yUp ? 50 : -50) / cell];
     const says = (type, x, y) => button.dispatchEvent(new PointerEvent(type, {pointerId: 1, button: 0, clientX: 300 + x, clientY: 300 + y, bubbles: true, cancelable: true}));
     const to = async (x, y) => {
@@ -238,6 +238,13 @@ THERE_AND_BACK = """return (async () => {
     const went = [0, 1].map((k) => gone.reduce((sum, by, i) => sum + by * along[i][k], 0)), [whole] = layer.numbers(name);
     const slack = (whole.whole ? 1.5 * Math.max(...along.map((way) => Math.hypot(...way))) : along.length * 5 / cell) + 1e-9;
     if (Math.hypot(...went) > Math.hypot(...asked) + slack) wrong.push([key, "ran away", asked, went]);
+    const drawn = workbench.parts.refusal.hidden && handlesOf(player.run.trace).find((h) => h.key === key);  // not beyond its window
+    if (drawn) {
+      const hand = [place[0] + went[0] * cell, place[1] + (yUp ? -1 : 1) * went[1] * cell], mark = toPixels(player.drawing.at, drawn.at.x, drawn.at.y);
+      const ring = [parseFloat(button.style.left), parseFloat(button.style.top)];
+      for (const [what, [x, y]] of [["mark", mark], ["ring", ring]])
+        if (!(Math.hypot(x - hand[0], y - hand[1]) <= 1.5)) wrong.push([key, `the ${what} lies beside the hand`, hand, [x, y]]);
+    }
     await to(0, 0);
     says("pointerup", 0, 0);
     while (workbench.asking) await workbench.asking;

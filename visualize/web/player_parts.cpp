@@ -85,9 +85,9 @@ std::string said_words(const Language& language, std::initializer_list<std::stri
 std::string player_scripts() {
   std::string out;
   for (const std::string_view file :
-       {"words.js", "run.js", "typeset.js", "elements.js", "stage.js", "labels.js", "overview.js",
-        "legend.js", "motion.js", "drawing.js", "scrub.js", "address.js", "clipboard.js", "export.js",
-        "together.js", "view.js", "player.js", "controls.js", "page.js"}) {
+       {"words.js",  "run.js",      "typeset.js", "elements.js", "stage.js",    "labels.js",  "overview.js",
+        "legend.js", "motion.js",   "still.js",   "drawing.js",  "scrub.js",    "address.js", "clipboard.js",
+        "export.js", "together.js", "view.js",    "player.js",   "controls.js", "page.js"}) {
     out.append(web_asset(file));
   }
   return out;

@@ -211,6 +211,16 @@ function arrange(stage, width, height, unit, focus) {
   return {view, origin, cell, box, follows, inset, left, top, s, yUp: stage.grid.y_up, width, height, needs, labels: room};
 }
 
+/** The same drawing `times` as large, so that what lay at the first of these pixels lies at the other one. */
+function moved(at, [x, y], [toX, toY], times) {
+  const {box} = at;
+  return {
+    ...at,
+    cell: at.cell * times,
+    box: {x: toX + (box.x - x) * times, y: toY + (box.y - y) * times, width: box.width * times, height: box.height * times}
+  };
+}
+
 /** From the grid's coordinates to pixels. */
 function toPixels(at, x, y) {
   const fromLower = (y - at.origin[1]) * at.cell;

@@ -76,7 +76,8 @@ class PlayerView {
   recorded() {
     const {run} = this, {trace} = run, first = run.steps[0].number;
     if (first === '0' && run.milestones.length === trace.last + 1) return '';
-    return say('recorded', {first, last: run.steps[run.lastMilestone].number, end: trace.last});
+    const values = {first, last: run.steps[run.lastMilestone].number, end: trace.last};
+    return this.sayRecorded?.(values) ?? say('recorded', values);
   }
   /** A slot that is not in the trace leaves its room to the others. */
   showSlots() {
@@ -282,12 +283,15 @@ class PlayerView {
     root.style.setProperty('--u', `${this.unit}px`);
     root.style.setProperty('--line', `${this.line}px`);
     if (!this.run) return;
-    this.shareWidth(narrow);
-    this.reserveSentence();
-    this.reserveFooter();
+    const {held} = this.drawing;  // then nothing round it may push it
+    this.shareWidth(narrow, held);
+    if (!held) {
+      this.reserveSentence();
+      this.reserveFooter();
+    }
     this.shareSide(narrow);
     const drawn = narrow && !this.parts.drawing.hidden;
-    this.parts.drawing.style.height = drawn ? `${this.heightOfDrawing()}px` : '';
+    if (!held) this.parts.drawing.style.height = drawn ? `${this.heightOfDrawing()}px` : '';
     this.showPhases();
     this.redraw();
   }
@@ -316,12 +320,12 @@ class PlayerView {
     footer.style.minHeight = `${footer.offsetHeight}px`;
   }
   /** The drawing gets what listing and table leave: as narrow as they can be read. */
-  shareWidth(narrow) {
+  shareWidth(narrow, held) {
     const {parts, run, unit, root} = this, letter = textWidth('0', narrow ? Math.max(unit, 11) : unit, '', MONO);
     const gutter = String(run.lines.length).length * letter + 2.1 * unit;
     const asked = run.lines.length ? Math.min(this.longestLine, MOST_COLUMNS) * letter + gutter + 4 : 0;
     const wanted = Math.max(asked, parts.table.hidden ? 0 : this.tableWidth * unit);
-    root.style.setProperty('--side', `${clamp(wanted / unit, 16, 30.2)}`);
+    if (!held) root.style.setProperty('--side', `${clamp(wanted / unit, 16, 30.2)}`);
     if (run.lines.length) this.breakLines(Math.max(Math.floor((parts.listing.clientWidth - gutter) / letter + 0.01), 8));
   }
   /** Whole lines and whole rows only. */

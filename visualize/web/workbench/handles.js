@@ -19,6 +19,14 @@ function changesFor(along, dx, dy) {
   return along.map(([x, y]) => (size > 0 ? (x * dx + y * dy) / size : 0));  // all along one direction
 }
 
+/** How many times as far a handle went as it goes now, where that is one number for all of its numbers; else 1. */
+function timesAsFar(went, goes) {
+  const pairs = went.flatMap((way, i) => way.map((value, k) => [value, goes[i][k]]));
+  const [most, now] = pairs.reduce((a, b) => (Math.abs(b[0]) > Math.abs(a[0]) ? b : a)), times = most / now;
+  const one = pairs.every(([value, other]) => Math.abs(value - times * other) <= 1e-6 * Math.abs(most));
+  return times > 0 && Number.isFinite(times) && one ? times : 1;
+}
+
 /** Of each number how far it goes as a part of what stays in the plane across the normal. */
 function keptWithin(along, normal) {
   const out = [0, 1].map((k) => product(along.map((way) => way[k]), normal));
@@ -50,6 +58,12 @@ function placesOf(marks) {
 }
 const placeText = (x, y) => `${x.toFixed(6)} ${y.toFixed(6)}`;
 
+/** {key, name, numbers, at, along}: where each stands, and how far it goes for 1 more of each of its numbers. */
+function handlesOf({handles = []}) {
+  return handles.map(([name, numbers, [x, y], along]) => (
+      {key: `${name} ${numbers}`, name, numbers, at: {x, y}, along: numbers.map((_, i) => along.slice(2 * i, 2 * i + 2))}));
+}
+
 class HandleLayer {
   /** host: {parameter(name), textOf(parameter), numbers(), change(texts), commit()}, which hears of what is dragged. */
   constructor(player, host) {
@@ -64,16 +78,19 @@ class HandleLayer {
 
   /** Those of the run that is seen: their buttons stay while they are the same ones. */
   follow() {
-    const {handles = []} = this.player.run.trace;
-    const next = handles.map(([name, numbers, [x, y], along]) => (
-        {key: `${name} ${numbers}`, name, numbers, at: {x, y}, along: numbers.map((_, i) => along.slice(2 * i, 2 * i + 2))}));
+    const next = handlesOf(this.player.run.trace);
     if (next.length === this.handles.length && next.every(({key}, i) => key === this.handles[i].key)) {
       next.forEach((handle, i) => Object.assign(this.handles[i], handle));
       return;
     }
-    if (this.drag) return;
+    if (this.drag) return this.followMeanwhile(next);
     this.handles = next.map((handle) => ({...handle, button: this.button(handle)}));
     this.element.replaceChildren(...this.handles.map(({button}) => button));
+  }
+  /** While one is dragged no button is made: those that are there follow, and what is no more is out of sight. */
+  followMeanwhile(next) {
+    for (const handle of this.handles)
+      Object.assign(handle, next.find(({key}) => key === handle.key) ?? {at: {x: NaN, y: NaN}});
   }
   button(handle) {
     const button = html('button', {type: 'button', class: 'handle'});
@@ -131,9 +148,15 @@ class HandleLayer {
   /** From here all of a drag is counted: what is seen meanwhile may be fitted anew to what is dragged. */
   take(handle) {
     const {drawing} = this.player;
-    drawing.hold();
+    drawing.hold((at, run) => this.underHand(at, run));
     const place = toPixels(drawing.at, handle.at.x, handle.at.y);
-    this.drag = {...this.standing(handle), handle, at: drawing.at, place, moved: false};
+    this.drag = {...this.standing(handle), handle, went: handle.along, at: drawing.at, place, moved: false};
+  }
+  /** A story may fit its panel anew to what is dragged in it: then the paper lies so that the mark is under the hand all the same, and
+      as large as it was. */
+  underHand(at, {trace}) {
+    const {handle, went, seen} = this.drag ?? {}, now = seen && handlesOf(trace).find(({key}) => key === handle.key);
+    return now ? moved(at, toPixels(at, now.at.x, now.at.y), seen, timesAsFar(went, now.along)) : at;
   }
   move(event) {
     const {drag} = this;
