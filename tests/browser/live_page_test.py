@@ -141,6 +141,60 @@ def refuses(check, page):
     page.quiet('refuse')
 
 
+def reads_any_address(check, page):
+    """Anybody can write an address: what is in it is taken, or refused in the command's words, or told to be left out."""
+    page.open()
+    page.errors()
+    for fragment, line in (
+            ('#topic=nonsense', 'unknown in the address, and left out: topic=nonsense'),
+            ('#topic=bresenham_line&method=nonsense&beside=__proto__', 'left out: method=nonsense, beside=__proto__'),
+            ('#topic=bresenham_line&in.__proto__=1&in.constructor=2&in.of=3&in.x=4', 'in.__proto__=1, in.constructor=2, in.of=3, …'),
+            ('#topic=bresenham_line&language=%22%3E%3Cb%3E&numbers=no&notation=%00', "--numbers: expected one of decimals, fractions, found 'no'"),
+            ('#topic=bresenham_line&in.to=%3Cimg%20src=x%3E', "found '<img src=x>'"),
+            ('#topic=bresenham_line&in.to=%E0%A4%A&step=%&%GG', "found '%E0%A4%A'"),
+            ('#topic=bresenham_line&step=' + '9' * 40_000, f'there is no step {"9" * 60}…'),
+            ('#topic=bresenham_line&predict=9999y1y1y0n' + '1' * 45_000, '1 of 1 right'),
+            ('#topic=bresenham_line&in.to=' + '1' * 60_000, 'the address has 60028 letters, and at most 50000 are read')):
+        # One opens with the page, the others come to it
+        opening, start = 'language' in fragment, time.monotonic()
+        if opening:
+            page.open(fragment)
+        else:
+            page.run('player.notice(""); location.hash = arguments[0]', fragment)
+        told = 'workbench.parts.refusal.textContent + player.parts.notice.textContent'
+        check.that(f'{fragment[:60]} is told', page.wait_for(f'({told}).includes({json.dumps(line)})'), page.run(f'return {told}')[:300])
+        page.settle()
+        check.that(f'{fragment[:60]} shows a run all the same', page.run('return player.run.steps.length') > 1)
+        check.that(f'{fragment[:60]}: no element of its own', page.run('return document.querySelector("[src=x]")') is None)
+        check.that(f'{fragment[:60]} takes no time', time.monotonic() - start < 10, time.monotonic() - start)
+    check.that('what is too long leaves the address', page.wait_for('location.hash.length < 100'))
+    page.quiet('addresses')
+
+
+def shows_long_runs_in_parts(check, page):
+    """Of a run with more steps than a page plays: its first ones, and those round the step that is asked for."""
+    part = 'const {steps, milestones} = player.run; return [steps[0].number, milestones.length, steps[player.run.lastMilestone].number]'
+    page.open('#topic=bresenham_line&in.to=4500,2000&step=4200')
+    check.that('an address asks for another part', page.wait_for('player.run.steps[player.index].number === "4200"'))
+    check.equal('all of it is here', page.run(part), ['4000', 501, '4500'])
+    step = json.loads(project.run(project.COMMAND, 'run', 'bresenham_line', '--to=4500,2000', '--step=4200', '--json'))['steps'][0]
+    said = {name: value for name, value in step.items() if name not in ('number', 'type', 'line')}
+    check.equal("it is the command's step", page.run('return player.run.steps[player.index].fields'), said)
+    page.run('player.parts.wanted.value = "17"; player.submitWanted()')
+    check.that('a number does, too', page.wait_for('player.run.steps[player.index].number === "17"'))
+    check.equal('the first steps are here', page.run(part), ['0', 4000, '3999'])
+    check.equal('and it is said which', page.run('return player.sayRecorded && player.recorded()'),
+                'here: steps 0 to 3999 of 0 to 4500; the number of another one brings those round it')
+    page.choose(beside='dda')
+    check.equal('of two runs the first steps, too', page.run('return [player, workbench.together.second].map(({run}) => run.milestones.length)'), [4000, 4000])
+    page.choose(beside='')
+    page.run('player.goTo("4400")')
+    check.that('and others again', page.wait_for('player.run.steps[player.index].number === "4400"'))
+    page.run('return workbench.change({to: "9,4"}).then(() => workbench.commit()).then(() => null)')
+    check.equal('a shorter run comes from its start', [page.refusal(), *page.run(part)], ['', '0', 10, '9'])
+    page.quiet('long runs')
+
+
 def shares(check, page):
     page.open('#topic=affine_2d')
     page.run('return workbench.change({factors: "reflect y=x; rotate 30 about 1,1"}).then(() => workbench.commit()).then(() => null)')
@@ -379,7 +433,8 @@ def main():
                 print('Chromium', flush=True)
                 in_browser(check, browser, url, folder, only)
                 page = Page(browser, url, check)
-                for part, run in (('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
+                for part, run in (('addresses', lambda: reads_any_address(check, page)), ('parts', lambda: shows_long_runs_in_parts(check, page)),
+                                  ('topics', lambda: every_topic(check, page)), ('command', lambda: copies_the_command(check, page, folder)),
                                   ('axe', lambda: accessible(check, page, options.axe.read_text(encoding='utf-8'))),
                                   ('server', lambda: from_a_server(check, browser, folder)), ('speed', lambda: speed(check, page))):
                     if part in only or (not only and (part != 'speed' or EVERYTHING)):

@@ -20,6 +20,7 @@
 #include "json/json.hpp"
 #include "office/presentation.hpp"
 #include "request/names.hpp"
+#include "request/played_steps.hpp"
 #include "stories/point_text.hpp"
 #include "text/text_output.hpp"
 #include "web/player.hpp"
@@ -296,16 +297,16 @@ std::string players_page(const FigureSpec& spec, const Trace& trace, const Takes
 
 /// Throws UsageError for more steps than a page with the player takes, some 2 kB each.
 void check_played(const FigureSpec& spec, const Takes& takes) {
-  constexpr std::int64_t unasked = 4000, asked = 20'000;
+  constexpr std::int64_t asked = 20'000;
   if (count_in(spec.steps) > asked) {
     throw UsageError(
         fmt::format("--steps: expected at most {} for a page, found {}", asked, count_in(spec.steps)));
   }
-  if (spec.chooses_steps() || takes.last() < unasked) return;
+  if (spec.chooses_steps() || takes.last() < most_played) return;
   throw UsageError(fmt::format(
       "-o: expected at most {} steps for a page, found {} (--steps 0-{} takes the first of them, --steps A-B "
       "up to {})",
-      unasked, takes.last() + 1, unasked - 1, asked));
+      most_played, takes.last() + 1, most_played - 1, asked));
 }
 
 }  // namespace

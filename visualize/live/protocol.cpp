@@ -12,6 +12,7 @@
 #include "request/complaint.hpp"
 #include "request/names.hpp"
 #include "request/notation_reader.hpp"
+#include "request/played_steps.hpp"
 #include "request/takes.hpp"
 #include "request/words.hpp"
 #include "request/written_json.hpp"
@@ -114,13 +115,25 @@ Inputs inputs_in(const JsonNode& request, const TopicEntry& topic, Files& files)
   return read_inputs(topic, arguments_in(request, topic), files);
 }
 
-/// The part of a run that is asked for.
-Trace trace_in(const JsonNode& request, Files& files) {
+/// As much of a run as a page plays, from its start.
+Trace first_steps(const TopicEntry& topic, const Arguments& arguments, const Wording& wording) {
+  constexpr std::int64_t usual = 5 * most_played;  // events: of a long run no more need be recorded
+  Trace trace = topic.run(arguments, {.most = usual, .wording = wording});
+  if (!trace.whole() && trace.steps.back().number.step < most_played)
+    trace = topic.run(arguments, {.wording = wording});
+  std::erase_if(trace.steps, [](const TraceStep& step) { return step.number.step >= most_played; });
+  return trace;
+}
+
+/// The part of a run that is asked for; where none is, all that is kept, or as much as is played.
+Trace trace_in(const JsonNode& request, Files& files, bool played) {
   const TopicEntry& topic = topic_in(request);
   const Inputs inputs = inputs_in(request, topic, files);
   // What is wrong with the steps is said before what is wrong with the words, as by the command
   const StepChoice choice = steps_in(request);
-  return chosen_part(choice, Takes(topic, inputs.arguments, wording_in(request, topic)));
+  const Wording wording = wording_in(request, topic);
+  if (played && !choice.names_steps()) return first_steps(topic, inputs.arguments, wording);
+  return chosen_part(choice, Takes(topic, inputs.arguments, wording));
 }
 
 /// The same input by another method, without what that has none of.
@@ -132,14 +145,16 @@ OtherSide other_in(const JsonNode& request, const TopicEntry& topic, Files& file
   return {&topic, read_inputs(topic, given, files).arguments, method.name};
 }
 
-/// Two runs, as a page that plays them together holds them.
+/// Two runs from their starts, as a page that plays them together holds them.
 std::string both_in(const JsonNode& request, Files& files) {
   const TopicEntry& topic = topic_in(request);
   const Inputs inputs = inputs_in(request, topic, files);
   const OtherSide other = other_in(request, topic, files);
-  const Takes takes(topic, inputs.arguments, wording_in(request, topic), ListingForm::source, &other);
-  return fmt::format("{{\"trace\":{},\"beside\":{},\"alignment\":{}}}", trace_json(takes.opening()),
-                     trace_json(takes.beside()->opening()), alignment_json(takes.alignment()));
+  const Wording wording = wording_in(request, topic);
+  const Trace first = first_steps(topic, inputs.arguments, wording),
+              second = first_steps(topic, other.arguments, wording);
+  return fmt::format("{{\"trace\":{},\"beside\":{},\"alignment\":{}}}", trace_json(first), trace_json(second),
+                     alignment_json(align(first, second)));
 }
 
 /// What is said of files that were read: a list of lines.
@@ -158,9 +173,9 @@ std::string answer(std::string_view request, Files& files) {
   const std::string* const want = text_of(read, "want");
   const std::string wanted = want ? *want : "";
   if (wanted == "list") return list_json(catalogue());
-  if (wanted == "run") return run_json(trace_in(read, files));
+  if (wanted == "run") return run_json(trace_in(read, files, false));
   if (wanted == "trace")
-    return read.member("beside") ? both_in(read, files) : trace_json(trace_in(read, files));
+    return read.member("beside") ? both_in(read, files) : trace_json(trace_in(read, files, true));
   if (wanted == "remarks") return remarks_in(read, files);
   refuse_usage(fmt::format("request: want: expected run, trace, remarks or list, found {}", shown(wanted)));
 }

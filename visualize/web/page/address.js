@@ -2,8 +2,24 @@
 // What the address says of a player: #step=7&loop=7-12&speed=2&marks=3,7&theme=dark&embed. It is the whole
 // state, so that a link that was copied shows what its sender saw.
 
+const MOST_LETTERS = 50_000;  // of an address: anybody can write one, and what is in it is read more than once
+let leftOut = 0;             // letters of one that was too long, until it is told
+/** What is read of it. Too long a one goes at once: each url(#…) of a drawing would be resolved against it. */
+function readable(hash) {
+  if (hash.length <= MOST_LETTERS) return hash;
+  leftOut = hash.length;
+  try {
+    history.replaceState(null, '', '#');
+  } catch {
+    // A frame without an address of its own
+  }
+  return '';
+}
+/** What is quoted of an address, or of a field. */
+const quotable = (text) => (text.length > 60 ? `${text.slice(0, 60)}…` : text);
+
 /** "#step=7&embed" as a map. */
-function addressParts(hash = location.hash) {
+function addressParts(hash = readable(location.hash)) {
   const decoded = (text) => {
     try {
       return decodeURIComponent(text);
@@ -55,7 +71,9 @@ function noteAddress(player) {
 
 /** Makes the player what the address says; what it can't be is said, and left out. */
 function followAddress(player, hash = location.hash) {
-  const parts = addressParts(hash), {run} = player, wrong = [];
+  const parts = addressParts(readable(hash)), {run} = player, wrong = [];
+  if (leftOut > 0) wrong.push(say('long_address', {length: leftOut, most: MOST_LETTERS}));
+  leftOut = 0;
   clearTimeout(player.addressTimer);
   if (player.root.classList.toggle('embedded', parts.has('embed'))) player.resize();
   const text = (name) => parts.get(name) ?? '';
@@ -63,7 +81,7 @@ function followAddress(player, hash = location.hash) {
   const part = (name, read, complaint) => {
     if (text(name) === '') return undefined;
     const value = read(text(name));
-    if (value === undefined) wrong.push(say(complaint, {text: text(name), speeds: SPEEDS.join(' ')}));
+    if (value === undefined) wrong.push(say(complaint, {text: quotable(text(name)), speeds: SPEEDS.join(' ')}));
     return value;
   };
   player.setLoop(part('loop', (loop) => readLoop(loop, run), 'no_loop'));

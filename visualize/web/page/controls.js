@@ -196,7 +196,7 @@ class GradusPlayer extends Playing {
   }
   noStep(number) {
     const {steps} = this.run;
-    return say('no_step', {number, first: steps[0].number, last: steps[steps.length - 1].number});
+    return say('no_step', {number: quotable(number), first: steps[0].number, last: steps[steps.length - 1].number});
   }
   endWanted() {
     const {wanted} = this.parts;

@@ -71,10 +71,10 @@ class Playing extends PlayerView {
     this.setBookmarks(bookmarks.map(index).filter((i) => i !== undefined));
   }
 
-  /** Whether there is a step of this number ("7", "7.2"); if so, goes there. */
+  /** Whether there is a step of this number ("7", "7.2"); if so, goes there. `this.elsewhere(number)` may know of one that is not here. */
   goTo(number) {
     const index = this.run.byNumber.get(String(number).trim());
-    if (index === undefined) return false;
+    if (index === undefined) return this.elsewhere?.(String(number).trim()) ?? false;
     this.show(index);
     return true;
   }

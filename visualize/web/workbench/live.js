@@ -16,6 +16,11 @@ async function recordedRuns(packed) {
   }
 }
 
+/** Beside what is told already, what an address has that the page has not. */
+function tellOfAddress(player, [told, unknown]) {
+  player.notice([told, unknown && say('unknown', {what: unknown})].filter(Boolean).join('; '));
+}
+
 async function openLive() {
   const started = performance.now();
   const content = (id) => document.getElementById(id).textContent;
@@ -31,17 +36,21 @@ async function openLive() {
   module.catch(() => {});  // whoever asks is told
   const asker = new Asker(content('gradus-worker'), module);
   const bench = window.workbench = new Workbench(root, player, asker, {topics: data.list.topics, notations: data.notations, recorded: await recordedRuns(content('gradus-recorded').trim())});
+  const languages = Object.keys(data.words), unknown = unknownIn(addressParts(), bench.topics, languages);
   bench.state = stateOf(addressParts(), bench.topics, language);
   const usual = Object.keys(bench.state.given).length === 0 && !bench.state.beside && bench.method?.name === bench.topic.default_method;
   if (usual) bench.showRecorded();
   performance.measure('gradus: open', {start: started, end: performance.now()});
+  const told = player.parts.notice.textContent;  // of the address
   await bench.open(bench.state);
+  tellOfAddress(player, [player.parts.notice.textContent || told, unknown]);
   performance.measure('gradus: alive', {start: started, end: performance.now()});
   addEventListener('hashchange', async () => {
-    const parts = addressParts();
-    if (parts.get('language') && parts.get('language') !== language) return location.reload();
+    const hash = readable(location.hash), parts = addressParts(hash), wanted = parts.get('language');
+    if (languages.includes(wanted) && wanted !== language) return location.reload();
     await bench.open(stateOf(parts, bench.topics, language));
-    followAddress(player);
+    followAddress(player, hash);
+    tellOfAddress(player, [player.parts.notice.textContent, unknownIn(parts, bench.topics, languages)]);
   });
 }
 window.opened = openLive();

@@ -49,10 +49,13 @@ class Predictor {
       this.answer(button.dataset.answer === undefined ? null : Number(button.dataset.answer));
     });
   }
-  /** From now on it asks; `record` is what was answered before. */
+  /** From now on it asks; `record` is what was answered before, and may be anybody's: what was no question here counts for nothing. */
   begin(record = '') {
-    this.answers = new Map([...record.matchAll(/([\d.]+)([yn])/g)].map(([, number, right]) => [number, right === 'y']));
     this.questions = questionsOf(this.player.run);
+    const {byNumber, trace} = this.player.run, mayBeElsewhere = this.player.recorded() !== '';
+    const isAsked = (number) => (byNumber.has(number) ? this.questions.has(byNumber.get(number)) : mayBeElsewhere && Number(number) <= trace.last);
+    const said = [...record.matchAll(/(?<![\d.])(\d{1,15}(?:\.\d{1,9})?)([yn])/g)].filter(([, number]) => isAsked(number));
+    this.answers = new Map(said.map(([, number, right]) => [number, right === 'y']));
     this.player.asks = (from, to) => this.asks(from, to);
     if (this.questions.size === 0) return this.player.notice(say('no_question'));
     this.show();

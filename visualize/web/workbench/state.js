@@ -7,20 +7,33 @@ const WORDS = ['language', 'numbers', 'notation'];
 /** {topic, method, given: {name: text}, language, numbers, notation, beside, predict} from the parts of an address. */
 function stateOf(parts, topics, language) {
   const text = (name) => parts.get(name) ?? '';
-  const topic = topics.find(({name}) => name === text('topic')) ?? topics[0];
+  const topic = topicOf(parts, topics);
   const given = {};
-  for (const [name, value] of parts)
-    if (name.startsWith(IN)) given[name.slice(IN.length)] = value;
+  for (const {name} of topic.parameters)
+    if (parts.has(IN + name)) given[name] = parts.get(IN + name);
   return {
     topic: topic.name,
-    method: text('method') || topic.default_method,
+    method: hasMethod(topic, text('method')) ? text('method') : topic.default_method,
     given,
-    language: text('language') || language,
+    language,
     numbers: text('numbers'),
     notation: text('notation'),
-    beside: text('beside'),
+    beside: hasMethod(topic, text('beside')) ? text('beside') : '',
     predict: parts.has('predict') ? text('predict') : null,
   };
+}
+
+const topicOf = (parts, topics) => topics.find(({name}) => name === parts.get('topic')) ?? topics[0];
+const hasMethod = ({methods}, wanted) => methods.some(({name}) => name === wanted);
+
+/** What an address names that is not in this page: "topic=lines, in.form=3"; '' for nothing. */
+function unknownIn(parts, topics, languages) {
+  const topic = topicOf(parts, topics), isMethod = (name) => hasMethod(topic, name);
+  const known = {topic: (name) => name === topic.name, method: isMethod, beside: isMethod, language: (code) => languages.includes(code)};
+  const is = (name, value) => (name.startsWith(IN) ? topic.parameters.some((p) => IN + p.name === name) : known[name]?.(value) ?? true);
+  const unknown = [...parts].filter(([name, value]) => value !== '' && (Object.hasOwn(known, name) || name.startsWith(IN)) && !is(name, value));
+  const told = unknown.slice(0, 3).map(([name, value]) => quotable(`${name}=${value}`));
+  return [...told, ...(unknown.length > told.length ? ['…'] : [])].join(', ');
 }
 
 /** Puts a state into the parts of an address, by `put(name, value)`, and takes out what it has not. */

@@ -1,7 +1,9 @@
 'use strict';
 // The inputs round a player: what is typed, dragged, painted or dropped is answered by the module, and shown.
 
-const LONGEST_ADDRESS = 8000;  // characters; what is longer is saved as a file
+const LONGEST_ADDRESS = 24_000;  // letters as they are escaped; what is longer is saved as a file
+const LONG = 1_000_000;  // letters of an answer: between reading and showing it the page takes a breath
+const PART = 4000;  // steps of a run that are here at a time, as of a page that plays one
 
 class Workbench {
   /** data: {topics, notations, recorded}. asker: what answers. */
@@ -22,6 +24,8 @@ class Workbench {
       place();
       this.painter.place();
     };
+    player.elsewhere = (number) => this.goToPart(number);
+    player.sayRecorded = (values) => (this.state.beside ? undefined : say('some_steps', values));
     player.putAddress = (put, parts) => this.putAddress(put, parts);
     player.commandFor = (step) => commandOf(this.asked, this.topic, {step});
     player.stepJson = () => this.asker.ask({...requestOf(this.asked, this.topic, 'run'), step: player.run.steps[player.index].number});
@@ -94,10 +98,9 @@ class Workbench {
 
   /** Begins with a state, or goes to one from elsewhere: the address, a file, the history. */
   async open(state) {
-    if (!this.topics.some(({name}) => name === state.topic)) return;
     this.state = state;
-    if (!this.method) state.method = this.topic.default_method;
-    if (state.beside === state.method || !this.topic.methods.some(({name}) => name === state.beside)) state.beside = '';
+    this.part = undefined;
+    if (state.beside === state.method) state.beside = '';
     this.history ??= new History(state);
     this.showState();
     await this.refresh(false);
@@ -172,14 +175,16 @@ class Workbench {
   async ask(state, light) {
     const working = setTimeout(() => this.root.classList.add('working'), 400);
     try {
-      const request = requestOf(state, this.topic);
-      if (state.beside) request.beside = state.beside;
-      const answer = await this.answerTo(request);
+      const answer = await this.answerTo(this.requestFor(state));
       this.asked = state;
       this.show(state.beside ? answer : {trace: answer}, light);
       this.refuse('');
     } catch (error) {
       if (!(error instanceof Unanswered)) throw error;
+      if (this.part && error.refused) {  // perhaps this run is shorter: from its start
+        this.part = undefined;
+        return this.ask(state, light);
+      }
       if (!this.player.run) await this.showUsual(error.refused);
       this.refuse(error.message, error.parameter);
     } finally {
@@ -187,15 +192,40 @@ class Workbench {
       this.root.classList.remove('working');
     }
   }
+  requestFor(state) {
+    const request = requestOf(state, this.topic);
+    if (state.beside)
+      request.beside = state.beside;
+    else if (this.part)
+      request.steps = this.part;
+    return request;
+  }
+  /** Whether the run has a step of this number that is not here; then that part of it is asked for. */
+  goToPart(number) {
+    const {run} = this.player, whole = Math.floor(Number(number)), first = Math.floor(whole / PART) * PART;
+    const isOther = /^\d+(\.\d+)?$/.test(number) && whole <= run.trace.last && !run.byNumber.has(String(whole));
+    if (!isOther || this.state.beside) return false;
+    this.part = `${first}-${Math.min(first + PART - 1, run.trace.last)}`;
+    this.refresh(false).then(() => {
+      const {player} = this;
+      if (player.run.byNumber.has(number)) player.goTo(number);
+      else player.notice(player.noStep(number));
+    });
+    return true;
+  }
   /** The last answer serves again: what was dragged is asked for once more when it is let go. */
   async answerTo(request) {
     const key = JSON.stringify(request);
-    if (this.last?.key !== key) this.last = {key, answer: JSON.parse(await this.asker.ask(request))};
+    if (this.last?.key !== key) {
+      const text = await this.asker.ask(request), answer = JSON.parse(text);
+      if (text.length > LONG) await new Promise((goOn) => setTimeout(goOn));
+      this.last = {key, answer};
+    }
     return this.last.answer;
   }
   /** What can be seen when the first input there is can't: the usual one's run, recorded where nothing answers. */
   async showUsual(answers) {
-    const usual = {...this.state, given: {}, method: this.topic.default_method, beside: ''};
+    const usual = {...this.state, given: {}, method: this.topic.default_method, beside: '', numbers: '', notation: ''};
     if (!answers) return this.showRecorded(true);
     this.asked = usual;
     this.show({trace: JSON.parse(await this.asker.ask(requestOf(usual, this.topic)))}, false);
@@ -246,6 +276,7 @@ class Workbench {
     const {predict} = this.state;
     if (predict === null || this.state.beside) return this.predictor.end();
     this.predictor.begin(predict);
+    this.state.predict = this.predictor.record;
   }
   togglePredict() {
     this.state.predict = this.state.predict === null ? '' : null;
@@ -262,7 +293,7 @@ class Workbench {
   // -- The address, files
 
   putAddress(put, parts) {
-    const {state} = this, long = JSON.stringify(state.given).length > LONGEST_ADDRESS;
+    const {state} = this, long = encodeURIComponent(JSON.stringify(state.given)).length > LONGEST_ADDRESS;
     putState(long ? {...state, given: {}} : state, put, parts, this.topic);
   }
   async opened(name, files) {
