@@ -168,6 +168,8 @@ def reads_any_address(check, page):
         check.that(f'{fragment[:60]}: no element of its own', page.run('return document.querySelector("[src=x]")') is None)
         check.that(f'{fragment[:60]} takes no time', time.monotonic() - start < 10, time.monotonic() - start)
     check.that('what is too long leaves the address', page.wait_for('location.hash.length < 100'))
+    link = page.run(r'workbench.state.given = {to: "\ud800"}; return player.link()')
+    check.that('half a letter can be linked to', '%EF%BF%BD' in link, link)
     page.quiet('addresses')
 
 

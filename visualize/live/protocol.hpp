@@ -15,14 +15,14 @@ namespace gradus::live {
 /// left out:
 ///
 ///   want       "run": what `gradus run TOPIC --json` writes; "trace": the same run as the player's page
-///              holds it (trace_json); "remarks": what the command remarks on files that are read, a list
-///              of lines; "list": what `gradus list --json` writes, for which no other member
-///              is asked
+///              holds it (trace_json), so many of its first steps as one plays where none are asked for;
+///              "remarks": what the command remarks on files that are read, a list of lines; "list": what
+///              `gradus list --json` writes, for which no other member is asked
 ///   topic      its name or alias; a unique beginning is enough
 ///   arguments  an object: of the topic's parameters by their names, and "method", the texts that the flags
 ///              take; "yes" for a flag that takes none
-///   beside     for a trace: another method on the same input; then the answer holds both whole runs and how
-///              their steps stand side by side: {"trace": …, "beside": …, "alignment": alignment_json}
+///   beside     for a trace: another method on the same input; then the answer holds the first steps of both,
+///              and how they stand side by side: {"trace": …, "beside": …, "alignment": alignment_json}
 ///   step, steps, language, numbers, notation
 ///              texts, as the flags of those names take them. A notation is named or written on the spot
 ///   labels     a list of texts like "p=d"

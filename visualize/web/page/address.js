@@ -34,7 +34,7 @@ function addressParts(hash = readable(location.hash)) {
 }
 /** The map as an address; what needs no escape stays legible. */
 function addressText(parts) {
-  const escaped = (text) => encodeURIComponent(text).replace(/%(2C|2F|3A|3B)/g, (code) => decodeURIComponent(code));
+  const escaped = (text) => encodeURIComponent(text.replace(/\p{Surrogate}/gu, '\ufffd')).replace(/%(2C|2F|3A|3B)/g, (code) => decodeURIComponent(code));
   return '#' + [...parts].map(([name, value]) => (value ? `${escaped(name)}=${escaped(value)}` : escaped(name))).join('&');
 }
 

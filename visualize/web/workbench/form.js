@@ -131,9 +131,7 @@ class Form {
   /** The line of a refusal stands below the fields, and the one to blame is marked. */
   blame(parameter, line) {
     for (const [name, {control}] of this.fields) {
-      const blamed = line !== '' && name === parameter;
-      control.toggleAttribute('aria-invalid', false);
-      if (blamed) {
+      if (line !== '' && name === parameter) {
         control.setAttribute('aria-invalid', 'true');
         control.setAttribute('aria-describedby', 'gradus-refusal');
       } else {

@@ -187,6 +187,7 @@ class Workbench {
       }
       if (!this.player.run) await this.showUsual(error.refused);
       this.refuse(error.message, error.parameter);
+      if (!light) this.player.resize();  // what was dragged is let go, where nothing came of it
     } finally {
       clearTimeout(working);
       this.root.classList.remove('working');
