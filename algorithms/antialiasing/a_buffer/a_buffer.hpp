@@ -190,46 +190,80 @@ constexpr Mask ahead(const Fragment& a, const Fragment& b, auto& before) {
   return a.z_far < b.z_near ? common : before(a, b, common);
 }
 
-/// A fragment of a list, and the part of its mask that no other one in the list lies before.
-struct Foremost {
-  std::size_t number = 0;
-  Mask open = 0;
+/// Whether no other one of a list that is sorted by nearest depths lies before its first.
+constexpr bool first_is_foremost(std::span<const Fragment> sorted, auto& before) {
+  const Fragment& first = sorted[0];
+  for (std::size_t i = 1; i < sorted.size() && sorted[i].z_near <= first.z_far; ++i)
+    if (ahead(sorted[i], first, before) != 0) return false;
+  return true;
+}
+
+/// How many other fragments of a list lie before one at each sub-sample.
+struct Blockers {
+  std::array<std::int32_t, samples> count{};
+
+  constexpr void add(Mask ahead, std::int32_t change) {
+    for (; ahead != 0; ahead &= ahead - 1) count[static_cast<std::size_t>(last_of(ahead))] += change;
+  }
+  /// The part of a mask where there are none.
+  constexpr Mask open(Mask mask) const {
+    Mask open = 0;
+    for (Mask rest = mask; rest != 0; rest &= rest - 1)
+      if (count[static_cast<std::size_t>(last_of(rest))] == 0) open |= bit_of(last_of(rest));
+    return open;
+  }
 };
 
-/// The first that no other lies before at any sub-sample, of a list sorted by nearest depths. Where there is
-/// none, for surfaces cross: the first that is open in part.
-constexpr Foremost foremost(std::span<const Fragment> sorted, auto& before) {
-  std::optional<Foremost> in_part;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    Mask open = sorted[i].mask;
-    for (std::size_t j = 0; j < sorted.size() && sorted[j].z_near <= sorted[i].z_far; ++j) {
-      if (j != i) open &= ~ahead(sorted[j], sorted[i], before);
+/// Fragments that have no place in a list as yet, in the order of nearest depths.
+struct Unplaced {
+  std::vector<Fragment> list;
+  std::vector<Blockers> blockers;
+
+  constexpr Unplaced(std::span<const Fragment> sorted, auto& before)
+      : list(sorted.begin(), sorted.end()), blockers(list.size()) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      for (std::size_t j = 0; j < list.size() && list[j].z_near <= list[i].z_far; ++j)
+        if (j != i) blockers[i].add(ahead(list[j], list[i], before), 1);
     }
-    if (open == sorted[i].mask) return {i, open};
-    if (open != 0 && !in_part) in_part = Foremost{i, open};
   }
-  return in_part.value_or(Foremost{0, sorted[0].mask});
-}
+  /// Takes the first off that no other lies before at any sub-sample. Where there is none, for surfaces
+  /// cross, it is the part of the first that is open in part.
+  constexpr Fragment taken(auto& before) {
+    std::optional<std::size_t> in_part;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Mask open = blockers[i].open(list[i].mask);
+      if (open == list[i].mask) return taken(i, open, before);
+      if (open != 0 && !in_part) in_part = i;
+    }
+    const std::size_t i = in_part.value_or(0);
+    return taken(i, in_part ? blockers[i].open(list[i].mask) : list[i].mask, before);
+  }
+
+ private:
+  constexpr Fragment taken(std::size_t number, Mask open, auto& before) {
+    Fragment part = list[number];
+    part.mask = open;
+    list[number].mask &= ~open;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (i != number) blockers[i].add(ahead(part, list[i], before), -1);
+    if (list[number].mask == 0) {
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(number));
+      blockers.erase(blockers.begin() + static_cast<std::ptrdiff_t>(number));
+    }
+    return part;
+  }
+};
 
 /// Brings a list sorted by nearest depths into one that goes front to back at every sub-sample. Surfaces that
 /// cross in the pixel have no such order: of these a fragment is parted where they do, the nearer part first.
-/// Returns how many parts more there are.
+/// Returns how many parts more there are. Cost: at most the square of as many as there are in the end.
 constexpr std::size_t put_in_order(std::vector<Fragment>& sorted, auto& before) {
   const std::size_t given = sorted.size();
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    auto [number, open] = foremost(std::span(sorted).subspan(i), before);
-    number += i;
-    const auto here = sorted.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto front = sorted.begin() + static_cast<std::ptrdiff_t>(number);
-    if (open == front->mask) {
-      std::rotate(here, front, front + 1);
-    } else {
-      Fragment part = *front;
-      part.mask = open;
-      front->mask &= ~open;
-      sorted.insert(here, part);
-    }
-  }
+  std::size_t placed = 0;
+  while (placed < given && first_is_foremost(std::span(sorted).subspan(placed), before)) ++placed;
+  Unplaced rest{std::span(sorted).subspan(placed), before};
+  sorted.resize(placed);
+  while (!rest.list.empty()) sorted.push_back(rest.taken(before));
   return sorted.size() - given;
 }
 
@@ -333,7 +367,8 @@ constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
 /// Accuracy: weights of opaque fragments are popcount/32, exactly, by the order of each sub-sample; weights
 ///   and what is left add up to 1 within 1e-13, exactly where all are opaque.
 /// Cost: sorting, then an "and not" and a popcount for each fragment; before for each two that overlap, again
-///   for each part where they cross; at most 32 parts with opacity. Memory for parts alone.
+///   for each part where they cross; at most 32 parts with opacity. Memory for parts, and 170 bytes a
+///   fragment where nearest depths are not the order.
 /// Errors: ContractViolation for opacities outside of the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.

@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "antialiasing/a_buffer/a_buffer_notes.hpp"
@@ -313,6 +317,93 @@ TEST(ABufferOrder, WhatIsInOrderStaysWhole) {
   };
   EXPECT_EQ(put_in_order(list, before), 0u);
   EXPECT_THAT(list, testing::ElementsAre(Fragment{full, 2, 4, 1, 1, 1}, Fragment{0xf0f0f0f0, 1, 3, 1, 0, 0}));
+}
+
+/// Lists whose depths at the sub-samples are whole numbers, so that many cross and many are alike.
+struct Depths {
+  std::vector<std::array<int, samples>> of;
+
+  Mask operator()(const Fragment& a, const Fragment& b, Mask common) const {
+    Mask ahead = 0;
+    for (int i = 0; i < samples; ++i) {
+      const auto depth = [&](const Fragment& f) {
+        return std::pair(of[static_cast<std::size_t>(f.source)][static_cast<std::size_t>(i)], f.source);
+      };
+      if ((common & bit_of(i)) != 0 && depth(a) < depth(b)) ahead |= bit_of(i);
+    }
+    return ahead;
+  }
+};
+
+/// What put_in_order promises, said without its counts: again and again the first that none lies before, or
+/// the part of the first that is open in part.
+std::vector<Fragment> in_plain_order(std::vector<Fragment> rest, const Depths& before) {
+  std::vector<Fragment> order;
+  while (!rest.empty()) {
+    std::vector<Mask> open;
+    for (const Fragment& f : rest) {
+      open.push_back(f.mask);
+      for (const Fragment& other : rest)
+        if (&other != &f) open.back() &= ~before(other, f, other.mask & f.mask);
+    }
+    std::size_t next = 0;
+    while (next < rest.size() && open[next] != rest[next].mask) ++next;
+    if (next == rest.size())
+      next = static_cast<std::size_t>(std::ranges::find_if(open, std::identity{}) - open.begin());
+    order.push_back(rest[next]);
+    order.back().mask = open[next];
+    rest[next].mask &= ~open[next];
+    if (rest[next].mask == 0) rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(next));
+  }
+  return order;
+}
+
+TEST(ABufferOrder, IsThatOfTheDefinition) {
+  int parted = 0, moved = 0;
+  for (std::uint64_t round = 0; round < 600; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << test::seed() << ", round " << round);
+    Random random(test::seed(), round);
+    const int count = static_cast<int>(random.uniform_int(1, 9));
+    const int slope = round % 3 == 0 ? 0 : 3;
+    Depths depths;
+    std::vector<Fragment> list;
+    for (int source = 0; source < count; ++source) {
+      const auto middle = random.uniform_int(0, 12), across = random.uniform_int(-slope, slope),
+                 down = random.uniform_int(-slope, slope);
+      std::array<int, samples> depth{};
+      for (int i = 0; i < samples; ++i)
+        depth[static_cast<std::size_t>(i)] =
+            static_cast<int>(2 * middle + across * (i % mask_columns - 3) + down * (i / mask_columns - 1));
+      const auto [least, most] = std::ranges::minmax(depth);
+      const Mask mask = round % 2 == 0 ? full : static_cast<Mask>(random.uniform_int(1, full));
+      list.push_back({mask, double(least), double(most), 1, source, source});
+      depths.of.push_back(depth);
+    }
+    std::ranges::sort(list, nearer);
+    const auto right = in_plain_order(list, depths);
+    const auto given = list;
+    EXPECT_EQ(put_in_order(list, depths), right.size() - given.size());
+    EXPECT_EQ(list, right);
+    parted += right.size() > given.size();
+    moved += right != given;
+  }
+  EXPECT_GT(parted, 50);
+  EXPECT_GT(moved, 150);
+}
+
+TEST(ABufferOrder, OfLongListsAsksForEachPairAFewTimes) {
+  // The nearest depths tell the very opposite of the order
+  constexpr int count = 200;
+  std::vector<Fragment> list;
+  for (int i = 0; i < count; ++i) list.push_back({full, double(i), 1000, 1, i, i});
+  std::int64_t asked = 0;
+  auto before = [&](const Fragment& a, const Fragment& b, Mask common) {
+    ++asked;
+    return a.source > b.source ? common : 0;
+  };
+  EXPECT_EQ(put_in_order(list, before), 0u);
+  EXPECT_TRUE(std::ranges::is_sorted(list, std::greater{}, &Fragment::source));
+  EXPECT_LT(asked, 3 * count * count);
 }
 
 // --- The source's estimate
