@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -23,6 +24,7 @@
 
 namespace gradus::area_sampling {
 
+using triangle_coverage::DepthPlane;
 using triangle_coverage::Edges;
 using triangle_coverage::edges_of;
 using triangle_coverage::near_enough;
@@ -32,7 +34,8 @@ using triangle_coverage::Weights;
 /// The depth of a triangle as a function of places in a pixel.
 /// Domain: a triangle with an area; finite depths.
 /// Accuracy: exact in rationals; constant depths are exact in double, too. Triangles that share a plane have
-///   the same one to the bit; snapping may take it up to 1/512 pixel beyond the depths of their corners.
+///   the same one to the bit; up to 1/512 pixel of it lies beyond the depths of their corners (see
+///   add_in_range).
 template <class T>
 Plane<T> plane_in(const ScreenTriangle& triangle, const Edges& edges, ivec2 pixel) {
   if (const auto& shared = triangle.plane)
@@ -65,6 +68,49 @@ std::optional<Fragment<T>> fragment_in(const ScreenTriangle& triangle, ivec2 pix
   fragment.outline = outline_in<T>(piece, pixel);
   if (!(area_of(fragment.outline) > T{0})) return std::nullopt;
   return fragment;
+}
+
+/// The nearest and the deepest of some corners.
+struct DepthRange {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+};
+
+/// How deep the corners of all triangles are that share a plane: one range for all, so that they still have
+/// one depth at each place.
+class SharedRanges {
+ public:
+  explicit SharedRanges(std::span<const ScreenTriangle> triangles) {
+    constexpr double slack = triangle_coverage::Depth::slack;
+    for (const ScreenTriangle& t : triangles) {
+      if (!t.plane) continue;
+      DepthRange& range = of_[numbers(*t.plane)];
+      const auto [least, most] = std::minmax({t.depth.x, t.depth.y, t.depth.z});
+      range = {std::min(range.least, least - slack), std::max(range.most, most + slack)};
+    }
+  }
+  DepthRange of(const DepthPlane& plane) const { return of_.at(numbers(plane)); }
+
+ private:
+  static std::array<double, 5> numbers(const DepthPlane& p) {
+    return {p.from.x, p.from.y, p.depth, p.right, p.down};
+  }
+  std::map<std::array<double, 5>, DepthRange> of_;
+};
+
+/// Adds a fragment of a shared plane. Where snapping takes the plane beyond the depths of all its corners, it
+/// is as near as the nearest of them, or as deep as the deepest: nothing is seen through what lies before.
+inline void add_in_range(Fragment<double> fragment, const DepthRange& range,
+                         std::vector<Fragment<double>>& fragments) {
+  const auto keep_within = [&](double end, double way) {
+    const auto within = [&](dvec2 p) { return way * (end - fragment.depth.at(p)); };
+    auto [kept, beyond] = split(fragment.outline, 0.0, within);
+    if (beyond.empty()) return;
+    fragments.push_back({std::move(beyond), {end, 0, 0}, fragment.key});
+    fragment.outline = std::move(kept);
+  };
+  keep_within(range.least, -1);
+  keep_within(range.most, 1);
+  if (!fragment.outline.empty()) fragments.push_back(std::move(fragment));
 }
 
 /// Whether a triangle covers a whole pixel.
@@ -109,7 +155,10 @@ inline dvec2 centroid_of(const Pieces<double>& pieces) {
 class PictureRow {
  public:
   PictureRow(std::span<const ScreenTriangle> triangles, const Window& window)
-      : triangles_(triangles), window_(window), columns_(static_cast<std::size_t>(window.width())) {
+      : triangles_(triangles),
+        ranges_(triangles),
+        window_(window),
+        columns_(static_cast<std::size_t>(window.width())) {
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       const auto& corners = triangles[k].corners;
       const Window box = pixels_in(corners, window);
@@ -144,10 +193,11 @@ class PictureRow {
       const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(k)];
       const Edges edges = edges_of(triangle.corners);
       if (covers_whole(edges, pixel)) {
-        fragments_.push_back({whole, plane_in<double>(triangle, edges, pixel), k});
-        wall = std::min(wall, fragments_.back().deepest());
+        Fragment<double> all{whole, plane_in<double>(triangle, edges, pixel), k};
+        wall = std::min(wall, all.deepest());
+        add(std::move(all), triangle);
       } else if (auto part = fragment_in<double>(triangle, pixel, k)) {
-        fragments_.push_back(std::move(*part));
+        add(std::move(*part), triangle);
       }
     }
     std::erase_if(fragments_, [wall](const auto& f) { return f.nearest() > wall; });
@@ -158,11 +208,18 @@ class PictureRow {
   struct Rows {
     int first, last, triangle;
   };
+  void add(Fragment<double> fragment, const ScreenTriangle& triangle) {
+    if (triangle.plane)
+      add_in_range(std::move(fragment), ranges_.of(*triangle.plane), fragments_);
+    else
+      fragments_.push_back(std::move(fragment));
+  }
   std::vector<int>& column(int x) {
     return columns_[static_cast<std::size_t>(std::int64_t{x} - window_.lower.x)];
   }
 
   std::span<const ScreenTriangle> triangles_;
+  SharedRanges ranges_;
   Window window_;
   std::vector<std::vector<int>> columns_;
   std::vector<Rows> coming_, here_;
