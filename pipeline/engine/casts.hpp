@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 
 #include "engine/geometry.hpp"
@@ -40,7 +41,9 @@ inline PieceId piece_of(const Frame& frame, const FrameTriangle& t, std::int32_t
 /// place: in 1/256 pixel.
 inline ExactDepth exact_depth(const Frame& frame, std::int32_t id, ivec2 place) {
   const FrameTriangle& t = frame.triangle(id);
-  const auto weights = weights_at_place(triangle_coverage::edges_of(t.grid), place);
+  const bool own = t.plane == no_plane;  // a shared plane asks for no weights
+  const auto weights =
+      own ? weights_at_place(triangle_coverage::edges_of(t.grid), place) : triangle_coverage::Weights{};
   return {depth_of(frame, t).at(place, weights), piece_of(frame, t, id), id};
 }
 
@@ -113,6 +116,35 @@ inline double slope_of(const NearnessPlane& plane) { return std::abs(plane.right
 /// of the grid beside their places.
 inline double shared_plane_off(const PlaneDepth& plane) {
   return plane ? (std::abs(plane->right) + std::abs(plane->down)) / 2 + triangle_coverage::Depth::slack : 0;
+}
+
+/// Whether a shared plane begins so near that its depth over a tile is as good as those between corners.
+inline bool begins_near(const triangle_coverage::DepthPlane& plane, ivec2 place) {
+  const dvec2 way = dvec2(place) - plane.from;
+  return std::abs(plane.right * way.x) + std::abs(plane.down * way.y) <= 0x1p10;
+}
+
+/// Between which bounds a triangle of a shared plane keeps its nearness; none for others.
+struct NearnessRange {
+  float low = -std::numeric_limits<float>::infinity(), high = std::numeric_limits<float>::infinity();
+  double off = 0;       ///< by how much a bound may be off the plane
+  bool is_fine = true;  ///< single precision is enough
+
+  float clamped(float nearness) const { return std::min(std::max(nearness, low), high); }
+};
+
+/// Gives a triangle over a tile the nearness of the plane that it shares, if it does. origin: of the tile.
+inline NearnessRange take_shared_plane(const PlaneDepth& plane, const dvec3& depth, ivec2 origin,
+                                       Cast& cast) {
+  if (!plane) return {};
+  const ivec2 there = triangle_coverage::centre_of(origin);
+  const double off = shared_plane_off(plane);
+  if (!begins_near(*plane, there)) return {.off = off, .is_fine = false};
+  constexpr int step = triangle_coverage::subpixels;
+  cast.plane = {1 - plane->at(there), -step * plane->right, -step * plane->down};
+  const auto [least, most] = std::minmax({depth.x, depth.y, depth.z});
+  constexpr double slack = triangle_coverage::Depth::slack;
+  return {static_cast<float>(1 - (most + slack)), static_cast<float>(1 - (least - slack)), off};
 }
 
 /// How near a triangle is at least in the pixels of its box. depth: of its corners.

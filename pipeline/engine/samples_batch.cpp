@@ -43,6 +43,7 @@ class Sampling {
     if (box.empty()) return;
     if (1 - std::min(std::min(t.depth.x, t.depth.y), t.depth.z) < farthest_) return;
     Cast cast = cast_of(t, box, pixels_.lower);
+    const NearnessRange range = take_shared_plane(frame_.plane_of(t), t.depth, pixels_.lower, cast);
     bool long_sides = false;
     const Window blocks = in_blocks(cast.box);
     std::array<std::int64_t, 3> half;
@@ -58,10 +59,10 @@ class Sampling {
         long_sides |= is_too_long(cast, side);
       }
     }
-    if (!is_flat_enough(cast, t.depth) || long_sides || t.plane != no_plane)
-      draw_exactly(t, cast, id);
+    if (!is_flat_enough(cast, t.depth) || long_sides || !range.is_fine)
+      draw_exactly(t, cast, range, id);
     else
-      draw_blocks(cast, half, id);
+      draw_blocks(cast, half, range, id);
     since_ += static_cast<int>(box.width() * box.height());
     if (since_ >= look_after) look_back();
   }
@@ -101,6 +102,7 @@ class Sampling {
     std::array<std::int32_t, 3> half;  ///< half_pixel of the sides
     float slope;                       ///< by how much the nearness changes from a centre to a corner
     float least_rise;                  ///< in a block
+    NearnessRange range;
   };
 
   HWY_INLINE void prepare(const Cast& cast, Steps& steps) const {
@@ -144,13 +146,15 @@ class Sampling {
           (side.a * offsets_.right[s] + side.b * offsets_.down[s] + (cast.origin[k] & 255)) >> 8);
   }
 
-  HWY_INLINE void draw_blocks(const Cast& cast, const std::array<std::int64_t, 3>& half, std::int32_t id) {
-    const double slope = slope_of(cast.plane) / 2;
+  HWY_INLINE void draw_blocks(const Cast& cast, const std::array<std::int64_t, 3>& half,
+                              const NearnessRange& range, std::int32_t id) {
+    const double slope = slope_of(cast.plane) / 2 + range.off;
     const BlockRows rows(cast, half);
     const BlockDepths depths(cast.plane, slope);
     Steps steps;
     for (std::size_t k = 0; k < 3; ++k) steps.half[k] = static_cast<std::int32_t>(half[k]);
     steps.slope = static_cast<float>(slope);
+    steps.range = range;
     prepare(cast, steps);
     for (int y = cast.box.lower.y / block_side; y <= cast.box.upper.y / block_side; ++y) {
       const BlockRow row = rows.row(y);
@@ -259,7 +263,9 @@ class Sampling {
       const auto inside = hn::RebindMask(single, hn::Not(hn::Lt(signs, hn::Zero(whole))));
       if (hn::AllFalse(single, inside)) continue;
       if (!of) of = &samples_of(cell);
-      const auto mine = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_at_sample + i));
+      const F there = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise_at_sample + i));
+      const F mine =
+          hn::Min(hn::Max(there, hn::Set(single, steps.range.low)), hn::Set(single, steps.range.high));
       float* const nearness = of->nearness.data() + i;
       std::int32_t* const ids = of->ids.data() + i;
       const F old = hn::Load(single, nearness);
@@ -296,10 +302,11 @@ class Sampling {
     of.ids[s] = id;
   }
 
-  /// Pixel by pixel, for triangles too steep or too long for blocks, and for those of shared planes.
-  HWY_NOINLINE void draw_exactly(const FrameTriangle& t, const Cast& cast, std::int32_t id) {
+  /// Pixel by pixel, for triangles too steep or too long for blocks.
+  HWY_NOINLINE void draw_exactly(const FrameTriangle& t, const Cast& cast, const NearnessRange& range,
+                                 std::int32_t id) {
     const auto edges = triangle_coverage::edges_of(t.grid);
-    const double slope = slope_of(cast.plane) / 2 + shared_plane_off(frame_.plane_of(t));
+    const double slope = slope_of(cast.plane) / 2 + range.off;
     std::array<std::int64_t, 3> half;
     for (std::size_t k = 0; k < 3; ++k) {
       const ivec2 way = edges[k].to - edges[k].from;

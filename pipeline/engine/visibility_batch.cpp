@@ -163,6 +163,7 @@ class Visibility {
     const FrameTriangle& t = frame_.triangle(id);
     const Window box = triangle_coverage::centres(t.grid, pixels_);
     Cast cast = cast_of(t, box, pixels_.lower);
+    const NearnessRange range = take_shared_plane(frame_.plane_of(t), t.depth, pixels_.lower, cast);
     bool long_sides = false;
     const Window blocks = in_blocks(cast.box);
     for (Side& side : cast.sides) {
@@ -173,10 +174,10 @@ class Visibility {
       else
         long_sides |= is_too_long(cast, side);
     }
-    if (!is_flat_enough(cast, t.depth) || long_sides || t.plane != no_plane)
+    if (!is_flat_enough(cast, t.depth) || long_sides || !range.is_fine)
       draw_pixels(t, id);
     else
-      draw_blocks(cast, id);
+      draw_blocks(cast, range, id);
     since_ += static_cast<int>(box.width() * box.height());
   }
 
@@ -185,6 +186,14 @@ class Visibility {
     alignas(64) std::int32_t side[3][block_cells];
     alignas(64) float rise[block_cells];
     float least_rise;
+    NearnessRange range;
+
+    /// The nearness of cells from the i-th on, in a block that begins with this one.
+    HWY_INLINE F nearness(F near, std::size_t i) const {
+      const Single d;
+      const F sum = hn::Add(near, hn::Load(d, rise + i));
+      return hn::Min(hn::Max(sum, hn::Set(d, range.low)), hn::Set(d, range.high));
+    }
   };
   HWY_INLINE static void prepare(const Cast& cast, Steps& steps) {
     const Whole whole;
@@ -207,10 +216,11 @@ class Visibility {
     steps.least_rise = hn::GetLane(hn::MinOfLanes(single, least));
   }
 
-  HWY_INLINE void draw_blocks(const Cast& cast, std::int32_t id) {
+  HWY_INLINE void draw_blocks(const Cast& cast, const NearnessRange& range, std::int32_t id) {
     const BlockRows rows(cast, {0, 0, 0});
-    const BlockDepths depths(cast.plane, 0);
+    const BlockDepths depths(cast.plane, range.off);
     Steps steps;
+    steps.range = range;
     prepare(cast, steps);
     for (int y = cast.box.lower.y / block_side; y <= cast.box.upper.y / block_side; ++y) {
       const BlockRow row = rows.row(y);
@@ -235,13 +245,14 @@ class Visibility {
     F far = hn::Set(single, 2.0f);
     bool all = true;
     for (std::size_t i = 0; i < block_cells; i += hn::Lanes(single)) {
-      const F mine = hn::Add(hn::Set(single, near), hn::Load(single, steps.rise + i));
+      const F mine = steps.nearness(hn::Set(single, near), i);
       const Put shown = put(number * block_cells + i, everywhere, mine, id);
       far = hn::Min(far, shown.nearness);
       all = all && shown.all;
     }
     // The least sum has the least part: no look at the lanes
-    far_[number] = all ? near + steps.least_rise : hn::GetLane(hn::MinOfLanes(single, far));
+    far_[number] =
+        all ? steps.range.clamped(near + steps.least_rise) : hn::GetLane(hn::MinOfLanes(single, far));
   }
 
   HWY_INLINE void draw_block(const Cast& cast, ivec2 block, const Steps& steps, std::int32_t id) {
@@ -260,7 +271,7 @@ class Visibility {
       // The sign of one is that of all
       const auto outside = hn::Lt(hn::Or(hn::Or(side(0), side(1)), side(2)), hn::Zero(whole));
       const auto inside = hn::RebindMask(single, hn::Not(outside));
-      const F mine = hn::Add(near, hn::Load(single, steps.rise + i));
+      const F mine = steps.nearness(near, i);
       far = hn::Min(far, put(number * block_cells + i, inside, mine, id).nearness);
     }
     // Where a cell shows nothing yet, that is the farthest already
@@ -268,7 +279,7 @@ class Visibility {
       far_[number] = hn::GetLane(hn::MinOfLanes(single, far));
   }
 
-  /// Pixel by pixel, for triangles too steep or too long for blocks, and for those of shared planes.
+  /// Pixel by pixel, for triangles too steep or too long for blocks.
   HWY_NOINLINE void draw_pixels(const FrameTriangle& t, std::int32_t id) {
     const triangle_coverage::Depth depth = depth_of(frame_, t);
     triangle_coverage::cover(t.grid, pixels_, [&](ivec2 pixel, const triangle_coverage::Weights& w) {

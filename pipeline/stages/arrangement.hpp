@@ -65,18 +65,24 @@ struct TreeLimit {
   void operator()(const Step&) {}
 };
 
-/// Watches the painter; the list is sorted anew after each cut.
+/// Watches the painter.
 struct PainterLimit {
   ArrangingLimit limit;
 
-  void operator()(const painter::Compared<double>&) { limit.add(1); }
+  void operator()(const painter::Compared<double>& compared) { limit.add(tests_of(compared.passed)); }
   void operator()(const painter::Cut<double>&) { limit.add(ArrangingLimit::a_cut); }
-  void operator()(const painter::Sorted<double>& sorted) {
-    constexpr std::int64_t moves = 2;  // in tests: a piece takes its place by merges
-    limit.add(moves * static_cast<std::int64_t>(sorted.order.size()));
+  void operator()(const painter::Inserted<double>& inserted) {
+    for (const auto& place : inserted.places) limit.add(static_cast<std::int64_t>(place.before));
   }
   template <class Step>
   void operator()(const Step&) {}
+
+ private:
+  /// The first three ask for a few signs; planes and edges for one a corner, or for one a corner and edge.
+  static constexpr std::int64_t tests_of(painter::Test passed) {
+    using enum painter::Test;
+    return passed < behind ? 1 : passed < apart ? 3 : 8;
+  }
 };
 
 /// Draws for the painter, and counts what planes part, where rounding has closed a cycle.

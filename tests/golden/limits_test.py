@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import re
 import resource
 import subprocess
@@ -183,6 +184,28 @@ def test_a_face_of_many_corners():
         equal((code, err), (0, "m.png\n"), f"a face of {corners} corners")
     print(f"gradus render of a face: {times[25_000]:.2f} s of user time for 25,000 corners, {times[100_000]:.2f} s for 100,000")
     check(times[100_000] < 8 * times[25_000], f"in proportion: {times}")
+
+
+def test_orders_of_what_crosses_everywhere():
+    """Where the painter sorted its list after each cut, and each cut took 30 us: 3 s for 250, and 6 s up to the refusals."""
+    numbers = random.Random(7)
+    def crossing(count):
+        corners = "".join("v %.6f %.6f %.6f\n" % tuple(numbers.uniform(-1, 1) for _ in range(3)) for _ in range(3 * count))
+        return corners + "".join(f"f {3 * i + 1} {3 * i + 2} {3 * i + 3}\n" for i in range(count))
+    for count in (250, 2000):
+        write(f"{count}.obj", crossing(count))
+    town = pathlib.Path(__file__).resolve().parents[2] / "examples/scenes/town.json"
+    for method in ("painter", "bsp_tree"):
+        for model in ("250.obj", "2000.obj", town):
+            line = ["render", str(model), "--size", "64x64", "--culling", "none", "--hidden-surfaces", method, "-o", "m.png"]
+            code, err, time, memory = measured(*line)
+            print(f"{method} of {pathlib.Path(model).name}: exit {code}, {time:.2f} s of user time, {memory >> 10} MiB")
+            if model == "250.obj":
+                equal((code, err), (0, "m.png\n"), "drawn")
+                check(time < 2, f"in {time} s")
+            elif code == 2:
+                check("z_buffer needs no order, and draws the same" in err, f"names the way out: {err}")
+            check(time < 5 and memory < 500 * MIB, f"soon: {time} s, {memory} KiB")
 
 
 def test_a_stopped_run_of_figures_is_not_done_again():

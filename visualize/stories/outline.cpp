@@ -46,8 +46,10 @@ bool is_flat(std::span<const dvec3> corners) {
   const dvec3 normal = unit_vector(area_vector(corners));
   double size = 0;
   for (const dvec3 p : corners) size = std::max(size, length_between(p, corners[0]));
-  return std::ranges::all_of(
-      corners, [&](dvec3 p) { return std::abs(glm::dot(normal, p - corners[0])) <= 1e-9 * size; });
+  // What six decimals may do to two corners and to the plane, but of small faces no more than is seen
+  const double thick = std::max(1e-9 * size, std::min(4e-6, 1e-3 * size));
+  return std::ranges::all_of(corners,
+                             [&](dvec3 p) { return std::abs(glm::dot(normal, p - corners[0])) <= thick; });
 }
 
 }  // namespace gradus

@@ -11,7 +11,8 @@ namespace gradus {
 /// between two edges that follow each other. Exact.
 bool is_simple(std::span<const dvec2> corners);
 
-/// Whether a face lies in one plane, but for the rounding of its corners.
+/// Whether a face lies in one plane, but for the rounding of its corners, to six decimals as model files have
+/// them or better.
 bool is_flat(std::span<const dvec3> corners);
 
 }  // namespace gradus

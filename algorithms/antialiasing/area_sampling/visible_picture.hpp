@@ -88,7 +88,7 @@ class SharedRanges {
       range = {std::min(range.least, least - slack), std::max(range.most, most + slack)};
     }
   }
-  DepthRange of(const DepthPlane& plane) const { return of_.at(numbers(plane)); }
+  DepthRange of(const DepthPlane& plane) const { return of_.find(numbers(plane))->second; }
 
  private:
   static std::array<double, 5> numbers(const DepthPlane& p) {

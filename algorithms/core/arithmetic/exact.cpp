@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <glm/common.hpp>
+
+#include "core/arithmetic/finite.hpp"
 
 namespace gradus {
 namespace {
@@ -263,6 +266,10 @@ int orient2d_exact(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 }
 
 int orient3d_exact(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
+  // As for a corner that faces share, which is asked for most often; what is not finite is refused below
+  const bool is_flat = d == a || d == b || d == c || a == b || b == c || c == a;
+  const glm::dvec3 sum = glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d);
+  if (is_flat && all_finite(sum.x, sum.y, sum.z)) return 0;
   // det(b - a, c - a, d - a), multiplied out; a swapped pair of points is a minus
   SumOfProducts<3> volume;
   add_determinant(volume, b, c, d);

@@ -1,12 +1,16 @@
 #pragma once
 // The planes of a BSP tree: on which side of one a point lies, exactly, and where an edge meets it.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/arithmetic/exact.hpp"
+#include "core/arithmetic/two_doubles.hpp"
 #include "core/contract.hpp"
 #include "core/geometry.hpp"
 
@@ -113,18 +117,72 @@ struct ExactSide {
   }
 };
 
-/// Where the way from p to q meets the plane: (q d_p - p d_q) / (d_p - d_q), with d the distances from it.
-/// Domain: p and q on different sides. Accuracy: the nearest double in each coordinate. Cost: about 15 us.
-inline dvec3 crossing(const Plane<double>& plane, dvec3 p, dvec3 q) {
+namespace detail {
+
+/// det(b - a, c - a, p - a) in 106 bits, and the sizes of its terms.
+/// Accuracy: 2^-97 of the terms. Domain: points that are tame.
+struct Height {
+  Rounded value{0, 0};
+  double terms = 0;
+};
+inline Height height_above(const Plane<double>& at, dvec3 p) {
+  const auto from_a = [&](dvec3 v, int i) { return two_difference(v[i], at.a[i]); };
+  Height height;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Rounded plus = product_of_pairs(from_a(at.b, j), from_a(at.c, k));
+    const Rounded minus = product_of_pairs(from_a(at.b, k), from_a(at.c, j));
+    const Rounded along = from_a(p, i), normal = sum_of_pairs(plus, negated(minus));
+    height.value = sum_of_pairs(height.value, product_of_pairs(normal, along));
+    height.terms += (std::abs(plus.value) + std::abs(minus.value)) * std::abs(along.value);
+  }
+  return height;
+}
+
+/// Whether products of a point's coordinates lose nothing that matters by underflow, nor overflow.
+inline bool is_tame(const dvec3& p) {
+  return std::abs(p.x) < 0x1p300 && std::abs(p.y) < 0x1p300 && std::abs(p.z) < 0x1p300;
+}
+
+/// The double nearest to (q d_p - p d_q) / (d_p - d_q), if 106 bits can tell. Domain: points that are tame.
+inline std::optional<double> nearest_crossing(const Height& d_p, const Height& d_q, double p, double q) {
+  // Between p and q nothing cancels: all errors together are less than `off`, also where products underflow
+  const double size = std::max(std::abs(p), std::abs(q));
+  if (size == 0) return 0.0;
+  const Rounded whole = sum_of_pairs(d_p.value, negated(d_q.value));
+  const double terms = d_p.terms + d_q.terms, parts = std::abs(whole.value);
+  if (!(0x1p-400 < size && 0x1p-500 < parts && 0x1p-90 * terms < parts)) return std::nullopt;
+  const Rounded of_q = product_of_pairs(d_p.value, {q, 0}), of_p = product_of_pairs(d_q.value, {p, 0});
+  const Rounded at = quotient_of_pairs(sum_of_pairs(of_q, negated(of_p)), whole);
+  const double off = 0x1p-92 * size * (terms / parts);
+  const bool sure = at.value + (at.error - off) == at.value && at.value + (at.error + off) == at.value;
+  return sure ? std::optional(at.value) : std::nullopt;
+}
+
+/// The same by sums that nothing is lost in.
+inline double exact_crossing(const Plane<double>& plane, dvec3 p, dvec3 q, int i) {
   SumOfProducts<3> denominator;
-  detail::add_volume(denominator, false, plane, p);
-  detail::add_volume(denominator, true, plane, q);
+  add_volume(denominator, false, plane, p);
+  add_volume(denominator, true, plane, q);
+  SumOfProducts<4> numerator;
+  add_volume(numerator, false, plane, p, q[i]);
+  add_volume(numerator, true, plane, q, p[i]);
+  return rounded_quotient(numerator, denominator);
+}
+
+}  // namespace detail
+
+/// Where the way from p to q meets the plane: (q d_p - p d_q) / (d_p - d_q), with d the distances from it.
+/// Domain: p and q on different sides. Accuracy: the nearest double in each coordinate. Cost: about 0.5 us;
+///   5 us for each coordinate that is 0 or lies as good as halfway between two doubles.
+inline dvec3 crossing(const Plane<double>& plane, dvec3 p, dvec3 q) {
+  using detail::is_tame;
+  const bool tame = is_tame(plane.a) && is_tame(plane.b) && is_tame(plane.c) && is_tame(p) && is_tame(q);
+  const detail::Height d_p = detail::height_above(plane, p), d_q = detail::height_above(plane, q);
   dvec3 at{0};
   for (int i = 0; i < 3; ++i) {
-    SumOfProducts<4> numerator;
-    detail::add_volume(numerator, false, plane, p, q[i]);
-    detail::add_volume(numerator, true, plane, q, p[i]);
-    at[i] = rounded_quotient(numerator, denominator) + 0.0;  // a zero is +0
+    const auto sure = tame ? detail::nearest_crossing(d_p, d_q, p[i], q[i]) : std::nullopt;
+    at[i] = (sure ? *sure : detail::exact_crossing(plane, p, q, i)) + 0.0;  // a zero is +0
   }
   return at;
 }

@@ -177,6 +177,20 @@ std::vector<int> sides(const Plane<T>& plane, const Polygon<T>& polygon, const S
   return side_of(all) == Side::both ? sides_of_cut(plane, polygon, all) : all;
 }
 
+/// Where a polygon lies, without the sides of all its corners.
+template <class T, class SideOf>
+Side side_of_polygon(const Plane<T>& plane, const Polygon<T>& polygon, const SideOf& side) {
+  if (polygon.is_part && lies_in(polygon.plane, plane, side)) return Side::in_plane;
+  bool front = false, back = false;
+  for (const auto& corner : polygon.corners) {
+    const int at = side(plane, corner);
+    front = front || at > 0;
+    back = back || at < 0;
+    if (front && back) return Side::both;
+  }
+  return front ? Side::in_front : back ? Side::behind : Side::in_plane;
+}
+
 /// The parts of a polygon on the two sides of a plane.
 template <class T>
 struct Parts {

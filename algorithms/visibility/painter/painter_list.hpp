@@ -58,6 +58,7 @@ inline int sign_of_depth(dvec3 forward, dvec3 p, dvec3 q) {
   const double bound = 0x1p-50 * (sizes.x + sizes.y + sizes.z) + 0x1p-1000;
   if (depth > bound) return 1;
   if (-depth > bound) return -1;
+  if (p == q) return 0;
   SumOfProducts<2> sum;
   for (int i = 0; i < 3; ++i) {
     sum.add(forward[i], p[i]);
@@ -71,6 +72,7 @@ inline int sign_about(dvec3 axis, const Eye<double>& eye, dvec3 p, dvec3 q) {
   const std::optional<int> sure = eye.w != 0 ? orient3d_filtered(origin, axis, p - at, q - at)
                                              : orient3d_filtered(origin, axis, at, p - q);
   if (sure) return *sure;
+  if (p == q) return 0;
   SumOfProducts<3> sum;
   if (eye.w != 0) add_determinant(sum, false, axis, p, q);
   add_determinant(sum, false, axis, at, p);
@@ -152,7 +154,7 @@ struct Piece {
   int eye_side;                       ///< of its plane, 0 where the eye sees it edge-on
   Extent<T> depths, across, upright;  ///< from near to far, from side to side, up or down
   std::vector<Known> known{};         ///< of planes that have cut it
-  bool moved = false;                 ///< since the list was sorted last
+  bool moved = false;                 ///< last in the list, where it does not belong
 
   Piece(Polygon<T> its_polygon, const Polygon<T>& its_whole, std::size_t its_number, const View<T>& view)
       : polygon(std::move(its_polygon)),
@@ -190,16 +192,54 @@ List<T> pieces_of(const std::vector<Polygon<T>>& polygons, const View<T>& view) 
   return list;
 }
 
-/// Puts those with the farthest corners last; of equals the earlier one in the list comes later in it, and so
-/// is drawn first the first time. Tells how many comparisons it took.
+/// Whether P belongs before Q in a list: its farthest corner is nearer. Of equals the earlier one in the
+/// input comes later, and so is drawn first the first time.
+template <class T>
+bool belongs_before(const Piece<T>& p, const Piece<T>& q, const View<T>& view) {
+  const int order = compare_depths(view.forward, p.depths.last, q.depths.last);
+  return order != 0 ? order < 0 : p.number > q.number;
+}
+
+/// Puts those with the farthest corners last. Tells how many comparisons it took.
 template <class T>
 std::size_t sort(List<T>& list, const View<T>& view) {
-  const std::size_t comparisons = merge_sort(list, [&](const Piece<T>& p, const Piece<T>& q) {
-    const int order = compare_depths(view.forward, p.depths.last, q.depths.last);
-    return order != 0 ? order < 0 : p.number > q.number;
-  });
-  for (Piece<T>& piece : list) piece.moved = false;
-  return comparisons;
+  return merge_sort(list, [&](const Piece<T>& p, const Piece<T>& q) { return belongs_before(p, q, view); });
+}
+
+/// Moves a piece to another place in the list; those between make room.
+template <class T>
+void move_piece(List<T>& list, std::size_t from, std::size_t to) {
+  const auto at = [&](std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
+  Piece<T> piece = std::move(list[from]);
+  if (to < from)
+    std::move_backward(at(to), at(from), at(from + 1));
+  else
+    std::move(at(from + 1), at(to + 1), at(from));
+  list[to] = std::move(piece);
+}
+
+/// A piece has been put where it belongs.
+template <class T>
+struct Place {
+  Polygon<T> polygon;
+  std::size_t before;  ///< so many of those in the list by now are drawn before it
+};
+
+/// Puts the moved pieces, which are the last ones, back where they belong among those before them, one by
+/// one. Equal ones keep their order. Cost: a comparison and a move for each place that one is away.
+template <class T>
+std::vector<Place<T>> put_back(List<T>& list, const View<T>& view) {
+  std::size_t next = list.size();
+  while (next > 0 && list[next - 1].moved) --next;
+  std::vector<Place<T>> places;
+  for (; next < list.size(); ++next) {
+    std::size_t place = next;
+    while (place > 0 && belongs_before(list[next], list[place - 1], view)) --place;
+    list[next].moved = false;
+    places.push_back({list[next].polygon, next - place});
+    move_piece(list, next, place);
+  }
+  return places;
 }
 
 /// What is reported of a list: the first to be drawn comes first.
@@ -217,7 +257,7 @@ std::vector<Polygon<T>> order_of(const List<T>& list) {
 template <class T>
 Beside corners_beside(const Polygon<T>& polygon, const Piece<T>& p) {
   if (p.eye_side == 0) return {};
-  const Side at = bsp_tree::side_of(bsp_tree::sides(p.polygon.plane, polygon, bsp_tree::ExactSide{}));
+  const Side at = bsp_tree::side_of_polygon(p.polygon.plane, polygon, bsp_tree::ExactSide{});
   const Side before = p.eye_side > 0 ? Side::in_front : Side::behind;
   const Side beyond = p.eye_side > 0 ? Side::behind : Side::in_front;
   return {at == Side::both || at == before, at == Side::both || at == beyond};

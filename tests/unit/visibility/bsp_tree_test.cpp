@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
@@ -226,6 +227,26 @@ TEST(BspTree, CutsAreTheNearestDoubles) {
     ++cuts;
   }
   EXPECT_GT(cuts, 40);
+}
+
+TEST(BspTree, CutsHalfwayBetweenTwoDoublesAreRoundedToEven) {
+  Random random(test::seed());
+  for (int round = 0; round < 300; ++round) {
+    // Any plane z = h of which the ends lie as far in front as behind; in x they are neighbours
+    const double h = round % 2 == 0 ? 0 : static_cast<double>(random.uniform_int(-800, 800)) / 64,
+                 step = std::ldexp(1, -round % 40);
+    const dvec3 a{random.uniform(-9, 9), random.uniform(-9, 9), h}, b{a.x + 1, a.y, h}, c{a.x, a.y + 3, h};
+    const double x = random.uniform(1, 1e6) * step, next = std::nextafter(x, 1e300);
+    const double high = h + 4, low = h - (high - h);
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    const double even = bits(x) % 2 == 0 ? x : next;
+    const dvec3 at = crossing(Plane<double>{a, b, c}, {x, next, low}, {next, -next, high});
+    EXPECT_EQ(at, (dvec3{even, 0, h})) << "seed " << test::seed() << ", round " << round;
+    // A last place off the half
+    const double up = std::nextafter(low, -1e300);
+    EXPECT_EQ(crossing(Plane<double>{a, b, c}, {x, 0, up}, {next, 0, high}).x, next);
+    EXPECT_EQ(crossing(Plane<double>{a, b, c}, {next, 0, up}, {x, 0, high}).x, x);
+  }
 }
 
 TEST(BspTree, ADistantEyeIsOnTheSideToWhichItLooks) {

@@ -418,19 +418,19 @@ TEST(Painter, ShowsWhatTheBspTreeShows) {
 // --- Steps
 
 template <class T>
-using Watch = Recorder<Sorted<T>, Taken<T>, Compared<T>, Moved<T>, Cut<T>, Drawn<T>, Finished>;
+using Watch = Recorder<Sorted<T>, Taken<T>, Compared<T>, Moved<T>, Cut<T>, Inserted<T>, Drawn<T>, Finished>;
 
 /// A letter for each step.
 template <class T>
 std::string grammar(const Watch<T>& seen) {
   std::string steps;
-  for (const auto& event : seen.events()) steps += "STCMKDF"[event.step.index()];
+  for (const auto& event : seen.events()) steps += "STCMKIDF"[event.step.index()];
   return steps;
 }
 
 TEST(Painter, StepsFollowTheGrammar) {
   Random random(test::seed());
-  const std::regex form("S(TC*(D|M|KS))*F");
+  const std::regex form("S(TC*(D|M|KI))*F");
   int cuts = 0, moves = 0;
   for (int round = 0; round < 40; ++round) {
     const ExactScope scope;

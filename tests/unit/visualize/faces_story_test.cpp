@@ -1,8 +1,15 @@
 // Faces that people get wrong: two in one place, and faces of which a part has no inside.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+
+#include "core/random.hpp"
 #include "support/example_traces.hpp"
+#include "support/seed.hpp"
 
 namespace gradus {
 namespace {
@@ -25,6 +32,37 @@ TEST(FacesStory, PartsWithoutAnInsideAreLeftOut) {
   const Trace trace =
       test::trace_of("bsp_tree", {{"faces", "0,0,0 4,0,0 4,0,0 4,3,0 2,1,0 0,3,0"}, {"towards", "1,1,1"}});
   EXPECT_FALSE(trace.steps.empty());
+}
+
+/// A box of any size, turned anyhow and moved, with corners of six decimals, as model files have them.
+std::string rounded_box(Random& random) {
+  const auto any = [&](double most) { return random.uniform(-most, most); };
+  const glm::dquat turn = glm::normalize(glm::dquat(any(1), any(1), any(1), any(1) + 0.1));
+  const dvec3 middle{any(3), any(3), 6 + any(1)}, half{random.uniform(0.01, 2), random.uniform(0.01, 2), 0.5};
+  std::string text;
+  for (const auto& face :
+       {std::array{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
+    if (!text.empty()) text += "; ";
+    for (const int corner : face) {
+      const dvec3 sign{corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1};
+      const dvec3 p = middle + glm::mat3_cast(turn) * (sign * half);
+      text += fmt::format(" {:.6f},{:.6f},{:.6f}", p.x, p.y, p.z);
+    }
+  }
+  return text;
+}
+
+TEST(FacesStory, FacesRoundedToSixDecimalsAreFlat) {
+  for (std::uint64_t round = 0; round < 30; ++round) {
+    Random random(test::seed(), round);
+    const std::string box = rounded_box(random);
+    SCOPED_TRACE(box);
+    for (const char* topic : {"painter", "bsp_tree"})
+      EXPECT_NO_THROW(test::trace_of(topic, {{"faces", box}, {"towards", "1,1,3"}})) << topic;
+    EXPECT_TRUE(test::trace_of("back_face_culling", {{"faces", box}, {"towards", "1,1,3"}})
+                    .steps.back()
+                    .sentence.find("not flat") == std::string::npos);
+  }
 }
 
 TEST(FacesStory, BentFacesAreRefusedOrSaid) {

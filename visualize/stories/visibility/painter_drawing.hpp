@@ -121,6 +121,30 @@ inline bool has_inside(const Ring2& ring) {
   return std::abs(area) > 1e-6 * size * size;
 }
 
+/// One polygon painted over another that is in front of it.
+struct Wrong {
+  DPolygon late, early;
+};
+
+/// The depth at which a sight line meets a polygon's plane.
+inline double depth_at(const Task& task, const DPolygon& polygon, dvec2 seen) {
+  const dvec3 normal = unit_vector(area_vector(polygon.corners));
+  const dvec3 aside = seen.x * task.right + seen.y * task.up;
+  const double to_plane = glm::dot(normal, task.from_eye(polygon.corners[0]));
+  if (!task.distant()) return to_plane / glm::dot(normal, aside + task.forward);
+  return (to_plane - glm::dot(normal, aside)) / glm::dot(normal, task.forward);
+}
+
+/// Whether one that is painted over another lies behind it somewhere.
+inline bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon& early) {
+  const Ring2 common = common_part(task.seen(late), task.seen(early));
+  if (!has_inside(common)) return false;
+  return std::ranges::any_of(common, [&](dvec2 place) {
+    const double over = depth_at(task, late, place), under = depth_at(task, early, place);
+    return over > under + 1e-6 * (std::abs(over) + std::abs(under));
+  });
+}
+
 /// What is painted so far, over outlines of what is to come; and the two polygons at hand.
 class Picture {
  public:

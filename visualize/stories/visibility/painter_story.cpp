@@ -25,30 +25,6 @@ double distance_of(const Task& task, dvec3 p) {
 }
 double z_of(const Task&, dvec3 p) { return p.z; }
 
-/// One polygon painted over another that is in front of it.
-struct Wrong {
-  DPolygon late, early;
-};
-
-/// The depth at which a sight line meets a polygon's plane.
-double depth_at(const Task& task, const DPolygon& polygon, dvec2 seen) {
-  const dvec3 normal = unit_vector(area_vector(polygon.corners));
-  const dvec3 aside = seen.x * task.right + seen.y * task.up;
-  const double to_plane = glm::dot(normal, task.from_eye(polygon.corners[0]));
-  if (!task.distant()) return to_plane / glm::dot(normal, aside + task.forward);
-  return (to_plane - glm::dot(normal, aside)) / glm::dot(normal, task.forward);
-}
-
-/// Whether one that is painted over another lies behind it somewhere.
-bool wrongly_over(const Task& task, const DPolygon& late, const DPolygon& early) {
-  const Ring2 common = common_part(task.seen(late), task.seen(early));
-  if (!has_inside(common)) return false;
-  return std::ranges::any_of(common, [&](dvec2 place) {
-    const double over = depth_at(task, late, place), under = depth_at(task, early, place);
-    return over > under + 1e-6 * (std::abs(over) + std::abs(under));
-  });
-}
-
 class OrderStory {
  public:
   /// pieces: so many will be drawn.
@@ -69,11 +45,9 @@ class OrderStory {
   void show(Board& board, const Sorted<double>& s) {
     forget();
     waiting_ = s.order;
-    moved_.clear();
     put(board);
   }
   Event say(const Sorted<double>& s) const {
-    if (cuts_ > 0) return {.text = "sorted.again", .words = {{"order", order_text()}}};
     return {.text = key_.of_mean ? "sorted.mean" : "sorted",
             .facts = {{"comparisons", static_cast<std::int64_t>(s.comparisons)}},
             .words = {{"order", order_text()}},
@@ -164,6 +138,19 @@ class OrderStory {
                       {"front", names_(c.in_front)},
                       {"behind", names_(c.behind)}},
             .key = p_name()};
+  }
+
+  void show(Board& board, const Inserted<double>& i) {
+    forget();
+    moved_.clear();
+    for (const auto& [polygon, before] : i.places)
+      std::erase_if(waiting_, [&](const DPolygon& other) { return bsp_tree::same(polygon, other); });
+    for (const auto& [polygon, before] : i.places)
+      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(before), polygon);
+    put(board);
+  }
+  Event say(const Inserted<double>&) const {
+    return {.text = "sorted.again", .words = {{"order", order_text()}}};
   }
 
   void show(Board& board, const Drawn<double>& d) {
