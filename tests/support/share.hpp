@@ -1,6 +1,7 @@
 #pragma once
-// What a run of the tests leaves to others: walks over hundreds of sheets that are judged alike. An ordinary run
-// looks at a share of them, another one with each commit (GRADUS_SHARE, which ./bootstrap sets); with GRADUS_ALL
+// What a run of the tests leaves to others: walks over hundreds of sheets that are judged alike. An ordinary
+// run looks at a share of them, another one with each commit (GRADUS_SHARE, which ./bootstrap sets); with
+// GRADUS_ALL
 // (`./bootstrap test --all`) it looks at all.
 
 #include <cstddef>
