@@ -2,6 +2,9 @@
 commit (GRADUS_SHARE); all of it with GRADUS_ALL (`./bootstrap test --all`)."""
 import os
 
+import programs
+
+programs.use_nothing_else()
 EVERYTHING = bool(os.environ.get("GRADUS_ALL") or os.environ.get("GRADUS_STRESS"))
 SHARE = int(os.environ.get("GRADUS_SHARE") or 0)
 

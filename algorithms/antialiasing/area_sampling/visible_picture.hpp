@@ -34,7 +34,7 @@ using triangle_coverage::Weights;
 /// The depth of a triangle as a function of places in a pixel.
 /// Domain: a triangle with an area; finite depths.
 /// Accuracy: exact in rationals; constant depths are exact in double, too. Triangles that share a plane have
-///   the same one to the bit; up to 1/512 pixel of it lies beyond the depths of their corners (see
+///   the same one to the bit; where corners were snapped, a part may lie beyond their depths (see
 ///   add_in_range).
 template <class T>
 Plane<T> plane_in(const ScreenTriangle& triangle, const Edges& edges, ivec2 pixel) {

@@ -7,6 +7,10 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "tests/support"))
+import programs
+
+programs.use_nothing_else()
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("GRADUS_SHARE", "GRADUS_ALL", "GRADUS_STRESS")}
 
 

@@ -249,6 +249,30 @@ TEST(BspTree, CutsHalfwayBetweenTwoDoublesAreRoundedToEven) {
   }
 }
 
+TEST(BspTree, HeightsAreWithinTheirBound) {
+  Random random(test::seed());
+  bool is_near_the_bound = false;
+  for (int round = 0; round < 3000; ++round) {
+    // Far from the origin in every other round, and near the plane, where most cancels
+    const double size = std::ldexp(1, static_cast<int>(random.uniform_int(-60, 60)));
+    const dvec3 middle = size * (round % 2 == 0 ? dvec3{0} : dvec3{1e6, -3e6, 2e6});
+    const auto anywhere = [&] {
+      return middle + size * dvec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    };
+    const dvec3 a = anywhere(), b = anywhere(), c = anywhere();
+    const dvec3 p = round % 3 == 0 ? anywhere() : a + random.uniform(0, 1) * (b - a) + 0.25 * (c - a);
+    const detail::Height found = detail::height_above(Plane<double>{a, b, c}, p);
+    const auto in_exact = [](dvec3 v) { return ExactVec3{Exact(v.x), Exact(v.y), Exact(v.z)}; };
+    const ExactVec3 from = in_exact(a);
+    const Exact right = glm::dot(glm::cross(in_exact(b) - from, in_exact(c) - from), in_exact(p) - from);
+    Exact off = Exact(found.value.value) + Exact(found.value.error) - right;
+    if (sign(off) < 0) off = -off;
+    EXPECT_LE(off, Exact(0x1p-97) * Exact(found.terms)) << "seed " << test::seed() << ", round " << round;
+    is_near_the_bound |= off > Exact(0x1p-108) * Exact(found.terms);
+  }
+  EXPECT_TRUE(is_near_the_bound);
+}
+
 TEST(BspTree, ADistantEyeIsOnTheSideToWhichItLooks) {
   const Plane<double> plane{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   EXPECT_EQ(side_of_eye(plane, Eye<double>{5, -7, 1e-300, 0}), 1);
