@@ -59,7 +59,7 @@ inline dvec2 on_circle(double turn, double radius) {
 /// A star-shaped polygon: angle by angle, near the circle or anywhere.
 inline Input star(Kind kind, Random& random) {
   const double radius = random.uniform(0.5, 8);
-  const dvec2 centre = kind == Kind::random ? dvec2(random.uniform(-4, 4), random.uniform(-4, 4)) : dvec2(0);
+  const dvec2 centre = kind == Kind::random ? dvec2{random.uniform(-4, 4), random.uniform(-4, 4)} : dvec2(0);
   const auto n = random.uniform_int(3, corners);
   Points points;
   for (std::int64_t i = 0; i < n; ++i) {
@@ -69,7 +69,7 @@ inline Input star(Kind kind, Random& random) {
     if (kind == Kind::grazing && way < 0.6) length = radius;                       // on the circle
     if (kind == Kind::grazing && way > 0.8) length = radius / std::cos(2 * turn);  // on a tangent
     const dvec2 p = centre + on_circle(turn, length);
-    points.push_back(kind == Kind::grazing ? dvec2(nudged(p.x, random), nudged(p.y, random)) : p);
+    points.push_back(kind == Kind::grazing ? dvec2{nudged(p.x, random), nudged(p.y, random)} : p);
   }
   return with_corners({centre.x, centre.y, radius}, points, random);
 }
@@ -137,7 +137,7 @@ inline Input of_mixed_sizes(Random& random) {
   }
   const dvec2 centre(random.unit() < 0.5 ? 0 : sizes.any(random), 0);
   if (random.unit() < 0.5) {
-    const dvec2 near = centre + radius * dvec2(random.uniform(-2, 2), random.uniform(-2, 2));
+    const dvec2 near = centre + radius * dvec2{random.uniform(-2, 2), random.uniform(-2, 2)};
     const auto coordinate = [&] { return random.unit() < 0.2 ? 0 : sizes.any(random); };
     Points triangle{near, near, near};
     for (const std::size_t i : {1u, 2u}) triangle[i] = {coordinate(), coordinate()};
