@@ -146,15 +146,15 @@ def reads_any_address(check, page):
     page.open()
     page.errors()
     for fragment, line in (
-            ('#topic=nonsense', 'unknown in the address, and left out: topic=nonsense'),
-            ('#topic=bresenham_line&method=nonsense&beside=__proto__', 'left out: method=nonsense, beside=__proto__'),
+            ('#topic=nonsense', 'the address names something unknown, which is ignored: topic=nonsense'),
+            ('#topic=bresenham_line&method=nonsense&beside=__proto__', 'ignored: method=nonsense, beside=__proto__'),
             ('#topic=bresenham_line&in.__proto__=1&in.constructor=2&in.of=3&in.x=4', 'in.__proto__=1, in.constructor=2, in.of=3, …'),
             ('#topic=bresenham_line&language=%22%3E%3Cb%3E&numbers=no&notation=%00', "--numbers: expected one of decimals, fractions, found 'no'"),
             ('#topic=bresenham_line&in.to=%3Cimg%20src=x%3E', "found '<img src=x>'"),
             ('#topic=bresenham_line&in.to=%E0%A4%A&step=%&%GG', "found '%E0%A4%A'"),
             ('#topic=bresenham_line&step=' + '9' * 40_000, f'there is no step {"9" * 60}…'),
             ('#topic=bresenham_line&predict=9999y1y1y0n' + '1' * 45_000, '1 of 1 right'),
-            ('#topic=bresenham_line&in.to=' + '1' * 60_000, 'the address has 60028 letters, and at most 50000 are read')):
+            ('#topic=bresenham_line&in.to=' + '1' * 60_000, 'the address has 60028 characters; at most 50000 are read')):
         # One opens with the page, the others come to it
         opening, start = 'language' in fragment, time.monotonic()
         if opening:
@@ -189,7 +189,7 @@ def shows_long_runs_in_parts(check, page):
     page.choose(beside='')
     check.equal('of one, too', page.run(part), ['0', 4000, '3999'])
     check.equal('and it is said which', page.run('return player.recorded()'),
-                'here: steps 0 to 3999 of 0 to 4500; the number of another one brings those round it')
+                'steps 0 to 3999 of 4500 are loaded; enter the number of another step to load those around it')
     page.run('player.parts.wanted.value = "4400"; player.submitWanted()')
     check.that('a number brings others', page.wait_for('player.run.steps[player.index].number === "4400"'))
     page.quiet('long runs')
