@@ -9,8 +9,8 @@ topic's page, which is one among many of its kind, in one of these ways. Players
 in one way, at three of its steps, and their dialogs are read in the first ways alone. The first of the pages of FOLDER,
 which make_pages wrote, is read in every theme. GRADUS_STRESS reads everything in all ways.
 axe-core comes from the npm registry (get_axe_core.py in this folder): `--axe` or the environment's GRADUS_AXE says where
-its axe.min.js is. Of players and topics' pages an ordinary run reads a share (support/share.py). Prints `N passed, N failed`, exits 1 when something was found, and without Chromium or axe-core 77, or 1
-where CI is set.
+its axe.min.js is. Of players and topics' pages an ordinary run reads a share (support/share.py). Prints `N passed, N failed`,
+exits 1 when something was found, and without Chromium or axe-core 77, or 1 where CI is set.
 """
 
 import argparse

@@ -9,14 +9,14 @@
 #include <memory>
 
 #include "benchmark/subject.hpp"
-#include "core/random.hpp"
+#include "support/screen_triangles.hpp"
 
 namespace gradus::bench {
 namespace {
 
 using namespace gradus::adaptive;
 
-constexpr int width = 128;
+constexpr int width = test::pierced_width;
 constexpr Window sheet{{0, 0}, {width - 1, width - 1}};
 
 /// Each with a colour that changes across it.
@@ -31,22 +31,10 @@ auto into(Picture& picture) {
 }
 
 struct Scene {
-  std::vector<ScreenTriangle> triangles;
+  std::vector<ScreenTriangle> triangles = test::pierced_triangles();
   Picture right{width, width};
 
   Scene() {
-    Random random(11);
-    for (int i = 0; i < 60; ++i) {
-      const double reach = i % 3 == 0 ? 60 : 14, depth = random.uniform(0.2, 0.8);
-      const dvec2 middle{random.uniform(0, width), random.uniform(0, width)};
-      ScreenTriangle t;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const dvec2 off{random.uniform(-reach, reach), random.uniform(-reach, reach)};
-        t.corners[k] = triangle_coverage::snap(middle + off);
-        t.depth[static_cast<int>(k)] = depth + random.uniform(-0.1, 0.1);
-      }
-      triangles.push_back(t);
-    }
     const auto always = [](const auto&, const auto&) { return 1.0; };
     adaptive_contrast(triangles, sheet, n_rooks(256), always, 0, colour_of, into(right));
   }

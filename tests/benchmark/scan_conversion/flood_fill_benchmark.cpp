@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "core/raster.hpp"
 #include "scan_conversion/flood_fill/flood_fill_batch.hpp"
 #include "stress/scan_conversion/areas.hpp"
+#include "support/fill_pictures.hpp"
 
 #ifdef GRADUS_HAS_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -25,8 +25,10 @@ namespace gradus::bench {
 namespace {
 
 using flood_fill::Method;
-using Canvas =
-    Raster<std::uint8_t>;  // a byte a cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
+using test::Canvas;  // a byte a cell, as OpenCV's pictures in grey: 0 free, 1 wall, 2 painted
+using test::comb;
+using test::maze;
+using test::noise;
 
 /// A picture, its largest area, and a seed there.
 struct Scene {
@@ -56,47 +58,6 @@ Scene scene_of(const Canvas& canvas) {
   const auto largest = std::ranges::max_element(cells);
   const int first = static_cast<int>(largest - cells.begin());
   return scene_from(canvas, {first % canvas.width(), first / canvas.width()});
-}
-
-/// Cells walled off at random; with 60 % free just above where one area spans the picture.
-Canvas noise(int side) {
-  Canvas canvas(side, side);
-  std::mt19937_64 random(1);
-  for (auto& cell : canvas.cells()) cell = random() % 100 < 60 ? 0 : 1;
-  return canvas;
-}
-
-/// A row along the upper side, and columns one cell wide that hang from it.
-Canvas comb(int side) {
-  Canvas canvas(side, side);
-  for (int y = 1; y < side; ++y) {
-    for (int x = 1; x < side; x += 2) canvas[{x, y}] = 1;
-  }
-  return canvas;
-}
-
-/// Corridors one cell wide, without loops.
-Canvas maze(int side) {
-  Canvas canvas(side + 1, side + 1, 1);
-  std::mt19937_64 random(1);
-  std::vector<ivec2> path{{1, 1}};
-  canvas[{1, 1}] = 0;
-  while (!path.empty()) {
-    std::vector<ivec2> open;
-    for (const ivec2 way : flood_fill::ways(flood_fill::Connectivity::four)) {
-      const ivec2 next = path.back() + 2 * way;
-      if (canvas.contains(next) && canvas[next] == 1) open.push_back(way);
-    }
-    if (open.empty()) {
-      path.pop_back();
-      continue;
-    }
-    const ivec2 way = open[random() % open.size()];
-    canvas[path.back() + way] = 0;
-    canvas[path.back() + 2 * way] = 0;
-    path.push_back(path.back() + 2 * way);
-  }
-  return canvas;
 }
 
 /// One corridor that winds inwards from the corner.

@@ -11,6 +11,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "support/screen_triangles.hpp"
 
 namespace gradus::area_sampling {
 namespace {
@@ -335,15 +336,7 @@ TEST(AreaSampling, ThePictureIsTheSumOfAreaTimesColour) {
 
 TEST(AreaSampling, APictureOfRandomTrianglesEqualsRationals) {
   Random random(31);
-  std::vector<ScreenTriangle> triangles;
-  for (int i = 0; i < 30; ++i) {
-    ScreenTriangle t;
-    for (ivec2& p : t.corners)
-      p = {static_cast<int>(random.uniform_int(-200, 1700)),
-           static_cast<int>(random.uniform_int(-200, 1700))};
-    for (int k = 0; k < 3; ++k) t.depth[k] = random.unit();
-    triangles.push_back(t);
-  }
+  const auto triangles = test::triangles_anywhere(random, 30);
   Areas<double> found;
   const Window window{{0, 0}, {5, 5}};
   const auto value = [](int k, ivec2, const Weights&) { return 1.0 + k; };

@@ -18,6 +18,7 @@
 #include "support/documented.hpp"
 #include "support/example_traces.hpp"
 #include "support/random_edges.hpp"
+#include "support/screen_triangles.hpp"
 
 namespace gradus {
 namespace {
@@ -107,24 +108,8 @@ TEST(DocumentedAntialiasing, ANeedle) {
              {area, found(1), found(4), found(16), found(64)}));
 }
 
-/// Triangles, large and small, that pierce each other, each with a colour that changes across it.
-constexpr int width = 128;
-std::vector<ScreenTriangle> pierced_triangles() {
-  Random random(11);
-  std::vector<ScreenTriangle> triangles;
-  for (int i = 0; i < 60; ++i) {
-    const double reach = i % 3 == 0 ? 60 : 14, depth = random.uniform(0.2, 0.8);
-    const dvec2 middle{random.uniform(0, width), random.uniform(0, width)};
-    ScreenTriangle t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const dvec2 off{random.uniform(-reach, reach), random.uniform(-reach, reach)};
-      t.corners[k] = snap(middle + off);
-      t.depth[static_cast<int>(k)] = depth + random.uniform(-0.1, 0.1);
-    }
-    triangles.push_back(t);
-  }
-  return triangles;
-}
+constexpr int width = test::pierced_width;
+/// A colour that changes across each triangle.
 dvec3 colour_at(int triangle, double first, double last) {
   return 0.2 + 0.6 * dvec3(first, 0.15 * (triangle % 6), last);
 }
@@ -172,7 +157,7 @@ std::vector<dvec3> looked_at_closely(const std::vector<ScreenTriangle>& triangle
 }
 
 TEST(DocumentedAntialiasing, PicturesOfRandomTriangles) {
-  const std::vector<ScreenTriangle> triangles = pierced_triangles();
+  const std::vector<ScreenTriangle> triangles = test::pierced_triangles();
   const std::vector<dvec3> right = looked_at_closely(triangles);
   const auto error = [&](int count) {
     std::vector<dvec3> picture(right.size(), dvec3(0));
@@ -219,15 +204,7 @@ TEST(DocumentedAntialiasing, AreasOfTriangles) {
 TEST(DocumentedAntialiasing, AreasOfWhatIsSeen) {
   using namespace area_sampling;
   Random random(seed);
-  std::vector<ScreenTriangle> triangles;
-  for (int i = 0; i < 20; ++i) {
-    ScreenTriangle t;
-    for (ivec2& p : t.corners)
-      p = {static_cast<int>(random.uniform_int(-200, 1700)),
-           static_cast<int>(random.uniform_int(-200, 1700))};
-    for (int k = 0; k < 3; ++k) t.depth[k] = random.unit();
-    triangles.push_back(t);
-  }
+  const auto triangles = test::triangles_anywhere(random, 20);
   double worst = 0;
   for (int i = 0; i < 36; ++i) {
     const ivec2 pixel{i % 6, i / 6};

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 #include "stress/scan_conversion/areas.hpp"
 #include "support/documented.hpp"
+#include "support/fill_pictures.hpp"
 
 namespace gradus {
 namespace {
@@ -24,50 +24,9 @@ using test::states;
 
 constexpr const char* fill_page = "docs/topics/scan_conversion/flood_fill.md";
 constexpr auto four = flood_fill::Connectivity::four;
-using Canvas = Raster<std::uint8_t>;  // 0 free, 1 wall
+using test::Canvas;
 
 constexpr int side = 1024;
-
-/// With 60 % free just above where one area spans the picture.
-Canvas noise() {
-  Canvas canvas(side, side);
-  std::mt19937_64 random(1);
-  for (auto& cell : canvas.cells()) cell = random() % 100 < 60 ? 0 : 1;
-  return canvas;
-}
-
-/// A row along the upper side, and columns one cell wide that hang from it.
-Canvas comb() {
-  Canvas canvas(side, side);
-  for (int y = 1; y < side; ++y) {
-    for (int x = 1; x < side; x += 2) canvas[{x, y}] = 1;
-  }
-  return canvas;
-}
-
-/// Corridors one cell wide, without loops.
-Canvas maze() {
-  Canvas canvas(side + 1, side + 1, 1);
-  std::mt19937_64 random(1);
-  std::vector<ivec2> path{{1, 1}};
-  canvas[{1, 1}] = 0;
-  while (!path.empty()) {
-    std::vector<ivec2> open;
-    for (const ivec2 way : flood_fill::ways(four)) {
-      const ivec2 next = path.back() + 2 * way;
-      if (canvas.contains(next) && canvas[next] == 1) open.push_back(way);
-    }
-    if (open.empty()) {
-      path.pop_back();
-      continue;
-    }
-    const ivec2 way = open[random() % open.size()];
-    canvas[path.back() + way] = 0;
-    canvas[path.back() + 2 * way] = 0;
-    path.push_back(path.back() + 2 * way);
-  }
-  return canvas;
-}
 
 /// What fills of the largest area ask and remember; how many cells it has, by union-find.
 struct Costs {
@@ -105,8 +64,8 @@ Costs costs_of(const Canvas& canvas, std::optional<ivec2> seed = {}) {
 }
 
 TEST(DocumentedScanConversion, WhatFillsRemember) {
-  const Costs empty = costs_of(Canvas(side, side), ivec2(side / 2)), of_maze = costs_of(maze()),
-              of_noise = costs_of(noise()), of_comb = costs_of(comb());
+  const Costs empty = costs_of(Canvas(side, side), ivec2(side / 2)), of_maze = costs_of(test::maze(side)),
+              of_noise = costs_of(test::noise(side)), of_comb = costs_of(test::comb(side));
   EXPECT_TRUE(states(
       fill_page, "| empty, seed in the middle ({}) | {} bytes a cell | {} ({} entries) | {} ({} entries) |",
       {empty.cells, empty.bytes_a_cell[0], empty.bytes_a_cell[1], empty.entries[1], empty.bytes_a_cell[2],
