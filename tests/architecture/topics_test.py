@@ -82,7 +82,7 @@ PLACES = {
     "tests/benchmark": (files("tests/benchmark", "_benchmark.cpp"), "write tests/benchmark/{path}_benchmark.cpp"),
     "tests/architecture/machine_code": (files("tests/architecture/machine_code", ".cpp"),
                                         "write tests/architecture/machine_code/{name}.cpp, a function for each method"),
-    "tests/golden/listings": (lambda root: {name.split("-")[0] for name in files("tests/golden/listings", ".txt")(root)},
+    "tests/golden/marks": (files("tests/golden/marks", ".txt"),
                               "run `GRADUS_UPDATE_GOLDEN=1 ctest -R golden/listing/` in the build folder, and look at it"),
     "tests/golden/trace_hashes.txt": (lambda root: {line.split()[2] for line in
                                                     read(root, "tests/golden/trace_hashes.txt").splitlines()},
@@ -179,7 +179,7 @@ class Planted(unittest.TestCase):
                 "tests/stress/lines/a_line_stress.cpp": "",
                 "tests/benchmark/lines/a_line_benchmark.cpp": "",
                 "tests/architecture/machine_code/a_line.cpp": "",
-                "tests/golden/listings/a_line-walk.txt": "",
+                "tests/golden/marks/a_line.txt": "",
                 "tests/golden/trace_hashes.txt": "12 34 a_line walk, from here\n",
         }.items():
             self.write(path, text)

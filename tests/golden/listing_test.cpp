@@ -1,16 +1,22 @@
-// Which source lines a figure lists, and which one each kind of step marks: one golden file a topic and
-// method. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference before committing it.
+// Which line of the listing each kind of step marks: one golden file a topic. GRADUS_UPDATE_GOLDEN=1 writes
+// the files anew; look at the difference before committing it.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "figure/figure.hpp"
+#include "figure/pseudocode.hpp"
 #include "support/example_traces.hpp"
 
 namespace gradus {
@@ -23,18 +29,33 @@ std::string marked_line(const Figure& figure) {
   return "(none)";
 }
 
-/// The listing, and the line that every kind of step marks, without line numbers.
-std::string listing_text(const Trace& trace) {
-  std::string text = fmt::format("{}, {}\n\n", trace.topic, trace.method);
-  for (const SourceLine& line : trace.listing) text += "  | " + line.text + "\n";
-  text += "\n";
-  std::set<std::string> seen;
+/// What each kind of step marks: one row a line, with the steps that mark it, in the order of their first.
+std::string marks_of(const Trace& trace) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> rows;  // a line -> its steps
   Playhead playhead(trace);
   for (const TraceStep& step : trace.steps) {
     const std::string line = marked_line(figure_of(trace, playhead, step.number));
-    const std::string mark =
-        fmt::format("{} marks: {}\n", step.type, line.substr(line.find_first_not_of(' ')));
-    if (seen.insert(mark).second) text += mark;
+    const std::string text = line.substr(line.find_first_not_of(' '));
+    auto row = std::ranges::find(rows, text, [](const auto& r) { return r.first; });
+    if (row == rows.end()) row = rows.insert(rows.end(), {text, {}});
+    if (std::ranges::find(row->second, step.type) == row->second.end()) row->second.push_back(step.type);
+  }
+  std::string text;
+  for (const auto& [line, steps] : rows) text += fmt::format("  {}: {}\n", fmt::join(steps, ", "), line);
+  return text;
+}
+
+/// The marks of a topic's methods; those that mark the same stand together.
+std::string marks_text(const std::vector<std::pair<std::string, std::string>>& marks) {
+  std::string text;
+  std::set<std::string> written;
+  for (const auto& [name, rows] : marks) {
+    if (!written.insert(rows).second) continue;
+    std::vector<std::string> names;
+    for (const auto& [other, others] : marks) {
+      if (others == rows) names.push_back(other);
+    }
+    text += fmt::format("{}\n{}", fmt::join(names, ", "), rows);
   }
   return text;
 }
@@ -56,17 +77,36 @@ void expect_no_plumbing(const Trace& trace, const Method& method) {
   }
 }
 
-TEST(Listing, ShowsAndMarksTheLinesOfTheGoldenFilesWithoutPlumbing) {
-  const std::filesystem::path folder = std::filesystem::path(GRADUS_SOURCE_DIR) / "tests/golden/listings";
+/// The same lines as a textbook writes them.
+void expect_nothing_of_the_sources_signs(const std::vector<SourceLine>& listing) {
+  const auto lines = pseudocode(listing);
+  EXPECT_GE(2 * lines.size(), listing.size());
+  EXPECT_TRUE(std::ranges::is_sorted(lines, {}, &SourceLine::number));
+  for (const SourceLine& line : lines) {
+    const auto from = std::ranges::find(listing, line.number, &SourceLine::number);
+    ASSERT_NE(from, listing.end()) << line.text;
+    EXPECT_EQ(line.text.find_first_not_of(' '), from->text.find_first_not_of(' ')) << "the indentation stays";
+    const std::string code = line.text.substr(0, line.text.find("//"));
+    for (const char* sign : {";", "{", "}", "std::", "auto", "::", "&&", "||", "==", "!=", "++", "--", "->"})
+      EXPECT_EQ(code.find(sign), std::string::npos) << line.text;
+  }
+}
+
+TEST(Listing, MarksTheLinesOfTheGoldenFilesWithoutPlumbing) {
+  const std::filesystem::path folder = std::filesystem::path(GRADUS_SOURCE_DIR) / "tests/golden/marks";
   std::size_t count = 0;
   for (const TopicEntry* entry : catalogue()) {
+    std::vector<std::pair<std::string, std::string>> marks;
     for (const Method& method : entry->methods) {
       // Recorded once for both: that is what takes the time
       const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
-      expect_golden(listing_text(trace), folder / fmt::format("{}-{}.txt", entry->name, method.name));
+      marks.push_back({method.name, marks_of(trace)});
       expect_no_plumbing(trace, method);
+      SCOPED_TRACE(fmt::format("{} {}", entry->name, method.name));
+      expect_nothing_of_the_sources_signs(trace.listing);
       ++count;
     }
+    expect_golden(marks_text(marks), folder / fmt::format("{}.txt", entry->name));
   }
   EXPECT_GE(count, 8u);
 }
