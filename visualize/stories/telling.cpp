@@ -198,6 +198,13 @@ void Narrator::grid(const Window& cells) {
   trace().grid.y_name = words_.symbol("y");
 }
 
+void Narrator::whole_grid(const Window& cells, bool y_up) {
+  grid(cells);
+  trace().grid.whole = true;
+  trace().grid.axes = false;
+  trace().grid.y_up = y_up;
+}
+
 void Narrator::paper(int width, int height) { trace().grid = paper_grid(width, height); }
 
 void Narrator::retitle(std::string_view key) {

@@ -237,6 +237,8 @@ class Narrator {
 
   /// Cells with the axes x and y, y up.
   void grid(const Window& cells);
+  /// Cells without axes, all of which are always shown; pictures' rows count downwards.
+  void whole_grid(const Window& cells, bool y_up = false);
   void paper(int width, int height);
   void columns(std::vector<Column> columns) { trace().columns = std::move(columns); }
   void subtitle(std::string_view key, std::initializer_list<Word> words) {
@@ -293,8 +295,8 @@ class Narrator {
   /// Steps that name no key are about what their type says: on paper there is no pixel to name.
   void key_by_type() { key_by_type_ = true; }
 
-  /// The observer for a method. `Story` has show(Board&, step) and say(step) for each of its steps; a
-  /// forgotten one does not compile. A story of very long runs may have count(Board&, step), too: what
+  /// The observer for a method. `Story` has show(Board&, step) and say(step) for each of its steps, or is a
+  /// Past with draw() and say(step); a forgotten one does not compile. A story of very long runs may have count(Board&, step), too: what
   /// remains to be done of a step when the recording is full.
   template <class Story>
   auto watcher(Story& story) {
@@ -303,7 +305,15 @@ class Narrator {
       if constexpr (requires { story.count(board_, step); }) {
         if (board_.full()) return story.count(board_, step);
       }
-      story.show(board_, step);
+      if constexpr (requires { story.take(step); }) {
+        story.take(step);
+        if constexpr (Story::template is_finer<Step>)
+          board_.detail(story.draw());
+        else
+          board_.milestone(story.draw());
+      } else {
+        story.show(board_, step);
+      }
       tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
     };
   }

@@ -24,10 +24,7 @@ class Paper {
         large_{map_.x + zoom_ * subject.size.x + 2 * zoom_, 2 * zoom_ + (height_ - side_) / 2} {}
 
   void set(Narrator& narrator) const {
-    narrator.grid({{0, 0}, {large_.x + side_, 2 * zoom_ + height_}});
-    narrator.trace().grid.whole = true;
-    narrator.trace().grid.axes = false;
-    narrator.trace().grid.y_up = false;
+    narrator.whole_grid({{0, 0}, {large_.x + side_, 2 * zoom_ + height_}});
   }
 
   void put_frames(View& view, const Words& words) const {

@@ -120,10 +120,7 @@ inline void tell_moving(Narrator& narrator) {
   MovingStory story(narrator.words(), corners);
   if (std::max(story.size().x, story.size().y) > 24)
     refuse("thin", "expected a triangle of at most 24 columns and 22 rows");
-  narrator.grid(story.paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
+  narrator.whole_grid(story.paper());
   narrator.subtitle("moving.subtitle", {{"places", MovingStory::places}});
   narrator.trace().goal = narrator.words().say("moving.goal");
   narrator.columns({{"shift"}, {"centres"}, {"covered"}});

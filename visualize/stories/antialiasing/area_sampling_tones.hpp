@@ -98,10 +98,7 @@ inline void tell_area_as_tone(Narrator& narrator) {
   const std::vector<ivec2> corners = corners_of(narrator.arguments());
   const Window window = window_of(narrator.arguments());
   TonesStory story(narrator.words(), window);
-  narrator.grid(story.paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
+  narrator.whole_grid(story.paper());
   narrator.subtitle("subtitle", {{"n", corners.size()}});
   narrator.trace().goal = narrator.words().say("tones.goal");
   narrator.columns({{"x"}, {"y"}, {"area"}, {"tone"}, {"light"}, {"right_tone"}});

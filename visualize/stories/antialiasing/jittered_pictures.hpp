@@ -10,6 +10,7 @@
 #include "core/arithmetic/elementary.hpp"
 #include "figure/tone_of.hpp"
 #include "stories/antialiasing/jittered_drawing.hpp"
+#include "stories/picture_shelf.hpp"
 
 namespace gradus::jittered {
 
@@ -184,83 +185,14 @@ struct PictureTaken {
   double wave, noise;
 };
 
-class PicturesStory {
- public:
-  static constexpr int side = 30, crop = 10, zoom = side / crop, gap = 3, heading = 4;
-  static constexpr std::array patterns{Pattern::regular, Pattern::jittered,
-                                       Pattern::correlated_multi_jittered};
-
-  PicturesStory(const Words& words, int count) : words_(words), count_(count) {}
-
-  static Window paper() { return {{0, 0}, {3 * side + 2 * gap + 1, heading + 2 * side + gap}}; }
-  double wave(std::size_t i) const { return done_[i].wave; }
-  double noise(std::size_t i) const { return done_[i].noise; }
-
-  void show(Board& board, const steps::Started&) {
-    for (std::size_t i = 0; i < patterns.size(); ++i) {
-      const dvec2 at = dvec2(corner(i)) + dvec2{0.5 * side - 0.5, -2.2};
-      base_.add({fmt::format("t {}", i), Role::guide,
-                 Text{at, words_.say("short." + std::string(name_of(patterns[i])))}});
-    }
-    board.milestone(base_);
-  }
-  Event say(const steps::Started&) const {
-    return {.text = "pictures.started", .words = {{"side", side}}, .count = count_};
-  }
-  void show(Board& board, const PictureTaken& p) {
-    const std::size_t i = done_.size();
-    done_.push_back(p);
-    const ivec2 from = corner(i), below = from + ivec2{0, side + gap};
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        put(from + ivec2{x, y}, grey_at({x, y}));
-        put(below + ivec2{x, y}, grey_at(first_of_crop() + ivec2{x, y} / zoom));
-      }
-    }
-    const dvec2 lower = dvec2(from + first_of_crop()) - 0.5, upper = lower + double{crop};
-    base_.add({fmt::format("u {}", i), Role::current,
-               Path{{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}, true}});
-    const dvec2 frame = dvec2(below) - 0.5, end = frame + double{side};
-    base_.add({fmt::format("v {}", i), Role::current,
-               Path{{frame, {end.x, frame.y}, end, {frame.x, end.y}}, true}});
-    board.milestone(base_);
-  }
-  Event say(const PictureTaken& p) const {
-    const std::string name(name_of(p.pattern));
-    return {.text = p.pattern == Pattern::regular ? "pictures.regular" : "pictures.random",
-            .facts = {{"wave", p.wave}, {"noise", p.noise}},
-            .words = {{"wave", p.wave}, {"noise", p.noise}, {"pattern", words_.say("short." + name)}},
-            .row = {words_.say("short." + name), p.wave, p.noise},
-            .key = name,
-            .phase = words_.say("short." + name)};
-  }
-  void show(Board& board, const steps::Finished&) { board.milestone(base_); }
-  Event say(const steps::Finished&) const {
-    return {.text = "pictures.finished",
-            .words = {{"wave", done_[0].wave}, {"jittered", done_[1].noise}, {"correlated", done_[2].noise}}};
-  }
-
- private:
-  static ivec2 corner(std::size_t i) { return {1 + static_cast<int>(i) * (side + gap), heading}; }
-  /// Round a place where rings are as fine as the samples' grid.
-  static ivec2 first_of_crop() { return ivec2(side - crop - 1); }
-  double grey_at(ivec2 p) const { return done_.back().greys[static_cast<std::size_t>(p.y * side + p.x)]; }
-  void put(ivec2 cell, double grey) {
-    base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_of(grey)});
-  }
-
-  const Words& words_;
-  const int count_;
-  View base_{};
-  std::vector<PictureTaken> done_;
-};
+/// Pixels a side of a picture, and of its part that is magnified.
+inline constexpr int picture_side = 30, crop_side = 10;
 
 inline std::vector<double> picture_by(Pattern pattern, int count, std::uint64_t seed,
                                       const FineScene& scene) {
-  constexpr int side = PicturesStory::side;
   std::vector<dvec2> samples(static_cast<std::size_t>(count));
   std::vector<double> greys;
-  sample_picture({{0, 0}, {side - 1, side - 1}}, pattern, samples, seed, scene,
+  sample_picture({{0, 0}, ivec2(picture_side - 1)}, pattern, samples, seed, scene,
                  [&](ivec2, double grey) { greys.push_back(grey); });
   return greys;
 }
@@ -288,29 +220,47 @@ inline PictureTaken picture_taken(Pattern pattern, int count, std::uint64_t seed
 }
 
 inline void tell_pictures(Narrator& narrator) {
+  constexpr std::array patterns{Pattern::regular, Pattern::jittered, Pattern::correlated_multi_jittered};
+  const Words& words = narrator.words();
   const Arguments& given = narrator.arguments();
   const int count = static_cast<int>(given.integer("samples"));
   const FineScene scene(given.text("scene") == "zone_plate", grid_of(count).x);
   const auto seed = static_cast<std::uint64_t>(given.integer("seed"));
-  PicturesStory story(narrator.words(), count);
-  narrator.grid(PicturesStory::paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
-  narrator.trace().subtitle = narrator.words().count(
-      "pictures.subtitle", count,
-      {{"seed", given.integer("seed")}, {"scene", narrator.words().say("scene." + given.text("scene"))}});
+  narrator.trace().subtitle =
+      words.count("pictures.subtitle", count,
+                  {{"seed", given.integer("seed")}, {"scene", words.say("scene." + given.text("scene"))}});
   narrator.columns({{"pattern", false}, {"wave"}, {"noise"}});
   narrator.legend({{Role::current, "crop"}});
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
+  std::vector<std::string> names;
+  for (const Pattern pattern : patterns) names.push_back(words.say("short." + std::string(name_of(pattern))));
+  // Its part is round a place where rings are as fine as the samples' grid
+  PictureShelf shelf(narrator, {.size = ivec2(picture_side),
+                                .names = names,
+                                .gap = 3,
+                                .heading = 4,
+                                .part = PictureShelf::Part{ivec2(picture_side - crop_side - 1),
+                                                           ivec2(crop_side), picture_side / crop_side}});
+  shelf.start({.text = "pictures.started", .words = {{"side", picture_side}}, .count = count});
   const std::vector<double> truth = picture_by(Pattern::regular, 1600, seed, scene);
-  for (const Pattern pattern : PicturesStory::patterns)
-    watch(picture_taken(pattern, count, seed, scene, truth), narrator.last_line());
-  watch(steps::Finished{}, 0);
-  narrator.telling({std::ssize(PicturesStory::patterns), 0});
+  std::vector<PictureTaken> done;
+  for (const Pattern pattern : patterns) {
+    const PictureTaken& p = done.emplace_back(picture_taken(pattern, count, seed, scene, truth));
+    const std::string& name = names[done.size() - 1];
+    shelf.show(
+        "PictureTaken", narrator.last_line(),
+        [&](ivec2 at) { return tone_of(p.greys[static_cast<std::size_t>(at.y * picture_side + at.x)]); },
+        {.text = pattern == Pattern::regular ? "pictures.regular" : "pictures.random",
+         .facts = {{"wave", p.wave}, {"noise", p.noise}},
+         .words = {{"pattern", name}},
+         .row = {name, p.wave, p.noise},
+         .key = std::string(name_of(pattern)),
+         .phase = name});
+  }
+  shelf.finish(
+      {.text = "pictures.finished",
+       .words = {{"wave", done[0].wave}, {"jittered", done[1].noise}, {"correlated", done[2].noise}}});
   narrator.result(
-      {{"wave", story.wave(0)}, {"noise_jittered", story.noise(1)}, {"noise_correlated", story.noise(2)}});
+      {{"wave", done[0].wave}, {"noise_jittered", done[1].noise}, {"noise_correlated", done[2].noise}});
 }
 
 }  // namespace gradus::jittered

@@ -37,12 +37,7 @@ inline Path frame_of(ivec2 size, ivec2 corner) {
   const dvec2 a = dvec2(corner) - 0.5, s(size);
   return {{a, a + dvec2{s.x, 0}, a + s, a + dvec2{0, s.y}}, true};
 }
-inline void lay_pictures(Narrator& narrator, ivec2 size) {
-  narrator.grid({{0, 0}, size - 1});
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
-}
+inline void lay_pictures(Narrator& narrator, ivec2 size) { narrator.whole_grid({{0, 0}, size - 1}); }
 
 // --- One pattern, with more and more samples --------------------------------------------------------------
 

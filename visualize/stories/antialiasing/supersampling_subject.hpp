@@ -64,11 +64,6 @@ void put_values(View& view, ivec2 corner, ivec2 size, int scale, const ValueAt& 
 }
 
 /// A grid without axes whose cells are all shown.
-inline void set_cells(Narrator& narrator, ivec2 size) {
-  narrator.grid({{0, 0}, size - 1});
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
-}
+inline void set_cells(Narrator& narrator, ivec2 size) { narrator.whole_grid({{0, 0}, size - 1}); }
 
 }  // namespace gradus::supersampling

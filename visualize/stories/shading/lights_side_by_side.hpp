@@ -1,19 +1,17 @@
 #pragma once
 // A ball and a block on a floor, seen by one camera and lit by one kind of light after the other.
 
-#include <map>
-
+#include "core/raster.hpp"
 #include "figure/tone_of.hpp"
+#include "stories/picture_shelf.hpp"
 #include "stories/shading/illumination_task.hpp"
 
 namespace gradus::illumination {
 
-/// A picture is lit.
 struct PictureLit {
-  std::size_t kind;
-  std::map<std::pair<int, int>, LinearRgb> picture;  ///< by (column, row), row 0 below
-  std::int64_t soft;                                 ///< pixels that part of the light reaches
-  std::int64_t dark;                                 ///< pixels that nothing of it reaches
+  Raster<LinearRgb> picture;  ///< row 0 below
+  std::int64_t soft;          ///< pixels that part of the light reaches
+  std::int64_t dark;          ///< pixels that nothing of it reaches
 };
 
 /// What there is to see.
@@ -107,7 +105,7 @@ inline PictureLit lit_picture(const Arguments& arguments, std::size_t kind) {
   const auto visible = [](const dvec3& place, const dvec3& l, double d) {
     return !Room::along(place + 1e-6 * l, l, d);
   };
-  PictureLit result{kind, {}, 0, 0};
+  PictureLit result{{Room::columns, Room::rows}, 0, 0};
   for (int row = 0; row < Room::rows; ++row) {
     for (int column = 0; column < Room::columns; ++column) {
       const auto hit = Room::along(Room::eye, Room::ray(column, row), 1e9);
@@ -135,84 +133,31 @@ inline PictureLit lit_picture(const Arguments& arguments, std::size_t kind) {
   return result;
 }
 
-/// Four pictures of the same room, two above two.
-class LightsStory {
- public:
-  explicit LightsStory(const Words& words) : words_(words) {}
-
-  static Window paper() { return {{0, 0}, {2 * Room::columns + gap + 1, 2 * (Room::rows + heading) + 1}}; }
-
-  void show(Board& board, const steps::Started&) { put(board); }
-  Event say(const steps::Started&) const { return {.text = "room", .words = {{"count", 4}}}; }
-
-  void show(Board& board, const PictureLit& p) {
-    done_.push_back(p);
-    put(board);
-  }
-  Event say(const PictureLit& p) const {
-    constexpr std::array<std::string_view, 4> texts{"room.ambient", "room.point", "room.spot", "room.area"};
-    return {.text = texts[p.kind],
-            .facts = {{"soft", p.soft}, {"dark", p.dark}},
-            .words = {{"soft", p.soft}, {"dark", p.dark}},
-            .row = {name(p.kind), p.dark, p.soft},
-            .key = picture_kinds[p.kind],
-            .phase = name(p.kind)};
-  }
-
-  void show(Board& board, const steps::Finished&) { put(board); }
-  Event say(const steps::Finished&) const {
-    const bool soft = done_.back().soft > 0;
-    return {.text = soft ? "room.finished" : "room.finished.hard", .words = {{"soft", done_.back().soft}}};
-  }
-
- private:
-  static constexpr int gap = 2, heading = 7;
-
-  std::string name(std::size_t kind) const {
-    constexpr std::array<std::string_view, 4> keys{"kind.ambient", "kind.point", "kind.spot", "kind.area"};
-    return words_.say(keys[kind]);
-  }
-  void put(Board& board) const {
-    View view;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const ivec2 corner(1 + static_cast<int>(k % 2) * (Room::columns + gap),
-                         k < 2 ? Room::rows + heading + 1 : 1);
-      const dvec2 at(corner);
-      view.add({fmt::format("t {}", k), Role::guide,
-                Text{at + dvec2(0.5 * Room::columns - 0.5, Room::rows + 1.9), name(k)}});
-      const dvec2 far = at + dvec2(Room::columns - 1, Room::rows - 1);
-      if (k >= done_.size())
-        view.add({fmt::format("o {}", k), Role::past, Path{{at, {far.x, at.y}, far, {at.x, far.y}}, true}});
-      if (k >= done_.size()) continue;
-      for (const auto& [p, colour] : done_[k].picture)
-        view.cells.insert_or_assign({corner.y + p.second, corner.x + p.first},
-                                    CellLook{Role::result, "", tone_of(dvec3(colour))});
-    }
-    board.milestone(std::move(view));
-  }
-
-  const Words& words_;
-  std::vector<PictureLit> done_{};
-};
-
 inline void tell_lights(Narrator& narrator) {
+  constexpr std::array<std::string_view, 4> texts{"room.ambient", "room.point", "room.spot", "room.area"};
   narrator.subtitle("room.subtitle", {{"samples", narrator.arguments().integer("samples")}});
-  narrator.grid(LightsStory::paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
   narrator.columns({{"kind", false}, {"dark"}, {"soft"}});
   narrator.legend({{Role::past, "waiting"}});
-  LightsStory story(narrator.words());
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
+  std::vector<std::string> names;
+  for (const char* kind : picture_kinds) names.push_back(narrator.words().say(fmt::format("kind.{}", kind)));
+  PictureShelf shelf(
+      narrator, {.size = {Room::columns, Room::rows}, .names = names, .row = 2, .heading = 7, .y_up = true});
+  for (std::size_t k = 0; k < names.size(); ++k) shelf.wait(k);
+  shelf.start({.text = "room", .words = {{"count", names.size()}}});
   std::vector<Field> results;
-  for (std::size_t k = 0; k < 4; ++k) {
+  std::int64_t soft = 0;
+  for (std::size_t k = 0; k < names.size(); ++k) {
     const PictureLit lit = lit_picture(narrator.arguments(), k);
+    soft = lit.soft;
     results.push_back({fmt::format("soft_{}", picture_kinds[k]), lit.soft});
-    watch(lit, 0);
+    shelf.show("PictureLit", 0, [&](ivec2 p) { return tone_of(dvec3(lit.picture[p])); },
+               {.text = texts[k],
+                .facts = {{"soft", lit.soft}, {"dark", lit.dark}},
+                .row = {names[k], lit.dark, lit.soft},
+                .key = picture_kinds[k],
+                .phase = names[k]});
   }
-  watch(steps::Finished{}, 0);
-  narrator.telling({4, 0});
+  shelf.finish({.text = soft > 0 ? "room.finished" : "room.finished.hard", .words = {{"soft", soft}}});
   narrator.result(results);
 }
 

@@ -20,10 +20,7 @@ class Paper {
   void set(Narrator& narrator) const {
     const int width = texture_.x + side_ + 1;
     const int height = std::max(origin().y + subject_.size.y, texture_.y + side_) + many(2);
-    narrator.grid({{0, 0}, {width - 1, height - 1}});
-    narrator.trace().grid.whole = true;
-    narrator.trace().grid.axes = false;
-    narrator.trace().grid.y_up = false;
+    narrator.whole_grid({{0, 0}, {width - 1, height - 1}});
     const gradus::Extent picture{{0, 0}, dvec2(subject_.size)};
     narrator.handles("corners", [&](dvec3 corner) -> std::optional<dvec2> {
       if (!picture.holds(dvec2(corner))) return std::nullopt;

@@ -2,6 +2,7 @@
 // Pictures side by side: the levels of a texture, and the same quad through three filters.
 
 #include "stories/paper.hpp"
+#include "stories/picture_shelf.hpp"
 #include "stories/shading/texture_mapping_subject.hpp"
 
 namespace gradus::texture_mapping {
@@ -119,10 +120,7 @@ inline void tell_mip_chain(Narrator& narrator) {
   const Arguments& given = narrator.arguments();
   const Subject subject = subject_of(given);
   ChainStory story(narrator.words(), subject);
-  narrator.grid(story.paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
+  narrator.whole_grid(story.paper());
   narrator.subtitle("chain.subtitle", {{"size", subject.size_text()}});
   narrator.columns({{"level"}, {"texel", false}, {"covered"}, {"I"}});
   narrator.legend({{Role::current, "new"}, {Role::candidate, "covered"}});
@@ -135,100 +133,44 @@ inline void tell_mip_chain(Narrator& narrator) {
   narrator.result({{"texels", std::ssize(chain)}, {"mean", chain.back()}});
 }
 
-/// A picture is done by one of the filters.
-struct PictureFiltered {
-  std::size_t filter;
-  Picture picture;
-};
-
-class FiltersStory {
- public:
-  FiltersStory(const Words& words, const Subject& subject)
-      : words_(words), subject_(subject), right_(supersampled(subject)) {}
-
-  Window paper() const { return {{0, 0}, {3 * subject_.size.x + 2 * gap + 1, subject_.size.y + heading}}; }
-  double worst(std::size_t filter) const { return off_[filter]; }
-
-  void show(Board& board, const steps::Started&) {
-    for (std::size_t f = 0; f < 3; ++f) put_name(f);
-    board.milestone(base_);
-  }
-  Event say(const steps::Started&) const {
-    return {.text = "three.started",
-            .words = {{"columns", subject_.size.x},
-                      {"rows", subject_.size.y},
-                      {"tiles", fmt::format("{0} × {0}", subject_.tiles)}}};
-  }
-  void show(Board& board, const PictureFiltered& p) {
-    off_.push_back(mean_difference(p.picture, right_));
-    for (const auto& [at, grey] : p.picture) {
-      const ivec2 cell = corner(p.filter) + ivec2{at.first, at.second};
-      base_.cells.insert_or_assign({cell.y, cell.x}, CellLook{Role::result, "", tone_of(grey)});
-    }
-    board.milestone(base_);
-  }
-  Event say(const PictureFiltered& p) const {
-    constexpr std::array<std::string_view, 3> keys{"three.nearest", "three.bilinear", "three.mip_mapped"};
-    constexpr std::array<int, 3> texels{1, 4, 8};
-    return {.text = keys[p.filter],
-            .facts = {{"off", off_.back()}},
-            .words = {{"off", off_.back()}, {"before", off_[p.filter == 0 ? 0 : p.filter - 1]}},
-            .row = {name(p.filter), texels[p.filter], off_.back()},
-            .key = std::string(keys[p.filter].substr(6)),
-            .phase = std::string(keys[p.filter].substr(6))};
-  }
-  void show(Board& board, const steps::Finished&) { board.milestone(base_); }
-  Event say(const steps::Finished&) const {
-    return {.text = "three.finished",
-            .words = {{"nearest", off_[0]}, {"bilinear", off_[1]}, {"mip", off_[2]}}};
-  }
-
- private:
-  static constexpr int gap = 2, heading = 3;
-
-  std::string name(std::size_t filter) const {
-    constexpr std::array<std::string_view, 3> keys{"method.nearest", "method.bilinear", "method.mip_mapped"};
-    return words_.say(keys[filter]);
-  }
-  ivec2 corner(std::size_t filter) const {
-    return {1 + static_cast<int>(filter) * (subject_.size.x + gap), heading};
-  }
-  void put_name(std::size_t filter) {
-    const dvec2 at = dvec2(corner(filter)) + dvec2{0.5 * subject_.size.x - 0.5, -1.6};
-    base_.add({fmt::format("t {}", filter), Role::guide, Text{at, name(filter)}});
-  }
-
-  const Words& words_;
-  const Subject& subject_;
-  const Picture right_;
-  View base_{};
-  std::vector<double> off_{};
-};
-
 inline void tell_all_filters(Narrator& narrator) {
+  const Words& words = narrator.words();
   const Subject subject = subject_of(narrator.arguments());
-  FiltersStory story(narrator.words(), subject);
-  narrator.grid(story.paper());
-  narrator.trace().grid.whole = true;
-  narrator.trace().grid.axes = false;
-  narrator.trace().grid.y_up = false;
+  const Picture right = supersampled(subject);
   narrator.subtitle("subtitle",
                     {{"size", subject.size_text()}, {"columns", subject.size.x}, {"rows", subject.size.y}});
   narrator.columns({{"filter", false}, {"most"}, {"off"}});
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
+  const std::vector<std::string> names{words.say("method.nearest"), words.say("method.bilinear"),
+                                       words.say("method.mip_mapped")};
+  PictureShelf shelf(narrator, {.size = subject.size, .names = names});
+  shelf.start({.text = "three.started",
+               .words = {{"columns", subject.size.x},
+                         {"rows", subject.size.y},
+                         {"tiles", fmt::format("{0} × {0}", subject.tiles)}}});
   const auto texel = subject.look_up();
   const MipChain<double> chain = subject.chain();
-  const auto filter = [&](std::size_t number, const auto& look_up) {
-    watch(PictureFiltered{number, picture_of(subject, look_up)}, 0);
+  std::vector<double> off;
+  const auto filter = [&](std::string_view text, int texels, const auto& look_up) {
+    const Picture picture = picture_of(subject, look_up);
+    const double before = off.empty() ? 0 : off.back();
+    const std::string key(text.substr(6)), &name = names[off.size()];
+    off.push_back(mean_difference(picture, right));
+    shelf.show("PictureFiltered", 0, tones_in(picture),
+               {.text = text,
+                .facts = {{"off", off.back()}},
+                .words = {{"before", before}},
+                .row = {name, texels, off.back()},
+                .key = key,
+                .phase = key});
   };
-  filter(0, [&](dvec2 uv, const auto&) { return nearest(uv, subject.texture, texel); });
-  filter(1, [&](dvec2 uv, const auto&) { return bilinear(uv, subject.texture, texel); });
-  filter(2, [&](dvec2 uv, const auto& area) { return mip_mapped(uv, area, chain, subject.texture.wrap); });
-  watch(steps::Finished{}, 0);
-  narrator.telling({4, 0});
-  narrator.result(
-      {{"nearest", story.worst(0)}, {"bilinear", story.worst(1)}, {"mip_mapped", story.worst(2)}});
+  filter("three.nearest", 1, [&](dvec2 uv, const auto&) { return nearest(uv, subject.texture, texel); });
+  filter("three.bilinear", 4, [&](dvec2 uv, const auto&) { return bilinear(uv, subject.texture, texel); });
+  filter("three.mip_mapped", 8,
+         [&](dvec2 uv, const auto& area) { return mip_mapped(uv, area, chain, subject.texture.wrap); });
+  shelf.finish(
+      {.text = "three.finished", .words = {{"nearest", off[0]}, {"bilinear", off[1]}, {"mip", off[2]}}});
+  narrator.telling({4, 0});  // all three beside each other, in one sentence
+  narrator.result({{"nearest", off[0]}, {"bilinear", off[1]}, {"mip_mapped", off[2]}});
 }
 
 }  // namespace gradus::texture_mapping
