@@ -63,6 +63,21 @@ inline Parameter faces(int most, std::string name, std::string value, std::strin
   return parameter;
 }
 
+/// One whole number, from `least` to `most`.
+inline Parameter integer(std::int64_t least, std::int64_t most, std::string name, std::string value,
+                         std::string example, std::string help) {
+  Parameter parameter{std::move(name), ParameterType::integer, std::move(value), std::move(example),
+                      std::move(help)};
+  parameter.least = least;
+  parameter.most = most;
+  return parameter;
+}
+
+/// Given or not.
+inline Parameter flag(std::string name, std::string help) {
+  return {std::move(name), ParameterType::flag, "", "yes", std::move(help)};
+}
+
 /// One of these.
 inline Parameter choice(std::string name, Names choices, std::string value, std::string example,
                         std::string help) {

@@ -154,6 +154,46 @@ std::vector<std::pair<dvec3, dvec3>> edges_of(const Mesh& mesh) {
   return edges;
 }
 
+std::vector<dvec3> corners_of_box(dvec3 lower, dvec3 upper) {
+  std::vector<dvec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({((i & 1) != 0 ? upper : lower).x, ((i & 2) != 0 ? upper : lower).y,
+                       ((i & 4) != 0 ? upper : lower).z});
+  return corners;
+}
+
+std::vector<std::vector<dvec3>> rings_of_box(const std::vector<dvec3>& corners) {
+  std::vector<std::vector<dvec3>> rings;
+  for (const Corners& numbers : faces_of_box()) {
+    rings.emplace_back();
+    for (const std::size_t i : numbers) rings.back().push_back(corners[i]);
+  }
+  return rings;
+}
+
+void SpaceDrawing::add_box(const std::string& id, Role role, const std::vector<dvec3>& corners) {
+  std::size_t number = 0;
+  for (auto& ring : rings_of_box(corners)) {
+    for (std::size_t k = 0; k < 4; ++k)
+      add(SpaceEdge{.id = fmt::format("{} {} {}", id, number, k),
+                    .role = role,
+                    .a = ring[k],
+                    .b = ring[(k + 1) % 4],
+                    .behind = false});
+    add(SpaceFace{.id = fmt::format("{} {}", id, number++), .role = role, .ring = std::move(ring)});
+  }
+}
+
+void SpaceDrawing::add_frame(const std::string& id, Role role, const std::vector<dvec3>& corners) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((i & bit) == 0)
+        add(SpaceEdge{
+            .id = fmt::format("{} {} {}", id, i, bit), .role = role, .a = corners[i], .b = corners[i | bit]});
+    }
+  }
+}
+
 void SpaceDrawing::add(const std::string& id, Role role, const Mesh& mesh, EdgesShown edges) {
   const bool closed = closed_outward(mesh);
   for (const MeshFace& face : mesh.faces) {

@@ -65,6 +65,11 @@ inline std::vector<Corners> faces_of_box() {
   return {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 }
 
+/// The corners of an upright box, numbered so.
+std::vector<dvec3> corners_of_box(dvec3 lower, dvec3 upper);
+/// The faces of a box with these corners.
+std::vector<std::vector<dvec3>> rings_of_box(const std::vector<dvec3>& corners);
+
 /// Which edges of a mesh are drawn: hidden ones are thin and dashed.
 enum class EdgesShown { none, seen, all };
 
@@ -77,6 +82,11 @@ class SpaceDrawing {
   void add(SpaceEdge edge) { edges_.push_back(std::move(edge)); }
   /// The faces of a mesh and the edges between them.
   void add(const std::string& id, Role role, const Mesh& mesh, EdgesShown shown = EdgesShown::all);
+
+  /// The faces of a box, and their edges where they are seen; corners as faces_of_box numbers them.
+  void add_box(const std::string& id, Role role, const std::vector<dvec3>& corners);
+  /// Its twelve edges alone.
+  void add_frame(const std::string& id, Role role, const std::vector<dvec3>& corners);
 
   /// Areas from back to front, whose ids begin with `id`, then lines under their own ids with a number, and
   /// those in which faces pierce each other.

@@ -296,8 +296,8 @@ class Narrator {
   void key_by_type() { key_by_type_ = true; }
 
   /// The observer for a method. `Story` has show(Board&, step) and say(step) for each of its steps, or is a
-  /// Past with draw() and say(step); a forgotten one does not compile. A story of very long runs may have count(Board&, step), too: what
-  /// remains to be done of a step when the recording is full.
+  /// Past with draw() and say(step); a forgotten one does not compile. A story of very long runs may have
+  /// count(Board&, step), too: what remains to be done of a step when the recording is full.
   template <class Story>
   auto watcher(Story& story) {
     return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(),

@@ -2,6 +2,7 @@
 
 #include "visibility/octree_order/octree_order.hpp"
 
+#include "stories/past.hpp"
 #include "stories/visibility/faces_task.hpp"
 
 namespace gradus::octree_order {
@@ -61,32 +62,24 @@ std::string octant_text(int child) {
                      (child & 4) != 0 ? "+" : "−");
 }
 
-class OrderStory {
+class OrderStory : public Past<steps::Started, Entered<double>, Visited<double>, Finished> {
  public:
   OrderStory(const Words& words, const Subject& subject, bool from_front)
       : words_(words), subject_(subject), from_front_(from_front), panel_(place, {}) {
     Extent extent;
-    for (const dvec3 p : corners_of(subject.root, 1)) extent.add(subject.reader.flat(p));
+    for (const dvec3 p : corners_of(subject.root)) extent.add(subject.reader.flat(p));
     if (subject.eye.w == 1) extent.add(subject.reader.flat(dvec3(subject.eye)));
     panel_ = Panel(place, extent);
   }
 
   dvec2 at(dvec3 p) const { return panel_.at(subject_.reader.flat(p)); }
 
-  void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     return {.text = subject_.eye.w == 1 ? "started" : "started.far",
             .words = {{"eye", dvec3(subject_.eye)}, {"side", subject_.root.side}},
             .count = std::ssize(subject_.points),
             .begins = true,
             .level = Level::idea};
-  }
-
-  void show(Board& board, const Entered<double>& e) {
-    entered_ = e.cell;
-    nearest_ = e.nearest;
-    current_.reset();
-    put(board);
   }
   Event say(const Entered<double>& e) const {
     std::vector<std::string> octants;
@@ -101,134 +94,79 @@ class OrderStory {
             .decides = Decision{words_.say("question", {{"middle", middle}}), octants,
                                 static_cast<std::size_t>(e.nearest), "nearest"}};
   }
-
-  void show(Board& board, const Visited<double>& v) {
-    current_ = v.cell;
-    entered_.reset();
-    visited_.push_back(v.cell);
-    put(board);
-  }
   Event say(const Visited<double>& v) const {
     return {.text = v.number == 1 ? "visited.first"
                     : from_front_ ? "visited.front"
                                   : "visited.back",
             .facts = {{"number", v.number}},
-            .words = {{"number", v.number}, {"cell", v.cell.lower}, {"side", v.cell.side}},
+            .words = {{"cell", v.cell.lower}, {"side", v.cell.side}},
             .row = {v.number, figure_place(v.cell.lower), v.cell.side},
             .key = figure_number(v.number)};
   }
-
-  void show(Board& board, const Finished&) {
-    current_.reset();
-    entered_.reset();
-    put(board);
-  }
   Event say(const Finished& f) const {
-    return {.text = "finished",
-            .facts = {{"cells", f.cells}, {"compared", f.compared}},
-            .words = {{"cells", f.cells}, {"compared", f.compared}}};
+    return {.text = "finished", .facts = {{"cells", f.cells}, {"compared", f.compared}}};
   }
 
- private:
-  /// The corners of a cube shrunk to this part of its side: bit 0 x, bit 1 y, bit 2 z.
-  static std::vector<dvec3> corners_of(const Cube& cell, double part) {
-    const dvec3 middle = middle_of(cell);
-    std::vector<dvec3> corners;
-    for (int i = 0; i < 8; ++i) {
-      const dvec3 way{(i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1};
-      corners.push_back(middle + 0.5 * part * cell.side * way);
-    }
-    return corners;
-  }
-
-  /// The faces of a cube, counter-clockwise from outside.
-  static std::vector<std::vector<dvec3>> faces_of(const Cube& cell, double part) {
-    const std::vector<dvec3> corners = corners_of(cell, part);
-    std::vector<std::vector<dvec3>> faces;
-    for (const Corners& numbers : faces_of_box()) {
-      faces.emplace_back();
-      for (const std::size_t i : numbers) faces.back().push_back(corners[i]);
-    }
-    return faces;
-  }
-  /// Cubes stand apart a little, so that one sees how many there are.
-  static constexpr double apart = 0.86;
-
-  Role role_of(std::size_t i) const {
-    if (current_ && i + 1 == visited_.size()) return Role::current;
-    return current_ || entered_ ? Role::past : Role::result;
-  }
-
-  void put(Board& board) const {
+  View draw() const {
     View view;
     SpaceDrawing drawing(subject_.reader.look(panel_));
+    const auto& visited = all<Visited<double>>();
     std::vector<std::vector<dvec3>> rings;
-    for (std::size_t i = 0; i < visited_.size(); ++i) {
-      const std::string id = fmt::format("b {:03}", i);
-      add_cube(drawing, id, role_of(i), visited_[i], apart);
-      for (auto& ring : faces_of(visited_[i], apart)) rings.push_back(std::move(ring));
+    for (std::size_t i = 0; i < visited.size(); ++i) {
+      const std::vector<dvec3> corners = corners_of(visited[i].cell, apart);
+      drawing.add_box(fmt::format("b {:03}", i), role_of(i), corners);
+      std::ranges::move(rings_of_box(corners), std::back_inserter(rings));
     }
-    add_frame(drawing, "a root", Role::boundary, subject_.root, 1);
-    if (entered_) {
-      add_frame(drawing, "c entered", Role::candidate, *entered_, 1);
-      add_frame(drawing, "d nearest", Role::accepted, child_of(*entered_, nearest_), apart);
+    drawing.add_frame("a root", Role::boundary, corners_of(subject_.root));
+    if (const auto* entered = now<Entered<double>>()) {
+      drawing.add_frame("c entered", Role::candidate, corners_of(entered->cell));
+      drawing.add_frame("d nearest", Role::accepted,
+                        corners_of(child_of(entered->cell, entered->nearest), apart));
     }
     drawing.add_to(view, "a");
     add_numbers(view, rings);
-    for (std::size_t i = 0; i < subject_.points.size() && visited_.empty(); ++i)
+    for (std::size_t i = 0; i < subject_.points.size() && visited.empty(); ++i)
       view.add({fmt::format("p {:02}", i), Role::input, Dot{at(subject_.points[i])}});
     const dvec3 corner = subject_.root.lower + dvec3{0, 0, subject_.root.side};
     view.add({"o corner", Role::boundary, Label{at(corner), figure_place(corner)}});
     if (subject_.eye.w == 1)
       view.add_named("e eye", Role::measure, at(dvec3(subject_.eye)), words_.say("eye"));
-    board.milestone(std::move(view));
+    return view;
   }
-  static void add_cube(SpaceDrawing& drawing, const std::string& id, Role role, const Cube& cell,
-                       double part) {
-    std::size_t face = 0;
-    for (auto& ring : faces_of(cell, part)) {
-      for (std::size_t k = 0; k < 4; ++k)
-        drawing.add(SpaceEdge{.id = fmt::format("{} {} {}", id, face, k),
-                              .role = role,
-                              .a = ring[k],
-                              .b = ring[(k + 1) % 4],
-                              .behind = false});
-      drawing.add(SpaceFace{.id = fmt::format("{} {}", id, face++), .role = role, .ring = std::move(ring)});
-    }
+
+ private:
+  /// Cubes stand apart a little, so that one sees how many there are.
+  static constexpr double apart = 0.86;
+
+  /// The corners of a cube shrunk to this part of its side.
+  static std::vector<dvec3> corners_of(const Cube& cell, double part = 1) {
+    const dvec3 middle = middle_of(cell), half(0.5 * part * cell.side);
+    return corners_of_box(middle - half, middle + half);
   }
-  static void add_frame(SpaceDrawing& drawing, const std::string& id, Role role, const Cube& cell,
-                        double part) {
-    const std::vector<dvec3> corners = corners_of(cell, part);
-    for (std::size_t i = 0; i < 8; ++i) {
-      for (const std::size_t bit : {1u, 2u, 4u}) {
-        if ((i & bit) != 0) continue;
-        drawing.add(SpaceEdge{
-            .id = fmt::format("{} {} {}", id, i, bit), .role = role, .a = corners[i], .b = corners[i | bit]});
-      }
-    }
+  Role role_of(std::size_t i) const {
+    if (now<Finished>()) return Role::result;
+    return now<Visited<double>>() && i + 1 == all<Visited<double>>().size() ? Role::current : Role::past;
   }
+
   /// The number of each cube on a face of it that is seen.
   void add_numbers(View& view, const std::vector<std::vector<dvec3>>& rings) const {
     const HiddenLines lines(rings, distant_viewer(subject_.reader.towards), subject_.root.side);
-    for (std::size_t i = 0; i < visited_.size(); ++i) {
-      for (std::size_t f = 0; f < 6; ++f) {
-        const std::vector<dvec3>& ring = rings[6 * i + f];
-        if (glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
-        const dvec3 middle = 0.25 * (ring[0] + ring[1] + ring[2] + ring[3]);
-        if (lines.pieces(middle, middle + 1e-3 * (ring[0] - middle)).front().hidden) continue;
-        view.add({fmt::format("n {:03}", i), role_of(i), Text{at(middle), fmt::format("{}", i + 1)}});
-        break;
-      }
+    for (std::size_t k = 0, last = none; k < rings.size(); ++k) {
+      const std::vector<dvec3>& ring = rings[k];
+      const std::size_t i = k / 6;
+      if (i == last || glm::dot(area_vector(ring), subject_.reader.towards) <= 0) continue;
+      const dvec3 middle = 0.25 * (ring[0] + ring[1] + ring[2] + ring[3]);
+      if (lines.pieces(middle, middle + 1e-3 * (ring[0] - middle)).front().hidden) continue;
+      view.add({fmt::format("n {:03}", i), role_of(i), Text{at(middle), fmt::format("{}", i + 1)}});
+      last = i;
     }
   }
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const Words& words_;
   const Subject& subject_;
   const bool from_front_;
   Panel panel_;
-  std::vector<Cube> visited_{};
-  std::optional<Cube> current_{}, entered_{};
-  int nearest_ = 0;
 };
 
 void set_up(Narrator& narrator, const Subject& subject) {
@@ -244,8 +182,8 @@ void set_up(Narrator& narrator, const Subject& subject) {
                    {Role::input, "points"}});
 }
 
-template <class Walk>
-void tell_order(Narrator& narrator, bool from_front, const Walk& walk) {
+template <bool from_front>
+void tell_order(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   set_up(narrator, subject);
   OrderStory story(narrator.words(), subject, from_front);
@@ -254,19 +192,13 @@ void tell_order(Narrator& narrator, bool from_front, const Walk& walk) {
   const auto watch = narrator.watcher(story);
   watch(steps::Started{}, 0);
   std::int64_t leaves = 0;
-  walk(subject, [&](const Cube&) { ++leaves; }, watch);
+  const auto splits = [&](const Cube& cell) { return subject.splits(cell); };
+  const auto count = [&](const Cube&) { ++leaves; };
+  if constexpr (from_front)
+    front_to_back(subject.root, subject.eye, splits, count, watch);
+  else
+    back_to_front(subject.root, subject.eye, splits, count, watch);
   narrator.result({{"cells", leaves}});
-}
-
-void tell_front_to_back(Narrator& narrator) {
-  tell_order(narrator, true, [](const Subject& s, const auto& visit, const auto& watch) {
-    front_to_back(s.root, s.eye, [&](const Cube& cell) { return s.splits(cell); }, visit, watch);
-  });
-}
-void tell_back_to_front(Narrator& narrator) {
-  tell_order(narrator, false, [](const Subject& s, const auto& visit, const auto& watch) {
-    back_to_front(s.root, s.eye, [&](const Cube& cell) { return s.splits(cell); }, visit, watch);
-  });
 }
 
 }  // namespace
@@ -283,26 +215,16 @@ const TopicEntry& entry() {
            "an octree's cells from near to far or from far to near, by the side of each middle the eye is on",
        .methods = {{.name = "front_to_back",
                     .standing = Standing::taught,
-                    .tell = tell_front_to_back,
+                    .tell = tell_order<true>,
                     .function = "nearer_first"},
-                   {.name = "back_to_front", .tell = tell_back_to_front, .function = "farther_first"}},
+                   {.name = "back_to_front", .tell = tell_order<false>, .function = "farther_first"}},
        .default_method = "front_to_back",
        .parameters = {points(1, 64, "points", "1,1,1 7,6,7 6,7,5 2,6,3", "1,1,1 5,5,5 6,6,6",
                              "what the cells hold: one with several is cut into eight", xyz, modest),
                       number("side", "8", "16", "of the whole cube, whose least corner is 0,0,0", modest),
-                      {.name = "depth",
-                       .type = ParameterType::integer,
-                       .default_value = "2",
-                       .example = "3",
-                       .help = "how often a cell is cut at most",
-                       .least = 1,
-                       .most = 4},
+                      integer(1, 4, "depth", "2", "3", "how often a cell is cut at most"),
                       numbers("eye", "12,10,5", "3,3,3", "where it is; inside the cube, too", xyz, modest),
-                      {.name = "far",
-                       .type = ParameterType::flag,
-                       .default_value = "",
-                       .example = "yes",
-                       .help = "the eye is infinitely far away, in the direction of --eye"},
+                      flag("far", "the eye is infinitely far away, in the direction of --eye"),
                       faces_task::towards_parameter("4,5,9")},
        .examples = {"--depth 1", "--eye 3,3,3", "--method back_to_front --far --eye 1,2,3"}});
   return topic;
