@@ -472,13 +472,7 @@ const TopicEntry& entry() {
                    "of each polygon the number of its surface, whose parts become one; without them "
                    "each is one of its own",
                    {"surface"}, {0, 1000}),
-            {.name = "columns",
-             .type = ParameterType::integer,
-             .default_value = "28",
-             .example = "20",
-             .help = "how many pixels the pictures are wide and high",
-             .least = 8,
-             .most = 40}},
+            integer(8, 40, "columns", "28", "20", "how many pixels the pictures are wide and high")},
        .examples = {
            "--polygons '-1,-1 0.5,-1 0.5,2 -1,2; -1,-1 2,-1 2,2 -1,2' --depths '0.1,0.1,1 0.5,0.5,1'",
            "--depths '0.2,0.3,0.5 0.4,0.5,1 0.8,0.9,1'",

@@ -62,7 +62,7 @@ const TopicEntry& entry() {  // the catalogue asks for it by this name
             numbers("fields", "90,60", "60,45",
                     "method frustum: the angles of view across and up, in degrees", {"across", "up"},
                     {1, 160}),
-            {"samples", ParameterType::integer, "3", "7", "points between the line's ends", 1, 15},
+            integer(1, 15, "samples", "3", "7", "points between the line's ends"),
             numbers("range", "1,1000000", "0.1,1000",
                     "methods depth_precision, divide_tested and divide_untested: the depths of the near and "
                     "the far plane",
