@@ -13,6 +13,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import lists
 import new_topic
 import project
 
@@ -25,11 +26,6 @@ WITH_TEXT = {".cpp", ".hpp", ".txt", ".md", ".json", ".csv"}
 
 def read(root, path):
     return (root / path).read_text(encoding="utf-8")
-
-
-def linked(page, folder):
-    """The topics to whose pages another page has links."""
-    return lambda root: set(re.findall(rf"\]\({folder}\w+/(\w+)\.md\)", read(root, page)))
 
 
 def files(folder, end):
@@ -53,12 +49,6 @@ def covered(root):
     return found
 
 
-def attacked(root):
-    """The topics in the page's table of promises."""
-    table = read(root, "docs/stress.md").split("## What is attacked")[-1].split("\n## ")[0]
-    return set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
-
-
 def in_schema(root):
     figure = json.loads(read(root, "docs/lecture.schema.json"))["$defs"]["figure"]
     return set(figure["properties"]["topic"]["enum"])
@@ -66,15 +56,8 @@ def in_schema(root):
 
 # Place -> the names of topics there, and what is to be done about one that is missing
 PLACES = {
-    "README.md": (linked("README.md", "docs/topics/"), "add a link to docs/topics/{path}.md beside those of its family"),
-    "docs/README.md": (linked("docs/README.md", "topics/"), "add a link to topics/{path}.md beside those of its family"),
-    "docs/benchmarks.md": (linked("docs/benchmarks.md", "topics/"),
-                           "run `gradus bench {name} -o FOLDER`, keep {name}-error.svg and {name}-size.svg as "
-                           "docs/benchmarks/{name}-bench-error.svg and -size.svg, and add a section with both and a link to "
-                           "topics/{path}.md"),
-    "docs/stress.md": (attacked, "add a row with its promises to the table under What is attacked"),
     "docs/coverage.csv": (covered, "add rows for what it promises to show"),
-    "docs/lecture.schema.json": (in_schema, "run `gradus figures --schema > docs/lecture.schema.json`"),
+    "docs/lecture.schema.json": (in_schema, "run ./bootstrap lists"),
     "examples/gallery.json": (lambda root: set(gallery(root).values()), "add a figure"),
     "visualize/stories (English)": (files("visualize/stories", ".en.txt"), "write visualize/stories/{path}.en.txt"),
     "visualize/stories (German)": (files("visualize/stories", ".de.txt"), "write visualize/stories/{path}.de.txt"),
@@ -83,10 +66,10 @@ PLACES = {
     "tests/architecture/machine_code": (files("tests/architecture/machine_code", ".cpp"),
                                         "write tests/architecture/machine_code/{name}.cpp, a function for each method"),
     "tests/golden/marks": (files("tests/golden/marks", ".txt"),
-                              "run `GRADUS_UPDATE_GOLDEN=1 ctest -R golden/listing/` in the build folder, and look at it"),
+                           "run ./bootstrap lists, and look at the difference"),
     "tests/golden/trace_hashes.txt": (lambda root: {line.split()[2] for line in
                                                     read(root, "tests/golden/trace_hashes.txt").splitlines()},
-                                      "run `GRADUS_UPDATE_GOLDEN=1 ctest -R golden/trace_hash/` in the build folder"),
+                                      "run ./bootstrap lists, and look at the difference"),
 }
 
 
@@ -144,6 +127,9 @@ class Topics(unittest.TestCase):
         self.assertGreater(sum(not topic.partial for topic in project.topics()), 10)
         self.none(missing(project.ROOT))
 
+    def test_documents_list_the_topics_as_they_are(self):
+        self.assertEqual(list(lists.out_of_date(project.ROOT)), [], "run ./bootstrap lists")
+
     def test_no_place_names_another(self):
         self.none(unknown(project.ROOT))
 
@@ -167,10 +153,6 @@ class Planted(unittest.TestCase):
         self.root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         for path, text in {
                 "CMakeLists.txt": "gradus_add_topic(lines/a_line)\ngradus_add_topic(lines/half_done PARTIAL)\n",
-                "README.md": "- lines: [a line](docs/topics/lines/a_line.md)\n",
-                "docs/README.md": "- lines: [a line](topics/lines/a_line.md)\n",
-                "docs/benchmarks.md": "[page](topics/lines/a_line.md)\n",
-                "docs/stress.md": "## What is attacked\n\n| `core` | `sum` |\n| `a_line` | `pixels` |\n\n## Traps\n| `no` | |\n",
                 "docs/coverage.csv": "id,statement,kind,name\nR001-001,It ends.,test,ALine.Ends\n",
                 "docs/lecture.schema.json": json.dumps({"$defs": {"figure": {"properties": {"topic": {"enum": ["a_line"]}}}}}),
                 "examples/gallery.json": json.dumps({"figures": [{"name": "line", "topic": "a_line"}]}),

@@ -80,6 +80,21 @@ void tell(const Domain& domain, const Finding& finding, const Input& small) {
   cli::write_stream(cli::Stream::out, line);
 }
 
+/// What is promised, and the largest error that keeps it.
+int list(const std::vector<const Domain*>& wanted) {
+  std::string lines;
+  for (const Domain* domain : wanted) {
+    lines += domain->topic + "\n";
+    for (const Property& p : domain->properties) {
+      const bool counted = p.bound > 0 && std::isfinite(p.bound);
+      lines += fmt::format("  {:<22} {}", p.name, p.states);
+      lines += counted ? fmt::format(" (at most {} {})\n", number(p.bound), p.unit) : "\n";
+    }
+  }
+  cli::write_stream(cli::Stream::out, lines);
+  return 0;
+}
+
 /// One property with one input: its numbers, or the name of a trap.
 int replay(const std::vector<const Domain*>& wanted, const std::string& text) {
   const std::size_t colon = text.find(':');
@@ -121,6 +136,7 @@ void prepare(const std::string& folder, const std::vector<const Domain*>& wanted
 
 int stress(const cli::Request& request) {
   const std::vector<const Domain*> wanted = chosen(request);
+  if (request.has("list")) return list(wanted);
   if (request.has("replay")) return replay(wanted, request.flags.at("replay"));
   const auto whole = [&](const char* flag, std::int64_t usual, std::int64_t least, std::int64_t most) {
     if (!request.has(flag)) return usual;

@@ -9,6 +9,7 @@ import re
 import sys
 import tempfile
 
+import lists as all_lists
 import project
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -17,7 +18,6 @@ PAGE = "docs/adding_a_topic.md"
 MARKER = "FILL IN"  # in everything that the skeleton leaves to its author
 NAME = r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*"
 LONGEST_FAMILY, LONGEST_TOPIC = 24, 32
-WIDTH = 130  # of a line in a list
 # Words that can't name a namespace: C++'s own, and namespaces that are used without gradus:: before them
 KEYWORDS = set("""alignas alignof and asm auto bitand bitor bool break case catch char class compl concept const consteval
 constexpr constinit continue decltype default delete do double else enum explicit export extern false float for friend goto
@@ -126,29 +126,12 @@ def in_cmake(text, family, topic):
                       f"gradus_add_topic({family}/{topic})\n")
 
 
-def in_links(text, family, topic, folder):
-    """A link to the topic's page behind the last one of its family; a new family gets a line of its own."""
-    link = f"[{topic.replace('_', ' ')}]({folder}{family}/{topic}.md)"
-    same = list(re.finditer(rf"\]\({folder}{family}/\w+\.md\)", text))
-    if not same:
-        line = r"^( *)- .*(?:\n\1  \S.*)*" + rf"\]\({folder}\w+/\w+\.md\)" + r".*\n(?:\1  \S.*\n)*"
-        last = list(re.finditer(line, text, re.MULTILINE))[-1]
-        return text[:last.end()] + f"{last[1]}- {family.replace('_', ' ')}: {link}\n" + text[last.end():]
-    end = same[-1].end()
-    start = text.rfind("\n", 0, end) + 1
-    if end - start + len(link) + 2 <= WIDTH:
-        return f"{text[:end]}, {link}{text[end:]}"
-    indent = re.match(r"[ -]*", text[start:])[0]
-    return f"{text[:end]},\n{' ' * len(indent)}{link}{text[end:]}"
-
-
-def in_stress_page(text, family, topic, topics):
-    counted = re.sub(r"(\d+) promises of (\d+) topics", lambda n: f"{int(n[1]) + 1} promises of {int(n[2]) + 1} topics", text)
-    head, rows = counted.split("## What is attacked", 1)
-    table, rest = rows.split("\n## ", 1)
-    same = "|".join(other.name for other in topics if other.path.startswith(family + "/")) or "$."
-    table = after_last(table, [rf"^\| `(?:{same})` \|.*\n", r"^\| `\w+` \|.*\n"], f"| `{topic}` | `walk`: {MARKER} the promise |\n")
-    return f"{head}## What is attacked{table}\n## {rest}"
+def placed(called, family, path, title):
+    """The topics' titles with one more, behind the last one of its family."""
+    same = [index for index, known in enumerate(called, 1) if known.startswith(family + "/")]
+    pairs = list(called.items())
+    pairs.insert(same[-1] if same else len(pairs), (path, title))
+    return dict(pairs)
 
 
 def in_gallery(text, family, topic, topics):
@@ -170,11 +153,10 @@ def lists(root, family, topic):
     topics = project.topics(root)
     def changed(path, change, *more):
         return path, change((root / path).read_text(encoding="utf-8"), *more)
+    called = placed(all_lists.titles(root), family, f"{family}/{topic}", names_of(family, topic)["New topic"])
     return dict([
+        *all_lists.with_links(root, called).items(),
         changed("CMakeLists.txt", in_cmake, family, topic),
-        changed("README.md", in_links, family, topic, "docs/topics/"),
-        changed("docs/README.md", in_links, family, topic, "topics/"),
-        changed("docs/stress.md", in_stress_page, family, topic, topics),
         changed("docs/coverage.csv", in_coverage, topic),
         changed("examples/gallery.json", in_gallery, family, topic, topics)])
 

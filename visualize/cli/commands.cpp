@@ -395,6 +395,7 @@ std::vector<Command> all_commands() {
        false,
        {{"seconds", 0, "N", "how long in all; default 10"},
         {"random-seed", 0, "N", "which inputs; the same number makes the same ones; default 1"},
+        {"list", 0, "", "only says what is promised; attacks nothing"},
         {"replay", 0, "CASE", "one input, as a report prints it, or a trap's name: PROPERTY:TRAP"},
         {"output", 'o', "DIR", "a folder for figures of the worst inputs"},
         force},
