@@ -1,5 +1,5 @@
-// Which line of the listing each kind of step marks: one golden file a topic. GRADUS_UPDATE_GOLDEN=1 writes
-// the files anew; look at the difference before committing it.
+// Which line of the listing each kind of step marks, and which inputs can be dragged: one golden file a
+// topic. GRADUS_UPDATE_GOLDEN=1 writes the files anew; look at the difference before committing it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,6 +27,15 @@ std::string marked_line(const Figure& figure) {
     if (line.emphasis == Emphasis::strong) return line.line.text;
   }
   return "(none)";
+}
+
+/// The inputs that can be dragged in the drawing of step 0.
+std::string dragged(const Trace& trace) {
+  std::vector<std::string> names;
+  for (const Handle& handle : trace.handles) {
+    if (std::ranges::find(names, handle.parameter) == names.end()) names.push_back(handle.parameter);
+  }
+  return names.empty() ? "" : fmt::format("  dragged: {}\n", fmt::join(names, ", "));
 }
 
 /// What each kind of step marks: one row a line, with the steps that mark it, in the order of their first.
@@ -100,7 +109,7 @@ TEST(Listing, MarksTheLinesOfTheGoldenFilesWithoutPlumbing) {
     for (const Method& method : entry->methods) {
       // Recorded once for both: that is what takes the time
       const Trace trace = test::trace_of(entry->name, {{"method", method.name}});
-      marks.push_back({method.name, marks_of(trace)});
+      marks.push_back({method.name, dragged(trace) + marks_of(trace)});
       expect_no_plumbing(trace, method);
       SCOPED_TRACE(fmt::format("{} {}", entry->name, method.name));
       expect_nothing_of_the_sources_signs(trace.listing);

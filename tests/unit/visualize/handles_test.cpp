@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "stories/handles.hpp"
 #include "stories/topic.hpp"
@@ -127,7 +125,6 @@ struct Case {
   ParameterType type_of(std::string_view parameter) const {
     return std::ranges::find(topic->parameters, parameter, &Parameter::name)->type;
   }
-  bool is_default_of_a_method() const { return given.size() == 1 && given[0].name == "method"; }
   /// Its first step alone.
   Trace trace() const { return topic->run(arguments_of(*topic, given), {0, 1, {}}); }
   Case with(const std::string& parameter, const std::string& text) const {
@@ -207,98 +204,6 @@ void expect_to_stand_on_something(const Trace& trace, const Case& run) {
         << "nothing at (" << handle.at.x << ", " << handle.at.y << "), the handle of " << handle.parameter
         << " " << handle.numbers[0];
   }
-}
-
-/// What must be there to drag in the default input of these methods; of all methods where none is named.
-struct Wanted {
-  const char *topic, *methods, *parameters;
-};
-
-std::vector<Wanted> all_wanted() {
-  return {
-      {"a_buffer", "resolve mask_of by_ranges sum_of_areas divided_by_covered", "polygons"},
-      {"accumulation_buffer", "accumulate", "triangle pixel"},
-      {"adaptive", "adaptive adaptive_contrast pictures", "faces"},
-      {"adaptive", "each_sample", "faces pixel"},
-      {"affine_2d", "", "polygon"},
-      {"affine_3d", "one_matrix row_vectors", "box"},
-      {"affine_3d", "decomposition", "axis through box"},
-      {"affine_3d", "turn_vector constant_offset", "axis through point"},
-      {"antialiased_line", "wu gupta_sproull exact_area distance_along_column", "from to"},
-      {"area_sampling", "pixel_areas", "polygon window"},
-      {"area_sampling", "visible_areas areas_without_visibility", "triangles"},
-      {"back_face_culling", "", "faces eye"},
-      {"bresenham_circle", "", "center radius"},
-      {"bresenham_line", "", "from to"},
-      {"bsp_tree", "", "faces"},
-      {"cohen_sutherland_2d", "", "line window"},
-      {"cohen_sutherland_3d", "cut_of_a_cut correctly_rounded", "line box"},
-      {"cohen_sutherland_3d", "view_volume", "homogeneous"},
-      {"flood_fill", "", "at"},
-      {"illumination", "phong blinn_phong unclamped light_behind tinted_highlight light_minus_normal",
-       "lights eye"},
-      {"illumination", "highlight_lobes", "lights"},
-      {"jittered",
-       "jittered regular uniform n_rooks correlated_multi_jittered sobol all_patterns whole_coordinates "
-       "divided_by_asked",
-       "edge"},
-      {"liang_barsky", "parametric correctly_rounded", "line window"},
-      {"liang_barsky", "box_parametric", "space_line box"},
-      {"liang_barsky_circle", "", "line circle"},
-      {"octree_order", "", "points eye"},
-      {"painter", "", "faces"},
-      {"parallel", "oblique orthographic keep_x_and_y", "at d"},
-      {"parallel", "along", "at plane"},
-      {"perspective", "projection", "at distance"},
-      {"perspective", "vanishing_points parallel_by_plane", "at"},
-      {"perspective", "frustum", "distance far fields"},
-      {"perspective", "transformation keep_z", "from to distance wall"},
-      {"perspective", "divide_tested divide_untested zoom_minus_z", "points centre zoom scales"},
-      {"poisson_disc", "bridson dart_throwing", "area"},
-      {"polygon_circle", "", "polygon circle"},
-      {"polygon_shading", "", "faces"},
-      {"sampling_theorem", "sine", "frequency rate"},
-      {"supersampling", "supersample", "corners"},
-      {"sutherland_hodgman",
-       "border_by_border separate_pieces cut_of_a_cut entering_not_cut previous_left_behind marked_by_window "
-       "containing_left_whole",
-       "polygon window"},
-      {"sutherland_hodgman", "homogeneous", "homogeneous"},
-      {"texture_mapping", "perspective_correct nearest bilinear mip_mapped affine", "corners"},
-      {"triangle_coverage", "", "triangles window"},
-      {"viewing", "world_to_view view_to_world spare_up minus_position transposed cross_products",
-       "eye target up"},
-      {"viewing", "inverse_of_any_frame", "axes"},
-      {"viewport", "", "points window"},
-      {"z_buffer", "", "faces"},
-  };
-}
-
-std::set<std::string> words_in(const std::string& text) {
-  std::istringstream words(text);
-  return {std::istream_iterator<std::string>(words), {}};
-}
-
-/// By topic and method.
-std::map<std::string, std::set<std::string>> wanted_by_method() {
-  std::map<std::string, std::set<std::string>> wanted;
-  for (const auto& [topic, methods, parameters] : all_wanted()) {
-    std::set<std::string> names = words_in(methods);
-    if (names.empty()) {
-      for (const Method& method : find_entry(topic)->methods) names.insert(method.name);
-    }
-    for (const std::string& name : names) wanted[std::string(topic) + " " + name] = words_in(parameters);
-  }
-  return wanted;
-}
-
-/// Of a run with a method's default input.
-void expect_all_wanted(const Trace& trace) {
-  static const auto wanted = wanted_by_method();
-  std::set<std::string> found;
-  for (const Handle& handle : trace.handles) found.insert(handle.parameter);
-  const auto own = wanted.find(trace.topic + " " + trace.method);
-  EXPECT_EQ(found, own == wanted.end() ? std::set<std::string>{} : own->second);
 }
 
 // --- Dragging
@@ -385,7 +290,6 @@ TEST(Handles, StandOnWhatIsDrawnAndMoveWithTheirNumbers) {
     const Trace trace = run.trace();
     expect_well_formed(trace, run);
     expect_to_stand_on_something(trace, run);
-    if (run.is_default_of_a_method()) expect_all_wanted(trace);
     foretold += expect_to_move(trace, run, moved);
   }
   EXPECT_GT(foretold, 50) << "handles in drawings that were not fitted anew";
