@@ -1,4 +1,5 @@
-// Runs a fuzz driver over files: those of its corpus, or a single input that a fuzzer has found.
+// Runs a fuzz driver over files: those of its corpus, or a single input that a fuzzer has found. Without any,
+// over bytes that mean nothing, the same at each run: what a driver has that has no corpus yet.
 
 #include <algorithm>
 #include <cstdint>
@@ -6,11 +7,33 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
+namespace {
+
+constexpr int random_inputs = 60;
+
+void run_random_inputs() {
+  std::mt19937 random;  // the same numbers everywhere
+  for (int i = 0; i < random_inputs; ++i) {
+    std::vector<std::uint8_t> bytes(12 + 4 * static_cast<std::size_t>(i % 16));
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    std::printf("random input %d\n", i);
+    std::fflush(stdout);
+    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  if (argc == 1) {
+    run_random_inputs();
+    return 0;
+  }
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
   for (int i = 1; i < argc; ++i) {

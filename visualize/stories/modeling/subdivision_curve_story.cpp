@@ -1,0 +1,241 @@
+// The story of corner cutting: which part of each edge stays, round by round, and the curve that all rounds
+// have.
+
+#include "modeling/subdivision_curve/subdivision_curve.hpp"
+
+#include "stories/parameters.hpp"
+#include "stories/past.hpp"
+#include "stories/telling.hpp"
+
+namespace gradus::subdivision_curve {
+namespace {
+
+constexpr int paper_width = 36, paper_height = 27;
+constexpr Extent place{{2, 1.5}, {34, 25.5}};
+
+using Polygon = Points<double>;
+
+/// What a run is about.
+struct Subject {
+  Polygon polygon;
+  int rounds;
+  Ends ends;
+
+  bool closed() const { return ends == Ends::closed; }
+};
+
+Subject subject_of(const Arguments& arguments) {
+  return {arguments.points("polygon"), static_cast<int>(arguments.integer("rounds")),
+          arguments.flag("closed") ? Ends::closed : Ends::open};
+}
+
+/// What both stories draw: the polygon that was given, and the curve that its rounds tend to.
+class Scene {
+ public:
+  explicit Scene(const Subject& subject) : subject_(subject), panel_(place, {}) {
+    Extent extent;
+    for (const dvec2 p : subject.polygon) extent.add(p);
+    panel_ = Panel(place, extent);
+    limit<double>(subject.polygon, subject.ends, [&](const Parabola<double>& arc) { arcs_.push_back(arc); });
+  }
+
+  const Panel& panel() const { return panel_; }
+  dvec2 at(dvec2 p) const { return panel_.at(p); }
+  Path path(const Polygon& points, bool closed) const { return {panel_.at(points), closed}; }
+
+  void add_polygon(View& view) const {
+    view.add({"a polygon", Role::input, path(subject_.polygon, subject_.closed())});
+    for (std::size_t i = 0; i < subject_.polygon.size(); ++i)
+      view.add_named(fmt::format("a corner {:02}", i), Role::input, at(subject_.polygon[i]), name(i), true);
+  }
+  /// The first so many arcs of the limit.
+  void add_limit(View& view, Role role, std::size_t count) const {
+    for (std::size_t i = 0; i < std::min(count, arcs_.size()); ++i) {
+      Polygon points;
+      for (int k = 0; k <= pieces; ++k) points.push_back(arcs_[i].at(static_cast<double>(k) / pieces));
+      view.add({fmt::format("g arc {:02}", i), role, path(points, false)});
+    }
+  }
+  std::size_t arcs() const { return arcs_.size(); }
+  static std::string name(std::size_t corner) { return fmt::format("P{}", corner); }
+
+ private:
+  static constexpr int pieces = 16;
+
+  const Subject& subject_;
+  Panel panel_;
+  std::vector<Parabola<double>> arcs_{};
+};
+
+// --- Cutting corners
+
+class CutStory : public Past<steps::Started, EdgeCut<double>, RoundDone, Finished> {
+ public:
+  CutStory(const Words& words, const Subject& subject, const Scene& scene)
+      : words_(words), subject_(subject), scene_(scene) {}
+
+  Event say(const steps::Started&) const {
+    return {.text = subject_.closed() ? "started.closed" : "started.open",
+            .words = {{"rounds", subject_.rounds}},
+            .count = std::ssize(subject_.polygon)};
+  }
+  Event say(const EdgeCut<double>& e) const {
+    return {.text = "edge_cut",
+            .facts = {{"round", e.round},
+                      {"edge", static_cast<std::int64_t>(e.edge)},
+                      {"length", 0.5 * length(e)}},
+            .words = {{"a", e.whole.a}, {"b", e.whole.b}, {"q", e.q}, {"r", e.r}},
+            .row = {e.round, e.edge + 1, figure_place(e.q), figure_place(e.r)},
+            .key = fmt::format("{}.{}", e.round, e.edge + 1),
+            .phase = words_.say("phase.round", {{"round", e.round}})};
+  }
+  Event say(const RoundDone& d) const {
+    const double before = off(d.round - 1), now = off(d.round);
+    return {.text = before > 0 ? "round_done" : "round_done.straight",
+            .facts = {{"round", d.round}, {"points", d.points}, {"off", now}},
+            .words = {{"before", before}},
+            .key = fmt::format("{}", d.round),
+            .phase = words_.say("phase.round", {{"round", d.round}})};
+  }
+  Event say(const Finished& f) const {
+    return {.text = "finished",
+            .facts = {{"points", f.points}},
+            .words = {{"corners", subject_.polygon.size()}, {"off", off(subject_.rounds)}}};
+  }
+
+  View draw() const {
+    View view;
+    scene_.add_polygon(view);
+    const int round = static_cast<int>(all<RoundDone>().size());
+    const EdgeCut<double>* edge = now<EdgeCut<double>>();
+    const bool ended = now<Finished>() || now<RoundDone>();
+    if (round > 0 || ended)
+      view.add(
+          {"c points", ended ? Role::result : Role::past, scene_.path(points_of(round), subject_.closed())});
+    if (now<Finished>()) scene_.add_limit(view, Role::measure, scene_.arcs());
+    if (!edge) return view;
+    Polygon so_far;
+    for (const EdgeCut<double>& e : all<EdgeCut<double>>()) {
+      if (e.round != edge->round) continue;
+      so_far.push_back(e.q);
+      so_far.push_back(e.r);
+    }
+    view.add({"d so far", Role::result, scene_.path(so_far, false)});
+    view.add({"e edge", Role::current, Stroke{scene_.at(edge->whole.a), scene_.at(edge->whole.b)}});
+    view.add_named("f q", Role::current, scene_.at(edge->q), "Q");
+    view.add_named("f r", Role::current, scene_.at(edge->r), "R");
+    return view;
+  }
+
+ private:
+  static double length(const EdgeCut<double>& e) { return length_between(e.whole.a, e.whole.b); }
+  Polygon points_of(int round) const { return chaikin<double>(subject_.polygon, round, subject_.ends); }
+  double off(int round) const { return distance_to_limit<double>(points_of(round), subject_.ends); }
+
+  const Words& words_;
+  const Subject& subject_;
+  const Scene& scene_;
+};
+
+// --- The limit
+
+class LimitStory : public Past<steps::Started, ArcFound<double>, Finished> {
+ public:
+  LimitStory(const Words& words, const Scene& scene) : words_(words), scene_(scene) {}
+
+  Event say(const steps::Started&) const {
+    return {.text = "limit.started", .count = static_cast<std::int64_t>(scene_.arcs())};
+  }
+  Event say(const ArcFound<double>& a) const {
+    const auto& [from, control, to] = a.arc;
+    return {.text = "arc_found",
+            .facts = {{"corner", static_cast<std::int64_t>(a.corner)}},
+            .words = {{"name", Scene::name(a.corner)}, {"from", from}, {"to", to}, {"top", a.arc.at(0.5)}},
+            .row = {Scene::name(a.corner), figure_place(from), figure_place(control), figure_place(to)},
+            .key = Scene::name(a.corner)};
+  }
+  Event say(const Finished& f) const { return {.text = "limit.finished", .count = f.points}; }
+
+  View draw() const {
+    View view;
+    scene_.add_polygon(view);
+    const std::size_t count = all<ArcFound<double>>().size();
+    const auto* found = now<ArcFound<double>>();
+    scene_.add_limit(view, Role::result, count);
+    if (!found) return view;
+    const auto& [from, control, to] = found->arc;
+    view.add({"e legs", Role::current, scene_.path({from, control, to}, false)});
+    view.add({"f from", Role::current, Dot{scene_.at(from)}});
+    view.add({"f to", Role::current, Dot{scene_.at(to)}});
+    view.add({"f top", Role::measure, Dot{scene_.at(found->arc.at(0.5))}});
+    return view;
+  }
+
+ private:
+  const Words& words_;
+  const Scene& scene_;
+};
+
+// --- The methods
+
+void set_up(Narrator& narrator, const Subject& subject, const Scene& scene) {
+  require_scale(scene.panel(), narrator.arguments(), {"polygon"});
+  narrator.paper(paper_width, paper_height);
+  narrator.trace().subtitle = narrator.words().count(subject.closed() ? "subtitle.closed" : "subtitle.open",
+                                                     std::ssize(subject.polygon));
+  narrator.handles("polygon", shown_in(scene.panel()));
+}
+
+void tell_chaikin(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  const Scene scene(subject);
+  set_up(narrator, subject, scene);
+  narrator.columns({{"round"}, {"edge"}, {"Q"}, {"R"}});
+  narrator.legend({{Role::input, "polygon"},
+                   {Role::current, "edge"},
+                   {Role::past, "before"},
+                   {Role::result, "cut"},
+                   {Role::measure, "limit"}});
+  CutStory story(narrator.words(), subject, scene);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  const Polygon points = chaikin<double>(subject.polygon, subject.rounds, subject.ends, watch);
+  narrator.result({{"points", std::ssize(points)}, {"off", distance_to_limit<double>(points, subject.ends)}});
+}
+
+void tell_limit(Narrator& narrator) {
+  const Subject subject = subject_of(narrator.arguments());
+  const Scene scene(subject);
+  set_up(narrator, subject, scene);
+  narrator.columns({{"corner", false}, {"from"}, {"control"}, {"to"}});
+  narrator.legend(
+      {{Role::input, "polygon"}, {Role::current, "legs"}, {Role::measure, "top"}, {Role::result, "arcs"}});
+  LimitStory story(narrator.words(), scene);
+  const auto watch = narrator.watcher(story);
+  watch(steps::Started{}, 0);
+  limit<double>(subject.polygon, subject.ends, [](const auto&) {}, watch);
+  narrator.result({{"arcs", static_cast<std::int64_t>(scene.arcs())}});
+}
+
+}  // namespace
+
+const TopicEntry& entry();  // the catalogue asks for it by this name
+const TopicEntry& entry() {
+  using namespace parameters;
+  static const TopicEntry topic = completed<entry>(
+      {.name = "subdivision_curve",
+       .chapter = "modeling",
+       .aliases = {"chaikin", "corner cutting", "quadratic b-spline"},
+       .summary = "a polygon's corners are cut, round after round, until a smooth curve is left",
+       .methods = {{.name = "chaikin", .standing = Standing::taught, .tell = tell_chaikin},
+                   {.name = "limit", .tell = tell_limit, .unread = {"rounds"}}},
+       .parameters = {points(3, 24, "polygon", "1,1 2,7 6,9 11,6 8,1", "0,0 4,0 4,4", "its corners, in order",
+                             xy, {1e-6, 1e6}),
+                      integer(1, 5, "rounds", "2", "3", "how often all corners are cut"),
+                      flag("closed", "an edge leads from the last corner back to the first")},
+       .examples = {"--polygon '0,0 4,0 4,4' --rounds 1", "--closed --rounds 3",
+                    "--method limit --polygon '0,0 8,0 8,6 2,6'"}});
+  return topic;
+}
+
+}  // namespace gradus::subdivision_curve
