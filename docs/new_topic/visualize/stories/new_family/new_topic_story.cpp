@@ -2,6 +2,7 @@
 
 #include "new_family/new_topic/new_topic.hpp"
 
+#include "stories/parameters.hpp"
 #include "stories/telling.hpp"
 
 namespace gradus::new_topic {
@@ -92,20 +93,9 @@ const TopicEntry& entry() {
        .summary = "FILL IN: what it does, in a line",
        .methods = {{.name = "walk", .standing = Standing::taught, .tell = tell_walk}},
        .columns = {{"k"}, {"x"}, {"y"}, {"step", false}},
-       .parameters = {{.name = "columns",
-                       .type = ParameterType::integer,
-                       .default_value = "12",
-                       .example = "5",
-                       .help = "how far to the right the walk ends, in pixels",
-                       .least = 0,
-                       .most = 40},
-                      {.name = "rows",
-                       .type = ParameterType::integer,
-                       .default_value = "7",
-                       .example = "2",
-                       .help = "how far up it ends, in pixels",
-                       .least = 0,
-                       .most = 40}},
+       .parameters = {parameters::integer(0, 40, "columns", "12", "5",
+                                          "how far to the right the walk ends, in pixels"),
+                      parameters::integer(0, 40, "rows", "7", "2", "how far up it ends, in pixels")},
        .examples = {"--columns 5 --rows 2", "--columns 0 --rows 4", "--columns 9 --rows 0"}});
   return topic;
 }
