@@ -75,8 +75,8 @@ class Workspace {
 ///
 /// Domain, Errors: those of light_of.
 /// Accuracy: every pixel shows the triangle that the textbook chain shows there. Its colour is that of
-///   `render_antialiased`; in single precision it may be one step of 255 off, and more within 2^-20 of the
-///   edge of a spot's cone. The same bytes on every machine and for any number of threads.
+///   `render_antialiased`; in single precision it may be one step of 255 off, at the edge of a spot's cone,
+///   too. The same bytes on every machine and for any number of threads.
 /// Cost: some nanoseconds a vertex, a triangle and a pixel: docs/engine.md.
 Picture picture_of(const Scene& scene, const Buffers& buffers, const Plan& plan, Workspace& workspace,
                    int threads = 0, const EngineWatch& watch = {});

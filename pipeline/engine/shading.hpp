@@ -129,8 +129,8 @@ class FrameShading {
 };
 
 /// Whether single precision is enough for a scene: its picture then differs from that of the textbook chain
-/// by at most one step of 255, but at sharp edges of spots. Not with the texture filter `nearest`, texture
-/// coordinates far out, more than 4096 lamps, and sizes beyond 1e-9 to 1e9.
+/// by at most one step of 255. Not with the texture filter `nearest`, texture coordinates far out, more than
+/// 4096 lamps, and sizes beyond 1e-9 to 1e9.
 bool suits_single_precision(const Scene& scene);
 
 }  // namespace gradus::pipeline::engine

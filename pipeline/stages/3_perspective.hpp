@@ -59,7 +59,7 @@ inline glm::dvec4 transform(const SceneLens& lens, dvec3 view) {
 /// aspect: width / height of the picture.
 /// Domain: finite coordinates; vertices may lie behind the eye.
 /// Steps: Projected*.
-/// Accuracy: that of viewing::to_view and perspective::transform, or of parallel::oblique and 4 roundings.
+/// Accuracy: that of viewing::to_view and perspective::transform, or of parallel::oblique and 3 roundings.
 /// Cost: a vertex each.
 /// Errors: ContractViolation for a lens that sees nothing.
 template <Observer<Projected> O = Unobserved>

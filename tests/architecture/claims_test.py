@@ -16,9 +16,8 @@ import project
 
 HEADER = ["document", "text", "test", "number"]
 # What no test computes: times and what goes with them are the benchmarks' output, printed again by `gradus bench`; what is
-# given (how many cases, which input) isn't found; and roundings that are counted in the code, which nothing measures yet
-KINDS = ("bench", "given", "counted")
-MOST_COUNTED = 19  # a new bound comes with its test
+# given (how many cases, which input) isn't found
+KINDS = ("bench", "given")
 FOUND = re.compile(r"\b([Ww]ithin|worst|measured|found|at most|up to|off)\b")
 
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -179,9 +178,6 @@ def violations(table, texts, tests, sources):
             found.append(f"line {line}: the source of {test} doesn't have: {number}")
         elif not claims(text) or not all(is_one_of(text[a:b], values(number), number) for a, b in claims(text)):
             found.append(f"line {line}: {text} and {number} are not the same numbers")
-    counted = sum(row[2] == "counted" for row in rows[1:] if len(row) == len(HEADER))
-    if counted > MOST_COUNTED:
-        found.append(f"{counted} bounds are counted, not computed: more than {MOST_COUNTED}")
     for document, text in texts.items():
         looked_at = [(passage, claims(passage, document.endswith(".md"))) for passage in passages(document, text)]
         if document.endswith(".md"):

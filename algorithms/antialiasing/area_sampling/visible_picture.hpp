@@ -137,7 +137,8 @@ inline Weights weights_near(const Edges& edges, dvec2 place) {
   return w;
 }
 
-/// The centre of mass of pieces with an area. Accuracy: about 2^-40 where the area is above 2^-10.
+/// The centre of mass of pieces with an area. Accuracy: m 2^-41 for m triangles round the pieces' first
+/// corners, where the area is above 2^-10.
 inline dvec2 centroid_of(const Pieces<double>& pieces) {
   dvec2 sum(0);
   double doubled = 0;

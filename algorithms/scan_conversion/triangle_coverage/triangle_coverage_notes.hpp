@@ -114,8 +114,8 @@ class FarEdges {
 ///
 /// Domain: as cover; |origin| up to 2^44, so that places are exact.
 /// Steps: Prepared Tested* Finished, as cover.
-/// Accuracy: edge functions are off by several units in the last place of |origin|^2: 2 square pixels at 1e8.
-///   The rule for centres on edges is that of cover.
+/// Accuracy: edge functions are off by as much as a unit in the last place of |origin|^2: 2 square pixels
+///   at 1e8. The rule for centres on edges is that of cover.
 /// Cost: as cover, with 2 multiplications an edge and pixel, and a list of the pixels.
 /// Errors: ContractViolation for corners or windows that lie too far out.
 template <std::invocable<ivec2, const Weights&> Plot, Observer<Prepared, Tested, Finished> O = Unobserved>

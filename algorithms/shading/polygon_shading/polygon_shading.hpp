@@ -218,7 +218,7 @@ Surface<T> middle_of(std::span<const Corner<T, Surface<T>>> polygon) {
 ///   nothing.
 /// Steps: PolygonLit RowBegun* Shaded* Finished, rows upwards, each before its pixels.
 /// Accuracy: the pixels are those whose centres lie from the left end on and before the right one; an end is
-///   within 4 u max|x| of its edge, u the rounding unit. Polygons that share an edge share no pixel and leave
+///   within 8 u max|x| of its edge, u the rounding unit. Polygons that share an edge share no pixel and leave
 ///   none between them. The colour is that of light.
 /// Cost: one light; a division and the edges a row, a call of plot a pixel.
 /// Errors: ContractViolation for fewer than 3 corners, or a corner too far away.

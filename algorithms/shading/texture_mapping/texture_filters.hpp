@@ -385,8 +385,8 @@ inline Level level_of(double length, int levels) {
 /// Domain: as for bilinear.
 /// Steps: LevelChosen Blended (Blended LevelsMixed)?, the latter where the side of the footprint isn't the
 ///   very texel of a level.
-/// Accuracy: as bilinear's in both levels, and 4 u more; equal texels give that colour to the last bit. The
-///   levels' means are squares: along the shorter side of the footprint it blurs.
+/// Accuracy: as bilinear's in both levels, and 20 u of the largest texel more; equal texels give that colour
+///   to the last bit. The levels' means are squares: along the shorter side of the footprint it blurs.
 /// Cost: four or eight texels and a logarithm, however large the footprint.
 /// Errors: as for nearest.
 template <class Colour, Observer<LevelChosen, Blended<Colour>, LevelsMixed<Colour>> O = Unobserved>

@@ -13,6 +13,7 @@
 #include "core/arithmetic/exact_scalar.hpp"
 #include "core/random.hpp"
 #include "core/record.hpp"
+#include "support/hard_inputs.hpp"
 
 namespace gradus::liang_barsky_circle {
 namespace {
@@ -333,6 +334,55 @@ TEST(LiangBarskyCircleNotes, ErrorsOfTheTextbookForms) {
   EXPECT_EQ(std::lround(100.0 * above / compared), 24);
   EXPECT_EQ(std::lround(worst_taught), 29);
   EXPECT_EQ(std::lround(worst_notes), 629);
+}
+
+test::Fraction power_of_two(int exponent) {
+  return test::Fraction(std::ldexp(1.0, exponent / 2)) *
+         test::Fraction(std::ldexp(1.0, exponent - exponent / 2));
+}
+
+TEST(LiangBarskyCircle, ChordsAreWithinTheirBound) {
+  using namespace test;
+  // Any lines, tangents but for a little, and both at all sizes that doubles have
+  const auto draw = [](Random& random) {
+    Numbers n = numbers(random, 7, random.unit() < 0.5 ? 0 : 20);
+    n[6] = std::abs(n[6]);
+    if (random.unit() < 0.6) {
+      const double angle = random.uniform(-3, 3), x = std::cos(angle), y = std::sin(angle),
+                   way = number(random, 20);
+      const double r = n[6] * (1 - std::ldexp(1.0, -static_cast<int>(random.uniform_int(1, 60))));
+      n[2] = n[0] + r * x - way * y, n[3] = n[1] + r * y + way * x;
+      n[4] = n[0] + r * x + way * y, n[5] = n[1] + r * y - way * x;
+    }
+    const int by = random.unit() < 0.5 ? 0 : static_cast<int>(random.uniform_int(-1060, 980));
+    for (double& x : n) x = std::ldexp(x, by);
+    return n;
+  };
+  const auto judge = [](const Numbers& n) {
+    const Circle<double> circle{{n[0], n[1]}, n[6]};
+    const Segment<2, double> s{{n[2], n[3]}, {n[4], n[5]}};
+    if (!(circle.radius > 0) || s.a == s.b || reach(s, circle) < 0) return not_in_domain;
+    const int by = chord_on(s, circle).magnified;
+    const Chord chord = chord_of(s, circle, by);
+    const Fraction r = circle.radius, one = r * power_of_two(by);
+    const Fraction dx = Fraction(n[4]) - Fraction(n[2]), dy = Fraction(n[5]) - Fraction(n[3]);
+    const Fraction fx = Fraction(n[2]) - Fraction(n[0]), fy = Fraction(n[3]) - Fraction(n[1]);
+    const Fraction A = dx * dx + dy * dy, k = dx * fy - dy * fx, D = r * r * A - k * k;
+    const auto foot = [&](Rounded found, const Fraction& right) {
+      return off((Fraction(found.value) + Fraction(found.error)) / one, right / (A * r), 0x1p-56);
+    };
+    // By squares: f - g = (f^2 - g^2) / (f + g)
+    const auto half = [&](Rounded found, const Fraction& way) {
+      const Fraction is = abs(Fraction(found.value) + Fraction(found.error)) / one;
+      const Fraction square = D * way * way / (A * A * r * r);
+      if (square.sign() == 0) return off(is, 0, 0x1p-56);
+      const Fraction sum = is + Fraction(std::sqrt(static_cast<double>(square)));
+      return off(is * is / sum, square / sum, 0x1p-56);
+    };
+    return std::max({foot(chord.foot_x, -(k * dy)), foot(chord.foot_y, k * dx), half(chord.half_x, dx),
+                     half(chord.half_y, dy)});
+  };
+  EXPECT_LE(worst(2000, draw, judge), 1);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "support/hard_inputs.hpp"
 
 namespace gradus {
 namespace {
@@ -149,6 +151,48 @@ TEST(Mesh, SmoothingGroupsAndGivenNormals) {
   add_face(flat, std::vector<Corner>{{0}, {1}, {2}});
   add_missing_normals(flat);
   EXPECT_EQ(flat.normals[0], dvec3{0});
+}
+
+TEST(Mesh, AreasAreWithinTheirBound) {
+  using namespace test;
+  for (const int corners : {3, 4, 12, 60}) {
+    // Here or far out, flat or not
+    const auto draw = [corners](Random& random) {
+      Numbers n(static_cast<std::size_t>(3 * corners));
+      const double away = random.unit() < 0.5 ? 0 : number(random, 10);
+      for (double& x : n) x = away + random.uniform(-1, 1);
+      if (random.unit() < 0.5)
+        for (std::size_t i = 0; i < n.size(); i += 3) n[i + 2] = n[i] / 2 + n[i + 1];
+      return n;
+    };
+    const auto judge = [corners](const Numbers& n) {
+      Mesh mesh;
+      std::vector<Corner> ring;
+      for (std::size_t i = 0; i < n.size(); i += 3) {
+        ring.push_back({static_cast<int>(mesh.positions.size())});
+        mesh.positions.push_back(three(n, i));
+      }
+      add_face(mesh, ring);
+      const Bounds box = bounds_of(mesh);
+      const double scale = unit_scale(box), m = corners - 2;
+      const dvec3 found = area_vector(mesh, mesh.faces[0], scale), sides = scale * (box.upper - box.lower);
+      const double side = std::max({sides.x, sides.y, sides.z});
+      double most = 0;
+      for (int i = 0; i < 3; ++i) {
+        // By the trapezoids under the edges
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        Fraction right;
+        for (std::size_t c = 0; c < mesh.positions.size(); ++c) {
+          const dvec3 a = mesh.positions[c], b = mesh.positions[(c + 1) % mesh.positions.size()];
+          right += (Fraction(a[k]) + Fraction(b[k])) * (Fraction(a[j]) - Fraction(b[j]));
+        }
+        most = std::max(most,
+                        off(found[i], right * Fraction(scale * scale), m * (m + 9) * 0x1p-53 * side * side));
+      }
+      return most;
+    };
+    EXPECT_LE(worst(9000 / corners, draw, judge), 1) << corners << " corners";
+  }
 }
 
 }  // namespace

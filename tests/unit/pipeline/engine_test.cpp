@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -145,6 +147,58 @@ TEST(Engine, LightsNormalsOfAnyLengthAsTheTextbookChainDoes) {
                 0);
     }
   }
+}
+
+/// The edge of a cone on a wall, seen from so near that from pixel to pixel the cosine to the axis changes by
+/// as little as single precision can tell.
+Scene edge_of_a_spot(Random& random) {
+  Scene scene;
+  Mesh wall = test::wall(1, 0, random);
+  wall.materials = {{}};
+  scene.objects = {object_of(std::move(wall))};
+  scene.ambient = LinearRgb{0};
+  Light lamp;
+  lamp.kind = Light::Kind::spot;
+  const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.5, 0.5), z = random.uniform(0.2, 2);
+  lamp.position = {x, y, z};
+  lamp.intensity = LinearRgb{10};
+  // Through a place of the wall, which is on the edge then
+  const double to_x = random.uniform(-0.9, 0.9), to_y = random.uniform(-0.9, 0.9);
+  const dvec3 place{to_x, to_y, 0}, axis = unit_vector(test::random_point(random, 1) - dvec3{0, 0, 1.2});
+  lamp.direction = axis;
+  lamp.outer_cosine = glm::dot(axis, unit_vector(place - lamp.position));
+  constexpr std::array widths{0.0, 1e-7, 1e-4, 0.9 * 0x1p-6, 1.1 * 0x1p-6};
+  lamp.outer_cosine = std::clamp(lamp.outer_cosine, -0.9, 0.95);
+  lamp.inner_cosine = lamp.outer_cosine + widths[static_cast<std::size_t>(random.uniform_int(0, 4))];
+  if (random.unit() < 0.3) lamp.concentration = random.uniform(0, 30);
+  scene.lights = {lamp};
+  const double radians = std::exp2(random.uniform(-14, 0));
+  const dvec3 from = test::random_point(random, 1) + dvec3{0, 0, 2};
+  scene.camera.frame = viewing::look_at(place + from, place, {0, 1, 0});
+  scene.camera.lens = {radians, 0.1, 10};
+  scene.shading = Shading::phong;
+  scene.antialiasing = Antialiasing::none;
+  return scene;
+}
+
+TEST(Engine, HasTheEdgesOfSpotsWhereTheTextbookChainHasThem) {
+  Random random(test::seed());
+  std::int64_t off = 0, edges = 0;
+  engine::Workspace workspace;
+  for (int round = 0; round < (test::sanitized ? 5 : 60); ++round) {
+    const Scene scene = edge_of_a_spot(random);
+    ASSERT_TRUE(engine::draws_in_single_precision(scene));
+    const Image expected = output(over_background(antialiased(scene, size), scene.background));
+    off += pixels_off(
+        engine::picture_of(scene, engine::buffers_of(scene), plan_of(scene, size), workspace, 2).image,
+        expected, "round " + std::to_string(round));
+    // From black to light from one pixel to the next
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 1; x < size.width; ++x)
+        edges += (expected[{x, y}].r == 0) != (expected[{x - 1, y}].r == 0);
+  }
+  EXPECT_EQ(off, 0);
+  EXPECT_GT(edges, test::sanitized ? 300 : 4000) << "seed " << test::seed();
 }
 
 TEST(Engine, LeavesToTheTextbookChainWhatIsDrawnInAnOrder) {
