@@ -45,6 +45,33 @@ HWY_INLINE F unsure(F nearness) {
   return hn::Add(hn::Mul(nearness, hn::Set(d, unsure_share)), hn::Set(d, unsure_at_least));
 }
 
+/// Cells in which a triangle comes before the one that is shown in all of their block, and those where that
+/// is open.
+struct OrderedCells {
+  hn::Mask<Single> before, open;
+};
+/// open: cells of a block where single precision does not tell. ids: what the cells show. first: the block's
+/// first pixel, of the picture.
+HWY_INLINE OrderedCells order_cells(TileTies& ties, std::int32_t id, hn::Mask<Single> open,
+                                    const std::int32_t* ids, ivec2 first) {
+  const Whole whole;
+  const Single single;
+  constexpr int step = triangle_coverage::subpixels;
+  const I shown = hn::Load(whole, ids);
+  OrderedCells cells{hn::AndNot(open, open), open};
+  auto left = hn::And(open, hn::RebindMask(single, hn::Ne(shown, hn::Set(whole, no_triangle))));
+  while (!hn::AllFalse(single, left)) {
+    const std::int32_t other = ids[hn::FindKnownFirstTrue(single, left)];
+    const auto same = hn::RebindMask(single, hn::Eq(shown, hn::Set(whole, other)));
+    left = hn::AndNot(same, left);
+    const TileTies::Order order = ties.order(id, other, {first * step, block_side * step});
+    if (order == TileTies::Order::open) continue;
+    if (order == TileTies::Order::before) cells.before = hn::Or(cells.before, hn::And(same, open));
+    cells.open = hn::AndNot(same, cells.open);
+  }
+  return cells;
+}
+
 /// Blocks of a row, one bit each.
 struct BlockRow {
   std::uint32_t touched, full;  ///< the triangle may ask for some of their pixels; it covers all of them

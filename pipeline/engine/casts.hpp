@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 
 #include "engine/geometry.hpp"
+#include "engine/ties.hpp"
 #include "engine/visibility_batch.hpp"
 #include "scan_conversion/triangle_coverage/screen_triangle.hpp"
 
@@ -19,33 +19,6 @@ inline constexpr float unsure_share = 0x1p-19f, unsure_at_least = 0x1p-27f;
 
 /// What a batch may find a depth to be at least, or at most.
 inline float unsure_at(float nearness) { return nearness * unsure_share + unsure_at_least; }
-
-/// The depth of a triangle at a place by the textbook's arithmetic, and what decides between equal ones.
-struct ExactDepth {
-  double depth;
-  PieceId piece;
-  std::int32_t id;
-
-  friend bool operator<(const ExactDepth& a, const ExactDepth& b) {
-    return std::tie(a.depth, a.piece, a.id) < std::tie(b.depth, b.piece, b.id);
-  }
-};
-
-inline PieceId piece_of(const Frame& frame, const FrameTriangle& t, std::int32_t id) {
-  if (t.cut) return frame.cut_triangle(id).id;
-  const FrameObject& object = frame.object_of(t);
-  const MeshPiece& piece = object.pieces->of_faces[static_cast<std::size_t>(t.piece)];
-  return {object.number, piece.face, piece.piece};
-}
-
-/// place: in 1/256 pixel.
-inline ExactDepth exact_depth(const Frame& frame, std::int32_t id, ivec2 place) {
-  const FrameTriangle& t = frame.triangle(id);
-  const bool own = t.plane == no_plane;  // a shared plane asks for no weights
-  const auto weights =
-      own ? weights_at_place(triangle_coverage::edges_of(t.grid), place) : triangle_coverage::Weights{};
-  return {depth_of(frame, t).at(place, weights), piece_of(frame, t, id), id};
-}
 
 /// One side of a triangle over the pixels of a tile: at + a x + b y >= 0 for those inside, x and y counted
 /// from the tile's upper left.
@@ -142,9 +115,8 @@ inline NearnessRange take_shared_plane(const PlaneDepth& plane, const dvec3& dep
   if (!begins_near(*plane, there)) return {.off = off, .is_fine = false};
   constexpr int step = triangle_coverage::subpixels;
   cast.plane = {1 - plane->at(there), -step * plane->right, -step * plane->down};
-  const auto [least, most] = std::minmax({depth.x, depth.y, depth.z});
-  constexpr double slack = triangle_coverage::Depth::slack;
-  return {static_cast<float>(1 - (most + slack)), static_cast<float>(1 - (least - slack)), off};
+  const auto [least, most] = kept_depths(depth);
+  return {static_cast<float>(1 - most), static_cast<float>(1 - least), off};
 }
 
 /// How near a triangle is at least in the pixels of its box. depth: of its corners.

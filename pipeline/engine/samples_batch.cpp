@@ -23,7 +23,12 @@ static_assert(most_samples == block_cells);
 class Sampling {
  public:
   Sampling(const Frame& frame, const Window& pixels, std::span<const ivec2> places, SampleBuffer& buffer)
-      : frame_(frame), pixels_(pixels), places_(places), offsets_(places), buffer_(buffer) {
+      : frame_(frame),
+        pixels_(pixels),
+        places_(places),
+        offsets_(places),
+        buffer_(buffer),
+        ties_(frame, pixels.lower) {
     buffer.least.fill(-1);
     buffer.most.fill(-1);
     buffer.whole.fill(no_triangle);
@@ -217,8 +222,14 @@ class Sampling {
     float* const most = buffer_.most.data() + base + i;
     std::int32_t* const ids = buffer_.whole.data() + base + i;
     const F old_least = hn::Load(single, least), old_most = hn::Load(single, most);
-    const auto seen = hn::And(touched, hn::Not(hn::Lt(more, hn::Sub(old_least, unsure(old_least)))));
-    const auto takes = hn::And(hn::And(seen, full), hn::Gt(less, hn::Add(old_most, unsure(old_most))));
+    auto seen = hn::And(touched, hn::Not(hn::Lt(more, hn::Sub(old_least, unsure(old_least)))));
+    auto nearer = hn::Gt(less, hn::Add(old_most, unsure(old_most)));
+    if (const auto open = hn::AndNot(nearer, seen); HWY_UNLIKELY(!hn::AllFalse(single, open))) {
+      const OrderedCells cells = order_cells(ties_, id, open, ids, pixels_.lower + TileBuffer::place(base));
+      nearer = hn::Or(nearer, cells.before);
+      seen = hn::Or(hn::And(seen, nearer), cells.open);
+    }
+    const auto takes = hn::And(hn::And(seen, full), nearer);
     // Whole registers: what is stored in parts is slow to load again
     hn::Store(hn::IfThenElse(takes, less, old_least), single, least);
     hn::Store(hn::IfThenElse(takes, more, old_most), single, most);
@@ -297,7 +308,7 @@ class Sampling {
   }
 
   void settle_sample(PixelSamples& of, std::size_t s, ivec2 place, float nearness, std::int32_t id) {
-    if (!(exact_depth(frame_, id, place) < exact_depth(frame_, of.ids[s], place))) return;
+    if (!is_before(frame_, id, of.ids[s], place)) return;
     of.nearness[s] = nearness;
     of.ids[s] = id;
   }
@@ -356,6 +367,7 @@ class Sampling {
   std::span<const ivec2> places_;
   SampleOffsets offsets_;
   SampleBuffer& buffer_;
+  TileTies ties_;
   /// The farthest of what covers pixels of each block whole, or what was that before.
   alignas(64) std::array<float, SampleBuffer::cells / block_cells> far_;
   double farthest_ = -1;  ///< what is farther is seen nowhere

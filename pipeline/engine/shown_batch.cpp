@@ -41,8 +41,7 @@ HWY_INLINE bool winners_of(const Frame& frame, const SampleBuffer& buffer, std::
     for (std::size_t s = i; s < std::min(i + hn::Lanes(whole), places.size()); ++s) {
       if (own.ids[s] == no_triangle || own.nearness[s] > to || own.nearness[s] < from) continue;
       const ivec2 there = pixel * triangle_coverage::subpixels + places[s];
-      winners[s] =
-          exact_depth(frame, own.ids[s], there) < exact_depth(frame, other, there) ? own.ids[s] : other;
+      winners[s] = is_before(frame, own.ids[s], other, there) ? own.ids[s] : other;
     }
   }
   return others;

@@ -25,7 +25,7 @@ constexpr int look_closely_after = 8192;
 class Visibility {
  public:
   Visibility(const Frame& frame, const Window& pixels, TileBuffer& buffer)
-      : frame_(frame), pixels_(pixels), buffer_(buffer) {
+      : frame_(frame), pixels_(pixels), buffer_(buffer), ties_(frame, pixels.lower) {
     buffer.nearness.fill(-1);
     buffer.ids.fill(no_triangle);
     close_beyond(pixels, buffer.nearness);
@@ -100,7 +100,13 @@ class Visibility {
     const Single single;
     alignas(64) float nearness[block_cells];
     hn::Store(mine, single, nearness);
-    for_each_bit(bits_of(single, open), [&](int i) {
+    const ivec2 block = pixels_.lower + TileBuffer::place(first / block_cells * block_cells);
+    const OrderedCells cells = order_cells(ties_, id, open, buffer_.ids.data() + first, block);
+    for_each_bit(bits_of(single, cells.before), [&](int i) {
+      const auto lane = static_cast<std::size_t>(i);
+      show(first + lane, nearness[lane], id);
+    });
+    for_each_bit(bits_of(single, cells.open), [&](int i) {
       const auto lane = static_cast<std::size_t>(i);
       settle_pixel(first + lane, nearness[lane], id);
     });
@@ -108,10 +114,12 @@ class Visibility {
 
   void settle_pixel(std::size_t cell, float nearness, std::int32_t id) {
     const ivec2 centre = triangle_coverage::centre_of(pixels_.lower + TileBuffer::place(cell));
-    if (exact_depth(frame_, id, centre) < exact_depth(frame_, buffer_.ids[cell], centre)) {
-      buffer_.nearness[cell] = nearness;
-      buffer_.ids[cell] = id;
-    }
+    if (is_before(frame_, id, buffer_.ids[cell], centre)) show(cell, nearness, id);
+  }
+
+  void show(std::size_t cell, float nearness, std::int32_t id) {
+    buffer_.nearness[cell] = nearness;
+    buffer_.ids[cell] = id;
   }
 
   // --- Small triangles ---------------------------------------------------------------------------
@@ -286,18 +294,17 @@ class Visibility {
       const std::size_t cell = TileBuffer::cell(pixel - pixels_.lower);
       const auto mine = static_cast<float>(1 - depth.at(triangle_coverage::centre_of(pixel), w)),
                  old = buffer_.nearness[cell];
-      if (mine > old + unsure_at(old)) {
-        buffer_.nearness[cell] = mine;
-        buffer_.ids[cell] = id;
-      } else if (mine >= old - unsure_at(old)) {
+      if (mine > old + unsure_at(old))
+        show(cell, mine, id);
+      else if (mine >= old - unsure_at(old))
         settle_pixel(cell, mine, id);
-      }
     });
   }
 
   const Frame& frame_;
   Window pixels_;
   TileBuffer& buffer_;
+  TileTies ties_;
   /// The farthest of each block, or what was that before: farther ones are not seen there.
   alignas(64) std::array<float, TileBuffer::cells / block_cells> far_;
   double farthest_ = -1;  ///< what is farther is seen nowhere
