@@ -3,8 +3,10 @@
 # Headers of ours that many others include, the longest first: compiled once for the check of those.
 set(gradus_anchors stories/telling.hpp figure/recording.hpp core/raster.hpp core/arithmetic/exact.hpp core/contract.hpp)
 
-# Where a header of ours lies.
+# Where a header of ours lies, or the file that it is made of: that has the same includes.
 function(gradus_file_of header output)
+  string(REGEX REPLACE "_notes\\.hpp$" ".faults" faults ${PROJECT_SOURCE_DIR}/algorithms/${header})
+  set(${output} ${faults} PARENT_SCOPE)
   foreach(root algorithms pipeline visualize)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${root}/${header})
       set(${output} ${PROJECT_SOURCE_DIR}/${root}/${header} PARENT_SCOPE)

@@ -8,6 +8,28 @@ function(gradus_export target name set)
   set_property(GLOBAL APPEND PROPERTY gradus_installed ${target})
 endfunction()
 
+# The header T_notes.hpp of a topic that writes its faults as differences, algorithms/F/T/T.faults: made into this folder of
+# headers, before whatever includes headers of the target is compiled, and installed beside them.
+set(gradus_made_headers ${PROJECT_BINARY_DIR}/generated/algorithms)
+function(gradus_make_faults target path)
+  get_filename_component(topic ${path} NAME)
+  set(faults ${PROJECT_SOURCE_DIR}/algorithms/${path}/${topic}.faults)
+  set(header ${gradus_made_headers}/${path}/${topic}_notes.hpp)
+  set(script ${PROJECT_SOURCE_DIR}/algorithms/apply_faults.cmake)
+  add_custom_command(
+    OUTPUT ${header}
+    COMMAND ${CMAKE_COMMAND} -D FAULTS=${faults} -D ROOT=${PROJECT_SOURCE_DIR}/algorithms -D OUTPUT=${header}
+            -D DEPENDENCIES=${header}.d -P ${script}
+    DEPENDS ${faults} ${script}
+    DEPFILE ${header}.d
+    COMMENT "Applying ${topic}.faults" VERBATIM)
+  add_custom_target(${target}_faults DEPENDS ${header})
+  add_dependencies(${target} ${target}_faults)
+  set_property(GLOBAL APPEND PROPERTY gradus_installed ${target}_faults)
+  set_property(GLOBAL APPEND PROPERTY gradus_installed_headers ${header})
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gradus/${path} COMPONENT library)
+endfunction()
+
 # gradus_add_topic(F/T [DEPENDS topic...] [PARTIAL]): all that belongs to the topic in algorithms/F/T/: the target
 #   gradus::T, a check that its headers compile alone, the story visualize/stories/F/T_story.cpp and what it says beside
 #   it. Its tests and its example are found by tests/CMakeLists.txt.
@@ -40,6 +62,12 @@ function(gradus_add_topic path)
   list(TRANSFORM arg_DEPENDS PREPEND gradus::)
   target_link_libraries(gradus_${topic} ${scope} gradus::core ${arg_DEPENDS})
   gradus_export(gradus_${topic} ${topic} gradusTargets)
+  file(GLOB faults CONFIGURE_DEPENDS algorithms/${path}/${topic}.faults)
+  if(faults)
+    target_include_directories(gradus_${topic} ${scope} $<BUILD_INTERFACE:${gradus_made_headers}>)
+    gradus_make_faults(gradus_${topic} ${path})
+    list(APPEND headers ${path}/${topic}_notes.hpp)
+  endif()
   if(highway_batch AND TARGET hwy::hwy)
     add_library(gradus_${topic}_batch STATIC ${highway_batch})
     target_link_libraries(gradus_${topic}_batch PUBLIC gradus::${topic} PRIVATE hwy::hwy)

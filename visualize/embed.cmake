@@ -1,7 +1,7 @@
 # Writes a C++ file that holds the contents of text files; run by gradus_embed in CMakeLists.txt.
-#   cmake -D OUTPUT=x.cpp -D FUNCTION=source_text -D ROOT=/project "-DFILES=a.hpp;b.hpp" -P embed.cmake
-# The file defines std::string_view gradus::FUNCTION(std::string_view path): the content by its path from ROOT, or
-# an empty text for a path that is not among FILES.
+#   cmake -D OUTPUT=x.cpp -D FUNCTION=source_text -D ROOT=/project -D MADE_ROOT=/build "-DFILES=a.hpp;b.hpp" -P embed.cmake
+# The file defines std::string_view gradus::FUNCTION(std::string_view path): the content by its path from ROOT, where it
+# isn't there from MADE_ROOT, or an empty text for a path that is not among FILES.
 # With "-DJOIN=en;de" the text "en.txt" is all files of that name, or that end so (a.en.txt), one after the other.
 # With -DLISTED=ON lines that begin with a comment or a directive are empty: no listing of a function shows them.
 # Contents become string literals: as arrays of bytes the pages alone took compiler and CMake ten seconds.
@@ -12,9 +12,13 @@ set(arrays)
 set(lookups)
 set(number 0)
 foreach(path IN LISTS FILES)
-  file(READ ${ROOT}/${path} text)
+  set(file ${ROOT}/${path})
+  if(NOT EXISTS ${file})
+    set(file ${MADE_ROOT}/${path})
+  endif()
+  file(READ ${file} text)
   string(LENGTH "${text}" length)
-  file(SIZE ${ROOT}/${path} size)
+  file(SIZE ${file} size)
   if(NOT length EQUAL size)
     message(FATAL_ERROR "embed.cmake: ${path} is not a text with Unix line ends (${length} of its ${size} bytes are)")
   endif()

@@ -1,13 +1,22 @@
 # What makes a layer of the visualizer, and what puts texts into the program.
 
-# A C++ file with the contents of these files (paths from `root`), looked up by `std::string_view function(path)`.
+# A C++ file with the contents of these files (paths from `root` or, if they are made by the build, from its folder of made
+# files), looked up by `std::string_view function(path)`.
 function(gradus_embed output function root)
   cmake_parse_arguments(PARSE_ARGV 3 arg "LISTED" "" "JOIN")
   set(files ${arg_UNPARSED_ARGUMENTS})
-  list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE inputs)
+  set(made_root ${PROJECT_BINARY_DIR}/generated)
+  set(inputs)
+  foreach(file IN LISTS files)
+    if(EXISTS ${root}/${file})
+      list(APPEND inputs ${root}/${file})
+    else()
+      list(APPEND inputs ${made_root}/${file})
+    endif()
+  endforeach()
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D FUNCTION=${function} -D ROOT=${root} "-DFILES=${files}"
+    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D FUNCTION=${function} -D ROOT=${root} -D MADE_ROOT=${made_root} "-DFILES=${files}"
             "-DJOIN=${arg_JOIN}" -DLISTED=${arg_LISTED} -P ${PROJECT_SOURCE_DIR}/visualize/embed.cmake
     DEPENDS ${inputs} visualize/embed.cmake
     COMMENT "Embedding for ${function}()" VERBATIM)

@@ -46,6 +46,9 @@ def passages(document, text, section="Accuracy and cost"):
     """What of a document speaks of accuracy, each on one line."""
     if document.endswith(".md"):
         return [one_line(part) for part in re.findall(rf"^## {section}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
+    # The contracts in a file of faults are without the marks of comments
+    text = re.sub(r"(?<=^\[)(\w+\] of \w+\n)(.*?)(?=^@@$)", lambda entry: entry[1] + re.sub(r"^", "/// ", entry[2], flags=re.MULTILINE), text,
+                  flags=re.MULTILINE | re.DOTALL)
     comments = re.findall(r"(?:^[ \t]*///[^\n]*\n)+|///<?[^\n]*", text, re.MULTILINE)
     paragraphs = [part for comment in comments for part in re.split(r"\n[ \t]*///[ \t]*\n", comment)]
     return [found for part in paragraphs
@@ -103,7 +106,7 @@ def as_pattern(text):
 
 def documents():
     found = {}
-    for folder, ending in (("docs/topics", "md"), ("algorithms", "hpp"), ("pipeline", "hpp")):
+    for folder, ending in (("docs/topics", "md"), ("algorithms", "hpp"), ("algorithms", "faults"), ("pipeline", "hpp")):
         for path in sorted((project.ROOT / folder).rglob("*." + ending)):
             found[path.relative_to(project.ROOT).as_posix()] = path.read_text(encoding="utf-8")
     return found

@@ -62,7 +62,7 @@ def precompiled(compiler, level):
 
 
 def assembly(compiler, level, driver, *folders):
-    includes = [f"-I{folder}" for folder in (*folders, project.ROOT / "algorithms")]
+    includes = [f"-I{folder}" for folder in (*folders, project.ROOT / "algorithms", project.MADE_HEADERS)]
     text = project.run(compiler, *flags_of(level), *precompiled(compiler, level), *includes, "-S", "-o", "-", driver)
     # Local labels are numbered by what the compiler has read, not by what it generates: number them as they appear
     numbers = {}

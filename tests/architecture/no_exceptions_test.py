@@ -23,7 +23,7 @@ THREADED = "pipeline/engine/"  # a page has one thread, and draws by the textboo
 MODULE = {"visualize/live/module.cpp", "visualize/live/runtime.cpp"}  # WebAssembly's alone
 ROOTS = ("visualize", "algorithms", "pipeline")
 FLAGS = ["-std=c++20", "-fno-exceptions", "-ffp-contract=off", "-w", f"-I{project.ROOT}",
-         *(f"-I{project.ROOT / root}" for root in ROOTS)]
+         *(f"-I{project.ROOT / root}" for root in ROOTS), f"-I{project.MADE_HEADERS}"]
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 

@@ -214,6 +214,15 @@ Trace german() {
   return trace;
 }
 
+/// The same line by a fault that takes too little for E.
+Trace faulty(Trace trace) {
+  for (std::size_t i = 5; i < trace.listing.size(); ++i) trace.listing[i].number += 2;
+  trace.struck = {{43, "    p += 2 * dy;", Change::struck}, {44, "    // E", Change::struck}};
+  trace.listing[5] = {45, "    p += dy;", Change::added};
+  for (TraceStep& step : trace.steps) step.line += step.line > 42 ? 2 : 0;
+  return trace;
+}
+
 void write(const std::string& folder, const std::string& name, const Trace& trace,
            const PlayerOptions& options = {}) {
   const Colophon colophon{trace.title + ", steps", "The run of " + trace.title,
@@ -244,6 +253,7 @@ int main(int count, char** arguments) try {
   }
   for (const Slot kept : all_slots)
     write(folder, fmt::format("only_{}", name_of(kept)), short_line, {.slots = {kept}});
+  write(folder, "faulty", faulty(short_line));
   write(folder, "late", late());
   constexpr int far = INT32_MAX;
   write(folder, "huge",

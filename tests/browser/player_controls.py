@@ -3,6 +3,24 @@
 from player_page import Page, no_noise
 
 
+def differences(check, browser, made):
+    """A fault's listing: what is struck out has a line through it and a sign, no number, and no step."""
+    page = Page(browser, made / 'faulty.html', '#step=1')
+    rows = page.run('''return [...player.parts.lines.children].slice(4, 9).map((line) => [
+        line.firstChild.textContent, getComputedStyle(line, "::before").content.replaceAll('"', ""),
+        getComputedStyle(line.lastChild).textDecorationLine, line.lastChild.getAttribute("role"), line.className])''')
+    check.equal('lines struck out and put in', rows, [
+        ['5', 'none', 'none', None, ''], ['', '−', 'line-through', 'deletion', ''], ['', '−', 'line-through', 'deletion', ''],
+        ['6', '+', 'none', 'insertion', 'strong'], ['7', 'none', 'none', None, '']])
+    check.equal('the last one keeps its number', page.run('return player.parts.lines.lastChild.firstChild.textContent'), '12')
+    page.click_on('#player li[data-position="5"]')
+    check.equal('a line that is struck out leads nowhere', [page.step, page.run('return player.parts.notice.textContent')],
+                ['1', 'no step executes this line'])
+    page.click_on('#player li[data-position="7"]')
+    check.that('one that is put in does', page.step != '1', page.step)
+    no_noise(check, page, 'faulty.html')
+
+
 def keyboard_and_mouse(check, browser, made):
     page = Page(browser, made / 'line.html')
     check.equal('the goal stands at step 0', 'Choose, column by column' in page.state()['sentence'], True)

@@ -13,7 +13,7 @@ import shutil
 import sys
 
 from player_addresses import address, address_round_trip, copying, in_a_frame
-from player_controls import backwards, bookmarks, fine_steps, keyboard_and_mouse, looping, playing
+from player_controls import backwards, bookmarks, differences, fine_steps, keyboard_and_mouse, looping, playing
 from player_page import Checks, FITS, MADE, Page, any_page, narrow, no_noise, one_a_topic
 from player_readers import keyboard_alone, languages, readers
 from webdriver import Browser, WebDriverError
@@ -217,7 +217,7 @@ def main():
         pages = one_a_topic(arguments.pages)
         if arguments.made:
             pages += [arguments.made / f'{name}.html' for name in MADE]
-            for test in (keyboard_and_mouse, playing, fine_steps, address, looping, backwards, bookmarks, copying,
+            for test in (keyboard_and_mouse, differences, playing, fine_steps, address, looping, backwards, bookmarks, copying,
                          address_round_trip, in_a_frame, dropped_slots, languages, keyboard_alone, readers, two_at_once, hostile, large,
                          labels_keep_apart):
                 guarded(test, arguments.made)

@@ -55,7 +55,7 @@ def gallery():
 def sources(root, *folders):
     """The C++ files of these folders, sorted."""
     return sorted(f for folder in folders for f in (root / folder).rglob("*")
-                  if f.suffix in (".hpp", ".cpp", ".inc") and f.is_file())
+                  if f.suffix in (".hpp", ".cpp", ".inc", ".faults") and f.is_file())
 
 
 def without_comments(text):
@@ -111,7 +111,23 @@ def observed_functions(text):
 
 
 def topic_headers(topic, root=ROOT):
-    return sorted((root / "algorithms" / topic.path).glob("*.hpp"))
+    """The topic's headers, that of its faults among them, which the build makes."""
+    made = [made_header(faults) for faults in (root / "algorithms" / topic.path).glob("*.faults") if root == ROOT]
+    return sorted((root / "algorithms" / topic.path).glob("*.hpp")) + made
+
+
+def without_signs(text):
+    """A made header without the signs of what a fault strikes out and puts in."""
+    return re.sub(r"(?<=^)( *)//- |  //\+$", r"\1", text, flags=re.MULTILINE)
+
+
+MADE_HEADERS = BUILD / "generated/algorithms"  # an include root, too
+
+
+def made_header(faults):
+    """What the build makes of a file of faults."""
+    folder = faults.parent.relative_to(ROOT / "algorithms")
+    return MADE_HEADERS / folder / f"{faults.stem}_notes.hpp"
 
 
 def precompiled(folder, compiler, *flags, headers=()):

@@ -90,15 +90,22 @@ std::string parting_of(const Alignment& alignment, StepPair shown) {
 /// fault is seen, not where it is.
 std::vector<ExhibitLine> culprit_of(const Trace& trace, const std::string& id, const std::string& named) {
   constexpr std::size_t around = 3;
-  const auto is_named = [&](const SourceLine& line) { return line.text.find(named) != std::string::npos; };
-  if (named.empty() || std::ranges::count_if(trace.listing, is_named) != 1)
+  const std::vector<SourceLine> listing = shown_listing(trace);
+  const auto is_named = [&](const SourceLine& line) {
+    return line.change != Change::struck && line.text.find(named) != std::string::npos;
+  };
+  if (named.empty() || std::ranges::count_if(listing, is_named) != 1)
     throw WorkError(fmt::format("{}: the culprit '{}' isn't one line of {}", id, named, trace.method));
-  const auto at =
-      static_cast<std::size_t>(std::ranges::find_if(trace.listing, is_named) - trace.listing.begin());
+  const auto at = static_cast<std::size_t>(std::ranges::find_if(listing, is_named) - listing.begin());
+  std::size_t first = at - std::min(at, around), last = std::min(at + around, listing.size());
+  // A change is shown whole
+  while (first > 0 && listing[first].change != Change::none && listing[first - 1].change != Change::none)
+    --first;
+  while (last < listing.size() && listing[last - 1].change != Change::none &&
+         listing[last].change != Change::none)
+    ++last;
   std::vector<ExhibitLine> lines;
-  for (std::size_t i = at - std::min(at, around); i < std::min(at + around, trace.listing.size()); ++i) {
-    lines.push_back({trace.listing[i].text, i == at});
-  }
+  for (std::size_t i = first; i < last; ++i) lines.push_back({listing[i].text, i == at, listing[i].change});
   return lines;
 }
 

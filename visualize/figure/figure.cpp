@@ -21,14 +21,16 @@ const TraceStep* previous_step(const Trace& trace, std::size_t index) {
 
 std::vector<Figure::ListingLine> listing_at(const Trace& trace, std::size_t index) {
   std::vector<Figure::ListingLine> lines;
-  for (const SourceLine& line : trace.listing) lines.push_back({line, Emphasis::none});
+  for (SourceLine& line : shown_listing(trace)) lines.push_back({std::move(line), Emphasis::none});
+  const auto mark = [&](int line, Emphasis emphasis) {
+    const auto marked = code_line(trace.listing, line);
+    if (!marked) return;
+    const int number = trace.listing[*marked].number;
+    std::ranges::find(lines, number, [](const auto& l) { return l.line.number; })->emphasis = emphasis;
+  };
   const TraceStep* previous = previous_step(trace, index);
-  if (const auto weak = code_line(trace.listing, previous ? previous->line : 0)) {
-    lines[*weak].emphasis = Emphasis::weak;
-  }
-  if (const auto strong = code_line(trace.listing, trace.steps[index].line)) {
-    lines[*strong].emphasis = Emphasis::strong;
-  }
+  mark(previous ? previous->line : 0, Emphasis::weak);
+  mark(trace.steps[index].line, Emphasis::strong);
   return lines;
 }
 

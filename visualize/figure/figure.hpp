@@ -28,7 +28,7 @@ struct Figure {
     SourceLine line;
     Emphasis emphasis;
   };
-  std::vector<ListingLine> listing;
+  std::vector<ListingLine> listing;  ///< shown_listing of the trace
 
   struct TableRow {
     Row cells;

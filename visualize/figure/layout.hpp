@@ -201,7 +201,7 @@ std::optional<PlacedLabel> place_label(const Obstacles& obstacles, const Box& ro
 
 // --- Listing and table ---------------------------------------------------------------------------
 
-/// Room for the numbers before the lines.
+/// Room for the numbers before the lines and, where a fault changes some, for the signs - and +.
 double listing_indent(const Trace& trace, const Look& look);
 /// Characters that fit in a line of a listing of this width, and the width that so many need.
 std::size_t listing_columns(const Trace& trace, const Look& look, double width);
@@ -219,11 +219,12 @@ class ListingRows {
     int all = 0;
     int of_a_loop = 0;  ///< so many show any line that reports steps, and above it the head of its loop
   };
-  explicit ListingRows(const Trace& trace) : trace_(&trace) {}
+  explicit ListingRows(const Trace& trace) : trace_(&trace), lines_(shown_listing(trace)) {}
   Count at(std::size_t columns);
 
  private:
   const Trace* trace_;
+  std::vector<SourceLine> lines_;
   std::map<std::size_t, Count> counts_;  ///< by columns
 };
 void lay_out_listing(Pen& pen, const Figure& figure, const Look& look, const Box& box, int rows);

@@ -11,6 +11,7 @@ constexpr double least_drawing = 200;
 constexpr double rounding = 1e-6;  ///< units: so much more than needed, that a sum may be rounded down
 /// Of a listing beside a table, and beside one that gave columns up.
 constexpr std::size_t fewest_characters = 30, fewest_beside_few_columns = 24;
+constexpr int rows_beside_a_fault = 3;  ///< of the table: dots, before and after the step
 
 double height_of_lines(int lines) { return lines * line_height + 2 * panel_padding; }
 double height_of_rows(int rows) { return heading_height + rows * row_height; }
@@ -29,6 +30,12 @@ ListingRows::Count rows_asked(const Wants& wants, double width) {
 int least_lines(const Wants& wants, double width, Least least) {
   const ListingRows::Count rows = rows_asked(wants, width);
   return std::min(rows.all, std::max(least.lines, rows.of_a_loop));
+}
+
+/// Without these rows the table is not shown: what a fault changes is worth more than older ones.
+int least_rows(const Wants& wants, Least least) {
+  const int rows = std::min(least.rows, wants.rows);
+  return wants.trace->struck.empty() ? rows : std::min(rows, rows_beside_a_fault);
 }
 
 /// What the listing asks for: no line is broken.
@@ -51,7 +58,7 @@ void put_table(Body& body, Box box, int most) {
 void put_column(Body& body, const Box& box, const Wants& wants, Least least) {
   double top = box.y;
   if (wants.listing) {
-    const int rows = std::min(least.rows, wants.rows);
+    const int rows = least_rows(wants, least);
     const double below = wants.table ? height_of_rows(rows) + wants.gutter : 0;
     put_listing(body, {box.x, top, box.width, box.height - below}, wants);
     top = body.listing.bottom() + wants.gutter;
@@ -87,7 +94,7 @@ void put_row(Body& body, const Box& box, const Wants& wants) {
 bool content(const Body& body, const Wants& wants, Least least) {
   if (body.drawing.width < least_drawing || body.drawing.height <= 0) return false;
   const bool lines = !wants.listing || body.lines >= least_lines(wants, body.listing.width, least);
-  return lines && (!wants.table || body.rows >= std::min(least.rows, wants.rows));
+  return lines && (!wants.table || body.rows >= least_rows(wants, least));
 }
 
 std::optional<Body> if_content(const Body& body, const Wants& wants, Least least) {

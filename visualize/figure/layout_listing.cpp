@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "figure/layout.hpp"
 
@@ -12,6 +14,7 @@ namespace gradus::layout {
 namespace {
 
 constexpr double number_left = 12, number_gap = 14, code_right = 8;
+constexpr double sign_gap = 8;     ///< from the sign of a changed line to its code
 constexpr double gap_height = 14;  ///< of the row of dots that stands for lines left out
 constexpr std::size_t continuation_indent = 4;
 
@@ -73,9 +76,10 @@ std::vector<std::string> comment_rows(const std::string& line, std::size_t colum
 
 // --- Which lines ---------------------------------------------------------------------------------
 
-/// Position in the listing of the nearest shown line at or above a source line.
+/// Position in the listing of the nearest line at or above a source line, but for those that are struck out.
 std::size_t place_in(const std::vector<SourceLine>& lines, int number) {
-  const auto after = std::ranges::upper_bound(lines, number, {}, &SourceLine::number);
+  auto after = std::ranges::upper_bound(lines, number, {}, &SourceLine::number);
+  while (after != lines.begin() && std::prev(after)->change == Change::struck) --after;
   return after == lines.begin() ? 0 : static_cast<std::size_t>(after - lines.begin()) - 1;
 }
 
@@ -98,6 +102,7 @@ std::size_t loop_of(const std::vector<SourceLine>& lines, std::size_t line) {
   std::size_t indent = indent_of(lines[line].text) + (code(line).starts_with('}') ? 1u : 0u);
   for (std::size_t i = line; i-- > 0;) {
     if (indent_of(lines[i].text) >= indent || code(i).empty() || code(i).starts_with("//")) continue;
+    if (lines[i].change == Change::struck) continue;
     indent = indent_of(lines[i].text);
     if (is_head(i)) return i;
   }
@@ -115,7 +120,7 @@ struct Excerpt {
 class Excerpts {
  public:
   Excerpts(const Trace& trace, std::size_t columns, int rows)
-      : lines_(trace.listing), room_(static_cast<std::size_t>(std::max(rows, 1))) {
+      : lines_(shown_listing(trace)), room_(static_cast<std::size_t>(std::max(rows, 1))) {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       heights_.push_back(source_rows(lines_[i].text, columns).size());
       loops_.push_back(loop_of(lines_, i));
@@ -123,9 +128,77 @@ class Excerpts {
     for (const int number : trace.lines) reporting_.push_back(place_in(lines_, number));
   }
 
+  /// The lines to show, ascending.
+  std::vector<std::size_t> with(std::optional<std::size_t> current) const {
+    const auto is_changed = [](const SourceLine& line) { return line.change != Change::none; };
+    if (std::ranges::any_of(lines_, is_changed)) return round_changes(current);
+    const Excerpt shown = stillest_with(current);
+    std::vector<std::size_t> lines;
+    if (shown.head) lines.push_back(*shown.head);
+    for (std::size_t i = shown.first; i < shown.last; ++i) lines.push_back(i);
+    return lines;
+  }
+
+ private:
+  /// Where a fault changes the listing: the current line and the head of its loop, as many of the changed
+  /// ones as fit, the nearest first, and what stands next to these.
+  std::vector<std::size_t> round_changes(std::optional<std::size_t> current) const {
+    std::set<std::size_t> shown;
+    const auto add = [&](std::size_t line) {
+      std::set<std::size_t> more = shown;
+      more.insert(line);
+      if (height_of(more) <= 2 * room_) shown = std::move(more);
+    };
+    if (current) add(*current);
+    if (current) add(loops_[*current]);
+    for (const std::size_t line : changed_lines(current.value_or(0))) add(line);
+    const std::set<std::size_t> core = shown;
+    for (std::size_t apart = 1; apart < lines_.size(); ++apart) {
+      for (const std::size_t line : core) {
+        if (line >= apart && shown.contains(line - apart + 1)) add(line - apart);
+        if (line + apart < lines_.size() && shown.contains(line + apart - 1)) add(line + apart);
+      }
+    }
+    return {shown.begin(), shown.end()};
+  }
+  /// Run by run, the nearest to a line first, remarks that are struck out last.
+  std::vector<std::size_t> changed_lines(std::size_t from) const {
+    struct Run {
+      std::size_t first, last;
+      std::size_t apart(std::size_t line) const {
+        return line < first ? first - line : line < last ? 0 : line - last + 1;
+      }
+    };
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (lines_[i].change == Change::none) continue;
+      if (runs.empty() || runs.back().last != i) runs.push_back({i, i});
+      runs.back().last = i + 1;
+    }
+    std::ranges::stable_sort(runs, {}, [from](const Run& run) { return run.apart(from); });
+    std::vector<std::size_t> lines;
+    for (const Run& run : runs)
+      for (std::size_t i = run.first; i < run.last; ++i) lines.push_back(i);
+    std::ranges::stable_partition(lines, [this](std::size_t i) {
+      return lines_[i].change == Change::added ||
+             !lines_[i].text.substr(indent_of(lines_[i].text)).starts_with("//");
+    });
+    return lines;
+  }
+  /// In halves of a row: a gap is as high as one.
+  std::size_t height_of(const std::set<std::size_t>& lines) const {
+    std::size_t height = 0;
+    std::optional<std::size_t> before;
+    for (const std::size_t line : lines) {
+      height += 2 * heights_[line] + (before && line != *before + 1 ? 1u : 0u);
+      before = line;
+    }
+    return height;
+  }
+
   /// The one that shows most of the lines that report steps and their loops, so that the listing keeps still,
   /// as long as it shows the current line; else one round that.
-  Excerpt with(std::optional<std::size_t> current) const {
+  Excerpt stillest_with(std::optional<std::size_t> current) const {
     std::optional<Excerpt> best;
     std::size_t most = 0;
     for (std::size_t first = 0; first < lines_.size(); ++first) {
@@ -147,7 +220,6 @@ class Excerpts {
     return round(*current);
   }
 
- private:
   bool is_loop(std::size_t line) const {
     return std::ranges::any_of(reporting_, [&](std::size_t l) { return l != line && loops_[l] == line; });
   }
@@ -195,12 +267,21 @@ class Excerpts {
     return excerpt.shows(line) ? excerpt : Excerpt{line, line + 1, {}};
   }
 
-  const std::vector<SourceLine>& lines_;
+  std::vector<SourceLine> lines_;
   std::size_t room_;
   std::vector<std::size_t> heights_;    ///< rows of each line
   std::vector<std::size_t> loops_;      ///< the head of each line's loop
   std::vector<std::size_t> reporting_;  ///< lines that report steps
 };
+
+/// Where the numbers before the lines end.
+double numbers_indent(const Trace& trace, const Look& look) {
+  if (look.line_numbers == LineNumbers::none || trace.listing.empty()) return number_left;
+  const std::size_t highest = look.line_numbers == LineNumbers::listing
+                                  ? trace.listing.size()
+                                  : static_cast<std::size_t>(trace.listing.back().number);
+  return number_left + static_cast<double>(fmt::formatted_size("{}", highest)) * column_width();
+}
 
 // --- The slot ------------------------------------------------------------------------------------
 
@@ -213,6 +294,7 @@ class ListingLayout {
         s_(pen.scale()),
         box_(box),
         columns_(layout::listing_columns(*figure.trace, look, box.width / s_)),
+        number_right_(box.x + numbers_indent(*figure.trace, look) * s_),
         text_left_(box.x + listing_indent(*figure.trace, look) * s_) {}
 
   void draw(int rows) {
@@ -223,53 +305,79 @@ class ListingLayout {
     const auto strong = std::ranges::find(figure_.listing, Emphasis::strong, &Figure::ListingLine::emphasis);
     std::optional<std::size_t> current;
     if (strong != figure_.listing.end()) current = static_cast<std::size_t>(strong - figure_.listing.begin());
-    const Excerpt shown = Excerpts(*figure_.trace, columns_, rows).with(current);
-    if (shown.head) {
-      draw_line(*shown.head);
-      draw_gap();
+    std::optional<std::size_t> before;
+    for (const std::size_t line : Excerpts(*figure_.trace, columns_, rows).with(current)) {
+      if (before && line != *before + 1) draw_gap();
+      draw_line(line);
+      before = line;
     }
-    for (std::size_t i = shown.first; i < shown.last; ++i) draw_line(i);
   }
 
  private:
   void draw_line(std::size_t index) {
     const Figure::ListingLine& entry = figure_.listing[index];
-    const int number = entry.line.number;
-    const std::vector<std::string> rows = source_rows(entry.line.text, columns_);
+    const SourceLine& line = entry.line;
+    const std::vector<std::string> rows = source_rows(line.text, columns_);
     const double height = static_cast<double>(rows.size()) * line_height * s_;
     const bool strong = entry.emphasis == Emphasis::strong;
     Paint ground = Paint::of(Tone::panel);
     if (entry.emphasis != Emphasis::none) {
       ground = Paint::of(strong ? Tone::strong : Tone::weak);
-      pen_.rect(fmt::format("ground {}", number),
+      pen_.rect(fmt::format("ground {}", line.number),
                 {{box_.x, y_, box_.width, height}, ground, {}, 0, 0, false, Hatch::none, {}});
     }
     if (strong) {
       pen_.rect("current line",
                 {{box_.x, y_, 6 * s_, height}, Paint::of(Tone::accent), {}, 0, 0, false, Hatch::none, {}});
     }
-    if (numbers_ != LineNumbers::none) {
-      const int shown = numbers_ == LineNumbers::source ? number : static_cast<int>(index) + 1;
-      pen_.text(fmt::format("number {}", number), {{text_left_ - number_gap * s_, y_ + 22 * s_},
-                                                   fmt::format("{}", shown),
-                                                   Face::mono,
-                                                   text_size * s_,
-                                                   Align::right,
-                                                   Paint::of(strong ? Tone::ink : Tone::muted),
-                                                   false,
-                                                   ground});
+    const Paint quiet = Paint::of(Tone::muted), ink = Paint::of(Tone::ink);
+    if (numbers_ != LineNumbers::none && line.change != Change::struck) {
+      const int shown = numbers_ == LineNumbers::source ? line.number : place_of(index);
+      write(fmt::format("number {}", line.number), fmt::format("{}", shown), number_right_,
+            {Face::mono, Align::right, strong ? ink : quiet, ground});
     }
+    if (line.change != Change::none) {
+      write(fmt::format("change {}", line.number), line.change == Change::struck ? "−" : "+",
+            text_left_ - sign_gap * s_, {Face::mono_bold, Align::right, ink, ground});
+    }
+    const Face face = strong ? Face::mono_bold : Face::mono;
     for (std::size_t i = 0; i < rows.size(); ++i, y_ += line_height * s_) {
-      pen_.text(i == 0 ? fmt::format("line {}", number) : fmt::format("line {} row {}", number, i + 1),
-                {{text_left_, y_ + 22 * s_},
-                 rows[i],
-                 strong ? Face::mono_bold : Face::mono,
-                 text_size * s_,
-                 Align::left,
-                 Paint::of(Tone::ink),
-                 false,
-                 ground});
+      write(i == 0 ? fmt::format("line {}", line.number) : fmt::format("line {} row {}", line.number, i + 1),
+            rows[i], text_left_, {face, Align::left, line.change == Change::struck ? quiet : ink, ground});
+      if (line.change == Change::struck) strike(fmt::format("strike {} row {}", line.number, i + 1), rows[i]);
     }
+  }
+
+  /// Its number in the listing, in which what is struck out has none.
+  int place_of(std::size_t index) const {
+    return 1 + static_cast<int>(std::count_if(figure_.listing.begin(),
+                                              figure_.listing.begin() + static_cast<std::ptrdiff_t>(index),
+                                              [](const auto& l) { return l.line.change != Change::struck; }));
+  }
+
+  struct Letters {
+    Face face;
+    Align align;
+    Paint paint, ground;
+  };
+  void write(std::string id, std::string text, double x, const Letters& letters) {
+    pen_.text(std::move(id), {{x, y_ + 22 * s_},
+                              std::move(text),
+                              letters.face,
+                              text_size * s_,
+                              letters.align,
+                              letters.paint,
+                              false,
+                              letters.ground});
+  }
+
+  /// A line through the middle of a row's small letters.
+  void strike(std::string id, const std::string& row) {
+    const double y = y_ + 16 * s_, width = column_width() * s_;
+    const double left = text_left_ + static_cast<double>(indent_of(row)) * width;
+    const double right = text_left_ + static_cast<double>(characters_in(row)) * width;
+    pen_.line(std::move(id),
+              {{{left - 3 * s_, y}, {right + 3 * s_, y}}, Paint::mark(Role::rejected), 1.8 * s_});
   }
 
   /// Dots where lines are left out.
@@ -279,7 +387,7 @@ class ListingLayout {
       const dvec2 at{text_left_ + (5 + 9 * i) * s_, y_ + gap_height / 2 * s_};
       dots.segments.push_back({at, at});
     }
-    pen_.strokes("lines left out", std::move(dots));
+    pen_.strokes(gaps_++ == 0 ? "lines left out" : fmt::format("lines left out {}", gaps_), std::move(dots));
     y_ += gap_height * s_;
   }
 
@@ -289,17 +397,18 @@ class ListingLayout {
   double s_;
   const Box& box_;
   std::size_t columns_;
-  double text_left_, y_ = 0;
+  double number_right_, text_left_, y_ = 0;
+  int gaps_ = 0;  ///< that were drawn
 };
 
 }  // namespace
 
 double listing_indent(const Trace& trace, const Look& look) {
-  if (look.line_numbers == LineNumbers::none || trace.listing.empty()) return number_left + 2;
-  const std::size_t highest = look.line_numbers == LineNumbers::listing
-                                  ? trace.listing.size()
-                                  : static_cast<std::size_t>(trace.listing.back().number);
-  return number_left + number_gap + static_cast<double>(fmt::formatted_size("{}", highest)) * column_width();
+  const auto changed = [](const SourceLine& line) { return line.change != Change::none; };
+  const bool signs = !trace.struck.empty() || std::ranges::any_of(trace.listing, changed);
+  const bool numbers = look.line_numbers != LineNumbers::none && !trace.listing.empty();
+  const double after = numbers ? number_gap : 2;
+  return numbers_indent(trace, look) + (signs ? after - 4 + column_width() + sign_gap : after);
 }
 
 std::size_t listing_columns(const Trace& trace, const Look& look, double width) {
@@ -313,7 +422,7 @@ double listing_width(const Trace& trace, const Look& look, std::size_t columns) 
 
 std::size_t longest_line(const Trace& trace) {
   std::size_t most = 1;
-  for (const SourceLine& line : trace.listing) {
+  for (const SourceLine& line : shown_listing(trace)) {
     most = std::max(most, characters_in(without_trailing_comment(line.text)));
   }
   return most;
@@ -340,12 +449,12 @@ ListingRows::Count ListingRows::at(std::size_t columns) {
   Count& count = place->second;
   if (!is_new) return count;
   std::vector<int> rows;
-  for (const SourceLine& line : trace_->listing) {
+  for (const SourceLine& line : lines_) {
     rows.push_back(static_cast<int>(source_rows(line.text, columns).size()));
     count.all += rows.back();
   }
   for (const int number : trace_->lines) {
-    const std::size_t line = place_in(trace_->listing, number), head = loop_of(trace_->listing, line);
+    const std::size_t line = place_in(lines_, number), head = loop_of(lines_, line);
     count.of_a_loop = std::max(count.of_a_loop, rows[line] + (head == line ? 0 : rows[head] + 1));
   }
   return count;

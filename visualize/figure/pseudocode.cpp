@@ -470,9 +470,19 @@ std::vector<SourceLine> pseudocode(const std::vector<SourceLine>& listing) {
   std::vector<SourceLine> lines;
   Rewriter rewriter;
   for (const SourceLine& line : listing) {
-    if (auto text = rewriter.rewritten(line.text)) lines.push_back({line.number, std::move(*text)});
+    if (auto text = rewriter.rewritten(line.text))
+      lines.push_back({line.number, std::move(*text), line.change});
   }
   return lines;
+}
+
+void write_pseudocode(Trace& trace) {
+  // What is struck out is read among the lines that it stood among
+  std::vector<SourceLine> taught = shown_listing(trace);
+  std::erase_if(taught, [](const SourceLine& line) { return line.change == Change::added; });
+  trace.struck = pseudocode(taught);
+  std::erase_if(trace.struck, [](const SourceLine& line) { return line.change != Change::struck; });
+  trace.listing = pseudocode(trace.listing);
 }
 
 }  // namespace gradus

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/contract.hpp"
 #include "figure/sheet.hpp"
@@ -15,6 +16,14 @@ auto position(const Trace& trace, StepNumber number) {
 }
 
 }  // namespace
+
+std::vector<SourceLine> shown_listing(const Trace& trace) {
+  if (trace.struck.empty()) return trace.listing;
+  std::vector<SourceLine> lines;
+  std::ranges::merge(trace.listing, trace.struck, std::back_inserter(lines), {}, &SourceLine::number,
+                     &SourceLine::number);
+  return lines;
+}
 
 std::optional<int> color_of_quantity(const Trace& trace, std::string_view symbol) {
   const auto found = std::ranges::find(trace.quantities, symbol);

@@ -79,10 +79,14 @@ struct Column {
   std::string quantity{};  ///< what its cells are values of, where its id does not say it: a for code_a
 };
 
+/// What a fault does to a line of the taught listing.
+enum class Change : std::uint8_t { none, struck, added };
+
 /// One shown line of an algorithm's real source.
 struct SourceLine {
   int number;
   std::string text;  ///< without the function's own indentation
+  Change change = Change::none;
 };
 
 /// A parameter's name with the value used, in the canonical spelling.
@@ -122,6 +126,7 @@ struct Trace {
 
   std::string source_file;          ///< "algorithms/scan_conversion/…/….hpp"
   std::vector<SourceLine> listing;  ///< the method's lines, plumbing left out
+  std::vector<SourceLine> struck;   ///< those of the taught listing that a fault leaves out or replaces
   std::vector<Column> columns;
   std::vector<LegendEntry> legend;
   /// Symbols with a colour of their own in picture, code, table and sentence, the first ones first; an
@@ -149,6 +154,9 @@ struct Trace {
   /// The step whose figure tells most: what a figure shows where nobody names a step.
   StepNumber telling;
 };
+
+/// The listing with what is struck out of it, ascending: what a figure shows.
+std::vector<SourceLine> shown_listing(const Trace& trace);
 
 /// The colour of a quantity by its symbol, below quantity_colors; nothing for those that have none.
 std::optional<int> color_of_quantity(const Trace& trace, std::string_view symbol);

@@ -105,6 +105,13 @@ std::string_view name_of(Standing standing) {
 
 int index_of(Role role) { return static_cast<int>(role); }
 
+/// A list's elements, each as `to_json` has it.
+Json list_of(const auto& list, const auto& to_json) {
+  Json out = Json::array();
+  for (const auto& element : list) out.push_back(to_json(element));
+  return out;
+}
+
 /// x and y in turn.
 Json points_json(const std::vector<dvec2>& points) {
   Json out = Json::array();
@@ -143,9 +150,7 @@ Json mark_json(const Mark& mark) {
 
 template <class Marks>
 Json marks_json(const Marks& marks) {
-  Json out = Json::array();
-  for (const Mark& mark : marks) out.push_back(mark_json(mark));
-  return out;
+  return list_of(marks, mark_json);
 }
 
 /// "#rrggbb".
@@ -203,9 +208,8 @@ Json before_json(const Trace& trace) {
       }
     }
   }
-  Json marks = Json::array();
-  for (const auto& [id, mark] : trace.before.marks()) marks.push_back(mark_json(mark));
-  Json out{{"cells", std::move(runs).finish()}, {"set", std::move(marks)}};
+  const auto named_mark_json = [](const auto& named) { return mark_json(named.second); };
+  Json out{{"cells", std::move(runs).finish()}, {"set", list_of(trace.before.marks(), named_mark_json)}};
   if (trace.before.plane()) out["plane"] = true;
   return out;
 }
@@ -319,15 +323,13 @@ Json recorded_json(const Trace& trace) {
 }
 
 Json points_json(const std::vector<ivec2>& points) {
-  Json out = Json::array();
-  for (const ivec2 p : points) out.push_back(point(p));
-  return out;
+  return list_of(points, [](ivec2 p) { return point(p); });
 }
-
 Json slots_json(const std::set<Slot>& slots) {
-  Json out = Json::array();
-  for (const Slot slot : slots) out.push_back(name_of(slot));
-  return out;
+  return list_of(slots, [](Slot slot) { return name_of(slot); });
+}
+Json lines_json(const std::vector<SourceLine>& lines) {
+  return list_of(lines, [](const SourceLine& l) { return Json::array({l.number, l.text}); });
 }
 
 void put_title(Lines& out, const Trace& trace) {
@@ -337,10 +339,14 @@ void put_title(Lines& out, const Trace& trace) {
 }
 
 void put_listing(Lines& out, const Trace& trace) {
-  Json listing = Json::array();
-  for (const SourceLine& l : trace.listing) listing.push_back(Json::array({l.number, l.text}));
   out.member("source_file", trace.source_file);
-  out.member("listing", listing);
+  out.member("listing", lines_json(trace.listing));
+  // What a fault changes; who does not know it shows the listing that ran
+  Json added = Json::array();
+  for (const SourceLine& l : trace.listing)
+    if (l.change == Change::added) added.push_back(l.number);
+  if (trace.struck.empty() && added.empty()) return;
+  out.member("difference", Json{{"struck", lines_json(trace.struck)}, {"added", added}});
 }
 
 Json columns_json(const Trace& trace) {
@@ -367,10 +373,9 @@ Json names_json(const Trace& trace) {
 
 /// [parameter, [its numbers], [x, y], [dx, dy for each number]] each
 Json handles_json(const std::vector<Handle>& handles) {
-  Json out = Json::array();
-  for (const Handle& h : handles)
-    out.push_back(Json::array({h.parameter, h.numbers, Json::array({h.at.x, h.at.y}), points_json(h.along)}));
-  return out;
+  return list_of(handles, [](const Handle& h) {
+    return Json::array({h.parameter, h.numbers, Json::array({h.at.x, h.at.y}), points_json(h.along)});
+  });
 }
 
 void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
@@ -418,9 +423,8 @@ std::string trace_json(const Trace& trace, const std::set<Slot>& slots) {
   if (shows(Slot::title)) put_title(out, trace);
   if (!trace.faulty.empty()) out.member("faulty", trace.faulty);
   if (shows(Slot::sentence)) out.member("goal", trace.goal);
-  Json arguments = Json::array();
-  for (const Argument& a : trace.arguments) arguments.push_back(Json::array({a.name, a.value}));
-  out.member("arguments", arguments);
+  const auto pair_of = [](const Argument& a) { return Json::array({a.name, a.value}); };
+  out.member("arguments", list_of(trace.arguments, pair_of));
   if (!trace.input_hash.empty()) out.member("input_hash", trace.input_hash);
   out.member("names", names_json(trace));
   if (shows(Slot::listing)) put_listing(out, trace);
@@ -461,10 +465,8 @@ std::string list_json(std::span<const TopicEntry* const> topics) {
   Lines out(true);
   out.member("schema", trace_schema);
   out.list("topics", topics, [](const TopicEntry* topic) {
-    Json methods = Json::array(), parameters = Json::array();
-    for (const Method& m : topic->methods) {
-      methods.push_back(method_json(*topic, m));
-    }
+    const Json methods = list_of(topic->methods, [&](const Method& m) { return method_json(*topic, m); });
+    Json parameters = Json::array();
     for (const Parameter& p : topic->parameters) {
       Json parameter{{"name", p.name},
                      {"type", name_of(p.type)},

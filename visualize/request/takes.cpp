@@ -140,7 +140,7 @@ Takes::Takes(const TopicEntry& topic, const Arguments& arguments, Wording wordin
 Trace Takes::record(std::int64_t first) const {
   if (given_) return *given_;
   Trace trace = topic_.run(arguments_, {.first = std::max<std::int64_t>(first, 0), .wording = wording_});
-  if (listing_ == ListingForm::pseudo) trace.listing = pseudocode(trace.listing);
+  if (listing_ == ListingForm::pseudo) write_pseudocode(trace);
   return trace;
 }
 

@@ -116,6 +116,21 @@ std::size_t first_of_chain(std::span<const SourceLine> lines, std::size_t branch
   return branch;
 }
 
+constexpr std::string_view struck_out = "//- ", put_in = "  //+";
+
+bool is_struck(std::string_view line) { return without_indent(line).starts_with(struck_out); }
+
+/// A line of a function with a fault: as it was taught, where it is struck out, and else as it runs.
+SourceLine changed_line(std::string_view line, int number) {
+  const std::size_t indent = indent_of(line);
+  if (is_struck(line)) {
+    std::string text(line.substr(0, indent));
+    return {number, text.append(line.substr(indent + struck_out.size())), Change::struck};
+  }
+  if (!line.ends_with(put_in)) return {number, std::string(line)};
+  return {number, std::string(line.substr(0, line.size() - put_in.size())), Change::added};
+}
+
 /// A call without the observer that it hands on.
 std::string without_observer(std::string_view line) {
   constexpr std::string_view handed_on = ", observer)";
@@ -125,9 +140,8 @@ std::string without_observer(std::string_view line) {
   return text;
 }
 
-}  // namespace
-
-std::vector<SourceLine> listing_of(std::string_view source, std::string_view function) {
+/// The function's lines without its plumbing: those that run, or those that are struck out.
+std::vector<SourceLine> lines_in(std::string_view source, std::string_view function, bool struck) {
   const std::vector<std::string_view> lines = lines_of(source);
   const auto body = body_in(lines, function);
   if (!body) return {};
@@ -138,15 +152,28 @@ std::vector<SourceLine> listing_of(std::string_view source, std::string_view fun
   }
   int open = 0;  // of a plumbing statement that goes on
   for (std::size_t k = body->first; k < body->second; ++k) {
-    const std::string_view code = without_indent(lines[k]);
+    if (is_struck(lines[k]) != struck) continue;
+    SourceLine line = changed_line(lines[k], static_cast<int>(k) + 1);
+    const std::string_view code = without_indent(line.text);
     if (open > 0 || is_plumbing(code)) {
-      open += balance(lines[k], '(', ')');
+      open += balance(line.text, '(', ')');
       continue;
     }
     if (code.empty()) continue;
-    listing.push_back({static_cast<int>(k) + 1, without_observer(lines[k].substr(indent))});
+    line.text = without_observer(std::string_view(line.text).substr(indent));
+    listing.push_back(std::move(line));
   }
   return listing;
+}
+
+}  // namespace
+
+std::vector<SourceLine> listing_of(std::string_view source, std::string_view function) {
+  return lines_in(source, function, false);
+}
+
+std::vector<SourceLine> struck_of(std::string_view source, std::string_view function) {
+  return lines_in(source, function, true);
 }
 
 std::pair<int, int> body_of(std::string_view source, std::string_view function) {

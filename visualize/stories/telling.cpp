@@ -245,14 +245,16 @@ void Narrator::list(std::string_view function, std::string_view file) {
   trace().source_file =
       from_root ? name : fmt::format("algorithms/{}/{}/{}", topic_.chapter, topic_.name, name);
   trace().listing.clear();
+  trace().struck.clear();
   listed_.clear();
   list_below(function);
 }
 
 void Narrator::list_below(std::string_view function) {
-  listed_.push_back(body_of(source_text(trace().source_file), function));
-  std::ranges::move(listing_of(source_text(trace().source_file), function),
-                    std::back_inserter(trace().listing));
+  const std::string_view source = source_text(trace().source_file);
+  listed_.push_back(body_of(source, function));
+  std::ranges::move(listing_of(source, function), std::back_inserter(trace().listing));
+  std::ranges::move(struck_of(source, function), std::back_inserter(trace().struck));
 }
 
 int Narrator::in_listed_file(int line, std::string_view file) {

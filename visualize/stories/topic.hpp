@@ -256,5 +256,8 @@ std::string_view source_text(std::string_view path);
 /// The shown lines of a function in a source file: its body without the plumbing (observers, expects,
 /// template heads), real line numbers, the function's own indentation removed.
 std::vector<SourceLine> listing_of(std::string_view source, std::string_view function);
+/// The lines that a fault strikes out of the taught function's body: in its source they are comments //- and
+/// those that come instead end in //+.
+std::vector<SourceLine> struck_of(std::string_view source, std::string_view function);
 
 }  // namespace gradus

@@ -52,13 +52,22 @@ std::string refusal_html(const std::string& refusal) {
   return fmt::format("<p class=\"refusal\">refused: {}</p>", escaped(refusal));
 }
 
+/// With its sign where the exhibit strikes lines out and puts others in.
+std::string line_html(const ExhibitLine& line, bool with_signs) {
+  const bool struck = line.change == Change::struck, added = line.change == Change::added;
+  const std::string sign = !with_signs ? "" : struck ? "− " : added ? "+ " : "  ";
+  const std::string_view tag = line.culprit ? "mark" : struck ? "del" : added ? "ins" : "";
+  if (tag.empty()) return sign + escaped(line.text) + "\n";
+  return fmt::format("{0}<{1}>{2}</{1}>\n", sign, tag, escaped(line.text));
+}
+
 /// The wrong form's lines round the one to blame.
 std::string source_html(const Exhibit& exhibit, const std::string& about) {
   if (exhibit.source.empty()) return "";
   std::string lines;
-  for (const ExhibitLine& line : exhibit.source) {
-    lines += line.culprit ? fmt::format("<mark>{}</mark>\n", escaped(line.text)) : escaped(line.text) + "\n";
-  }
+  const auto is_changed = [](const ExhibitLine& line) { return line.change != Change::none; };
+  const bool with_signs = std::ranges::any_of(exhibit.source, is_changed);
+  for (const ExhibitLine& line : exhibit.source) lines += line_html(line, with_signs);
   return fmt::format(
       "<pre class=\"culprit\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><code>{}</code></pre>\n",
       escaped("lines of " + about), lines);

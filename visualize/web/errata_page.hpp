@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "figure/trace.hpp"
+
 namespace gradus {
 
 /// An entry of docs/errata.md.
@@ -24,6 +26,7 @@ std::vector<Erratum> wrong_and_fragile();
 struct ExhibitLine {
   std::string text;
   bool culprit = false;  ///< the one to blame
+  Change change = Change::none;
 };
 
 /// One side of an exhibit: a run, at the step where the two part.

@@ -113,7 +113,7 @@ class Drawing {
 
 // --- The runs
 
-struct Case {
+struct Drag {
   const TopicEntry* topic;
   std::vector<Argument> given;
 
@@ -127,21 +127,21 @@ struct Case {
   }
   /// Its first step alone.
   Trace trace() const { return topic->run(arguments_of(*topic, given), {0, 1, {}}); }
-  Case with(const std::string& parameter, const std::string& text) const {
-    Case other = *this;
+  Drag with(const std::string& parameter, const std::string& text) const {
+    Drag other = *this;
     std::erase_if(other.given, [&](const Argument& a) { return a.name == parameter; });
     other.given.push_back({parameter, text});
     return other;
   }
 };
 
-bool reads_a_file(const Case& run) {
+bool reads_a_file(const Drag& run) {
   return std::ranges::any_of(run.given,
                              [](const Argument& a) { return a.name == "image" || a.name == "model"; });
 }
 
 /// Whole pictures and curves: they take long, and draw nothing of an argument's points.
-bool is_long(const Case& run) {
+bool is_long(const Drag& run) {
   static const std::set<std::string> pictures{"accumulation_buffer passes_side_by_side",
                                               "illumination lights_side_by_side",
                                               "jittered pictures",
@@ -162,10 +162,10 @@ bool is_long(const Case& run) {
 }
 
 /// Each once: every method as it is, and the examples.
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<Drag> all_cases() {
+  std::vector<Drag> cases;
   std::set<std::string> known;
-  const auto add = [&](Case run) {
+  const auto add = [&](Drag run) {
     if (!reads_a_file(run) && !is_long(run) && known.insert(run.name()).second)
       cases.push_back(std::move(run));
   };
@@ -176,7 +176,7 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-void expect_well_formed(const Trace& trace, const Case& run) {
+void expect_well_formed(const Trace& trace, const Drag& run) {
   const Arguments arguments = arguments_of(*run.topic, run.given);
   std::set<std::pair<std::string, std::vector<int>>> known;
   for (const Handle& handle : trace.handles) {
@@ -196,7 +196,7 @@ void expect_well_formed(const Trace& trace, const Case& run) {
   }
 }
 
-void expect_to_stand_on_something(const Trace& trace, const Case& run) {
+void expect_to_stand_on_something(const Trace& trace, const Drag& run) {
   const Drawing drawing(trace);
   for (const Handle& handle : trace.handles) {
     const bool window = run.type_of(handle.parameter) == ParameterType::window;
@@ -214,18 +214,18 @@ bool is_whole(ParameterType type) {
 
 struct Nudged {
   double by;
-  Case run;
+  Drag run;
   Trace trace;
 };
 
 /// The run with one number changed a little, up or, where it refuses that, down; nothing where it refuses
 /// both.
-std::optional<Nudged> nudged(const Case& run, const Handle& handle, std::size_t which) {
+std::optional<Nudged> nudged(const Drag& run, const Handle& handle, std::size_t which) {
   const double by = is_whole(run.type_of(handle.parameter)) ? 1 : 0.015625;
   const std::string text = arguments_of(*run.topic, run.given).text(handle.parameter);
   for (const double step : {by, -by}) {
     try {
-      Case other = run.with(handle.parameter, with_number(text, handle.numbers[which], step));
+      Drag other = run.with(handle.parameter, with_number(text, handle.numbers[which], step));
       Trace trace = other.trace();
       return Nudged{step, std::move(other), std::move(trace)};
     } catch (const ArgumentError&) {
@@ -260,7 +260,7 @@ bool is_still(const Trace& before, const Trace& after, const Handle& moved) {
 
 /// Changes a number of each argument that this method has not had changed yet. Returns how many handles went
 /// as their `along` says.
-int expect_to_move(const Trace& before, const Case& run, std::set<std::string>& done) {
+int expect_to_move(const Trace& before, const Drag& run, std::set<std::string>& done) {
   int foretold = 0;
   for (const Handle& handle : before.handles) {
     if (!done.insert(fmt::format("{} {} {}", before.topic, before.method, handle.parameter)).second) continue;
@@ -285,7 +285,7 @@ TEST(Handles, StandOnWhatIsDrawnAndMoveWithTheirNumbers) {
   if (test::sanitized) return;  // all of this is run by golden/trace_hash
   int foretold = 0;
   std::set<std::string> moved;
-  for (const Case& run : all_cases()) {
+  for (const Drag& run : all_cases()) {
     SCOPED_TRACE(run.name());
     const Trace trace = run.trace();
     expect_well_formed(trace, run);
@@ -296,7 +296,7 @@ TEST(Handles, StandOnWhatIsDrawnAndMoveWithTheirNumbers) {
 }
 
 TEST(Handles, CountTheNumbersBehindNamesWithDigits) {
-  const Case run{find_entry("polygon_shading"),
+  const Drag run{find_entry("polygon_shading"),
                  {{"method", "flat"}, {"faces", "2 left: 0,0,0 10,0,0 5,10,0; A1: 10,0,0 11,9,0 5,10,0"}}};
   const Trace trace = run.trace();
   expect_well_formed(trace, run);

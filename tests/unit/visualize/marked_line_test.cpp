@@ -42,7 +42,8 @@ TEST(LineThatRan, IsNoBranchThatMayNotHaveBeenTaken) {
 std::string source_line(const Trace& trace, int number) {
   std::string_view rest = source_text(trace.source_file);
   for (int line = 1; line < number; ++line) rest.remove_prefix(rest.find('\n') + 1);
-  const std::string_view line = rest.substr(0, rest.find('\n'));
+  std::string_view line = rest.substr(0, rest.find('\n'));
+  if (line.ends_with("  //+")) line.remove_suffix(5);  // put in by a fault
   return std::string(line.substr(std::min(line.size(), line.find_first_not_of(' '))));
 }
 

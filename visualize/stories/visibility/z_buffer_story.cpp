@@ -394,7 +394,7 @@ void tell_first_come(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
   tell_walk<double>(narrator, subject, Exactly{}, {}, [&](const auto& watch) {
     Raster<Cell<double, Id>> buffer(subject.size.x, subject.size.y);
-    first_come(subject.faces, buffer, watch);
+    first_come(subject.faces, buffer, Exactly{}, watch);
   });
 }
 
@@ -407,7 +407,7 @@ void tell_integer_colours(Narrator& narrator) {
       const Rgba8 c = subject.color(id);
       return dvec3(c.r, c.g, c.b) / 255.0;
     };
-    integer_colours(subject.faces, buffer, colours, colour_of, watch);
+    integer_colours(subject.faces, buffer, colours, colour_of, Exactly{}, watch);
   });
 }
 

@@ -244,7 +244,8 @@ class Excerpts {
     let worth = 0;
     for (const line of reporting)
       if (this.holds(excerpt, line)) worth += loops[line] !== line && !isBrace(trace.listing[line][1]) ? 2 : 1;
-    return worth;
+    // What a fault changes is what a listing with one is shown for
+    return worth + 3 * trace.listing.filter(([, , sign], line) => sign && this.shows(excerpt, line)).length;
   }
   /** With the line about in the middle, its loop's head above where that is too far. */
   round(line) {
@@ -268,6 +269,12 @@ class Excerpts {
   }
 }
 
+/** The listing with what a fault strikes out of it: a number, a text and a sign each, '-', '+' or none. */
+function shownListing({listing = [], difference: {struck = [], added = []} = {}}) {
+  const ran = listing.map(([number, text]) => [number, text, added.includes(number) ? '+' : '']);
+  return [...ran, ...struck.map(([number, text]) => [number, text, '-'])].sort(([a], [b]) => a - b);
+}
+
 /** A loaded trace and what can be asked of it. */
 class Run {
   /** What a trace has nothing of when its slot was dropped. */
@@ -276,7 +283,7 @@ class Run {
   constructor(trace) {
     if (trace.schema !== 1) throw new Error(`a trace of schema 1 is needed, not ${trace.schema}`);
     if (trace.steps.length === 0) throw new Error('a trace without a step cannot be shown');
-    this.trace = {...Run.bare, ...trace};
+    this.trace = {...Run.bare, ...trace, listing: shownListing(trace)};
     this.steps = trace.steps;
     this.playhead = new Playhead(trace);
     this.table = new Table(trace.steps);
@@ -286,15 +293,22 @@ class Run {
       if (!isFine(step)) this.milestones.push(index);
     });
     this.lines = this.trace.listing.map(([number]) => number);
-    this.loops = loopHeads(this.trace.listing.map(([, text]) => text));
+    // What is struck out heads no loop: it is read as a comment
+    this.loops = loopHeads(this.trace.listing.map(([, text, sign]) => sign === '-' ? '//' : text));
     this.reporting =
         [...new Set(this.steps.map((step) => this.shownLine(step.line)))].filter((line) => line >= 0);
+  }
+  isStruck(position) { return this.trace.listing[position][2] === '-'; }
+  /** What stands before a line: its number among those that run, none where it is struck out. */
+  labelOf(position) {
+    const ran = this.trace.listing.slice(0, position).filter(([, , sign]) => sign !== '-').length;
+    return this.isStruck(position) ? '' : String(ran + 1);
   }
   shows(slot) { return this.trace.slots?.includes(slot) ?? true; }
   /** Position in the listing of the nearest line of code at or above a source line; -1: none. */
   shownLine(line) {
     let at = line ? upperBound(this.lines, line) - 1 : -1;
-    while (at >= 0 && !isCode(this.trace.listing[at][1])) --at;
+    while (at >= 0 && (this.isStruck(at) || !isCode(this.trace.listing[at][1]))) --at;
     return at;
   }
 

@@ -97,16 +97,19 @@ class PlayerView {
   showListing() {
     const {trace} = this.run;
     this.longestLine = Math.max(0, ...trace.listing.map(([, text]) => sourceRows(text, Infinity)[0].length));
-    const digits = String(trace.listing.length).length;
+    const digits = String(trace.listing.length).length, changes = trace.listing.some(([, , sign]) => sign);
     this.parts.listing.style.setProperty('--digits', digits);
-    this.parts.lines.replaceChildren(...trace.listing.map(
-        ([, text], position) => html(
-            'li', {'data-position': position},
-            html(
-                'button',
-                {type: 'button', tabindex: -1, 'aria-label': say('line', {number: position + 1})},
-                String(position + 1)),
-            html('code', {}, ...this.letters.html(text, true)))));
+    this.parts.listing.classList.toggle('changes', changes);
+    this.parts.lines.replaceChildren(...trace.listing.map(([, text, sign], position) => {
+      const label = this.run.labelOf(position);
+      const number = html(
+          'button',
+          {type: 'button', tabindex: -1, 'aria-label': label ? say('line', {number: label}) : say('struck')}, label);
+      const role = sign === '-' ? 'deletion' : sign === '+' && 'insertion';
+      return html(
+          'li', {'data-position': position, 'data-change': sign || false}, number,
+          html('code', {role}, ...this.letters.html(text, true)));
+    }));
   }
   /** Long lines go on below, where code is broken; `columns`: characters that fit. */
   breakLines(columns) {
@@ -322,7 +325,8 @@ class PlayerView {
   /** The drawing gets what listing and table leave: as narrow as they can be read. */
   shareWidth(narrow, held) {
     const {parts, run, unit, root} = this, letter = textWidth('0', narrow ? Math.max(unit, 11) : unit, '', MONO);
-    const gutter = String(run.lines.length).length * letter + 2.1 * unit;
+    const signs = parts.listing.classList.contains('changes') ? 1.6 : 0;
+    const gutter = (String(run.lines.length).length + signs) * letter + 2.1 * unit;
     const asked = run.lines.length ? Math.min(this.longestLine, MOST_COLUMNS) * letter + gutter + 4 : 0;
     const wanted = Math.max(asked, parts.table.hidden ? 0 : this.tableWidth * unit);
     if (!held) root.style.setProperty('--side', `${clamp(wanted / unit, 16, 30.2)}`);
