@@ -112,7 +112,7 @@ inline triangle_coverage::Depth depth_of(const Frame& frame, const FrameTriangle
 ///
 /// Domain, Errors: those of the stages.
 /// Accuracy: the triangles of `clip` that stage 6 draws, to the bit.
-/// Cost: memory of 16 bytes a vertex, 64 a triangle that touches a pixel, 400 more for one that was cut.
+/// Cost: memory of 16 bytes a vertex, 64 a triangle that touches a pixel, 360 more for one that was cut.
 void make_frame(const Scene& scene, const Buffers& buffers, const Plan& plan, Touch touch, Frame& frame);
 
 /// The triangle that a frame's triangle is, with all that shading asks for: one of those that `clip` gives.

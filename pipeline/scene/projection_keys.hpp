@@ -59,8 +59,8 @@ void take_projection(const Values& values, const Found& at, View& view) {
 
 /// The angle of view, told or by what a camera's lens and film make of it.
 ///
-/// Values, Found, at: as above. Domain: any object. Accuracy: 0.501 ulp. Cost: none to speak of. Errors: those
-/// of Values.
+/// Values, Found, at: as above. Domain: any object. Accuracy: 0.501 ulp. Cost: none to speak of. Errors:
+/// those of Values.
 template <class Values, class Found>
 void take_lens(const Values& values, const Found& at, View& view) {
   const auto fov = Values::member(at, "fov"), focal = Values::member(at, "focal"),

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""docs/claims.csv (document, text, test, number): which test computes each number that a page's section on accuracy or a
-contract's Accuracy line claims, or a page's mistakes have counted or measured. Without {} the text stands in the document as
-it is, and `number` is where its numbers stand in the test's source; with {} the test reads them from the document, by a call
-of states() with the same text."""
+"""docs/claims.csv (document, text, test, number): which test computes each number that a page's section on accuracy, its
+comparison of methods or a contract's Accuracy line claims, that a page's mistakes have counted or measured, or that any part
+of the pages in WHOLE claims. Without {} the text stands in the document as it is, and `number` is where its numbers stand in
+the test's source; with {} the test reads them from the document, by a call of states() with the same text."""
 import csv
 import io
 import pathlib
@@ -15,9 +15,13 @@ import coverage_test
 import project
 
 HEADER = ["document", "text", "test", "number"]
-# What no test computes: times and what goes with them are the benchmarks' output, printed again by `gradus bench`; what is
-# given (how many cases, which input) isn't found
-KINDS = ("bench", "given")
+# What no test computes. bench: times and what goes with them, printed again by `gradus bench`; a table's first line stands for
+# all of it. given: how many cases, which input. run: what was taken down of one run: times of whole commands, parts of them by a
+# profiler, sizes of what was built, coverage, how often a batch leaves its short cut. A bound of accuracy is none of these
+KINDS = ("bench", "given", "run")
+# Pages that are looked at from end to end, but for what is in code
+WHOLE = tuple(f"docs/{page}.md" for page in ("demos", "engine", "exact", "fuzzing", "live", "rendering", "scenes"))
+ACCURACY = re.compile(r"\b(?:ulp|u|roundings?|pixels? off|steps? of 255)\b|2(?:\^-|⁻)")
 FOUND = re.compile(r"\b([Ww]ithin|worst|measured|found|at most|up to|off)\b")
 
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -28,13 +32,14 @@ VALUE = re.compile(rf"0x1p[-+]?\d+|{POWER}|{NUMBER}(?: ?/ ?{NUMBER}(?![\w.^]))?"
 UNIT = r" ?(?:ulp\b|u\b|units? of|roundings?\b|eps\b|%|[*·] (?:2|10)(?:\^-|⁻)|pixels? off|pixels? of|square pixels)"
 SMALL = r"(?<![*·] )(?:\d[\d.]*e-\d+|2\^-\d+|2⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
 CLAIM = rf"{NUMBER}/{NUMBER}(?={UNIT})|{NUMBER}(?={UNIT})|\d[\d,]*\.\d+(?![\d.e])|\.\d+|{SMALL}"
-MANY = r"|\d{1,3}(?:,\d{3})+|\d{3,}"
+MANY = r"|\d{1,3}(?:,\d{3})+|\d{3,}|\d[\d.]*(?= [KMG]iB)"
 # Units' definitions, code, addresses, sources, places and what is looked at are no claims
 NOT_CLAIMED = re.compile(
     r"`[^`]*`|\]\([^)]*\)|\b[ue] = 2(?:\^-|⁻)\S+|\(2(?:\^-|⁻)\S+ for \w+(?:, 2\^-53 for double)?\)|2\^-24 in float"
     r"|[Aa]n? ulp is 2\S+|[Oo]ne ulp is 2\S+|in float 2⁻²³|floats, 2\^-24|(?<=times )2\^-\d+|(?<=units of )2\^-53"
     r"|\d+\(\d\), \d{4}, \d+-\d+|Access [\d., and]+|GCC [\d.]+|\(-?[\d.e+-]+(?:, ?-?[\d.e+-]+)+\)|±\d+|\d+[- ]bits?\b|\d+ x \d+"
-    r"|\bseed \d+|\b[rcf] = [\d.e]+|\bat z = \d+|\^-\d\.\d+|2⁻⁶⁰ to 2⁶⁰|\d+ area|255ths|mod 256|below 256")
+    r"|\bseed \d+|\b[rcf] = [\d.e]+|\bat z = \d+|\^-\d\.\d+|2⁻⁶⁰ to 2⁶⁰|\d+ area|255ths|mod 256|below 256"
+    r"|\d+ × \d+|\d+x\d+|(?:LLVM|Mesa|Node|OpenCV|Boost\.Geometry) [\d.]+")
 
 
 def one_line(text):
@@ -44,6 +49,8 @@ def one_line(text):
 
 def passages(document, text, section="Accuracy and cost"):
     """What of a document speaks of accuracy, each on one line."""
+    if document in WHOLE:
+        return [one_line(part) for part in re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL).split("\n\n")]
     if document.endswith(".md"):
         return [one_line(part) for part in re.findall(rf"^## {section}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
     # The contracts in a file of faults are without the marks of comments
@@ -100,6 +107,14 @@ def measured(passage):
     return [match.span() for match in re.finditer(r"(?<![\w.^/,-])(?:\d{1,3}(?:,\d{3})+|\d*\.\d{3,}|\d+\.\d+e-\d+|\d+(?= %))(?![\w(])", ours)]
 
 
+def tables(text):
+    """The tables of a page, each on one line, by their first lines."""
+    found = {}
+    for table in re.findall(r"(?:^\|[^\n]*\n)+", text, re.MULTILINE):
+        found.setdefault(one_line(table.splitlines()[0]), []).append(one_line(table))
+    return found
+
+
 def as_pattern(text):
     return re.compile(re.escape(text).replace(re.escape("{}"), r"[\d.,]*\d(?:e-?\d+)?"))
 
@@ -109,7 +124,7 @@ def documents():
     for folder, ending in (("docs/topics", "md"), ("algorithms", "hpp"), ("algorithms", "faults"), ("pipeline", "hpp")):
         for path in sorted((project.ROOT / folder).rglob("*." + ending)):
             found[path.relative_to(project.ROOT).as_posix()] = path.read_text(encoding="utf-8")
-    return found
+    return found | {page: (project.ROOT / page).read_text(encoding="utf-8") for page in WHOLE}
 
 
 def states(source):
@@ -140,6 +155,9 @@ def test_sources():
         for header in re.findall(r'^#include "(stress/\w+/\w+\.hpp)"', text, re.MULTILINE):
             text += (project.ROOT / "tests" / header).read_text(encoding="utf-8")
         found["promises/" + path.name.removesuffix("_stress.cpp")] = text
+    for folder in ("architecture", "golden", "browser"):
+        for path in sorted((project.ROOT / "tests" / folder).glob("*_test.py")):
+            found[f"{folder}/{path.name.removesuffix('_test.py')}"] = path.read_text(encoding="utf-8")
     return found
 
 
@@ -163,10 +181,13 @@ def violations(table, texts, tests, sources):
             continue
         if not as_pattern(text).search(whole[document]):
             found.append(f"line {line}: {document} doesn't say: {text}")
-        spans.setdefault(document, []).append(text)
+        told = tables(texts[document]).get(text, [text]) if test in ("bench", "run") else [text]
+        spans.setdefault(document, []).extend(told)
         if test in KINDS:
             if test == "given" and FOUND.search(text):
                 found.append(f"line {line}: this is found, not given: {text}")
+            if test == "run" and ACCURACY.search(" ".join(told)):
+                found.append(f"line {line}: a bound of accuracy has a test: {text}")
             continue
         if test not in tests:
             found.append(f"line {line}: there is no test {test}")
@@ -183,7 +204,8 @@ def violations(table, texts, tests, sources):
             found.append(f"line {line}: {text} and {number} are not the same numbers")
     for document, text in texts.items():
         looked_at = [(passage, claims(passage, document.endswith(".md"))) for passage in passages(document, text)]
-        if document.endswith(".md"):
+        if document.endswith(".md") and document not in WHOLE:
+            looked_at += [(passage, claims(passage)) for passage in passages(document, text, "Methods compared")]
             looked_at += [(passage, measured(passage)) for passage in passages(document, text, "Common mistakes")]
         for passage, numbers in looked_at:
             covered = [match.span() for known in spans.get(document, []) for match in as_pattern(known).finditer(passage)]
@@ -255,6 +277,26 @@ class Claims(unittest.TestCase):
         mistake = {**texts, "docs/topics/a.md": page + "## Common mistakes\n\nOf 1 mm and 20 are 1,234 wrong.\n"}
         self.assertIn("no row for 1,234 in", "".join(violations(good, mistake, tests, sources)))
         self.assertEqual([passages("a.hpp", header)[0][a:b] for a, b in claims(passages("a.hpp", header)[0])], ["4"])
+
+    def test_planted_faults_of_whole_pages_and_tables_are_caught(self):
+        page = ("# Live\n\n4,000 steps.\n\n```\n9 ulp\n```\n\nOff by 0.5 ulp.\n\n"
+                "| topic | ms |\n|---|---|\n| a | 1.25 |\n\n| topic | ms |\n|---|---|\n| b | 2.5 |\n")
+        compared = "# A\n\n## Methods compared\n\n| method | time |\n|---|---|\n| a | 1.5 |\n\nOf 4096 lines.\n"
+        texts = {"docs/live.md": page, "docs/topics/a.md": compared}
+        tests, sources = {"browser/live_page"}, {"browser/live_page": "steps = 4000\nulps = 0.5\n"}
+        good = ("document,text,test,number\ndocs/live.md,\"4,000 steps\",browser/live_page,steps = 4000\n"
+                "docs/live.md,Off by 0.5 ulp,browser/live_page,ulps = 0.5\ndocs/live.md,| topic | ms |,run,\n"
+                "docs/topics/a.md,| method | time |,bench,\ndocs/topics/a.md,Of 4096 lines,given,\n")
+        self.assertEqual(violations(good, texts, tests, sources), [])
+        for old, new, expected in (
+                ("docs/live.md,| topic | ms |,run,\n", "", ("no row for 1.25 in", "no row for 2.5 in")),
+                ("docs/topics/a.md,| method | time |,bench,\n", "", ("no row for 1.5 in",)),
+                ("docs/topics/a.md,Of 4096 lines,given,\n", "", ("no row for 4096 in",)),
+                ("ulp,browser/live_page,ulps = 0.5", "ulp,run,", ("a bound of accuracy has a test",)),
+                ("| topic | ms |,run,", "| topic | ms |,counted,", ("no test counted",))):
+            with self.subTest(new):
+                found = violations(good.replace(old, new, 1), texts, tests, sources)
+                self.assertEqual([fault for fault in expected if fault not in "\n".join(found)], [], found)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ MOST_LINES = 500
 KINDS = (".cpp", ".hpp", ".py", ".js")
 FOLDERS = ("algorithms", "pipeline", "visualize", "examples", "docs", "tests")
 NOT_WRITTEN_BY_HAND = ("tests/fuzz/corpus",)
+MOST_PICKED, MOST_KIB = 60, 4  # of a fuzzer's corpus: inputs that it has picked, and the size of each input
 
 # Yet to be parted, with the lines that they have: none of these may grow, and none come to them
 STILL_LONG = {}
@@ -45,6 +46,12 @@ class FileSize(unittest.TestCase):
     def test_files_that_were_parted_leave_the_list(self):
         found = lengths(project.ROOT)
         self.assertEqual([path for path in STILL_LONG if found.get(path, 0) <= MOST_LINES], [])
+
+    def test_corpora_stay_small(self):
+        for corpus in sorted((project.ROOT / "tests/fuzz/corpus").iterdir()):
+            picked = [path for path in corpus.iterdir() if len(path.name) == 40]  # by a hash; others have names
+            self.assertLessEqual(len(picked), MOST_PICKED, corpus.name)
+            self.assertLessEqual(max(path.stat().st_size for path in corpus.iterdir()), MOST_KIB * 1024, corpus.name)
 
     def test_a_long_file_is_named_with_its_lines(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -10,12 +10,15 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import command
-from command import check
+from command import check, equal
 from renders import ROOT, SHARE, Picture, differing, gradus, read
 
 PAGE = ROOT / "docs/demos"
 # Angle of view -> the balls farthest aside that it shows, in degrees
 FIELDS = {40: 14, 80: 33, 120: 53}
+# What docs/demos.md says of them
+TOLD = {40: "| 40° | 14° aside | 1.03 | 89 : 86 pixels |", 80: "| 80° | 33° aside | 1.19 | 52 : 44 pixels |",
+        120: "| 120° | 53° aside | 1.67 | 49 : 30 pixels |"}
 HALF = math.asin(1 / 12)  # how large a ball is seen: radius 1 in a distance of 12
 
 
@@ -58,6 +61,9 @@ def test_stretching_grows_with_the_angle_of_view():
             print(f"fov {fov}, {angle} degrees aside: {wide:.1f} x {high:.1f}, found {found_wide} x {found_high}")
             # Partly covered pixels count whole; 32 corners lie up to 1% inside of a circle
             check(-0.01 * wide - 0.5 <= found_wide - wide <= 2 and -0.01 * high - 0.5 <= found_high - high <= 2, f"{name}: {angle}")
+        found = f"| {fov}° | {aside}° aside | {wide / high:.2f} | {found_wide} : {found_high} pixels |"
+        equal(found, TOLD[fov], "the table of the page")
+        check(found in (ROOT / "docs/demos.md").read_text(encoding="utf-8"), found)
         stretching = found_wide / found_high
         check(stretching > before + 0.02, f"{name}: {stretching:.2f} times as wide as high, before {before:.2f}")
         before = stretching

@@ -245,7 +245,8 @@ struct Measured {
 /// Draws a line by the distance of pixel centres from its axis: each pixel gets the part of its cone that the
 /// line covers, which a table holds. Neighbouring cones overlap, so brightness does not depend on the slope.
 /// S. Gupta, R. F. Sproull, Filtering edges for gray-scale displays, Computer Graphics 15(3)
-/// (SIGGRAPH '81), 1-5. They take three pixels a column; near a diagonal up to five have a share.
+/// (SIGGRAPH '81), 1-5. They take three pixels a column; near a diagonal up to five have a share, at most
+/// four of them one that a byte shows.
 ///
 /// from, to, plot: as for wu, in the order of columns from `from` to `to`; intensities from 1 to 199.
 ///

@@ -11,6 +11,7 @@
 
 #include "core/raster.hpp"
 #include "scan_conversion/antialiased_line/antialiased_line.hpp"
+#include "scan_conversion/antialiased_line/antialiased_line_notes.hpp"
 #include "scan_conversion/bresenham_circle/bresenham_circle.hpp"
 #include "scan_conversion/flood_fill/flood_fill.hpp"
 #include "stress/scan_conversion/areas.hpp"
@@ -108,6 +109,47 @@ TEST(DocumentedScanConversion, InkOfADiagonal) {
   EXPECT_TRUE(states("docs/topics/scan_conversion/antialiased_line.md",
                      "so a diagonal has {} of a level line's ink for its length.",
                      {ink({5000, 5000}) / ink({5000, 0})}));
+}
+
+/// The most pixels that a line has in a column, whatever its slope, and the ink of a diagonal for its length,
+/// beside a level line's.
+struct Ink {
+  double most_in_a_column = 0, of_a_diagonal = 0;
+};
+template <class Draw>
+Ink ink_of(Draw draw) {
+  const auto amount = [&](ivec2 to) {
+    double sum = 0;
+    draw(ivec2{0, 0}, to, [&](ivec2, double intensity) { sum += intensity; });
+    return sum / std::sqrt(double(to.x) * to.x + double(to.y) * to.y);
+  };
+  Ink ink{0, amount({5000, 5000}) / amount({5000, 0})};
+  for (int y = 0; y <= 300; ++y) {
+    std::array<int, 302> pixels{};
+    draw(ivec2{0, 0}, ivec2{300, y}, [&](ivec2 p, double) {
+      if (0 < p.x && p.x < 300) ++pixels[static_cast<std::size_t>(p.x)];
+    });
+    ink.most_in_a_column = std::max<double>(ink.most_in_a_column, *std::ranges::max_element(pixels));
+  }
+  return ink;
+}
+
+TEST(DocumentedScanConversion, PixelsAColumnAndInk) {
+  using namespace antialiased_line;
+  constexpr const char* page = "docs/topics/scan_conversion/antialiased_line.md";
+  const Ink by_column = ink_of([](ivec2 a, ivec2 b, auto plot) { wu(a, b, plot); }),
+            by_cone = ink_of([](ivec2 a, ivec2 b, auto plot) { gupta_sproull(a, b, plot); }),
+            by_area = ink_of([](ivec2 a, ivec2 b, auto plot) { exact_area(a, b, plot); }),
+            faulty = ink_of([](ivec2 a, ivec2 b, auto plot) { distance_along_column(a, b, plot); });
+  EXPECT_TRUE(
+      states(page, "| `wu` (taught) | {} | {} |", {by_column.most_in_a_column, by_column.of_a_diagonal}));
+  EXPECT_TRUE(
+      states(page, "| `gupta_sproull` | up to {} | {} |", {by_cone.most_in_a_column, by_cone.of_a_diagonal}));
+  EXPECT_TRUE(
+      states(page, "| `exact_area` | up to {} | {} |", {by_area.most_in_a_column, by_area.of_a_diagonal}));
+  EXPECT_TRUE(states(page, "| `distance_along_column` (faulty) | up to {} | too little |",
+                     {faulty.most_in_a_column}));
+  EXPECT_LT(faulty.of_a_diagonal, 0.9);
 }
 
 }  // namespace

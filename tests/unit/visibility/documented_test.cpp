@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "support/documented.hpp"
 #include "support/fraction.hpp"
+#include "visibility/z_buffer/z_buffer.hpp"
 
 namespace gradus {
 namespace {
@@ -38,6 +39,20 @@ TEST(DocumentedVisibility, SliversThatTheDivisionTurnsRound) {
   }
   EXPECT_TRUE(test::states("docs/topics/visibility/back_face_culling.md",
                            "of 1024 slivers the division by w turns {} round", {double(turned)}));
+}
+
+TEST(DocumentedVisibility, DepthsThatFloatsTellApart) {
+  // Floats below 1 are 2^-24 apart, nearer 0 less: what is farther apart than that is told apart
+  const z_buffer::AsFloat stored{{0, 1}};
+  constexpr double apart = 0x1p-24;
+  Random random(20240611);
+  int alike = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double z = random.uniform(0, 1 - 2 * apart);
+    EXPECT_LT(stored(z), stored(z + 1.001 * apart)) << z;
+    alike += stored(z) == stored(z + 0.5 * apart);
+  }
+  EXPECT_GT(alike, 1000);
 }
 
 }  // namespace
