@@ -101,8 +101,9 @@ using PlaneDepth = std::optional<triangle_coverage::DepthPlane>;
 
 /// The depth over the picture of the plane through three places; nothing where it is seen edge-on.
 /// Domain: any w; size as of guard_volume.
-/// Accuracy: of places in the picture the depths are within 2^-50 (1 + g), where the plane gains g in depth
-/// over the picture: much where it is seen almost edge-on.
+/// Accuracy: of places in the picture the depths are within 2^-50 (1 + g) / h, where the plane gains g in
+/// depth over the picture, much where it is seen almost edge-on, and h is the least height of the places'
+/// triangle there, the picture being 2 wide and high.
 inline PlaneDepth plane_depth(const std::array<glm::dvec4, 3>& places, Size size) {
   // In clip space no place is too near or behind the eye; from the one that is farthest on, little is lost
   const auto far = [](const glm::dvec4& p) { return std::abs(p.w); };

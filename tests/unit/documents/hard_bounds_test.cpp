@@ -212,6 +212,17 @@ TEST(HardBounds, DepthsOfPlanes) {
     if (!plane || !std::ranges::all_of(places, in_picture)) return not_in_domain;
     constexpr double grid = triangle_coverage::subpixels;
     const double gain = grid * (std::abs(plane->right) * size.width + std::abs(plane->down) * size.height);
+    // The least height of the triangle in the picture
+    const auto side = [&](std::size_t k, std::size_t m) {
+      const auto along = [&](int axis) {
+        return static_cast<double>(Fraction(places[m][axis]) / Fraction(places[m].w) -
+                                   Fraction(places[k][axis]) / Fraction(places[k].w));
+      };
+      return dvec2{along(0), along(1)};
+    };
+    const dvec2 first = side(0, 1), second = side(0, 2);
+    const double longest = std::max({glm::length(first), glm::length(second), glm::length(side(1, 2))}),
+                 height = std::abs(first.x * second.y - first.y * second.x) / longest;
     double most = 0;
     for (const glm::dvec4& p : places) {
       const Fraction w = p.w, half_grid = grid / 2;
@@ -219,7 +230,7 @@ TEST(HardBounds, DepthsOfPlanes) {
                      y = (Fraction(1) - Fraction(p.y) / w) * half_grid * Fraction(size.height);
       const Fraction found = Fraction(plane->depth) + Fraction(plane->right) * (x - Fraction(plane->from.x)) +
                              Fraction(plane->down) * (y - Fraction(plane->from.y));
-      most = std::max(most, off(found, Fraction(p.z) / w, 0x1p-50 * (1 + gain)));
+      most = std::max(most, off(found, Fraction(p.z) / w, 0x1p-50 * (1 + gain) / height));
     }
     return most;
   };
