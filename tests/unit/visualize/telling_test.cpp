@@ -122,6 +122,7 @@ std::vector<Rare> rare_runs() {
       {"flood_fill", {{"maze", "."}, {"at", "0,0"}, {"method", "recursive"}}},
       {"flood_fill", {{"at", "11,0"}, {"method", "unchecked_seed"}}},
       {"flood_fill", {{"at", "100,100"}, {"method", "unchecked_seed"}}},
+      {"jittered", {{"method", "divided_by_asked"}, {"samples", "3"}}},
       {"liang_barsky", {{"line", "-8,5,5,15"}}},
       {"liang_barsky", {{"line", "-2,7.5,6.4,18"}}},
       {"liang_barsky", {{"line", "-3.1,-8.3,13.7,16.9"}}},

@@ -71,7 +71,9 @@ class FaultyStory {
     put(board);
   }
   Event say(const Finished& f) const {
-    Event event{.text = whole_ ? "whole.finished" : "asked.finished",
+    Event event{.text = whole_               ? "whole.finished"
+                        : f.samples < asked_ ? "asked.short"
+                                             : "asked.finished",
                 .facts = {{"samples", f.samples}, {"mean", mean_}, {"area", area_}},
                 .words = {{"mean", mean_}, {"area", area_}},
                 .count = f.samples};
