@@ -70,7 +70,7 @@ TEST(PipelineTour, AnExchangedStageSaysWhatItGetsWrong) {
   const auto faced = std::ranges::find(culled.steps, "Faced", &TraceStep::type);
   ASSERT_NE(faced, culled.steps.end());
   EXPECT_LT(field<double>(*faced, "area") * field<double>(*faced, "determinant"), 0) << "the wrong sign";
-  EXPECT_THAT(faced->sentence, testing::HasSubstr("behind the eye came out mirrored"));
+  EXPECT_THAT(faced->sentence, testing::HasSubstr("behind the eye, came out mirrored"));
   // The others end with their stage, and mark what they misjudge
   for (const char* name : {"closed_half_planes", "expanded_edges"}) {
     SCOPED_TRACE(name);

@@ -37,7 +37,7 @@ TEST(WindowStory, DoublesAreCountedAcrossZeroAndFarApart) {
 TEST(WindowStory, MovedEndsAreToldByDoublesOrByDistance) {
   // A cut of a cut, one double off
   const Trace near = test::trace_of("cohen_sutherland_2d", {{"line", "-7,3,14.1,12.7"}});
-  EXPECT_THAT(near.steps.back().sentence, HasSubstr("the last digit of an end is off by 1"));
+  EXPECT_THAT(near.steps.back().sentence, HasSubstr("rounding has left an end off by 1 in its last digit"));
   // Through a corner: right is x = 0, from which nobody counts doubles
   const Trace far = test::trace_of("liang_barsky", {{"line", "-2,7.5,6.4,18"}});
   EXPECT_THAT(far.steps.back().sentence, HasSubstr("rounding has moved an end by "));
