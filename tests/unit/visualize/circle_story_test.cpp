@@ -170,7 +170,7 @@ TEST(CircleStory, TheLateUpdateSaysSo) {
   EXPECT_EQ(shown.label({3, 0}, "error name"), "error 0.757");
   EXPECT_EQ(
       shown.step({3, 1}).sentence,
-      "The listing plots 32 times to draw 24 pixels; the worst of them lies 0.757 pixels from the circle.");
+      "The method plots 32 times to draw 24 pixels; the worst of them lies 0.757 pixels from the circle.");
   EXPECT_EQ(shown.trace.telling, (StepNumber{3, 0}));
 }
 
@@ -194,7 +194,7 @@ TEST(CircleStory, EightPlotsShowWhatIsSetAgain) {
             "p = 11 > 0: go SE to (x, y) = (7, 7); p = 11 + 4·(6 − 8) + 10 = 13. Eight plots, but 4 fall on "
             "pixels that are already set.");
   EXPECT_EQ(shown.step({7, 1}).sentence,
-            "64 plots for 56 pixels: 8 of them come again. Blending counts such a pixel twice, and XOR "
+            "64 plots for 56 pixels: 8 of them are repeats. Blending counts such a pixel twice, and XOR "
             "erases it.");
   EXPECT_EQ(shown.trace.telling, (StepNumber{7, 0}));
   // Radius 0: one pixel, eight times
@@ -210,14 +210,12 @@ TEST(CircleStory, SpeaksInTheReadersNotationAndLanguage) {
   recording.wording = Wording(*find_language("de"), {{"p", "d"}, {"SE", "S"}, {"x", "u"}, {"r", "R"}});
   ShownCircle shown(Given{{"radius", "8"}}, recording);
   EXPECT_EQ(shown.trace.title, "Bresenham-Kreis");
-  EXPECT_EQ(
-      shown.step({2, 1}).sentence,
-      "u² + y² − R² ist 9 bei E und −6 bei S. Die Summe ist d = 3 > 0, also liegt die Mitte M außerhalb "
-      "des Kreises, und S ist näher.");
-  EXPECT_EQ(
-      shown.step({3, 0}).sentence,
-      "d = 3 > 0: Die Mitte M liegt außerhalb des Kreises, also weiter nach S zu (u, y) = (3, 7); d = 3 + "
-      "4·(2 − 8) + 10 = −11.");
+  EXPECT_EQ(shown.step({2, 1}).sentence,
+            "u² + y² − R² ist 9 bei E und −6 bei S. Die Summe ist d = 3 > 0: Die Mitte M liegt außerhalb "
+            "des Kreises, und S ist näher.");
+  EXPECT_EQ(shown.step({3, 0}).sentence,
+            "d = 3 > 0: Die Mitte M liegt außerhalb des Kreises, weiter nach S zu (u, y) = (3, 7); d = 3 + "
+            "4·(2 − 8) + 10 = −11.");
   EXPECT_EQ(shown.step({3, 0}).read.at(4), "d > 0");
   EXPECT_EQ(shown.step({3, 0}).read.at(5), "S");
   EXPECT_EQ(shown.label({3, 0}, "chosen name"), "S gewählt");

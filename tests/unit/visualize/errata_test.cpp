@@ -156,13 +156,13 @@ TEST(ErrataGallery, AFaultIsMarkedWhereItIsAndNotWhereItIsSeen) {
 TEST(ErrataGallery, EightPlotsAPlaceAreShownByWhatTheySetAgain) {
   const auto found = exhibits_of("E001-06");
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_THAT(found[0].wrong.sentence, HasSubstr("64 plots for 56 pixels: 8 of them come again."));
+  EXPECT_THAT(found[0].wrong.sentence, HasSubstr("64 plots for 56 pixels: 8 of them are repeats."));
   EXPECT_EQ(found[0].outcome, "The same result, but plots = 64, plotted again = 8.");
   EXPECT_EQ(found[0].difference, "Pixels: 56, of which 0 wrong; 0 of the right ones missing.");
   EXPECT_NE(found[0].wrong.picture, found[0].right.picture);
   EXPECT_THAT(culprit_of(found[0]), HasSubstr("plot_eight"));
   // Radius 5 goes past the diagonal: four pixels on axes, the eight of its last place
-  EXPECT_THAT(found[1].wrong.sentence, HasSubstr("40 plots for 28 pixels: 12 of them come again."));
+  EXPECT_THAT(found[1].wrong.sentence, HasSubstr("40 plots for 28 pixels: 12 of them are repeats."));
 }
 
 TEST(ErrataGallery, StagesOfTheChainPartWhereOneIsExchanged) {

@@ -169,9 +169,8 @@ TEST(Figure, ALineSaysTrulyWhereItPasses) {
   EXPECT_NE(
       sentence({{"to", "5,3"}, {"method", "misprinted_derivation"}}, {3, 0}).find("if this p were right"),
       std::string::npos);
-  EXPECT_NE(
-      sentence({{"to", "2,1"}, {"method", "first_octant"}}, {1, 0}).find("this listing then goes aside"),
-      std::string::npos);
+  EXPECT_NE(sentence({{"to", "2,1"}, {"method", "first_octant"}}, {1, 0}).find("this method then goes aside"),
+            std::string::npos);
 }
 
 TEST(Figure, TheErrorShownIsTheExactDistance) {
