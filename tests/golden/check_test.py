@@ -216,7 +216,7 @@ def test_figures():
         done = gradus("figure", "bresenham_line", "--trace", "mine.csv", "-o", name)
         equal((done.code, done.err), (0, f"{name}\n"), name)
     german = gradus("figure", "bresenham_line", "--trace", "mine.csv", "-o", "-", "--svg-text", "text", "--language", "de")
-    check("deine Antwort" in german.out and "falsch ab Schritt 4" in german.out, "in German")
+    check("eigene Antwort" in german.out and "falsch ab Schritt 4" in german.out, "in German")
     case = f"results.json#{wrong[0][:-4]}"
     equal(gradus("figure", "bresenham_line", "--trace", case, "-o", "case.svg").code, 0, "one of several answers")
     for words, said in ((["--trace", "results.json"], "--trace: expected results.json#CASE, one of easy-1, typical-1, nasty-1, ties-1, found none"),
