@@ -163,7 +163,7 @@ function(gradus_compile_quickly target)
   if(TARGET ${from})
     target_precompile_headers(${target} REUSE_FROM ${from})
     if(from STREQUAL "gradus_precompiled_tests")
-      # They serve only whoever defines what they were compiled with
+      # They serve only code that defines what they were compiled with
       target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_OPTIONS>)
       target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:Boost::headers,INTERFACE_COMPILE_DEFINITIONS>)
     endif()

@@ -125,7 +125,7 @@ double cut_coordinate_exact(double a_axis, double b_axis, double a_other, double
 ///
 /// Domain: finite doubles of any size, a_axis and b_axis different, c between them. Numbers that are 0 or of
 ///   2^-300 to 2^300 in size take the fast path but for ties and near ties.
-/// Accuracy: 1/2 ulp, the nearest double, ties to even; so it lies between a_other and b_other, and the same
+/// Accuracy: 1/2 ulp, the nearest double, ties to even. It lies between a_other and b_other, and the same
 ///   bits come out when a and b change places. A zero is +0.
 /// Cost: some 10 ns, in doubt about 1 us.
 inline double cut_coordinate(double a_axis, double b_axis, double a_other, double b_other, double c) {

@@ -16,7 +16,7 @@
 #include "core/shown.hpp"
 
 // libpng reports an error by longjmp, which runs no destructors. So whatever owns memory (the file's bytes,
-// the picture, the libpng handle) stands outside, and what is called inside `guarded` has none but plain
+// the picture, the libpng handle) stands outside, and what is called inside `guarded` has only plain
 // locals.
 
 namespace gradus {

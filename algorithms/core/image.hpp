@@ -27,7 +27,7 @@ struct PngText {
 
 inline constexpr std::int64_t most_png_pixels = std::int64_t{1} << 28;
 
-/// The picture in a PNG file's bytes, whatever its bit depth and colour type, as 8-bit RGBA.
+/// The picture in a PNG file's bytes, of any bit depth and colour type, as 8-bit RGBA.
 /// `name` is how errors call the file. Throws InputError when the bytes are no valid PNG.
 /// Domain: width x height at most `most_pixels`, by default 2^28 (1 GiB), so that a hostile header asks for
 /// no more: a few kilobytes can hold as many.

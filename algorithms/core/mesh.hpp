@@ -84,7 +84,7 @@ std::int64_t triangle_count(const Mesh& mesh);
 /// Cost: sorts the edges.
 bool closed_outward(const Mesh& mesh);
 
-/// Gives a normal to every corner that has none, or whose own is zero: at each position the mean of the
+/// Gives a normal to every corner without one, or whose own is zero: at each position the mean of the
 /// faces' normals, weighted by their areas. smoothing: a group for each face, by id; faces are averaged with
 /// others of the same group, and those of group 0 stay flat. Empty: all faces are in one group. Where a
 /// position has no area round it, its corners get the zero vector.

@@ -15,7 +15,7 @@
 
 namespace gradus {
 
-/// The observer nobody is: every algorithm's default. Costs nothing.
+/// The default observer: ignores every step and compiles to nothing.
 struct Unobserved {
   template <class Step>
   constexpr void operator()(const Step&) const noexcept {}

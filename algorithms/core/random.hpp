@@ -84,7 +84,7 @@ class Random {
   constexpr double uniform(double lower, double upper) { return to_range(unit(), lower, upper); }
 
   /// A whole number in [lower, upper], both included, each exactly equally likely.
-  /// Draws again when a number falls into the incomplete last part of the range of 64-bit numbers; so one
+  /// Draws again when a number falls into the incomplete last part of the range of 64-bit numbers, so one
   /// call uses one number or more (fewer than two on average). Domain: lower <= upper, up to the whole range.
   constexpr std::int64_t uniform_int(std::int64_t lower, std::int64_t upper) {
     expects(lower <= upper, "a random integer needs lower <= upper, got {} and {}", lower, upper);

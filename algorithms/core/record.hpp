@@ -1,5 +1,5 @@
 #pragma once
-// Keeping the steps an algorithm reports, for tests and for whoever wants them all at once.
+// Keeping the steps an algorithm reports, for tests and for reading them all at once.
 
 #include <cstddef>
 #include <variant>

@@ -22,7 +22,7 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An argument that can't be taken: whoever shows it puts the parameter's flag in front.
+/// An argument that can't be taken: code that shows it puts the parameter's flag in front.
 class ArgumentError : public std::runtime_error {
  public:
   ArgumentError(std::string name, const std::string& what_was_expected)

@@ -20,7 +20,7 @@ constexpr bool is_control(char32_t c) {
 }
 
 /// The text with control characters, marks that turn the direction of text and broken UTF-8 escaped: "\n",
-/// "\x1b". All else stays, whatever its length. Domain: any bytes. Cost: O(length).
+/// "\x1b". All else stays, at any length. Domain: any bytes. Cost: O(length).
 std::string visible(std::string_view text);
 
 /// The same in quotes and cut short, as it may stand inside a message. Domain: any bytes.

@@ -13,7 +13,7 @@ namespace gradus {
 /// A picture that is laid on a surface. Texture coordinates (0, 0) to (1, 1) cover it, v up.
 struct Texture {
   std::string file;      ///< as the material names it
-  Image texels{};        ///< row 0 at the top; empty while nobody has read the file
+  Image texels{};        ///< row 0 at the top; empty until the file is read
   std::string place{};   ///< where it is named, as mistakes call it: "spot.mtl:3: map_Kd 'spot.png'"
   bool quotable = true;  ///< whether messages may show what stands there
 };

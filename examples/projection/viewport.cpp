@@ -14,7 +14,7 @@
 int main() {
   using namespace gradus;
 
-  // The pixels alone, or that there is none
+  // The pixels alone, or "none"
   const Rectangle<double> window{{-1, -0.75}, {1, 0.75}};
   const auto map = viewport::stretched(window, {8, 6});
   for (const dvec2 point : {dvec2{0.3, 0.4}, dvec2{1.3, 0.5}}) {

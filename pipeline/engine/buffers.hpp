@@ -28,7 +28,7 @@ struct MeshPiece {
 struct MeshPieces {
   std::vector<PieceVertices> vertices;
   std::vector<MeshPiece> of_faces;
-  std::vector<dvec3> flat_normals{};  ///< of faces with corners that have none
+  std::vector<dvec3> flat_normals{};  ///< of faces with corners without normals
   SharedPlanes shared{};              ///< of pieces
 
   std::int64_t count() const { return std::ssize(vertices); }

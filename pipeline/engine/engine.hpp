@@ -44,7 +44,7 @@ struct EngineWatch {
 /// Cost: stages 2 to 5 once a vertex and a piece, 6 and 7 by tile, shading as `antialias` has it. Memory: 88
 ///   bytes a vertex, 80 a triangle that is drawn, 32 a pixel; with antialiasing 400 more for each triangle of
 ///   the tiles that are being drawn, and what the method takes for their pixels.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 LightPicture light_of(const Scene& scene, const Buffers& buffers, const Plan& plan, int threads = 0,
                       const EngineWatch& watch = {});
 

@@ -235,7 +235,7 @@ HWY_INLINE auto row_of_blocks(const std::uint32_t* first) {
   if constexpr (lanes <= block_side)
     return hn::Load(d, first);
   else
-    // Found by its arguments: targets of one lane have none
+    // Found by its arguments: targets of one lane do without
     return Combine(d, row_of_blocks<lanes / 2>(first + lanes / 2 / block_side * block_cells),
                    row_of_blocks<lanes / 2>(first));
 }

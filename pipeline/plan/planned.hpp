@@ -32,7 +32,7 @@ Triangles geometry(const Scene& scene, Plan& plan, Ledger& ledger, const Clock& 
 LightPicture antialiased_by_plan(const Scene& scene, Plan& plan, Ledger& ledger, const Clock& clock = {},
                                  const std::function<void(double)>& reached = {});
 
-/// For whoever runs the stages otherwise: into the ledger goes what there is of each object, and of those
+/// For code that runs the stages otherwise: into the ledger goes what there is of each object, and of those
 /// that are skipped why.
 void count_objects(const Scene& scene, const Plan& plan, Ledger& ledger);
 /// The same of stage 7's light and of the pixels of stage 8.

@@ -31,7 +31,7 @@ constexpr bool leans(Projection3d projection) { return projection == Projection3
 /// What decides which of two surfaces is seen where both are.
 enum class HiddenSurfaces {
   z_buffer,         ///< the depth of each pixel (visibility/z_buffer)
-  painter,          ///< Newell's order, which cuts what has none (visibility/painter)
+  painter,          ///< Newell's order, with cuts where there is none (visibility/painter)
   bsp_tree,         ///< the order of a BSP tree, which cuts triangles (visibility/bsp_tree)
   farthest_vertex,  ///< an exhibit: the order of farthest corners, wrong for some (visibility/painter)
 };

@@ -38,7 +38,7 @@ class Places {
   std::unordered_map<dvec3, int, Hash> numbers_;
 };
 
-/// The model, complete: normals are made where it has none. groups: the smoothing group of each face; none:
+/// The model, complete: missing normals are made. groups: the smoothing group of each face; none:
 /// all faces are in one.
 /// Errors: InputError for a model without a face.
 ModelFile finished(ModelFile model, const TextFile& file, std::span<const int> groups = {});

@@ -30,7 +30,7 @@ bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& f
 
 /// Reads what a model names from where the model lies: where the name says, with / or, as on Windows,
 /// \ between folders; else, for a path on another disk, under its last part. A folder of that name is no
-/// file. What lies outside of the model's folder is read but not quotable. What an OBJ file names may be as
+/// file. What lies outside the model's folder is read but not quotable. What an OBJ file names may be as
 /// large as most_library_bytes, what others name as most_file_bytes: the model itself stands there.
 ///
 /// model: path of its file; "" for one in the current folder. took: is told of each file that was read.

@@ -104,7 +104,7 @@ Camera with_depths(Camera camera, const Bounds& bounds) {
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  // A box behind the eye, or that touches it at most, is not seen, whatever the planes
+  // A box behind the eye, or that touches it at most, is not seen, with any planes
   constexpr double least = 1e-305;  // a thousandth of it is no zero
   if (farthest <= 1e-30 * bounds.radius() || farthest < least)
     farthest = bounds.radius() >= least ? bounds.radius() : 1;

@@ -1,5 +1,5 @@
 #pragma once
-// A camera and lights for whoever names none: placed from the bounds of what is to be seen.
+// The default camera and lights: placed from the bounds of what is to be seen.
 
 #include <span>
 #include <string>
@@ -45,7 +45,7 @@ Camera framed(const Bounds& bounds, double aspect, dvec3 side = front_right_abov
 /// somebody else has placed. From inside the box near is a thousandth of far.
 Camera with_depths(Camera camera, const Bounds& bounds);
 
-/// The lights of whoever names none: a strong one behind the viewer's left shoulder and a weak one from the
+/// The default lights: a strong one behind the viewer's left shoulder and a weak one from the
 /// right. They are directional, so the size of the model makes no difference.
 std::vector<Light> default_lights(const Camera& camera);
 

@@ -1,5 +1,5 @@
 #pragma once
-// JSON that people write by hand: every value knows its line, so that whatever is wrong with it can be found.
+// JSON that people write by hand: every value knows its line, so that its mistakes can be found.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-// Models of all formats: OBJ, OFF, PLY and STL by our own readers, others by whoever is there to import them.
+// Models of all formats: OBJ, OFF, PLY and STL by our own readers, others by an importer, if there is one.
 
 #include <array>
 #include <functional>
@@ -32,7 +32,7 @@ using ModelImporter =
 /// file: decides by its name who reads it. open: as for parse_obj. import: nobody where there is no library
 ///   for it.
 ///
-/// Errors: InputError as parse_obj and the importer throw it, and for a model that nobody can import.
+/// Errors: InputError as parse_obj and the importer throw it, and for a model without an importer.
 ModelFile read_model(std::string_view bytes, const TextFile& file, const FileReader& open,
                      const ModelImporter& import);
 

@@ -165,7 +165,7 @@ class ObjReader {
       const std::string problem =
           s.place(fmt::format("expected one of the {} so far ({}), found {} in {}", counted(array, size),
                               statement_name[array], s.quoted(number), s.quoted(word)));
-      // Of what the whole file has none, no index can be meant
+      // No index can mean what the whole file lacks
       if (size > 0 || array == position) refuse_input(problem);
       if (too_early_[array].empty()) too_early_[array] = problem;
       return 0;
@@ -360,7 +360,7 @@ class ObjReader {
     }
   }
 
-  /// Indices into data of which the file has none at all mean nothing.
+  /// Indices into data that the file lacks altogether mean nothing.
   void leave_out(Array array, int Corner::* member) {
     if (size_of(array) > 0) {
       if (!too_early_[array].empty()) refuse_input(too_early_[array]);

@@ -1,5 +1,5 @@
 #pragma once
-// Models from the text of OBJ files. Files themselves are read elsewhere (scene/files.hpp): a page has none.
+// Models from the text of OBJ files. Files themselves are read elsewhere (scene/files.hpp): pages lack them.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 // Scenes from JSON: objects and where they stand, camera, lights, and how all that is drawn. Files themselves
-// are read elsewhere (scene/files.hpp): a page has none.
+// are read elsewhere (scene/files.hpp): in a page there are none.
 
 #include <functional>
 #include <optional>
@@ -23,7 +23,7 @@ inline constexpr std::size_t most_models = 1000, most_objects = 100'000, most_li
 /// A scene that was read, still without a camera, whose place may depend on the picture's shape.
 struct SceneFile {
   Scene scene;                     ///< objects, lights and how they are drawn
-  bool lights_told = false;        ///< else whoever places the camera adds default_lights
+  bool lights_told = false;        ///< else default_lights are added with the camera
   std::optional<ivec2> size;       ///< of the picture, in pixels
   View view;                       ///< what is told of the camera
   std::optional<CameraPath> path;  ///< where it moves, if it does; its eye is told by path or view

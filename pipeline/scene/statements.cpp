@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Whether a decimal number that lies outside of the doubles is too small for them, not too large: whether
+/// Whether a decimal number that lies outside the doubles is too small for them, not too large: whether
 /// its first digit stands behind the point.
 bool vanishes(std::string_view number) {
   const std::size_t e = std::min(number.find_first_of("eE"), number.size());

@@ -103,7 +103,7 @@ class Statements {
   std::string joined_;  ///< a statement that goes over several lines
 };
 
-/// Statements that nobody knows: each kind is told once, with its first place and how often it stands there.
+/// Unknown statements: each kind is reported once, with its first place and how often it stands there.
 class UnknownStatements {
  public:
   void add(const Statement& s, std::string_view key);

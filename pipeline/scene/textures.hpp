@@ -1,6 +1,6 @@
 #pragma once
-// The pictures that materials name. What a PNG or a JPEG is, the caller knows: pages that draw models have
-// none.
+// The pictures that materials name. The caller knows how to read a PNG or a JPEG: pages that draw models have
+// no decoders.
 
 #include <functional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// How somebody wants to see a scene; what he leaves open is found from its objects.
+// How a scene is to be seen; what is left open is found from its objects.
 
 #include <optional>
 #include <span>

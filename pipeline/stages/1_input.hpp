@@ -32,7 +32,7 @@ struct FaceRead {
   int file, line;  ///< where the face stands; file -1: in none
 };
 
-/// The normal, flat, of a face whose corner has none.
+/// The normal, flat, of a face whose corner lacks one.
 inline dvec3 flat_normal(const Mesh& mesh, const MeshFace& face) {
   return unit_vector(area_vector(mesh, face, unit_scale(bounds_of(mesh, face))));
 }

@@ -68,7 +68,7 @@ inline Polygon polygon_of(const Piece& piece, const Model<WorldPoint>& world, co
   return polygon;
 }
 
-/// Whether nothing of the polygon is outside of any plane.
+/// Whether nothing of the polygon is outside any plane.
 inline bool inside_all(const Polygon& polygon, std::span<const sutherland_hodgman::Plane<double>> planes) {
   return std::ranges::all_of(planes, [&](const auto& plane) {
     return std::ranges::all_of(polygon, [&](const ClipCorner& c) { return distance(plane, c.at) >= 0; });

@@ -61,7 +61,7 @@ inline std::optional<Fragment> held(const PixelCell& cell) {
 }
 
 /// Tests a fragment against its pixel, and keeps it when it is the nearest so far.
-/// Steps: DepthTested. Accuracy: exact, whatever the order. Cost: a comparison.
+/// Steps: DepthTested. Accuracy: exact, in any order. Cost: a comparison.
 template <Observer<DepthTested> O = Unobserved>
 void keep_nearest(const Fragment& f, Visible& cells, O&& observer = {}) {
   using z_buffer::keep_nearest;

@@ -59,7 +59,7 @@ class Textures {
   Textures(TextureFilter filter, Size picture, const LinearTextures* decoded = nullptr)
       : filter_(filter), picture_(picture), decoded_(decoded) {}
 
-  /// The colour of a fragment's texture at (u, v); nothing where its material has none.
+  /// The colour of a fragment's texture at (u, v); nothing where its material lacks one.
   std::optional<LinearRgb> at(const Fragment& f, const Triangle& t, const Material& material, dvec2 uv) {
     const LinearTexture* texture = texture_of(material);
     if (!texture) return std::nullopt;

@@ -81,7 +81,7 @@ def missing(root):
 
 
 def unknown(root):
-    """No place names a topic that there is not."""
+    """No place names a topic that doesn't exist."""
     known = {topic.name for topic in project.topics(root)} | OTHERS
     return [f"{place}: {name} is no topic; CMakeLists.txt has no gradus_add_topic line for it"
             for place, (names, _) in PLACES.items() for name in sorted(names(root) - known)]

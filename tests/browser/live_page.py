@@ -94,7 +94,7 @@ def texts(check):
                 section = line.strip('[]')
             elif ' = ' in line and section in known:
                 known[section].add(line.split(' = ')[0])
-        check.equal(f'{code}: the scripts ask for texts that there are', sorted(asked - known['live.said'] - known['player.said'] - {'step'}), [])
+        check.equal(f'{code}: the scripts ask for existing texts', sorted(asked - known['live.said'] - known['player.said'] - {'step'}), [])
         check.equal(f'{code}: the strip, too', sorted(places - known['live'] - known['player'] - {f'said.{key}' for key in known['live.said']}), [])
         used = {key for key in known['live.said'] if key in asked or f'said.{key}' in places}
         check.equal(f'{code}: no text is for nothing', sorted(known['live.said'] - used)

@@ -27,7 +27,7 @@ def languages(check, browser, made):
     asked = {key for call in re.findall(r"\bsay\(([^;{]*)", scripts) for key in re.findall(r"'(\w+)'", call)}
     known = {key.removeprefix('player.said.') for key in english} | {'step', 'faulty'}
     check.that('the script asks for texts', len(asked) > 20, len(asked))
-    check.equal('… that there are', sorted(asked - known), [])
+    check.equal('… that exist', sorted(asked - known), [])
     sources = scripts + ''.join(
         (ROOT / 'visualize/web' / name).read_text(encoding='utf-8')
         for name in ('page/player.html', 'page/player_template.html', 'workbench/workbench.html', 'player.cpp', 'player_parts.cpp'))

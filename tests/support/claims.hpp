@@ -124,7 +124,7 @@ inline std::vector<Token> tokens_of(std::string_view text) {
       token.kind = Token::Kind::mark;
       token.text = *mark;
     } else {
-      // A word's letters one by one, so that whatever touches it is no number of ours
+      // A word's letters one by one, so that a number touching it is not one of ours
       std::size_t size = 1;
       while (at + size < text.size() && (static_cast<unsigned char>(text[at + size]) & 0xc0) == 0x80) ++size;
       token.text = rest.substr(0, size);
@@ -137,7 +137,7 @@ inline std::vector<Token> tokens_of(std::string_view text) {
 }
 
 /// sum := term (± term)*, term := factor (· / × factor)*, factor := −factor | √factor | atom²?
-/// A minus that is an operator has blanks on both sides, a sign has none behind it.
+/// A minus that is an operator has blanks on both sides, a sign has no blank behind it.
 class Reader {
  public:
   Reader(const std::vector<Token>& tokens, std::size_t first, std::size_t end)

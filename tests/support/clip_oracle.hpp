@@ -41,7 +41,7 @@ bool is_nearest(T rounded, const Exact& exact) {
 inline double error_in_ulp(double x, const Fraction& exact, double least = 0) {
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
   if (least == 0 && Fraction(x) == exact) return 0;
-  // The distance to the next double; the largest has none, but the same distance below it
+  // The distance to the next double; after the largest there is none, but the same distance below it
   const double near = std::max(std::abs(static_cast<double>(exact)), least);
   const double size = std::min(near, std::nextafter(std::numeric_limits<double>::max(), 0.0));
   const double unit = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;

@@ -97,7 +97,7 @@ def on_terminal(*words, env=None, stdin=subprocess.DEVNULL, enough=None):
 
 
 def wait_for(condition, seconds=60):
-    """Until it holds; whoever gives up says so by what he checks next."""
+    """Until it holds; after giving up, the caller's next check says so."""
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.01)

@@ -4,8 +4,8 @@
     tests/support/formulas.py > docs/topics/formulas.txt
 
 Two lines a formula: TeX as a page has it, between $` and `$ or as a line of a block ```math, then the contents of a
-<math> element. It is made by blahtexml (package blahtexml) and kept with the pages, so that nothing needs that program
-but whoever writes a formula.
+<math> element. It is made by blahtexml (package blahtexml) and kept with the pages, so that only writing a formula needs
+that program.
 """
 import pathlib
 import re

@@ -208,7 +208,7 @@ class OddArguments {
   static std::string usual_of(const Parameter& p) {
     return p.default_value.empty() ? p.example : p.default_value;
   }
-  /// All numbers of a text, whatever stands between them.
+  /// All numbers of a text, with anything between them.
   static std::vector<double> numbers_in(std::string_view text) {
     std::vector<double> found;
     const std::string all(text);

@@ -122,7 +122,7 @@ void show_in_any_script(cairo_t* context, std::string_view text, double size, dv
   pango().pango_layout_set_width(layout.get(), static_cast<int>(std::floor(width * PANGO_SCALE)));
   pango().pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
   cairo_move_to(context, at.x, at.y);
-  // The line itself, which begins at the left whatever its direction
+  // The line itself, which begins at the left in either direction
   pango().pango_cairo_show_layout_line(context, pango().pango_layout_get_line_readonly(layout.get(), 0));
 }
 

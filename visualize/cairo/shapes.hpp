@@ -21,7 +21,7 @@ std::vector<Segment<2, double>> hatch_lines(const RectShape& rect, double unit);
 std::vector<Segment<2, double>> hatch_lines(const AreaShape& area, double unit);
 double hatch_width(double unit);
 
-/// The tip and the two barbs of a line's arrow; nothing when it has none.
+/// The tip and the two barbs of a line's arrow; nothing for a line without one.
 struct ArrowHead {
   dvec2 tip, left, right;
 };

@@ -409,7 +409,7 @@ class SvgWriter {
     return text + "</defs>\n";
   }
 
-  /// The fonts for the letters of all texts: whoever opens the file needs none.
+  /// The fonts for the letters of all texts: the file opens anywhere without them.
   std::string fonts() const {
     std::u32string characters;
     for (const Shape& shape : sheet_.shapes) {

@@ -154,7 +154,7 @@ std::string index_of(const std::vector<std::string>& items) {
   return out.text();
 }
 
-/// A number that takes five bytes, whatever it is: where offsets stand does not move them.
+/// A number that always takes five bytes: where offsets stand does not move them.
 void put_offset(Bytes& out, std::size_t value) { out.u8(29).u32(static_cast<std::uint32_t>(value)); }
 
 std::string cff_of(const std::string& name, const std::vector<Glyph>& glyphs, const Hull& bounds) {

@@ -1,5 +1,5 @@
 #pragma once
-// The figures' letters for pages and SVG files: who opens them needs no fonts of ours.
+// The figures' letters for pages and SVG files, which then open without our fonts.
 
 #include <string>
 #include <string_view>

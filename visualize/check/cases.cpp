@@ -17,7 +17,7 @@ namespace {
 
 /// So many draws are tried for a kind.
 constexpr std::size_t most_draws = 400;
-/// Where none of so many is a tie, the topic is taken to have none.
+/// Where none of so many is a tie, the topic is taken to be without ties.
 constexpr std::size_t draws_without_ties = 40;
 
 /// "--from 0,0 --to 7,3" by the names of parameters; nothing where it takes files or other methods.

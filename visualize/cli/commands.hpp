@@ -43,7 +43,7 @@ std::string parameter_flag(const Command& command, const Parameter& parameter);
 /// Flags that every command takes.
 std::span<const Flag> common_flags();
 
-/// The looks that `figures` takes for a whole lecture, whatever it says itself.
+/// The looks that `figures` takes for a whole lecture, over those it names itself.
 std::span<const Flag> lecture_looks();
 
 /// A command line, read: names resolved, values as written.

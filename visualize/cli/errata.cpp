@@ -181,7 +181,7 @@ std::string in_vain(const Trace& wrong) {
   return wrong.pixels.empty() ? "" : fmt::format("Pixels: {}, all of them wrong.", pixel_set(wrong).size());
 }
 
-/// A text of an entry; empty where it has none of this key.
+/// A text of an entry; empty where this key is missing.
 std::string text_in(const JsonNode& entry, std::string_view key) {
   const JsonMember* member = entry.member(key);
   return member ? member->value.text : "";

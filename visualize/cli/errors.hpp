@@ -18,7 +18,7 @@ class WorkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Whoever read our output has closed it (`gradus list | head -1`): nothing to report. Exit code 1.
+/// The reader of our output has closed it (`gradus list | head -1`): nothing to report. Exit code 1.
 class OutputClosed : public std::exception {};
 
 }  // namespace gradus::cli

@@ -21,7 +21,7 @@ inline constexpr std::int64_t most_pages = 1000;
 /// --format, or the ending of the output's name; SVG for standard output. Throws UsageError.
 Format read_format(const Request& request, const std::string& output);
 
-/// What is shown of a run where nobody names a step: Trace::telling, where it is kept.
+/// What is shown of a run where no step is named: Trace::telling, where it is kept.
 StepNumber telling_step(const Takes& takes);
 /// The one step that an SVG or PNG shows: --step, else the telling one. Throws UsageError when there is none.
 StepNumber shown_step(const FigureSpec& spec, const Takes& takes);
@@ -29,7 +29,7 @@ StepNumber shown_step(const FigureSpec& spec, const Takes& takes);
 /// recorded.
 std::vector<StepNumber> shown_steps(const FigureSpec& spec, const Takes& takes);
 
-/// The step on its sheet, beside another run where the spec says so; with panels these, whatever the step.
+/// The step on its sheet, beside another run where the spec says so; with panels these, for any step.
 Sheet sheet_in(const FigureSpec& spec, Takes& takes, StepNumber step, const Look& look);
 /// The same in the spec's look; every letter of it can be drawn. Throws UsageError.
 Sheet sheet_of(const FigureSpec& spec, Takes& takes, StepNumber step);

@@ -1,5 +1,5 @@
 #pragma once
-// Reading what the user gave and writing what he asked for. What is written appears whole or not at all.
+// Reading what the user gave and writing what was asked for. What is written appears whole or not at all.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,14 +14,14 @@
 
 namespace gradus::cli {
 
-/// A whole regular file, or standard input, whatever it is, for "-". `what` names the argument in errors
+/// A whole regular file, or standard input, of any kind, for "-". `what` names the argument in errors
 /// ("--maze"). Throws UsageError when it can't be read, is a folder, pipe or device, or holds more than 256
 /// MiB.
 std::string read_input(const std::string& path, std::string_view what);
 
 /// Everything to one of the standard streams. Throws WorkError, or OutputClosed for a pipe nobody reads.
 void write_stream(Stream stream, std::string_view bytes);
-/// The same to stderr, whatever happens to it: there is nowhere left to complain.
+/// The same to stderr, and its failure is ignored: there is nowhere left to complain.
 void note(std::string_view line);
 
 /// Whether both paths lead to one file, by links and folders' links, too; it need not be there yet.

@@ -88,7 +88,7 @@ class Folder {
   std::vector<std::string> paths_;
 };
 
-/// SVG and PNG of each step, for whoever takes them all.
+/// SVG and PNG of each step, for taking them all.
 std::string zip_bytes(const LectureFigure& figure, Takes& takes) {
   const FigureSpec spec = paged(figure.spec, takes, most_zip_steps);
   const auto draw = [&](StepNumber step) {

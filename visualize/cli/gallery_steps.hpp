@@ -8,7 +8,7 @@
 
 namespace gradus::cli {
 
-/// Pages of a PDF whose steps nobody chose; longer runs show steps evenly spaced.
+/// Pages of a PDF without chosen steps; longer runs show steps evenly spaced.
 constexpr std::int64_t most_gallery_pages = 120;
 
 /// Whether a run has more steps than the pages of its PDF.

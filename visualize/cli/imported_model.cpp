@@ -244,7 +244,7 @@ pipeline::ModelFile import_model(std::string_view bytes, const pipeline::TextFil
     refuse(fmt::format("{} (Assimp does not come to an end)", no_model));
   if (result.end == ProcessResult::End::crashed) refuse(fmt::format("{} (Assimp has crashed)", no_model));
   std::string_view answer = result.bytes;
-  // Whoever reads files for us is told here what has been read there
+  // The process that reads files for us says here what it has read
   for (const std::string& name : take_names(answer)) open(name);
   if (answer.starts_with(was_refused)) refuse_input(std::string(answer.substr(1)));
   std::optional<pipeline::ModelFile> model =

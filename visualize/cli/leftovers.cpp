@@ -46,7 +46,7 @@ std::string host_name() {
 }
 
 /// When a process began, in ticks since the system did: the 22nd word of its stat; empty when it is not told.
-/// The second word is the program's name in parentheses, whatever that holds.
+/// The second word is the program's name in parentheses, of any characters.
 std::string start_of(pid_t process) {
   const std::string stat = text_in(fmt::format("/proc/{}/stat", process));
   const std::size_t name_end = stat.rfind(')');

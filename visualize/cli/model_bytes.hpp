@@ -14,7 +14,7 @@ namespace gradus::cli {
 std::string bytes_of(const pipeline::ModelFile& model);
 
 /// The model in such bytes, or nothing when they are none: cut off, or with numbers of corners, materials and
-/// files that there are not.
+/// files that don't exist.
 std::optional<pipeline::ModelFile> model_in_bytes(std::string_view bytes);
 
 }  // namespace gradus::cli

@@ -18,7 +18,7 @@ class AskedRuns {
   AskedRuns(const TopicEntry& topic, check::OwnAnswers answers, std::map<std::string, std::string> given);
 
   const check::OwnAnswers& answers() const { return answers_; }
-  /// Throws InputError with file and line for a case that there is not, and arguments that the topic does not
+  /// Throws InputError with file and line for a missing case, and arguments that the topic does not
   /// take.
   Arguments arguments_of(const check::OwnAnswer& answer);
   /// Our run of these. Throws InputError where it is too long to be kept whole.

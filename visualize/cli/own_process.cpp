@@ -39,7 +39,7 @@ rlim_t memory_now() {
 /// What the copy does before its work.
 void restrain(const ProcessLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // A library that finds its memory broken would say so to whoever watches
+  // A library that finds its memory broken would say so on the terminal
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   limit_to(RLIMIT_CORE, 0);

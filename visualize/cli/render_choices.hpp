@@ -23,7 +23,7 @@ using SayFlag = std::function<void(std::string_view flag, std::string_view value
 enum class DrawnBy { fast, textbook };
 inline constexpr std::array<std::string_view, 2> drawn_by_names{"fast", "textbook"};
 
-/// How surfaces are drawn; what nobody names is the first of each.
+/// How surfaces are drawn; the first of each is the default.
 struct DrawnSurfaces {
   pipeline::HiddenSurfaces hidden{};
   pipeline::Culling culling{};

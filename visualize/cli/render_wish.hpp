@@ -33,7 +33,7 @@ struct Wish {
       pipeline::TextureFilter::mip_mapped;  ///< nothing: no textures
   pipeline::Antialiasing antialiasing = pipeline::default_antialiasing;
   int samples = pipeline::default_samples;
-  PlanWish plan;     ///< read by whoever knows the size
+  PlanWish plan;     ///< read where the size is known
   std::string said;  ///< the flags in their canonical spelling, " --size 640x480", but for frames and plan
 };
 

@@ -23,7 +23,7 @@ bool is_short_flag(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && word[1] != '-' && !('0' <= word[1] && word[1] <= '9');
 }
 
-/// A flag that may be meant, whoever it belongs to.
+/// A flag that may be meant, of any command or topic.
 struct Known {
   std::string name;  ///< as compared: "at", "svg_text"
   std::string word;  ///< as the parser knows it: "at", "svg-text"
@@ -165,7 +165,7 @@ class LongNames {
     spelled_.words.push_back("--" + flag.word + "=" + value);
   }
 
-  /// The word after -o belongs to it, whatever it begins with.
+  /// The word after -o belongs to it, even if it begins with "-".
   void take_short_value(std::size_t& i) {
     const std::string& word = words_[i];
     if (plain_ || !is_short_flag(word) || word.size() != 2 || !letter_takes_value(spelled_.command, word[1]))

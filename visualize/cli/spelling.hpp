@@ -9,7 +9,7 @@
 namespace gradus::cli {
 
 /// A command line written out: of `fig cir --at -5,8` there remain the command figure, the topic that begins
-/// with "cir", and the word "--at=-5,8". A value is whatever follows its flag, unless it begins with "--".
+/// with "cir", and the word "--at=-5,8". A value is what follows its flag, unless it begins with "--".
 struct Spelled {
   const Command* command = nullptr;
   const TopicEntry* topic = nullptr;

@@ -26,7 +26,7 @@ class StatusLine {
   /// While a person types, nothing is shown.
   void hide(bool hidden);
 
-  /// For the end of the process, whatever other threads are doing: clears the line if it can.
+  /// For the end of the process, while other threads may still run: clears the line if it can.
   void leave();
 
  private:

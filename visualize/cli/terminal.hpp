@@ -13,7 +13,7 @@ enum class Color { automatic, always, never };
 /// "auto", "always", "never", or a unique beginning. Throws UsageError.
 Color read_color(std::string_view text);
 
-/// Empty: there is none of this name.
+/// Empty: there is none.
 std::string environment(const char* name);
 
 enum class Stream { out = 1, err = 2 };

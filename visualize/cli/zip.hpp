@@ -1,5 +1,5 @@
 #pragma once
-// Zip files, for whoever takes all steps at once or uploads a whole gallery to a learning platform.
+// Zip files, for taking all steps at once or uploading a whole gallery to a learning platform.
 
 #include <filesystem>
 #include <functional>
@@ -20,7 +20,7 @@ struct ZipEntry {
 };
 
 /// The entries in their order, deflated unless they say otherwise. The same entries give the same bytes,
-/// whoever packs them where and when; the zip's comment says that Gradus did. Throws WorkError.
+/// anywhere and at any time; the zip's comment says that Gradus packed them. Throws WorkError.
 std::string zip_of(std::span<const ZipEntry> entries);
 
 /// Packs files below `folder` (relative paths) into the zip `output`, under the same paths: with an

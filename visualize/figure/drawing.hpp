@@ -25,13 +25,13 @@ struct Dot {
   friend bool operator==(const Dot&, const Dot&) = default;
 };
 
-/// A straight line between two points; with `arrow`, a head at b; `dashed` whatever its role: hidden, or only
+/// A straight line between two points; with `arrow`, a head at b; `dashed` in any role: hidden, or only
 /// thought.
 struct Stroke {
   dvec2 a, b;
   bool arrow = false;
   bool dashed = false;
-  bool thin = false;  ///< whatever its role: it lies behind, or only leads from one thing to another
+  bool thin = false;  ///< in any role: it lies behind, or only leads from one thing to another
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // The parts of laying out a figure that its files share.
 //
-// Sizes are in units: a slide's shorter side is 720 of them, whatever its size; on a handout they are
+// Sizes are in units: a slide's shorter side is 720 of them, at any size; on a handout they are
 // smaller.
 
 #include <cstddef>
@@ -72,7 +72,7 @@ Paint mark_paint(const Trace& trace, const Mark& mark);
 Paint text_paint(const Trace& trace, const Mark& mark);
 /// A round marker at a pixel, as its paint's role has it.
 DiscShape disc_at(dvec2 at, Paint paint, bool ring, double scale);
-/// Of a thin line, whatever its role, in units.
+/// Of a thin line in any role, in units.
 inline constexpr double thin_width = 1.6;
 /// The inside of rings of pixels; shade: of an Area.
 AreaShape area_in(std::vector<std::vector<dvec2>> rings, Role role, int shade = 0);

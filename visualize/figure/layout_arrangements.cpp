@@ -1,4 +1,4 @@
-// The arrangements that there are of drawing, listing and table.
+// The arrangements of drawing, listing and table.
 
 #include <algorithm>
 

@@ -44,7 +44,7 @@ bool may_break_before(std::string_view line, std::size_t at) {
 }
 
 /// Where to break a line so that its first row has at most `columns` characters: as late as can be, but
-/// rather outside of brackets. Nothing: nowhere.
+/// rather outside brackets. Nothing: nowhere.
 std::size_t best_break(std::string_view line, std::size_t columns) {
   constexpr std::size_t worth_of_a_bracket = 9;
   std::size_t best = std::string_view::npos, least = std::string_view::npos, depth = 0;

@@ -38,7 +38,7 @@ std::string escaped(std::string_view text) {
         safe += "&#39;";
         break;
       default:
-        // Written out, so that whoever looks at the file is not fooled; line ends and tabs are fine
+        // Written out, so that the file's readers are not fooled; line ends and tabs are fine
         if (is_control(c) && fits_xml(c) && c != '\t' && c != '\n') {
           safe += fmt::format("&#x{:x};", static_cast<std::uint32_t>(c));
           break;

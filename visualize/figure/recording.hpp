@@ -47,7 +47,7 @@ class TraceWriter {
     next_ = number;
     fine_ = 0;
   }
-  /// Whether nothing more is kept: from now on milestones are only counted, and whoever tells a long run need
+  /// Whether nothing more is kept: from now on milestones are only counted, and the teller of a long run need
   /// not work out what they change.
   bool full() const {
     return static_cast<std::int64_t>(trace_.steps.size()) >= recording_.most ||

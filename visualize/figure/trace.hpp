@@ -48,7 +48,7 @@ struct Decision {
   std::string branch{};              ///< its kind, for programs: straight, diagonal, inside, outside, cut, …
 };
 
-/// The cells of one table row, one text per column of the trace; empty where it has none.
+/// The cells of one table row, one text per column of the trace; empty where there is none.
 using Row = std::vector<std::string>;
 
 /// One thing that happened.
@@ -151,14 +151,14 @@ struct Trace {
   std::vector<Field> result;
   std::vector<ivec2> pixels;  ///< rasters: the pixels that were set, in order (as many as were recorded)
 
-  /// The step whose figure tells most: what a figure shows where nobody names a step.
+  /// The step whose figure tells most: what a figure shows where no step is named.
   StepNumber telling;
 };
 
 /// The listing with what is struck out of it, ascending: what a figure shows.
 std::vector<SourceLine> shown_listing(const Trace& trace);
 
-/// The colour of a quantity by its symbol, below quantity_colors; nothing for those that have none.
+/// The colour of a quantity by its symbol, below quantity_colors; nothing for those without one.
 std::optional<int> color_of_quantity(const Trace& trace, std::string_view symbol);
 /// The same of a column's cells.
 std::optional<int> color_of_quantity(const Trace& trace, const Column& column);

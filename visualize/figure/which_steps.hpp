@@ -1,5 +1,5 @@
 #pragma once
-// Which steps of a run to show where nobody names them.
+// Which steps of a run to show where none are named.
 
 #include <optional>
 #include <vector>

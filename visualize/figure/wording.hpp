@@ -92,7 +92,7 @@ class Wording {
   std::vector<SymbolLabel> renamed() const;
 
   /// The text of this key with its values put in: say("figure.step", fmt::arg("number", "4")). Values and
-  /// labels are taken as they are, whatever they hold. Throws ContractViolation for a key that there is not
+  /// labels are taken as they are. Throws ContractViolation for a key that doesn't exist
   /// or a text that asks for another value.
   template <class... Values>
   std::string say(std::string_view key, const Values&... values) const {

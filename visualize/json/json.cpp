@@ -395,7 +395,7 @@ void put_drawing(Lines& out, const Trace& trace, bool with_legend) {
   if (!from_the_start) out.member("before", before_json(trace));
 }
 
-/// `ignores`: parameters that it has none of, or takes no notice of.
+/// `ignores`: parameters that it lacks, or takes no notice of.
 Json method_json(const TopicEntry& topic, const Method& method) {
   Json out{{"name", method.name},
            {"title", method.title},

@@ -1,5 +1,5 @@
 #pragma once
-// The files that whoever shows a page has opened in it: there is no disk.
+// The files that have been opened in a page: there is no disk.
 
 #include <map>
 #include <optional>
@@ -21,7 +21,7 @@ class OpenedFiles : public Files {
   /// Of a name without folders; what is not kept may come with the project (shipped_model). Throws
   /// UsageError.
   GivenFile open(const std::string& name, const std::string& flag) override;
-  /// By the last part of the name in the model, whatever folders stand before it.
+  /// By the last part of the name in the model, without the folders before it.
   pipeline::FileReader beside(const GivenFile& model, Took took) override;
   /// Throws UsageError for a file whose picture is not kept, InputError for more pixels than are taken.
   Image picture(const GivenFile& file, const std::string& called, std::int64_t most_pixels) override;

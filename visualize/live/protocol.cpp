@@ -136,7 +136,7 @@ Trace trace_in(const JsonNode& request, Files& files, bool played) {
   return chosen_part(choice, Takes(topic, inputs.arguments, wording));
 }
 
-/// The same input by another method, without what that has none of.
+/// The same input by another method, without what that method lacks.
 OtherSide other_in(const JsonNode& request, const TopicEntry& topic, Files& files) {
   std::map<std::string, std::string> given = arguments_in(request, topic);
   given["method"] = *text_of(request, "beside");

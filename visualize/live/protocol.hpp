@@ -1,6 +1,6 @@
 #pragma once
 // What a live page asks, and what it is answered: the texts that the gradus command writes, by the code that
-// writes them there. docs/live.md tells it to who writes a page.
+// writes them there. docs/live.md explains it to authors of pages.
 //
 //   {"want": "run", "topic": "bresenham_line", "arguments": {"from": "0,0", "to": "7,3"}, "language": "de"}
 

@@ -28,7 +28,7 @@ struct PresentedStep {
 /// A file inside the presentation's zip.
 struct PackagePart {
   std::string name, bytes;
-  bool stored = false;  ///< not to be compressed: whoever looks for it finds it without unpacking
+  bool stored = false;  ///< not to be compressed, so that it can be found without unpacking
 };
 
 /// What draws a part of a sheet, without a ground.

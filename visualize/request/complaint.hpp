@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a request, as whoever made it is told.
+// What is wrong with a request, in the words of its answer.
 
 #include <string>
 #include <string_view>

@@ -14,7 +14,7 @@
 
 namespace gradus {
 
-/// What "--step last" asks for, whatever number the run's last step has.
+/// What "--step last" asks for: the run's last step, of any number.
 inline constexpr StepNumber last_step{-1, 0};
 
 /// "4", "4.1", "last". Throws UsageError naming `flag`.
@@ -58,7 +58,7 @@ struct OtherSide {
   const TopicEntry* topic = nullptr;
   Arguments arguments;
   std::string text;  ///< as the canonical command says it: "first_octant", "--receding 45,1"
-  std::shared_ptr<const GivenRun> given{};  ///< it is this one, whatever topic and arguments say
+  std::shared_ptr<const GivenRun> given{};  ///< it is this one, even if topic and arguments differ
 };
 
 /// The run of a topic, recorded in parts as they are asked for.
@@ -114,7 +114,7 @@ class Takes {
   Alignment alignment_;
 };
 
-/// The parts of the run that are chosen; empty: the opening. Throws UsageError for steps that there are not.
+/// The parts of the run that are chosen; empty: the opening. Throws UsageError for steps that don't exist.
 std::vector<StepRange> chosen_ranges(const StepChoice& choice, const Takes& takes);
 /// What they hold, as `gradus run` tells it.
 Trace chosen_part(const StepChoice& choice, const Takes& takes);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view root = "algorithms/";
 
-/// Parts of core that a plain header has none of: watching, and what stands on other libraries.
+/// Parts of core that a plain header lacks: watching, and what stands on other libraries.
 struct LeftOut {
   std::string_view header;  ///< as it is included
   std::string_view type{};  ///< functions of which are left out with it

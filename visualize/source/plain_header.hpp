@@ -20,7 +20,7 @@ struct Files {
 /// The files that the program was built from.
 const Files& built_in_files();
 
-/// The header of a topic, with its observers, as it stands in algorithms/. Empty when the topic has none
+/// The header of a topic, with its observers, as it stands in algorithms/. Empty when the topic lacks one
 /// there. `topic`: its path, "clipping/liang_barsky".
 std::string_view watched_header(const Files& files, std::string_view topic);
 

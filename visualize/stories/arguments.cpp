@@ -37,7 +37,7 @@ std::string text_of(const Sizes& sizes) {
 
 namespace {
 
-/// Whether sizes hold the real numbers of a value, single ones and lists of them. Other values have none;
+/// Whether sizes hold the real numbers of a value, single ones and lists of them. Other values lack them;
 /// factors have sizes of their own.
 struct Holding {
   const Sizes& sizes;

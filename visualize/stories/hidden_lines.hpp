@@ -1,5 +1,5 @@
 #pragma once
-// Which parts of a line faces hide from whoever looks.
+// Which parts of a line faces hide from a viewer.
 
 #include <glm/vec4.hpp>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace gradus {
 
-/// Whoever looks: an eye, w = 1; or at w = 0 the direction towards a reader who is infinitely far away.
+/// A viewer: an eye, w = 1; or at w = 0 the direction towards a reader who is infinitely far away.
 using Viewer = glm::dvec4;
 
 /// All sight lines are parallel: a drawing of parallel projection.

@@ -41,7 +41,7 @@ const Method& method_of(const TopicEntry& topic, const Arguments& arguments) {
   return *found;
 }
 
-/// Refuses what the method has none of, or takes less of than others do.
+/// Refuses what the method lacks, or takes less of than others do.
 void require(const Method& method, const Arguments& arguments) {
   for (const std::string& name : method.without) {
     if (arguments.has(name) && !arguments.text(name).empty())

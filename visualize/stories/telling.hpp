@@ -103,7 +103,7 @@ struct Event {
   std::vector<Said> read{};             ///< the last row, completed
   std::string key{};                    ///< what it is about: "4,2" for a pixel
   std::string phase{};  ///< without it: set up for Started, result for Finished, main loop for others
-  bool begins = false, ends = false;  ///< then it is told as Started and Finished are, whatever its type
+  bool begins = false, ends = false;  ///< then it is told as Started and Finished are, for any type
   std::optional<Level> level{};       ///< without it: a step, arithmetic for a detail, idea for Finished
   std::optional<Decision> decides{};  ///< what this step decides, if it does
   std::string_view type{};            ///< the type it is told as, where that is not the step's own
@@ -202,7 +202,7 @@ struct LegendKey {
   std::string_view key;
 };
 
-/// Where a drawing shows a point of its input, if it does. Coordinates that it has none of are 0.
+/// Where a drawing shows a point of its input, if it does. Coordinates that it lacks are 0.
 using PlaceOnPaper = std::function<std::optional<dvec2>(const glm::dvec4&)>;
 
 /// A drawing whose coordinates are those of its input.

@@ -97,12 +97,12 @@ struct Method {
   void (*tell)(Narrator&) = nullptr;  ///< runs it and tells its steps
   std::string function{};             ///< what is listed; without it, the function of the method's name
   std::string file{};  ///< where that is in the topic's folder; without it, the topic's header, or its notes
-  std::vector<std::string> without{};                   ///< parameters it has none of
+  std::vector<std::string> without{};                   ///< parameters it lacks
   std::string why_without = "it walks to every pixel";  ///< may be empty
   std::vector<AtMost> within{};
   std::vector<SizesOf> sizes{};
   std::vector<std::string> unread{};  ///< parameters that it takes no notice of: its traces don't name them
-  bool of_columns = false;            ///< its vectors are columns whatever the reader's notation has
+  bool of_columns = false;            ///< its vectors are columns in every notation
   bool exact = false;                 ///< its numbers can be told in three arithmetics side by side
 };
 
@@ -175,7 +175,7 @@ class Arguments {
   std::optional<std::vector<std::size_t>> numbered_order(std::string_view name) const;
   std::vector<FactorText> factors(std::string_view name) const;
   Rgba8 color(std::string_view name) const;
-  /// Whether a flag was given; not, too, where the topic has none of this name.
+  /// Whether a flag was given; false if the topic has no such flag.
   bool flag(std::string_view name) const { return has(name) && text(name) == "yes"; }
   const std::vector<Entry>& entries() const { return entries_; }
 
@@ -189,7 +189,7 @@ class Arguments {
 };
 
 /// Ends a run that can't be with these arguments. What was expected is said of the first of the parameters
-/// that was given, for nobody looks for a mistake in a default.
+/// that was given, because a default is never the mistake.
 [[noreturn]] void refuse(const Arguments& arguments, std::initializer_list<std::string_view> parameters,
                          const std::string& what_was_expected);
 

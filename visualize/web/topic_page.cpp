@@ -150,7 +150,7 @@ class Page {
     return html_of(document_.get()) + sources_html() + "</section>\n";
   }
 
-  /// The headings as links, for whoever looks for one.
+  /// The headings as links.
   const std::string& contents() const { return contents_; }
 
  private:

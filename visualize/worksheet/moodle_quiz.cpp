@@ -44,7 +44,7 @@ std::string markup_escaped(std::string_view text) {
   return out;
 }
 
-/// Text of a question outside of its answers: a brace would begin one.
+/// Text of a question outside its answers: a brace would begin one.
 std::string html_of(std::string_view text) {
   return replaced_all(replaced_all(markup_escaped(text), "{", "&#123;"), "}", "&#125;");
 }

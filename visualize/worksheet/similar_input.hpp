@@ -18,7 +18,7 @@ namespace gradus::worksheet {
 /// draws the same inputs, one after the other.
 class SimilarInputs {
  public:
-  /// parameters: those that may change; what of them nobody could write down stays. They must live as long.
+  /// parameters: those that may change; what of them can't be written down stays. They must live as long.
   SimilarInputs(const std::vector<const Parameter*>& parameters, const Arguments& model, Random random);
 
   /// Whether there is anything to change.

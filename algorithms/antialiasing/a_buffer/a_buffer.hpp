@@ -1,7 +1,7 @@
 #pragma once
-// The A-buffer: of every pixel a list of the fragments that reach into it, each with a mask of 32 bits, one
-// for each of its sub-samples. Sorted front to back, a fragment shows what no nearer one hides: an "and not"
-// of two words. The number of bits that remain is its weight.
+// The A-buffer: a list of fragments per pixel, each with a mask of 32 bits, one for each of the pixel's
+// sub-samples. With the list sorted front to back, one AND NOT removes from a fragment what nearer ones hide;
+// the number of bits that remain is its weight.
 //
 // L. Carpenter, The A-buffer, an antialiased hidden surface method, SIGGRAPH 1984, 103-108.
 
@@ -270,7 +270,7 @@ constexpr std::size_t put_in_order(std::vector<Fragment>& sorted, auto& before) 
 // --- Light -------------------------------------------------------
 
 /// What of each sub-sample is still seen from the eye: parts of the pixel that all fragments so far have
-/// treated alike. A fragment cuts each part in two, inside and outside of its mask: the recursion of the
+/// treated alike. A fragment cuts each part in two, inside and outside its mask: the recursion of the
 /// source, taken front to back.
 class Light {
  public:
@@ -308,7 +308,7 @@ class Light {
     count_ = static_cast<std::size_t>(std::remove_if(parts_.begin(), end, gone) - parts_.begin());
   }
 
-  std::array<Part, samples> parts_{{{full, 1}}};  // disjoint, so that there are never more
+  std::array<Part, samples> parts_{{{full, 1}}};  // disjoint, and so never more
   std::size_t count_ = 1;
   Mask covered_ = 0;
 };
@@ -369,7 +369,7 @@ constexpr bool is_share(double x) { return 0 <= x && x <= 1; }
 /// Cost: sorting, then an "and not" and a popcount for each fragment; before for each two that overlap, again
 ///   for each part where they cross; at most 32 parts with opacity. Memory for parts, and 170 bytes a
 ///   fragment where nearest depths are not the order.
-/// Errors: ContractViolation for opacities outside of the domain.
+/// Errors: ContractViolation for opacities outside the domain.
 ///
 /// Returns the share that is covered; the rest shows the background.
 template <std::invocable<const Fragment&, double> Take, class Before = ByRange,

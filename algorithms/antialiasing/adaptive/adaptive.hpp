@@ -232,7 +232,7 @@ inline void check(const Window& window, std::span<const ivec2> samples) {
           most_samples, samples.size());
   for (const ivec2 place : samples)
     expects(0 <= std::min(place.x, place.y) && std::max(place.x, place.y) < subpixels,
-            "the sample at ({}, {}) lies outside of its pixel of 256 x 256 places", place.x, place.y);
+            "the sample at ({}, {}) lies outside its pixel of 256 x 256 places", place.x, place.y);
 }
 
 /// Mixes and plots every pixel, row by row. Returns the colours that were asked for.
@@ -268,7 +268,7 @@ std::int64_t plot_fragments(const Survey& survey, Colour& colour, Plot& plot, O&
 /// Accuracy: the same bits as each_sample.
 /// Cost: three edge functions a pixel of each box and a sample of a crossed one, a colour a fragment; memory
 ///   of 16 bytes a pixel and a sample.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Finished> O = Unobserved>
 void adaptive(std::span<const ScreenTriangle> triangles, const Window& window, std::span<const ivec2> samples,
@@ -347,7 +347,7 @@ class Picture {
 /// Accuracy: the bits of adaptive where no contrast is above the threshold, those of a colour a sample where
 ///   one is; contrasts are those of adaptive's picture.
 /// Cost: that of adaptive, and a colour a sample of a refined pixel.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <class Contrast, class Colour, class Plot,
           Observer<Classified, Compared, Sampled, Coloured, Contrasted, Finished> O = Unobserved>
 void adaptive_contrast(std::span<const ScreenTriangle> triangles, const Window& window,

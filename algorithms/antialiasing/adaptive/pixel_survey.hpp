@@ -85,7 +85,7 @@ class PixelsOf {
   Window window_;
 };
 
-/// Whoever has no area touches nothing.
+/// A triangle without area touches nothing.
 inline std::vector<Prepared> prepare(std::span<const ScreenTriangle> triangles, const Window& window) {
   std::vector<Prepared> all;
   all.reserve(triangles.size());

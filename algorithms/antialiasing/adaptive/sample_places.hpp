@@ -54,7 +54,7 @@ constexpr Lattice best_lattice(int modulus) {
 /// Domain: 1 to 256 samples. One stands in the centre.
 /// Accuracy: one sample in each of the n rows and n columns, in the middle of both, rounded down to 1/256.
 /// Cost: n^2.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 inline std::vector<ivec2> n_rooks(int count) {
   expects(1 <= count && count <= subpixels, "a pixel takes 1 to {} rooks, not {}", subpixels, count);
   // A lattice through the origin has one point too many, or the origin is one of them

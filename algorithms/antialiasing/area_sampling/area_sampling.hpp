@@ -1,6 +1,6 @@
 #pragma once
-// Antialiasing without samples: each pixel takes of each polygon as much as its exact area there. A polygon
-// is cut at the borders of pixels; where several lie in one pixel, what is seen of them has exact areas, too.
+// Antialiasing without samples: each polygon counts in a pixel by its exact area there. A polygon is cut at
+// the borders of pixels; where several lie in one pixel, the visible parts have exact areas as well.
 //
 // Rows grow downwards, as in an image: pixel (c, r) covers [c, c+1) x [r, r+1). Corners lie on the grid of
 // 1/256 pixel, so that all areas are rational.

@@ -1,6 +1,6 @@
 #pragma once
 // What is seen of the polygons in one pixel: from each the nearer ones are subtracted, and what remains has
-// an exact area. No sorting order need exist: of two polygons whose depths cross each hides a part of the
+// an exact area. No sorting order need exist: two polygons whose depths cross each hide a part of the
 // other.
 
 #include <algorithm>
@@ -146,7 +146,7 @@ Sides<T> compare(const Fragment<T>& other, const Fragment<T>& mine) {
   return {std::move(halves.inside), std::move(halves.outside)};
 }
 
-/// What of a convex piece lies outside of a convex outline, as convex pieces: along each edge in turn the
+/// What of a convex piece lies outside a convex outline, as convex pieces: along each edge in turn the
 /// part outside is kept, the rest goes on. False, and nothing is kept, where they share no area.
 template <class T>
 bool keep_outside(const Outline<T>& piece, const Outline<T>& taken, Pieces<T>& kept) {

@@ -192,7 +192,7 @@ constexpr void regular(std::span<dvec2> samples, O&& observer = {}) {
   if constexpr (observed<O>) observer(Finished{n});
 }
 
-/// Each sample anywhere in the pixel, whatever the others do: they form clumps and gaps.
+/// Each sample anywhere in the pixel, independent of the others: they form clumps and gaps.
 ///
 /// samples: as for `regular`. random: see numbers_of.
 ///
@@ -356,7 +356,7 @@ constexpr int turned(int number, int levels, Coins& coins) {
   return result;
 }
 
-/// 2^m samples, one in each box of 2^-m of the pixel's area, whatever its shape: 1 x 2^m cells, 2 x 2^(m-1),
+/// 2^m samples, one in each box of 2^-m of the pixel's area, of any shape: 1 x 2^m cells, 2 x 2^(m-1),
 /// … 2^m x 1. Sobol's first two coordinates, scrambled by Owen's nested coins.
 /// Source: as sobol_cell and turned; the scrambling is exact, not hashed: below the 2^m columns and rows what
 ///   the coins would say is a uniform offset.
@@ -393,7 +393,7 @@ constexpr void sobol(std::span<dvec2> samples, Random random, O&& observer = {})
   if constexpr (observed<O>) observer(Finished{n});
 }
 
-/// All of them, for whoever chooses one at run time.
+/// All of them, for a choice at run time.
 enum class Pattern : std::uint8_t { regular, uniform, jittered, n_rooks, correlated_multi_jittered, sobol };
 
 /// The samples of one pixel by any pattern. Domain, Accuracy, Cost, Errors: the pattern's.

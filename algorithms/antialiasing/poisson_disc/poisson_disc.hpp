@@ -1,6 +1,6 @@
 #pragma once
-// Samples that are random and yet nowhere crowded: any two of them are at least a radius apart. An eye's
-// light cells beside its fovea lie so, and that is why it sees noise where a grid would show false waves.
+// Samples that are random and yet nowhere crowded: any two of them are at least a radius apart. The eye's
+// receptors outside the fovea lie like that, so it sees noise where a grid would show false waves.
 //
 // Areas reach from (0, 0) to their size. One that wraps goes on at the opposite side, as a tile does beside
 // its copies: then samples keep their distance across its borders too.
@@ -143,7 +143,7 @@ class Grid {
   ivec2 cell_of(dvec2 place) const { return glm::min(ivec2(place / area_.size * dvec2(cells_)), cells_ - 1); }
   void put(dvec2 sample) { samples_[index(cell_of(sample))] = sample; }
 
-  /// The sample nearest to a place, of those in the cells round it; none for one outside of the area.
+  /// The sample nearest to a place, of those in the cells round it; none for one outside the area.
   Nearest nearest(dvec2 place) const {
     Nearest nearest;
     if (!contains(area_, place)) return nearest;
@@ -247,7 +247,7 @@ inline void check(const Area& area, double radius) {
 /// Accuracy: no two samples are nearer than the radius, not even by a rounding. It leaves gaps: how many
 ///   darts must miss is all that ends it.
 /// Cost: each dart asks the cells round it; the last gaps take most darts.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <class Plot, Observer<Started, Tried, Finished> O = Unobserved>
 void dart_throwing(const Area& area, double radius, int misses, Random random, Plot&& plot,
                    O&& observer = {}) {
@@ -286,7 +286,7 @@ void dart_throwing(const Area& area, double radius, int misses, Random random, P
 ///   another within two radii.
 /// Cost: proportional to the number of samples: each is retired once, after tries that failed, and each try
 ///   asks some 25 cells.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <class Plot, Observer<Started, Chosen, Tried, Retired, Finished> O = Unobserved>
 void bridson(const Area& area, double radius, int tries, Random random, Plot&& plot, O&& observer = {}) {
   check(area, radius);
@@ -343,7 +343,7 @@ void bridson(const Area& area, double radius, int tries, Random random, Plot&& p
 /// Steps: Started (Compared+ Taken)* Finished.
 /// Accuracy: promises no distance: the smallest one is returned; infinite for fewer than two samples.
 /// Cost: candidates * n^3 / 3 distances for n samples.
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <Observer<Started, Compared, Taken, Finished> O = Unobserved>
 double best_candidate(std::span<dvec2> samples, int candidates, Random random, O&& observer = {}) {
   expects(samples.size() <= 4096, "at most 4096 samples, not {}", samples.size());

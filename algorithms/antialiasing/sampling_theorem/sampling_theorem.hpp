@@ -51,7 +51,7 @@ struct FrameTaken {
 
 // --- Helpers ----------------------------------------------------------------------------------------------
 
-/// f minus the multiple of fs that lies nearest to it: exact, whatever their sizes. Of two multiples equally
+/// f minus the multiple of fs that lies nearest to it: exact for all sizes. Of two multiples equally
 /// near, either.
 inline double less_nearest_multiple(double f, double fs) { return std::remainder(f, fs); }
 inline Exact less_nearest_multiple(Exact f, Exact fs) { return f - fs * Exact(floor(f / fs + Exact(1, 2))); }

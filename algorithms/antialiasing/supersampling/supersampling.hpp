@@ -1,6 +1,6 @@
 #pragma once
-// Supersampling: the scene is asked at n x n places a pixel, and a filter makes one value of them. The places
-// are new samples of the scene; no finished picture can give them.
+// Supersampling: the scene is evaluated at n x n places per pixel, and a filter makes one value of them. The
+// places are new samples of the scene; no finished picture can give them.
 //
 // Rows grow downwards; pixel (c, r) is the square [c, c + 1) x [r, r + 1). A pixel has n x n sub-cells, cell
 // (0, 0) lies at the corner of pixel (0, 0), and the scene is asked at the cells' middles.
@@ -247,7 +247,7 @@ inline void expect_task(const Window& window, int n) {
 ///   off by at most 1/n, and by nothing on average.
 /// Cost: n^2 samples of the scene a pixel; each pixel n^2 (box), 4 n^2 (tent) or 9 n^2 (Gaussian) sums.
 ///   Memory: n, 2 n or 3 n rows of samples (cost_of_band).
-/// Errors: ContractViolation outside of the domain.
+/// Errors: ContractViolation outside the domain.
 template <class ColourAt, class Plot, class Value = ValueOf<ColourAt>,
           Observer<Started, Added<Value>, Filtered<Value>, Finished> O = Unobserved>
 Taken supersample(const Window& window, int n, Filter filter, const ColourAt& colour_at, Plot&& plot,

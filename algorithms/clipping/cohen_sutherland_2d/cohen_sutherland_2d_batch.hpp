@@ -9,7 +9,7 @@
 
 namespace gradus::cohen_sutherland_2d {
 
-/// Clips every line to the window: the bits of correctly_rounded (and of liang_barsky's), whatever the
+/// Clips every line to the window: the bits of correctly_rounded (and of liang_barsky's), on every
 /// machine. As many lines as fit into a register go together through codes, at most one cut an end, and a
 /// certificate; lines without it go through correctly_rounded one by one.
 ///

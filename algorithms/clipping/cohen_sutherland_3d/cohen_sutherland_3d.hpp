@@ -109,7 +109,7 @@ constexpr Border first_of(const Order& order, const End<N, T>& end) {
 
 // --- The taught method -------------------------------------------
 
-/// Where the way from p, outside of a face, to q, which is not, comes to it, in the arithmetic of T.
+/// Where the way from p, outside a face, to q, which is not, comes to it, in the arithmetic of T.
 template <class T>
 constexpr glm::vec<3, T> meet(const glm::vec<3, T>& p, const glm::vec<3, T>& q, Border face,
                               const AxisBox<3, T>& box) {
@@ -144,7 +144,7 @@ constexpr End<N, T> cut(const End<N, T>& a, const End<N, T>& b, Border face, con
 /// Accuracy: exact for Exact. In floating point every cut starts from a rounded point, the errors add up, and
 ///   lines that pass near an edge may be decided wrongly; the measured sizes are in
 ///   docs/topics/clipping/cohen_sutherland_3d.md. The number of cuts is limited to 6, what exact arithmetic
-///   needs at most: rounding can put an end back outside of a face that it was cut at.
+///   needs at most: rounding can put an end back outside a face that it was cut at.
 /// Cost: six comparisons an end, one division a cut.
 /// Errors: ContractViolation for coordinates that are not finite, boxes that are inside out, and an order
 ///   that leaves out a face.

@@ -9,7 +9,7 @@
 
 namespace gradus::cohen_sutherland_3d {
 
-/// Clips every line to the box: the bits of correctly_rounded, whatever the machine. As many lines as fit
+/// Clips every line to the box: the bits of correctly_rounded, on every machine. As many lines as fit
 /// into a register go together through codes, at most one cut an end, and a certificate; lines without it go
 /// through correctly_rounded one by one.
 ///

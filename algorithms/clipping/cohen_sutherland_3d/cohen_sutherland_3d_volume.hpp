@@ -44,7 +44,7 @@ constexpr bool negative(const Depth<T>& d) {
   return d.base < -d.offset;
 }
 
-/// Whether a homogeneous point lies outside of a face; on it is inside. Behind the eye (w < 0) it may be left
+/// Whether a homogeneous point lies outside a face; on it is inside. Behind the eye (w < 0) it may be left
 /// and right at once.
 template <class T>
 constexpr bool outside(const glm::vec<4, T>& p, const ViewVolume&, Border face) {
@@ -63,7 +63,7 @@ constexpr glm::vec<4, T> copied_onto(glm::vec<4, T> p, Border face) {
   return p;
 }
 
-/// The textbook's cut of the way from p, outside of a face, to q, which is not: t = d(p) / (d(p) - d(q)),
+/// The textbook's cut of the way from p, outside a face, to q, which is not: t = d(p) / (d(p) - d(q)),
 /// then p + t (q - p), all rounded to T; the coordinate across the face is copied from w.
 template <class T>
 constexpr glm::vec<4, T> meet(const glm::vec<4, T>& p, const glm::vec<4, T>& q, Border face,

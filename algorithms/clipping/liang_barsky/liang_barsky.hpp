@@ -200,7 +200,7 @@ struct Narrowing {
     return !span.enter || !span.leave || order_of(*span.enter, *span.leave) <= 0;
   }
 
-  /// The line's points at the two borders, correctly rounded, or its ends where it has none.
+  /// The line's points at the two borders, correctly rounded, or its ends where there are none.
   Segment<N, T> rest() const {
     const auto at = [&](Border border) {
       return cut_point(line, axis_of(border), coordinate(window, border));

@@ -1,6 +1,6 @@
 #pragma once
 // A circle and the line through two points, exactly: on which side points lie, whether the line reaches the
-// circle, and where it enters and leaves, rounded once. What both topics of circles stand on.
+// circle, and where it enters and leaves, rounded once. Both topics of circles build on it.
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ constexpr Quadratic<T> quadratic(const Segment<2, T>& segment, const Circle<T>& 
 
 // Of every sign below plain doubles decide what they are sure of: u = 2^-53 being the relative error of an
 // operation, the bounds are twice what a count of operations gives. A product that underflows loses less than
-// 2^-1074 more, times whatever it is multiplied with: 2^-960 and 2^-1000 below cover that. What overflows
+// 2^-1074 more, times what it is multiplied with: 2^-960 and 2^-1000 below cover that. What overflows
 // makes the bound infinite or no number, so nothing is sure
 
 /// The side of the circle on which a point lies: -1 inside, 0 on it, +1 outside.

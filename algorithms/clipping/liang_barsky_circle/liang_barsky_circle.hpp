@@ -147,7 +147,7 @@ std::optional<Segment<2, T>> half_chord(const Segment<2, T>& segment, const Circ
 /// Domain: all finite coordinates and radii, from subnormals to the largest. A radius of 0 is the centre
 ///   alone.
 /// Steps: Started Placed Reached? Cut* Finished; Reached when both ends are outside, one Cut for each end
-///   outside of a segment that is kept.
+///   outside a segment that is kept.
 /// Accuracy: what is kept is decided exactly. Ends inside or on the circle are copied; cut ones lie within
 ///   0.63 ulp of max(|coordinate|, radius) and inside the segment's box. (to, from) gives the reverse, bit
 ///   for bit. A rounded end may lie outside by its last bit, so clipping again may give less.

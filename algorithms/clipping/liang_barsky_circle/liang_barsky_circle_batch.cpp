@@ -208,7 +208,7 @@ HWY_INLINE Crossings crossings_of(const Lanes& p, const Lines& line, const Disc&
   return {{x0.value, y0.value, hn::And(x0.sure, y0.sure)}, {x1.value, y1.value, hn::And(x1.sure, y1.sure)}};
 }
 
-// Ends outside of accepted segments move to the circle; returns where they are certain
+// Ends outside accepted segments move to the circle; returns where they are certain
 HWY_INLINE M cut_lanes(Lanes& p, const End& from, const End& to, M accepted, const Disc& c) {
   const Lines lines = lines_through(p, from, to, c);
   const Crossings found = crossings_of(p, lines, c);

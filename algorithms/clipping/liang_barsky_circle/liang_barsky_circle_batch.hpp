@@ -15,7 +15,7 @@ struct BatchCount {
   std::size_t one_by_one = 0;  ///< went through exact_decision: without a certificate, or the last few
 };
 
-/// Clips every segment to the circle: the bits of exact_decision, whatever the machine. As many segments as
+/// Clips every segment to the circle: the bits of exact_decision, on every machine. As many segments as
 /// fit into a register go together: sides, foot and discriminant with bounds of their errors, then points in
 /// pairs of doubles. Where a bound leaves a decision or a point's last bit open, exact_decision has the word.
 ///

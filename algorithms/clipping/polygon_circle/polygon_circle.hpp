@@ -34,7 +34,7 @@ struct Corner {
 template <class T>
 using Ring = std::vector<Corner<T>>;
 
-/// Pieces that share no inner point. No piece has a hole: a simple polygon has none, and a disc is convex.
+/// Pieces that share no inner point. No piece has a hole: the polygon is simple, and a disc is convex.
 template <class T>
 struct Region {
   Circle<T> circle;

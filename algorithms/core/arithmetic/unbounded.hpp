@@ -53,7 +53,7 @@ class Unbounded {
   T digits_;
 };
 
-/// A number without bounds to its size: of a scalar that has none (gradus::Exact), the number itself.
+/// A number without bounds to its size: for a scalar without bounds (gradus::Exact), the number itself.
 template <class T>
 auto unbounded(const T& x) {
   if constexpr (std::floating_point<T>) {

@@ -325,7 +325,7 @@ Whole fill_run(const Span& run, Paint& paint) {
 ///   Finished; Examined is reported for the row that is scanned, not for the pixels that a run grows over.
 /// Cost: about one question a pixel on an empty canvas, on noise about 2.3 (eight-connected: 4), never more
 ///   than depth_first. Every run is put on the stack once, and once more for each end that sticks out, 16
-///   bytes each: on an empty canvas the stack never holds more than 2, whatever its size and wherever the
+///   bytes each: on an empty canvas the stack never holds more than 2, at any size and wherever the
 ///   seed, as each run covers its row and nothing sticks out.
 template <class Inside, class Paint,
           Observer<Started, Examined, SpanFilled, SpanQueued, SpanTaken, Finished> O = Unobserved>

@@ -27,7 +27,7 @@ struct MazeError {
   std::string what;  ///< "name:line: what was found, what was expected"
 };
 
-/// How a character is shown in a message, whatever it is.
+/// How any character is shown in a message.
 inline std::string shown(char cell) {
   const auto code = static_cast<unsigned char>(cell);
   if (code > ' ' && code < 127) return {'\'', cell, '\''};

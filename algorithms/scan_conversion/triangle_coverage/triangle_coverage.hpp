@@ -35,10 +35,10 @@ using Triangle = std::array<ivec2, 3>;
 inline bool can_snap(dvec2 pixel) { return std::abs(pixel.x) <= farthest && std::abs(pixel.y) <= farthest; }
 
 /// A place in the picture on the grid of 1/256 pixel: the nearest one, midway the smaller. The one function
-/// that snaps: whoever draws the same picture goes through it.
+/// that snaps: all code that draws the same picture uses it.
 /// Domain: can_snap(pixel).
 /// Accuracy: exact; moves a point by at most 1/512 pixel a coordinate.
-/// Errors: ContractViolation for places outside of the domain.
+/// Errors: ContractViolation for places outside the domain.
 inline ivec2 snap(dvec2 pixel) {
   expects(can_snap(pixel), "the place ({}, {}) is too far from the picture to be snapped", pixel.x, pixel.y);
   const auto nearest = [](double x) {
@@ -110,7 +110,7 @@ constexpr Window centres(const Triangle& t, const Window& window) {
 /// i, and the three add up to the triangle's |doubled area|.
 using Weights = std::array<std::int64_t, 3>;
 
-/// The edge functions at any place of the grid of 1/256, not only at centres; outside of the triangle some
+/// The edge functions at any place of the grid of 1/256, not only at centres; outside the triangle some
 /// are negative. Accuracy: exact.
 constexpr Weights weights_at_place(const Edges& edges, ivec2 place) {
   return {edges[0].at(place), edges[1].at(place), edges[2].at(place)};

@@ -218,7 +218,7 @@ struct AllSeen {
 /// Steps: AmbientAdded (LampTaken LightAdded)* Finished, both for every lamp.
 /// Accuracy: u is the rounding unit of T (2^-53 for double), and a light's full strength what it would add
 ///   with N.L = 1, or R.V = 1: f I k_d, f I k_s. Of the sum of these the diffuse part is within 30 u, the
-///   highlight within 60 u max(1, n); so a light at the horizon, which adds little, may be wrong in most of
+///   highlight within 60 u max(1, n). A light at the horizon, which adds little, may be wrong in most of
 ///   that little. (With 0 < n < 1, whose power is steep at 0, within 60 u / R.V.) Each light beyond the first
 ///   adds a u. Where N.L or R.V is within 40 u of 0 there may be a highlight or none. The ambient part is
 ///   computed in the material's scalar: k_a I_a and its sum with the emission are rounded once each. A range

@@ -1,7 +1,7 @@
 #pragma once
-// Three ways to give the pixels of a polygon their colours, by how often light is computed: once a polygon
-// (flat), once a corner (Gouraud), once a pixel (Phong). All walk the same scan lines; what is lit, and what
-// is interpolated along them, differs. And the normals at vertices that the last two need.
+// Three ways to colour the pixels of a polygon, by how often light is computed: once per polygon (flat), once
+// per corner (Gouraud), once per pixel (Phong). All walk the same scan lines; what is lit, and what is
+// interpolated along them, differs. And the normals at vertices that the last two need.
 
 #include <algorithm>
 #include <cmath>

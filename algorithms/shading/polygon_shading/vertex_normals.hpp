@@ -1,6 +1,6 @@
 #pragma once
-// The normal at a vertex of a mesh, from those of the faces that meet there: what a surface may have had for
-// a normal before it was cut into faces.
+// The normal at a vertex of a mesh, from those of the faces that meet there: an estimate of the normal that
+// the surface had before it was cut into faces.
 
 #include <cmath>
 #include <cstddef>

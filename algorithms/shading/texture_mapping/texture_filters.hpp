@@ -184,7 +184,7 @@ std::array<Colour, 4> colours_of(const std::array<ivec2, 4>& at, Texel&& texel) 
 /// Steps: Picked.
 /// Accuracy: exact: the texel is that of floor(u columns) and floor(v rows), computed without rounding.
 /// Cost: one texel.
-/// Errors: ContractViolation for coordinates or sizes outside of the domain.
+/// Errors: ContractViolation for coordinates or sizes outside the domain.
 template <class Texel, class Colour = std::invoke_result_t<Texel&, ivec2>,
           Observer<Picked<Colour>> O = Unobserved>
 Colour nearest(dvec2 uv, const Extent& texture, Texel&& texel, O&& observer = {}) {
@@ -322,7 +322,7 @@ Colour covered_mean(ivec2 at, ivec2 size, Texel&& texel) {
 ///   16 u of the largest that it covers. The mean of a level is that of the texture, within 16 u a level of
 ///   the largest texel. Equal texels give equal levels, to the last bit.
 /// Cost: four to nine texels for each of the chain, which has a third more than the texture.
-/// Errors: ContractViolation for sizes outside of the domain, or a chain of another length.
+/// Errors: ContractViolation for sizes outside the domain, or a chain of another length.
 template <class Texel, class Colour, Observer<Averaged<Colour>> O = Unobserved>
 void build_mip_chain(ivec2 size, Texel&& texel, std::span<Colour> chain, O&& observer = {}) {
   const MipChain<Colour> built(size, chain);

@@ -121,7 +121,7 @@ void expect_corners(const Corners<T>& corners) {
 /// Accuracy: (u, v) within 16 u of the largest corner coordinate, u the rounding unit. The footprint within
 ///   64 u of the same, times what the weights grow by in a pixel, |step| (1/w) / sum, added up.
 /// Cost: a pixel three additions to cover it, 9 multiplications and two divisions; 8 more for the footprint.
-/// Errors: ContractViolation for corners outside of the domain.
+/// Errors: ContractViolation for corners outside the domain.
 template <class T, class Plot, Observer<Mapped<T>, Finished> O = Unobserved>
 void perspective_correct(const Triangle& triangle, const Corners<T>& corners, const Window& window,
                          Plot&& plot, O&& observer = {}) {

@@ -1,8 +1,8 @@
 #pragma once
 // Moving, scaling, turning, shearing and mirroring in the plane with 3 x 3 matrices.
 //
-// Points are columns with a third coordinate 1: the matrix stands to their left, and of a product the right
-// factor acts first. A transformation about a point is the one about the origin between two translations,
+// Points are columns with a third coordinate 1: the matrix stands to their left, and the right factor of a
+// product acts first. A transformation about a point is the one about the origin between two translations,
 // T(pivot) M T(-pivot), so that the pivot stays where it is.
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 // Moving, scaling and turning things in space with 4 x 4 matrices. Points are columns with a fourth
-// coordinate 1: the matrix stands to their left, and of a product the right factor acts first.
+// coordinate 1: the matrix stands to their left, and the right factor of a product acts first.
 //
-// World space is right-handed: a turn round an axis is counter-clockwise for whoever the axis points at, so
+// World space is right-handed: a turn round an axis is counter-clockwise for a viewer it points at, so
 // the turn round z takes x to y, round x y to z, round y z to x.
 
 #include <algorithm>
@@ -459,7 +459,7 @@ inline dvec3 accurate_cross(dvec3 a, dvec3 b) {
 
 /// A rotation matrix whose columns have drifted from length 1 and from right angles, as repeated products do,
 /// made orthogonal again: the first column keeps its direction, the second its plane with the first; the
-/// third is at right angles to both, whatever it was.
+/// third is put at right angles to both.
 /// Source: E. Schmidt, 1907 (Gram-Schmidt).
 /// Domain: finite columns of any size, the first two not parallel, however small the angle between them.
 ///   (What is less than 2^-1022 of a column's largest component may count as 0.)

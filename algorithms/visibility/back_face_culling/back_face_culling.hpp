@@ -57,7 +57,7 @@ int determinant_sign(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c) {
 /// Errors: ContractViolation for coordinates that are not finite.
 template <class T, Observer<Tested<T>> O = Unobserved>
 Facing facing(glm::vec<4, T> a, glm::vec<4, T> b, glm::vec<4, T> c, O&& observer = {}) {
-  // det[x y w], whatever the signs of w
+  // det[x y w], for any signs of w
   const int sign = determinant_sign(a, b, c);
   Facing facing = Facing::edge_on;
   if (sign > 0) facing = Facing::front;

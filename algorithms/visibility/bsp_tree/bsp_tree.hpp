@@ -1,6 +1,6 @@
 #pragma once
-// The BSP tree: planes of polygons part space again and again, until the polygons can be walked from back to
-// front for any eye.
+// The BSP tree: planes of polygons divide space again and again, until the polygons can be walked from back
+// to front for any eye.
 
 #include <algorithm>
 #include <cstddef>

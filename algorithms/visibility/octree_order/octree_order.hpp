@@ -1,6 +1,6 @@
 #pragma once
-// The order of an octree's cells for an eye: near ones first or far ones first, by the side of each middle
-// that the eye is on, and without a look at what the cells hold.
+// Visits an octree's cells from near to far or from far to near: at each cell, it compares the eye with the
+// cell's centre, without looking at what the cells hold.
 
 #include <array>
 #include <cstddef>
@@ -168,11 +168,11 @@ void farther_first(Walk<T, Split, Visit>& walk, const Cell<T>& cell, O& observer
 /// root: a cube. eye: a point, also one inside, or a direction. split(cell) says whether a cell has children;
 ///   visit(cell) is called for every leaf.
 ///
-/// Domain: finite; side > 0. Cells deeper than 48 are leaves whatever split says.
+/// Domain: finite; side > 0. Cells deeper than 48 are always leaves.
 /// Steps: Entered and Visited in the order of the walk, Finished.
 /// Accuracy: exact where middles are, as of any cube whose side is a power of two and whose lower corner is a
 ///   multiple of the least cell's; else the order is that for a plane within a rounding of the middle.
-/// Cost: three comparisons a cell with children, whatever the cells hold; memory for the depth.
+/// Cost: three comparisons per cell with children, for any contents; memory for the depth.
 /// Errors: ContractViolation for a side of 0 or less, or a w beside 0 and 1.
 template <class T, class Split, class Visit, Observer<Entered<T>, Visited<T>, Finished> O = Unobserved>
 void front_to_back(const Cell<T>& root, const Eye<T>& eye, Split&& split, Visit&& visit, O&& observer = {}) {

@@ -1,6 +1,6 @@
 #pragma once
-// The painter's algorithm: polygons from back to front, each painted over what is there; sorted by depth, and
-// by Newell, Newell and Sancha moved and cut until none covers what comes later.
+// The painter's algorithm: polygons from back to front, each painted over what is there; sorted by depth, or,
+// after Newell, Newell and Sancha, moved and cut until none covers what comes later.
 
 #include <algorithm>
 #include <cstddef>

@@ -44,7 +44,7 @@ struct Plane {
   /// The depth at the centre of a pixel. Faces in one plane have the same, whichever corner comes first and
   /// whichever way round they run.
   /// Accuracy: the nearest double. A face narrower than 1/512 pixel, which snapping may let cover a centre
-  ///   far outside of it, keeps to the range of its corners' depths.
+  ///   far outside it, keeps to the range of its corners' depths.
   /// Cost: some 30 ns; where 100 bits leave open which double is the nearest, some 10 us.
   double at(ivec2 pixel) const;
 };

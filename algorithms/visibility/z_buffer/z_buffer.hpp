@@ -1,5 +1,5 @@
 #pragma once
-// The z-buffer: for every pixel the nearest thing seen so far, whatever the order in which things come. A
+// The z-buffer: for every pixel the nearest thing seen so far, in any order of things. A
 // cell holds what two buffers hold: a depth, and whose colour the pixel has.
 
 #include <algorithm>
@@ -179,7 +179,7 @@ struct AsFloat {
     return static_cast<float>((z - range.near) / (range.far - range.near));
   }
 };
-/// The nearest of 2^24 whole numbers, 0 at the near plane: equally fine everywhere. Depths outside of the
+/// The nearest of 2^24 whole numbers, 0 at the near plane: equally fine everywhere. Depths outside the
 /// range get the code of the end they lie beyond.
 struct AsFixed24 {
   Range range;
@@ -281,9 +281,9 @@ constexpr Cell<T, Key>& at(std::span<Cell<T, Key>> line, int column) {
 /// Domain: faces plane and convex, corners at most `farthest` pixels out, of finite depth.
 /// Steps: (FaceTaken Compared* FaceDone)* Finished; Compared row by row, once for each pixel covered.
 /// Accuracy: depths are the nearest doubles before they are stored; the result is the least (stored depth,
-///   id) of each pixel whatever the order of the faces.
+///   id) of each pixel in any order of the faces.
 /// Cost: a depth and a comparison a covered pixel; bytes by the size of the picture alone.
-/// Errors: ContractViolation for a face outside of the domain.
+/// Errors: ContractViolation for a face outside the domain.
 template <class Depth, class Store = Exactly,
           Observer<FaceTaken, Compared<Depth, Id>, FaceDone, Finished> O = Unobserved>
 void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, Store store = {},
@@ -325,7 +325,7 @@ void per_polygon(std::span<const Face> faces, Raster<Cell<Depth, Id>>& buffer, S
 /// Steps: (RowBegun Compared* RowDone)* Finished; Compared face by face in each row.
 /// Accuracy: the ids are those that per_polygon leaves in its buffer.
 /// Cost: the comparisons of per_polygon; the bytes of one row.
-/// Errors: ContractViolation for a face outside of the domain, or a line of another size.
+/// Errors: ContractViolation for a face outside the domain, or a line of another size.
 template <class Depth, class Store, class Paint,
           Observer<RowBegun, Compared<Depth, Id>, RowDone, Finished> O = Unobserved>
 void scanline(std::span<const Face> faces, const Window& picture, std::span<Cell<Depth, Id>> line,

@@ -12,7 +12,7 @@
 
 namespace gradus::bench::engine_scenes {
 
-/// Plan and buffers are made outside of the time. Lit by the lamp beside the camera.
+/// Plan and buffers are made outside the time. Lit by the lamp beside the camera.
 inline Case picture_of(const pipeline::Scene& of, pipeline::Size size, std::string method,
                        Workload workload) {
   using namespace pipeline;

@@ -119,7 +119,7 @@ EndsInCircle<T> ends_in_circle(const WholeQuadratic& q, const Input& i) {
 }  // namespace detail
 
 /// Of {from, to, centre, radius}, finite. With b bits a point is off by less than 2^(20 - b) of the largest
-/// coordinate, so these are enough to tell it to 2^-300 of a unit in the last place of whatever is asked.
+/// coordinate, so these are enough to tell it to 2^-300 of a unit in the last place of the answer.
 template <class T = double>
 std::optional<EndsInCircle<T>> ends_in_circle(const Input& i) {
   const WholeQuadratic q(i);

@@ -130,7 +130,7 @@ TEST(CohenSutherland3d, GoldenSegmentsOfThePlaneLaidIntoSpace) {
 }
 
 TEST(CohenSutherland3d, SixCutsAtMostAndSixHappen) {
-  // A diagonal through the unit cube, outside of three faces at each end
+  // A diagonal through the unit cube, outside three faces at each end
   const Piece line{{-1, -1.25, -1.5}, {2, 2.25, 2.5}};
   Watcher<3> seen;
   const auto part = correctly_rounded(line, unit, usual, seen);

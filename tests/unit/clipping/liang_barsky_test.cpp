@@ -120,7 +120,7 @@ TEST(LiangBarskyTraps, TheTaughtFormFallsIntoThem) {
   EXPECT_NE(taught({{-1e308, 0}, {1e308, 10}}), left_over(0, 5, 10, 5));
   // The corner is missed by one step, but rounded values of t are equal
   EXPECT_TRUE(taught({{-1, 1}, {1, std::nextafter(-1.0, -2.0)}}));
-  // -0.9 + t 1.2 with t = 0.75 rounded: the end comes to lie outside of the face that it was cut at
+  // -0.9 + t 1.2 with t = 0.75 rounded: the end comes to lie outside the face that it was cut at
   const Segment<3, double> tenths{{-0.9, 0.5, 0.5}, {0.3, 0.5, 0.5}};
   const AxisBox<3, double> unit_box{{0, 0, 0}, {1, 1, 1}};
   EXPECT_LT(box_parametric(tenths, unit_box)->a.x, 0);

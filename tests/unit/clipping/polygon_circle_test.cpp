@@ -191,7 +191,7 @@ TEST(PolygonCircle, PassagesAtOnePointHaveAnOrder) {
       EXPECT_FALSE(before(a, b) && before(b, a));
       for (const Crossing& c : passes) {
         if (before(a, b) && before(b, c)) EXPECT_TRUE(before(a, c));
-        // Whoever is not told from another stands where that one stands
+        // Two that are not told apart stand in the same place
         if (!before(a, b) && !before(b, a)) EXPECT_EQ(before(a, c), before(b, c));
       }
     }

@@ -38,7 +38,7 @@ TEST(SutherlandHodgman, GoldenAreas) {
   const Polygon cut = clip(flat({{-5, 2}, {5, 2}, {5, 8}}), Planes(window));
   EXPECT_DOUBLE_EQ(area(cut), 22.5);
   ASSERT_EQ(cut.size(), 4u);
-  // A diamond that touches the window's corners from outside of it: no corner comes twice
+  // A diamond that touches the window's corners from outside it: no corner comes twice
   const Polygon diamond = clip(flat({{5, -5}, {15, 5}, {5, 15}, {-5, 5}}), Planes(window));
   EXPECT_EQ(diamond.size(), 4u);
   EXPECT_DOUBLE_EQ(area(diamond), 100);

@@ -249,7 +249,7 @@ TEST(ObjConformance, EveryModelIsReadWithItsCountsOrRefusedWithAReason) {
           const auto& index = shape.mesh.indices[at];
           ASSERT_EQ(ours[i].position, index.vertex_index);
           ASSERT_EQ(ours[i].texture, index.texcoord_index);
-          // It keeps indices into normals that the file has none of
+          // It keeps indices into normals that the file lacks
           const bool has_normals = !oracle.GetAttrib().normals.empty();
           if (has_normals && index.normal_index >= 0) ASSERT_EQ(ours[i].normal, index.normal_index);
         }

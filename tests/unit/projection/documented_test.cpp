@@ -120,7 +120,7 @@ TEST(DocumentedProjection, CentresLeadBack) {
   for (int x = 0; x < 1920; ++x)
     none += rasterize(narrow, pixel_centre(narrow, {x, 0})) != std::optional(ivec2{x, 0});
   EXPECT_TRUE(states(viewport_page,
-                     "of 1,920 columns from 1e9 to 1e9 + 1e-4, which share {} doubles, {} have none",
+                     "of 1,920 columns from 1e9 to 1e9 + 1e-4, which share {} doubles, {} hold none",
                      {double(doubles), double(none)}));
 }
 

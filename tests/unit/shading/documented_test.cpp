@@ -37,7 +37,7 @@ TEST(DocumentedShading, LightsOfTheBallInTheGallery) {
   const double pixels = static_cast<double>(std::get<std::int64_t>(lights->value));
   EXPECT_TRUE(test::states(
       "docs/topics/shading/polygon_shading.md",
-      "once a face, once a vertex, or once a pixel: {}, {} and {} times for the ball of the gallery.",
+      "once per face, once per vertex, or once per pixel: {}, {} and {} times for the ball of the gallery.",
       {count, static_cast<double>(corners.size()), pixels}));
 }
 

@@ -53,7 +53,7 @@ TEST(SourceRows, HoldTheWholeLineInTheWidth) {
   EXPECT_GT(broken, 10u);
 }
 
-/// The head of the innermost loop round a line, by counting braces; nothing outside of all.
+/// The head of the innermost loop round a line, by counting braces; nothing outside all.
 std::optional<int> loop_round(const std::vector<SourceLine>& lines, int number) {
   std::vector<std::pair<bool, int>> open;  // whether a loop, its line
   for (const SourceLine& line : lines) {

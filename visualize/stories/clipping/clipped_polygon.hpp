@@ -61,7 +61,7 @@ inline Panel panel_of(const Given& given) {
   return tight_panel({{3, 3}, {plane_width - 1.5, plane_height - 1.2}}, widened(all, 0.015));
 }
 
-/// What of a rectangle of the plane lies right of a line: outside of a border.
+/// What of a rectangle of the plane lies right of a line: outside a border.
 inline Points right_of(const Segment<2, double>& line, const Extent& shown) {
   const dvec2 way = line.b - line.a;
   const auto left = [&](dvec2 p) { return way.x * (p.y - line.a.y) - way.y * (p.x - line.a.x); };

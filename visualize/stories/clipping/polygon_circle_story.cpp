@@ -304,7 +304,7 @@ class Story {
     }
   }
 
-  /// A place for an edge's number: outside of the polygon, near the edge's middle and off the circle.
+  /// A place for an edge's number: outside the polygon, near the edge's middle and off the circle.
   dvec2 beside(dvec2 from, dvec2 to) const {
     const dvec2 along = from == to ? dvec2{1, 0} : glm::normalize(to - from),
                 centre = scene_.panel.at(scene_.circle.centre);

@@ -184,7 +184,7 @@ inline Off off_by(const Line& found, const Line& right) {
 }
 
 /// A piece that lies in the window is what is left: told with how many doubles rounding has moved its ends
-/// by, or, where nobody counts those any more, next to 0, how far.
+/// by, or, where those are too many to count, next to 0, how far.
 inline Event accepted(const Line& piece, const Off& off) {
   constexpr std::int64_t countable = 1'000'000;
   Event event{.text = off.doubles < countable ? "accepted_off" : "accepted_far",

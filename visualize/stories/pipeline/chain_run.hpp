@@ -78,7 +78,7 @@ struct Followed {
 /// The piece of this face that covers most pixels; without a face the piece that has coloured this pixel;
 /// without either, or where nothing covers the pixel, one that a fault concerns, of all faces one that is
 /// clipped and seen, else the one of which most is seen. The pixel: this one, or the piece's pixel at which
-/// most pieces meet. Refuses a face or a pixel that there is not.
+/// most pieces meet. Refuses a face or a pixel that doesn't exist.
 Followed followed_in(const Run& run, const Arguments& arguments);
 
 }  // namespace gradus::textbook_chain

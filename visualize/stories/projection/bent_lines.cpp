@@ -197,7 +197,7 @@ class BentStory {
     return event;
   }
 
-  /// What whoever draws the scan line reads there.
+  /// The depth that a scan line has there.
   Decision before_wall(double guess) const {
     const double wall = task_.depth_of_wall();
     const bool grows = depth(0) < depth(1);

@@ -203,7 +203,7 @@ Task upright(const Arguments& arguments) {
   return task;
 }
 
-/// Any direction of the sheet as it stands upright for whoever looks along `forward`.
+/// Any direction of the sheet as it stands upright for a viewer who looks along `forward`.
 solids::Sheet sheet_for(dvec3 origin, dvec3 forward) {
   const bool level = std::abs(forward.x) + std::abs(forward.z) > 1e-9 * std::abs(forward.y);
   const dvec3 right = unit_vector(glm::cross(level ? dvec3{0, 1, 0} : dvec3{0, 0, 1}, forward));
@@ -332,7 +332,7 @@ void tell_along(Narrator& narrator) {
   });
 }
 
-/// The notes' matrix looks straight ahead, whatever it was told.
+/// The notes' matrix looks straight ahead, for any direction.
 void tell_keep_x_and_y(Narrator& narrator) {
   Task task = leaning(narrator.arguments());
   task.shown = {0, 0, 1};

@@ -102,7 +102,7 @@ inline Solid placed(Solid solid, const std::array<dvec3, 3>& axes, dvec3 at) {
   return solid;
 }
 
-/// What of a solid whoever looks at it sees. It is convex, so an edge is hidden that lies between two faces
+/// What a viewer sees of a solid. It is convex, so an edge is hidden that lies between two faces
 /// which look away.
 struct Facing {
   std::vector<bool> seen;    ///< of its faces
@@ -132,7 +132,7 @@ inline Facing facing_origin(const Solid& solid) {
 inline dvec2 from_right(dvec3 p) { return oblique(dvec3{p.z, p.y, p.x}); }
 /// Where that looks, in view space.
 inline constexpr dvec3 looking_from_right{-1, -0.3, -0.42};
-/// The corner that is nearest to whoever looks so: what a solid is taken hold of at.
+/// The corner nearest to such a viewer: the handle of a solid.
 inline dvec3 nearest_corner(const Solid& solid) {
   return *std::ranges::min_element(solid.corners, {},
                                    [](dvec3 p) { return glm::dot(p, looking_from_right); });

@@ -82,7 +82,7 @@ inline void draw_octant(Narrator& narrator, const Circle& circle) {
   narrator.backdrop("radius", Role::input, Stroke{center, left});
   narrator.backdrop("diagonal", Role::boundary, Stroke{center, corner});
   if (circle.radius < 4) return;
-  // As far from their lines whatever the radius: the whole circle is as large as the drawing
+  // As far from their lines for any radius: the whole circle is as large as the drawing
   const double r = circle.radius;
   narrator.backdrop("radius name", Role::input,
                     Text{center + dvec2{-0.5, 0.08} * r, words.say("radius", {{"radius", circle.radius}})});

@@ -106,7 +106,7 @@ inline Window within_room(const Window& window) {
 }
 
 /// The picture's fill cut to a window, by fill(inside, paint); a mask keeps what is
-/// painted, whatever the new colour.
+/// painted, with any new colour.
 template <class Fill>
 auto fill_masked(Image& image, const Subject& subject, Rgba8 color, const Window& window, Fill fill) {
   const Rgba8 old = image[subject.seed];

@@ -21,7 +21,7 @@ class TriangleDrawing {
 
   /// What is seen of the triangle.
   std::vector<dvec2> outline() const { return within(frame_, {ring_.begin(), ring_.end()}); }
-  /// A place for a corner's name, outside of the triangle.
+  /// A place for a corner's name, outside the triangle.
   std::optional<dvec2> beside_corner(std::size_t i) const {
     if (!frame_.holds(ring_[i])) return std::nullopt;
     const dvec2 way = ring_[i] - (ring_[0] + ring_[1] + ring_[2]) / 3.0;

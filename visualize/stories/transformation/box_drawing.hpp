@@ -25,7 +25,7 @@ inline Shape moved(const Mat& m, Shape points) {
   return points;
 }
 
-/// Of length 1, whatever its size; 0 stays.
+/// Scaled to length 1; 0 stays.
 template <class Vector>
 Vector unit(Vector v) {
   const double length = length_between(Vector(0), v);

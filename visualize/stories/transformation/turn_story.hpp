@@ -113,7 +113,7 @@ class PartsStory {
     return {through - 0.5 * reach * n, through + reach * n};
   }
   dvec2 on_paper(dvec3 p) const { return panel_->at(oblique(p)); }
-  /// Of the axes of space: z comes out of whatever lies before it.
+  /// Of the axes of space: z comes out of what lies before it.
   dvec3 reach() const {
     const double all = reach_of(task_.size), beyond = all / 5;
     return {task_.size.x + beyond, task_.size.y + beyond, all};

@@ -13,7 +13,7 @@ namespace gradus::back_face_culling {
 using Ring = std::vector<dvec3>;
 using Ring2 = std::vector<dvec2>;
 
-/// What a run is about: faces, and whoever looks at them.
+/// What a run is about: faces, and their viewer.
 struct Task {
   std::vector<NamedFace> faces;
   bool distant;  ///< the eye is infinitely far away

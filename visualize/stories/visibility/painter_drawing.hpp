@@ -17,7 +17,7 @@ using Rectangle = gradus::Extent;
 
 inline constexpr int paper_width = 36, paper_height = 24;
 
-/// What a run is about: polygons, and whoever looks at them.
+/// What a run is about: polygons, and their viewer.
 struct Task {
   std::vector<faces_task::NamedPart> parts;
   std::vector<DPolygon> polygons{};

@@ -130,7 +130,7 @@ inline Sight sight_of(const Arguments& arguments) {
 /// The first face in whose plane all corners of a face lie, exactly: it gives the plane of both.
 inline std::size_t first_in_plane(const std::vector<std::vector<dvec3>>& faces, std::size_t face) {
   const auto in_plane_of = [&](const std::vector<dvec3>& first) {
-    // By three corners that lie on no line, which are in the plane of whatever gives it
+    // By three corners that lie on no line, which are in the plane that they are to give
     const std::vector<dvec3>& own = faces[face];
     const dvec3 a = first[0], b = first[1];
     for (std::size_t i = 2; i < first.size(); ++i) {

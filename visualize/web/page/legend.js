@@ -1,7 +1,7 @@
 'use strict';
 // What the legend says below a drawing: the roles that can be seen in it, and how their marks look.
 
-/** Kinds of marks, as a legend's entry looks: the first that there is. */
+/** Kinds of marks, as a legend's entry looks: the first that occurs. */
 const SAMPLES = ['cell', 'area', 'stroke', 'path', 'polygon', 'arrow', 'dot', 'ring'];
 const LINES = ['stroke', 'path', 'polygon', 'arrow'];
 

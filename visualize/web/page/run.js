@@ -171,7 +171,7 @@ function mayBreakBefore(line, at) {
   const rest = line.slice(at);
   return /[,;] $| = $/.test(line.slice(0, at)) || /^(&&|\|\||[-+*\/%<>?:&|]|[=!<>]=|<<|>>) /.test(rest);
 }
-/** Where its first row ends: as late as can be, but rather outside of brackets; -1: nowhere. */
+/** Where its first row ends: as late as can be, but rather outside brackets; -1: nowhere. */
 function bestBreak(line, columns) {
   let best = -1, least = Infinity, depth = 0;
   for (let at = 1; at < line.length; ++at) {

@@ -1,7 +1,7 @@
 'use strict';
 // Round the slider: the run's phases below it, the loop behind it, the bookmarks above it.
 
-// In turn, with a second channel for whoever sees no colours
+// In turn, with a second channel for readers who see no colours
 const PHASE_ROLES = ['current', 'measure', 'accepted', 'candidate', 'rejected', 'past'];
 const PHASE_STYLES = ['solid', 'dashed', 'double'];
 

@@ -19,7 +19,7 @@ async function decoded(bytes) {
   return context.getImageData(0, 0, bitmap.width, bitmap.height);
 }
 
-/** The kind of parameter that takes a file of this name, of those that there are. */
+/** The kind of parameter that takes a file of this name, of those the topic has. */
 function parameterFor({name}, parameters) {
   const ending = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
   const types = {png: ['picture'], jpg: ['picture'], jpeg: ['picture'], obj: ['model', 'faces'], txt: ['maze'], json: ['faces']}[ending];

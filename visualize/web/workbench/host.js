@@ -33,7 +33,7 @@ class Live {
     return live;
   }
 
-  /** The text of an answer. After an error, whatever it is, this instance is spent. */
+  /** The text of an answer. After any error this instance is spent. */
   ask(request) {
     this.put(new TextEncoder().encode(JSON.stringify(request)));
     const address = this.exports.answer();

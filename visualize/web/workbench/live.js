@@ -33,7 +33,7 @@ async function openLive() {
   document.body.classList.toggle('framed', addressParts().has('embed'));
   const player = window.player = new GradusPlayer(document.getElementById('player'));
   const module = compiledModule(content('gradus-module').trim());
-  module.catch(() => {});  // whoever asks is told
+  module.catch(() => {});  // said when it is asked for
   const asker = new Asker(content('gradus-worker'), module);
   const bench = window.workbench = new Workbench(root, player, asker, {topics: data.list.topics, notations: data.notations, recorded: await recordedRuns(content('gradus-recorded').trim())});
   const languages = Object.keys(data.words), unknown = unknownIn(addressParts(), bench.topics, languages);

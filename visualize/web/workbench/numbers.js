@@ -1,5 +1,5 @@
 'use strict';
-// The numbers in the text of an argument, whatever it is the text of: each can be replaced, the rest stays as it was
+// The numbers in the text of any argument: each can be replaced, the rest stays as it was
 // written. Numbers between commas belong together: they are the coordinates of a point.
 
 /** Kinds of parameters whose texts hold numbers that can be moved. */

@@ -2,7 +2,7 @@
 // The reader says what comes next before it is shown: the questions are the decisions of the run's own steps, and the next
 // row's numbers where a run decides nothing.
 
-/** A cell's number, whatever signs stand round it: "≈ 4.345", "−2/3", "4,5"; nothing where it has none. */
+/** A cell's number, with any signs round it: "≈ 4.345", "−2/3", "4,5"; nothing for a cell without one. */
 function numberOf(text) {
   const plain = text.replace('−', '-').replace(',', '.').replace('≈', '').trim();
   if (!/^-?(\d+\.?\d*|\.\d+)(\/\d+)?$/.test(plain)) return undefined;
@@ -71,7 +71,7 @@ class Predictor {
 
   /** Whether there is a question on the way; then it stands on the step before, and asks. */
   asks(from, to) {
-    if (this.asked !== undefined) {  // whoever goes on leaves the question, and what it is about
+    if (this.asked !== undefined) {  // going on leaves the question, and what it is about
       const index = this.asked;
       this.close();
       this.answers.set(this.player.run.steps[index].number, false);

@@ -23,7 +23,7 @@ self.onmessage = ({data: [number, command, value]}) => {
   last = last.then(() => commands[command](value)).then(
       (text) => self.postMessage([number, text]),
       (error) => {
-        live = null;  // spent, whatever it was
+        live = null;  // spent by any error
         const refused = error instanceof Refused;
         self.postMessage([number, null, {line: refused ? error.message : String(error), parameter: error.parameter, refused}]);
       });

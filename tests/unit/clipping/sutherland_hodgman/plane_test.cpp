@@ -371,7 +371,7 @@ TEST(SutherlandHodgmanPlane, ConvexWindows) {
 }
 
 TEST(SutherlandHodgmanPlane, AVanishingPieceTakesNoOtherWithIt) {
-  // A ring outside of the outline, along an edge of it: what it has in the window is 3 ulp wide
+  // A ring outside the outline, along an edge of it: what it has in the window is 3 ulp wide
   const dvec2 far{-0x1.12648ebcbf2d6p+3, -0x1.7bd18fdc974cp+3},
       near{-0x1.4e342f8bc1dbdp+1, -0x1.4ad26fa3b1873p+3};
   const Points outline{{0, 0}, far, near}, beside{far, near, {-6, -12}};

@@ -86,7 +86,7 @@ TEST(PerspectiveNotes, KeepingZBendsLines) {
   EXPECT_EQ(b.z, 3);
   EXPECT_EQ(m, (dvec3{0.5, 0, 2}));
   EXPECT_NEAR(interpolated_depth(a, b, m.x), 2.5, 1e-12);
-  // A wall at 2.2 hides the line's middle from whoever interpolates, though the line is nearer
+  // With interpolation a wall at 2.2 hides the line's middle, though the line is nearer
   EXPECT_LT(m.z, 2.2);
   EXPECT_GT(interpolated_depth(a, b, m.x), 2.2);
   // Right: the same with a + b / z
