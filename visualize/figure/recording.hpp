@@ -60,6 +60,8 @@ class TraceWriter {
   }
   /// The number of the last milestone so far.
   std::int64_t current() const { return next_ - 1; }
+  /// That of the last event.
+  StepNumber number() const { return {next_ - 1, fine_}; }
 
   /// Ends the run: its last step is the last milestone told. Columns without a name get the catalogue's
   /// "<topic>.column.<id>"; where there is no such text, the id is a symbol.

@@ -19,6 +19,10 @@ namespace gradus {
 template <class Step>
 struct Finer {};
 
+/// A step that is neither told nor kept.
+template <class Step>
+struct Untold {};
+
 template <class... Told>
 class Past {
  public:
@@ -30,6 +34,12 @@ class Past {
   }
   template <class Step>
   static constexpr bool is_finer = (std::is_same_v<Told, Finer<Step>> || ...);
+  template <class Step>
+  static constexpr bool is_untold = (std::is_same_v<Told, Untold<Step>> || ...);
+
+  /// The input at hand, of a run over many.
+  std::size_t turn() const { return turn_; }
+  void turn_to(std::size_t input) { turn_ = input; }
 
   /// Those of a type, in their order.
   template <class Step>
@@ -72,7 +82,7 @@ class Past {
   }
 
   std::tuple<typename Kept<Told>::type...> kept_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, turn_ = 0;
 };
 
 }  // namespace gradus

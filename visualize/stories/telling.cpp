@@ -282,6 +282,10 @@ void Narrator::tell(std::string_view type, int line, const std::function<Event()
   Delta delta = std::exchange(board_.delta_, {});
   if (kind == Board::Kind::milestone) writer_.step(std::move(delta), board_.focus_, line, describe);
   if (kind == Board::Kind::detail) writer_.fine(std::move(delta), board_.focus_, line, describe);
+  const double tells = std::exchange(board_.tells_, 0);
+  if (!(tells > tells_most_)) return;
+  tells_most_ = tells;
+  telling_ = writer_.number();
 }
 
 void Narrator::describe(TraceStep& step, std::string_view type, Event event) {

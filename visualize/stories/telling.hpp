@@ -160,6 +160,9 @@ class Board {
   void look_at(ivec2 pixel, Role role);
   /// For this event alone.
   void mark(std::string id, Role role, decltype(Mark::shape) shape);
+  /// How much the figure of this event tells: that of the run is the one that tells most, of equals the
+  /// first.
+  void tells(double how_much) { tells_ = how_much; }
   /// From now on, until it is removed.
   void keep(std::string id, Role role, decltype(Mark::shape) shape);
   void remove(std::string id) { delta_.removed.push_back(std::move(id)); }
@@ -186,6 +189,7 @@ class Board {
   TraceWriter& writer_;
   Kind kind_ = Kind::none;
   ivec2 focus_{};
+  double tells_ = 0;
   Delta delta_;
   std::vector<std::string> marks_;      ///< of the last event
   std::vector<ivec2> pointed_, fresh_;  ///< cells that will look otherwise with the next event, or milestone
@@ -289,47 +293,42 @@ class Narrator {
   /// Below them those of another function of the same file.
   void list_below(std::string_view function);
   void result(std::vector<Field> fields) { result_ = std::move(fields); }
-  /// The step whose figure tells most. Without it: see telling_step.
+  /// The step whose figure tells most, if none of them says so itself. Without it: see telling_step.
   void telling(StepNumber number) { telling_ = number; }
   void skip_to(std::int64_t number) { writer_.skip_to(number); }
   /// Steps that name no key are about what their type says: on paper there is no pixel to name.
   void key_by_type() { key_by_type_ = true; }
 
   /// The observer for a method. `Story` has show(Board&, step) and say(step) for each of its steps, or is a
-  /// Past with draw() and say(step); a forgotten one does not compile. A story of very long runs may have
-  /// count(Board&, step), too: what remains to be done of a step when the recording is full.
+  /// Past with draw() and say(step); a forgotten one does not compile. It may have tells(step), too: how much
+  /// that step's figure tells; and a story of very long runs count(Board&, step): what remains to be done of
+  /// a step when the recording is full.
   template <class Story>
   auto watcher(Story& story) {
     return [this, &story]<class Step>(const Step& step, int line = __builtin_LINE(),
                                       const char* file = __builtin_FILE()) {
-      if constexpr (requires { story.count(board_, step); }) {
-        if (board_.full()) return story.count(board_, step);
-      }
-      if constexpr (requires { story.take(step); }) {
-        story.take(step);
-        if constexpr (Story::template is_finer<Step>)
-          board_.detail(story.draw());
-        else
-          board_.milestone(story.draw());
-      } else {
-        story.show(board_, step);
-      }
-      tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
+      if constexpr (!requires { requires Story::template is_untold<Step>; }) tell(story, step, line, file);
     };
   }
   /// The same for what no step tells: an input, a whole curve.
   void tell(std::string_view type, int line, const std::function<Event()>& say);
-  /// A run that is the same algorithm for many inputs: from Started to Finished, take(i, observer) for each
-  /// of them after story.turn_to(i).
-  template <class Story, class Take>
-  void tell_each(Story& story, std::size_t count, const Take& take) {
+  /// A run between Started and Finished, of an algorithm that reports neither: run(observer).
+  template <class Story, class Run>
+  void tell_whole(Story& story, const Run& run) {
     const auto watch = watcher(story);
     watch(steps::Started{}, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      story.turn_to(i);
-      take(i, watch);
-    }
+    run(watch);
     watch(steps::Finished{}, 0);
+  }
+  /// The same algorithm for many inputs: take(i, observer) for each of them after story.turn_to(i).
+  template <class Story, class Take>
+  void tell_each(Story& story, std::size_t count, const Take& take) {
+    tell_whole(story, [&](const auto& watch) {
+      for (std::size_t i = 0; i < count; ++i) {
+        story.turn_to(i);
+        take(i, watch);
+      }
+    });
   }
   /// The source line that reported the last step.
   int line() const { return line_; }
@@ -347,6 +346,23 @@ class Narrator {
   }
 
  private:
+  template <class Story, class Step>
+  void tell(Story& story, const Step& step, int line, const char* file) {
+    if constexpr (requires { story.count(board_, step); }) {
+      if (board_.full()) return story.count(board_, step);
+    }
+    if constexpr (requires { story.take(step); }) {
+      story.take(step);
+      if constexpr (Story::template is_finer<Step>)
+        board_.detail(story.draw());
+      else
+        board_.milestone(story.draw());
+    } else {
+      story.show(board_, step);
+    }
+    if constexpr (requires { story.tells(step); }) board_.tells(story.tells(step));
+    tell(step_name<Step>(), in_listed_file(line, file), [&] { return story.say(step); });
+  }
   static constexpr std::string_view name_in(std::string_view function) {
     std::string_view name = function.substr(function.find("Step = ") + 7);
     name = name.substr(0, name.find_first_of("<;],"));
@@ -371,6 +387,7 @@ class Narrator {
   bool key_by_type_ = false;
   std::vector<Field> result_;
   std::optional<StepNumber> telling_;
+  double tells_most_ = 0;
   int line_ = 0;
   std::vector<std::pair<int, int>> listed_;  ///< the source lines of the functions in the listing
   std::function<void(Trace&)> afterwards_;
