@@ -26,10 +26,6 @@ Float one_ulp() {
   return Float(std::numeric_limits<T>::epsilon());
 }
 template <class T>
-Triple<Float> triple(const Vec3<T>& v) {
-  return way_from<Float>(Vec3<T>(0), v);
-}
-template <class T>
 double largest(const Vec3<T>& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -143,7 +139,8 @@ double view_error(const std::vector<T>& i) {
   if (!frame || !is_finite(world)) return 0;  // look_at's own promise
   const Vec3<T> view = to_view(*frame, world);
   const auto p = way_from<Float>(eye, world);
-  const Float distance = length_of(p), reach = length_of(triple(eye)), far = reach + length_of(triple(world));
+  const Float distance = length_of(p), reach = length_of(triple<Float>(eye)),
+              far = reach + length_of(triple<Float>(world));
   if (distance > Float(std::numeric_limits<T>::max()) / 2) return 0;
   if (distance == 0 && view != Vec3<T>(0)) return wrong;
   const Matrix<T> matrix = world_to_view(*frame);
@@ -156,10 +153,10 @@ double view_error(const std::vector<T>& i) {
     worst = std::max(worst, static_cast<double>(abs(Float(found) - exact) / bound));
   };
   for (int k = 0; k < 3; ++k) {
-    const Triple<Float> axis = triple(axis_of(*frame, k));
+    const Triple<Float> axis = triple<Float>(axis_of(*frame, k));
     look_at(view[k], dot(axis, p), 2 * distance, 2);
     if (far > Float(std::numeric_limits<T>::max()) / 8) continue;
-    look_at(matrix[3][k], -dot(axis, triple(eye)), 1.5 * reach, 2);
+    look_at(matrix[3][k], -dot(axis, triple<Float>(eye)), 1.5 * reach, 2);
     look_at(by_matrix[k], dot(axis, p), 2 * far, 4);
   }
   return worst;

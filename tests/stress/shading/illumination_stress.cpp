@@ -8,23 +8,20 @@
 
 #include "core/surface.hpp"
 #include "stress/core/digits.hpp"
-#include "stress/numbers.hpp"
+#include "stress/core/triple.hpp"
+#include "stress/exactly.hpp"
 #include "stress/scales.hpp"
 
 namespace gradus::stress {
 namespace {
 
-using Vec = std::array<Digits, 3>;
+using Vec = Triple<Digits>;
 
-Digits dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Digits length(const Vec& v) { return sqrt(dot(v, v)); }
-dvec3 vector_of(const Input& i, std::size_t from) { return {i[from], i[from + 1], i[from + 2]}; }
-Vec way(dvec3 from, dvec3 to) {
-  return {Digits(to.x) - Digits(from.x), Digits(to.y) - Digits(from.y), Digits(to.z) - Digits(from.z)};
-}
-Vec unit(const Vec& v) {
-  const Digits size = length(v);
-  return size == 0 ? v : Vec{Digits(v[0] / size), Digits(v[1] / size), Digits(v[2] / size)};
+const Digits u(0x1p-53);
+
+/// A result's distance from the right one, as a share of a bound.
+double share(double found, const Digits& right, const Digits& bound) {
+  return std::isfinite(found) ? static_cast<double>(Digits(abs(Digits(found) - right) / bound)) : wrong;
 }
 
 /// The place, three numbers along the normal, the eye, the light, its attenuation (3) and the exponent n.
@@ -33,7 +30,7 @@ Input generate(Kind kind, Random& random) {
   for (double& x : input) x = number(kind, random);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // The light nearly, or as nearly as can be, at the horizon: at right angles on the normal
-    const dvec3 across = glm::cross(vector_of(input, 3), vector_of(input, 6));
+    const dvec3 across = glm::cross(vector_in(input, 3), vector_in(input, 6));
     const double above =
         kind == Kind::grazing ? 0 : std::ldexp(1.0, static_cast<int>(random.uniform_int(-52, -8)));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -47,86 +44,81 @@ Input generate(Kind kind, Random& random) {
   return input;
 }
 
+/// Such an input, and in digits what phong and blinn_phong have in common.
+struct Lit {
+  dvec3 place, normal, eye;
+  Light light{};
+  double shininess;
+  Vec l{}, v{}, n{};
+  Digits nl{}, full{};  ///< N.L; the light's full strength
+  bool in_domain;
+
+  explicit Lit(const Input& i)
+      : place(vector_in(i, 0)),
+        normal(unit_vector(vector_in(i, 3))),
+        eye(vector_in(i, 6)),
+        shininess(std::clamp(i[15], 0.0, 1e4)),
+        in_domain(all_finite(i)) {
+    light.position = vector_in(i, 9);
+    light.constant = std::abs(i[12]), light.linear = std::abs(i[13]), light.quadratic = std::abs(i[14]);
+    if (!in_domain) return;
+    const Vec to_light = way_from<Digits>(place, light.position), to_eye = way_from<Digits>(place, eye);
+    const Digits largest(std::numeric_limits<double>::max()), distance = length_of(to_light);
+    in_domain = distance <= largest && length_of(to_eye) <= largest;
+    l = unit(to_light), v = unit(to_eye), n = triple<Digits>(normal);
+    nl = dot(n, l);
+    const Digits weakened =
+        Digits(light.constant) + distance * (Digits(light.linear) + distance * Digits(light.quadratic));
+    full = weakened > 1 ? Digits(1 / weakened) : Digits(1);
+  }
+  std::span<const Light> lights() const { return {&light, 1}; }
+  bool vanishes() const { return full < Digits(0x1p-900); }
+
+  /// Of a highlight with this cosine, within so many u.
+  double highlight_error(double found, const Digits& cosine, const Digits& exponent,
+                         const Digits& roundings) const {
+    const Digits right = nl > 0 && cosine > 0 ? Digits(full * pow(cosine, exponent)) : Digits(0);
+    Digits steep = exponent > 1 ? exponent : Digits(1);
+    if (exponent > 0 && exponent < 1 && cosine > 0) steep = 1 / cosine;
+    return share(found, right, roundings * u * steep * full);
+  }
+};
+
 /// The largest share of what is promised that is used up.
 double error(const Input& i) {
-  if (!all_finite(i)) return 0;
-  const dvec3 place = vector_of(i, 0), eye = vector_of(i, 6), position = vector_of(i, 9);
-  const dvec3 normal = unit_vector(vector_of(i, 3));
-  Light light;
-  light.position = position;
-  light.constant = std::abs(i[12]), light.linear = std::abs(i[13]), light.quadratic = std::abs(i[14]);
+  const Lit lit(i);
+  if (!lit.in_domain) return 0;
   Material material;
   material.diffuse = LinearRgb{1}, material.specular = LinearRgb{1};
-  material.shininess = static_cast<float>(std::clamp(i[15], 0.0, 1e4));
-  const Vec to_light = way(place, position), to_eye = way(place, eye);
-  const Digits largest(std::numeric_limits<double>::max());
-  for (const Vec& v : {to_light, to_eye}) {
-    if (length(v) > largest) return 0;  // beyond the domain
-  }
-  const auto parts = illumination::phong(place, normal, eye, material, std::span(&light, 1), LinearRgb{0});
-
-  const Vec l = unit(to_light), v = unit(to_eye), n{normal.x, normal.y, normal.z};
-  const Digits nl = dot(n, l), distance = length(to_light);
+  material.shininess = static_cast<float>(lit.shininess);
+  const auto parts =
+      illumination::phong(lit.place, lit.normal, lit.eye, material, lit.lights(), LinearRgb{0});
+  if (lit.vanishes()) return parts.diffuse.x < 0x1p-899 && parts.specular.x < 0x1p-899 ? 0 : wrong;
   Vec r;
-  for (std::size_t k = 0; k < 3; ++k) r[k] = 2 * nl * n[k] - l[k];
-  const Digits rv = dot(r, v), u(0x1p-53), exponent(material.shininess);
-  const Digits weakened =
-      Digits(light.constant) + distance * (Digits(light.linear) + distance * Digits(light.quadratic));
-  const Digits full = weakened > 1 ? Digits(1 / weakened) : Digits(1);
-  if (full < Digits(0x1p-900)) return parts.diffuse.x < 0x1p-899 && parts.specular.x < 0x1p-899 ? 0 : wrong;
-  const auto share = [&](double found, const Digits& right, const Digits& bound) {
-    if (!std::isfinite(found)) return wrong;
-    return static_cast<double>(Digits(abs(Digits(found) - right) / bound));
-  };
-  const Digits diffuse = nl > 0 ? Digits(full * nl) : Digits(0);
-  const double worst = share(parts.diffuse.x, diffuse, 30 * u * full);
+  for (std::size_t k = 0; k < 3; ++k) r[k] = 2 * lit.nl * lit.n[k] - lit.l[k];
+  const Digits rv = dot(r, lit.v), diffuse = lit.nl > 0 ? Digits(lit.full * lit.nl) : Digits(0);
+  const double worst = share(parts.diffuse.x, diffuse, 30 * u * lit.full);
   // Which side of the horizon, and of the mirror's, is not told nearer
-  if (abs(nl) <= 40 * u || abs(rv) <= 40 * u) return worst;
-  const Digits highlight = nl > 0 && rv > 0 ? Digits(full * pow(rv, exponent)) : Digits(0);
-  Digits steep = exponent > 1 ? exponent : Digits(1);
-  if (exponent > 0 && exponent < 1 && rv > 0) steep = 1 / rv;
-  return std::max(worst, share(parts.specular.x, highlight, 60 * u * steep * full));
-}
-
-/// What Digits make of a light's attenuation.
-Digits left_of(const Light& light, const Digits& distance) {
-  const Digits weakened =
-      Digits(light.constant) + distance * (Digits(light.linear) + distance * Digits(light.quadratic));
-  return weakened > 1 ? Digits(1 / weakened) : Digits(1);
+  if (abs(lit.nl) <= 40 * u || abs(rv) <= 40 * u) return worst;
+  return std::max(worst, lit.highlight_error(parts.specular.x, rv, Digits(material.shininess), 60));
 }
 
 /// The same inputs, their highlight by Blinn. How near L + V is to 0 counts.
 double blinns_error(const Input& i) {
-  if (!all_finite(i)) return 0;
-  const dvec3 place = vector_of(i, 0), eye = vector_of(i, 6), position = vector_of(i, 9);
-  const dvec3 normal = unit_vector(vector_of(i, 3));
-  Light light;
-  light.position = position;
-  light.constant = std::abs(i[12]), light.linear = std::abs(i[13]), light.quadratic = std::abs(i[14]);
+  const Lit lit(i);
+  if (!lit.in_domain) return 0;
   illumination::Reflectance<double> shiny;
   shiny.specular = dvec3{1};
-  shiny.shininess = std::clamp(i[15], 0.0, 1e4);
-  const Vec to_light = way(place, position), to_eye = way(place, eye);
-  const Digits largest(std::numeric_limits<double>::max());
-  for (const Vec& v : {to_light, to_eye}) {
-    if (length(v) > largest) return 0;  // beyond the domain
-  }
-  const double found = illumination::blinn_phong(place, normal, eye, shiny, std::span(&light, 1), dvec3{0},
-                                                 illumination::AllSeen{})
+  shiny.shininess = lit.shininess;
+  const double found = illumination::blinn_phong(lit.place, lit.normal, lit.eye, shiny, lit.lights(),
+                                                 dvec3{0}, illumination::AllSeen{})
                            .specular.x;
-  const Vec l = unit(to_light), v = unit(to_eye), n{normal.x, normal.y, normal.z};
-  const Vec both{l[0] + v[0], l[1] + v[1], l[2] + v[2]};
-  const Digits nl = dot(n, l), nh = dot(n, unit(both)), u(0x1p-53), spread = length(both);
-  const Digits full = left_of(light, length(to_light));
-  if (full < Digits(0x1p-900)) return found < 0x1p-899 ? 0 : wrong;
-  if (spread <= 100 * u || abs(nl) <= 40 * u || abs(nh) <= 100 * u / spread)
+  const Vec both{lit.l[0] + lit.v[0], lit.l[1] + lit.v[1], lit.l[2] + lit.v[2]};
+  const Digits nh = dot(lit.n, unit(both)), spread = length_of(both);
+  if (lit.vanishes()) return found < 0x1p-899 ? 0 : wrong;
+  if (spread <= 100 * u || abs(lit.nl) <= 40 * u || abs(nh) <= 100 * u / spread)
     return std::isfinite(found) ? 0 : wrong;
-  const Digits exponent(shiny.shininess);
-  const Digits right = nl > 0 && nh > 0 ? Digits(full * pow(nh, exponent)) : Digits(0);
-  Digits steep = exponent > 1 ? exponent : Digits(1);
-  if (exponent > 0 && exponent < 1 && nh > 0) steep = 1 / nh;
-  if (!std::isfinite(found)) return wrong;
-  return static_cast<double>(Digits(abs(Digits(found) - right) / (100 * u * steep * full / spread)));
+  return lit.highlight_error(found, nh, Digits(lit.shininess), 100 / spread);
 }
 
 /// The place, the spot, its axis, two cosines, the power.
@@ -136,8 +128,8 @@ Input spots(Kind kind, Random& random) {
   double outer = random.uniform(-1, 1), inner = random.uniform(-1, 1);
   if (kind == Kind::near_degenerate || kind == Kind::grazing) {
     // The place on the outer cone, or a little beside it
-    const dvec3 to_place = unit_vector(vector_of(input, 0) - vector_of(input, 3));
-    outer = glm::dot(to_place, unit_vector(vector_of(input, 6)));
+    const dvec3 to_place = unit_vector(vector_in(input, 0) - vector_in(input, 3));
+    outer = glm::dot(to_place, unit_vector(vector_in(input, 6)));
     if (kind == Kind::near_degenerate)
       outer += random.uniform(-1, 1) * std::ldexp(1.0, -static_cast<int>(random.uniform_int(8, 52)));
     outer = std::clamp(outer, -1.0, 1.0);
@@ -155,15 +147,17 @@ double spots_error(const Input& i) {
   if (!all_finite(i)) return 0;
   Light spot;
   spot.kind = Light::Kind::spot;
-  spot.position = vector_of(i, 3), spot.direction = vector_of(i, 6);
+  spot.position = vector_in(i, 3), spot.direction = vector_in(i, 6);
   spot.outer_cosine = std::clamp(i[9], -1.0, 1.0);
   spot.inner_cosine = std::clamp(i[10], spot.outer_cosine, 1.0);
   spot.concentration = i[11] >= 1 ? std::min(i[11], 1000.0) : 0;
-  const Vec to_place = way(spot.position, vector_of(i, 0)), axis = way(dvec3{0}, spot.direction);
-  const Digits largest(std::numeric_limits<double>::max()), u(0x1p-53);
-  if (length(to_place) > largest || length(axis) > largest || length(to_place) == 0 || length(axis) == 0)
-    return 0;
-  const dvec3 to_light = illumination::towards(spot, 0, vector_of(i, 0)).first;
+  const Vec to_place = way_from<Digits>(spot.position, vector_in(i, 0)),
+            axis = triple<Digits>(spot.direction);
+  const Digits largest(std::numeric_limits<double>::max());
+  for (const Digits& length : {length_of(to_place), length_of(axis)}) {
+    if (length > largest || length == 0) return 0;
+  }
+  const dvec3 to_light = illumination::towards(spot, 0, vector_in(i, 0)).first;
   const double found = illumination::spot_cone(spot, to_light);
   const Digits c = dot(unit(to_place), unit(axis)), outer(spot.outer_cosine), inner(spot.inner_cosine);
   if (c <= outer - 40 * u) return found == 0 ? 0 : wrong;
@@ -178,7 +172,7 @@ double spots_error(const Input& i) {
   const Digits edge = t * t * (3 - 2 * t), power(spot.concentration);
   const Digits right = power == 0 ? edge : c > 0 ? Digits(edge * pow(c, power)) : Digits(0);
   const Digits bound = (60 / width + 40 * (power > 1 ? power : Digits(1)) + 20) * u;
-  return static_cast<double>(Digits(abs(Digits(found) - right) / bound));
+  return share(found, right, bound);
 }
 
 /// A distance and a range near it.
@@ -202,7 +196,7 @@ double ranges_error(const Input& i) {
   if (d >= light.range) return found == 0 ? 0 : wrong;
   const Digits part = Digits(d) / Digits(light.range), left = 1 - part * part * part * part;
   if (!(found >= 0 && found <= 1)) return wrong;
-  return static_cast<double>(Digits(abs(Digits(found) - left * left) / (16 * Digits(0x1p-53))));
+  return share(found, left * left, 16 * u);
 }
 
 /// A rectangle above the place: its middle, its sides, and how often it is sampled.
@@ -223,7 +217,7 @@ double areas_error(const Input& i) {
   if (!all_finite(i)) return 0;
   Light light;
   light.kind = Light::Kind::area;
-  light.position = vector_of(i, 0), light.across = vector_of(i, 3), light.along = vector_of(i, 6);
+  light.position = vector_in(i, 0), light.across = vector_in(i, 3), light.along = vector_in(i, 6);
   light.constant = 0, light.quadratic = 1;
   light.samples = static_cast<int>(std::clamp(i[9], 1.0, 16.0));
   const double sides = glm::dot(light.across, light.across) + glm::dot(light.along, light.along);
@@ -259,6 +253,7 @@ double areas_error(const Input& i) {
 }  // namespace
 
 Domain illumination() {
+  const std::vector<Kind> kinds(all_kinds.begin(), all_kinds.end() - 1);  // nothing is refused
   return {
       "illumination",
       {{.name = "phong",
@@ -266,8 +261,7 @@ Domain illumination() {
         .unit = "bounds",
         .bound = 1,
         .numbers = 16,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                  Kind::denormal, Kind::extremes},
+        .kinds = kinds,
         .generate = at_every_scale(generate, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}),
         .error = error,
         .traps = {{"a light at the horizon",
@@ -286,8 +280,7 @@ Domain illumination() {
         .unit = "bounds",
         .bound = 1,
         .numbers = 16,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                  Kind::denormal, Kind::extremes},
+        .kinds = kinds,
         .generate = at_every_scale(generate, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}),
         .error = blinns_error,
         .traps = {{"viewer and light face to face", {0, 0, 0, 0, 0, 1, -3, 0, 1e-9, 3, 0, 1e-9, 1, 0, 0, 10}},
@@ -298,8 +291,7 @@ Domain illumination() {
         .unit = "bounds",
         .bound = 1,
         .numbers = 12,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                  Kind::denormal, Kind::extremes},
+        .kinds = kinds,
         .generate = at_every_scale(spots, {0, 1, 2, 3, 4, 5, 6, 7, 8}),
         .error = spots_error,
         .traps = {{"both cones are one", {0, 0, 0, 0, 3, 4, 0, -3, -4, 1, 1, 0}},
@@ -310,8 +302,7 @@ Domain illumination() {
         .unit = "bounds",
         .bound = 1,
         .numbers = 2,
-        .kinds = {Kind::random, Kind::near_degenerate, Kind::grazing, Kind::huge, Kind::tiny, Kind::ties,
-                  Kind::denormal, Kind::extremes},
+        .kinds = kinds,
         .generate = at_every_scale(ranges, {0, 1}),
         .error = ranges_error,
         .traps = {{"at the end", {4, 4}},

@@ -2,7 +2,8 @@
 // How large and how sharp a highlight is: (R.V)^n round R for several n, as lobes and as curves.
 
 #include "core/arithmetic/elementary.hpp"
-#include "stories/shading/illumination_task.hpp"
+#include "stories/past.hpp"
+#include "stories/shading/illumination_drawing.hpp"
 
 namespace gradus::illumination {
 
@@ -12,64 +13,36 @@ struct LobeDrawn {
   double half;  ///< where it has half its strength, in degrees from R
 };
 
-class LobeStory {
+class LobeStory : public Past<steps::Started, LobeDrawn, steps::Finished> {
  public:
   LobeStory(const Words& words, double theta) : words_(words), theta_(theta) {}
 
-  void show(Board& board, const steps::Started&) { board.milestone(drawing()); }
   Event say(const steps::Started&) const {
     return {.text = "lobes", .words = {{"theta", fmt::format("{:.0f}°", theta_)}}};
-  }
-  void show(Board& board, const LobeDrawn& l) {
-    done_.push_back(l);
-    board.milestone(drawing());
   }
   Event say(const LobeDrawn& l) const {
     return {.text = l.exponent > 0 ? "lobe" : "lobe.zero",
             .facts = {{"exponent", l.exponent}, {"half", l.half}},
-            .words = {{"n", l.exponent}, {"half", degrees(l.half)}},
-            .row = {l.exponent, degrees(l.half)},
+            .words = {{"n", l.exponent}, {"half", degrees_text(l.half)}},
+            .row = {l.exponent, degrees_text(l.half)},
             .key = figure_real(l.exponent),
             .phase = words_.say("phase.lobes")};
   }
-  void show(Board& board, const steps::Finished&) {
-    ended_ = true;
-    board.milestone(drawing());
-  }
   Event say(const steps::Finished&) const {
-    const auto [least, most] = std::minmax_element(
-        done_.begin(), done_.end(), [](const auto& a, const auto& b) { return a.exponent < b.exponent; });
+    const auto [least, most] = std::ranges::minmax_element(all<LobeDrawn>(), {}, &LobeDrawn::exponent);
     return {.text = "lobes.finished",
             .words = {{"least", least->exponent},
                       {"most", most->exponent},
-                      {"wide", degrees(least->half)},
-                      {"narrow", degrees(most->half)}}};
+                      {"wide", degrees_text(least->half)},
+                      {"narrow", degrees_text(most->half)}}};
   }
 
   /// Where the direction of a lamp at this angle begins.
   static dvec2 start_of(double at) { return tip(at, 0.72); }
 
-  static std::string degrees(double value) { return figure_real(std::round(value * 10) / 10) + "°"; }
-
- private:
-  static constexpr dvec2 origin{8.6, 2.6};
-  static constexpr double length = 12.5;
-
-  static dvec2 tip(double at, double part) {
-    const double a = at / degrees_per_radian;
-    return origin + part * length * dvec2{-gradus::sin(a), gradus::cos(a)};
-  }
-  static double lobe(double off, double n) {
-    const double c = gradus::cos(off / degrees_per_radian);
-    return c > 0 ? pow(c, n) : 0;
-  }
-  View drawing() const {
+  View draw() const {
     View view;
-    view.add({"s surface", Role::boundary, Stroke{origin - dvec2{8.4, 0}, origin + dvec2{9.6, 0}}});
-    view.add({"a ground", Role::boundary,
-              Area{{{origin - dvec2{8.4, 0}, origin + dvec2{9.6, 0}, origin + dvec2{9.6, -0.9},
-                     origin - dvec2{8.4, 0.9}}},
-                   1}});
+    add_ground(view, origin - dvec2{8.4, 0}, origin + dvec2{9.6, 0}, 0.9);
     const auto arrow = [&](const std::string& id, Role role, double at, const std::string& name) {
       view.add({id, role,
                 Stroke{at == theta_ ? start_of(at) : origin, tip(at, at == theta_ ? 0.06 : 1.08), true}});
@@ -81,13 +54,23 @@ class LobeStory {
     const Panel plot({{21.6, 3.2}, {35.6, 16}}, {{0, 0}, {90, 1}}, Panel::Fit::stretched);
     add_axes(view, plot, "p", {"α", ""}, 5);
     view.add({"q half", Role::guide, Stroke{plot.at({0, 0.5}), plot.at({90, 0.5}), false, true, true}});
-    for (std::size_t i = 0; i < done_.size(); ++i) add_lobe(view, plot, i);
+    for (std::size_t i = 0; i < all<LobeDrawn>().size(); ++i) add_lobe(view, plot, i);
     return view;
   }
+
+ private:
+  static constexpr dvec2 origin{8.6, 2.6};
+  static constexpr double length = 12.5;
+
+  static dvec2 tip(double at, double part) { return origin + part * length * leaning(at); }
+  static double lobe(double off, double n) {
+    const double c = gradus::cos(off / degrees_per_radian);
+    return c > 0 ? pow(c, n) : 0;
+  }
   void add_lobe(View& view, const Panel& plot, std::size_t i) const {
-    const double n = done_[i].exponent, half = done_[i].half;
-    const bool now = !ended_ && i + 1 == done_.size();
-    const Role role = now ? Role::current : ended_ ? Role::result : Role::past;
+    const auto [n, half] = all<LobeDrawn>()[i];
+    const bool is_now = &all<LobeDrawn>()[i] == now<LobeDrawn>();
+    const Role role = is_now ? Role::current : now<steps::Finished>() ? Role::result : Role::past;
     std::vector<dvec2> ring{origin}, curve;
     // No light leaves below the surface
     for (double way = 90; way >= -90; way -= 0.75) ring.push_back(tip(way, lobe(way + theta_, n)));
@@ -105,8 +88,6 @@ class LobeStory {
 
   const Words& words_;
   const double theta_;
-  std::vector<LobeDrawn> done_{};
-  bool ended_ = false;
 };
 
 inline void tell_lobes(Narrator& narrator) {
@@ -131,14 +112,13 @@ inline void tell_lobes(Narrator& narrator) {
   });
   // Of several lamps the first alone is drawn
   std::erase_if(narrator.trace().handles, [](const Handle& handle) { return handle.numbers[0] > 0; });
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  for (const Tuple& tuple : arguments.tuples("exponents")) {
-    const double n = tuple[0].value;
-    if (n < 0) refuse("exponents", "expected 0 or more, found {}", n);
-    watch(LobeDrawn{n, n > 0 ? degrees_of(pow(0.5, 1 / n)) : 90}, 0);
-  }
-  watch(steps::Finished{}, 0);
+  narrator.tell_whole(story, [&](const auto& watch) {
+    for (const Tuple& tuple : arguments.tuples("exponents")) {
+      const double n = tuple[0].value;
+      if (n < 0) refuse("exponents", "expected 0 or more, found {}", n);
+      watch(LobeDrawn{n, n > 0 ? degrees_of(pow(0.5, 1 / n)) : 90}, 0);
+    }
+  });
 }
 
 }  // namespace gradus::illumination

@@ -20,6 +20,19 @@ struct Piece {
   bool fresh;  ///< this step's
 };
 
+/// Up, turned to the left.
+inline dvec2 leaning(double degrees) {
+  const double a = degrees / degrees_per_radian;
+  return {-gradus::sin(a), gradus::cos(a)};
+}
+
+/// A surface and the ground below it.
+inline void add_ground(View& view, dvec2 left, dvec2 right, double deep) {
+  const dvec2 down{0, deep};
+  view.add({"s surface", Role::boundary, Stroke{left, right}});
+  view.add({"a ground", Role::boundary, Area{{{left, right, right - down, left - down}}, 1}});
+}
+
 /// What the highlight is computed from.
 enum class Mirror { reflected, halfway };
 
@@ -63,13 +76,9 @@ class PlaceDrawing {
   }
 
   void add_surface(View& view) const {
-    const dvec2 o = origin_;
-    view.add({"s surface", Role::boundary, Stroke{o - dvec2{11, 0}, o + dvec2{11, 0}}});
-    const double deep = from_below_ ? 0.7 : 1.1;
-    view.add({"a ground", Role::boundary,
-              Area{{{o - dvec2{11, 0}, o + dvec2{11, 0}, o + dvec2{11, -deep}, o - dvec2{11, deep}}}, 1}});
-    arrow(view, "n normal", Role::input, 0, 1, "N");
-    view.add({"n place", Role::input, Dot{o}});
+    add_ground(view, origin_ - dvec2{11, 0}, origin_ + dvec2{11, 0}, from_below_ ? 0.7 : 1.1);
+    arrow(view, "n normal", Role::input, 0, "N");
+    view.add({"n place", Role::input, Dot{origin_}});
   }
 
   /// Lamps that are not at hand.
@@ -87,7 +96,7 @@ class PlaceDrawing {
   void add_way(View& view, const LampTaken<double>& t, const Light& light) const {
     if (t.arrival.to_light == dvec3{0}) return;
     const double at = angle(t.arrival.to_light);
-    arrow(view, "l way", Role::current, at, 1, "L");
+    arrow(view, "l way", Role::current, at, "L");
     add_lamp(view, "l lamp", Role::current, at, t.light, false);
     if (light.kind == Light::Kind::spot) add_cone(view, t, light);
     if (light.kind == Light::Kind::point && light.range < 1e300) add_range(view, t, light);
@@ -105,32 +114,28 @@ class PlaceDrawing {
   void add_mirrored(View& view, const LightAdded<double>& s, Role role, double power) const {
     const dvec3 v = unit_vector(task_.eye - task_.place);
     if (v == dvec3{0} || s.mirror == dvec3{0} || s.arrival.to_light == dvec3{0}) return;
-    const double theta = angle(s.arrival.to_light);
-    if (mirror_ == Mirror::reflected) {
-      const double r = -theta, apart = degrees_of(s.cosine);
-      const double flat = flat_angle(v, s.arrival.to_light, theta), turn = wrapped(flat - r);
-      const double seen = r + (turn < 0 ? -apart : apart);
-      lobe(view, role, [&](double way) { return gradus::pow(cosine(way - r), power); }, s.cosine > 0);
-      arrow(view, "r mirror", role, r, 1, "R");
-      add_viewer(view, seen);
-      arc(view, "g alpha", role, r, seen, 0.42);
-      foot(view, "f specular", role, r, s.cosine, tip(seen, 1),
-           fmt::format("R·V = {}", short_real(s.cosine)));
-      reached(view, role, seen, s.cosine > 0 ? gradus::pow(s.cosine, power) : 0);
-    } else {
-      const double from_n = degrees_of(s.cosine);
-      const double flat = flat_angle(s.mirror, s.arrival.to_light, theta);
-      const double h = flat < 0 ? -from_n : from_n, seen = 2 * h - theta;
-      lobe(view, role, [&](double way) { return gradus::pow(cosine(0.5 * (way + theta)), power); }, true);
-      arrow(view, "r mirror", role, h, 1, "H");
-      add_viewer(view, seen);
-      arc(view, "g alpha", role, 0, h, 0.42);
-      foot(view, "f specular", role, 0, s.cosine, tip(h, 1), fmt::format("N·H = {}", short_real(s.cosine)));
-      reached(view, role, seen, s.cosine > 0 ? gradus::pow(s.cosine, power) : 0);
-    }
+    const bool reflects = mirror_ == Mirror::reflected;
+    const double theta = angle(s.arrival.to_light), off = degrees_of(s.cosine);
+    const double flat = flat_angle(reflects ? v : s.mirror, s.arrival.to_light, theta);
+    // H lies halfway between L and V
+    const double axis = reflects ? -theta : flat < 0 ? -off : off;
+    const double seen = reflects ? axis + (wrapped(flat - axis) < 0 ? -off : off) : 2 * axis - theta;
+    const auto size = [&](double way) {
+      return gradus::pow(cosine(reflects ? way - axis : 0.5 * (way + theta)), power);
+    };
+    if (!reflects || s.cosine > 0) lobe(view, role, size);
+    arrow(view, "r mirror", role, axis, reflects ? "R" : "H");
+    add_viewer(view, seen);
+    const double from = reflects ? axis : 0, to = reflects ? seen : axis;
+    const std::string product = reflects ? "R·V" : "N·H";
+    arc(view, "g alpha", role, from, to, 0.42);
+    foot(view, "f specular", role, from, s.cosine, tip(to, 1), product + " = " + short_real(s.cosine));
+    const double part = s.cosine > 0 ? gradus::pow(s.cosine, power) : 0;
+    if (part > 0.02)
+      view.add_named("p reached", role, tip(seen, part), "(" + product + ")ⁿ = " + short_real(part), true);
   }
 
-  void add_viewer(View& view, double at) const { arrow(view, "v view", Role::input, at, 1, "V"); }
+  void add_viewer(View& view, double at) const { arrow(view, "v view", Role::input, at, "V"); }
   /// V before any lamp is at hand.
   void add_viewer(View& view) const {
     const dvec3 v = unit_vector(task_.eye - task_.place);
@@ -138,8 +143,7 @@ class PlaceDrawing {
   }
   /// The direction that is right, where the method has another.
   void add_right_way(View& view, const dvec3& l) const {
-    const dvec2 from = origin_, to = tip(angle(l), 1);
-    view.add({"l right", Role::accepted, Stroke{from, to, true, true}});
+    view.add({"l right", Role::accepted, Stroke{origin_, tip(angle(l), 1), true, true}});
     view.add({"l right name", Role::accepted, Label{tip(angle(l), 0.97), words_.say("right")}});
   }
 
@@ -179,10 +183,7 @@ class PlaceDrawing {
  private:
   static double cosine(double degrees) { return std::max(0.0, gradus::cos(degrees / degrees_per_radian)); }
   static double wrapped(double degrees) { return degrees - 360 * std::round(degrees / 360); }
-  dvec2 tip(double degrees, double part) const {
-    const double a = degrees / degrees_per_radian;
-    return origin_ + part * length_ * dvec2{-gradus::sin(a), gradus::cos(a)};
-  }
+  dvec2 tip(double degrees, double part) const { return origin_ + part * length_ * leaning(degrees); }
   dvec2 lamp_tip(double at) const { return tip(at, 1.06); }
   /// A lamp with its name on the far side.
   void add_lamp(View& view, const std::string& id, Role role, double at, std::size_t i, bool ring) const {
@@ -200,10 +201,9 @@ class PlaceDrawing {
     const double across = glm::length(aside) > 0.5 ? side * glm::dot(way, aside) : glm::dot(way, left_);
     return gradus::atan2(across, glm::dot(way, task_.normal)) * degrees_per_radian;
   }
-  void arrow(View& view, const std::string& id, Role role, double at, double part,
-             const std::string& name) const {
-    view.add({id, role, Stroke{origin_, tip(at, part), true}});
-    view.add({id + " name", role, Label{tip(at, 0.93 * part), name}});
+  void arrow(View& view, const std::string& id, Role role, double at, const std::string& name) const {
+    view.add({id, role, Stroke{origin_, tip(at, 1), true}});
+    view.add({id + " name", role, Label{tip(at, 0.93), name}});
   }
   void arc(View& view, const std::string& id, Role role, double from, double to, double part) const {
     if (std::abs(to - from) < 1) return;
@@ -223,26 +223,16 @@ class PlaceDrawing {
     view.add({id + " value", role, Label{at, text}});
   }
   template <class Size>
-  void lobe(View& view, Role role, const Size& size, bool right) const {
+  void lobe(View& view, Role role, const Size& size) const {
     std::vector<dvec2> ring{origin_};
     for (double way = 90; way >= -90; way -= 1.5) ring.push_back(tip(way, size(way)));
-    if (right) view.add({"b lobe", role, Area{{ring}, 1}});
-  }
-  void reached(View& view, Role role, double seen, double part) const {
-    if (!(part > 0.02)) return;
-    const char* name = mirror_ == Mirror::reflected ? "(R·V)ⁿ = " : "(N·H)ⁿ = ";
-    view.add_named("p reached", role, tip(seen, part), name + short_real(part), true);
+    view.add({"b lobe", role, Area{{ring}, 1}});
   }
   void add_cone(View& view, const LampTaken<double>& t, const Light& light) const {
     const double l = angle(t.arrival.to_light);
     const dvec2 lamp = lamp_tip(l);
-    const dvec3 axis = unit_vector(light.direction);
-    const double off = degrees_of(-glm::dot(axis, t.arrival.to_light)),
-                 outer = degrees_of(light.outer_cosine);
-    const auto way = [&](double turned) {
-      const double a = (l + 180 + turned) / degrees_per_radian;
-      return lamp + length_ * dvec2{-gradus::sin(a), gradus::cos(a)};
-    };
+    const double off = off_axis(light, t.arrival), outer = degrees_of(light.outer_cosine);
+    const auto way = [&](double turned) { return lamp + length_ * leaning(l + 180 + turned); };
     const Role role = t.arrival.cone > 0 ? Role::boundary : Role::rejected;
     std::vector<dvec2> ring{lamp};
     for (int k = -12; k <= 12; ++k) ring.push_back(way(off + outer * k / 12));

@@ -6,6 +6,7 @@
 
 #include "shading/illumination/illumination_notes.hpp"
 #include "stories/parameters.hpp"
+#include "stories/past.hpp"
 #include "stories/shading/highlight_lobes.hpp"
 #include "stories/shading/illumination_drawing.hpp"
 #include "stories/shading/lights_side_by_side.hpp"
@@ -28,7 +29,8 @@ std::vector<Field> facts_of(const dvec3& colour) {
   return {{"red", colour.x}, {"green", colour.y}, {"blue", colour.z}};
 }
 
-class PlaceStory {
+class PlaceStory
+    : public Past<AmbientAdded<double>, LampTaken<double>, LightAdded<double>, Finished<double>> {
  public:
   PlaceStory(const Words& words, const Task& task, PlaceDrawing drawing, Mirror mirror, Fault fault,
              Right right)
@@ -40,13 +42,11 @@ class PlaceStory {
         right_(std::move(right)) {}
 
   const PlaceDrawing& drawing() const { return drawing_; }
-  /// The first step whose figure shows the method's fault, or the first that adds something.
-  StepNumber telling() const { return telling_.value_or(StepNumber{2, 0}); }
-
-  void show(Board& board, const AmbientAdded<double>& a) {
-    pieces_.push_back({Role::past, a.ambient, false});
-    put(board);
+  /// Where the method's fault shows; of Phong's model, where there is a highlight.
+  bool tells(const LightAdded<double>& s) const {
+    return fault_ == Fault::none ? s.specular != dvec3{0} : is_off(s);
   }
+
   Event say(const AmbientAdded<double>& a) const {
     return {.text = "ambient",
             .facts = {{"ambient", a.ambient.x}},
@@ -54,13 +54,6 @@ class PlaceStory {
             .count = std::ssize(task_.lights),
             .row = {words_.say("row.ambient"), "", "", "", "", "", short_colour(a.ambient)},
             .begins = true};
-  }
-
-  void show(Board& board, const LampTaken<double>& t) {
-    taken_ = t;
-    added_.reset();
-    for (Piece& piece : pieces_) piece.fresh = false;
-    put(board);
   }
   Event say(const LampTaken<double>& t) const {
     const Light& light = task_.lights[t.light];
@@ -75,29 +68,19 @@ class PlaceStory {
                 .key = key(t),
                 .phase = words_.say("phase.lamps")};
     if (light.kind == Light::Kind::spot) {
-      const double off = degrees_of(-glm::dot(unit_vector(light.direction), a.to_light));
-      event.words.push_back({"off", LobeStory::degrees(off)});
-      event.words.push_back({"outer", LobeStory::degrees(degrees_of(light.outer_cosine))});
+      event.words.push_back({"off", degrees_text(off_axis(light, a))});
+      event.words.push_back({"outer", degrees_text(degrees_of(light.outer_cosine))});
     }
     if (light.kind == Light::Kind::spot || light.kind == Light::Kind::area || light.range < 1e300)
       event.decides =
           yes_or_no(words_, "question.arrives", {{"lamp", name(t)}}, a.share() > 0, "arrives", "lost");
     return event;
   }
-
-  void show(Board& board, const LightAdded<double>& s) {
-    added_ = s;
-    pieces_.push_back({Role::accepted, s.diffuse, true});
-    pieces_.push_back({Role::measure, s.specular, true});
-    sum_ += s.diffuse + s.specular;
-    ++looked_;
-    put(board);
-    const bool tells = fault_ == Fault::none ? s.specular != dvec3{0} : is_off(s);
-    if (tells && !telling_) telling_ = {number_ - 1, 0};
-  }
   Event say(const LightAdded<double>& s) const {
     const std::size_t answer = s.specular != dvec3{0} ? 2 : s.diffuse != dvec3{0} ? 1 : 0;
-    constexpr std::array<const char*, 3> branches{"nothing", "scattered", "highlight"};
+    constexpr std::array branches{"nothing", "scattered", "highlight"};
+    std::vector<std::string> answers;
+    for (const char* branch : branches) answers.push_back(words_.say(fmt::format("answer.{}", branch)));
     return {
         .text = added_text(s),
         .facts = {{"n_dot_l", s.n_dot_l}, {"cosine", s.cosine}},
@@ -114,24 +97,16 @@ class PlaceStory {
                   {"right_NL", short_real(right_one().n_dot_l)},
                   {"right_specular", short_colour(right_one().specular)}},
         .row = {name(s), short_real(s.arrival.share()), short_real(s.n_dot_l), short_real(s.cosine),
-                short_colour(s.diffuse), short_colour(s.specular), short_colour(so_far())},
+                short_colour(s.diffuse), short_colour(s.specular),
+                short_colour(sum_of(all<LightAdded<double>>()))},
         .key = key(s),
         .phase = words_.say("phase.parts"),
-        .decides = Decision{
-            words_.say("question.adds", {{"lamp", name(s)}}),
-            {words_.say("answer.nothing"), words_.say("answer.scattered"), words_.say("answer.highlight")},
-            answer,
-            branches[answer]}};
-  }
-
-  void show(Board& board, const Finished<double>&) {
-    for (Piece& piece : pieces_) piece.fresh = false;
-    ended_ = true;
-    put(board);
+        .decides = Decision{words_.say("question.adds", {{"lamp", name(s)}}), std::move(answers), answer,
+                            branches[answer]}};
   }
   Event say(const Finished<double>& f) const {
     const dvec3 sum = f.ambient + f.diffuse + f.specular;
-    const bool off = !(glm::length(sum - right_.sum) <= 5e-4);
+    const bool off = !(glm::length(sum - right_.sum) <= least_off);
     return {.text = off ? "finished.off" : "finished",
             .facts = facts_of(sum),
             .words = {{"ambient", short_colour(f.ambient)},
@@ -141,17 +116,44 @@ class PlaceStory {
                       {"right", short_colour(right_.sum)}}};
   }
 
+  View draw() const {
+    View view;
+    const bool ended = now<Finished<double>>();
+    const LampTaken<double>* taken = ended ? nullptr : last<LampTaken<double>>();
+    const LightAdded<double>* added = now<LightAdded<double>>();
+    drawing_.add_surface(view);
+    drawing_.add_lamps(view, taken ? taken->light : ended ? task_.lights.size() : PlaceDrawing::none);
+    drawing_.add_colour(view, pieces(), right_so_far());
+    if (!added) drawing_.add_viewer(view);
+    if (!taken) return view;
+    const Light& light = task_.lights[taken->light];
+    drawing_.add_way(view, *taken, light);
+    if (fault_ == Fault::minus_normal)
+      drawing_.add_right_way(view, towards(light, taken->sample, task_.place).first);
+    if (!added) return view;
+    const bool scatters = !(added->diffuse.x < 0) && added->n_dot_l > 0, shines = added->specular != dvec3{0};
+    drawing_.add_scattered(view, *added, scatters ? Role::accepted : Role::rejected);
+    drawing_.add_mirrored(view, *added, shines ? Role::measure : Role::rejected, task_.surface.shininess);
+    return view;
+  }
+
  private:
+  /// Differences of colours that a figure shows.
+  static constexpr double least_off = 5e-4;
+
+  template <class Step>
+  bool of_area(const Step& s) const {
+    return task_.lights[s.light].kind == Light::Kind::area;
+  }
   template <class Step>
   std::string name(const Step& s) const {
-    if (task_.lights[s.light].kind != Light::Kind::area) return fmt::format("{}", s.light + 1);
+    if (!of_area(s)) return fmt::format("{}", s.light + 1);
     return words_.say("point", {{"number", s.light + 1}, {"point", s.sample + 1}});
   }
   /// "2", "1.3" for a point of an area.
   template <class Step>
   std::string key(const Step& s) const {
-    const bool area = task_.lights[s.light].kind == Light::Kind::area;
-    return area ? fmt::format("{}.{}", s.light + 1, s.sample + 1) : fmt::format("{}", s.light + 1);
+    return of_area(s) ? fmt::format("{}.{}", s.light + 1, s.sample + 1) : fmt::format("{}", s.light + 1);
   }
   std::string_view way_text(const Light& light, const Arrival<double>& a) const {
     if (a.to_light == dvec3{0}) return "way.here";
@@ -162,65 +164,47 @@ class PlaceStory {
     return fault_ == Fault::minus_normal ? "way.minus_normal" : light.range < 1e300 ? "way.within" : "way";
   }
   /// The lamp at hand, as Phong's model has it.
-  const LightAdded<double>& right_one() const { return right_.lamps[looked_ - 1]; }
+  const LightAdded<double>& right_one() const { return right_.lamps[all<LightAdded<double>>().size() - 1]; }
   bool is_off(const LightAdded<double>& s) const {
     const auto& right = right_one();
     return fault_ != Fault::none &&
-           !(glm::length(s.diffuse - right.diffuse) + glm::length(s.specular - right.specular) <= 5e-4);
+           !(glm::length(s.diffuse - right.diffuse) + glm::length(s.specular - right.specular) <= least_off);
   }
   std::string_view added_text(const LightAdded<double>& s) const {
-    const bool off = is_off(s);
-    if (off && fault_ == Fault::tinted) return "fault.tinted";
-    if (off && fault_ == Fault::minus_normal) return "fault.minus_normal";
-    if (off && fault_ == Fault::behind) return s.cosine > 0 ? "fault.behind" : "fault.zero";
-    if (off && !(s.specular.x == s.specular.x)) return "fault.nan";
-    if (off && s.diffuse.x < -s.specular.x) return "fault.taken";
-    if (off) return s.cosine < 0 ? "fault.power" : "fault.behind";
+    if (is_off(s)) {
+      if (fault_ == Fault::tinted) return "fault.tinted";
+      if (fault_ == Fault::minus_normal) return "fault.minus_normal";
+      if (fault_ == Fault::behind) return s.cosine > 0 ? "fault.behind" : "fault.zero";
+      if (!(s.specular.x == s.specular.x)) return "fault.nan";
+      if (s.diffuse.x < -s.specular.x) return "fault.taken";
+      return s.cosine < 0 ? "fault.power" : "fault.behind";
+    }
     if (!(s.arrival.share() > 0)) return "added.lost";
     if (!(s.n_dot_l > 0)) return "added.behind";
     if (s.specular == dvec3{0}) return s.cosine > 0 ? "added.scattered" : "added.away";
     return "added";
   }
-  dvec3 so_far() const { return pieces_.front().value + sum_; }
 
-  /// What Phong's model has by now, beside a faulty method's colour.
-  std::optional<dvec3> right_so_far() const {
-    if (fault_ == Fault::none || looked_ == 0) return std::nullopt;
-    dvec3 sum = pieces_.front().value;
-    for (std::size_t i = 0; i < looked_; ++i) sum += right_.lamps[i].diffuse + right_.lamps[i].specular;
+  /// The ambient part and what these lamps add.
+  dvec3 sum_of(std::span<const LightAdded<double>> lamps) const {
+    dvec3 sum = last<AmbientAdded<double>>()->ambient;
+    for (const auto& lamp : lamps) sum += lamp.diffuse + lamp.specular;
     return sum;
   }
-
-  void put(Board& board) {
-    board.milestone(view());
-    ++number_;
+  /// What Phong's model has by now, beside a faulty method's colour.
+  std::optional<dvec3> right_so_far() const {
+    const std::size_t looked = all<LightAdded<double>>().size();
+    if (fault_ == Fault::none || looked == 0) return std::nullopt;
+    return sum_of(std::span(right_.lamps).first(looked));
   }
-  View view() const {
-    View view;
-    drawing_.add_surface(view);
-    const std::size_t at_hand = taken_ && !ended_ ? taken_->light
-                                : ended_          ? task_.lights.size()
-                                                  : PlaceDrawing::none;
-    drawing_.add_lamps(view, at_hand);
-    drawing_.add_colour(view, pieces_, right_so_far());
-    if (!taken_ || ended_) {
-      drawing_.add_viewer(view);
-      return view;
+  std::vector<Piece> pieces() const {
+    std::vector<Piece> pieces{{Role::past, last<AmbientAdded<double>>()->ambient, false}};
+    for (const auto& lamp : all<LightAdded<double>>()) {
+      const bool fresh = &lamp == now<LightAdded<double>>();
+      pieces.push_back({Role::accepted, lamp.diffuse, fresh});
+      pieces.push_back({Role::measure, lamp.specular, fresh});
     }
-    drawing_.add_way(view, *taken_, task_.lights[taken_->light]);
-    if (fault_ == Fault::minus_normal) {
-      const dvec3 l = towards(task_.lights[taken_->light], taken_->sample, task_.place).first;
-      drawing_.add_right_way(view, l);
-    }
-    if (!added_) {
-      drawing_.add_viewer(view);
-      return view;
-    }
-    drawing_.add_scattered(view, *added_,
-                           added_->diffuse.x < 0 || !(added_->n_dot_l > 0) ? Role::rejected : Role::accepted);
-    drawing_.add_mirrored(view, *added_, added_->specular == dvec3{0} ? Role::rejected : Role::measure,
-                          task_.surface.shininess);
-    return view;
+    return pieces;
   }
 
   const Words& words_;
@@ -229,14 +213,6 @@ class PlaceStory {
   const Mirror mirror_;
   const Fault fault_;
   const Right right_;
-  std::vector<Piece> pieces_{};
-  dvec3 sum_{0};
-  std::optional<LampTaken<double>> taken_{};
-  std::optional<LightAdded<double>> added_{};
-  std::size_t looked_ = 0;
-  std::int64_t number_ = 0;
-  bool ended_ = false;
-  std::optional<StepNumber> telling_{};
 };
 
 // --- The methods
@@ -272,11 +248,11 @@ double brightest_of(const Right& own, const Right& right) {
   return most > 1 ? std::ceil(most * 2) / 2 : 1;
 }
 
-template <class Method>
-void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror::reflected,
-                Fault fault = Fault::none) {
+template <auto method, Fault fault = Fault::none, Mirror mirror = Mirror::reflected>
+void tell_place(Narrator& narrator) {
+  constexpr bool reflects = mirror == Mirror::reflected;
   const Task task = task_of(narrator.arguments());
-  const Right right = mirror == Mirror::reflected ? recorded(task, phongs) : recorded(task, blinns);
+  const Right right = reflects ? recorded(task, phongs) : recorded(task, blinns);
   const Right own = recorded(task, method);
   bool below = glm::dot(task.eye - task.place, task.normal) < 0;
   for (const Right* run : {&right, &own}) {
@@ -284,13 +260,8 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
   }
   narrator.paper(place_paper_width, place_paper_height);
   narrator.trace().subtitle = narrator.words().count("subtitle", std::ssize(task.lights));
-  narrator.columns({{"lamp", false},
-                    {"f"},
-                    {"NL"},
-                    {mirror == Mirror::reflected ? "RV" : "NH"},
-                    {"diffuse"},
-                    {"specular"},
-                    {"sum"}});
+  narrator.columns(
+      {{"lamp", false}, {"f"}, {"NL"}, {reflects ? "RV" : "NH"}, {"diffuse"}, {"specular"}, {"sum"}});
   narrator.legend({{Role::current, "current"},
                    {Role::past, "ambient"},
                    {Role::accepted, fault == Fault::none ? "scattered" : "scattered.right"},
@@ -303,29 +274,9 @@ void tell_place(Narrator& narrator, const Method& method, Mirror mirror = Mirror
     return story.drawing().lamp_at(moved_to(position, task.lights[0], narrator.arguments()));
   });
   narrator.handles("eye", [&](dvec3 eye) { return story.drawing().eye_at(eye); });
+  narrator.telling({2, 0});  // where no lamp tells more: the first
   run(task, method, narrator.watcher(story));
-  narrator.telling(story.telling());
   narrator.result(facts_of(own.sum));
-}
-
-void tell_phong(Narrator& narrator) { tell_place(narrator, phongs); }
-void tell_blinn_phong(Narrator& narrator) { tell_place(narrator, blinns, Mirror::halfway); }
-
-template <class Method>
-void tell_faulty(Narrator& narrator, const Method& method, Fault fault) {
-  tell_place(narrator, method, Mirror::reflected, fault);
-}
-void tell_unclamped(Narrator& narrator) {
-  tell_faulty(narrator, [](const auto&... a) { return unclamped(a...); }, Fault::unclamped);
-}
-void tell_light_behind(Narrator& narrator) {
-  tell_faulty(narrator, [](const auto&... a) { return light_behind(a...); }, Fault::behind);
-}
-void tell_tinted_highlight(Narrator& narrator) {
-  tell_faulty(narrator, [](const auto&... a) { return tinted_highlight(a...); }, Fault::tinted);
-}
-void tell_light_minus_normal(Narrator& narrator) {
-  tell_faulty(narrator, [](const auto&... a) { return light_minus_normal(a...); }, Fault::minus_normal);
 }
 
 }  // namespace
@@ -334,14 +285,17 @@ const TopicEntry& entry();  // the catalogue asks for it by this name
 const TopicEntry& entry() {
   using namespace parameters;
   const Sizes modest{1e-6, 1e6}, part{1e-6, 1e3};
+  const auto of_place = [](std::string name, Standing standing, void (*tell)(Narrator&)) {
+    return Method{.name = std::move(name), .standing = standing, .tell = tell, .unread = {"exponents"}};
+  };
   static const TopicEntry topic = completed<entry>(
       {.name = "illumination",
        .chapter = "shading",
        .aliases = {"phong illumination", "phong reflection", "blinn-phong", "lights", "lambert", "highlight"},
        .summary = "what each lamp adds to the colour of a place: scattered light and a highlight",
        .methods =
-           {{.name = "phong", .standing = Standing::taught, .tell = tell_phong, .unread = {"exponents"}},
-            {.name = "blinn_phong", .tell = tell_blinn_phong, .unread = {"exponents"}},
+           {of_place("phong", Standing::taught, tell_place<phongs>),
+            of_place("blinn_phong", Standing::plain, tell_place<blinns, Fault::none, Mirror::halfway>),
             {.name = "lights_side_by_side",
              .tell = tell_lights,
              .function = "phong",
@@ -351,22 +305,15 @@ const TopicEntry& entry() {
              .function = "phong",
              .unread = {"kind", "aim", "eye", "ka", "kd", "ks", "shininess", "colour", "attenuation", "range",
                         "cone", "concentration", "side", "samples"}},
-            {.name = "unclamped",
-             .standing = Standing::faulty,
-             .tell = tell_unclamped,
-             .unread = {"exponents"}},
-            {.name = "light_behind",
-             .standing = Standing::faulty,
-             .tell = tell_light_behind,
-             .unread = {"exponents"}},
-            {.name = "tinted_highlight",
-             .standing = Standing::faulty,
-             .tell = tell_tinted_highlight,
-             .unread = {"exponents"}},
-            {.name = "light_minus_normal",
-             .standing = Standing::faulty,
-             .tell = tell_light_minus_normal,
-             .unread = {"exponents"}}},
+            of_place("unclamped", Standing::faulty,
+                     tell_place<[](const auto&... a) { return unclamped(a...); }, Fault::unclamped>),
+            of_place("light_behind", Standing::faulty,
+                     tell_place<[](const auto&... a) { return light_behind(a...); }, Fault::behind>),
+            of_place("tinted_highlight", Standing::faulty,
+                     tell_place<[](const auto&... a) { return tinted_highlight(a...); }, Fault::tinted>),
+            of_place(
+                "light_minus_normal", Standing::faulty,
+                tell_place<[](const auto&... a) { return light_minus_normal(a...); }, Fault::minus_normal>)},
        .default_method = "phong",
        .parameters =
            {points(1, 8, "lights", "0,3,4", "0,3,4 0,-4,2 0,2,-1", "where the lamps stand", xyz, modest),

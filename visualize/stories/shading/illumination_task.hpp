@@ -115,5 +115,11 @@ inline std::string short_colour(const dvec3& c) {
 
 inline constexpr double degrees_per_radian = 57.29577951308232;
 inline double degrees_of(double cosine) { return acos(std::clamp(cosine, -1.0, 1.0)) * degrees_per_radian; }
+inline std::string degrees_text(double value) { return figure_real(std::round(value * 10) / 10) + "°"; }
+
+/// How far from a spot's axis the way to the place leads, in degrees.
+inline double off_axis(const Light& spot, const Arrival<double>& arrival) {
+  return degrees_of(-glm::dot(unit_vector(spot.direction), arrival.to_light));
+}
 
 }  // namespace gradus::illumination
