@@ -142,21 +142,39 @@ bool is_quad(const Input& i) {
   return true;
 }
 
-/// Pixels of the quad that its two halves do not plot once.
+/// Pixels that are not plotted once: those of the quad whose centres lie inside, by its halves along each
+/// diagonal, and by its parts round a point inside.
 double partition_error(const Input& i) {
   if (!is_quad(i)) return 0;
   const std::vector<Lit> c = corners_of(i);
-  std::map<std::pair<int, int>, int> times;
-  const auto shade = [&](std::vector<Lit> corners, int weight) {
-    gouraud(std::span<const Lit>(corners), picture, [&](ivec2 p, double) { times[{p.x, p.y}] += weight; });
+  const Lit middle{0.25 * (c[0].at + c[1].at + c[2].at + c[3].at), 0};
+  std::map<std::pair<int, int>, int> whole, times;
+  const auto shade = [&](const std::vector<Lit>& corners, auto& counts) {
+    gouraud(std::span<const Lit>(corners), picture, [&](ivec2 p, double) { ++counts[{p.x, p.y}]; });
   };
+  shade(c, whole);
   double errors = 0;
-  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+  for (const std::size_t k : {0U, 1U}) {
     times.clear();
-    shade(c, 1);
-    shade({c[k], c[k + 1], c[k + 2]}, -1);
-    shade({c[k + 2], c[(k + 3) % 4], c[k]}, -1);
-    for (const auto& [at, count] : times) errors += count != 0;
+    shade({c[k], c[k + 1], c[k + 2]}, times);
+    shade({c[k + 2], c[(k + 3) % 4], c[k]}, times);
+    errors += times != whole;
+  }
+  times.clear();
+  for (std::size_t k = 0; k < 4; ++k) shade({c[k], c[(k + 1) % 4], middle}, times);
+  errors += times != whole;
+  // Whole sixteenths: nothing is rounded
+  for (int y = picture.lower.y; y <= picture.upper.y; ++y) {
+    for (int x = picture.lower.x; x <= picture.upper.x; ++x) {
+      double inside = 1;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const dvec2 way = c[(k + 1) % 4].at - c[k].at, to = dvec2(x, y) + 0.5 - c[k].at;
+        inside = std::min(inside, way.x * to.y - way.y * to.x);
+      }
+      const auto found = whole.find({x, y});
+      const int plotted = found == whole.end() ? 0 : found->second;
+      errors += plotted > 1 || (inside != 0 && plotted != (inside > 0));
+    }
   }
   return errors;
 }
@@ -285,7 +303,8 @@ Domain polygon_shading() {
         .arguments = drawn,
         .traps = {{"all corners alike", {-9, -9, 0.3, 9, -9, 0.3, 0, 9, 0.3}}}},
        {.name = "partition",
-        .states = "a quad cut along a diagonal has its pixels in one of its halves each",
+        .states =
+            "a quad's pixels are those inside; cut along a diagonal or round a point, each is in one part",
         .unit = "pixels",
         .bound = 0,
         .numbers = 12,

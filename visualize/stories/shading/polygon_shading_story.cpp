@@ -24,12 +24,11 @@ class ShadeStory {
  public:
   ShadeStory(const Words& words, const Subject& subject) : words_(words), subject_(subject) {}
 
-  std::optional<StepNumber> telling() const { return telling_; }
   const Worst& worst() const { return worst_; }
   std::int64_t lights() const { return lights_; }
 
   void show(Board& board, const steps::Started&) {
-    next(board);
+    board.milestone();
     for (std::size_t f = 0; f < subject_.rings.size(); ++f) {
       if (!subject_.looks_away(f)) board.keep(fmt::format("a face {:03}", f), Role::past, outline(f));
     }
@@ -48,7 +47,7 @@ class ShadeStory {
   void show(Board& board, const FaceTaken& f) {
     face_ = f.face;
     if (subject_.rings.size() == 1) return;
-    next(board);
+    board.milestone();
     board.keep("b face", Role::input, outline(f.face));
   }
   Event say(const FaceTaken&) const {
@@ -56,24 +55,23 @@ class ShadeStory {
   }
 
   void show(Board& board, const VertexLit<double>& v) {
-    next(board);
+    board.milestone();
     ++lights_;
     keep_vertex(board, v.vertex);
   }
   Event say(const VertexLit<double>& v) const {
-    const std::string vertex = Subject::vertex_name(v.vertex);
     return {.text = "vertex",
             .facts = {{"intensity", v.colour}},
-            .words = {{"vertex", vertex},
+            .words = {{"vertex", letter(v.vertex)},
                       {"place", figure_place(subject_.places[v.vertex])},
                       {"normal", figure_place(subject_.normals[v.vertex])},
                       {"I", v.colour}},
-            .key = vertex,
+            .key = letter(v.vertex),
             .phase = "vertices"};
   }
 
   void show(Board& board, const PolygonLit<double, double>& p) {
-    next(board);
+    board.milestone();
     ++lights_;
     middle_ = p.middle;
     board.mark("m middle", Role::current, Dot{drawn(subject_.on_screen(p.middle.place))});
@@ -91,7 +89,7 @@ class ShadeStory {
 
   template <class Value>
   void show(Board& board, const RowBegun<double, Value>& r) {
-    next(board);
+    board.milestone();
     row_ = r.row;
     left_ = {r.left.x, r.row + 0.5};
     right_ = {r.right.x, r.row + 0.5};
@@ -103,13 +101,7 @@ class ShadeStory {
   Event say(const RowBegun<double, Value>& r) const {
     return {.text = row_key(r.at_left),
             .facts = {{"row", r.row}, {"alpha", r.left.part}, {"beta", r.right.part}},
-            .words = {{"row", r.row},
-                      {"alpha", r.left.part},
-                      {"beta", r.right.part},
-                      {"left", edge(r.left)},
-                      {"right", edge(r.right)},
-                      {"l", ends_[0]},
-                      {"r", ends_[1]}},
+            .words = {{"left", edge(r.left)}, {"right", edge(r.right)}, {"l", ends_[0]}, {"r", ends_[1]}},
             .key = figure_number(r.row),
             .phase = "rows",
             .decides = left_edge(r)};
@@ -118,12 +110,10 @@ class ShadeStory {
   template <class Value>
   void show(Board& board, const Shaded<double, Value, double>& s) {
     board.detail(s.pixel);
-    ++fine_;
     shown_[{s.pixel.x, s.pixel.y}] = s.colour;
     if constexpr (std::same_as<Value, Point>) ++lights_;
     board.put(s.pixel, Role::result, cell_text(s.colour), tone_of(s.colour));
-    if (wanted_ && *wanted_ == s.pixel) telling_ = {milestones_, fine_};
-    if (!telling_ && s.gamma > 0.4 && row_ >= subject_.size.y / 2 - 1) telling_ = {milestones_, fine_};
+    if (s.gamma > 0.4 && row_ >= subject_.size.y / 2 - 1) board.tells(1);  // in the middle of the picture
     put_ends(board);
     const dvec2 at(s.pixel);
     board.mark(
@@ -135,7 +125,7 @@ class ShadeStory {
   Event say(const Shaded<double, Value, double>& s) const {
     Event event{.text = "pixel",
                 .facts = {{"pixel", s.pixel}, {"gamma", s.gamma}, {"intensity", s.colour}},
-                .words = {{"pixel", s.pixel}, {"gamma", s.gamma}, {"I", s.colour}},
+                .words = {{"I", s.colour}},
                 .row = {s.pixel.x, s.pixel.y, s.gamma, s.colour},
                 .key = pixel_key(s.pixel),
                 .phase = "pixels",
@@ -161,7 +151,7 @@ class ShadeStory {
   /// The picture is done, and compared with light at every pixel.
   void compare(const Picture& right) { worst_ = worst_of(shown_, right); }
   void show(Board& board, const steps::Finished&) {
-    next(board);
+    board.milestone();
     board.remove("s line");
     if (subject_.rings.size() > 1) board.remove("b face");
     if (worst_.difference < 0.005) return;
@@ -171,21 +161,13 @@ class ShadeStory {
     if (!subject_.given.empty()) return {.text = "finished.given", .words = {{"pixels", shown_.size()}}};
     return {.text = worst_.difference < 0.005 ? "finished" : "finished.off",
             .facts = {{"pixels", std::ssize(shown_)}, {"lights", lights_}},
-            .words = {{"pixels", shown_.size()}, {"difference", worst_.difference}, {"worst", worst_.pixel}},
+            .words = {{"difference", worst_.difference}, {"worst", worst_.pixel}},
             .count = lights_};
   }
-
-  /// The pixel whose step tells most.
-  void want(ivec2 pixel) { wanted_ = pixel; }
 
  private:
   /// Cells have their centres at whole numbers.
   static dvec2 drawn(dvec2 screen) { return screen - 0.5; }
-  void next(Board& board) {
-    board.milestone();
-    ++milestones_;
-    fine_ = 0;
-  }
   /// ".55", where pixels have room for it.
   std::string cell_text(double colour) const {
     if (subject_.rings.size() > 4 || std::max(subject_.size.x, subject_.size.y) > 12) return "";
@@ -199,9 +181,7 @@ class ShadeStory {
       path.points.push_back(drawn(subject_.on_screen(subject_.places[static_cast<std::size_t>(v)])));
     return path;
   }
-  std::string vertex(std::size_t corner) const {
-    return Subject::vertex_name(subject_.vertex(face_, corner));
-  }
+  std::string vertex(std::size_t corner) const { return letter(subject_.vertex(face_, corner)); }
   /// The vertex with its name, away from the middle of all.
   void keep_vertex(Board& board, std::size_t vertex) const {
     dvec2 middle{0};
@@ -209,7 +189,7 @@ class ShadeStory {
       middle += subject_.on_screen(p) / static_cast<double>(subject_.places.size());
     const dvec2 at = subject_.on_screen(subject_.places[vertex]), way = at - middle;
     const double length = length_of(way);
-    const std::string name = Subject::vertex_name(vertex);
+    const std::string name = letter(vertex);
     board.keep("v " + name, Role::input, Dot{drawn(at)});
     if (length > 1e-9)
       board.keep("v " + name + " name", Role::input, Text{drawn(at + 0.6 / length * way), name});
@@ -252,11 +232,8 @@ class ShadeStory {
   dvec2 left_{}, right_{};
   std::array<std::string, 2> ends_{};
   Picture shown_{};
-  std::int64_t lights_ = 0, milestones_ = -1;
-  int fine_ = 0;
+  std::int64_t lights_ = 0;
   Worst worst_{};
-  std::optional<ivec2> wanted_{};
-  std::optional<StepNumber> telling_{};
 };
 
 // --- The methods
@@ -275,12 +252,10 @@ template <class Run>
 void tell_shading(Narrator& narrator, const Subject& subject, const Run& run) {
   set_scene(narrator, subject);
   ShadeStory story(narrator.words(), subject);
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  run(watch);
-  if (subject.given.empty()) story.compare(phong_picture(subject));
-  watch(steps::Finished{}, 0);
-  if (story.telling()) narrator.telling(*story.telling());
+  narrator.tell_whole(story, [&](const auto& watch) {
+    run(watch);
+    if (subject.given.empty()) story.compare(phong_picture(subject));
+  });
   narrator.result({{"lights", story.lights()}, {"worst", story.worst().difference}});
 }
 
@@ -308,19 +283,6 @@ struct GouraudNumbers {
   void operator()(NumericStep<T>&, const Finished&) const {}
 };
 
-/// Polygons with the colours of their corners.
-using LitFaces = std::vector<std::vector<Lit>>;
-
-/// Gouraud's scan lines of all of them in another scalar.
-template <class T, class O>
-void gouraud_in(const LitFaces& faces, const Window& picture, const O& observer) {
-  for (const auto& face : faces) {
-    std::vector<Corner<T, T>> corners;
-    for (const Lit& corner : face) corners.push_back({in_scalar<T>(corner.at), T(corner.value)});
-    gouraud(std::span<const Corner<T, T>>(corners), picture, drop, observer);
-  }
-}
-
 /// shade(polygon, observer), for all faces that look here.
 template <class Corners, class Shade>
 void each_face(const Subject& subject, const auto& watch, const Corners& corners, const Shade& shade) {
@@ -332,32 +294,22 @@ void each_face(const Subject& subject, const auto& watch, const Corners& corners
   }
 }
 
-void tell_flat(Narrator& narrator) {
+/// shade(polygon, picture, light, plot, observer): by the normals at vertices.
+template <auto shade, bool once>
+void tell_smooth(Narrator& narrator) {
   const Subject subject = subject_of(narrator.arguments());
-  narrator.legend({{Role::input, "face"},
-                   {Role::current, "current"},
-                   {Role::measure, "line"},
-                   {Role::rejected, "worst"}});
+  if (once)
+    narrator.legend({{Role::input, "face"},
+                     {Role::current, "current"},
+                     {Role::measure, "line"},
+                     {Role::rejected, "worst"}});
+  else
+    narrator.legend({{Role::input, "face"}, {Role::measure, "line"}, {Role::current, "current"}});
   tell_shading(narrator, subject, [&](const auto& watch) {
     each_face(
         subject, watch, [&](std::size_t f) { return subject.smooth(f); },
         [&](std::span<const Smooth> polygon) {
-          flat(polygon, subject.picture(), subject.lamp, drop, watch);
-        });
-  });
-}
-
-void tell_flat_by_vertex_normals(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
-  narrator.legend({{Role::input, "face"},
-                   {Role::current, "current"},
-                   {Role::measure, "line"},
-                   {Role::rejected, "worst"}});
-  tell_shading(narrator, subject, [&](const auto& watch) {
-    each_face(
-        subject, watch, [&](std::size_t f) { return subject.smooth(f); },
-        [&](std::span<const Smooth> polygon) {
-          flat_by_vertex_normals(polygon, subject.picture(), subject.lamp, drop, watch);
+          shade(polygon, subject.picture(), subject.lamp, drop, watch);
         });
   });
 }
@@ -368,34 +320,22 @@ void tell_gouraud(Narrator& narrator) {
                    {Role::measure, "line"},
                    {Role::current, "current"},
                    {Role::rejected, "worst"}});
+  const std::vector<double> colours = subject.vertex_colours();
   tell_shading(narrator, subject, [&](const auto& watch) {
-    const std::vector<double> colours = subject.vertex_colours();
     for (std::size_t v = 0; subject.given.empty() && v < colours.size(); ++v)
       watch(VertexLit<double>{v, colours[v]}, 0);
     each_face(
         subject, watch, [&](std::size_t f) { return subject.lit(f, colours); },
         [&](std::span<const Lit> polygon) { gouraud(polygon, subject.picture(), drop, watch); });
   });
-  LitFaces faces;
-  const std::vector<double> colours = subject.vertex_colours();
-  for (std::size_t f = 0; f < subject.rings.size(); ++f) {
-    if (!subject.looks_away(f)) faces.push_back(subject.lit(f, colours));
-  }
-  tell_side_by_side<GouraudNumbers>(narrator,
-                                    [faces, picture = subject.picture()]<class T>(T, const auto& observer) {
-                                      gouraud_in<T>(faces, picture, observer);
-                                    });
-}
-
-void tell_phong(Narrator& narrator) {
-  const Subject subject = subject_of(narrator.arguments());
-  narrator.legend({{Role::input, "face"}, {Role::measure, "line"}, {Role::current, "current"}});
-  tell_shading(narrator, subject, [&](const auto& watch) {
-    each_face(
-        subject, watch, [&](std::size_t f) { return subject.smooth(f); },
-        [&](std::span<const Smooth> polygon) {
-          phong(polygon, subject.picture(), subject.lamp, drop, watch);
-        });
+  tell_side_by_side<GouraudNumbers>(narrator, [subject, colours]<class T>(T, const auto& observer) {
+    for (std::size_t f = 0; f < subject.rings.size(); ++f) {
+      if (subject.looks_away(f)) continue;
+      std::vector<Corner<T, T>> corners;
+      for (const Lit& corner : subject.lit(f, colours))
+        corners.push_back({in_scalar<T>(corner.at), T(corner.value)});
+      gouraud(std::span<const Corner<T, T>>(corners), subject.picture(), drop, observer);
+    }
   });
 }
 
@@ -416,8 +356,12 @@ const TopicEntry& entry() {
                     .tell = tell_gouraud,
                     .unread = {"towards"},
                     .exact = true},
-                   {.name = "phong", .tell = tell_phong, .unread = {"intensities", "towards"}},
-                   {.name = "flat", .tell = tell_flat, .unread = {"intensities", "towards"}},
+                   {.name = "phong",
+                    .tell = tell_smooth<[](const auto&... a) { phong(a...); }, false>,
+                    .unread = {"intensities", "towards"}},
+                   {.name = "flat",
+                    .tell = tell_smooth<[](const auto&... a) { flat(a...); }, true>,
+                    .unread = {"intensities", "towards"}},
                    {.name = "all_three",
                     .tell = tell_three,
                     .function = "phong",
@@ -429,7 +373,7 @@ const TopicEntry& entry() {
                                "intensities"}},
                    {.name = "flat_by_vertex_normals",
                     .standing = Standing::faulty,
-                    .tell = tell_flat_by_vertex_normals,
+                    .tell = tell_smooth<[](const auto&... a) { flat_by_vertex_normals(a...); }, true>,
                     .unread = {"intensities", "towards"}}},
        .default_method = "gouraud",
        .parameters =

@@ -5,9 +5,9 @@
 
 #include "core/surface.hpp"
 #include "figure/tone_of.hpp"
-#include "shading/illumination/illumination.hpp"
 #include "shading/polygon_shading/polygon_shading.hpp"
 #include "shading/polygon_shading/vertex_normals.hpp"
+#include "stories/shading/illumination_task.hpp"
 #include "stories/visibility/faces_task.hpp"
 
 namespace gradus::polygon_shading {
@@ -40,11 +40,6 @@ struct Subject {
 
   Window picture() const { return {{0, 0}, size - 1}; }
   dvec2 on_screen(dvec3 place) const { return (dvec2(place) - lower) / pixel; }
-  /// The name of a vertex: A to Z, then A1 …
-  static std::string vertex_name(std::size_t vertex) {
-    const std::string letter(1, static_cast<char>('A' + vertex % 26));
-    return vertex < 26 ? letter : letter + fmt::format("{}", vertex / 26);
-  }
   std::size_t vertex(std::size_t face, std::size_t corner) const {
     return static_cast<std::size_t>(rings[face][corner]);
   }
@@ -106,9 +101,7 @@ inline Subject mesh_of(const Arguments& arguments) {
 inline Lamp lamp_of(const Arguments& arguments) {
   Lamp lamp;
   const auto share = [&](std::string_view name) {
-    const double number = arguments.number(name).value_or(0);
-    if (number < 0) refuse(name, "expected 0 or more, found {}", number);
-    return static_cast<float>(number);
+    return static_cast<float>(illumination::share(arguments, name));
   };
   const auto grey = [&](std::string_view name) { return LinearRgb{share(name)}; };
   lamp.material.ambient = grey("ka");

@@ -1,6 +1,7 @@
 #pragma once
 // How the normals of faces add up at the vertices of a mesh, drawn in space.
 
+#include "stories/past.hpp"
 #include "stories/shading/polygon_shading_subject.hpp"
 #include "stories/visibility/faces_picture.hpp"
 
@@ -9,7 +10,7 @@ namespace gradus::polygon_shading {
 inline constexpr int normals_paper_width = 36, normals_paper_height = 24;
 inline constexpr Extent normals_place{{1.5, 1}, {34.5, 23}};
 
-class NormalsStory {
+class NormalsStory : public Past<steps::Started, NormalAdded<double>, VertexDone<double>, steps::Finished> {
  public:
   NormalsStory(const Words& words, const Subject& mesh, const faces_task::Reader& reader,
                std::string weighting)
@@ -31,12 +32,13 @@ class NormalsStory {
     panel_ = Panel(normals_place, extent);
   }
 
-  /// The vertex where most faces that the reader sees meet: what its step shows tells most.
-  StepNumber telling() const { return telling_; }
+  /// Of the vertices that the reader sees, the one where most faces meet.
+  double tells(const VertexDone<double>& v) const {
+    return glm::dot(v.normal, reader_.towards) > 0 ? static_cast<double>(added(v.vertex).size()) : 0;
+  }
 
   dvec2 at(dvec3 p) const { return panel_.at(reader_.flat(p)); }
 
-  void show(Board& board, const steps::Started&) { put(board); }
   Event say(const steps::Started&) const {
     return {.text = "normals.started",
             .words = {{"vertices", mesh_.places.size()}, {"weights", weights()}},
@@ -45,65 +47,42 @@ class NormalsStory {
             .level = Level::idea};
   }
 
-  void show(Board& board, const NormalAdded<double>& n) {
-    face_ = n.face;
-    vertex_ = n.vertex;
-    added_[n.vertex].push_back(n);
-    put(board);
-  }
   Event say(const NormalAdded<double>& n) const {
     return {.text = "normals.added",
             .facts = {{"weight", n.weight}},
             .words = {{"face", mesh_.named[n.face].name},
-                      {"vertex", Subject::vertex_name(n.vertex)},
-                      {"normal", figure_place(n.normal)},
-                      {"weight", n.weight}},
-            .row = {mesh_.named[n.face].name, Subject::vertex_name(n.vertex), n.weight},
-            .key = Subject::vertex_name(n.vertex),
+                      {"vertex", letter(n.vertex)},
+                      {"normal", figure_place(n.normal)}},
+            .row = {mesh_.named[n.face].name, letter(n.vertex), n.weight},
+            .key = letter(n.vertex),
             .phase = "faces"};
   }
 
-  void show(Board& board, const VertexDone<double>& v) {
-    face_.reset();
-    vertex_ = v.vertex;
-    done_.push_back(v);
-    const bool seen = glm::dot(v.normal, reader_.towards) > 0;
-    if (seen && added_[v.vertex].size() > most_) {
-      most_ = added_[v.vertex].size();
-      telling_ = {steps_, 0};
-    }
-    put(board);
-  }
   Event say(const VertexDone<double>& v) const {
     return {.text = "normals.done",
             .facts = {{"length", glm::length(v.sum)}},
-            .words = {{"vertex", Subject::vertex_name(v.vertex)},
-                      {"length", glm::length(v.sum)},
-                      {"normal", figure_place(v.normal)}},
-            .count = std::ssize(added_.at(v.vertex)),
-            .key = Subject::vertex_name(v.vertex),
+            .words = {{"vertex", letter(v.vertex)}, {"normal", figure_place(v.normal)}},
+            .count = std::ssize(added(v.vertex)),
+            .key = letter(v.vertex),
             .phase = "vertices"};
   }
 
-  void show(Board& board, const steps::Finished&) {
-    vertex_.reset();
-    put(board);
-  }
   Event say(const steps::Finished&) const {
     return {.text = "normals.finished",
             .words = {{"weights", weights()}, {"vertices", mesh_.places.size()}},
             .ends = true};
   }
 
- private:
-  std::string weights() const { return words_.say("weights." + weighting_); }
-
-  void put(Board& board) {
+  View draw() const {
     View view;
+    const auto* adding = now<NormalAdded<double>>();
+    const auto* done = now<VertexDone<double>>();
+    constexpr auto none = static_cast<std::size_t>(-1);
+    const std::size_t vertex = adding ? adding->vertex : done ? done->vertex : none;
     SpaceDrawing drawing(reader_.look(panel_));
     for (std::size_t f = 0; f < mesh_.rings.size(); ++f) {
       const std::vector<dvec3>& ring = mesh_.named[f].points;
-      const Role role = face_ == f ? Role::current : Role::input;
+      const Role role = adding && adding->face == f ? Role::current : Role::input;
       const std::string id = fmt::format("b {:03}", f);
       drawing.add(SpaceFace{.id = id, .role = role, .ring = ring, .one_sided = false});
       for (std::size_t k = 0; k < ring.size(); ++k)
@@ -113,10 +92,10 @@ class NormalsStory {
                               .b = ring[(k + 1) % ring.size()],
                               .behind = false});
     }
-    if (vertex_) add_normals(drawing, *vertex_);
-    for (const VertexDone<double>& v : done_) {
+    add_normals(drawing, vertex);
+    for (const VertexDone<double>& v : all<VertexDone<double>>()) {
       const dvec3 at = mesh_.places[v.vertex];
-      const Role role = vertex_ == v.vertex ? Role::accepted : Role::result;
+      const Role role = vertex == v.vertex ? Role::accepted : Role::result;
       drawing.add(SpaceEdge{.id = fmt::format("r {:03}", v.vertex),
                             .role = role,
                             .a = at,
@@ -132,21 +111,28 @@ class NormalsStory {
       const dvec3 p = mesh_.places[v] + 1e-3 * length_ * mesh_.normals[v];
       const bool hidden = lines.pieces(p, p + 1e-3 * length_ * reader_.towards).front().hidden;
       const dvec2 at = this->at(mesh_.places[v]);
-      const std::string name = Subject::vertex_name(v);
-      if (vertex_ == v) view.add({"v vertex", Role::current, Dot{at}});
-      if (!hidden || vertex_ == v) view.add({"w " + name, Role::input, Label{at, name}});
+      const std::string name = letter(v);
+      if (vertex == v) view.add({"v vertex", Role::current, Dot{at}});
+      if (!hidden || vertex == v) view.add({"w " + name, Role::input, Label{at, name}});
     }
-    board.milestone(std::move(view));
-    ++steps_;
+    return view;
+  }
+
+ private:
+  std::string weights() const { return words_.say("weights." + weighting_); }
+  /// The normals that have been added at a vertex.
+  std::vector<NormalAdded<double>> added(std::size_t vertex) const {
+    std::vector<NormalAdded<double>> added = all<NormalAdded<double>>();
+    std::erase_if(added, [&](const auto& n) { return n.vertex != vertex; });
+    return added;
   }
   /// Of the faces that meet at the vertex, from it on, each as long as it counts.
   void add_normals(SpaceDrawing& drawing, std::size_t vertex) const {
-    const auto added = added_.find(vertex);
-    if (added == added_.end()) return;
+    const std::vector<NormalAdded<double>> added = this->added(vertex);
     double largest = 0;
-    for (const NormalAdded<double>& n : added->second) largest = std::max(largest, n.weight);
+    for (const NormalAdded<double>& n : added) largest = std::max(largest, n.weight);
     std::size_t i = 0;
-    for (const NormalAdded<double>& n : added->second) {
+    for (const NormalAdded<double>& n : added) {
       const dvec3 at = mesh_.places[vertex];
       drawing.add(SpaceEdge{.id = fmt::format("n {:02}", i++),
                             .role = Role::candidate,
@@ -163,12 +149,6 @@ class NormalsStory {
   const std::string weighting_;
   Panel panel_;
   double length_ = 1;
-  std::map<std::size_t, std::vector<NormalAdded<double>>> added_{};
-  std::vector<VertexDone<double>> done_{};
-  std::optional<std::size_t> face_{}, vertex_{};
-  std::size_t most_ = 0;
-  std::int64_t steps_ = 0;
-  StepNumber telling_{};
 };
 
 inline void tell_vertex_normals(Narrator& narrator) {
@@ -184,13 +164,12 @@ inline void tell_vertex_normals(Narrator& narrator) {
                    {Role::result, "means"}});
   NormalsStory story(narrator.words(), mesh, reader, narrator.arguments().text("weighting"));
   narrator.handles("faces", [&](dvec3 p) { return story.at(p); });
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  std::vector<dvec3> normals(mesh.places.size());
-  vertex_normals(std::span<const dvec3>(mesh.places), mesh.rings, weighting_of(narrator.arguments()),
-                 std::span(normals), watch);
-  watch(steps::Finished{}, 0);
-  narrator.telling(story.telling());
+  narrator.telling({0, 0});  // where the reader sees no vertex
+  narrator.tell_whole(story, [&](const auto& watch) {
+    std::vector<dvec3> normals(mesh.places.size());
+    vertex_normals(std::span<const dvec3>(mesh.places), mesh.rings, weighting_of(narrator.arguments()),
+                   std::span(normals), watch);
+  });
   narrator.result({{"vertices", std::ssize(mesh.places)}});
 }
 
