@@ -2,6 +2,7 @@
 // stands behind its middle.
 
 #include "projection/perspective/perspective_notes.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {
@@ -50,7 +51,6 @@ BentTask task_of(const Arguments& arguments, bool bent) {
 struct Sample {
   std::string name;
   dvec3 point;
-  dvec3 image{};
 };
 
 /// The ends first, for the straight line runs between them.
@@ -63,7 +63,9 @@ std::vector<Sample> samples_of(const BentTask& task) {
   return samples;
 }
 
-class BentStory {
+class BentStory
+    : public Past<steps::Started, Finer<Multiplied<double>>, Divided<double>, Finer<Scaled<double>>,
+                  Projected<double>, Untold<Unseen<double>>, steps::Finished> {
  public:
   BentStory(const Words& words, const BentTask& task)
       : words_(words), task_(task), a_(task.image_of(task.from)), b_(task.image_of(task.to)) {
@@ -84,11 +86,10 @@ class BentStory {
 
   const Panel& image_panel() const { return image_; }
   const Panel& space_panel() const { return space_; }
-  void turn_to(std::size_t sample) { now_ = samples_[sample]; }
   const std::vector<Sample>& samples() const { return samples_; }
-  double worst() const { return worst_; }
+  /// The largest error so far.
+  double worst() const { return worst_at() ? error_at(image(*worst_at())) : 0; }
 
-  void show(Board& board, const steps::Started&) { board.milestone(view()); }
   Event say(const steps::Started&) const {
     return {.text = task_.bent ? "started.keep_z" : "started.transformation",
             .words = {{"wall", real(task_.wall)},
@@ -99,53 +100,56 @@ class BentStory {
             .level = Level::idea};
   }
 
-  void show(Board& board, const Multiplied<double>&) { board.detail(pointed()); }
   Event say(const Multiplied<double>& m) const {
     return {.text = "multiplied",
-            .facts = {{"point", now_.name}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
-            .words = {{"name", now_.name},
+            .facts = {{"point", at_hand().name}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
+            .words = {{"name", at_hand().name},
                       {"x", real(m.clip.x)},
                       {"z", real(words_.notation().clip_depth_of(m.clip.z, m.clip.w))}},
-            .key = now_.name};
+            .key = at_hand().name};
   }
-  void show(Board& board, const Divided<double>& d) { arrive(board, d.ndc); }
-  Event say(const Divided<double>&) const { return arrived(); }
+  Event say(const Divided<double>&) const { return told(); }
 
-  void show(Board& board, const Scaled<double>&) { board.detail(pointed()); }
   Event say(const Scaled<double>& s) const {
-    return {
-        .text = "scaled_point",
-        .facts = {{"point", now_.name}, {"factor", s.factor}},
-        .words = {{"name", now_.name}, {"d", real(task_.near)}, {"z", s.point.z}, {"factor", real(s.factor)}},
-        .key = now_.name,
-        .decides = before_eye(words_, s.point.z)};
+    return {.text = "scaled_point",
+            .facts = {{"point", at_hand().name}, {"factor", s.factor}},
+            .words = {{"name", at_hand().name},
+                      {"d", real(task_.near)},
+                      {"z", s.point.z},
+                      {"factor", real(s.factor)}},
+            .key = at_hand().name,
+            .decides = before_eye(words_, s.point.z)};
   }
-  void show(Board& board, const Projected<double>& p) { arrive(board, p.image); }
   Event say(const Projected<double>& p) const {
-    Event event = arrived();
+    Event event = told();
     if (!event.decides) event.decides = before_eye(words_, p.point.z);
     return event;
   }
 
-  void show(Board&, const Unseen<double>&) {}  // every point is before the eye
-  Event say(const Unseen<double>&) const { return {}; }
-
-  void show(Board& board, const steps::Finished&) {
-    View seen = view();
-    if (worst_at_) add_error(seen, arrived_[*worst_at_].image);
-    board.milestone(std::move(seen));
-  }
   Event say(const steps::Finished&) const {
-    const auto wrongly_hidden = [&](const Sample& sample) {
-      const double wall = task_.depth_of_wall();
-      return (sample.image.z < wall) != (interpolated(sample.image.x).z < wall);
-    };
-    const bool wrong_surface = std::any_of(arrived_.begin() + 2, arrived_.end(), wrongly_hidden);
-    return {.text = is_off(worst_) ? (wrong_surface ? "done.wrong_surface" : "done.bent")
-                    : task_.bent   ? "done.level"
-                                   : "done.transformation",
-            .facts = {{"largest_error", worst_, "error"}},
-            .words = {{"error", real(difference(worst_))}, {"wall", real(task_.wall)}}};
+    const double wall = task_.depth_of_wall();
+    bool wrong_surface = false;
+    for (std::size_t i = 2; i < arrived(); ++i)
+      wrong_surface |= (image(i).z < wall) != (interpolated(image(i).x).z < wall);
+    return {.text = is_off(worst()) ? (wrong_surface ? "done.wrong_surface" : "done.bent")
+                    : task_.bent    ? "done.level"
+                                    : "done.transformation",
+            .facts = {{"largest_error", worst(), "error"}},
+            .words = {{"error", real(difference(worst()))}, {"wall", real(task_.wall)}}};
+  }
+
+  View draw() const {
+    View seen = view();
+    if (now<steps::Finished>() && worst_at()) add_error(seen, image(*worst_at()));
+    if (now<steps::Started>() || now<steps::Finished>()) return seen;
+    const auto& [name, point] = at_hand();
+    seen.add({"d ray", Role::current, Stroke{space_.at({0, 0}), in_space(point), false, true}});
+    seen.add_named("e space " + name, "f space name " + name, Role::current, in_space(point), name);
+    if (arrived() <= turn()) return seen;
+    const dvec3 here = image(turn());
+    seen.add_named("e image " + name, "f image name " + name, Role::current, in_image(here), name + "′");
+    if (turn() >= 2) add_error(seen, here);
+    return seen;
   }
 
  private:
@@ -164,30 +168,32 @@ class BentStory {
 
   // --- A point has its image
 
-  void arrive(Board& board, dvec3 image) {
-    now_.image = image;
-    arrived_.push_back(now_);
-    if (arrived_.size() > 2 && std::abs(error_at(image)) > std::abs(worst_)) {
-      worst_ = error_at(image);
-      worst_at_ = arrived_.size() - 1;
+  const Sample& at_hand() const { return samples_[turn()]; }
+  /// How many have theirs.
+  std::size_t arrived() const { return all<Divided<double>>().size() + all<Projected<double>>().size(); }
+  dvec3 image(std::size_t i) const {
+    return task_.bent ? all<Projected<double>>()[i].image : all<Divided<double>>()[i].ndc;
+  }
+  std::optional<std::size_t> worst_at() const {
+    std::optional<std::size_t> worst;
+    double most = 0;
+    for (std::size_t i = 2; i < arrived(); ++i) {
+      const double error = std::abs(error_at(image(i)));
+      if (error > most) worst = i, most = error;
     }
-    View seen = pointed();
-    seen.add_named("e image " + now_.name, "f image name " + now_.name, Role::current, in_image(image),
-                   now_.name + "′");
-    if (arrived_.size() > 2) add_error(seen, image);
-    board.milestone(std::move(seen));
+    return worst;
   }
 
-  Event arrived() const {
-    const dvec3 point = now_.point, image = now_.image;
+  Event told() const {
+    const dvec3 point = at_hand().point, image = this->image(turn());
     const std::string place =
-        fmt::format("{} ({},\u00a0{})", now_.name, short_real(point.x), short_real(point.z));
+        fmt::format("{} ({},\u00a0{})", at_hand().name, short_real(point.x), short_real(point.z));
     Event event{.text = "end_point",
-                .facts = {{"point", now_.name}, {"x", image.x}, {"z", image.z}},
-                .words = {{"name", now_.name}, {"x", real(image.x)}, {"z", real(depth(image.z))}},
+                .facts = {{"point", at_hand().name}, {"x", image.x}, {"z", image.z}},
+                .words = {{"name", at_hand().name}, {"x", real(image.x)}, {"z", real(depth(image.z))}},
                 .row = {place, real(image.x), real(depth(image.z))},
-                .key = now_.name};
-    if (arrived_.size() <= 2) return event;
+                .key = at_hand().name};
+    if (turn() < 2) return event;
     const double guess = interpolated(image.x).z, error = error_at(image);
     event.text = is_off(error) ? "off_the_line" : "on_the_line";
     event.facts.push_back({"error", error});
@@ -202,7 +208,7 @@ class BentStory {
     const double wall = task_.depth_of_wall();
     const bool grows = depth(0) < depth(1);
     return yes_or_no(words_, grows ? "question.before_wall" : "question.before_wall_falling",
-                     {{"name", now_.name}, {"guess", real(depth(guess))}, {"wall", real(depth(wall))}},
+                     {{"name", at_hand().name}, {"guess", real(depth(guess))}, {"wall", real(depth(wall))}},
                      guess < wall, "nearer", "farther");
   }
 
@@ -216,14 +222,14 @@ class BentStory {
     add_axes(view, image_, "image", {words_.symbol("x′"), words_.symbol("z′")}, 5);
     add_space(view);
     add_wall_in_image(view);
-    if (arrived_.size() >= 2) add_line_in_image(view);
-    for (std::size_t i = 0; i < arrived_.size(); ++i) {
-      const auto& [name, point, image] = arrived_[i];
+    if (arrived() >= 2) add_line_in_image(view);
+    for (std::size_t i = 0; i < arrived(); ++i) {
+      const auto& [name, point] = samples_[i];
       view.add({"e space " + name, Role::past, Dot{in_space(point)}});
-      view.add({"e image " + name, Role::past, Dot{in_image(image)}});
+      view.add({"e image " + name, Role::past, Dot{in_image(image(i))}});
       if (i >= 2) continue;
       view.add({"f space name " + name, Role::input, Label{in_space(point), name}});
-      view.add({"f image name " + name, Role::input, Label{in_image(image), name + "′"}});
+      view.add({"f image name " + name, Role::input, Label{in_image(image(i)), name + "′"}});
     }
     return view;
   }
@@ -264,14 +270,6 @@ class BentStory {
     view.add({"d curve", Role::result, Path{curve, false}});
   }
 
-  View pointed() const {
-    View seen = view();
-    seen.add({"d ray", Role::current, Stroke{space_.at({0, 0}), in_space(now_.point), false, true}});
-    seen.add_named("e space " + now_.name, "f space name " + now_.name, Role::current, in_space(now_.point),
-                   now_.name);
-    return seen;
-  }
-
   void add_error(View& view, dvec3 image) const {
     const dvec3 on_chord = interpolated(image.x);
     const double error = on_chord.z - image.z;
@@ -287,10 +285,6 @@ class BentStory {
   const dvec3 a_, b_;  ///< the ends' images
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, image_ = space_;
   const std::vector<Sample> samples_ = samples_of(task_);
-  Sample now_{};
-  std::vector<Sample> arrived_;
-  double worst_ = 0;
-  std::optional<std::size_t> worst_at_;
 };
 
 /// The ends of the line, the plane at its left end and the wall at its right one.

@@ -1,6 +1,7 @@
 // How finely depth is stored: the smallest step that a depth buffer tells apart, against distance.
 
 #include "core/arithmetic/elementary.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {
@@ -96,7 +97,7 @@ struct Curve {};
 constexpr int fine_points = 7, curve_points = 241;
 constexpr std::array table_places{2, 3, 5, 6};  ///< of the fine points
 
-class DepthStory {
+class DepthStory : public Past<steps::Started, Finer<Resolved>, Curve, steps::Finished> {
  public:
   DepthStory(const Words& words, double near, double far) : words_(words), near_(near), far_(far) {
     const double left = decade(near_), right = decade(far_);
@@ -106,10 +107,6 @@ class DepthStory {
                    Panel::Fit::stretched);
   }
 
-  void turn_to(std::size_t kind) {
-    kind_ = kind;
-    points_.clear();
-  }
   /// The i-th of so many depths, in equal ratios.
   double place(int i, int count) const {
     if (i == 0) return near_;
@@ -122,17 +119,12 @@ class DepthStory {
     return scale == std::round(scale) && std::abs(round - z) < 1e-9 * z ? round : std::clamp(z, near_, far_);
   }
 
-  void show(Board& board, const steps::Started&) { board.milestone(view()); }
   Event say(const steps::Started&) const {
     return {.text = "started.depth_precision",
             .words = {{"near", short_depth(near_)}, {"far", short_depth(far_)}},
             .level = Level::idea};
   }
 
-  void show(Board& board, const Resolved& r) {
-    points_.push_back({r.z, r.step});
-    board.detail(view());
-  }
   Event say(const Resolved& r) const {
     return {.text = "resolved",
             .facts =
@@ -142,30 +134,55 @@ class DepthStory {
                       {"slope", step_text(r.slope)},
                       {"step", step_text(r.step)}},
             .key = key(),
-            .phase = name_of_kind(kind_)};
+            .phase = name_of_kind(turn())};
   }
 
-  void show(Board& board, const Curve&) { board.milestone(view()); }
   Event say(const Curve&) const {
-    const Kind& kind = kinds[kind_];
+    const Kind& kind = kinds[turn()];
     Event event{.facts = {{"stored", key()}},
                 .sentence = words_.say("curve." + key(), {{"first", step_text(step_at(kind, near_))},
                                                           {"last", step_text(step_at(kind, far_))}}),
-                .row = {name_of_kind(kind_)},
+                .row = {name_of_kind(turn())},
                 .key = key(),
-                .phase = name_of_kind(kind_)};
+                .phase = name_of_kind(turn())};
     for (const int i : table_places) event.row.push_back(table_text(step_at(kind, place(i, fine_points))));
     return event;
   }
 
-  void show(Board& board, const steps::Finished&) {
-    turn_to(kinds.size());
-    board.milestone(view());
-  }
   Event say(const steps::Finished&) const { return {.text = "done.depth_precision"}; }
 
+  /// All curves up to this one; of this one the points so far, and the curve through them.
+  View draw() const {
+    View seen;
+    add_scales(seen);
+    const std::size_t at_hand = now<steps::Finished>() ? kinds.size() : turn();
+    const auto points = std::span(all<Resolved>()).subspan(at_hand * fine_points);
+    for (std::size_t i = 0; i < kinds.size() && i <= at_hand; ++i) {
+      const bool current = i == at_hand;
+      if (current && points.empty()) break;
+      const double end = current ? points.back().z : far_;
+      std::vector<dvec2> curve;
+      for (int k = 0; k < curve_points; ++k) {
+        const double z = place(k, curve_points);
+        if (z <= end) curve.push_back(at(z, step_at(kinds[i], z)));
+      }
+      const Kind& kind = kinds[i];
+      seen.add({fmt::format("c curve {}", i), kind.role, Path{curve, false, kind.dashed}});
+      const double where = near_ * gradus::exp(kind.where * gradus::log(far_ / near_));
+      if (!current || end == far_) {
+        const dvec2 beside = at(where, step_at(kind, where)) + kind.beside;
+        seen.add({fmt::format("f name {}", i), kind.role, Text{beside, name_of_kind(i), kind.align}});
+      }
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      seen.add({fmt::format("e point {}", k), kinds[turn()].role,
+                Dot{at(points[k].z, points[k].step), k + 1 < points.size()}});
+    }
+    return seen;
+  }
+
  private:
-  std::string key() const { return std::string(kinds[kind_].name); }
+  std::string key() const { return std::string(kinds[turn()].name); }
   std::string name_of_kind(std::size_t i) const { return words_.say("stored." + std::string(kinds[i].name)); }
   /// Three digits; what lies below the scale is said to.
   std::string table_text(double step) const {
@@ -206,39 +223,9 @@ class DepthStory {
     mark("step name", Text{{0.5, place.upper.y + 1.2}, words_.say("step_axis"), Align::left});
   }
 
-  /// All curves up to this one; of this one the points so far, and the curve through them.
-  View view() const {
-    View seen;
-    add_scales(seen);
-    for (std::size_t i = 0; i < kinds.size() && i <= kind_; ++i) {
-      const bool current = i == kind_;
-      if (current && points_.empty()) break;
-      const double end = current ? points_.back().x : far_;
-      std::vector<dvec2> curve;
-      for (int k = 0; k < curve_points; ++k) {
-        const double z = place(k, curve_points);
-        if (z <= end) curve.push_back(at(z, step_at(kinds[i], z)));
-      }
-      const Kind& kind = kinds[i];
-      seen.add({fmt::format("c curve {}", i), kind.role, Path{curve, false, kind.dashed}});
-      const double where = near_ * gradus::exp(kind.where * gradus::log(far_ / near_));
-      if (!current || end == far_) {
-        const dvec2 beside = at(where, step_at(kind, where)) + kind.beside;
-        seen.add({fmt::format("f name {}", i), kind.role, Text{beside, name_of_kind(i), kind.align}});
-      }
-    }
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      seen.add({fmt::format("e point {}", k), kinds[kind_].role,
-                Dot{at(points_[k].x, points_[k].y), k + 1 < points_.size()}});
-    }
-    return seen;
-  }
-
   const Words& words_;
   const double near_, far_;
   Panel panel_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}};
-  std::size_t kind_ = 0;
-  std::vector<dvec2> points_;  ///< of this kind's curve, so far
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // picture.
 
 #include "projection/perspective/perspective_notes.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {
@@ -45,7 +46,8 @@ DivisionTask task_of(const Arguments& arguments, Way way) {
   return task;
 }
 
-class DivisionStory {
+class DivisionStory : public Past<steps::Started, Finer<Multiplied<double>>, Divided<double>,
+                                  LeftUndivided<double>, LeftAlone<double>, steps::Finished> {
  public:
   /// multiplied_line: of the listing, where it has a call of transform rather than transform itself.
   DivisionStory(const Words& words, const DivisionTask& task, std::optional<int> multiplied_line)
@@ -53,19 +55,25 @@ class DivisionStory {
     lay_out();
   }
 
-  void turn_to(std::size_t point) { current_ = point; }
   const Panel& space() const { return space_; }
   /// Of the plane as it is drawn, from above.
   dvec2 end_of_plane(double side) const { return {task_.centre.x + side * half_, task_.plane()}; }
 
-  void show(Board& board, const steps::Started&) { board.milestone(view()); }
+  template <class Step>
+  void take(const Step& step) {
+    Past::take(step);
+    if constexpr (std::same_as<Step, Divided<double>>)
+      images_.push_back(task_.zooms() ? dvec2(step.ndc) : dvec2(step.ndc) + task_.centre);
+    if constexpr (std::same_as<Step, LeftUndivided<double>>) images_.push_back(std::nullopt);
+    if constexpr (std::same_as<Step, LeftAlone<double>>) images_.push_back(dvec2(step.node));
+  }
+
   Event say(const steps::Started&) const {
     return {.text = by_way("started.divide_tested", "started.divide_untested", "started.zoom_minus_z"),
             .words = {{"zoom", real(task_.zoom)}},
             .level = Level::idea};
   }
 
-  void show(Board& board, const Multiplied<double>&) { board.detail(pointed()); }
   Event say(const Multiplied<double>& m) const {
     return {.text = "multiplied",
             .facts = {{"point", name()}, {"clip_z", m.clip.z, "z"}, {"w", m.clip.w}},
@@ -77,9 +85,6 @@ class DivisionStory {
             .line = multiplied_line_};
   }
 
-  void show(Board& board, const Divided<double>& d) {
-    arrive(board, task_.zooms() ? dvec2(d.ndc) : dvec2(d.ndc) + task_.centre);
-  }
   Event say(const Divided<double>& d) const {
     const double w = d.clip.w;
     if (task_.zooms()) return zoomed(w);
@@ -90,7 +95,6 @@ class DivisionStory {
                    w, d.ndc.z);
   }
 
-  void show(Board& board, const LeftUndivided<double>&) { arrive(board, std::nullopt); }
   Event say(const LeftUndivided<double>& l) const {
     return {.text = "left_undivided",
             .facts = {{"point", name()}, {"w", l.clip.w}},
@@ -100,20 +104,34 @@ class DivisionStory {
             .decides = divisible(l.clip.w)};
   }
 
-  void show(Board& board, const LeftAlone<double>& l) { arrive(board, dvec2(l.node)); }
   Event say(const LeftAlone<double>&) const {
     return arrived({.text = "left_alone", .decides = has_no_depth(true)}, std::nullopt, std::nullopt);
   }
 
-  void show(Board& board, const steps::Finished&) {
-    turn_to(task_.points.size());
-    board.milestone(view());
-  }
   Event say(const steps::Finished&) const {
     const std::int64_t behind = std::ranges::count_if(task_.points, [&](dvec3 p) { return task_.behind(p); });
     if (task_.zooms()) return {.text = "done.zoom_minus_z"};
     if (behind == 0) return {.text = "done.before_the_eye"};
     return {.text = by_way("done.divide_tested", "done.divide_untested", ""), .count = behind};
+  }
+
+  View draw() const {
+    View view;
+    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
+    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.shared("projection", "picture")}});
+    add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
+    add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
+    add_stroke(view, space_, "a plane", Role::boundary, end_of_plane(-1), end_of_plane(1));
+    view.add_named("e eye", "f eye name", Role::input, space_.at(task_.eye()),
+                   words_.shared("projection", "eye"));
+    for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
+      add_stroke(view, space_, fmt::format("c line {}", i), Role::input, from_above(i), from_above(i + 1));
+    for (std::size_t i = 0; i < task_.points.size(); ++i) add_point(view, i, Role::input);
+    add_images(view);
+    if (now<steps::Started>() || now<steps::Finished>()) return view;
+    add_point(view, turn(), Role::current);
+    if (turn() < images_.size()) add_projector(view, turn(), Role::current);
+    return view;
   }
 
   std::vector<Field> result() const {
@@ -130,21 +148,16 @@ class DivisionStory {
   std::string_view by_way(std::string_view tested, std::string_view untested, std::string_view zoom) const {
     return task_.way == Way::tested ? tested : task_.way == Way::untested ? untested : zoom;
   }
-  std::string name() const { return letter(current_); }
-  std::string point_text() const { return name() + " " + figure_place(task_.points[current_]); }
+  std::string name() const { return letter(turn()); }
+  std::string point_text() const { return name() + " " + figure_place(task_.points[turn()]); }
   std::string image_text(dvec2 p) const { return finite(p) ? place_text(p) : words_.say("no_number"); }
   bool has_image(std::size_t i) const { return images_[i] && finite(*images_[i]); }
 
   // --- A point has its image, or none
 
-  void arrive(Board& board, std::optional<dvec2> image) {
-    images_.push_back(image);
-    board.milestone(pointed());
-  }
-
   /// The event with what all of them tell.
   Event arrived(Event event, std::optional<double> w, std::optional<double> z) const {
-    const dvec2 image = *images_[current_];
+    const dvec2 image = *images_[turn()];
     const bool has_z = z && gradus::perspective::finite(*z);
     event.key = name();
     event.facts = {{"point", name()}};
@@ -153,13 +166,13 @@ class DivisionStory {
     if (has_z) event.facts.push_back({"z", *z});
     event.words.insert(event.words.end(), {{"name", name()},
                                            {"image", image_text(image)},
-                                           {"right", image_text(task_.right_image(task_.points[current_]))}});
+                                           {"right", image_text(task_.right_image(task_.points[turn()]))}});
     event.row = {point_text(), w ? Said(*w) : "", image_text(image),
                  has_z ? real(words_.notation().depth_of(*z)) : ""};
     return event;
   }
   Event zoomed(double w) const {
-    const double depth = task_.zoom + task_.points[current_].z;
+    const double depth = task_.zoom + task_.points[turn()].z;
     return arrived({.text = depth > 0 ? "zoomed" : "zoomed_behind",
                     .words = {{"zoom", real(task_.zoom)}, {"depth", real(depth)}},
                     .decides = has_no_depth(false)},
@@ -171,7 +184,7 @@ class DivisionStory {
     return yes_or_no(words_, "question.before_w", {{"w", w}}, w > 0, "before", "behind");
   }
   Decision has_no_depth(bool yes) const {
-    return yes_or_no(words_, "question.left_alone", {{"z", task_.points[current_].z}}, yes, "left alone",
+    return yes_or_no(words_, "question.left_alone", {{"z", task_.points[turn()].z}}, yes, "left alone",
                      "divided");
   }
 
@@ -247,21 +260,6 @@ class DivisionStory {
     view.add({id, role, Stroke{picture_.at(from), picture_.at(last_inside(shown, from, way)), true}});
   }
 
-  View view() const {
-    View view;
-    view.add({"z caption space", Role::guide, Text{{10, 23.2}, words_.say("from_above")}});
-    view.add({"z caption image", Role::guide, Text{{28.5, 23.2}, words_.shared("projection", "picture")}});
-    add_axes(view, space_, "space", {words_.symbol("x"), words_.symbol("z")}, 4);
-    add_axes(view, picture_, "picture", {words_.symbol("x′"), words_.symbol("y′")}, 4);
-    add_stroke(view, space_, "a plane", Role::boundary, end_of_plane(-1), end_of_plane(1));
-    view.add_named("e eye", "f eye name", Role::input, space_.at(task_.eye()),
-                   words_.shared("projection", "eye"));
-    for (std::size_t i = 0; i + 1 < task_.points.size(); ++i)
-      add_stroke(view, space_, fmt::format("c line {}", i), Role::input, from_above(i), from_above(i + 1));
-    for (std::size_t i = 0; i < task_.points.size(); ++i) add_point(view, i, Role::input);
-    add_images(view);
-    return view;
-  }
   void add_point(View& view, std::size_t i, Role role) const {
     view.add_named(fmt::format("e point {}", i), fmt::format("f point name {}", i), role,
                    space_.at(from_above(i)), letter(i));
@@ -270,7 +268,7 @@ class DivisionStory {
     const auto wrong = [&](std::size_t i) {
       return task_.way != Way::tested && (task_.zooms() || task_.behind(task_.points[i]));
     };
-    const Role right = current_ == task_.points.size() ? Role::result : Role::past;
+    const Role right = now<steps::Finished>() ? Role::result : Role::past;
     for (std::size_t i = 0; i < images_.size(); ++i) {
       add_projector(view, i, Role::guide);
       add_image(view, i, wrong(i) ? Role::rejected : right);
@@ -278,20 +276,11 @@ class DivisionStory {
     }
   }
 
-  /// With the point at hand.
-  View pointed() const {
-    View seen = view();
-    add_point(seen, current_, Role::current);
-    if (current_ < images_.size()) add_projector(seen, current_, Role::current);
-    return seen;
-  }
-
   const Words& words_;
   const DivisionTask& task_;
   const std::optional<int> multiplied_line_;
   double half_ = 1;  ///< of the picture's side
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, picture_ = space_;
-  std::size_t current_ = 0;
   std::vector<std::optional<dvec2>> images_;
 };
 

@@ -2,6 +2,7 @@
 // transformation makes of it.
 
 #include "core/arithmetic/elementary.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {
@@ -34,7 +35,7 @@ FrustumTask task_of(const Arguments& arguments) {
   return task;
 }
 
-class FrustumStory {
+class FrustumStory : public Past<steps::Started, CornerFound<double>, steps::Finished> {
  public:
   FrustumStory(const Words& words, const FrustumTask& task)
       : words_(words), task_(task), corners_(task.corners()) {
@@ -53,7 +54,6 @@ class FrustumStory {
 
   dvec2 in_space(dvec3 p) const { return space_.at(solids::from_right(p)); }
 
-  void show(Board& board, const steps::Started&) { board.milestone(view({})); }
   Event say(const steps::Started&) const {
     return {.text = "started.frustum",
             .words = {{"across", real(task_.degrees.x)},
@@ -63,16 +63,11 @@ class FrustumStory {
             .level = Level::idea};
   }
 
-  void show(Board& board, const CornerFound<double>& c) {
-    found_ = static_cast<std::size_t>(c.number) + 1;
-    board.milestone(view(found_ - 1));
-  }
   Event say(const CornerFound<double>& c) const {
     const dvec3 image = task_.image(c.corner);
     return {.text = "corner",
             .facts = {{"corner", c.number + 1}, {"x", c.corner.x}, {"y", c.corner.y}, {"z", c.corner.z}},
-            .words = {{"corner", c.number + 1},
-                      {"z", real(c.corner.z)},
+            .words = {{"z", real(c.corner.z)},
                       {"half_across", real(task_.degrees.x / 2)},
                       {"half_up", real(task_.degrees.y / 2)},
                       {"width", real(c.width)},
@@ -82,12 +77,25 @@ class FrustumStory {
             .key = fmt::format("{}", c.number)};
   }
 
-  void show(Board& board, const steps::Finished&) { board.milestone(view({})); }
   Event say(const steps::Finished&) const {
     return {.text = "done.frustum",
             .words = {{"times", real(task_.far / task_.near)},
                       {"x", real(task_.near * task_.tangents.x)},
                       {"y", real(task_.near * task_.tangents.y)}}};
+  }
+
+  View draw() const {
+    View view;
+    view.add({"caption space", Role::guide, Text{{12.4, 22.6}, words_.say("caption.frustum")}});
+    view.add({"caption box", Role::guide, Text{{30.5, 22.6}, words_.say("caption.box")}});
+    add_sight(view);
+    add_body(view, "frustum", frustum_, space_);
+    add_body(view, "box", box_, beside_);
+    for (const bool far : {false, true}) add_depth(view, far);
+    for (const auto& found : all<CornerFound<double>>())
+      add_corner(view, static_cast<std::size_t>(found.number), &found == now<CornerFound<double>>());
+    if (const auto* found = now<CornerFound<double>>()) add_halves(view, found->corner);
+    return view;
   }
 
  private:
@@ -98,19 +106,6 @@ class FrustumStory {
     return extent;
   }
   dvec2 in_box(std::size_t i) const { return beside_.at(solids::from_right(box_.corners[i])); }
-
-  View view(std::optional<std::size_t> current) const {
-    View view;
-    view.add({"caption space", Role::guide, Text{{12.4, 22.6}, words_.say("caption.frustum")}});
-    view.add({"caption box", Role::guide, Text{{30.5, 22.6}, words_.say("caption.box")}});
-    add_sight(view);
-    add_body(view, "frustum", frustum_, space_);
-    add_body(view, "box", box_, beside_);
-    for (const bool far : {false, true}) add_depth(view, far);
-    for (std::size_t i = 0; i < found_; ++i) add_corner(view, i, i == current);
-    if (current) add_halves(view, corners_[*current]);
-    return view;
-  }
 
   /// The eye, and the way it looks.
   void add_sight(View& view) const {
@@ -168,7 +163,6 @@ class FrustumStory {
   std::array<dvec3, 8> corners_;
   solids::Solid frustum_, box_;
   Panel space_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}}, beside_ = space_;
-  std::size_t found_ = 0;
 };
 
 /// A corner of each plane for its depth, and one for both angles.
@@ -202,10 +196,9 @@ void tell_frustum(Narrator& narrator) {
                    {Role::measure, "halves"}});
   FrustumStory story(narrator.words(), task);
   let_drag(narrator, task, story);
-  const auto watch = narrator.watcher(story);
-  watch(steps::Started{}, 0);
-  frustum_corners(task.tangents.x, task.tangents.y, task.near, task.far, watch);
-  watch(steps::Finished{}, 0);
+  narrator.tell_whole(story, [&](const auto& watch) {
+    frustum_corners(task.tangents.x, task.tangents.y, task.near, task.far, watch);
+  });
   narrator.telling({8, 0});
   narrator.result({{"corners", 8}});
 }

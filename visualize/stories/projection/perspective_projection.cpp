@@ -1,5 +1,6 @@
 // A solid's perspective picture, corner by corner.
 
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 #include "stories/side_by_side.hpp"
 
@@ -17,7 +18,8 @@ std::string picture_text(dvec3 image) {
   return figure_place(dvec2(image), [](double x) { return std::abs(x) < 1 ? real(x) : short_real(x); });
 }
 
-class ProjectionStory {
+class ProjectionStory
+    : public Past<steps::Started, Finer<Scaled<double>>, Projected<double>, Unseen<double>, steps::Finished> {
  public:
   ProjectionStory(const Words& words, double d, const solids::Solid& solid)
       : words_(words),
@@ -30,18 +32,24 @@ class ProjectionStory {
                    images_of(solid, d)}) {}
 
   void turn_to(std::size_t corner) { progress_.turn_to(corner); }
-  std::int64_t unseen() const { return unseen_; }
+  std::int64_t unseen() const { return std::ssize(all<Unseen<double>>()); }
   const solids::Scenery& scenery() const { return progress_.scenery(); }
 
-  void show(Board& board, const steps::Started&) { board.milestone(progress_.drawing(false)); }
+  template <class Step>
+  void take(const Step& step) {
+    Past::take(step);
+    if constexpr (std::same_as<Step, Projected<double>>) progress_.arrive(step.image);
+  }
+  View draw() const {
+    if (now<steps::Started>()) return progress_.drawing(false);
+    if (!now<steps::Finished>()) return progress_.with_corner();
+    return unseen() == 0 ? progress_.picture() : progress_.drawing(true);
+  }
+
   Event say(const steps::Started&) const {
     return {.text = "started.projection", .words = {{"d", real(d_)}}, .level = Level::idea};
   }
 
-  void show(Board& board, const Scaled<double>& s) {
-    factor_ = s.factor;
-    board.detail(progress_.with_corner());
-  }
   Event say(const Scaled<double>& s) const {
     return {.text = "scaled",
             .facts = {{"corner", progress_.number()}, {"factor", s.factor}},
@@ -50,27 +58,20 @@ class ProjectionStory {
             .decides = before_eye(words_, s.point.z)};
   }
 
-  void show(Board& board, const Projected<double>& p) {
-    progress_.arrive(p.image);
-    board.milestone(progress_.with_corner());
-  }
   Event say(const Projected<double>& p) const {
     return {.text = "projected",
             .facts = {{"corner", progress_.number()}, {"x", p.image.x}, {"y", p.image.y}, {"z", p.image.z}},
             .words = {{"x", real(p.point.x)},
                       {"y", real(p.point.y)},
-                      {"factor", real(factor_)},
+                      {"factor", real(last<Scaled<double>>()->factor)},
                       {"image_x", real(p.image.x)},
                       {"image_y", real(p.image.y)}},
-            .row = {progress_.number(), place_text(p.point), real(factor_), picture_text(p.image)},
+            .row = {progress_.number(), place_text(p.point), real(last<Scaled<double>>()->factor),
+                    picture_text(p.image)},
             .key = progress_.key(),
             .decides = before_eye(words_, p.point.z)};
   }
 
-  void show(Board& board, const Unseen<double>&) {
-    ++unseen_;
-    board.milestone(progress_.with_corner());
-  }
   Event say(const Unseen<double>& u) const {
     return {.text = "unseen",
             .facts = {{"corner", progress_.number()}},
@@ -80,20 +81,15 @@ class ProjectionStory {
             .decides = before_eye(words_, u.point.z)};
   }
 
-  void show(Board& board, const steps::Finished&) {
-    board.milestone(unseen_ == 0 ? progress_.picture() : progress_.drawing(true));
-  }
   Event say(const steps::Finished&) const {
-    if (unseen_ == 0) return {.text = "done.projection"};
-    return {.text = "done.unseen", .count = unseen_};
+    if (unseen() == 0) return {.text = "done.projection"};
+    return {.text = "done.unseen", .count = unseen()};
   }
 
  private:
   const Words& words_;
   const double d_;
   solids::Progress progress_;
-  std::int64_t unseen_ = 0;
-  double factor_ = 0;
 };
 
 /// What the steps of a projection hold.

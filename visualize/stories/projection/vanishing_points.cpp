@@ -1,6 +1,7 @@
 // The lines of a box, and where those of one direction run together.
 
 #include "projection/perspective/perspective_notes.hpp"
+#include "stories/past.hpp"
 #include "stories/projection/perspective_telling.hpp"
 
 namespace gradus::perspective {
@@ -86,7 +87,8 @@ Lines lines_inside(const TurnedBox& box) {
   return lines;
 }
 
-class VanishingStory {
+class VanishingStory : public Past<steps::Started, Finer<TakenToInfinity<double>>, Vanished<double>,
+                                   StaysParallel<double>, steps::Finished> {
  public:
   /// by_plane: the line of the rule's listing that calls vanishing_point, of which it lists no more.
   VanishingStory(const Words& words, const TurnedBox& box, std::optional<int> by_plane)
@@ -105,8 +107,7 @@ class VanishingStory {
   }
 
   std::size_t count() const { return lines_.size(); }
-  void turn_to(std::size_t at) { at_ = at; }
-  const Lines& lines() const { return lines_[at_]; }
+  const Lines& lines() const { return lines_[turn()]; }
   const Panel& panel() const { return panel_; }
   const glm::dmat4& matrix() const { return matrix_; }
   std::int64_t vanishing_axes() const {
@@ -114,50 +115,36 @@ class VanishingStory {
                                  [](const Lines& lines) { return lines.point.has_value(); });
   }
 
-  void show(Board& board, const steps::Started&) { board.milestone(box(Role::input)); }
+  template <class Step>
+  void take(const Step& step) {
+    Past::take(step);
+    if constexpr (std::same_as<Step, Vanished<double>>) lines_[turn()].point = step.point;
+  }
   Event say(const steps::Started&) const {
     return {.text = by_plane_ ? "started.parallel_by_plane" : "started.vanishing_points",
             .words = {{"d", real(box_.d)}},
             .level = Level::idea};
   }
 
-  void show(Board& board, const TakenToInfinity<double>& t) {
-    w_ = t.image.w;
-    View view = before();
-    add_lines(view, lines(), Role::current);
-    board.detail(std::move(view));
-  }
   Event say(const TakenToInfinity<double>& t) const {
     return {.text = "taken_to_infinity",
-            .facts = {{"axis", lines().id}, {"w", w_}},
-            .words = {{"axis", lines().name}, {"direction", place_text(t.direction)}, {"w", real(w_)}},
+            .facts = {{"axis", lines().id}, {"w", w()}},
+            .words = {{"axis", lines().name}, {"direction", place_text(t.direction)}, {"w", real(w())}},
             .key = lines().id,
             .decides = divisible(),
             .line = by_plane_};
   }
 
-  void show(Board& board, const Vanished<double>& v) {
-    lines_[at_].point = v.point;
-    View view = before();
-    lead_on(view, at_, Role::current);
-    add_lines(view, lines(), Role::current);
-    board.milestone(std::move(view));
-  }
   Event say(const Vanished<double>& v) const {
     return {.text = "vanished",
             .facts = {{"axis", lines().id}, {"x", v.point.x}, {"y", v.point.y}},
-            .words = {{"axis", lines().name}, {"w", w_}, {"point", place_text(v.point)}},
-            .row = {lines().name, place_text(v.direction), w_, place_text(v.point)},
+            .words = {{"axis", lines().name}, {"w", w()}, {"point", place_text(v.point)}},
+            .row = {lines().name, place_text(v.direction), w(), place_text(v.point)},
             .key = lines().id,
             .decides = divisible(),
             .line = by_plane_};
   }
 
-  void show(Board& board, const StaysParallel<double>&) {
-    View view = before();
-    add_lines(view, lines(), missed(lines()) ? Role::rejected : Role::current);
-    board.milestone(std::move(view));
-  }
   Event say(const StaysParallel<double>& s) const {
     const bool by_rule = by_plane_ && s.direction.y == 0;
     const std::optional<dvec2> missed_point = missed(lines());
@@ -168,7 +155,7 @@ class VanishingStory {
                 .words = {{"axis", lines().name},
                           {"direction", place_text(s.direction)},
                           {"point", missed_point ? place_text(*missed_point) : ""}},
-                .row = {lines().name, place_text(s.direction), by_rule ? Said("") : w_, words_.say("none")},
+                .row = {lines().name, place_text(s.direction), by_rule ? Said("") : w(), words_.say("none")},
                 .key = lines().id};
     if (by_rule) {
       event.decides = yes_or_no(words_, "question.by_plane", {}, true, "parallel");
@@ -179,14 +166,6 @@ class VanishingStory {
     return event;
   }
 
-  void show(Board& board, const steps::Finished&) {
-    View view = box(Role::result);
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      lead_on(view, i, Role::past);
-      if (missed(lines_[i])) add_lines(view, lines_[i], Role::rejected);
-    }
-    board.milestone(std::move(view));
-  }
   Event say(const steps::Finished&) const {
     constexpr std::string_view keys[] = {"done.points.none", "done.points.one", "done.points.two",
                                          "done.points.three"};
@@ -198,9 +177,28 @@ class VanishingStory {
     return {.text = names.empty() ? "done.rule_holds" : "done.parallel_by_plane", .words = {{"axes", names}}};
   }
 
+  View draw() const {
+    View view = box(now<steps::Finished>() ? Role::result : Role::input);
+    if (now<steps::Started>()) return view;
+    if (now<steps::Finished>()) {
+      for (std::size_t i = 0; i < lines_.size(); ++i) {
+        lead_on(view, i, Role::past);
+        if (missed(lines_[i])) add_lines(view, lines_[i], Role::rejected);
+      }
+      return view;
+    }
+    for (std::size_t i = 0; i < turn(); ++i) lead_on(view, i, Role::past);
+    lead_on(view, turn(), Role::current);
+    const bool wrongly = now<StaysParallel<double>>() && missed(lines());
+    add_lines(view, lines(), wrongly ? Role::rejected : Role::current);
+    return view;
+  }
+
  private:
+  /// Of the last point at infinity that was taken through the matrix.
+  double w() const { return last<TakenToInfinity<double>>()->image.w; }
   Decision divisible() const {
-    return yes_or_no(words_, "question.divisible", {{"w", w_}}, w_ != 0, "vanishes", "parallel");
+    return yes_or_no(words_, "question.divisible", {{"w", w()}}, w() != 0, "vanishes", "parallel");
   }
   /// Where lines vanish although the rule has them stay parallel.
   std::optional<dvec2> missed(const Lines& lines) const {
@@ -229,13 +227,6 @@ class VanishingStory {
       view.add({fmt::format("a face {}", i), role,
                 Area{{ring}, shade_of(solids::seen_by_viewer(outward(box_.solid, i)))}});
     }
-  }
-
-  /// The box, and where the lines before these lead to.
-  View before() const {
-    View view = box(Role::input);
-    for (std::size_t i = 0; i < at_; ++i) lead_on(view, i, Role::past);
-    return view;
   }
 
   void add_lines(View& view, const Lines& lines, Role role) const {
@@ -272,8 +263,6 @@ class VanishingStory {
   const std::optional<int> by_plane_;
   std::vector<Lines> lines_;  ///< of x, y, z, and of the direction given
   Panel panel_{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}};
-  std::size_t at_ = 0;
-  double w_ = 0;  ///< of the point at infinity that was taken through the matrix
 };
 
 /// find(matrix, direction, observer): what the method does with a direction.
