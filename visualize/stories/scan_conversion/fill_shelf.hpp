@@ -21,16 +21,20 @@ class Shelf {
   Shelf(ivec2 left, int columns, bool queue, std::string next)
       : left_(left), cells_(static_cast<std::size_t>(columns)), queue_(queue), next_(std::move(next)) {}
 
-  void push(std::string entry) {
-    if (drawn()) entries_.push_back(std::move(entry));
+  void push(Board& board, std::string entry) {
+    if (!drawn()) return;
+    entries_.push_back(std::move(entry));
+    draw(board);
   }
-  void take() {
-    if (drawn()) queue_ ? entries_.pop_front() : entries_.pop_back();
+  void take(Board& board) {
+    if (!drawn()) return;
+    queue_ ? entries_.pop_front() : entries_.pop_back();
+    draw(board);
   }
 
+ private:
   /// Changes in the drawing what has changed.
   void draw(Board& board) {
-    if (!drawn()) return;
     const std::vector<std::string> now = texts();
     for (std::size_t i = 0; i < now.size(); ++i) {
       const ivec2 cell = left_ + ivec2{static_cast<int>(i), 0};
@@ -40,8 +44,6 @@ class Shelf {
     name_next(board);
     cells_ = now;
   }
-
- private:
   bool drawn() const { return !cells_.empty(); }
   /// Of each cell; empty where there is no entry.
   std::vector<std::string> texts() const {

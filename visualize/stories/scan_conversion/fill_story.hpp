@@ -137,8 +137,7 @@ class Story {
     current_ = cell;
     current_waits_ = true;
     note(cell);
-    shelf_.push(fmt::format("{},{}", cell.x, cell.y));
-    shelf_.draw(board);
+    shelf_.push(board, fmt::format("{},{}", cell.x, cell.y));
   }
   Event say(const Painted& p) const {
     const bool seed = p.from == p.pixel;
@@ -175,8 +174,7 @@ class Story {
     board.detail(r.pixel);
     put(board, r.pixel, Role::past);
     if (current_ == r.pixel) current_.reset();
-    shelf_.take();
-    shelf_.draw(board);
+    shelf_.take(board);
   }
   Event say(const Retreated& r) const {
     return filling(r.pixel, {.text = way_.calls() ? "call_returned" : "retreated",
@@ -193,8 +191,7 @@ class Story {
     put(board, cell, Role::current);
     current_ = cell;
     current_waits_ = false;
-    shelf_.take();
-    shelf_.draw(board);
+    shelf_.take(board);
   }
   Event say(const Dequeued& d) const {
     return filling(cell_of(d.pixel), {.text = "dequeued",
@@ -232,8 +229,7 @@ class Story {
     board.detail({s.span.left, s.span.row});
     if (numbers_.cells().empty()) return board.mark("waiting span", Role::candidate, arrow_from(s.span));
     board.keep(arrow_id(s.waiting), Role::candidate, arrow_from(s.span));
-    shelf_.push(fmt::format("{}", s.span.row + s.span.way));
-    shelf_.draw(board);
+    shelf_.push(board, fmt::format("{}", s.span.row + s.span.way));
   }
   Event say(const SpanQueued& s) const {
     Event event{.text = "span_queued", .words = {{"holds", holds(s.waiting)}}};
@@ -248,8 +244,7 @@ class Story {
     board.mark("taken span", Role::current, arrow_from(s.span));
     if (numbers_.cells().empty()) return;
     board.remove(arrow_id(s.waiting + 1));
-    shelf_.take();
-    shelf_.draw(board);
+    shelf_.take(board);
   }
   Event say(const SpanTaken& s) const {
     return beside(s.span, s.waiting, {.text = "span_taken", .count = static_cast<std::int64_t>(s.waiting)});
